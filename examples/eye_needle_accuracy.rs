@@ -146,7 +146,7 @@ fn contributions(linkage: &Linkage, tolerances: &Given, phi: f64) {
 fn allocations(check: &mut Check, linkage: &Linkage, tolerances: &Given) -> Outcome {
     let present = tolerances.values();
     // The needle's arm turns the needle's point about P7.
-    let sizes = Sizes::of(tolerances.parameters())?.lever(EyeNeedle::INDEX_ARM, 136.8)?;
+    let sizes = Sizes::new(tolerances.parameters())?.lever(EyeNeedle::INDEX_ARM, 136.8)?;
     // The present tolerances cost 1 each.
     let costs = Costs {
         cost: present,

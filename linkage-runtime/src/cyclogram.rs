@@ -1,6 +1,6 @@
 //! Cyclograms: from which to which angle of the shaft each organ of a machine advances, dwells and returns.
 //!
-//! An [`Organ`] is made of the [`Course`](crate::summary::Course) of a quantity and of the [`Band`]s in which it is
+//! An [`Member`] is made of the [`Curve`](crate::summary::Curve) of a quantity and of the [`Band`]s in which it is
 //! said to dwell. Its [`Event`]s, where one motion ends and the next one begins, are roots of exact derivatives, with
 //! their sensitivities to the dimensions by the implicit function theorem. A [`Cyclogram`] is all organs of a shaft:
 //! what follows what, by how many degrees, and what happens at the same time.
@@ -11,7 +11,7 @@ mod error;
 mod event;
 mod lag;
 mod machine;
-mod organ;
+mod member;
 mod overlap;
 mod print;
 mod setting;
@@ -22,7 +22,7 @@ pub use error::{BandMistake, CyclogramError};
 pub use event::{Cause, Event, Motion};
 pub use lag::Lag;
 pub use machine::{Cyclogram, Moment};
-pub use organ::Organ;
+pub use member::Member;
 pub use overlap::{Overlap, Overlaps};
 pub use setting::{Setting, SettingError, set_event};
 pub use steps::{Slot, nearest_slot};

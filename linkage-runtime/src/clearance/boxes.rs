@@ -47,7 +47,7 @@ impl<const K: usize, const N: usize> PhaseSet<'_, K, N> {
     ///
     /// # Errors
     ///
-    /// `Phases` for a range that is empty, infinite or more than a cycle, `NoPairs` without any, `Course` as
+    /// `Phases` for a range that is empty, infinite or more than a cycle, `NoPairs` without any, `Curve` as
     /// [`Phases::at`].
     pub fn best(&self, ranges: [(f64, f64); N]) -> Result<BestPhases<K, N>, PhaseError> {
         Search::new(self, ranges)?.best()

@@ -9,7 +9,7 @@ use core::fmt;
 #[non_exhaustive]
 pub enum PhaseError {
     /// One of the organs cannot be followed.
-    Course(SummaryError),
+    Curve(SummaryError),
     /// The range is no cycle of an organ.
     NoCycle {
         /// Whether it is the second one.
@@ -51,7 +51,7 @@ impl fmt::Display for PhaseError {
         let which = |second: bool| if second { "second" } else { "first" };
         let degrees = |x: f64| rounded(x.to_degrees());
         match *self {
-            Self::Course(error) => error.fmt(f),
+            Self::Curve(error) => error.fmt(f),
             Self::NoCycle {
                 second,
                 range: (from, to),
@@ -103,6 +103,6 @@ impl core::error::Error for PhaseError {}
 
 impl From<SummaryError> for PhaseError {
     fn from(error: SummaryError) -> Self {
-        Self::Course(error)
+        Self::Curve(error)
     }
 }

@@ -4,7 +4,7 @@ use super::case::Case;
 use super::nearest::Nearest;
 use super::shape::{Pair, Part, parts, plain};
 use crate::components::Components;
-use crate::summary::{Course, Kind, SummaryError, positions};
+use crate::summary::{Curve, Kind, SummaryError, positions};
 use alloc::vec::Vec;
 
 #[cfg(feature = "tolerance")]
@@ -24,7 +24,7 @@ use crate::tolerance::Tolerances;
 /// ];
 /// let still = |x, y| [[x, y], [0.0; 2], [0.0; 2]];
 /// let bar = [still(50.0, 10.0), still(50.0, 40.0)];
-/// let clearance = Clearance::of((0.0, TAU), 90, |phi| ([pin(phi)], bar))?;
+/// let clearance = Clearance::new((0.0, TAU), 90, |phi| ([pin(phi)], bar))?;
 /// let least = clearance.least();
 /// // The lower end of the bar is nearest: in line with the crank.
 /// assert!((least.at - (10.0f64 / 50.0).atan()).abs() < 1e-15);
@@ -63,14 +63,14 @@ impl<const K: usize> Clearance<K> {
     /// the language), as vectors of the plane or of space.
     ///
     /// A segment's nearest place may be an end or lie inside, and each of these cases is followed for itself, as a
-    /// [`Course`] of half the square of the distance, which is smooth where the distance itself is not (at 0). Its
+    /// [`Curve`] of half the square of the distance, which is smooth where the distance itself is not (at 0). Its
     /// roots are located as those of any course; of what is found stays what is nearest indeed. In the plane segments
     /// that cross touch: the distance is 0, and if they cross at one of the positions this is told for the first one.
     ///
     /// # Errors
     ///
-    /// As [`Course::of`].
-    pub fn of<V: Components<K>, const A: usize, const B: usize>(
+    /// As [`Curve::new`].
+    pub fn new<V: Components<K>, const A: usize, const B: usize>(
         range: (f64, f64),
         positions: usize,
         function: impl Fn(f64) -> ([[V; 3]; A], [[V; 3]; B]),
@@ -78,12 +78,12 @@ impl<const K: usize> Clearance<K> {
         Self::followed(range, positions, &function, |u, _| function(u))
     }
 
-    /// As [`of`](Self::of), where the evenly spaced positions have been evaluated already: `row(i)` gives the shapes
+    /// As [`new`](Self::new), where the evenly spaced positions have been evaluated already: `row(i)` gives the shapes
     /// at the `i`th of [`positions`], from a sweep. `function` is then called for roots alone.
     ///
     /// # Errors
     ///
-    /// As [`Course::of`].
+    /// As [`Curve::new`].
     pub fn swept<V: Components<K>, const A: usize, const B: usize>(
         range: (f64, f64),
         positions: usize,
@@ -136,16 +136,16 @@ impl<const K: usize> Clearance<K> {
                 continue;
             }
             let jet = |pair: &Pair<K, A, B>| Case::of(parts, pair).jet();
-            let course = Course::swept(range, rows.len(), |i| jet(&rows[i]), |u| jet(&function(u)));
-            let course = match course {
-                Ok(course) => course,
+            let curve = Curve::swept(range, rows.len(), |i| jet(&rows[i]), |u| jet(&function(u)));
+            let curve = match curve {
+                Ok(curve) => curve,
                 // Parallel edges have no inside that is nearest, and one without length is a point.
                 Err(_) if parts.contains(&Part::Edge) => continue,
                 Err(error) => return Err(error),
             };
-            let points = &course.position().points;
+            let points = &curve.position().points;
             let low = points.iter().filter(|point| point.kind == Kind::Low);
-            let constant = [course.position().lowest];
+            let constant = [curve.position().lowest];
             let alone = constant.iter().filter(|_| points.is_empty());
             for extreme in low.chain(alone) {
                 let case = Case::of(parts, &function(extreme.at));

@@ -21,7 +21,7 @@ use core::marker::PhantomData;
 /// let yoke = |x: f64, height: f64| {
 ///     [[40.0 * x.sin(), height], [40.0 * x.cos(), 0.0], [-40.0 * x.sin(), 0.0]]
 /// };
-/// let phases = Phases::of((0.0, TAU), 90, |x| [yoke(x, 0.0)], |x| [yoke(x, 10.0)])?;
+/// let phases = Phases::new((0.0, TAU), 90, |x| [yoke(x, 0.0)], |x| [yoke(x, 10.0)])?;
 /// // They pass each other at any phase.
 /// let best = phases.best((-PI, PI))?;
 /// assert!((best.distance - 10.0).abs() < 1e-12);
@@ -56,14 +56,14 @@ where
     G: Fn(f64) -> [[V; 3]; B],
 {
     /// Follows both organs over a cycle of the shaft, from this many evenly spaced positions, both ends among them:
-    /// each function gives the points of its organ, as [`Clearance::of`] takes them, at its own angle, without a
+    /// each function gives the points of its organ, as [`Clearance::new`] takes them, at its own angle, without a
     /// phase. Neither is ever called outside the range.
     ///
     /// # Errors
     ///
-    /// `Course` for an empty range or less than two positions, `Gap` if an organ cannot be assembled at a position,
+    /// `Curve` for an empty range or less than two positions, `Gap` if an organ cannot be assembled at a position,
     /// `NoCycle` if it does not end where it began.
-    pub fn of(
+    pub fn new(
         range: (f64, f64),
         positions: usize,
         first: F,
@@ -106,7 +106,7 @@ where
     ///
     /// # Errors
     ///
-    /// As [`Clearance::of`].
+    /// As [`Clearance::new`].
     pub fn at(&self, phase: f64) -> Result<Clearance<K>, SummaryError> {
         let pair = |u: f64| Pair {
             first: plain((self.first)(u)),

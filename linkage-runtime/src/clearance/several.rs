@@ -26,8 +26,8 @@ use alloc::vec::Vec;
 ///     }
 /// };
 /// let (a, b, c) = (crank(0.0, 1.0), crank(100.0, -1.0), crank(200.0, 1.0));
-/// let left = Phases::of((0.0, TAU), 90, a, b)?;
-/// let right = Phases::of((0.0, TAU), 90, b, c)?;
+/// let left = Phases::new((0.0, TAU), 90, a, b)?;
+/// let right = Phases::new((0.0, TAU), 90, b, c)?;
 /// // The first crank is on the shaft as it is; phase 0 turns the second one, phase 1 the third.
 /// let set = PhaseSet::<2, 2>::new().pair(None, Some(0), &left).pair(Some(0), Some(1), &right);
 /// let best = set.best([(-PI, PI); 2])?;

@@ -1,6 +1,6 @@
 //! What dimensions do to the angles at which motions begin and end.
 
-use super::{Cause, Organ};
+use super::{Cause, Member};
 use alloc::vec::Vec;
 
 #[cfg(feature = "tolerance")]
@@ -8,7 +8,7 @@ use super::CyclogramError;
 #[cfg(feature = "tolerance")]
 use crate::tolerance::{Effects, Tolerances};
 
-impl Organ {
+impl Member {
     /// Adds the sensitivities of all events: the derivatives of their angles by the parameters, in radians for a unit
     /// of the parameter.
     ///
@@ -109,7 +109,7 @@ impl Organ {
         match own.and_then(|own| <[f64; P]>::try_from(own).ok()) {
             Some(own) => Ok(tolerances.effects(&own)),
             None => Err(CyclogramError::Parameters {
-                organ: self.name.clone(),
+                member: self.name.clone(),
                 tolerances: P,
                 sensitivities: own.map(<[f64]>::len),
             }),

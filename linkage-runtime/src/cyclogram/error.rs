@@ -13,7 +13,7 @@ pub enum CyclogramError {
     /// The range is no cycle of the organ: after it the quantity or a derivative is not what it was before.
     NoCycle {
         /// The organ.
-        organ: String,
+        member: String,
         /// The range of the shaft's angle.
         range: (f64, f64),
         /// The quantity at both ends.
@@ -22,21 +22,21 @@ pub enum CyclogramError {
     /// The organ is not assembled over the whole cycle.
     Gap {
         /// The organ.
-        organ: String,
+        member: String,
         /// Where it is assembled.
         parts: Vec<(f64, f64)>,
     },
     /// It stands still: there is nothing to tell.
     Still {
         /// The organ.
-        organ: String,
+        member: String,
         /// Where.
         value: f64,
     },
     /// Its bands do not fit its motion.
     Bands {
         /// The organ.
-        organ: String,
+        member: String,
         /// The lowest and the highest position.
         limits: [f64; 2],
         /// What is wrong, band by band.
@@ -45,14 +45,14 @@ pub enum CyclogramError {
     /// Two organs have not the same range of the shaft's angle.
     Ranges {
         /// The organs.
-        organs: [String; 2],
+        members: [String; 2],
         /// Their ranges.
         ranges: [(f64, f64); 2],
     },
     /// The tolerances are those of another number of parameters than the sensitivities.
     Parameters {
         /// The organ.
-        organ: String,
+        member: String,
         /// How many tolerances there are.
         tolerances: usize,
         /// How many parameters the sensitivities are by; `None` if there are none.
@@ -93,7 +93,7 @@ impl fmt::Display for CyclogramError {
         let degrees = |(from, to): (f64, f64)| [from, to].map(|x| rounded(x.to_degrees()));
         match self {
             Self::NoCycle {
-                organ,
+                member,
                 range,
                 values: [first, last],
             } => {
@@ -101,14 +101,14 @@ impl fmt::Display for CyclogramError {
                     (degrees(*range), [first, last].map(|x| rounded(*x)));
                 write!(
                     f,
-                    "`{organ}` does not repeat itself from {from} to {to} deg: there it is {first} and {last}, or a \
+                    "`{member}` does not repeat itself from {from} to {to} deg: there it is {first} and {last}, or a \
                      derivative differs\nhelp: give the range of a whole cycle, one or several turns"
                 )
             }
-            Self::Gap { organ, parts } => {
+            Self::Gap { member, parts } => {
                 write!(
                     f,
-                    "`{organ}` cannot be assembled over the whole cycle, only"
+                    "`{member}` cannot be assembled over the whole cycle, only"
                 )?;
                 for (index, part) in parts.iter().enumerate() {
                     let [from, to] = degrees(*part);
@@ -117,25 +117,25 @@ impl fmt::Display for CyclogramError {
                 }
                 Ok(())
             }
-            Self::Still { organ, value } => write!(
+            Self::Still { member, value } => write!(
                 f,
-                "`{organ}` stands still at {} over the whole cycle",
+                "`{member}` stands still at {} over the whole cycle",
                 rounded(*value)
             ),
             Self::Bands {
-                organ,
+                member,
                 limits,
                 mistakes,
             } => {
                 for (index, mistake) in mistakes.iter().enumerate() {
                     let line = if index == 0 { "" } else { "\n" };
-                    write!(f, "{line}`{organ}`: ")?;
+                    write!(f, "{line}`{member}`: ")?;
                     mistake.print(f, *limits)?;
                 }
                 Ok(())
             }
-            Self::Ranges { organs, ranges } => {
-                let [a, b] = organs;
+            Self::Ranges { members, ranges } => {
+                let [a, b] = members;
                 let [[from, to], [other_from, other_to]] = ranges.map(degrees);
                 write!(
                     f,
@@ -144,16 +144,16 @@ impl fmt::Display for CyclogramError {
                 )
             }
             Self::Parameters {
-                organ,
+                member,
                 tolerances,
                 sensitivities: Some(parameters),
             } => write!(
                 f,
-                "`{organ}` has sensitivities to {parameters} parameters, and there are {tolerances} tolerances"
+                "`{member}` has sensitivities to {parameters} parameters, and there are {tolerances} tolerances"
             ),
-            Self::Parameters { organ, .. } => write!(
+            Self::Parameters { member, .. } => write!(
                 f,
-                "`{organ}` has no sensitivities that tolerances could be multiplied by\nhelp: call `sensitivities` first"
+                "`{member}` has no sensitivities that tolerances could be multiplied by\nhelp: call `sensitivities` first"
             ),
         }
     }

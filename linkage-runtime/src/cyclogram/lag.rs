@@ -24,15 +24,15 @@ impl Cyclogram {
     /// How far the shaft turns from an event `a` to the next `b`.
     ///
     /// ```
-    /// use linkage_runtime::cyclogram::{Band, Cyclogram, Motion, Organ};
-    /// use linkage_runtime::summary::Course;
+    /// use linkage_runtime::cyclogram::{Band, Cyclogram, Motion, Member};
+    /// use linkage_runtime::summary::Curve;
     ///
-    /// let organ = |name: &str, lead: f64| -> Result<Organ, Box<dyn std::error::Error>> {
+    /// let member = |name: &str, lead: f64| -> Result<Member, Box<dyn std::error::Error>> {
     ///     let lift = |x: f64| [(x + lead).sin(), (x + lead).cos(), -(x + lead).sin()];
-    ///     let course = Course::of((0.0, std::f64::consts::TAU), 90, lift)?;
-    ///     Ok(Organ::new(name, &course, &[Band::Top(0.5)])?.unit("mm"))
+    ///     let curve = Curve::new((0.0, std::f64::consts::TAU), 90, lift)?;
+    ///     Ok(Member::new(name, &curve, &[Band::Top(0.5)])?.unit("mm"))
     /// };
-    /// let machine = Cyclogram::of([organ("hook", 0.0)?, organ("eye", 20f64.to_radians())?])?;
+    /// let machine = Cyclogram::new([member("hook", 0.0)?, member("eye", 20f64.to_radians())?])?;
     /// let hook = machine.begin("hook", Motion::Dwell(0)).expect("it dwells");
     /// let eye = machine.end("eye", Motion::Dwell(0)).expect("it dwells");
     /// let lag = machine.after(&hook, &eye);
@@ -57,27 +57,27 @@ impl Cyclogram {
     /// The first event of the cycle at which the organ of this name begins a motion; `None` if there is no such organ,
     /// or it never does that.
     #[must_use]
-    pub fn begin(&self, organ: &str, motion: Motion) -> Option<Moment<'_>> {
+    pub fn begin(&self, member: &str, motion: Motion) -> Option<Moment<'_>> {
         self.moments()
-            .find(|moment| moment.organ.name() == organ && moment.event.begins == motion)
+            .find(|moment| moment.member.name() == member && moment.event.begins == motion)
     }
 
     /// The same where it ends a motion.
     #[must_use]
-    pub fn end(&self, organ: &str, motion: Motion) -> Option<Moment<'_>> {
+    pub fn end(&self, member: &str, motion: Motion) -> Option<Moment<'_>> {
         self.moments()
-            .find(|moment| moment.organ.name() == organ && moment.event.ends == motion)
+            .find(|moment| moment.member.name() == member && moment.event.ends == motion)
     }
 }
 
 impl Lag<'_> {
     /// The derivatives of its angle by the parameters: those of the later event less those of the earlier one, so that
-    /// what shifts both alike does nothing. `None` unless both organs have [sensitivities](super::Organ::sensitivities)
+    /// what shifts both alike does nothing. `None` unless both organs have [sensitivities](super::Member::sensitivities)
     /// by the same parameters.
     #[must_use]
     pub fn sensitivity(&self) -> Option<Vec<f64>> {
-        let from = self.from.organ.sensitivity(self.from.index)?;
-        let to = self.to.organ.sensitivity(self.to.index)?;
+        let from = self.from.member.sensitivity(self.from.index)?;
+        let to = self.to.member.sensitivity(self.to.index)?;
         let both = to.iter().zip(from);
         (from.len() == to.len()).then(|| both.map(|(to, from)| to - from).collect())
     }
@@ -93,7 +93,7 @@ impl Lag<'_> {
         &self,
         tolerances: &Tolerances<P>,
     ) -> Result<Effects<P, 1>, CyclogramError> {
-        let of = |moment: &Moment<'_>| moment.organ.effects(moment.index, tolerances);
+        let of = |moment: &Moment<'_>| moment.member.effects(moment.index, tolerances);
         Ok(of(&self.to)?.relative_to(&of(&self.from)?))
     }
 }

@@ -11,7 +11,7 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Overlap {
     /// The indices of the organs, the lower one first.
-    pub organs: [usize; 2],
+    pub members: [usize; 2],
     /// What each of them does.
     pub motions: [Motion; 2],
     /// When both do it.
@@ -30,17 +30,17 @@ impl Cyclogram {
     /// order of the angle. What other motions have in common tells [`together`](Self::together).
     ///
     /// ```
-    /// use linkage_runtime::cyclogram::{Band, Cyclogram, Organ};
-    /// use linkage_runtime::summary::Course;
+    /// use linkage_runtime::cyclogram::{Band, Cyclogram, Member};
+    /// use linkage_runtime::summary::Curve;
     ///
-    /// let organ = |name: &str, lead: f64| -> Result<Organ, Box<dyn std::error::Error>> {
+    /// let member = |name: &str, lead: f64| -> Result<Member, Box<dyn std::error::Error>> {
     ///     let lift = |x: f64| [(x + lead).sin(), (x + lead).cos(), -(x + lead).sin()];
-    ///     let course = Course::of((0.0, std::f64::consts::TAU), 90, lift)?;
-    ///     Ok(Organ::new(name, &course, &[Band::Top(0.5)])?)
+    ///     let curve = Curve::new((0.0, std::f64::consts::TAU), 90, lift)?;
+    ///     Ok(Member::new(name, &curve, &[Band::Top(0.5)])?)
     /// };
-    /// let machine = Cyclogram::of([organ("hook", 0.0)?, organ("eye", 20f64.to_radians())?])?;
+    /// let machine = Cyclogram::new([member("hook", 0.0)?, member("eye", 20f64.to_radians())?])?;
     /// assert_eq!(machine.overlaps().to_string(), "\
-    /// from, deg   to, deg  for, deg  organs     both
+    /// from, deg   to, deg  for, deg  members     both
     ///   30.0000  130.0000  100.0000  hook, eye  dwell (top 0.5), dwell (top 0.5)
     ///  150.0000  250.0000  100.0000  hook, eye  return
     ///  270.0000   10.0000  100.0000  hook, eye  advance
@@ -50,13 +50,13 @@ impl Cyclogram {
     #[must_use]
     pub fn overlaps(&self) -> Overlaps<'_> {
         let mut found = Vec::new();
-        for later in 0..self.organs.len() {
-            for organ in 0..later {
-                found.extend(self.overlaps_of([organ, later]));
+        for later in 0..self.members.len() {
+            for member in 0..later {
+                found.extend(self.overlaps_of([member, later]));
             }
         }
         found.sort_by(|a: &Overlap, b| {
-            let order = a.organs.cmp(&b.organs);
+            let order = a.members.cmp(&b.members);
             order.then(a.interval.from.total_cmp(&b.interval.from))
         });
         Overlaps {
@@ -65,9 +65,9 @@ impl Cyclogram {
         }
     }
 
-    fn overlaps_of(&self, organs: [usize; 2]) -> Vec<Overlap> {
+    fn overlaps_of(&self, members: [usize; 2]) -> Vec<Overlap> {
         let mut found = Vec::new();
-        let [first, second] = organs.map(|organ| &self.organs[organ]);
+        let [first, second] = members.map(|member| &self.members[member]);
         for (motion, interval) in first.intervals() {
             for (other, beside) in second.intervals() {
                 if !alike(motion, other) {
@@ -75,7 +75,7 @@ impl Cyclogram {
                 }
                 let common = self.common(&interval, &beside).into_iter();
                 found.extend(common.map(|interval| Overlap {
-                    organs,
+                    members,
                     motions: [motion, other],
                     interval,
                 }));
@@ -127,8 +127,8 @@ impl Overlaps<'_> {
     /// What both do, of dwells in which bands.
     fn told(&self, overlap: &Overlap) -> String {
         let motion = |k: usize| {
-            let organ = &self.cyclogram.organs[overlap.organs[k]];
-            overlap.motions[k].told(organ.bands(), &organ.unit)
+            let member = &self.cyclogram.members[overlap.members[k]];
+            overlap.motions[k].told(member.bands(), &member.unit)
         };
         match overlap.motions[0].is_dwell() {
             true => format!("{}, {}", motion(0), motion(1)),
@@ -142,8 +142,8 @@ impl fmt::Display for Overlaps<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let names = |overlap: &Overlap| {
             let [a, b] = overlap
-                .organs
-                .map(|organ| self.cyclogram.organs[organ].name());
+                .members
+                .map(|member| self.cyclogram.members[member].name());
             format!("{a}, {b}")
         };
         let widths = self.found.iter().map(|own| names(own).chars().count());

@@ -13,14 +13,17 @@ impl fmt::Display for Cyclogram {
         let (low, high) = self.range();
         let [width, from, to] = [high - low, low, high].map(|x| rounded(x.to_degrees()));
         writeln!(f, "cycle of {width} deg, from {from} to {to} deg\n")?;
-        let name = |moment: &Moment<'_>| moment.organ.name().to_string();
+        let name = |moment: &Moment<'_>| moment.member.name().to_string();
         let ends = |moment: &Moment<'_>| told(moment, moment.event.ends);
         let widest = |word: &dyn Fn(&Moment<'_>) -> String, title: &str| {
             let words = self.moments().map(|moment| word(&moment).chars().count());
             words.max().unwrap_or(0).max(title.len())
         };
         let (names, endings) = (widest(&name, "organ"), widest(&ends, "ends"));
-        let tolerances = self.organs().iter().any(|organ| organ.shift(0).is_some());
+        let tolerances = self
+            .members()
+            .iter()
+            .any(|member| member.shift(0).is_some());
         let shift = if tolerances { "  +- deg" } else { "" };
         writeln!(
             f,
@@ -31,7 +34,7 @@ impl fmt::Display for Cyclogram {
             let [at, after] = [moment.event.at, moment.after].map(f64::to_degrees);
             write!(f, "{at:8.4}  {after:8.4}")?;
             if tolerances {
-                let shift = moment.organ.shift(moment.index);
+                let shift = moment.member.shift(moment.index);
                 let shift = shift.map(|shift| format!("{:.4}", shift.to_degrees()));
                 write!(f, "  {:>6}", shift.unwrap_or_default())?;
             }
@@ -49,7 +52,7 @@ impl fmt::Display for Cyclogram {
 /// A motion of the moment's organ.
 fn told(moment: &Moment<'_>, motion: Motion) -> String {
     motion
-        .told(moment.organ.bands(), &moment.organ.unit)
+        .told(moment.member.bands(), &moment.member.unit)
         .to_string()
 }
 
@@ -61,6 +64,6 @@ impl fmt::Display for Moment<'_> {
             (false, true) => (ends, "ends"),
             (true, _) | (false, false) => (begins, "begins"),
         };
-        write!(f, "{}'s {} {word}", self.organ.name(), told(self, motion))
+        write!(f, "{}'s {} {word}", self.member.name(), told(self, motion))
     }
 }

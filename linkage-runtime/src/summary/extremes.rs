@@ -1,8 +1,8 @@
 //! The highest and lowest values of a quantity or of one of its derivatives.
 
 use super::cascade::Solved;
-use super::noise::Noise;
 use super::source::{Node, Source};
+use super::zero_threshold::ZeroThreshold;
 use alloc::vec::Vec;
 
 /// What a quantity does where it stands still.
@@ -78,7 +78,7 @@ impl Extremes {
     /// Of the `k`th derivative.
     pub(super) fn of<const N: usize, F: Fn(f64) -> [f64; N]>(
         source: &Source<N, F>,
-        noise: &Noise<N>,
+        threshold: &ZeroThreshold<N>,
         solved: &[Solved<N>],
         k: usize,
     ) -> Self {
@@ -90,8 +90,8 @@ impl Extremes {
                 let node = source.in_range(root.node);
                 extreme(node, k, [root.before, root.after])
             }));
-            points.extend(ends(source, noise, part, k));
-            all.push(extreme(source.in_range(part.stretch.nodes[0]), k, [0; 2]));
+            points.extend(ends(source, threshold, part, k));
+            all.push(extreme(source.in_range(part.interval.nodes[0]), k, [0; 2]));
         }
         points.sort_by(|a, b| a.at.total_cmp(&b.at));
         if !points.is_empty() {
@@ -112,15 +112,15 @@ impl Extremes {
 /// The ends of a stretch. Over the seam of a cycle over which the quantity advances, also the ends of the range.
 fn ends<const N: usize, F: Fn(f64) -> [f64; N]>(
     source: &Source<N, F>,
-    noise: &Noise<N>,
+    threshold: &ZeroThreshold<N>,
     part: &Solved<N>,
     k: usize,
 ) -> Vec<Extreme> {
     let mut ends = Vec::new();
-    let nodes = &part.stretch.nodes;
+    let nodes = &part.interval.nodes;
     let [start, end] = [nodes[0], nodes[nodes.len() - 1]];
-    if !part.stretch.whole {
-        let sign = |node: &Node<N>| noise.sign(node, k + 1);
+    if !part.interval.whole {
+        let sign = |node: &Node<N>| threshold.sign(node, k + 1);
         let first = nodes.iter().map(sign).find(|&sign| sign != 0);
         let last = nodes.iter().rev().map(sign).find(|&sign| sign != 0);
         ends.extend(first.map(|sign| ending(source.in_range(start), k, [0, sign])));
@@ -129,7 +129,7 @@ fn ends<const N: usize, F: Fn(f64) -> [f64; N]>(
     let advance = source.advance.filter(|&advance| k == 0 && advance != 0.0);
     if let Some(advance) = advance.filter(|_| start.u < source.high && end.u >= source.high) {
         let [low, high] = [source.low, source.high].map(|x| source.at(x));
-        let sense = match noise.sign(&low, 1) {
+        let sense = match threshold.sign(&low, 1) {
             0 if advance > 0.0 => 1,
             0 => -1,
             sign => sign,

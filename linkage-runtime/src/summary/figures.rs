@@ -2,18 +2,18 @@
 
 use core::fmt;
 
-use super::course::Course;
+use super::band::within;
+use super::crossings::{Crossing, crossings};
+use super::curve::Curve;
 use super::dwell::{Dwell, dwells, longest_dwell};
+use super::events::{CurveEvent, events};
 use super::interval::Interval;
-use super::marks::{Mark, marks};
-use super::passages::{Passage, passages};
 use super::print::describe;
 use super::ratio::{TimeRatio, time_ratio};
 use super::transmission::{Transmission, transmission_angle};
-use super::within::within;
 use alloc::vec::Vec;
 
-impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
+impl<const N: usize, F: Fn(f64) -> [f64; N]> Curve<N, F> {
     /// The intervals in which the quantity changes by no more than `band`, each as long as it can be made by moving it to and
     /// fro; in order of the input. Of those that overlap, only the longest is there.
     ///
@@ -26,11 +26,11 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
     /// `band`. Without a positive band there are no dwells.
     ///
     /// ```
-    /// use linkage_runtime::summary::Course;
+    /// use linkage_runtime::summary::Curve;
     ///
     /// // 1 - cos 10 deg beside each limit of a cosine.
-    /// let course = Course::of((0.0, std::f64::consts::TAU), 360, |x: f64| [x.cos(), -x.sin(), -x.cos()])?;
-    /// let dwells = course.dwells(1.0 - 10f64.to_radians().cos());
+    /// let curve = Curve::new((0.0, std::f64::consts::TAU), 360, |x: f64| [x.cos(), -x.sin(), -x.cos()])?;
+    /// let dwells = curve.dwells(1.0 - 10f64.to_radians().cos());
     /// let places = dwells.iter().map(|dwell| [dwell.interval.from, dwell.interval.to].map(|x| x.to_degrees().round()));
     /// assert_eq!(places.collect::<Vec<_>>(), [[170.0, 190.0], [350.0, 10.0]]);
     /// # Ok::<(), linkage_runtime::summary::SummaryError>(())
@@ -53,18 +53,18 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
     /// So it tells at which inputs a wanted position is reached, all of them:
     ///
     /// ```
-    /// use linkage_runtime::summary::Course;
+    /// use linkage_runtime::summary::Curve;
     ///
     /// let lift = |x: f64| [5.0 - 5.0 * x.cos(), 5.0 * x.sin(), 5.0 * x.cos()];
-    /// let course = Course::of((0.0, std::f64::consts::TAU), 90, lift)?;
-    /// let [up, down] = course.passages(7.5)[..] else { panic!("once up, once down") };
+    /// let curve = Curve::new((0.0, std::f64::consts::TAU), 90, lift)?;
+    /// let [up, down] = curve.crossings(7.5)[..] else { panic!("once up, once down") };
     /// assert!((up.at.to_degrees() - 120.0).abs() < 1e-13 && up.jet[1] > 0.0);
     /// assert!((down.at.to_degrees() - 240.0).abs() < 1e-13 && down.jet[1] < 0.0);
     /// # Ok::<(), linkage_runtime::summary::SummaryError>(())
     /// ```
     #[must_use]
-    pub fn passages(&self, value: f64) -> Vec<Passage<N>> {
-        passages(self, value)
+    pub fn crossings(&self, value: f64) -> Vec<Crossing<N>> {
+        crossings(self, value)
     }
 
     /// The intervals of the input in which the quantity lies between `low` and `high`, in order of the input. In a cycle, one that goes across the
@@ -75,8 +75,8 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
     }
 
     /// The marks of a cycle without gaps, in the order in which they follow each other, beginning anywhere.
-    pub(crate) fn marks(&self, levels: &[f64]) -> Vec<Mark<N>> {
-        marks(self, levels)
+    pub(crate) fn events(&self, levels: &[f64]) -> Vec<CurveEvent<N>> {
+        events(self, levels)
     }
 
     /// How the input is divided between a forward and a return stroke. `None` if the range is no cycle or has gaps,
@@ -93,11 +93,11 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
     /// it is 0 or pi/2 exactly.
     ///
     /// ```
-    /// use linkage_runtime::summary::Course;
+    /// use linkage_runtime::summary::Curve;
     /// use std::f64::consts::{FRAC_PI_3, TAU};
     ///
     /// let between = |phi: f64| [1.2 + 0.5 * phi.sin(), 0.5 * phi.cos()];
-    /// let [least, greatest] = Course::of((0.0, TAU), 360, between)?.transmission_angle();
+    /// let [least, greatest] = Curve::new((0.0, TAU), 360, between)?.transmission_angle();
     /// assert!((least.angle - 0.7).abs() < 1e-15);
     /// assert_eq!(greatest.angle, std::f64::consts::FRAC_PI_2);
     /// # Ok::<(), linkage_runtime::summary::SummaryError>(())
@@ -113,12 +113,12 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
     /// they are, in `mm/rad` for example.
     ///
     /// ```
-    /// use linkage_runtime::summary::Course;
+    /// use linkage_runtime::summary::Curve;
     ///
     /// let yoke = |phi: f64| [40.0 * phi.sin(), 40.0 * phi.cos(), -40.0 * phi.sin()];
-    /// let course = Course::of((0.0, std::f64::consts::TAU), 360, yoke)?;
+    /// let curve = Curve::new((0.0, std::f64::consts::TAU), 360, yoke)?;
     /// assert_eq!(
-    ///     course.describe("mm", "rad").to_string(),
+    ///     curve.describe("mm", "rad").to_string(),
     ///     "lowest          -40 mm at 270 deg\n\
     ///      highest         40 mm at 90 deg\n\
     ///      stroke          80 mm\n\

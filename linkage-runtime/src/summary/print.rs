@@ -1,6 +1,6 @@
 //! A course in lines to be read.
 
-use super::course::Course;
+use super::curve::Curve;
 use super::extremes::{Extreme, Extremes};
 use super::interval::Interval;
 use crate::format::{printed, rounded, settled};
@@ -24,23 +24,23 @@ impl Unit<'_> {
     }
 }
 
-/// The lines of [`Course::describe`].
+/// The lines of [`Curve::describe`].
 pub(super) fn describe<'a, const N: usize, F: Fn(f64) -> [f64; N]>(
-    course: &'a Course<N, F>,
+    curve: &'a Curve<N, F>,
     unit: &'a str,
     input: &'a str,
 ) -> impl fmt::Display + 'a {
-    printed(move |f| print(course, f, Unit(unit), Unit(input)))
+    printed(move |f| print(curve, f, Unit(unit), Unit(input)))
 }
 
 fn print<const N: usize, F: Fn(f64) -> [f64; N]>(
-    course: &Course<N, F>,
+    curve: &Curve<N, F>,
     f: &mut fmt::Formatter<'_>,
     unit: Unit<'_>,
     input: Unit<'_>,
 ) -> fmt::Result {
-    let position = course.position();
-    let (low, high) = course.range();
+    let position = curve.position();
+    let (low, high) = curve.range();
     let width = high - low;
     for (name, extreme) in [("lowest", position.lowest), ("highest", position.highest)] {
         let at = settled(extreme.at, ROUNDOFF, width);
@@ -55,13 +55,13 @@ fn print<const N: usize, F: Fn(f64) -> [f64; N]>(
             (unit, input) => write!(f, "{unit}/{input}{power}"),
         })
     };
-    if let Some(velocity) = course.extremes_of(1) {
+    if let Some(velocity) = curve.extremes_of(1) {
         extremes(f, "velocity", velocity, &per(""), (input, width))?;
     }
-    if let Some(acceleration) = course.extremes_of(2) {
+    if let Some(acceleration) = curve.extremes_of(2) {
         extremes(f, "accel.", acceleration, &per("^2"), (input, width))?;
     }
-    if let Some(time) = course.time_ratio() {
+    if let Some(time) = curve.time_ratio() {
         let (rise, fall) = (input.print(time.rise), input.print(time.fall));
         let ratio = rounded(time.ratio());
         writeln!(
@@ -70,8 +70,8 @@ fn print<const N: usize, F: Fn(f64) -> [f64; N]>(
             "time ratio"
         )?;
     }
-    if course.has_gaps() {
-        for Interval { from, to, .. } in course.parts() {
+    if curve.has_gaps() {
+        for Interval { from, to, .. } in curve.parts() {
             let (from, to) = (input.print(from), input.print(to));
             writeln!(f, "{:14}  {from} to {to}", "only from")?;
         }

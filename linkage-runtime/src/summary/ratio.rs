@@ -1,6 +1,6 @@
 //! Time ratio of forward and return stroke.
 
-use super::course::Course;
+use super::curve::Curve;
 use super::extremes::Kind;
 
 /// How the input of a cycle is divided between the two strokes.
@@ -20,12 +20,12 @@ impl TimeRatio {
     }
 }
 
-/// The ratio of [`Course::time_ratio`].
+/// The ratio of [`Curve::time_ratio`].
 pub(super) fn time_ratio<const N: usize, F: Fn(f64) -> [f64; N]>(
-    course: &Course<N, F>,
+    curve: &Curve<N, F>,
 ) -> Option<TimeRatio> {
-    let whole = course.is_cycle() && !course.has_gaps();
-    let position = course.position();
+    let whole = curve.is_cycle() && !curve.has_gaps();
+    let position = curve.position();
     let one = |kind: Kind| {
         let mut limits = position.limits().filter(|limit| limit.kind == kind);
         limits.next().filter(|_| limits.next().is_none())
@@ -35,10 +35,10 @@ pub(super) fn time_ratio<const N: usize, F: Fn(f64) -> [f64; N]>(
     let rise = if way > 0.0 {
         way
     } else {
-        way + course.source.width()
+        way + curve.source.width()
     };
     whole.then_some(TimeRatio {
         rise,
-        fall: course.source.width() - rise,
+        fall: curve.source.width() - rise,
     })
 }

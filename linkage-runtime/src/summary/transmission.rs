@@ -1,8 +1,8 @@
 //! Transmission angle.
 
-use super::course::Course;
+use super::curve::Curve;
 use super::interval::Interval;
-use super::stations::{passing, stations};
+use super::monotone_pieces::{crossing_input, monotone_pieces};
 use core::f64::consts::{FRAC_PI_2, PI};
 
 /// A transmission angle and the input where it occurs.
@@ -14,30 +14,30 @@ pub struct Transmission {
     pub angle: f64,
 }
 
-/// The angles of [`Course::transmission_angle`].
+/// The angles of [`Curve::transmission_angle`].
 pub(super) fn transmission_angle<const N: usize, F: Fn(f64) -> [f64; N]>(
-    course: &Course<N, F>,
+    curve: &Curve<N, F>,
 ) -> [Transmission; 2] {
-    let first = course.solved[0].stretch.nodes[0];
-    let mut found = [transmission(course, first.u, acute(first.jet[0])); 2];
+    let first = curve.solved[0].interval.nodes[0];
+    let mut found = [transmission(curve, first.u, acute(first.jet[0])); 2];
     let mut add = |u: f64, angle: f64| {
         if angle < found[0].angle {
-            found[0] = transmission(course, u, angle);
+            found[0] = transmission(curve, u, angle);
         }
         if angle > found[1].angle {
-            found[1] = transmission(course, u, angle);
+            found[1] = transmission(curve, u, angle);
         }
     };
-    for part in &course.solved {
-        let chain = stations(part);
-        for station in &chain {
-            add(station.u(), acute(station.value()));
+    for part in &curve.solved {
+        let chain = monotone_pieces(part);
+        for piece_end in &chain {
+            add(piece_end.u(), acute(piece_end.value()));
         }
         for pair in chain.windows(2) {
             let [a, b] = [&pair[0].node, &pair[1].node];
             for angle in [0.0, FRAC_PI_2] {
                 if let Some(bound) = multiple(a.jet[0], b.jet[0], angle) {
-                    add(passing(&course.source, a, b, bound), angle);
+                    add(crossing_input(&curve.source, a, b, bound), angle);
                 }
             }
         }
@@ -46,11 +46,11 @@ pub(super) fn transmission_angle<const N: usize, F: Fn(f64) -> [f64; N]>(
 }
 
 fn transmission<const N: usize, F: Fn(f64) -> [f64; N]>(
-    course: &Course<N, F>,
+    curve: &Curve<N, F>,
     u: f64,
     angle: f64,
 ) -> Transmission {
-    let at = Interval::of(&course.source, u, u).from;
+    let at = Interval::of(&curve.source, u, u).from;
     Transmission { at, angle }
 }
 

@@ -28,7 +28,7 @@ impl<const N: usize> Sizes<N> {
     /// # Errors
     ///
     /// `Count` if there are not `N` parameters.
-    pub fn of(parameters: &[Parameter]) -> Result<Self, ToleranceError> {
+    pub fn new(parameters: &[Parameter]) -> Result<Self, ToleranceError> {
         let parameters: [Parameter; N] = exactly("parameters", parameters)?;
         let units = parameters.map(|parameter| 1.0 / millimetres(parameter.unit));
         Ok(Self {

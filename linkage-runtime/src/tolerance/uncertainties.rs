@@ -20,7 +20,7 @@ use crate::data::Parameter;
 ///
 /// let rods = ["a", "b"].map(|name| Parameter { name, unit: "mm", nominal: 40.0, tolerance: 0.03 });
 /// let tolerances = Tolerances::<2>::complete(&rods)?;
-/// let alone = Uncertainties::of(&tolerances, Distribution::Normal);
+/// let alone = Uncertainties::new(&tolerances, Distribution::Normal);
 /// // Cut on one stop: what one is too long, the other is, too.
 /// let together = alone.correlations(&[(0, 1, 0.8)])?;
 ///
@@ -44,7 +44,7 @@ impl<const N: usize> Uncertainties<N> {
     /// Dimensions that are distributed in this way within their tolerances, independently, with infinite degrees of
     /// freedom: the distributions are known.
     #[must_use]
-    pub fn of(tolerances: &Tolerances<N>, distribution: Distribution) -> Self {
+    pub fn new(tolerances: &Tolerances<N>, distribution: Distribution) -> Self {
         Self {
             tolerances: *tolerances,
             distributions: [distribution; N],
@@ -66,7 +66,7 @@ impl<const N: usize> Uncertainties<N> {
         covariance: &[[f64; N]; N],
     ) -> Result<Self, ToleranceError> {
         let listed: [Parameter; N] = exactly("parameters", parameters)?;
-        let mut uncertain = Self::of(&Tolerances::new(&listed, &[0.0; N])?, Distribution::Normal);
+        let mut uncertain = Self::new(&Tolerances::new(&listed, &[0.0; N])?, Distribution::Normal);
         for (i, row) in covariance.iter().enumerate() {
             uncertain = uncertain.standard(i, row[i].sqrt())?;
         }

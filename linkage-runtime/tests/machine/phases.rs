@@ -17,7 +17,7 @@ fn best_of_all_phases() {
     for case in 0..9 {
         let point: Moving<2> = Moving::random(&mut random, 5.0);
         let bar: [Moving<2>; 2] = std::array::from_fn(|_| Moving::random(&mut random, 40.0));
-        let phases = Phases::of(TURN, 91, |x| [point.at(x)], |x| bar.map(|end| end.at(x)));
+        let phases = Phases::new(TURN, 91, |x| [point.at(x)], |x| bar.map(|end| end.at(x)));
         let phases = phases.expect("phases");
         // The whole cycle, and parts of it whose ends are no positions.
         let range = match case % 3 {
@@ -116,7 +116,7 @@ fn narrow_peaks() {
             let [y, v, a] = along(x + lead);
             [[[y + 40.0, 0.0], [v, 0.0], [a, 0.0]]]
         };
-        let phases = Phases::of(TURN, positions, first, second).expect("phases");
+        let phases = Phases::new(TURN, positions, first, second).expect("phases");
         let best = phases.best((-PI, PI)).expect("a best phase");
         assert!(
             (best.distance - 40.0).abs() < near && (best.phase + lead).abs() < 1e-9,
@@ -141,7 +141,7 @@ fn messages() {
         }
     };
     let told = |error: PhaseError| error.to_string();
-    let error = Phases::of(TURN, 73, crank, line)
+    let error = Phases::new(TURN, 73, crank, line)
         .map(|_| ())
         .expect_err("no cycle");
     assert_eq!(
@@ -149,7 +149,7 @@ fn messages() {
         "the second organ does not repeat itself from 0 to 360 deg: its points or their derivatives differ by 6.28319\n\
          help: give the range of a whole cycle"
     );
-    let error = Phases::of(TURN, 73, gap, crank)
+    let error = Phases::new(TURN, 73, gap, crank)
         .map(|_| ())
         .expect_err("a gap");
     assert_eq!(
@@ -157,14 +157,14 @@ fn messages() {
         "the first organ cannot be assembled at 38 of the positions, first at 175 deg: a phase would turn the other organ \
          past them"
     );
-    let error = Phases::of(TURN, 1, crank, crank)
+    let error = Phases::new(TURN, 1, crank, crank)
         .map(|_| ())
         .expect_err("one position");
     assert_eq!(
         error,
-        PhaseError::Course(SummaryError::Positions { positions: 1 })
+        PhaseError::Curve(SummaryError::Positions { positions: 1 })
     );
-    let phases = Phases::of(TURN, 73, crank, |x| {
+    let phases = Phases::new(TURN, 73, crank, |x| {
         crank(x).map(|p| [[p[0][0] + 5.0, p[0][1]], p[1], p[2]])
     })
     .expect("phases");

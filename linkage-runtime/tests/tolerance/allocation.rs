@@ -12,7 +12,7 @@ pub(crate) const ADDITIONS: [Addition; 2] = [Addition::WorstCase, Addition::Stat
 
 pub(crate) fn rules() -> Vec<Rule<13>> {
     let parameters = parameters();
-    let sizes = Sizes::of(&parameters).and_then(|sizes| sizes.lever(8, 136.8));
+    let sizes = Sizes::new(&parameters).and_then(|sizes| sizes.lever(8, 136.8));
     let sizes = sizes.expect("the sizes have ranges");
     let costs = |exponent: f64| Costs {
         cost: parameters.map(|p| p.tolerance.powf(exponent)),
@@ -90,7 +90,7 @@ fn grades_and_factors() {
         nominal: if name == "a" { 0.05 } else { -0.3 },
         tolerance: 0.0,
     });
-    let sizes = Sizes::of(&parameters).expect("two parameters");
+    let sizes = Sizes::new(&parameters).expect("two parameters");
     let requirement = Requirement::new(50e-6, Addition::WorstCase)
         .at(&[1.0, 1.0])
         .expect("finite");
@@ -118,7 +118,7 @@ fn grades_and_factors() {
 
 #[test]
 fn angles_have_the_tolerance_of_their_lever() {
-    let sizes = Sizes::<13>::of(&parameters()).expect("thirteen parameters");
+    let sizes = Sizes::<13>::new(&parameters()).expect("thirteen parameters");
     let [requirement, ..] = requirements(Addition::WorstCase);
     let refused = requirement.allocate(&parameters(), &Rule::EqualTolerance(sizes));
     assert_eq!(
@@ -147,7 +147,7 @@ fn bad_requests() {
             ToleranceError::Limit { .. }
         ));
     }
-    let sizes = Sizes::of(&parameters).expect("two parameters");
+    let sizes = Sizes::new(&parameters).expect("two parameters");
     let too_fine = refused(1e-6, &Rule::StandardGrade(sizes)).to_string();
     assert_eq!(
         too_fine,

@@ -21,12 +21,12 @@ pub enum SettingError<E> {
         /// The range of the parameter.
         range: (f64, f64),
         /// The organ.
-        organ: String,
+        member: String,
     },
     /// The organ has no sensitivities, or none to this parameter.
     Parameter {
         /// The organ.
-        organ: String,
+        member: String,
         /// The index of the parameter.
         parameter: usize,
         /// How many parameters the sensitivities are by; `None` if there are none.
@@ -35,7 +35,7 @@ pub enum SettingError<E> {
     /// The event is nowhere at the wanted angle.
     Unreached {
         /// The organ.
-        organ: String,
+        member: String,
         /// The wanted angle.
         wanted: f64,
         /// The nearest angle that was found: at the values that are looked at, the ends of the range among them, and where the
@@ -58,34 +58,34 @@ impl<E: fmt::Display> fmt::Display for SettingError<E> {
                 rounded(range.0),
                 rounded(range.1)
             ),
-            Self::NoEvent { range, organ } => write!(
+            Self::NoEvent { range, member } => write!(
                 f,
-                "`{organ}` has no event that is meant, with any of the {VALUES} values from {} to {} of the parameter that were \
+                "`{member}` has no event that is meant, with any of the {VALUES} values from {} to {} of the parameter that were \
                  looked at",
                 rounded(range.0),
                 rounded(range.1)
             ),
             Self::Parameter {
-                organ,
+                member,
                 parameter,
                 sensitivities: Some(count),
             } => write!(
                 f,
-                "`{organ}` has sensitivities to {count} parameters, and none with the index {parameter}"
+                "`{member}` has sensitivities to {count} parameters, and none with the index {parameter}"
             ),
-            Self::Parameter { organ, .. } => write!(
+            Self::Parameter { member, .. } => write!(
                 f,
-                "`{organ}` has no sensitivities, which lead to the wanted angle\nhelp: call `sensitivities` on the organ that is built"
+                "`{member}` has no sensitivities, which lead to the wanted angle\nhelp: call `sensitivities` on the organ that is built"
             ),
             Self::Unreached {
-                organ,
+                member,
                 wanted,
                 nearest,
                 value,
                 range,
             } => write!(
                 f,
-                "no event of `{organ}` that is meant is at {} deg: the nearest angle is {} deg, where the parameter is {} (from {} to \
+                "no event of `{member}` that is meant is at {} deg: the nearest angle is {} deg, where the parameter is {} (from {} to \
                  {})\nhelp: give a wider range, or change another parameter",
                 rounded(wanted.to_degrees()),
                 rounded(nearest.to_degrees()),

@@ -3,7 +3,7 @@
 use super::error::SettingError;
 use super::value::{Setting, VALUES};
 use crate::cyclogram::event::Event;
-use crate::cyclogram::organ::Organ;
+use crate::cyclogram::member::Member;
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -37,16 +37,16 @@ pub(super) struct Search<B, W> {
     pub(super) angle: f64,
     pub(super) range: (f64, f64),
     /// Name and cycle of the organ, once it has been built.
-    pub(super) organ: Option<(String, f64)>,
+    pub(super) member: Option<(String, f64)>,
 }
 
-impl<E, B: FnMut(f64) -> Result<Organ, E>, W: Fn(&Event) -> bool> Search<B, W> {
+impl<E, B: FnMut(f64) -> Result<Member, E>, W: Fn(&Event) -> bool> Search<B, W> {
     pub(super) fn run(mut self) -> Result<Vec<Setting>, SettingError<E>> {
         let mut looks: Vec<Vec<Place>> = Vec::with_capacity(VALUES);
         let mut first = None;
         for value in crate::summary::positions(self.range, VALUES) {
             match (self.build)(value) {
-                Ok(organ) => looks.push(self.places(value, &organ)?),
+                Ok(member) => looks.push(self.places(value, &member)?),
                 Err(error) => {
                     first = first.or(Some(error));
                     looks.push(Vec::new());
@@ -54,10 +54,10 @@ impl<E, B: FnMut(f64) -> Result<Organ, E>, W: Fn(&Event) -> bool> Search<B, W> {
             }
         }
         let range = self.range;
-        if let (None, Some(error)) = (&self.organ, first) {
+        if let (None, Some(error)) = (&self.member, first) {
             return Err(SettingError::Unbuilt { range, error });
         }
-        let (organ, _) = self.organ.clone().unwrap_or_default();
+        let (member, _) = self.member.clone().unwrap_or_default();
         let mut nearest: Option<Place> = None;
         let mut roots: Vec<Place> = Vec::new();
         let mut take = |place: Place| {
@@ -88,9 +88,9 @@ impl<E, B: FnMut(f64) -> Result<Organ, E>, W: Fn(&Event) -> bool> Search<B, W> {
         let near = SAME * (range.1 - range.0).abs();
         roots.dedup_by(|a, b| (a.value - b.value).abs() <= near && a.event == b.event);
         match nearest {
-            None => Err(SettingError::NoEvent { range, organ }),
+            None => Err(SettingError::NoEvent { range, member }),
             Some(nearest) if roots.is_empty() => Err(SettingError::Unreached {
-                organ,
+                member,
                 wanted: self.angle,
                 nearest: nearest.at,
                 value: nearest.value,
@@ -104,33 +104,33 @@ impl<E, B: FnMut(f64) -> Result<Organ, E>, W: Fn(&Event) -> bool> Search<B, W> {
     }
 
     fn setting(&mut self, place: Place) -> Option<Setting> {
-        let organ = (self.build)(place.value).ok()?;
+        let member = (self.build)(place.value).ok()?;
         Some(Setting {
             value: place.value,
-            organ,
+            member,
             event: place.event,
         })
     }
 
     /// The events that are meant, with a value of the parameter.
-    fn places(&mut self, value: f64, organ: &Organ) -> Result<Vec<Place>, SettingError<E>> {
-        let (low, high) = organ.range();
-        self.organ
-            .get_or_insert_with(|| (organ.name().into(), high - low));
-        let meant = organ.events().iter().enumerate();
+    fn places(&mut self, value: f64, member: &Member) -> Result<Vec<Place>, SettingError<E>> {
+        let (low, high) = member.range();
+        self.member
+            .get_or_insert_with(|| (member.name().into(), high - low));
+        let meant = member.events().iter().enumerate();
         let meant = meant.filter(|(_, event)| (self.event)(event));
         let place = |(event, own): (usize, &Event)| {
-            let all = organ.sensitivity(event);
+            let all = member.sensitivity(event);
             match all.and_then(|all| all.get(self.parameter)) {
                 Some(&slope) => Ok(Place {
                     value,
-                    off: organ.lead(event, self.angle),
+                    off: member.lead(event, self.angle),
                     at: own.at,
                     slope,
                     event,
                 }),
                 None => Err(SettingError::Parameter {
-                    organ: organ.name().into(),
+                    member: member.name().into(),
                     parameter: self.parameter,
                     sensitivities: all.map(<[f64]>::len),
                 }),
@@ -141,8 +141,8 @@ impl<E, B: FnMut(f64) -> Result<Organ, E>, W: Fn(&Event) -> bool> Search<B, W> {
 
     /// The same event with another value; `None` where there is none.
     fn at(&mut self, value: f64, beside: Place) -> Option<Place> {
-        let organ = (self.build)(value).ok()?;
-        let places = self.places(value, &organ).ok()?;
+        let member = (self.build)(value).ok()?;
+        let places = self.places(value, &member).ok()?;
         let expected = Place {
             value,
             off: beside.off + (value - beside.value) * beside.slope,
@@ -220,7 +220,7 @@ impl<E, B: FnMut(f64) -> Result<Organ, E>, W: Fn(&Event) -> bool> Search<B, W> {
 
     /// Whether what changes its sign between two values is the way round the cycle, and not the event.
     fn is_turned(&self, low: Place, high: Place) -> bool {
-        let cycle = self.organ.as_ref().map_or(0.0, |organ| organ.1);
+        let cycle = self.member.as_ref().map_or(0.0, |member| member.1);
         (low.off - high.off).abs() > 0.5 * cycle
     }
 }

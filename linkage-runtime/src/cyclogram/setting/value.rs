@@ -1,6 +1,6 @@
 //! A value of the parameter, and how many of them are looked at.
 
-use crate::cyclogram::organ::Organ;
+use crate::cyclogram::member::Member;
 
 /// So many values of the parameter are looked at, evenly over its range, before anything is located: an event that does more between
 /// two of them than turn back once is missed.
@@ -12,7 +12,7 @@ pub struct Setting {
     /// The value.
     pub value: f64,
     /// The organ with it.
-    pub organ: Organ,
+    pub member: Member,
     /// The index of the event.
     pub event: usize,
 }

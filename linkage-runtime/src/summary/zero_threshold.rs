@@ -8,23 +8,23 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 /// For the quantity and each derivative: up to which size it is rounding.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Noise<const N: usize>([f64; N]);
+pub(super) struct ZeroThreshold<const N: usize>([f64; N]);
 
-impl<const N: usize> Noise<N> {
+impl<const N: usize> ZeroThreshold<N> {
     /// From the positions over a range of this width; at least one must be finite.
     ///
     /// The size of a derivative is its median, since some positions may be next to a dead point. A derivative that
     /// could not change any of the lower ones over the whole range beyond their rounding is nothing but rounding.
     pub(super) fn of(nodes: &[Node<N>], width: f64) -> Self {
-        let mut noise = [0.0; N];
+        let mut threshold = [0.0; N];
         let mut power = 1.0;
         let mut lower: f64 = 0.0;
-        for (k, noise) in noise.iter_mut().enumerate() {
+        for (k, threshold) in threshold.iter_mut().enumerate() {
             let finite = nodes.iter().filter(|node| node.is_finite());
             let mut sizes: Vec<f64> = finite.map(|node| node.jet[k].abs()).collect();
             sizes.sort_by(f64::total_cmp);
             let effect = sizes.last().map_or(0.0, |largest| largest * power);
-            *noise = if k > 0 && effect <= ROUNDING * lower {
+            *threshold = if k > 0 && effect <= ROUNDING * lower {
                 f64::INFINITY
             } else {
                 ROUNDING * sizes.get(sizes.len() / 2).copied().unwrap_or(0.0)
@@ -32,7 +32,7 @@ impl<const N: usize> Noise<N> {
             lower = lower.max(effect);
             power *= width;
         }
-        Self(noise)
+        Self(threshold)
     }
 
     /// The sign of the `k`th derivative: 0 if it is no different from zero.
@@ -49,10 +49,10 @@ impl<const N: usize> Noise<N> {
     pub(super) fn clearness(&self, node: &Node<N>) -> f64 {
         let levels = self.0.iter().zip(&node.jet).skip(1);
         levels
-            .filter(|(noise, _)| noise.is_finite())
-            .map(|(noise, value)| match value.abs() {
+            .filter(|(threshold, _)| threshold.is_finite())
+            .map(|(threshold, value)| match value.abs() {
                 0.0 => 0.0,
-                size => size / noise,
+                size => size / threshold,
             })
             .fold(f64::INFINITY, f64::min)
     }

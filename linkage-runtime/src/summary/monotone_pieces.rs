@@ -8,7 +8,7 @@ use alloc::vec::Vec;
 
 /// An end of a piece.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Station<const N: usize> {
+pub(super) struct PieceEnd<const N: usize> {
     pub(super) node: Node<N>,
     /// Which limit it is; `None` for an extreme velocity, and where a cycle was cut open.
     pub(super) limit: Option<Kind>,
@@ -16,7 +16,7 @@ pub(super) struct Station<const N: usize> {
     pub(super) end: bool,
 }
 
-impl<const N: usize> Station<N> {
+impl<const N: usize> PieceEnd<N> {
     pub(super) fn u(&self) -> f64 {
         self.node.u
     }
@@ -28,11 +28,11 @@ impl<const N: usize> Station<N> {
 
 /// The ends of a stretch, its limits and its extreme velocities, in order of the input: between neighbours the quantity
 /// is monotone, and with a second derivative its speed is, too.
-pub(super) fn stations<const N: usize>(part: &Solved<N>) -> Vec<Station<N>> {
+pub(super) fn monotone_pieces<const N: usize>(part: &Solved<N>) -> Vec<PieceEnd<N>> {
     let turns = |root: &&Root<N>| root.before != root.after;
-    let mut stations: Vec<Station<N>> = Vec::new();
+    let mut monotone_pieces: Vec<PieceEnd<N>> = Vec::new();
     for (k, roots) in part.roots.iter().enumerate().take(3).skip(1) {
-        stations.extend(roots.iter().filter(turns).map(|root| Station {
+        monotone_pieces.extend(roots.iter().filter(turns).map(|root| PieceEnd {
             node: root.node,
             limit: match root.before {
                 1 if k == 1 => Some(Kind::High),
@@ -42,10 +42,10 @@ pub(super) fn stations<const N: usize>(part: &Solved<N>) -> Vec<Station<N>> {
             end: false,
         }));
     }
-    stations.sort_by(|a, b| a.u().total_cmp(&b.u()));
-    let nodes = &part.stretch.nodes;
-    let whole = part.stretch.whole;
-    let end = |node: Node<N>, beside: Option<&Station<N>>| Station {
+    monotone_pieces.sort_by(|a, b| a.u().total_cmp(&b.u()));
+    let nodes = &part.interval.nodes;
+    let whole = part.interval.whole;
+    let end = |node: Node<N>, beside: Option<&PieceEnd<N>>| PieceEnd {
         node,
         limit: match beside {
             _ if whole => None,
@@ -56,26 +56,26 @@ pub(super) fn stations<const N: usize>(part: &Solved<N>) -> Vec<Station<N>> {
         end: !whole,
     };
     let last = end(nodes[nodes.len() - 1], None);
-    let first = end(nodes[0], stations.first().or(Some(&last)));
-    let last = end(last.node, stations.last().or(Some(&first)));
-    stations.insert(0, first);
-    stations.push(last);
-    stations
+    let first = end(nodes[0], monotone_pieces.first().or(Some(&last)));
+    let last = end(last.node, monotone_pieces.last().or(Some(&first)));
+    monotone_pieces.insert(0, first);
+    monotone_pieces.push(last);
+    monotone_pieces
 }
 
 /// Where, on the piece from `inside` to `outside` (in either direction), the quantity passes `bound`. Where it is not a number,
 /// it counts as outside.
-pub(super) fn passing<const N: usize, F: Fn(f64) -> [f64; N]>(
+pub(super) fn crossing_input<const N: usize, F: Fn(f64) -> [f64; N]>(
     source: &Source<N, F>,
     inside: &Node<N>,
     outside: &Node<N>,
     bound: f64,
 ) -> f64 {
-    passage(source, inside, outside, bound).u
+    crossing(source, inside, outside, bound).u
 }
 
-/// As [`passing`], with the derivatives there.
-pub(super) fn passage<const N: usize, F: Fn(f64) -> [f64; N]>(
+/// As [`crossing_input`], with the derivatives there.
+pub(super) fn crossing<const N: usize, F: Fn(f64) -> [f64; N]>(
     source: &Source<N, F>,
     inside: &Node<N>,
     outside: &Node<N>,

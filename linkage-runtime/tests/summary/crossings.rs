@@ -3,7 +3,7 @@
 use crate::harmonics::Harmonics;
 use crate::{TAU, near, turn};
 use linkage_random::Random;
-use linkage_runtime::summary::{Course, positions};
+use linkage_runtime::summary::{Curve, positions};
 
 /// All changes of side between many positions, and nothing else.
 #[test]
@@ -18,7 +18,7 @@ fn all_changes_of_side() {
         let extremes = course.position();
         for share in [0.1, 0.35, 0.5, 0.8] {
             let level = extremes.lowest.value + share * extremes.stroke();
-            let found = course.passages(level);
+            let found = course.crossings(level);
             let above = |i: usize| function.at(TAU * (i as f64 + 0.37) / 5000.0, 0) > level;
             let known = (0..5000)
                 .filter(|&i| above(i) != above((i + 1) % 5000))
@@ -41,7 +41,7 @@ fn a_quantity_that_advances() {
     let angle = |x: f64| [x + 1.5 * x.sin(), 1.0 + 1.5 * x.cos(), -1.5 * x.sin()];
     let course = turn(angle);
     for level in [-0.2, 0.1, 1.0, 3.0, 3.3, 6.0, 6.4] {
-        let found = course.passages(level);
+        let found = course.crossings(level);
         let above = |i: u32| angle(TAU * f64::from(i) / 20_000.0)[0] > level;
         let known = (0..20_000).filter(|&i| above(i) != above(i + 1)).count();
         assert_eq!(found.len(), known, "{level}");
@@ -62,8 +62,8 @@ fn rows_of_a_sweep() {
         calls.set(calls.get() + 1);
         jet(x)
     };
-    let swept = Course::swept((0.0, TAU), 91, |i| rows[i], counted).expect("a course");
-    let own = Course::of((0.0, TAU), 91, jet).expect("a course");
+    let swept = Curve::swept((0.0, TAU), 91, |i| rows[i], counted).expect("a course");
+    let own = Curve::new((0.0, TAU), 91, jet).expect("a course");
     assert_eq!(swept.position(), own.position());
     assert_eq!(swept.acceleration(), own.acceleration());
     // Six roots of each of three derivatives at most, each in some fifteen calls.

@@ -2,11 +2,11 @@
 
 use super::SummaryError;
 use super::cascade::{Solved, solve};
+use super::defined_intervals::{advance, defined_intervals, positions};
 use super::extremes::Extremes;
 use super::interval::Interval;
-use super::noise::Noise;
 use super::source::{Node, Source};
-use super::stretch::{advance, positions, stretches};
+use super::zero_threshold::ZeroThreshold;
 use alloc::vec::Vec;
 
 /// The course of a quantity over the range of its input, with all places where it or one of its derivatives stands still.
@@ -21,26 +21,26 @@ use alloc::vec::Vec;
 /// | 4 | also the extreme accelerations |
 ///
 /// ```
-/// use linkage_runtime::summary::Course;
+/// use linkage_runtime::summary::Curve;
 /// use std::f64::consts::{FRAC_PI_2, TAU};
 ///
 /// // A Scotch yoke of 40 mm.
 /// let yoke = |phi: f64| [40.0 * phi.sin(), 40.0 * phi.cos(), -40.0 * phi.sin()];
-/// let course = Course::of((0.0, TAU), 360, yoke)?;
-/// let position = course.position();
+/// let curve = Curve::new((0.0, TAU), 360, yoke)?;
+/// let position = curve.position();
 /// assert_eq!(position.stroke(), 80.0);
 /// assert!((position.highest.at - FRAC_PI_2).abs() < 1e-15);
-/// assert_eq!(course.velocity().largest().value, 40.0);
+/// assert_eq!(curve.velocity().largest().value, 40.0);
 /// # Ok::<(), linkage_runtime::summary::SummaryError>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Course<const N: usize, F> {
+pub struct Curve<const N: usize, F> {
     pub(super) source: Source<N, F>,
     pub(super) solved: Vec<Solved<N>>,
     extremes: Vec<Extremes>,
 }
 
-impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
+impl<const N: usize, F: Fn(f64) -> [f64; N]> Curve<N, F> {
     /// Follows a quantity over a range of the input, from this many evenly spaced positions, both ends among them:
     /// `function` gives the quantity and its first `N - 1` derivatives by the input.
     ///
@@ -56,28 +56,28 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
     ///
     /// `Range` for an empty or infinite range, `Positions` for less than two, `NotAssembled` if there is no position with finite
     /// numbers.
-    pub fn of(range: (f64, f64), positions: usize, function: F) -> Result<Self, SummaryError> {
+    pub fn new(range: (f64, f64), positions: usize, function: F) -> Result<Self, SummaryError> {
         Self::followed(range, positions, function, |function, _, u| function(u))
     }
 
-    /// As [`of`](Self::of), where the evenly spaced positions have been evaluated already: `row(i)` gives the quantity and
+    /// As [`new`](Self::new), where the evenly spaced positions have been evaluated already: `row(i)` gives the quantity and
     /// its derivatives at the `i`th of [`positions`](super::positions). A sweep computes them several times faster than single calls
     /// do; `function` is then called for roots alone.
     ///
     /// ```
-    /// use linkage_runtime::summary::{Course, positions};
+    /// use linkage_runtime::summary::{Curve, positions};
     ///
     /// let range = (0.0, std::f64::consts::TAU);
     /// let yoke = |phi: f64| [40.0 * phi.sin(), 40.0 * phi.cos(), -40.0 * phi.sin()];
     /// let rows: Vec<[f64; 3]> = positions(range, 90).map(yoke).collect();
-    /// let course = Course::swept(range, 90, |i| rows[i], yoke)?;
-    /// assert_eq!(course.position().stroke(), 80.0);
+    /// let curve = Curve::swept(range, 90, |i| rows[i], yoke)?;
+    /// assert_eq!(curve.position().stroke(), 80.0);
     /// # Ok::<(), linkage_runtime::summary::SummaryError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// As [`of`](Self::of).
+    /// As [`new`](Self::new).
     pub fn swept(
         range: (f64, f64),
         positions: usize,
@@ -120,11 +120,11 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
             return Err(SummaryError::NotAssembled { positions: count });
         }
         source.advance = advance(&nodes);
-        let noise = Noise::of(&nodes, source.width());
-        let stretches = stretches(&source, &nodes, &noise);
-        let solved = solve(&source, &noise, stretches);
+        let threshold = ZeroThreshold::of(&nodes, source.width());
+        let defined_intervals = defined_intervals(&source, &nodes, &threshold);
+        let solved = solve(&source, &threshold, defined_intervals);
         let extremes = (0..N - 1)
-            .map(|k| Extremes::of(&source, &noise, &solved, k))
+            .map(|k| Extremes::of(&source, &threshold, &solved, k))
             .collect();
         Ok(Self {
             source,
@@ -185,9 +185,9 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
     #[must_use]
     pub fn parts(&self) -> Vec<Interval> {
         let part = |part: &Solved<N>| {
-            let nodes = &part.stretch.nodes;
+            let nodes = &part.interval.nodes;
             let (from, to) = (nodes[0].u, nodes[nodes.len() - 1].u);
-            if part.stretch.whole {
+            if part.interval.whole {
                 Interval::whole(&self.source)
             } else {
                 Interval::of(&self.source, from, to)

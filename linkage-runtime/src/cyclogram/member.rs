@@ -1,28 +1,28 @@
 //! One organ over a cycle.
 
 use super::{Band, BandMistake, Cause, CyclogramError, Event, Motion};
-use crate::summary::{Course, Interval, Mark, Sign};
+use crate::summary::{Curve, CurveEvent, CurveEventKind, Interval};
 use alloc::string::String;
 use alloc::vec::Vec;
 
 /// An organ of a machine over a cycle of the shaft: what it does when.
 ///
 /// ```
-/// use linkage_runtime::cyclogram::{Band, Motion, Organ};
-/// use linkage_runtime::summary::Course;
+/// use linkage_runtime::cyclogram::{Band, Motion, Member};
+/// use linkage_runtime::summary::Curve;
 ///
 /// // A yoke of 40 mm that dwells, within 5 mm, at both ends of its stroke.
 /// let yoke = |phi: f64| [40.0 * phi.sin(), 40.0 * phi.cos(), -40.0 * phi.sin()];
-/// let course = Course::of((0.0, std::f64::consts::TAU), 90, yoke)?;
-/// let organ = Organ::new("yoke", &course, &[Band::Top(5.0), Band::Bottom(5.0)])?;
-/// let motions: Vec<Motion> = organ.intervals().map(|(motion, _)| motion).collect();
+/// let curve = Curve::new((0.0, std::f64::consts::TAU), 90, yoke)?;
+/// let member = Member::new("yoke", &curve, &[Band::Top(5.0), Band::Bottom(5.0)])?;
+/// let motions: Vec<Motion> = member.intervals().map(|(motion, _)| motion).collect();
 /// assert_eq!(motions, [Motion::Dwell(0), Motion::Return, Motion::Dwell(1), Motion::Advance]);
-/// let begin = organ.events()[0].at;
+/// let begin = member.events()[0].at;
 /// assert!((begin - (35.0f64 / 40.0).asin()).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Organ {
+pub struct Member {
     pub(super) name: String,
     pub(crate) unit: String,
     pub(super) range: (f64, f64),
@@ -37,7 +37,7 @@ pub struct Organ {
     pub(super) shifts: Vec<f64>,
 }
 
-impl Organ {
+impl Member {
     /// From the course of a quantity over a cycle, and the bands in which it is said to dwell. What rises is an
     /// advance: turn the quantity round where it is the other way.
     ///
@@ -51,34 +51,34 @@ impl Organ {
     /// of them.
     pub fn new<const N: usize, F: Fn(f64) -> [f64; N]>(
         name: impl Into<String>,
-        course: &Course<N, F>,
+        curve: &Curve<N, F>,
         bands: &[Band],
     ) -> Result<Self, CyclogramError> {
-        let organ = name.into();
-        if course.has_gaps() {
-            let parts = course.parts();
+        let member = name.into();
+        if curve.has_gaps() {
+            let parts = curve.parts();
             let parts = parts.iter().map(|part| (part.from, part.to)).collect();
-            return Err(CyclogramError::Gap { organ, parts });
+            return Err(CyclogramError::Gap { member, parts });
         }
-        let range = course.range();
-        if !course.is_cycle() {
-            let values = course.ends();
+        let range = curve.range();
+        if !curve.is_cycle() {
+            let values = curve.ends();
             return Err(CyclogramError::NoCycle {
-                organ,
+                member,
                 range,
                 values,
             });
         }
-        let [lowest, highest] = [course.position().lowest, course.position().highest];
+        let [lowest, highest] = [curve.position().lowest, curve.position().highest];
         let limits = [lowest.value, highest.value];
-        if course.position().limits().next().is_none() {
+        if curve.position().limits().next().is_none() {
             let value = lowest.value;
-            return Err(CyclogramError::Still { organ, value });
+            return Err(CyclogramError::Still { member, value });
         }
         let mistakes = mistakes(bands, limits);
         if !mistakes.is_empty() {
             return Err(CyclogramError::Bands {
-                organ,
+                member,
                 limits,
                 mistakes,
             });
@@ -89,12 +89,12 @@ impl Organ {
             Band::Between(..) => None,
         });
         Ok(Self {
-            name: organ,
+            name: member,
             unit: String::new(),
             range,
             limits,
             bands: bands.to_vec(),
-            events: events(course, bands, limits),
+            events: events(curve, bands, limits),
             references: references.collect(),
             sensitivities: Vec::new(),
             shifts: Vec::new(),
@@ -217,13 +217,13 @@ fn mistakes(bands: &[Band], limits: [f64; 2]) -> Vec<BandMistake> {
 }
 
 fn events<const N: usize, F: Fn(f64) -> [f64; N]>(
-    course: &Course<N, F>,
+    curve: &Curve<N, F>,
     bands: &[Band],
     limits: [f64; 2],
 ) -> Vec<Event> {
     let bounds: Vec<[f64; 2]> = bands.iter().map(|band| band.bounds(limits)).collect();
-    let marks = course.marks(bounds.as_flattened());
-    let motion = |a: &Mark<N>, b: &Mark<N>| {
+    let marks = curve.events(bounds.as_flattened());
+    let motion = |a: &CurveEvent<N>, b: &CurveEvent<N>| {
         let [from, to] = [a.jet[0], b.jet[0]];
         let middle = from + 0.5 * (to - from);
         let inside = |[low, high]: &[f64; 2]| middle >= *low && middle <= *high;
@@ -245,8 +245,8 @@ fn events<const N: usize, F: Fn(f64) -> [f64; N]>(
             slope: mark.jet[1],
             bend: mark.jet.get(2).copied().unwrap_or(f64::NAN),
             cause: match mark.sign {
-                Sign::Level(level) => Cause::Bound { band: level / 2 },
-                Sign::Turn(_) => Cause::Turn,
+                CurveEventKind::Level(level) => Cause::Bound { band: level / 2 },
+                CurveEventKind::Turn(_) => Cause::Turn,
             },
             ends,
             begins: motions[i],

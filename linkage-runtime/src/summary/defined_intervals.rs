@@ -1,19 +1,19 @@
 //! Where the quantity is defined: stretches of the range without a gap.
 
-use super::noise::Noise;
 use super::source::{Node, Source};
+use super::zero_threshold::ZeroThreshold;
 use alloc::vec::Vec;
 
 /// Nodes in order of the input, all of them finite, without a known gap between them.
 #[derive(Clone, Debug)]
-pub(super) struct Stretch<const N: usize> {
+pub(super) struct DefinedInterval<const N: usize> {
     pub(super) nodes: Vec<Node<N>>,
     /// The whole of a cycle: the last node is the first one, a cycle later.
     pub(super) whole: bool,
 }
 
-/// The evenly spaced positions over a range, both ends among them, from which a [`Course`](super::Course) is followed: what a sweep
-/// takes for [`Course::swept`](super::Course::swept).
+/// The evenly spaced positions over a range, both ends among them, from which a [`Curve`](super::Curve) is followed: what a sweep
+/// takes for [`Curve::swept`](super::Curve::swept).
 ///
 /// ```
 /// use linkage_runtime::summary::positions;
@@ -57,11 +57,11 @@ pub(super) fn advance<const N: usize>(nodes: &[Node<N>]) -> Option<f64> {
 }
 
 /// The stretches between positions that are not finite, with their borders; over the seam if the range is a cycle.
-pub(super) fn stretches<const N: usize, F: Fn(f64) -> [f64; N]>(
+pub(super) fn defined_intervals<const N: usize, F: Fn(f64) -> [f64; N]>(
     source: &Source<N, F>,
     nodes: &[Node<N>],
-    noise: &Noise<N>,
-) -> Vec<Stretch<N>> {
+    threshold: &ZeroThreshold<N>,
+) -> Vec<DefinedInterval<N>> {
     let mut runs: Vec<Vec<Node<N>>> = Vec::new();
     let mut before: Option<Node<N>> = None;
     for &node in nodes {
@@ -78,22 +78,22 @@ pub(super) fn stretches<const N: usize, F: Fn(f64) -> [f64; N]>(
     }
     if source.advance.is_some() {
         if runs.len() == 1 {
-            let nodes = rotated(source, &runs[0], noise);
-            return alloc::vec![Stretch { nodes, whole: true }];
+            let nodes = rotated(source, &runs[0], threshold);
+            return alloc::vec![DefinedInterval { nodes, whole: true }];
         }
         if let Some(last) = runs.pop() {
             let first = runs.remove(0);
             runs.push(over_seam(source, &last, &first));
         }
     }
-    let open = |nodes| Stretch {
+    let open = |nodes| DefinedInterval {
         nodes,
         whole: false,
     };
     runs.into_iter().map(open).collect()
 }
 
-impl<const N: usize> Stretch<N> {
+impl<const N: usize> DefinedInterval<N> {
     /// The parts beside a gap at `u`, which is not finite. Without `search` for its borders, the whole space between the nodes
     /// next to it is taken for the gap.
     pub(super) fn split<F: Fn(f64) -> [f64; N]>(
@@ -172,9 +172,9 @@ fn over_seam<const N: usize, F: Fn(f64) -> [f64; N]>(
 fn rotated<const N: usize, F: Fn(f64) -> [f64; N]>(
     source: &Source<N, F>,
     nodes: &[Node<N>],
-    noise: &Noise<N>,
+    threshold: &ZeroThreshold<N>,
 ) -> Vec<Node<N>> {
-    let clearness: Vec<f64> = nodes.iter().map(|node| noise.clearness(node)).collect();
+    let clearness: Vec<f64> = nodes.iter().map(|node| threshold.clearness(node)).collect();
     let clearest = (0..nodes.len() - 1).max_by(|&a, &b| clearness[a].total_cmp(&clearness[b]));
     let start = clearest.unwrap_or(0);
     let later = nodes[1..=start]

@@ -1,9 +1,9 @@
 //! Dwells between limits: the quantity passes through the whole band, slowly.
 
-use super::course::Course;
+use super::curve::Curve;
+use super::monotone_pieces::{PieceEnd, crossing_input};
 use super::root::root;
 use super::source::Node;
-use super::stations::{Station, passing};
 use alloc::vec::Vec;
 
 /// Two neighbouring stations.
@@ -15,8 +15,8 @@ const STEPS: u32 = 16;
 /// The intervals over which the quantity changes by the whole band, with the same speed at both ends: those that become
 /// shorter if they are moved either way.
 pub(super) fn between<const N: usize, F: Fn(f64) -> [f64; N]>(
-    course: &Course<N, F>,
-    chain: &[Station<N>],
+    curve: &Curve<N, F>,
+    chain: &[PieceEnd<N>],
     band: f64,
 ) -> Vec<[f64; 2]> {
     let mut found = Vec::new();
@@ -33,7 +33,7 @@ pub(super) fn between<const N: usize, F: Fn(f64) -> [f64; N]>(
                 break;
             }
             if rises(last) == rises(first) {
-                equal_speeds(course, [first, last], [low, high], band, &mut found);
+                equal_speeds(curve, [first, last], [low, high], band, &mut found);
             }
             low = low.min(last[1].jet[0]);
             high = high.max(last[1].jet[0]);
@@ -44,7 +44,7 @@ pub(super) fn between<const N: usize, F: Fn(f64) -> [f64; N]>(
 
 /// Those from the first to the last piece; `between` are the lowest and highest value between the pieces.
 fn equal_speeds<const N: usize, F: Fn(f64) -> [f64; N]>(
-    course: &Course<N, F>,
+    curve: &Curve<N, F>,
     [first, last]: [&Piece<N>; 2],
     between: [f64; 2],
     band: f64,
@@ -57,12 +57,12 @@ fn equal_speeds<const N: usize, F: Fn(f64) -> [f64; N]>(
         [true, false] => return,
         _ => STEPS,
     };
-    let Some([a, b]) = beginnings(course, [first, last], between, band) else {
+    let Some([a, b]) = beginnings(curve, [first, last], between, band) else {
         return;
     };
     let excess = |u: f64| {
-        let start = course.source.at(u);
-        let end = course.source.at(end_of(course, &start, first, last, band));
+        let start = curve.source.at(u);
+        let end = curve.source.at(end_of(curve, &start, first, last, band));
         end.jet[1].abs() - start.jet[1].abs()
     };
     let mut before = (a, excess(a));
@@ -73,7 +73,7 @@ fn equal_speeds<const N: usize, F: Fn(f64) -> [f64; N]>(
             let start = root(before, after, &mut |u| [excess(u), f64::NAN]);
             found.push([
                 start,
-                end_of(course, &course.source.at(start), first, last, band),
+                end_of(curve, &curve.source.at(start), first, last, band),
             ]);
         }
         before = after;
@@ -83,7 +83,7 @@ fn equal_speeds<const N: usize, F: Fn(f64) -> [f64; N]>(
 /// From where to where on the first piece an interval may begin, so that it ends on the last one and has nothing
 /// beyond the band between.
 fn beginnings<const N: usize, F: Fn(f64) -> [f64; N]>(
-    course: &Course<N, F>,
+    curve: &Curve<N, F>,
     [first, last]: [&Piece<N>; 2],
     between: [f64; 2],
     band: f64,
@@ -101,7 +101,7 @@ fn beginnings<const N: usize, F: Fn(f64) -> [f64; N]>(
         } else if bound >= to {
             first[1].u
         } else {
-            passing(&course.source, &first[1], &first[0], sign * bound)
+            crossing_input(&curve.source, &first[1], &first[0], sign * bound)
         }
     };
     (lower < upper).then(|| [place(lower), place(upper)])
@@ -109,7 +109,7 @@ fn beginnings<const N: usize, F: Fn(f64) -> [f64; N]>(
 
 /// Where on the last piece an interval ends that begins at `start`.
 fn end_of<const N: usize, F: Fn(f64) -> [f64; N]>(
-    course: &Course<N, F>,
+    curve: &Curve<N, F>,
     start: &Node<N>,
     first: &Piece<N>,
     last: &Piece<N>,
@@ -122,7 +122,7 @@ fn end_of<const N: usize, F: Fn(f64) -> [f64; N]>(
     } else if bound >= sign * last[1].jet[0] {
         last[1].u
     } else {
-        passing(&course.source, &last[0], &last[1], sign * bound)
+        crossing_input(&curve.source, &last[0], &last[1], sign * bound)
     }
 }
 

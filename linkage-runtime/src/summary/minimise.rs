@@ -5,7 +5,7 @@ use linkage_core::numeric::summit::highest;
 
 /// The smallest value of a figure over a range.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Least {
+pub struct Minimum {
     /// The input at which it occurs.
     pub at: f64,
     /// The value.
@@ -16,7 +16,7 @@ pub struct Least {
 
 /// The smallest value of a figure that has no derivative, such as `margin()`, over a range of the input.
 ///
-/// It is searched for, and not solved for as everything in a [`Course`](super::Course): a scan of evenly spaced positions, both ends among them, then a golden
+/// It is searched for, and not solved for as everything in a [`Curve`](super::Curve): a scan of evenly spaced positions, both ends among them, then a golden
 /// section search around the lowest ones. A hollow that is narrower than the spacing may be missed. The value is good to
 /// the last digits, the place to about eight where the figure is smooth.
 ///
@@ -26,17 +26,17 @@ pub struct Least {
 /// positions.
 ///
 /// ```
-/// use linkage_runtime::summary::least;
+/// use linkage_runtime::summary::minimise;
 ///
-/// let margin = least((0.0, 6.0), 60, |phi: f64| 0.5 + 0.25 * phi.cos())?;
+/// let margin = minimise((0.0, 6.0), 60, |phi: f64| 0.5 + 0.25 * phi.cos())?;
 /// assert!((margin.value - 0.25).abs() < 1e-15 && (margin.at - std::f64::consts::PI).abs() < 1e-7);
 /// # Ok::<(), linkage_runtime::summary::SummaryError>(())
 /// ```
-pub fn least(
+pub fn minimise(
     range: (f64, f64),
     positions: usize,
     mut figure: impl FnMut(f64) -> f64,
-) -> Result<Least, SummaryError> {
+) -> Result<Minimum, SummaryError> {
     let (from, to) = range;
     if !((to - from).is_finite() && to > from) {
         return Err(SummaryError::Range { from, to });
@@ -46,7 +46,7 @@ pub fn least(
     }
     let found = highest([from, to], positions, |x| -figure(x));
     let summit = found.ok_or(SummaryError::NotAssembled { positions })?;
-    Ok(Least {
+    Ok(Minimum {
         at: summit.at,
         value: -summit.value,
         missing: summit.missing,

@@ -5,8 +5,8 @@ use super::drives::{
 };
 use linkage::Vector2;
 use linkage::clearance::{BestStep, Clearance, Nearest, PhaseError, Phases};
-use linkage::cyclogram::{Band, Cyclogram, CyclogramError, Organ};
-use linkage::summary::{Course, SummaryError, positions};
+use linkage::cyclogram::{Band, Cyclogram, CyclogramError, Member};
+use linkage::summary::{Curve, SummaryError, positions};
 use linkage::tolerance::Tolerances;
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -47,31 +47,31 @@ pub(crate) fn cyclogram(machine: &KnittingMachineAssembly) -> Result<Cyclogram, 
     let shaft: Vec<f64> = positions(CYCLE, POSITIONS).collect();
     let (hook, eye) = (machine.hook_sweep(&shaft), machine.eye_way_sweep(&shaft));
     let (sinker, press) = (machine.sinker_sweep(&shaft), machine.press_sweep(&shaft));
-    let hook = organ(
+    let hook = member(
         "hook",
         ENDS,
         |i| lift(hook.get(i)),
         |x| lift(machine.hook(x)),
     )?;
-    let eye = organ(
+    let eye = member(
         "eye",
         EYE_ENDS,
         |i| eye_way(eye.get(i)),
         |x| eye_way(machine.eye_way(x)),
     )?;
-    let sinker = organ(
+    let sinker = member(
         "sinker",
         ENDS,
         |i| sinker_way(sinker.get(i)),
         |x| sinker_way(machine.sinker(x)),
     )?;
-    let press = organ(
+    let press = member(
         "press",
         ENDS,
         |i| press_way(press.get(i)),
         |x| press_way(machine.press(x)),
     )?;
-    Ok(Cyclogram::of([
+    Ok(Cyclogram::new([
         hook.sensitivities(
             |x| machine.hook_accuracy(x).e.map(|e| e.y),
             |x| machine.hook_accuracy(x).rate.map(|e| e.y),
@@ -91,14 +91,14 @@ pub(crate) fn cyclogram(machine: &KnittingMachineAssembly) -> Result<Cyclogram, 
     ])?)
 }
 
-fn organ(
+fn member(
     name: &str,
     bands: [Band; 2],
     row: impl Fn(usize) -> Jet,
     jet: impl Fn(f64) -> Jet,
-) -> Result<Organ, Box<dyn Error>> {
-    let course = Course::swept(CYCLE, POSITIONS, row, jet)?;
-    Ok(Organ::new(name, &course, &bands)?.unit("mm"))
+) -> Result<Member, Box<dyn Error>> {
+    let course = Curve::swept(CYCLE, POSITIONS, row, jet)?;
+    Ok(Member::new(name, &course, &bands)?.unit("mm"))
 }
 
 /// The same with what the tolerances of all dimensions do to the angles.
@@ -106,9 +106,9 @@ pub(crate) fn with_tolerances(
     cyclogram: Cyclogram,
     tolerances: &Tolerances<DIMENSIONS>,
 ) -> Result<Cyclogram, CyclogramError> {
-    let organs = cyclogram.organs().iter().cloned();
-    let organs = organs.map(|organ| organ.tolerances(tolerances));
-    Cyclogram::of(organs.collect::<Result<Vec<_>, _>>()?)
+    let members = cyclogram.members().iter().cloned();
+    let members = members.map(|member| member.tolerances(tolerances));
+    Cyclogram::new(members.collect::<Result<Vec<_>, _>>()?)
 }
 
 /// A point with its first two derivatives.
@@ -153,7 +153,7 @@ pub(crate) fn best_lead(
     machine: &KnittingMachineAssembly,
     slots: f64,
 ) -> Result<BestStep<2>, PhaseError> {
-    let phases = Phases::of(
+    let phases = Phases::new(
         CYCLE,
         POSITIONS,
         |x| hook(machine.hook(x)),
