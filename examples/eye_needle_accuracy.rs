@@ -8,8 +8,8 @@ mod check;
 
 use check::Check;
 use linkage::tolerance::{
-    Addition, Allocation, Costs, Distribution, Effects, Extreme, MonteCarlo, Requirement, Rule,
-    Sizes, ToleranceError, Tolerances, largest,
+    Addition, Allocation, AllocationRule, Costs, Distribution, Effects, Extreme, MonteCarlo,
+    Requirement, Sizes, ToleranceError, Tolerances, largest,
 };
 use linkage::{Dimensions, mechanism};
 use std::error::Error;
@@ -153,12 +153,12 @@ fn allocations(check: &mut Check, linkage: &Linkage, tolerances: &Given) -> Outc
         exponent: [1.0; 13],
     };
     let rules = [
-        ("in proportion", Rule::Proportional(present)),
-        ("equal effect", Rule::EqualEffect),
-        ("equal tolerance", Rule::EqualTolerance(sizes)),
-        ("IT factor", Rule::StandardFactor(sizes)),
-        ("IT grade", Rule::StandardGrade(sizes)),
-        ("least cost", Rule::LeastCost(costs)),
+        ("in proportion", AllocationRule::Proportional(present)),
+        ("equal effect", AllocationRule::EqualEffect),
+        ("equal tolerance", AllocationRule::EqualTolerance(sizes)),
+        ("IT factor", AllocationRule::StandardFactor(sizes)),
+        ("IT grade", AllocationRule::StandardGrade(sizes)),
+        ("least cost", AllocationRule::LeastCost(costs)),
     ];
     for (addition, title) in [
         (Addition::WorstCase, "No error vector longer than"),

@@ -43,8 +43,8 @@ impl<T: Debug> Debug for Frame<T> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let Self { origin, x, y, z } = self;
         let mut shown = f.debug_struct("Frame");
-        for (name, own) in [("origin", origin), ("x", x), ("y", y), ("z", z)] {
-            shown.field(name, &named(own));
+        for (name, vector) in [("origin", origin), ("x", x), ("y", y), ("z", z)] {
+            shown.field(name, &named(vector));
         }
         shown.finish()
     }

@@ -13,20 +13,20 @@
 //! or into the strength, which is then the one for that kind of load.
 
 mod check;
+mod criterion;
 mod error;
 mod formulas;
 mod load;
 mod pin;
-mod rule;
 mod size;
 mod standard;
 mod validate;
 
 pub use crate::components::Components;
 pub use check::{Check, Stress};
+pub use criterion::{BearingPart, Criterion};
 pub use error::PinError;
 pub use load::{Largest, largest_load};
 pub use pin::{Fit, Limit, Member, Mounting, Pin, Width};
-pub use rule::{Part, Rule};
 pub use size::Size;
 pub use standard::{STANDARD_DIAMETERS, standard_diameter};

@@ -40,8 +40,8 @@ impl<T: Debug> Debug for PlaneFrame<T> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let Self { origin, x, y } = self;
         let mut shown = f.debug_struct("PlaneFrame");
-        for (name, own) in [("origin", origin), ("x", x), ("y", y)] {
-            shown.field(name, &named(own));
+        for (name, vector) in [("origin", origin), ("x", x), ("y", y)] {
+            shown.field(name, &named(vector));
         }
         shown.finish()
     }

@@ -1,8 +1,8 @@
 //! Several linkages on one shaft, evaluated together.
 
+mod entry;
 mod handle;
 mod handles;
-mod place;
 
 pub use handle::Handle;
 pub use handles::Handles;
@@ -13,7 +13,7 @@ use core::borrow::Borrow;
 use core::fmt;
 use core::marker::PhantomData;
 use core::sync::atomic::{AtomicUsize, Ordering};
-use place::{Filling, Joining, Place, Returning};
+use entry::{Filling, Joining, Returning, SceneEntry};
 
 /// A machine: functions of one argument, such as the angle of the main shaft, each of which can be
 /// switched on and off.
@@ -73,7 +73,7 @@ pub struct Scene<'a, X> {
     argument: Option<X>,
     /// Counts the arguments; 0 before the first one.
     frame: u64,
-    places: Vec<Place<'a, X>>,
+    entries: Vec<SceneEntry<'a, X>>,
     /// The places that are on, in ascending order.
     on: Vec<usize>,
 }
@@ -89,14 +89,14 @@ impl<'a, X: PartialEq> Scene<'a, X> {
             id: NEXT.fetch_add(1, Ordering::Relaxed),
             argument: None,
             frame: 0,
-            places: Vec::new(),
+            entries: Vec::new(),
             on: Vec::new(),
         }
     }
 
     /// Adds a function, switched on. It is evaluated at the next update.
     pub fn add<R: 'static>(&mut self, function: impl FnMut(&X) -> R + 'a) -> Handle<R> {
-        self.push(Place::new(Returning::new(function)))
+        self.push(SceneEntry::new(Returning::new(function)))
     }
 
     /// Adds a function that writes its result into `buffer`, switched on.
@@ -107,7 +107,7 @@ impl<'a, X: PartialEq> Scene<'a, X> {
         buffer: R,
         function: impl FnMut(&X, &mut R) + 'a,
     ) -> Handle<R> {
-        self.push(Place::new(Filling::new(buffer, function)))
+        self.push(SceneEntry::new(Filling::new(buffer, function)))
     }
 
     /// Adds a function of the results of others, one handle or a tuple of two to four, switched on: what is asked of
@@ -138,13 +138,16 @@ impl<'a, X: PartialEq> Scene<'a, X> {
         sources: S,
         function: impl FnMut(S::Results<'_>) -> R + 'a,
     ) -> Handle<R> {
-        let places = sources.places();
-        let places = places.into_iter().map(|(scene, index)| {
+        let entries = sources.entries();
+        let entries = entries.into_iter().map(|(scene, index)| {
             assert!(scene == self.id, "{OTHER}");
             index
         });
-        let places = places.collect();
-        self.push(Place::made_of(places, Joining::new(sources, function)))
+        let entries = entries.collect();
+        self.push(SceneEntry::made_of(
+            entries,
+            Joining::new(sources, function),
+        ))
     }
 
     /// Puts another function with the same type of result in the place of one; whether it is on
@@ -255,40 +258,40 @@ impl<'a, X: PartialEq> Scene<'a, X> {
     pub fn get<R: 'static>(&self, handle: Handle<R>) -> Option<&R> {
         let index = self.index(handle);
         let is_current = self.frame != 0 && self.is_current(index);
-        is_current.then(|| self.places[index].result()?.downcast_ref())?
+        is_current.then(|| self.entries[index].result()?.downcast_ref())?
     }
 
     /// Whether the function is on and its result is that of this frame, and of the results that it is made of.
     fn is_current(&self, index: usize) -> bool {
-        let place = &self.places[index];
+        let entry = &self.entries[index];
         let seen = |(source, version): &(usize, u64)| {
-            self.is_current(*source) && self.places[*source].version == *version
+            self.is_current(*source) && self.entries[*source].version == *version
         };
         self.on.binary_search(&index).is_ok()
-            && place.frame == self.frame
-            && place.sources.iter().all(seen)
+            && entry.frame == self.frame
+            && entry.sources.iter().all(seen)
     }
 
     fn evaluate(&mut self) -> usize {
         let mut evaluated = 0;
         for at in 0..self.on.len() {
             let index = self.on[at];
-            let mut sources = self.places[index].sources.iter();
+            let mut sources = self.entries[index].sources.iter();
             if self.is_current(index) || !sources.all(|(source, _)| self.is_current(*source)) {
                 continue;
             }
-            let (earlier, own) = self.places.split_at_mut(index);
-            if let (Some(argument), [own, ..]) = (&self.argument, own) {
-                own.evaluate(argument, self.frame, earlier);
+            let (earlier, rest) = self.entries.split_at_mut(index);
+            if let (Some(argument), [entry, ..]) = (&self.argument, rest) {
+                entry.evaluate(argument, self.frame, earlier);
                 evaluated += 1;
             }
         }
         evaluated
     }
 
-    fn push<R>(&mut self, place: Place<'a, X>) -> Handle<R> {
-        let index = self.places.len();
-        self.places.push(place);
+    fn push<R>(&mut self, entry: SceneEntry<'a, X>) -> Handle<R> {
+        let index = self.entries.len();
+        self.entries.push(entry);
         self.on.push(index);
         Handle {
             scene: self.id,
@@ -297,9 +300,9 @@ impl<'a, X: PartialEq> Scene<'a, X> {
         }
     }
 
-    fn place_mut<R>(&mut self, handle: Handle<R>) -> &mut Place<'a, X> {
+    fn place_mut<R>(&mut self, handle: Handle<R>) -> &mut SceneEntry<'a, X> {
         let index = self.index(handle);
-        &mut self.places[index]
+        &mut self.entries[index]
     }
 
     fn index<R>(&self, handle: Handle<R>) -> usize {
@@ -318,7 +321,7 @@ impl<X: fmt::Debug> fmt::Debug for Scene<'_, X> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Scene")
             .field("argument", &self.argument)
-            .field("functions", &self.places.len())
+            .field("functions", &self.entries.len())
             .finish_non_exhaustive()
     }
 }

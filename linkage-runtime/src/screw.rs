@@ -47,7 +47,7 @@ impl<T: Scalar> Screw<T> {
     /// that is farther than the largest number, turning makes no difference anywhere, and the motion is a shift.
     #[must_use]
     pub fn new(omega: Vector3<T>, velocity: Vector3<T>, at: Vector3<T>) -> Self {
-        let (turning, moving) = (Scaled::of(omega), Scaled::of(velocity));
+        let (turning, moving) = (Scaled::new(omega), Scaled::new(velocity));
         let (axis, way) = (turning.direction(), moving.direction());
         // Powers of two are kept out of the products, which can neither overflow nor vanish.
         let ratio = turning.scale / moving.scale;
@@ -124,7 +124,7 @@ struct Scaled<T> {
 }
 
 impl<T: Scalar> Scaled<T> {
-    fn of(vector: Vector3<T>) -> Self {
+    fn new(vector: Vector3<T>) -> Self {
         let [x, y, z] = array(vector);
         let scale = x.abs().max(y.abs()).max(z.abs()).inverse_scale();
         let vector = [x, y, z].map(|x| x * scale);

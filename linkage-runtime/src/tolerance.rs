@@ -25,7 +25,7 @@ pub(crate) mod student;
 mod uncertainties;
 
 pub use crate::components::Components;
-pub use allocation::{Allocation, Costs, Rule};
+pub use allocation::{Allocation, AllocationRule, Costs};
 pub use budget::{Budget, BudgetLine};
 pub use cycle::{Extreme, largest, largest_at};
 pub use distribution::Distribution;

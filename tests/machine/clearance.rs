@@ -174,7 +174,10 @@ fn best_leads() -> Outcome {
         let step = TAU / 48.0;
         let slots = (-4..=4).map(|slot| {
             let phase = f64::from(slot) * step;
-            (slot, phases.at(phase).expect("assembled").least().distance)
+            (
+                slot,
+                phases.clearance(phase).expect("assembled").least().distance,
+            )
         });
         let (slot, distance) = slots
             .reduce(|a, b| if b.1 > a.1 { b } else { a })

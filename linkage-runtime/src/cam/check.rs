@@ -36,14 +36,18 @@ pub(super) fn check(
     follower: &Follower,
     figures: &impl Fn(f64) -> Figures,
 ) -> Result<(), CamError> {
-    let peak = peak(figures, |own| own.bend, |bend| sharpness(follower, bend));
+    let peak = peak(
+        figures,
+        |figures| figures.bend,
+        |bend| sharpness(follower, bend),
+    );
     if left(follower, peak.value) >= 0.0 {
         return Ok(());
     }
     let intervals = undercuts(follower, figures, peak.angle);
-    let holds = |own: &&Interval| {
-        let after = peak.angle - own.from;
-        (0.0..=own.range).contains(&after) || (0.0..=own.range).contains(&(after + TAU))
+    let holds = |interval: &&Interval| {
+        let after = peak.angle - interval.from;
+        (0.0..=interval.range).contains(&after) || (0.0..=interval.range).contains(&(after + TAU))
     };
     // The peak is one of the places between which they are sought.
     let worst = intervals.iter().find(holds).copied();
@@ -75,9 +79,9 @@ pub(super) fn check(
 /// still: what is shorter than a step lies about such a place.
 fn undercuts(follower: &Follower, figures: &impl Fn(f64) -> Figures, peak: f64) -> Vec<Interval> {
     let left = |angle: f64| left(follower, figures(angle).bend.value);
-    let limits = stationary(figures, |own| own.bend)
+    let limits = stationary(figures, |figures| figures.bend)
         .into_iter()
-        .map(|own| own.angle);
+        .map(|place| place.angle);
     let mut places: Vec<f64> = angles().chain(limits).chain([peak]).collect();
     places.sort_by(f64::total_cmp);
     let mut open = (left(0.0) < 0.0).then_some(0.0);

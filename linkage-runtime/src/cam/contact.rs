@@ -41,7 +41,7 @@ pub(super) struct Figures {
 
 /// The contact at an angle of the cam, with the follower's motion `jet` there.
 pub(super) fn contact(follower: &Follower, jet: [f64; 4], angle: f64) -> Contact {
-    let back = Complex::at(-angle);
+    let back = Complex::direction(-angle);
     let radius = follower.radius();
     let Figures { pressure, bend } = figures(follower, jet);
     let Some(centre) = follower.centre(jet) else {

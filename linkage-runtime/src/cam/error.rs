@@ -82,14 +82,14 @@ impl fmt::Display for CamError {
                         rounded(*base),
                         rounded(limit)
                     ),
-                    Follower::Roller { radius: own, .. }
-                    | Follower::Swinging { radius: own, .. } => write!(
+                    Follower::Roller { radius: roller, .. }
+                    | Follower::Swinging { radius: roller, .. } => write!(
                         f,
                         "at {} deg the pitch curve has a radius of {}, and the roller one of {}; take a roller of less than \
                          that, a larger cam or a slower motion",
                         rounded(at),
                         rounded(limit),
-                        rounded(*own)
+                        rounded(*roller)
                     ),
                 }
             }

@@ -73,7 +73,7 @@ impl Follower {
             } => {
                 let cosine = (pivot * pivot + arm * arm - base * base) / (2.0 * pivot * arm);
                 let begin = Scalar::acos(cosine);
-                let direction = Complex::at(PI - (begin + s));
+                let direction = Complex::direction(PI - (begin + s));
                 let arm = arm * direction;
                 // Each derivative of the arm is a factor times it; the arm turns against the angle.
                 let factors = [
@@ -81,7 +81,7 @@ impl Follower {
                     Complex(-first * first, -second),
                     Complex(-3.0 * first * second, first * first * first - third),
                 ];
-                let [speed, acceleration, jerk] = factors.map(|own| own * arm);
+                let [speed, acceleration, jerk] = factors.map(|factor| factor * arm);
                 let jet = [Complex(pivot, 0.0) + arm, speed, acceleration, jerk];
                 Some(Centre {
                     jet,

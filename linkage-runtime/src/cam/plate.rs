@@ -54,24 +54,32 @@ impl<F: Fn(f64) -> [f64; 4]> Cam<F> {
     /// The places where the pressure angle is highest or lowest beside its neighbours, in order; none where the follower rests, none for a flat
     /// face. Roots of its exact derivative.
     pub fn pressure_angles(&self) -> Vec<Stationary> {
-        stationary(&|angle| self.figures(angle), |own| own.pressure)
+        stationary(&|angle| self.figures(angle), |figures| figures.pressure)
     }
 
     /// The same for the curvature of the pitch curve; for a flat face it is the radius of curvature of the profile.
     pub fn curvatures(&self) -> Vec<Stationary> {
-        stationary(&|angle| self.figures(angle), |own| own.bend)
+        stationary(&|angle| self.figures(angle), |figures| figures.bend)
     }
 
     /// The pressure angle that is farthest from 0.
     pub fn largest_pressure_angle(&self) -> Stationary {
-        peak(&|angle| self.figures(angle), |own| own.pressure, f64::abs)
+        peak(
+            &|angle| self.figures(angle),
+            |figures| figures.pressure,
+            f64::abs,
+        )
     }
 
     /// The place where the profile is most sharply bent, and its radius of curvature there: the least one of those where it is
     /// convex, negative if it is undercut.
     pub fn least_radius(&self) -> Stationary {
         let sharpness = |bend| sharpness(&self.follower, bend);
-        let peak = peak(&|angle| self.figures(angle), |own| own.bend, sharpness);
+        let peak = peak(
+            &|angle| self.figures(angle),
+            |figures| figures.bend,
+            sharpness,
+        );
         let value = match self.follower {
             Follower::Flat { .. } => peak.value,
             Follower::Roller { radius, .. } | Follower::Swinging { radius, .. } => {

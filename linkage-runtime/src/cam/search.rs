@@ -32,12 +32,12 @@ pub(super) fn stationary(
     // Where the follower rests, rounding is left.
     let slope = |angle: f64| {
         Some(slope(angle))
-            .filter(|own| own.abs() > NOISE * largest)
+            .filter(|slope| slope.abs() > NOISE * largest)
             .unwrap_or(0.0)
     };
     let found = all
         .windows(2)
-        .filter_map(|own| crossing([own[0], own[1]], slope));
+        .filter_map(|pair| crossing([pair[0], pair[1]], slope));
     found
         .map(|angle| Stationary {
             angle,
@@ -55,14 +55,14 @@ pub(super) fn peak(
 ) -> Stationary {
     let value = |angle: f64| of(figures(angle)).value;
     let searched = highest([0.0, TAU], POSITIONS + 1, |angle| figure(value(angle)));
-    let searched = searched.map_or(0.0, |own| own.at);
+    let searched = searched.map_or(0.0, |summit| summit.at);
     let first = Stationary {
         angle: searched,
         value: value(searched),
     };
     let roots = stationary(figures, &of).into_iter();
     // A root of the derivative tells the place better than a search, which sees no difference about it.
-    let same = |own: f64, other: f64| (own - other).abs() <= NOISE * own.abs();
+    let same = |one: f64, other: f64| (one - other).abs() <= NOISE * one.abs();
     roots.fold(first, |best, next| {
         let (a, b) = (figure(best.value), figure(next.value));
         if b > a || same(a, b) { next } else { best }

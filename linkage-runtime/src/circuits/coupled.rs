@@ -16,7 +16,7 @@ const ASIDE: f64 = 0.1;
 const SAME: f64 = 1e-6;
 
 /// What is known of a coupled group over a slab.
-pub(super) struct Found {
+pub(super) struct Followed {
     pub(super) strands: Vec<Strand>,
     /// How many turning points there are; strands number them from 0.
     pub(super) turning: usize,
@@ -32,11 +32,11 @@ pub(super) fn follow(
     programs: &mut dyn CoupledPrograms,
     slab: Slab,
     samples: &[f64],
-) -> Result<Found, AssemblyError> {
+) -> Result<Followed, AssemblyError> {
     if group.is_followed() {
         return Err(group.not_listed());
     }
-    let mut found = Found {
+    let mut found = Followed {
         strands: Vec::new(),
         turning: 0,
     };
@@ -85,7 +85,7 @@ impl Strand {
         if node.u < self.nodes[0].u || node.u > self.nodes[last].u {
             return false;
         }
-        let above = self.nodes.partition_point(|own| own.u <= node.u);
+        let above = self.nodes.partition_point(|other| other.u <= node.u);
         let above = above.clamp(1, last);
         let [below, above] = [&self.nodes[above - 1], &self.nodes[above]];
         let mut chord = curve.difference(&below.state, &above.state);

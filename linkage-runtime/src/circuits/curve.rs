@@ -82,7 +82,7 @@ impl Curve<'_> {
     }
 
     /// The node at about this length of curve from another one.
-    pub(super) fn at(&mut self, node: &Node, length: f64) -> Option<Node> {
+    pub(super) fn step_along(&mut self, node: &Node, length: f64) -> Option<Node> {
         let steps: Vec<f64> = node.direction.iter().map(|x| length * x).collect();
         let state = self.moved(&node.state, &steps[1..]);
         let u = node.u + steps[0];

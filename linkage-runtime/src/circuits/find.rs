@@ -6,7 +6,7 @@ use super::leaf::Leaf;
 use super::levels::Levels;
 use super::margins::{least, up_to};
 use super::meetings::meetings;
-use super::search::Search;
+use super::search::LevelSearch;
 use super::unknowns::{estimates, numbers};
 use crate::error::AssemblyError;
 use alloc::vec::Vec;
@@ -25,11 +25,11 @@ pub fn circuits<M: Levels>(
     mechanism: &M,
     cycle: &Cycle,
 ) -> Result<Circuits<M::Assembly>, AssemblyError> {
-    let Search {
+    let LevelSearch {
         mut leaves,
         mut error,
         ..
-    } = Search::run(mechanism, *cycle)?;
+    } = LevelSearch::run(mechanism, *cycle)?;
     leaves.sort_by(|a, b| a.inputs[0].total_cmp(&b.inputs[0]));
     let mut assemblies = Vec::new();
     leaves.retain(|leaf| match assemble(mechanism, leaf) {
@@ -52,8 +52,11 @@ pub fn circuits<M: Levels>(
         .map(|(leaf, (assembly, _))| leaf.inputs.map(|x| numbers(mechanism, assembly, x)))
         .collect();
     let (circuits, closed) = join(&leaves, &seams, cycle.turn().is_some());
-    let own: Vec<M::Assembly> = assemblies.iter().map(|(own, _)| own.clone()).collect();
-    let meetings = meetings(mechanism, cycle, &leaves, &own);
+    let alone: Vec<M::Assembly> = assemblies
+        .iter()
+        .map(|(assembly, _)| assembly.clone())
+        .collect();
+    let meetings = meetings(mechanism, cycle, &leaves, &alone);
     let branches = leaves.iter().zip(assemblies).zip(circuits).zip(closed);
     let branches = branches.map(|(((leaf, (assembly, input)), circuit), closed)| {
         let mut ends = leaf.branch_ends();

@@ -21,7 +21,7 @@ pub(super) enum End {
 
 /// How a group is assembled.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Way {
+pub(super) enum GroupAssembly {
     Mode(AssemblyMode),
     /// The states of a coupled group at both ends.
     States([Vec<f64>; 2]),
@@ -32,7 +32,7 @@ pub(super) enum Way {
 pub(super) struct Leaf {
     pub(super) chosen: Chosen,
     /// Group by group, those with one assembly excepted.
-    pub(super) ways: Vec<(usize, Way)>,
+    pub(super) ways: Vec<(usize, GroupAssembly)>,
     pub(super) inputs: [f64; 2],
     pub(super) ends: [End; 2],
     /// A place between the ends where it is known, if a coupled group has one.
@@ -56,7 +56,7 @@ impl Leaf {
 
     /// Whether a coupled group is among those that are assembled.
     pub(super) fn is_coupled(&self) -> bool {
-        let of_states = |(_, way): &(usize, Way)| matches!(way, Way::States(_));
+        let of_states = |(_, way): &(usize, GroupAssembly)| matches!(way, GroupAssembly::States(_));
         self.ways.iter().any(of_states)
     }
 

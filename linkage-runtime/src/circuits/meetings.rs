@@ -1,7 +1,7 @@
 //! Where two assemblies meet and both go on: change points, at which a group has one solution instead of two.
 
 use super::branch::Meeting;
-use super::leaf::{Leaf, Way};
+use super::leaf::{GroupAssembly, Leaf};
 use super::levels::Levels;
 use super::unknowns::{near, numbers, size};
 use crate::range_check::touches;
@@ -16,7 +16,7 @@ const SAME: f64 = 1e-5;
 /// The places where a group with two solutions has one, for what is chosen of the groups before it over a stretch of the input.
 struct Touched<'a> {
     group: usize,
-    before: &'a [(usize, Way)],
+    before: &'a [(usize, GroupAssembly)],
     inputs: [f64; 2],
     places: Vec<f64>,
 }
@@ -37,8 +37,8 @@ pub(super) fn meetings<M: Levels>(
                 continue;
             }
             let before = &leaf.ways[..place];
-            let same = |own: &Touched<'_>| {
-                own.group == *group && own.before == before && own.inputs == leaf.inputs
+            let same = |touched: &Touched<'_>| {
+                touched.group == *group && touched.before == before && touched.inputs == leaf.inputs
             };
             let index = known.iter().position(same).unwrap_or_else(|| {
                 let slack = |x: f64| mechanism.survey(&assemblies[one], x).as_ref()[1 + group];
@@ -51,7 +51,10 @@ pub(super) fn meetings<M: Levels>(
                 known.len() - 1
             });
             for (other, second) in leaves.iter().enumerate().skip(one + 1) {
-                let turned = second.ways.get(place).is_some_and(|(_, own)| own != way);
+                let turned = second
+                    .ways
+                    .get(place)
+                    .is_some_and(|(_, other_way)| other_way != way);
                 if !turned || second.ways[..place] != *before {
                     continue;
                 }
@@ -76,7 +79,7 @@ pub(super) fn meetings<M: Levels>(
             }
         }
     }
-    found.sort_by_key(|own| own.branches);
+    found.sort_by_key(|meeting| meeting.branches);
     found
 }
 

@@ -45,8 +45,8 @@ impl<A> Circuits<A> {
                 circuits.push(branch.circuit);
             }
         }
-        let circuit = |own: usize| {
-            let place = circuits.iter().position(|other| *other == own);
+        let circuit = |number: usize| {
+            let place = circuits.iter().position(|other| *other == number);
             place.map_or(0, |place| place + 1)
         };
         for (number, branch) in in_order {
@@ -77,8 +77,8 @@ impl<A> Circuits<A> {
             text += line.trim_end();
             text.push('\n');
         }
-        for own in &self.meetings {
-            text += &self.meeting(own, numbers, &circuit);
+        for meeting in &self.meetings {
+            text += &self.meeting(meeting, numbers, &circuit);
             text.push('\n');
         }
         text
@@ -87,18 +87,18 @@ impl<A> Circuits<A> {
     /// `circuits 1 and 2 meet at phi = 0 deg and 180 deg (change points): assemblies 1 and 2`
     fn meeting(
         &self,
-        own: &Meeting,
+        meeting: &Meeting,
         numbers: &[usize],
         circuit: &dyn Fn(usize) -> usize,
     ) -> String {
-        let places = own.at.iter().map(|&x| input(&self.cycle, x, FOUND));
+        let places = meeting.at.iter().map(|&x| input(&self.cycle, x, FOUND));
         let places: Vec<String> = places.collect();
         let points = match places.len() {
             1 => "change point",
             _ => "change points",
         };
         let at = format!("meet at {} = {} ({points})", self.input, listed(&places));
-        let mut branches = own.branches;
+        let mut branches = meeting.branches;
         branches.sort_by_key(|&k| numbers[k]);
         let [one, other] = branches.map(|k| numbers[k]);
         let [first, second] = branches.map(|k| circuit(self.branches[k].circuit));

@@ -1,7 +1,7 @@
 //! Group after group: where it can be assembled given the groups before it, and in which ways.
 
-use super::coupled::{self, Found};
-use super::leaf::{End, Leaf, Way};
+use super::coupled::{self, Followed};
+use super::leaf::{End, GroupAssembly, Leaf};
 use super::levels::{Chosen, Levels, Searched};
 use super::stretches::{Border, Slack, stretches};
 use super::trace::CurveEnd;
@@ -25,7 +25,7 @@ const ALWAYS: [f64; 5] = [-1.0, 1.0, -0.6, 0.05, 0.7];
 const MOST_MODES: usize = 16;
 
 /// The search through all groups.
-pub(super) struct Search<'a, M> {
+pub(super) struct LevelSearch<'a, M> {
     pub(super) mechanism: &'a M,
     searched: Searched,
     pub(super) cycle: Cycle,
@@ -34,7 +34,7 @@ pub(super) struct Search<'a, M> {
     turning: usize,
 }
 
-impl<'a, M: Levels> Search<'a, M> {
+impl<'a, M: Levels> LevelSearch<'a, M> {
     pub(super) fn run(mechanism: &'a M, cycle: Cycle) -> Result<Self, AssemblyError> {
         let searched = mechanism.searched();
         let modes = searched.modes;
@@ -124,7 +124,7 @@ impl<'a, M: Levels> Search<'a, M> {
             for way in [AssemblyMode::Plus, AssemblyMode::Minus] {
                 let mut next = next.clone();
                 next.chosen.modes[mode] = way;
-                next.ways.push((group, Way::Mode(way)));
+                next.ways.push((group, GroupAssembly::Mode(way)));
                 self.level(group + 1, next);
             }
         }
@@ -170,7 +170,8 @@ impl<'a, M: Levels> Search<'a, M> {
         let leaf = |state: Vec<f64>| {
             let mut next = before.clone();
             next.chosen.starts[number] = prepared(description, programs, &[], &state, &[])?;
-            next.ways.push((group, Way::States([state.clone(), state])));
+            next.ways
+                .push((group, GroupAssembly::States([state.clone(), state])));
             Ok(next)
         };
         all.into_iter()
@@ -192,7 +193,7 @@ impl<'a, M: Levels> Search<'a, M> {
         let inner = (0..self.cycle.samples).map(|index| sample(&self.cycle, index));
         let inner = inner.filter(|&x| slab.covers(x)).map(|x| slab.parameter(x));
         let samples: Vec<f64> = inner.chain(ALWAYS).collect();
-        let Found { strands, turning } = coupled::follow(description, programs, slab, &samples)?;
+        let Followed { strands, turning } = coupled::follow(description, programs, slab, &samples)?;
         let mut all = Vec::new();
         for strand in strands {
             let mut next = before.clone();
@@ -200,8 +201,8 @@ impl<'a, M: Levels> Search<'a, M> {
             for (side, x) in inputs.into_iter().enumerate() {
                 match strand.ends[side] {
                     CurveEnd::Slab => continue,
-                    CurveEnd::Turning(own) => {
-                        let number = self.turning + own;
+                    CurveEnd::Turning(turning_point) => {
+                        let number = self.turning + turning_point;
                         next.ends[side] = End::Turning { number, group };
                     }
                     CurveEnd::Lost => next.ends[side] = End::Lost,
@@ -221,7 +222,7 @@ impl<'a, M: Levels> Search<'a, M> {
             next.known = Some(x);
             next.ways.push((
                 group,
-                Way::States([0, 1].map(|end| strand.state(end).to_vec())),
+                GroupAssembly::States([0, 1].map(|end| strand.state(end).to_vec())),
             ));
             all.push(next);
         }

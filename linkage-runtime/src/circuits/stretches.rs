@@ -41,23 +41,27 @@ pub(super) struct Slack<'a> {
 ///
 /// Where the slack has bounds, the sign of every part between two ends is shown; what is left, beside places where it is zero twice or
 /// without bounds, is looked at by so many samples and the dips between them.
-pub(super) fn stretches(slab: &Slab, samples: usize, own: &Slack<'_>) -> Vec<[Border; 2]> {
+pub(super) fn stretches(slab: &Slab, samples: usize, group_slack: &Slack<'_>) -> Vec<[Border; 2]> {
     let mut slack = |u: f64| {
-        let value = (own.at)(slab.x(u));
-        if own.single { 0.0 * value } else { value }
+        let value = (group_slack.at)(slab.x(u));
+        if group_slack.single {
+            0.0 * value
+        } else {
+            value
+        }
     };
     let last = samples.max(2);
     let at = |index: usize| 2.0 * (index as f64 / last as f64) - 1.0;
     let mut points: Vec<Point> = (0..=last).map(|k| Point::at(at(k), &mut slack)).collect();
-    if !own.served {
+    if !group_slack.served {
         trim(&mut points);
     }
     let size = points.iter().map(|point| point.margin.abs());
     let size = size.fold(0.0, |most: f64, size| if size > most { size } else { most });
     let works = |point: Point| point.margin >= ROUNDING * size;
-    let shown = own.over.is_some_and(|over| {
+    let shown = group_slack.over.is_some_and(|over| {
         let over = |u: Enclosure| over(slab.over(u));
-        let parts = parts(&over, own.single, ROUNDING * size);
+        let parts = parts(&over, group_slack.single, ROUNDING * size);
         // Ends within the slab: where signs change there is one between two of them.
         let between = parts.ends.into_iter().filter(|u| u.abs() < 1.0);
         points.extend(between.map(|u| Point::at(u, &mut slack)));

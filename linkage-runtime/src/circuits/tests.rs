@@ -104,8 +104,8 @@ fn a_node_is_not_reached_across_a_ledge() {
     let before = curve
         .node(SLAB.parameter(-0.5), &[0.0])
         .expect("a solution");
-    assert!(curve.at(&before, 0.05).is_some());
-    assert!(curve.at(&before, 0.9).is_none());
+    assert!(curve.step_along(&before, 0.05).is_some());
+    assert!(curve.step_along(&before, 0.9).is_none());
 }
 
 /// Where rounding keeps corrections from vanishing the last one counts.
@@ -196,7 +196,7 @@ fn notch<T: Scalar>(x: T, width: f64) -> T {
 fn bounds_see_what_no_sample_falls_into() {
     for width in [1e-2, 1e-4, 1e-6] {
         let at = |x: f64| notch(x, width);
-        let own = |x: Enclosure| notch(x, width);
+        let bounds = |x: Enclosure| notch(x, width);
         let edge = |side: f64| {
             let (mut inside, mut outside) = (0.317, 0.317 + side * 3.0 * width);
             for _ in 0..70 {
@@ -211,12 +211,12 @@ fn bounds_see_what_no_sample_falls_into() {
         let [low, high] = [edge(-1.0), edge(1.0)];
         expect(&found(&at, None), &[[-2.0, 2.0]], 0.0);
         let seen = [[-2.0, low], [high, 2.0]];
-        expect(&found(&at, Some(&own)), &seen, 1e-14);
+        expect(&found(&at, Some(&bounds)), &seen, 1e-14);
         // And an island.
         let at = |x: f64| -notch(x, width);
-        let own = |x: Enclosure| -notch(x, width);
+        let bounds = |x: Enclosure| -notch(x, width);
         expect(&found(&at, None), &[], 0.0);
-        expect(&found(&at, Some(&own)), &[[low, high]], 1e-14);
+        expect(&found(&at, Some(&bounds)), &[[low, high]], 1e-14);
     }
 }
 

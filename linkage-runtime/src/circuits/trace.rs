@@ -105,7 +105,7 @@ impl Curve<'_> {
             let lands = (border - last.u) / last.direction[0] <= length;
             let next = match lands {
                 true => self.land(&last, border),
-                false => self.at(&last, length),
+                false => self.step_along(&last, length),
             };
             match next {
                 Some(next) => {
@@ -130,7 +130,7 @@ impl Curve<'_> {
         if !near || dot(&last.direction, &start.direction) < 0.5 {
             return None;
         }
-        let next = self.at(last, along)?;
+        let next = self.step_along(last, along)?;
         let miss = self.difference(&next.state, &start.state);
         let miss = math::double::sqrt(dot(&miss, &miss)) + (next.u - start.u).abs();
         (miss <= CLOSURE.0 * along + CLOSURE.1).then(|| start.clone())
@@ -169,7 +169,10 @@ impl Curve<'_> {
         const STEPS: usize = 30;
         for _ in 0..STEPS {
             let lengths = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
-            let [left, right] = [self.at(node, lengths[0])?, self.at(node, lengths[1])?];
+            let [left, right] = [
+                self.step_along(node, lengths[0])?,
+                self.step_along(node, lengths[1])?,
+            ];
             let slopes = [&left, &right].map(|node| sign * node.direction[0]);
             for (length, slope, node) in [
                 (lengths[0], slopes[0], left),
@@ -255,8 +258,8 @@ impl Curve<'_> {
             let length = self.along(&low, &high);
             let mut next = None;
             for share in [secant, 0.5, 0.3, 0.7] {
-                next = self.at(&low, share * length);
-                next = next.or_else(|| self.at(&high, (share - 1.0) * length));
+                next = self.step_along(&low, share * length);
+                next = next.or_else(|| self.step_along(&high, (share - 1.0) * length));
                 if next.is_some() {
                     break;
                 }
@@ -286,7 +289,7 @@ impl Curve<'_> {
         }
         if let [one, other] = &strand.nodes[..] {
             let length = 0.5 * self.along(one, other);
-            let between = self.at(&one.clone(), length);
+            let between = self.step_along(&one.clone(), length);
             strand.nodes.splice(1..1, between);
         }
     }

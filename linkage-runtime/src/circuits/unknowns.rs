@@ -15,14 +15,14 @@ pub(super) fn estimates<M: Levels>(mechanism: &M, assembly: &M::Assembly, x: f64
     let numbers = numbers(mechanism, assembly, x);
     let mut next = numbers.iter().copied();
     let estimate = |unknown: &SurveyedUnknown| {
-        let own: Vec<f64> = next.by_ref().take(unknown.numbers).collect();
+        let components: Vec<f64> = next.by_ref().take(unknown.numbers).collect();
         Estimate {
             name: unknown.name,
             unit: unknown.unit,
             angle: unknown.angle,
-            numbers: match own[..] {
+            numbers: match components[..] {
                 [cosine, sine] if unknown.angle => Vec::from([Scalar::atan2(sine, cosine)]),
-                _ => own,
+                _ => components,
             },
         }
     };

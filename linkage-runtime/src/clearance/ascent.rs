@@ -80,13 +80,13 @@ impl<const N: usize> Crest<N> {
             for _ in 0..=N {
                 let mut step = self.stationary(&equal, &held);
                 let mut is_inside = true;
-                for (k, own) in step.iter_mut().enumerate() {
+                for (k, change) in step.iter_mut().enumerate() {
                     let (low, high) = limits[k];
-                    let within = own.max(low).min(high);
-                    if within != *own {
+                    let within = change.max(low).min(high);
+                    if within != *change {
                         is_inside = false;
                         held[k] = Some(within);
-                        *own = within;
+                        *change = within;
                     }
                 }
                 let height = self.beside(&step);
@@ -104,14 +104,14 @@ impl<const N: usize> Crest<N> {
     /// Where these parabolas are equal and a mean of their slopes is zero, some phases held.
     fn stationary(&self, equal: &[usize], held: &[Option<f64>; N]) -> [f64; N] {
         let count = equal.len();
-        let mut step = held.map(|own| own.unwrap_or(0.0));
+        let mut step = held.map(|change| change.unwrap_or(0.0));
         let mut shares = vec![1.0 / count as f64; count];
         let mut level = self.q;
         for _ in 0..NEWTON {
             let size = N + count + 1;
             let mut rows = vec![vec![0.0; size + 1]; size];
-            for (c, &own) in equal.iter().enumerate() {
-                let (line, way) = &self.slopes[own];
+            for (c, &number) in equal.iter().enumerate() {
+                let (line, way) = &self.slopes[number];
                 let x = dot(way, &step);
                 let slope = line.slope + line.bend * x;
                 for k in (0..N).filter(|&k| held[k].is_none()) {
@@ -163,8 +163,8 @@ pub(super) fn climbed<const N: usize>(
     for _ in 0..STEPS {
         let limits = core::array::from_fn(|k| {
             let (low, high) = ranges[k];
-            let own = best.phases[k];
-            ((low - own).max(-reach), (high - own).min(reach))
+            let phase = best.phases[k];
+            ((low - phase).max(-reach), (high - phase).min(reach))
         });
         let step = best.step(&limits);
         let size = step.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
@@ -200,9 +200,9 @@ fn solved(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
         let size_at = |&(row, column): &(usize, usize)| f64::abs(rows[row][columns[column]]);
         let pivot = places.max_by(|a, b| size_at(a).total_cmp(&size_at(b)));
         let Some((row, column)) = pivot else { break };
-        let own = size_at(&(row, column));
-        largest = largest.max(own);
-        if own <= PIVOT * largest {
+        let pivot_size = size_at(&(row, column));
+        largest = largest.max(pivot_size);
+        if pivot_size <= PIVOT * largest {
             rank = step;
             break;
         }
@@ -214,7 +214,7 @@ fn solved(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
             let factor = row[columns[step]] / pivot[columns[step]];
             row.iter_mut()
                 .zip(pivot)
-                .for_each(|(x, own)| *x -= factor * own);
+                .for_each(|(x, pivot)| *x -= factor * pivot);
         }
     }
     let mut solution = vec![0.0; size];

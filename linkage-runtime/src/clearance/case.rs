@@ -5,13 +5,13 @@
 //! square of the distance is `q = E.E/2`, smooth in angle, places and parameters. Where a place is free, `dq/ds = 0`
 //! tells it; second derivatives are those of `q` less what the free places take up: `q_xy - q_xf (q_ff)^-1 q_fy`.
 
-use super::shape::{Jet, Pair, Part, difference, dot, edge};
+use super::shape::{Feature, Jet, Pair, difference, dot, edge};
 use crate::components::norm;
 
 /// The distance of two parts at one angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Case<const K: usize> {
-    parts: [Part; 2],
+    parts: [Feature; 2],
     /// Places along the edges, 0 to 1 within them.
     pub(super) feet: [f64; 2],
     /// From the second to the first place, with its derivatives while the places stay.
@@ -50,22 +50,22 @@ fn split<const K: usize>(edge: &[f64; K], vector: &[f64; K]) -> (f64, [f64; K]) 
 }
 
 impl<const K: usize> Case<K> {
-    pub(super) fn of<const A: usize, const B: usize>(
-        parts: [Part; 2],
+    pub(super) fn new<const A: usize, const B: usize>(
+        parts: [Feature; 2],
         pair: &Pair<K, A, B>,
     ) -> Self {
         let [u, w] = [edge(&pair.first), edge(&pair.second)];
-        let start = |part: Part| match part {
-            Part::Vertex(index) => index,
-            Part::Edge => 0,
+        let start = |part: Feature| match part {
+            Feature::Vertex(index) => index,
+            Feature::Edge => 0,
         };
         let (a, b) = (&pair.first[start(parts[0])], &pair.second[start(parts[1])]);
         let base: Jet<K> = core::array::from_fn(|k| difference(&a[k], &b[k]));
         let [s, t] = match parts {
-            [Part::Vertex(_), Part::Vertex(_)] => [0.0; 2],
-            [Part::Edge, Part::Vertex(_)] => [-dot(&base[0], &u[0]) / dot(&u[0], &u[0]), 0.0],
-            [Part::Vertex(_), Part::Edge] => [0.0, dot(&base[0], &w[0]) / dot(&w[0], &w[0])],
-            [Part::Edge, Part::Edge] => {
+            [Feature::Vertex(_), Feature::Vertex(_)] => [0.0; 2],
+            [Feature::Edge, Feature::Vertex(_)] => [-dot(&base[0], &u[0]) / dot(&u[0], &u[0]), 0.0],
+            [Feature::Vertex(_), Feature::Edge] => [0.0, dot(&base[0], &w[0]) / dot(&w[0], &w[0])],
+            [Feature::Edge, Feature::Edge] => {
                 let uu = dot(&u[0], &u[0]);
                 let [(_, across), (_, beside)] = [&w[0], &base[0]].map(|v| split(&u[0], v));
                 // Of parallel edges an end is as near as anything between: there is no such case.
@@ -126,9 +126,9 @@ impl<const K: usize> Case<K> {
             };
             let size = dot(edge, edge);
             match self.parts[side] {
-                Part::Vertex(0) => along >= -BESIDE * size,
-                Part::Vertex(_) => along <= BESIDE * size,
-                Part::Edge => self.feet[side] >= -BESIDE && self.feet[side] <= 1.0 + BESIDE,
+                Feature::Vertex(0) => along >= -BESIDE * size,
+                Feature::Vertex(_) => along <= BESIDE * size,
+                Feature::Edge => self.feet[side] >= -BESIDE && self.feet[side] <= 1.0 + BESIDE,
             }
         })
     }
@@ -154,11 +154,11 @@ impl<const K: usize> Case<K> {
     fn taken_up(&self, x: &[f64; 3], y: &[f64; 3]) -> f64 {
         let [u, w] = [&self.edges[0][0], &self.edges[1][0]];
         match self.parts {
-            [Part::Vertex(_), Part::Vertex(_)] => 0.0,
-            [Part::Edge, Part::Vertex(_)] => x[1] * y[1] / dot(u, u),
-            [Part::Vertex(_), Part::Edge] => x[2] * y[2] / dot(w, w),
+            [Feature::Vertex(_), Feature::Vertex(_)] => 0.0,
+            [Feature::Edge, Feature::Vertex(_)] => x[1] * y[1] / dot(u, u),
+            [Feature::Vertex(_), Feature::Edge] => x[2] * y[2] / dot(w, w),
             // The matrix of both places, the first one eliminated.
-            [Part::Edge, Part::Edge] => {
+            [Feature::Edge, Feature::Edge] => {
                 let (ratio, across) = split(u, w);
                 let rest = |x: &[f64; 3]| x[2] + ratio * x[1];
                 x[1] * y[1] / dot(u, u) + rest(x) * rest(y) / dot(&across, &across)
@@ -168,8 +168,8 @@ impl<const K: usize> Case<K> {
 
     /// The second derivative of `q` by the angle and a variable.
     pub(super) fn mixed(&self, by: &Variation<K>) -> f64 {
-        let (angle, own) = (self.gradient(&self.angle()), self.gradient(by));
-        own[0] - self.taken_up(&angle, &own)
+        let (angle, gradient) = (self.gradient(&self.angle()), self.gradient(by));
+        gradient[0] - self.taken_up(&angle, &gradient)
     }
 
     /// Slope and second derivative of `q` by the phase of the second shape, whose derivatives by it are those by the
@@ -181,8 +181,8 @@ impl<const K: usize> Case<K> {
             rate: second[2].map(|a| -a),
             edges: [[0.0; K], self.edges[1][1]],
         };
-        let own = self.gradient(&by);
-        let held = dot(&by.gap, &by.gap) + dot(gap, &by.rate) - self.taken_up(&own, &own);
+        let gradient = self.gradient(&by);
+        let held = dot(&by.gap, &by.gap) + dot(gap, &by.rate) - self.taken_up(&gradient, &gradient);
         let mixed = self.mixed(&by);
         [dot(gap, &by.gap), held - mixed * mixed / self.bend()]
     }
@@ -190,7 +190,7 @@ impl<const K: usize> Case<K> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Case, Pair, Part};
+    use super::{Case, Feature, Pair};
     use crate::clearance::shape::Jet;
     use linkage_random::Random;
 
@@ -227,7 +227,7 @@ mod tests {
                     first: [fixed([0.0; 3]), fixed(turned(u))],
                     second: [fixed(turned(start)), fixed(turned(end))],
                 };
-                let case = Case::of([Part::Edge; 2], &pair);
+                let case = Case::new([Feature::Edge; 2], &pair);
                 let distance = 3.0 * height;
                 let error = (case.distance() - distance).abs() / distance;
                 assert!(error < 1e-14, "{angle}: {error} of the distance");
@@ -249,7 +249,7 @@ mod tests {
             first: [fixed(a), fixed(b)],
             second: [fixed(c), fixed(d)],
         };
-        assert!(!Case::of([Part::Edge; 2], &pair).is_nearest());
-        assert!(Case::of([Part::Edge, Part::Vertex(0)], &pair).is_nearest());
+        assert!(!Case::new([Feature::Edge; 2], &pair).is_nearest());
+        assert!(Case::new([Feature::Edge, Feature::Vertex(0)], &pair).is_nearest());
     }
 }

@@ -2,7 +2,7 @@
 
 use super::case::Case;
 use super::nearest::Nearest;
-use super::shape::{Pair, Part, parts, plain};
+use super::shape::{Feature, Pair, parts, plain};
 use crate::components::Components;
 use crate::summary::{Curve, Kind, SummaryError, positions};
 use alloc::vec::Vec;
@@ -124,23 +124,23 @@ impl<const K: usize> Clearance<K> {
             );
         }
         let mut found: Vec<Nearest<K>> = Vec::new();
-        let inside = [Part::Edge, Part::Edge];
+        let inside = [Feature::Edge, Feature::Edge];
         for parts in parts(A)
             .iter()
             .flat_map(|a| parts(B).iter().map(|b| [*a, *b]))
         {
             if parts == inside && K < 3 {
                 let mut places = positions(range, rows.len()).zip(rows);
-                let crossing = places.find(|(_, row)| Case::of(inside, row).is_nearest());
-                found.extend(crossing.map(|(u, row)| Nearest::of(u, Case::of(inside, row))));
+                let crossing = places.find(|(_, row)| Case::new(inside, row).is_nearest());
+                found.extend(crossing.map(|(u, row)| Nearest::new(u, Case::new(inside, row))));
                 continue;
             }
-            let jet = |pair: &Pair<K, A, B>| Case::of(parts, pair).jet();
+            let jet = |pair: &Pair<K, A, B>| Case::new(parts, pair).jet();
             let curve = Curve::swept(range, rows.len(), |i| jet(&rows[i]), |u| jet(&function(u)));
             let curve = match curve {
                 Ok(curve) => curve,
                 // Parallel edges have no inside that is nearest, and one without length is a point.
-                Err(_) if parts.contains(&Part::Edge) => continue,
+                Err(_) if parts.contains(&Feature::Edge) => continue,
                 Err(error) => return Err(error),
             };
             let points = &curve.position().points;
@@ -148,9 +148,9 @@ impl<const K: usize> Clearance<K> {
             let constant = [curve.position().lowest];
             let alone = constant.iter().filter(|_| points.is_empty());
             for extreme in low.chain(alone) {
-                let case = Case::of(parts, &function(extreme.at));
+                let case = Case::new(parts, &function(extreme.at));
                 if case.is_nearest() {
-                    found.push(Nearest::of(extreme.at, case));
+                    found.push(Nearest::new(extreme.at, case));
                 }
             }
         }

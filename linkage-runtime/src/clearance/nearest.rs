@@ -19,7 +19,7 @@ pub struct Nearest<const K: usize> {
 }
 
 impl<const K: usize> Nearest<K> {
-    pub(super) fn of(at: f64, case: Case<K>) -> Self {
+    pub(super) fn new(at: f64, case: Case<K>) -> Self {
         let distance = case.distance();
         let direction = |component| match distance > 0.0 {
             true => component / distance,

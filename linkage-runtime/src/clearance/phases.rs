@@ -107,7 +107,7 @@ where
     /// # Errors
     ///
     /// As [`Clearance::new`].
-    pub fn at(&self, phase: f64) -> Result<Clearance<K>, SummaryError> {
+    pub fn clearance(&self, phase: f64) -> Result<Clearance<K>, SummaryError> {
         let pair = |u: f64| Pair {
             first: plain((self.first)(u)),
             second: self.turned(u + phase),
@@ -136,7 +136,7 @@ where
     }
 
     pub(super) fn probe(&self, phase: f64) -> Result<Probe<K>, SummaryError> {
-        let clearance = self.at(phase)?;
+        let clearance = self.clearance(phase)?;
         let lines: Vec<Line> = clearance
             .minima()
             .iter()

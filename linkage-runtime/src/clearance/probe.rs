@@ -65,7 +65,7 @@ impl<const K: usize> Probe<K> {
     }
 
     /// What the least distance at a phase beside does not exceed.
-    pub(super) fn at(&self, phase: f64, limits: Limits) -> f64 {
+    pub(super) fn square_bound(&self, phase: f64, limits: Limits) -> f64 {
         let x = phase - self.phase;
         let above =
             |line: &Line| line.q + line.slope * x + 0.5 * limits.bend(line.q, x.abs()) * x * x;

@@ -52,7 +52,7 @@ pub struct Contact<const K: usize> {
 }
 
 /// What has been looked at.
-pub(super) struct Search<const K: usize> {
+pub(super) struct PhaseSearch<const K: usize> {
     /// In order of their phases.
     pub(super) probes: Vec<Probe<K>>,
     pub(super) best: BestPhase<K>,
@@ -101,7 +101,7 @@ where
         Ok(self.search(range)?.best)
     }
 
-    pub(super) fn search(&self, (low, high): (f64, f64)) -> Result<Search<K>, PhaseError> {
+    pub(super) fn search(&self, (low, high): (f64, f64)) -> Result<PhaseSearch<K>, PhaseError> {
         let width = high - low;
         if !(width.is_finite() && width > 0.0 && width <= self.width() * (1.0 + EQUAL)) {
             return Err(PhaseError::Phases {
@@ -142,8 +142,8 @@ where
             }
         };
         let bound = sqrt(2.0 * limit).max(best.clearance.least().distance);
-        let best = told(&best, [low, high], bound, probes.len());
-        Ok(Search { probes, best })
+        let best = report(&best, [low, high], bound, probes.len());
+        Ok(PhaseSearch { probes, best })
     }
 
     /// Evenly spaced phases: where the spacing is not that of the positions, only both ends need calls of the second
@@ -234,7 +234,7 @@ where
     }
 }
 
-fn told<const K: usize>(
+fn report<const K: usize>(
     best: &Probe<K>,
     ends: [f64; 2],
     bound: f64,

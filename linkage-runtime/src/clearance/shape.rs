@@ -21,7 +21,7 @@ pub(super) fn plain<V: Components<K>, const K: usize, const A: usize>(
 
 /// The part of a shape that is nearest to the other one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Part {
+pub(super) enum Feature {
     /// The point, or an end of the segment.
     Vertex(usize),
     /// A place between the ends.
@@ -29,10 +29,10 @@ pub(super) enum Part {
 }
 
 /// All parts of a shape.
-pub(super) const fn parts(vertices: usize) -> &'static [Part] {
+pub(super) const fn parts(vertices: usize) -> &'static [Feature] {
     match vertices {
-        1 => &[Part::Vertex(0)],
-        _ => &[Part::Vertex(0), Part::Vertex(1), Part::Edge],
+        1 => &[Feature::Vertex(0)],
+        _ => &[Feature::Vertex(0), Feature::Vertex(1), Feature::Edge],
     }
 }
 

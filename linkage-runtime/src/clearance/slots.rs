@@ -55,8 +55,11 @@ where
                 let phase = index as f64 * step;
                 let next = found.probes.partition_point(|probe| probe.phase < phase);
                 let beside = [next.wrapping_sub(1), next].map(|i| found.probes.get(i));
-                let bounds = beside
-                    .map(|probe| probe.map_or(f64::INFINITY, |probe| probe.at(phase, self.limits)));
+                let bounds = beside.map(|probe| {
+                    probe.map_or(f64::INFINITY, |probe| {
+                        probe.square_bound(phase, self.limits)
+                    })
+                });
                 (bounds[0].min(bounds[1]), index)
             })
             .collect();

@@ -105,13 +105,13 @@ impl Member {
         event: usize,
         tolerances: &Tolerances<P>,
     ) -> Result<Effects<P, 1>, CyclogramError> {
-        let own = self.sensitivity(event);
-        match own.and_then(|own| <[f64; P]>::try_from(own).ok()) {
-            Some(own) => Ok(tolerances.effects(&own)),
+        let sensitivities = self.sensitivity(event);
+        match sensitivities.and_then(|sensitivities| <[f64; P]>::try_from(sensitivities).ok()) {
+            Some(sensitivities) => Ok(tolerances.effects(&sensitivities)),
             None => Err(CyclogramError::Parameters {
                 member: self.name.clone(),
                 tolerances: P,
-                sensitivities: own.map(<[f64]>::len),
+                sensitivities: sensitivities.map(<[f64]>::len),
             }),
         }
     }

@@ -22,7 +22,7 @@ impl Motion {
     }
 
     /// In words, with the organ's bands.
-    pub(crate) fn told<'a>(self, bands: &'a [Band], unit: &'a str) -> impl fmt::Display + 'a {
+    pub(crate) fn described<'a>(self, bands: &'a [Band], unit: &'a str) -> impl fmt::Display + 'a {
         crate::format::printed(move |f| match self {
             Self::Advance => f.write_str("advance"),
             Self::Return => f.write_str("return"),

@@ -107,17 +107,17 @@ impl Cyclogram {
             (member, index, &member.events[index])
         };
         (0..count).map(move |i| {
-            let (member, index, own) = event(i);
+            let (member, index, happened) = event(i);
             let before = event((i + count - 1) % count).2.at;
             let after = if i == 0 {
-                own.at - before + self.width()
+                happened.at - before + self.width()
             } else {
-                own.at - before
+                happened.at - before
             };
             Moment {
                 member,
                 index,
-                event: own,
+                event: happened,
                 after,
             }
         })

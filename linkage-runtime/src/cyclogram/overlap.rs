@@ -125,10 +125,10 @@ impl Overlaps<'_> {
     }
 
     /// What both do, of dwells in which bands.
-    fn told(&self, overlap: &Overlap) -> String {
+    fn described(&self, overlap: &Overlap) -> String {
         let motion = |k: usize| {
             let member = &self.cyclogram.members[overlap.members[k]];
-            overlap.motions[k].told(member.bands(), &member.unit)
+            overlap.motions[k].described(member.bands(), &member.unit)
         };
         match overlap.motions[0].is_dwell() {
             true => format!("{}, {}", motion(0), motion(1)),
@@ -146,7 +146,10 @@ impl fmt::Display for Overlaps<'_> {
                 .map(|member| self.cyclogram.members[member].name());
             format!("{a}, {b}")
         };
-        let widths = self.found.iter().map(|own| names(own).chars().count());
+        let widths = self
+            .found
+            .iter()
+            .map(|overlap| names(overlap).chars().count());
         let width = widths.max().unwrap_or(0).max("organs".len());
         writeln!(
             f,
@@ -156,7 +159,7 @@ impl fmt::Display for Overlaps<'_> {
         for overlap in &self.found {
             let Interval { from, to, range } = overlap.interval;
             let [from, to, range] = [from, to, range].map(f64::to_degrees);
-            let (names, both) = (names(overlap), self.told(overlap));
+            let (names, both) = (names(overlap), self.described(overlap));
             writeln!(f, "{from:9.4} {to:9.4} {range:9.4}  {names:width$}  {both}")?;
         }
         Ok(())

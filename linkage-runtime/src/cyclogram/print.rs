@@ -14,7 +14,7 @@ impl fmt::Display for Cyclogram {
         let [width, from, to] = [high - low, low, high].map(|x| rounded(x.to_degrees()));
         writeln!(f, "cycle of {width} deg, from {from} to {to} deg\n")?;
         let name = |moment: &Moment<'_>| moment.member.name().to_string();
-        let ends = |moment: &Moment<'_>| told(moment, moment.event.ends);
+        let ends = |moment: &Moment<'_>| described(moment, moment.event.ends);
         let widest = |word: &dyn Fn(&Moment<'_>) -> String, title: &str| {
             let words = self.moments().map(|moment| word(&moment).chars().count());
             words.max().unwrap_or(0).max(title.len())
@@ -41,7 +41,7 @@ impl fmt::Display for Cyclogram {
             let (name, ends, begins) = (
                 name(&moment),
                 ends(&moment),
-                told(&moment, moment.event.begins),
+                described(&moment, moment.event.begins),
             );
             writeln!(f, "  {name:names$}  {ends:endings$}  {begins}")?;
         }
@@ -50,9 +50,9 @@ impl fmt::Display for Cyclogram {
 }
 
 /// A motion of the moment's organ.
-fn told(moment: &Moment<'_>, motion: Motion) -> String {
+fn described(moment: &Moment<'_>, motion: Motion) -> String {
     motion
-        .told(moment.member.bands(), &moment.member.unit)
+        .described(moment.member.bands(), &moment.member.unit)
         .to_string()
 }
 
@@ -64,6 +64,11 @@ impl fmt::Display for Moment<'_> {
             (false, true) => (ends, "ends"),
             (true, _) | (false, false) => (begins, "begins"),
         };
-        write!(f, "{}'s {} {word}", self.member.name(), told(self, motion))
+        write!(
+            f,
+            "{}'s {} {word}",
+            self.member.name(),
+            described(self, motion)
+        )
     }
 }

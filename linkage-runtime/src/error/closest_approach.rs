@@ -40,10 +40,10 @@ impl fmt::Display for ClosestApproach {
         match self {
             Self::Misses(missed) => {
                 f.write_str("where its loops come nearest to closing from there, ")?;
-                for (index, own) in missed.iter().take(TOLD).enumerate() {
+                for (index, missing) in missed.iter().take(TOLD).enumerate() {
                     match index {
-                        0 => write!(f, "{own}")?,
-                        _ => write!(f, ", loop {} by {}", own.number, own.amount())?,
+                        0 => write!(f, "{missing}")?,
+                        _ => write!(f, ", loop {} by {}", missing.number, missing.amount())?,
                     }
                 }
                 if missed.len() > TOLD {

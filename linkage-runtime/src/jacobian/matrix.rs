@@ -74,13 +74,13 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
     /// How fast the inputs must be for the results to be so fast.
     #[must_use]
     pub fn inputs_of(&self, results: [T; N]) -> [T; N] {
-        Factors::of(self.rows).solve(results)
+        Factors::new(self.rows).solve(results)
     }
 
     /// The derivatives of the inputs by the results.
     #[must_use]
     pub fn inverse(&self) -> Self {
-        let factors = Factors::of(self.rows);
+        let factors = Factors::new(self.rows);
         let unit = |k| core::array::from_fn(|row| T::from_f64(if row == k { 1.0 } else { 0.0 }));
         Self::of_inputs(core::array::from_fn(|k| factors.solve(unit(k))))
     }
@@ -88,7 +88,7 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
     /// The determinant; its sign changes where the mechanism passes a singular position.
     #[must_use]
     pub fn determinant(&self) -> T {
-        Factors::of(self.rows).determinant()
+        Factors::new(self.rows).determinant()
     }
 
     /// The forces or torques at the inputs that do the same work as these at the results: `J^T` times the loads. Drives that carry the loads
@@ -101,7 +101,7 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
     /// What these forces or torques at the inputs do at the results.
     #[must_use]
     pub fn loads(&self, efforts: [T; N]) -> [T; N] {
-        Factors::of(transposed(self.rows)).solve(efforts)
+        Factors::new(transposed(self.rows)).solve(efforts)
     }
 
     /// The singular values, the largest first: the lengths of the half axes of the ellipsoid of velocities that inputs of a total of 1 (the

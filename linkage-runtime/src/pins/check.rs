@@ -1,9 +1,9 @@
 //! The stresses of a pin.
 
+use super::criterion::Criterion;
 use super::error::PinError;
 use super::formulas::formulas;
 use super::pin::{Limit, Pin};
-use super::rule::Rule;
 use super::size::largest;
 use super::validate::{positive, validate};
 
@@ -47,7 +47,7 @@ pub struct Check {
     /// Bearing pressures: in the rod and in the fork, or in the hub and in the seat.
     pub bearing: [Stress; 2],
     /// What uses most of its allowable stress.
-    pub governing: Rule,
+    pub governing: Criterion,
 }
 
 impl Check {
@@ -70,12 +70,14 @@ impl Pin {
     pub fn check(&self, diameter: f64) -> Result<Check, PinError> {
         validate(self)?;
         positive("the diameter", diameter)?;
-        let rules = self.rules();
+        let criteria = self.criteria();
         let limits = self.limits();
         let stresses = formulas(self).map(|formula| formula.stress(self.load, diameter));
         let beyond = |stress: &f64| !(*stress > 0.0 && stress.is_finite());
         if let Some(index) = stresses.iter().position(beyond) {
-            return Err(PinError::OutOfRange { rule: rules[index] });
+            return Err(PinError::OutOfRange {
+                criterion: criteria[index],
+            });
         }
         let [bending, shear, first, second] =
             core::array::from_fn(|i| Stress::new(stresses[i], limits[i]));
@@ -84,7 +86,7 @@ impl Pin {
             bending,
             shear,
             bearing: [first, second],
-            governing: rules[largest(&used)],
+            governing: criteria[largest(&used)],
         })
     }
 }

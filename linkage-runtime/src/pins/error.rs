@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::rule::Rule;
+use super::criterion::Criterion;
 use crate::format::rounded;
 
 /// Why a pin cannot be computed.
@@ -36,7 +36,7 @@ pub enum PinError {
     /// The numbers are so large or so small that a result is beyond the range of floating point numbers.
     OutOfRange {
         /// The check.
-        rule: Rule,
+        criterion: Criterion,
     },
 }
 
@@ -61,9 +61,9 @@ impl fmt::Display for PinError {
                 rounded(*least),
                 rounded(*allowable)
             ),
-            Self::OutOfRange { rule } => write!(
+            Self::OutOfRange { criterion } => write!(
                 f,
-                "{rule}: the numbers are too large or too small to compute with"
+                "{criterion}: the numbers are too large or too small to compute with"
             ),
         }
     }

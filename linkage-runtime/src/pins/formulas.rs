@@ -29,7 +29,7 @@ impl Length {
         }
     }
 
-    fn at(self, diameter: f64) -> f64 {
+    fn length(self, diameter: f64) -> f64 {
         self.fixed + self.ratio * diameter
     }
 }
@@ -102,12 +102,12 @@ impl Formula {
     /// The stress at a diameter.
     pub(super) fn stress(&self, load: f64, d: f64) -> f64 {
         match self {
-            Self::Bending { arm } => 32.0 / PI * (load / (d * d)) * (arm.at(d) / d),
+            Self::Bending { arm } => 32.0 / PI * (load / (d * d)) * (arm.length(d) / d),
             Self::Shear { sections } => 16.0 / (3.0 * PI * sections) * (load / (d * d)),
-            Self::Bearing { share, width } => share * (load / d) / width.at(d),
+            Self::Bearing { share, width } => share * (load / d) / width.length(d),
             Self::Seat { six_arms, length } => {
-                let s = length.at(d);
-                (load / d) / s * (six_arms.at(d) / s + 4.0)
+                let s = length.length(d);
+                (load / d) / s * (six_arms.length(d) / s + 4.0)
             }
         }
     }

@@ -3,7 +3,7 @@
 /// A pin of a joint, whose diameter is asked for or checked.
 ///
 /// ```
-/// use linkage_runtime::pins::{Fit, Limit, Member, Mounting, Pin, Rule, Width, standard_diameter};
+/// use linkage_runtime::pins::{Fit, Limit, Member, Mounting, Pin, Criterion, Width, standard_diameter};
 ///
 /// // 4 kN on a pin of hardened steel, loose in a bushed rod of 1.2 diameters and in a fork of 8 mm; in N, mm, MPa.
 /// let pin = Pin {
@@ -93,7 +93,7 @@ pub enum Width {
 impl Width {
     /// The length at a diameter.
     #[must_use]
-    pub const fn at(self, diameter: f64) -> f64 {
+    pub const fn length(self, diameter: f64) -> f64 {
         match self {
             Self::Fixed(length) => length,
             Self::Ratio(ratio) => ratio * diameter,

@@ -2,10 +2,10 @@
 
 use core::fmt;
 
+use super::criterion::{BearingPart, Criterion};
 use super::error::PinError;
 use super::formulas::formulas;
 use super::pin::{Limit, Mounting, Pin};
-use super::rule::{Part, Rule};
 use super::validate::validate;
 use crate::format::rounded;
 
@@ -21,7 +21,7 @@ pub struct Size {
     /// What the bearing pressures require: in the rod and in the fork, or in the hub and in the seat.
     pub bearing: [f64; 2],
     /// What requires the largest diameter.
-    pub governing: Rule,
+    pub governing: Criterion,
 }
 
 impl Pin {
@@ -36,10 +36,12 @@ impl Pin {
         validate(self)?;
         let mut required = [0.0; 4];
         let checks = formulas(self).into_iter().zip(self.limits());
-        for (to, ((formula, limit), rule)) in required.iter_mut().zip(checks.zip(self.rules())) {
+        for (to, ((formula, limit), criterion)) in
+            required.iter_mut().zip(checks.zip(self.criteria()))
+        {
             *to = formula.diameter(self.load, limit.stress())?;
             if !(*to > 0.0 && to.is_finite()) {
-                return Err(PinError::OutOfRange { rule });
+                return Err(PinError::OutOfRange { criterion });
             }
         }
         let [bending, shear, bearing @ ..] = required;
@@ -49,18 +51,18 @@ impl Pin {
             bending,
             shear,
             bearing,
-            governing: self.rules()[largest],
+            governing: self.criteria()[largest],
         })
     }
 
     /// The checks, in the order of their formulas.
-    pub(super) fn rules(&self) -> [Rule; 4] {
+    pub(super) fn criteria(&self) -> [Criterion; 4] {
         let parts = match self.mounting {
-            Mounting::Clevis { .. } => [Part::Rod, Part::Fork],
-            Mounting::Overhung { .. } => [Part::Hub, Part::Seat],
+            Mounting::Clevis { .. } => [BearingPart::Rod, BearingPart::Fork],
+            Mounting::Overhung { .. } => [BearingPart::Hub, BearingPart::Seat],
         };
-        let [first, second] = parts.map(Rule::Bearing);
-        [Rule::Bending, Rule::Shear, first, second]
+        let [first, second] = parts.map(Criterion::Bearing);
+        [Criterion::Bending, Criterion::Shear, first, second]
     }
 
     /// Their limits.

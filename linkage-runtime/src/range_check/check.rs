@@ -1,7 +1,7 @@
 //! The check of the declared range of one input.
 
 use super::report::{RangeReport, Ranged};
-use super::search::Search;
+use super::search::RangeSearch;
 use alloc::vec::Vec;
 use linkage_core::range_check::{Driven, Slack, checked};
 
@@ -24,10 +24,10 @@ pub fn check_range(
         groups: ranged.groups,
         units: ranged.units.to_vec(),
     };
-    let inputs = ranged.inputs.iter().map(|own| Driven {
-        angle: own.unit == "rad",
-        reference: own.reference,
-        range: own.range,
+    let inputs = ranged.inputs.iter().map(|input| Driven {
+        angle: input.unit == "rad",
+        reference: input.reference,
+        range: input.range,
     });
     let (input, range) = match checked(inputs, ranged.slacks.contains(&Slack::Prepared)) {
         Ok(found) => found,
@@ -36,7 +36,7 @@ pub fn check_range(
             return report;
         }
     };
-    let mut search = Search::new(ranged, input, range, survey, gaps);
+    let mut search = RangeSearch::new(ranged, input, range, survey, gaps);
     report.input = Some(ranged.inputs[input]);
     report.range = search.range;
     report.findings = search.findings();

@@ -29,24 +29,27 @@ impl RangeReport {
             return Vec::new();
         };
         let mut found: Vec<Vec<&RangeFinding>> = Vec::new();
-        for own in &self.findings {
+        for finding in &self.findings {
             let change = RangeFindingKind::ChangePoint;
             let alike = |other: &&mut Vec<&RangeFinding>| {
-                own.kind == change && other[0].kind == change && other[0].group == own.group
+                finding.kind == change && other[0].kind == change && other[0].group == finding.group
             };
             match found.iter_mut().find(alike) {
-                Some(others) => others.push(own),
-                None => found.push(Vec::from([own])),
+                Some(others) => others.push(finding),
+                None => found.push(Vec::from([finding])),
             }
         }
-        found.iter().map(|own| self.message(&input, own)).collect()
+        found
+            .iter()
+            .map(|alike| self.message(&input, alike))
+            .collect()
     }
 
     fn message(&self, input: &Input, all: &[&RangeFinding]) -> RangeMessage {
-        let own = all[0];
+        let finding = all[0];
         let Group {
             loops, unknowns, ..
-        } = self.groups[own.group];
+        } = self.groups[finding.group];
         let unknowns = with_apostrophes(unknowns);
         let group = Comes {
             loops,
@@ -54,10 +57,10 @@ impl RangeReport {
         };
         let angle = input.unit == "rad";
         let at = |x: f64| format!("`{} = {}`", input.name, place(x, angle, input.unit));
-        let places: Vec<String> = all.iter().map(|own| at(own.from)).collect();
+        let places: Vec<String> = all.iter().map(|finding| at(finding.from)).collect();
         let places = listed(&places);
-        let change = own.kind == RangeFindingKind::ChangePoint;
-        if own.kind == RangeFindingKind::Undefined {
+        let change = finding.kind == RangeFindingKind::ChangePoint;
+        if finding.kind == RangeFindingKind::Undefined {
             let [fact, help] = not_finite(group, &places, "");
             return RangeMessage { fact, help };
         }
@@ -67,13 +70,13 @@ impl RangeReport {
                 help: PASSES_HELP.to_string(),
             };
         }
-        let unit = self.units[own.group];
-        let miss = significant(own.miss);
-        let picture = match own.kind {
-            _ if own.miss == 0.0 => String::new(),
+        let unit = self.units[finding.group];
+        let miss = significant(finding.miss);
+        let picture = match finding.kind {
+            _ if finding.miss == 0.0 => String::new(),
             RangeFindingKind::Gap => format!(
                 ", beyond which it misses by up to {miss}{unit}; it closes again at {}",
-                at(own.to)
+                at(finding.to)
             ),
             _ => format!(", beyond which it misses by up to {miss}{unit}"),
         };

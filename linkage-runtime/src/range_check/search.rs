@@ -15,7 +15,7 @@ const MISSES: usize = 180;
 type OfInputs<'a> = &'a dyn Fn(&[f64]) -> Vec<f64>;
 
 /// The range of one input.
-pub(super) struct Search<'a> {
+pub(super) struct RangeSearch<'a> {
     ranged: &'a Ranged<'a>,
     input: usize,
     survey: OfInputs<'a>,
@@ -30,7 +30,7 @@ pub(super) struct Search<'a> {
     samples: Vec<(f64, Vec<f64>)>,
 }
 
-impl<'a> Search<'a> {
+impl<'a> RangeSearch<'a> {
     pub(super) fn new(
         ranged: &'a Ranged<'a>,
         input: usize,
@@ -38,20 +38,20 @@ impl<'a> Search<'a> {
         survey: OfInputs<'a>,
         gaps: OfInputs<'a>,
     ) -> Self {
-        let own = &ranged.inputs[input];
+        let driven = &ranged.inputs[input];
         let mut search = Self {
             ranged,
             input,
             survey,
             gaps,
             range: [low, high],
-            declared: own.range.is_some(),
-            angle: own.unit == "rad",
-            inputs: ranged.inputs.iter().map(|own| own.reference).collect(),
+            declared: driven.range.is_some(),
+            angle: driven.unit == "rad",
+            inputs: ranged.inputs.iter().map(|input| input.reference).collect(),
             scales: alloc::vec![1.0; ranged.groups.len()],
             samples: Vec::new(),
         };
-        search.sample(low, own.reference, high);
+        search.sample(low, driven.reference, high);
         search
     }
 
@@ -90,7 +90,7 @@ impl<'a> Search<'a> {
         let [low, high] = self.range;
         self.inputs[self.input] = x;
         let mut all = (self.survey)(&self.inputs);
-        if all.iter().any(|own| own.is_nan()) && !self.is_inside(x) {
+        if all.iter().any(|slack| slack.is_nan()) && !self.is_inside(x) {
             // An arc function may reach the end of its range at that of the input's, apart from rounding.
             let step = END * (high - low);
             self.inputs[self.input] = x.clamp(low + step, high - step);
@@ -99,9 +99,9 @@ impl<'a> Search<'a> {
         let margin = all.remove(0);
         all.truncate(self.ranged.groups.len());
         let slacks = || all.iter().zip(self.ranged.slacks);
-        let closed = slacks().all(|(&own, kind)| *kind == Slack::Prepared || own >= -ROUNDING);
-        if margin.is_nan() && (closed || all.iter().any(|own| own.is_nan())) {
-            let first = slacks().position(|(own, _)| own.is_nan());
+        let closed = slacks().all(|(&slack, kind)| *kind == Slack::Prepared || slack >= -ROUNDING);
+        if margin.is_nan() && (closed || all.iter().any(|slack| slack.is_nan())) {
+            let first = slacks().position(|(slack, _)| slack.is_nan());
             let before = first.unwrap_or(all.len());
             let prepared = self.ranged.slacks[..before].iter();
             if let Some(group) = prepared.rev().position(|kind| *kind == Slack::Prepared) {
@@ -113,8 +113,8 @@ impl<'a> Search<'a> {
 
     fn slacks(&mut self, x: f64) -> Vec<f64> {
         let mut all = self.raw(x);
-        for (own, scale) in all.iter_mut().zip(&self.scales) {
-            *own /= scale;
+        for (slack, scale) in all.iter_mut().zip(&self.scales) {
+            *slack /= scale;
         }
         all
     }
@@ -127,7 +127,7 @@ impl<'a> Search<'a> {
 
     /// How far a group is from its dead point: at an end of the range it may be there. `None` where a group before it does not close.
     fn level(&self, group: usize, x: f64, slacks: &[f64]) -> Option<f64> {
-        let open = slacks[..group].iter().any(|&own| fails(own));
+        let open = slacks[..group].iter().any(|&slack| fails(slack));
         let reserve = if self.is_inside(x) { DEAD } else { 0.0 };
         (!open).then(|| slacks[group] - reserve)
     }
@@ -142,7 +142,7 @@ impl<'a> Search<'a> {
                 let slacks = self.slacks(x);
                 self.level(group, x, &slacks)
             });
-            all.extend(found.iter().map(|own| self.finding(group, own)));
+            all.extend(found.iter().map(|stretch| self.finding(group, stretch)));
         }
         if !self.declared {
             self.keep_change_points(&mut all);
@@ -157,29 +157,29 @@ impl<'a> Search<'a> {
         let near = |x: f64, end: f64| (x - end).abs() < AT_END * (high - low);
         let at_low: Vec<usize> = all
             .iter()
-            .filter(|own| near(own.from, low))
-            .map(|own| own.group)
+            .filter(|finding| near(finding.from, low))
+            .map(|finding| finding.group)
             .collect();
-        all.retain(|own| {
-            let again = near(own.from, high) && at_low.contains(&own.group);
-            own.kind == RangeFindingKind::ChangePoint && !again
+        all.retain(|finding| {
+            let again = near(finding.from, high) && at_low.contains(&finding.group);
+            finding.kind == RangeFindingKind::ChangePoint && !again
         });
     }
 
-    fn finding(&mut self, group: usize, own: &Stretch) -> RangeFinding {
+    fn finding(&mut self, group: usize, stretch: &Stretch) -> RangeFinding {
         let range = self.range;
-        let (at, least) = lowest(own, range, &mut |x| self.slacks(x)[group]);
+        let (at, least) = lowest(stretch, range, &mut |x| self.slacks(x)[group]);
         // A slack that is negative by no more than rounding touches zero.
         let miss = match least.abs() < DEAD {
             true => 0.0,
-            false => self.largest_miss(group, own),
+            false => self.largest_miss(group, stretch),
         };
         let single = self.ranged.slacks[group] == Slack::Signed;
-        let (kind, from, to) = match (own.finite, miss > 0.0, own.works) {
-            (false, ..) => (RangeFindingKind::Undefined, own.from, own.to),
-            (true, true, [true, true]) => (RangeFindingKind::Gap, own.from, own.to),
-            (true, true, _) => (RangeFindingKind::DeadPoint, own.from, own.to),
-            (true, false, _) if single => (RangeFindingKind::DeadPoint, own.from, own.from),
+        let (kind, from, to) = match (stretch.finite, miss > 0.0, stretch.works) {
+            (false, ..) => (RangeFindingKind::Undefined, stretch.from, stretch.to),
+            (true, true, [true, true]) => (RangeFindingKind::Gap, stretch.from, stretch.to),
+            (true, true, _) => (RangeFindingKind::DeadPoint, stretch.from, stretch.to),
+            (true, false, _) if single => (RangeFindingKind::DeadPoint, stretch.from, stretch.from),
             (true, false, _) => (RangeFindingKind::ChangePoint, at, at),
         };
         let [from, to] = [from, to].map(|x| self.snapped(x));
@@ -200,13 +200,13 @@ impl<'a> Search<'a> {
     }
 
     /// By how much a group misses closing at worst in a stretch; 0 if it closes there.
-    fn largest_miss(&mut self, group: usize, own: &Stretch) -> f64 {
+    fn largest_miss(&mut self, group: usize, stretch: &Stretch) -> f64 {
         let mut miss = |x: f64| {
             self.inputs[self.input] = x;
             let gap = (self.gaps)(&self.inputs)[group];
             if gap > 0.0 { -gap } else { 0.0 }
         };
-        let (_, least) = minimum(own.from, own.to, MISSES, &mut miss);
+        let (_, least) = minimum(stretch.from, stretch.to, MISSES, &mut miss);
         -least + 0.0
     }
 
@@ -222,8 +222,8 @@ impl<'a> Search<'a> {
             let length = (end - reference).abs();
             let failure = first_failure(0.0, length, 0.0, samples(length, self.angle), |along| {
                 let slacks = self.slacks(reference + sign * along);
-                let worst = slacks.iter().find(|&&own| fails(own));
-                let least = |least: f64, own: &f64| least.min(*own);
+                let worst = slacks.iter().find(|&&slack| fails(slack));
+                let least = |least: f64, slack: &f64| least.min(*slack);
                 *worst.unwrap_or(&slacks.iter().fold(f64::INFINITY, least)) - DEAD
             });
             failure.map_or(end, |failure| reference + sign * failure.at)

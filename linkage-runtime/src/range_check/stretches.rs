@@ -38,31 +38,31 @@ pub(crate) fn stretches(
         let works = |sample: Sample| sample.1.is_some_and(|level| !fails(level));
         match sample.1 {
             None => found.extend(open.take()),
-            Some(own) if fails(own) => {
-                let own = Stretch {
+            Some(slack) if fails(slack) => {
+                let stretch = Stretch {
                     from: sample.0,
                     to: sample.0,
                     works: [false; 2],
-                    finite: !own.is_nan(),
+                    finite: !slack.is_nan(),
                 };
                 open = Some(match (open, before.filter(|&before| works(before))) {
                     (Some(so_far), _) => Stretch {
-                        to: own.to,
-                        finite: so_far.finite && own.finite,
+                        to: stretch.to,
+                        finite: so_far.finite && stretch.finite,
                         ..so_far
                     },
                     (None, Some(before)) => Stretch {
                         from: edge(before.0, sample.0, level),
                         works: [true, false],
-                        ..own
+                        ..stretch
                     },
-                    (None, None) => own,
+                    (None, None) => stretch,
                 });
             }
-            Some(_) => found.extend(open.take().map(|own| Stretch {
-                to: edge(sample.0, own.to, level),
-                works: [own.works[0], true],
-                ..own
+            Some(_) => found.extend(open.take().map(|stretch| Stretch {
+                to: edge(sample.0, stretch.to, level),
+                works: [stretch.works[0], true],
+                ..stretch
             })),
         }
         before = Some(sample);
@@ -85,7 +85,7 @@ pub(crate) fn touches(
     };
     let points: Vec<Sample> = (0..=samples).map(|k| (at(k), level(at(k)))).collect();
     let found = stretches(points, &mut level);
-    let mut lowest = |own: &Stretch| lowest(own, [low, high], &mut |x| slack(x));
+    let mut lowest = |stretch: &Stretch| lowest(stretch, [low, high], &mut |x| slack(x));
     found
         .iter()
         .map(&mut lowest)
@@ -96,12 +96,15 @@ pub(crate) fn touches(
 
 /// Where a level is lowest in and beside a narrow stretch, and how low it is.
 pub(crate) fn lowest(
-    own: &Stretch,
+    stretch: &Stretch,
     [low, high]: [f64; 2],
     level: &mut dyn FnMut(f64) -> f64,
 ) -> (f64, f64) {
-    let width = own.to - own.from;
-    let [from, to] = [(own.from - width).max(low), (own.to + width).min(high)];
+    let width = stretch.to - stretch.from;
+    let [from, to] = [
+        (stretch.from - width).max(low),
+        (stretch.to + width).min(high),
+    ];
     linkage_core::numeric::range::minimum(from, to, 8, level)
 }
 
@@ -119,25 +122,25 @@ fn between(
     let last = samples.len() - 1;
     let places = [middle.saturating_sub(1), middle, (middle + 1).min(last)];
     let mut levels = [0.0; 3];
-    for (own, &place) in levels.iter_mut().zip(&places) {
-        *own = samples[place].1?;
+    for (level, &place) in levels.iter_mut().zip(&places) {
+        *level = samples[place].1?;
     }
     let fail = fails(levels[1]);
     let sign = if fail { -1.0 } else { 1.0 };
-    let [fall, rise] = [levels[0], levels[2]].map(|own| sign * (own - levels[1]));
-    let alike = levels.iter().all(|&own| fails(own) == fail);
+    let [fall, rise] = [levels[0], levels[2]].map(|level| sign * (level - levels[1]));
+    let alike = levels.iter().all(|&level| fails(level) == fail);
     if !(alike && fall >= 0.0 && rise >= 0.0 && fall + rise > 0.0) {
         return None;
     }
     // The samples are of numbers here: what is none on the way does not end a search for a hill.
     let mut depth = |x: f64| match level(x) {
         None => f64::INFINITY,
-        Some(own) if own.is_nan() && fail => f64::INFINITY,
-        Some(own) => sign * own,
+        Some(slack) if slack.is_nan() && fail => f64::INFINITY,
+        Some(slack) => sign * slack,
     };
-    let point = |place: usize, own: f64| Point {
+    let point = |place: usize, margin: f64| Point {
         x: samples[place].0,
-        margin: sign * own,
+        margin: sign * margin,
     };
     let ends = [point(places[0], levels[0]), point(places[2], levels[2])];
     let other = |point: Point| fails(sign * point.margin) != fail;
@@ -153,7 +156,7 @@ fn edge(works: f64, broken: f64, level: &mut dyn FnMut(f64) -> Option<f64>) -> f
         if middle == good || middle == bad {
             break;
         }
-        if level(middle).is_some_and(|own| own > 0.0) {
+        if level(middle).is_some_and(|reserve| reserve > 0.0) {
             good = middle;
         } else {
             bad = middle;

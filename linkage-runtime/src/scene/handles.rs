@@ -16,7 +16,7 @@ pub(super) mod sealed {
         type Results<'r>;
 
         /// Which functions of which scene they are.
-        fn places(self) -> Vec<(usize, usize)>;
+        fn entries(self) -> Vec<(usize, usize)>;
 
         /// The results, if all are there and of the types of the handles.
         fn results<'r>(
@@ -28,7 +28,7 @@ pub(super) mod sealed {
     impl<A: 'static> Handles for Handle<A> {
         type Results<'r> = &'r A;
 
-        fn places(self) -> Vec<(usize, usize)> {
+        fn entries(self) -> Vec<(usize, usize)> {
             [(self.scene, self.index)].into()
         }
 
@@ -42,7 +42,7 @@ pub(super) mod sealed {
             impl<$($name: 'static),*> Handles for ($(Handle<$name>,)*) {
                 type Results<'r> = ($(&'r $name,)*);
 
-                fn places(self) -> Vec<(usize, usize)> {
+                fn entries(self) -> Vec<(usize, usize)> {
                     [$((self.$index.scene, self.$index.index)),*].into()
                 }
 

@@ -32,7 +32,7 @@ pub(super) fn within<const N: usize, F: Fn(f64) -> [f64; N]>(
         if curve.is_cycle() && ends[1] - ends[0] >= curve.source.width() {
             Interval::whole(&curve.source)
         } else {
-            Interval::of(&curve.source, ends[0], ends[1])
+            Interval::between(&curve.source, ends[0], ends[1])
         }
     };
     let mut intervals: Vec<Interval> = found.iter().map(interval).collect();
@@ -73,7 +73,7 @@ fn inside<const N: usize, F: Fn(f64) -> [f64; N]>(
     let mut found: Vec<[f64; 2]> = Vec::new();
     for pair in cuts.windows(2) {
         let middle = pair[0] + 0.5 * (pair[1] - pair[0]);
-        let value = curve.source.at(middle).jet[0] - shift(middle);
+        let value = curve.source.node(middle).jet[0] - shift(middle);
         if !(value >= bounds[0] && value <= bounds[1]) {
             continue;
         }

@@ -84,7 +84,7 @@ fn divide<const N: usize, F: Fn(f64) -> [f64; N]>(
 ) -> Result<(), Gap> {
     let same = threshold.sign(&a, N - 1) * threshold.sign(&b, N - 1) > 0;
     let dip = dip(&a, &b).filter(|_| same && divisions > 0);
-    let probe = dip.map(|u| source.at(u));
+    let probe = dip.map(|u| source.node(u));
     if let Some(probe) = probe.filter(|probe| probe.u > a.u && probe.u < b.u) {
         let probe = finite(probe)?;
         divide(source, threshold, [a, probe], divisions - 1, nodes)?;
@@ -166,7 +166,7 @@ fn crossing<const N: usize, F: Fn(f64) -> [f64; N]>(
     let mut gap = None;
     let mut last = *a;
     let mut value = |u: f64| {
-        let node = source.at(u);
+        let node = source.node(u);
         last = node;
         if !node.is_finite() {
             gap = Some(u);
@@ -184,7 +184,7 @@ fn crossing<const N: usize, F: Fn(f64) -> [f64; N]>(
         None if u == a.u => Ok(*a),
         None if u == b.u => Ok(*b),
         None if u == last.u => finite(last),
-        None => finite(source.at(u)),
+        None => finite(source.node(u)),
     }
 }
 

@@ -120,11 +120,11 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Curve<N, F> {
             return Err(SummaryError::NotAssembled { positions: count });
         }
         source.advance = advance(&nodes);
-        let threshold = ZeroThreshold::of(&nodes, source.width());
+        let threshold = ZeroThreshold::new(&nodes, source.width());
         let defined_intervals = defined_intervals(&source, &nodes, &threshold);
         let solved = solve(&source, &threshold, defined_intervals);
         let extremes = (0..N - 1)
-            .map(|k| Extremes::of(&source, &threshold, &solved, k))
+            .map(|k| Extremes::new(&source, &threshold, &solved, k))
             .collect();
         Ok(Self {
             source,
@@ -190,7 +190,7 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Curve<N, F> {
             if part.interval.whole {
                 Interval::whole(&self.source)
             } else {
-                Interval::of(&self.source, from, to)
+                Interval::between(&self.source, from, to)
             }
         };
         let mut parts: Vec<Interval> = self.solved.iter().map(part).collect();

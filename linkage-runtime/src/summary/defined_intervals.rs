@@ -132,7 +132,7 @@ fn border<const N: usize, F: Fn(f64) -> [f64; N]>(
 ) -> Node<N> {
     let precision = 0.5 * f64::EPSILON * good.u.abs().max(bad.abs());
     while (bad - good.u).abs() > precision {
-        let middle = source.at(good.u + 0.5 * (bad - good.u));
+        let middle = source.node(good.u + 0.5 * (bad - good.u));
         if middle.u == good.u || middle.u == bad {
             break;
         }

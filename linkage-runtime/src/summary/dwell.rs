@@ -62,7 +62,7 @@ pub(super) fn dwells<const N: usize, F: Fn(f64) -> [f64; N]>(
         }
     }
     let located = |(i, ends): (usize, [f64; 2])| {
-        let interval = Interval::of(&curve.source, ends[0], ends[1]);
+        let interval = Interval::between(&curve.source, ends[0], ends[1]);
         dwell(curve, &chains[i], interval, ends)
     };
     let mut dwells: Vec<Dwell> = kept.into_iter().map(located).collect();
@@ -178,7 +178,7 @@ fn dwell<const N: usize, F: Fn(f64) -> [f64; N]>(
         .filter(|piece_end| piece_end.limit.is_some() && !piece_end.end);
     let limits: Vec<f64> = turns.map(|piece_end| piece_end.value()).collect();
     // An end at the border of a gap may be no number, but it is a station.
-    let at_ends = ends.map(|u| curve.source.at(u).jet[0]);
+    let at_ends = ends.map(|u| curve.source.node(u).jet[0]);
     let values = inside.iter().map(|piece_end| piece_end.value());
     let values: Vec<f64> = values.chain(at_ends).collect();
     let least = |values: &[f64]| values.iter().copied().fold(f64::INFINITY, f64::min);

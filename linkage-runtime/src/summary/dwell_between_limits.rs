@@ -61,8 +61,8 @@ fn equal_speeds<const N: usize, F: Fn(f64) -> [f64; N]>(
         return;
     };
     let excess = |u: f64| {
-        let start = curve.source.at(u);
-        let end = curve.source.at(end_of(curve, &start, first, last, band));
+        let start = curve.source.node(u);
+        let end = curve.source.node(end_of(curve, &start, first, last, band));
         end.jet[1].abs() - start.jet[1].abs()
     };
     let mut before = (a, excess(a));
@@ -73,7 +73,7 @@ fn equal_speeds<const N: usize, F: Fn(f64) -> [f64; N]>(
             let start = root(before, after, &mut |u| [excess(u), f64::NAN]);
             found.push([
                 start,
-                end_of(curve, &curve.source.at(start), first, last, band),
+                end_of(curve, &curve.source.node(start), first, last, band),
             ]);
         }
         before = after;

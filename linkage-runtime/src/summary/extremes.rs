@@ -76,7 +76,7 @@ impl Extremes {
     }
 
     /// Of the `k`th derivative.
-    pub(super) fn of<const N: usize, F: Fn(f64) -> [f64; N]>(
+    pub(super) fn new<const N: usize, F: Fn(f64) -> [f64; N]>(
         source: &Source<N, F>,
         threshold: &ZeroThreshold<N>,
         solved: &[Solved<N>],
@@ -128,7 +128,7 @@ fn ends<const N: usize, F: Fn(f64) -> [f64; N]>(
     }
     let advance = source.advance.filter(|&advance| k == 0 && advance != 0.0);
     if let Some(advance) = advance.filter(|_| start.u < source.high && end.u >= source.high) {
-        let [low, high] = [source.low, source.high].map(|x| source.at(x));
+        let [low, high] = [source.low, source.high].map(|x| source.node(x));
         let sense = match threshold.sign(&low, 1) {
             0 if advance > 0.0 => 1,
             0 => -1,

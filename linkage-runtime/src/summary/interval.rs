@@ -15,7 +15,7 @@ pub struct Interval {
 
 impl Interval {
     /// From one place to another, which may lie beyond the range.
-    pub(super) fn of<const N: usize, F: Fn(f64) -> [f64; N]>(
+    pub(super) fn between<const N: usize, F: Fn(f64) -> [f64; N]>(
         source: &Source<N, F>,
         from: f64,
         to: f64,

@@ -84,7 +84,7 @@ pub(super) fn crossing<const N: usize, F: Fn(f64) -> [f64; N]>(
     let beyond = outside.jet[0] - bound;
     let mut last = *inside;
     let mut value = |u: f64| {
-        last = source.at(u);
+        last = source.node(u);
         if last.is_finite() {
             [last.jet[0] - bound, last.jet[1]]
         } else {
@@ -96,5 +96,5 @@ pub(super) fn crossing<const N: usize, F: Fn(f64) -> [f64; N]>(
         (outside.u, beyond),
         &mut value,
     );
-    if u == last.u { last } else { source.at(u) }
+    if u == last.u { last } else { source.node(u) }
 }

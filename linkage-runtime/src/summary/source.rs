@@ -33,7 +33,7 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Source<N, F> {
     }
 
     /// The quantity at an input, which may be a few cycles beyond the range.
-    pub(super) fn at(&self, u: f64) -> Node<N> {
+    pub(super) fn node(&self, u: f64) -> Node<N> {
         let (mut x, mut shift) = (u, 0.0);
         if let Some(advance) = self.advance {
             while x > self.high {

@@ -50,7 +50,7 @@ fn transmission<const N: usize, F: Fn(f64) -> [f64; N]>(
     u: f64,
     angle: f64,
 ) -> Transmission {
-    let at = Interval::of(&curve.source, u, u).from;
+    let at = Interval::between(&curve.source, u, u).from;
     Transmission { at, angle }
 }
 

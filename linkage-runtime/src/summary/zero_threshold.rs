@@ -15,7 +15,7 @@ impl<const N: usize> ZeroThreshold<N> {
     ///
     /// The size of a derivative is its median, since some positions may be next to a dead point. A derivative that
     /// could not change any of the lower ones over the whole range beyond their rounding is nothing but rounding.
-    pub(super) fn of(nodes: &[Node<N>], width: f64) -> Self {
+    pub(super) fn new(nodes: &[Node<N>], width: f64) -> Self {
         let mut threshold = [0.0; N];
         let mut power = 1.0;
         let mut lower: f64 = 0.0;

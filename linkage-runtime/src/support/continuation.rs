@@ -149,11 +149,11 @@ fn first_dip<W: DimensionPath>(path: &W, points: &[PathPoint]) -> Option<(f64, u
         };
         let parts = behind.iter().map(|group| (part(group), *group));
         // NaN first, which nothing is less than.
-        parts.fold((f64::INFINITY, 0), |least, own| {
-            if own.0 >= least.0 || least.0.is_nan() {
+        parts.fold((f64::INFINITY, 0), |least, group_part| {
+            if group_part.0 >= least.0 || least.0.is_nan() {
                 least
             } else {
-                own
+                group_part
             }
         })
     };

@@ -168,8 +168,8 @@ fn has_vanished<T: Scalar, const W: usize>(from: &[T; W], here: &[T; W], group: 
 /// True if two determinants are not further apart than those of one step may be.
 #[inline(always)]
 fn is_alike(determinant: f64, begin: f64) -> bool {
-    let [own, begin] = [determinant.abs(), begin.abs()];
-    own <= DETERMINANTS * begin && begin <= DETERMINANTS * own
+    let [determinant, begin] = [determinant.abs(), begin.abs()];
+    determinant <= DETERMINANTS * begin && begin <= DETERMINANTS * determinant
 }
 
 #[cfg(test)]

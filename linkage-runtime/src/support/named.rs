@@ -23,10 +23,10 @@ impl Debug for Name {
 
 fn components<'a, T: Debug + 'a>(
     f: &mut Formatter<'_>,
-    own: impl Iterator<Item = &'a T>,
+    numbers: impl Iterator<Item = &'a T>,
 ) -> Result {
     f.debug_map()
-        .entries(["x", "y", "z"].map(Name).into_iter().zip(own))
+        .entries(["x", "y", "z"].map(Name).into_iter().zip(numbers))
         .finish()
 }
 

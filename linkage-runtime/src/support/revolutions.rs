@@ -26,7 +26,7 @@ impl<T: Scalar, const A: usize, const I: usize> Revolutions<T, A, I> {
     pub fn lane(&self, lane: usize) -> Revolutions<f64, A, I> {
         Revolutions {
             centres: self.centres.map(|centre| centre.lane(lane)),
-            windings: self.windings.map(|own| own.map(|one| one.lane(lane))),
+            windings: self.windings.map(|rates| rates.map(|one| one.lane(lane))),
         }
     }
 }
@@ -37,7 +37,7 @@ impl<const A: usize, const I: usize> Revolutions<f64, A, I> {
     pub fn cast<T: Scalar>(&self) -> Revolutions<T, A, I> {
         Revolutions {
             centres: self.centres.map(T::from_f64),
-            windings: self.windings.map(|own| own.map(T::from_f64)),
+            windings: self.windings.map(|rates| rates.map(T::from_f64)),
         }
     }
 }
@@ -123,11 +123,11 @@ fn wind_from<const A: usize, const I: usize, D: Fn([f64; I]) -> [[f64; 2]; A]>(
 ) -> Result<Revolutions<f64, A, I>, &'static str> {
     let mut turns = Revolutions::at_estimates(core::array::from_fn(|angle| angles[angle].estimate));
     for (index, angle) in angles.iter().enumerate().take(count) {
-        let (own, rest) = phases.split_at(angle.phases.len());
+        let (vectors, rest) = phases.split_at(angle.phases.len());
         phases = rest;
         let directions = prepare(&turns);
         let (centre, windings) =
-            wind_one(angle, own, &start, |x| directions(*x)[index]).ok_or(angle.unknown)?;
+            wind_one(angle, vectors, &start, |x| directions(*x)[index]).ok_or(angle.unknown)?;
         turns.centres[index] = centre;
         turns.windings[index] = windings;
     }

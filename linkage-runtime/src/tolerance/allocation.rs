@@ -12,7 +12,7 @@ const SPARE: f64 = 8.0 * f64::EPSILON;
 
 /// How an allowed error is divided among parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Rule<const N: usize> {
+pub enum AllocationRule<const N: usize> {
     /// Each parameter may cause the same error, at the position where it causes most.
     EqualEffect,
     /// In proportion to these tolerances: all of them changed by one factor.
@@ -68,19 +68,19 @@ impl<const N: usize, const K: usize> Requirement<N, K> {
     pub fn allocate(
         &self,
         parameters: &[Parameter],
-        rule: &Rule<N>,
+        rule: &AllocationRule<N>,
     ) -> Result<Allocation<N>, ToleranceError> {
         self.check()?;
         match rule {
-            Rule::EqualEffect => {
+            AllocationRule::EqualEffect => {
                 let effects = self.effective(parameters)?;
                 self.scaled(parameters, &effects.map(|effect| self.limit() / effect))
             }
-            Rule::Proportional(shape) => self.scaled(parameters, shape),
-            Rule::EqualTolerance(sizes) => self.scaled(parameters, &sizes.equal()?),
-            Rule::StandardFactor(sizes) => self.scaled(parameters, &sizes.factors()?),
-            Rule::StandardGrade(sizes) => self.coarsest_grade(parameters, sizes),
-            Rule::LeastCost(costs) => self.least_cost(parameters, costs),
+            AllocationRule::Proportional(shape) => self.scaled(parameters, shape),
+            AllocationRule::EqualTolerance(sizes) => self.scaled(parameters, &sizes.equal()?),
+            AllocationRule::StandardFactor(sizes) => self.scaled(parameters, &sizes.factors()?),
+            AllocationRule::StandardGrade(sizes) => self.coarsest_grade(parameters, sizes),
+            AllocationRule::LeastCost(costs) => self.least_cost(parameters, costs),
         }
     }
 

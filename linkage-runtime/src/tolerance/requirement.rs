@@ -22,12 +22,12 @@ pub enum Addition {
 ///
 /// ```
 /// use linkage_runtime::Parameter;
-/// use linkage_runtime::tolerance::{Addition, Requirement, Rule};
+/// use linkage_runtime::tolerance::{Addition, Requirement, AllocationRule};
 ///
 /// let parameter = |name| Parameter { name, unit: "mm", nominal: 50.0, tolerance: 0.0 };
 /// let parameters = ["a", "b"].map(parameter);
-/// let requirement = Requirement::new(0.1, Addition::WorstCase).at(&[0.5, -2.0])?;
-/// let allocation = requirement.allocate(&parameters, &Rule::EqualEffect)?;
+/// let requirement = Requirement::new(0.1, Addition::WorstCase).position(&[0.5, -2.0])?;
+/// let allocation = requirement.allocate(&parameters, &AllocationRule::EqualEffect)?;
 /// let [a, b] = allocation.tolerances.values();
 /// assert!((a - 0.1).abs() < 1e-12 && (b - 0.025).abs() < 1e-12);
 /// # Ok::<(), linkage_runtime::tolerance::ToleranceError>(())
@@ -64,7 +64,10 @@ impl<const N: usize, const K: usize> Requirement<N, K> {
     /// # Errors
     ///
     /// `NotFinite` for sensitivities that are NaN or infinite.
-    pub fn at<V: Components<K>>(mut self, sensitivities: &[V; N]) -> Result<Self, ToleranceError> {
+    pub fn position<V: Components<K>>(
+        mut self,
+        sensitivities: &[V; N],
+    ) -> Result<Self, ToleranceError> {
         self.positions
             .push(array::from_fn(|i| sensitivities[i].components()));
         self.finite()
@@ -74,7 +77,7 @@ impl<const N: usize, const K: usize> Requirement<N, K> {
     ///
     /// # Errors
     ///
-    /// As [`at`](Self::at).
+    /// As [`position`](Self::position).
     pub fn over<V: Components<K>>(
         mut self,
         positions: impl IntoIterator<Item = [V; N]>,
@@ -91,7 +94,7 @@ impl<const N: usize, const K: usize> Requirement<N, K> {
     ///
     /// # Errors
     ///
-    /// As [`at`](Self::at).
+    /// As [`position`](Self::position).
     pub fn relative_to<V: Components<K>>(mut self, start: &[V; N]) -> Result<Self, ToleranceError> {
         for position in &mut self.positions {
             for (row, start) in position.iter_mut().zip(start) {

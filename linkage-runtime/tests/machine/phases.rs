@@ -44,7 +44,11 @@ fn best_of_all_phases() {
         );
         for i in 0..=24 {
             let phase = range.0 + (range.1 - range.0) * f64::from(i) / 24.0;
-            let other = phases.at(phase).expect("a clearance").least().distance;
+            let other = phases
+                .clearance(phase)
+                .expect("a clearance")
+                .least()
+                .distance;
             assert!(
                 other <= best.distance + 1e-12,
                 "{other} at {phase}: {best:?}"
@@ -58,7 +62,7 @@ fn best_of_all_phases() {
         for contact in &best.contacts {
             const H: f64 = 1e-6;
             let along = |phase: f64| {
-                let found = phases.at(phase).expect("a clearance");
+                let found = phases.clearance(phase).expect("a clearance");
                 let near = |a: f64| (a - contact.nearest.at).abs();
                 let mut minima = found.minima().to_vec();
                 minima.sort_by(|a, b| near(a.at).total_cmp(&near(b.at)));
@@ -76,7 +80,11 @@ fn best_of_all_phases() {
             .map(|slot| f64::from(slot) * step)
             .filter(|phase| (range.0 - 1e-9..=range.1 + 1e-9).contains(phase));
         for phase in slots {
-            let other = phases.at(phase).expect("a clearance").least().distance;
+            let other = phases
+                .clearance(phase)
+                .expect("a clearance")
+                .least()
+                .distance;
             assert!(
                 other <= found.distance + 1e-12,
                 "{other} at {phase}: {found:?}"

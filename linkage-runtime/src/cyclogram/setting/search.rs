@@ -19,7 +19,7 @@ const SAME: f64 = 1e-9;
 
 /// One event with one value of the parameter.
 #[derive(Clone, Copy, Debug)]
-struct Place {
+struct EventAt {
     value: f64,
     /// By how much its angle is more than the wanted one, from minus half to half a cycle.
     off: f64,
@@ -30,7 +30,7 @@ struct Place {
     event: usize,
 }
 
-pub(super) struct Search<B, W> {
+pub(super) struct SettingSearch<B, W> {
     pub(super) build: B,
     pub(super) event: W,
     pub(super) parameter: usize,
@@ -40,13 +40,13 @@ pub(super) struct Search<B, W> {
     pub(super) member: Option<(String, f64)>,
 }
 
-impl<E, B: FnMut(f64) -> Result<Member, E>, W: Fn(&Event) -> bool> Search<B, W> {
+impl<E, B: FnMut(f64) -> Result<Member, E>, W: Fn(&Event) -> bool> SettingSearch<B, W> {
     pub(super) fn run(mut self) -> Result<Vec<Setting>, SettingError<E>> {
-        let mut looks: Vec<Vec<Place>> = Vec::with_capacity(VALUES);
+        let mut looks: Vec<Vec<EventAt>> = Vec::with_capacity(VALUES);
         let mut first = None;
         for value in crate::summary::positions(self.range, VALUES) {
             match (self.build)(value) {
-                Ok(member) => looks.push(self.places(value, &member)?),
+                Ok(member) => looks.push(self.events_at(value, &member)?),
                 Err(error) => {
                     first = first.or(Some(error));
                     looks.push(Vec::new());
@@ -58,11 +58,11 @@ impl<E, B: FnMut(f64) -> Result<Member, E>, W: Fn(&Event) -> bool> Search<B, W> 
             return Err(SettingError::Unbuilt { range, error });
         }
         let (member, _) = self.member.clone().unwrap_or_default();
-        let mut nearest: Option<Place> = None;
-        let mut roots: Vec<Place> = Vec::new();
-        let mut take = |place: Place| {
-            if nearest.is_none_or(|own| place.off.abs() < own.off.abs()) {
-                nearest = Some(place);
+        let mut nearest: Option<EventAt> = None;
+        let mut roots: Vec<EventAt> = Vec::new();
+        let mut take = |event_at: EventAt| {
+            if nearest.is_none_or(|best| event_at.off.abs() < best.off.abs()) {
+                nearest = Some(event_at);
             }
         };
         for pair in looks.windows(2) {
@@ -98,34 +98,34 @@ impl<E, B: FnMut(f64) -> Result<Member, E>, W: Fn(&Event) -> bool> Search<B, W> 
             }),
             Some(_) => Ok(roots
                 .into_iter()
-                .filter_map(|own| self.setting(own))
+                .filter_map(|root| self.setting(root))
                 .collect()),
         }
     }
 
-    fn setting(&mut self, place: Place) -> Option<Setting> {
-        let member = (self.build)(place.value).ok()?;
+    fn setting(&mut self, event_at: EventAt) -> Option<Setting> {
+        let member = (self.build)(event_at.value).ok()?;
         Some(Setting {
-            value: place.value,
+            value: event_at.value,
             member,
-            event: place.event,
+            event: event_at.event,
         })
     }
 
     /// The events that are meant, with a value of the parameter.
-    fn places(&mut self, value: f64, member: &Member) -> Result<Vec<Place>, SettingError<E>> {
+    fn events_at(&mut self, value: f64, member: &Member) -> Result<Vec<EventAt>, SettingError<E>> {
         let (low, high) = member.range();
         self.member
             .get_or_insert_with(|| (member.name().into(), high - low));
         let meant = member.events().iter().enumerate();
         let meant = meant.filter(|(_, event)| (self.event)(event));
-        let place = |(event, own): (usize, &Event)| {
+        let event_at = |(event, happening): (usize, &Event)| {
             let all = member.sensitivity(event);
             match all.and_then(|all| all.get(self.parameter)) {
-                Some(&slope) => Ok(Place {
+                Some(&slope) => Ok(EventAt {
                     value,
                     off: member.lead(event, self.angle),
-                    at: own.at,
+                    at: happening.at,
                     slope,
                     event,
                 }),
@@ -136,19 +136,19 @@ impl<E, B: FnMut(f64) -> Result<Member, E>, W: Fn(&Event) -> bool> Search<B, W> 
                 }),
             }
         };
-        meant.map(place).collect()
+        meant.map(event_at).collect()
     }
 
     /// The same event with another value; `None` where there is none.
-    fn at(&mut self, value: f64, beside: Place) -> Option<Place> {
+    fn with_value(&mut self, value: f64, beside: EventAt) -> Option<EventAt> {
         let member = (self.build)(value).ok()?;
-        let places = self.places(value, &member).ok()?;
-        let expected = Place {
+        let events_at = self.events_at(value, &member).ok()?;
+        let expected = EventAt {
             value,
             off: beside.off + (value - beside.value) * beside.slope,
             ..beside
         };
-        places.into_iter().min_by(|a, b| {
+        events_at.into_iter().min_by(|a, b| {
             (a.off - expected.off)
                 .abs()
                 .total_cmp(&(b.off - expected.off).abs())
@@ -156,7 +156,7 @@ impl<E, B: FnMut(f64) -> Result<Member, E>, W: Fn(&Event) -> bool> Search<B, W> 
     }
 
     /// Between two values, where the angle turns back: its derivative changes its sign there. `None` where it does not.
-    fn turn(&mut self, mut low: Place, mut high: Place) -> Option<Place> {
+    fn turn(&mut self, mut low: EventAt, mut high: EventAt) -> Option<EventAt> {
         if low.slope * high.slope >= 0.0 || self.is_turned(low, high) {
             return None;
         }
@@ -165,7 +165,7 @@ impl<E, B: FnMut(f64) -> Result<Member, E>, W: Fn(&Event) -> bool> Search<B, W> 
             if middle <= low.value || middle >= high.value {
                 break;
             }
-            let next = self.at(middle, low)?;
+            let next = self.with_value(middle, low)?;
             if next.slope * low.slope > 0.0 {
                 low = next;
             } else {
@@ -180,7 +180,7 @@ impl<E, B: FnMut(f64) -> Result<Member, E>, W: Fn(&Event) -> bool> Search<B, W> 
     }
 
     /// The root between two values at which the event is on different sides of the wanted angle.
-    fn root(&mut self, mut low: Place, mut high: Place) -> Option<Place> {
+    fn root(&mut self, mut low: EventAt, mut high: EventAt) -> Option<EventAt> {
         if low.off * high.off > 0.0 || self.is_turned(low, high) {
             return None;
         }
@@ -202,7 +202,7 @@ impl<E, B: FnMut(f64) -> Result<Member, E>, W: Fn(&Event) -> bool> Search<B, W> 
             if (value - best.value).abs() <= ROUNDOFFS * f64::EPSILON * size {
                 break;
             }
-            let next = self.at(value, best)?;
+            let next = self.with_value(value, best)?;
             // Steps that do not even halve what is left: the interval is halved between them.
             halve = !halve && next.off.abs() > 0.5 * best.off.abs();
             if next.off * low.off > 0.0 {
@@ -219,18 +219,18 @@ impl<E, B: FnMut(f64) -> Result<Member, E>, W: Fn(&Event) -> bool> Search<B, W> 
     }
 
     /// Whether what changes its sign between two values is the way round the cycle, and not the event.
-    fn is_turned(&self, low: Place, high: Place) -> bool {
+    fn is_turned(&self, low: EventAt, high: EventAt) -> bool {
         let cycle = self.member.as_ref().map_or(0.0, |member| member.1);
         (low.off - high.off).abs() > 0.5 * cycle
     }
 }
 
 /// Among the events with the next value, which one is the same as this one: that where its derivative leads.
-fn nearest_to(places: &[Place], own: Place) -> Option<Place> {
-    let away = |other: &Place| {
-        let slope = 0.5 * (own.slope + other.slope);
-        (own.off + slope * (other.value - own.value) - other.off).abs()
+fn nearest_to(events_at: &[EventAt], before: EventAt) -> Option<EventAt> {
+    let away = |other: &EventAt| {
+        let slope = 0.5 * (before.slope + other.slope);
+        (before.off + slope * (other.value - before.value) - other.off).abs()
     };
-    let found = places.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
+    let found = events_at.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
     found.copied()
 }

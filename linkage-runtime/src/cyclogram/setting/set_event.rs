@@ -1,7 +1,7 @@
 //! The values of a parameter at which an event is at a wanted angle.
 
 use super::error::SettingError;
-use super::search::Search;
+use super::search::SettingSearch;
 use super::value::Setting;
 use crate::cyclogram::event::Event;
 use crate::cyclogram::member::Member;
@@ -52,7 +52,7 @@ pub fn set_event<E>(
     event: impl Fn(&Event) -> bool,
     angle: f64,
 ) -> Result<Vec<Setting>, SettingError<E>> {
-    let search = Search {
+    let search = SettingSearch {
         build,
         event,
         parameter,

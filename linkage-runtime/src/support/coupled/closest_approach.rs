@@ -41,24 +41,24 @@ pub(super) fn closest_approach(
         .rigid(estimate)
         .and_then(|from| least(&mut loops, from));
     found.map_or(ClosestApproach::Unknown, |(_, rows)| {
-        told(group, &rows.missed)
+        farthest_first(group, &rows.missed)
     })
 }
 
 /// The loops that miss, the farthest first; `shares` are those of their scales.
-fn told(group: &CoupledGroup, shares: &[f64]) -> ClosestApproach {
+fn farthest_first(group: &CoupledGroup, shares: &[f64]) -> ClosestApproach {
     let mut shares = shares.iter().copied();
     let mut all: Vec<(f64, Missed)> = Vec::new();
-    for own in group.missed {
-        let sides: Vec<f64> = shares.by_ref().take(own.rows).collect();
+    for group_loop in group.missed {
+        let sides: Vec<f64> = shares.by_ref().take(group_loop.rows).collect();
         let share = match sides[..] {
             [one] => one,
             ref several => math::double::sqrt(several.iter().map(|x| x * x).sum()),
         };
         let missed = Missed {
-            number: own.number,
-            by: share * own.scale,
-            unit: own.unit,
+            number: group_loop.number,
+            by: share * group_loop.scale,
+            unit: group_loop.unit,
         };
         all.push((share.abs(), missed));
     }
@@ -137,7 +137,8 @@ impl Loops<'_> {
     fn sides(&mut self, state: &[f64]) -> Sides {
         let mut all = self.programs.missed(self.x, state).into_iter();
         let loops = self.group.missed.iter();
-        let scales = loops.flat_map(|own| core::iter::repeat_n(own.scale, own.rows));
+        let scales =
+            loops.flat_map(|group_loop| core::iter::repeat_n(group_loop.scale, group_loop.rows));
         Sides {
             of_loops: scales.zip(&mut all).map(|(scale, x)| x / scale).collect(),
             of_bodies: all.collect(),
@@ -160,12 +161,15 @@ impl Loops<'_> {
                 }
             })
             .collect();
-        let rows = |of: fn(&Sides) -> &Vec<f64>| {
-            let count = columns.first().map_or(0, |own| of(own).len());
-            let row = |row: usize| columns.iter().map(|own| of(own)[row]).collect();
+        let rows = |side: fn(&Sides) -> &Vec<f64>| {
+            let count = columns.first().map_or(0, |column| side(column).len());
+            let row = |row: usize| columns.iter().map(|column| side(column)[row]).collect();
             (0..count).map(row).collect()
         };
-        [rows(|own| &own.of_loops), rows(|own| &own.of_bodies)]
+        [
+            rows(|sides| &sides.of_loops),
+            rows(|sides| &sides.of_bodies),
+        ]
     }
 
     /// A state of rigid bodies.

@@ -97,8 +97,9 @@ pub fn initial_states_of<S: AsMut<[InitialState]> + Clone, P: CoupledPrograms>(
                 let every = matches!(wanted, Which::All);
                 let mut initial_states = before.clone();
                 let ranges = group.ranges();
-                let own = start(group, &mut programs, &x, &solution.state, &ranges, every)?;
-                initial_states.as_mut()[number] = own;
+                let initial_state =
+                    start(group, &mut programs, &x, &solution.state, &ranges, every)?;
+                initial_states.as_mut()[number] = initial_state;
                 next.push(initial_states);
             }
         }

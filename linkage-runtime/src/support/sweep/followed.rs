@@ -81,9 +81,9 @@ impl<F, const P: usize> Followed<F, P> {
         let (mut missing, mut ways) = (Vec::new(), Vec::new());
         for lane in 0..T::LANES {
             let rows = numbers.iter().enumerate();
-            let own = rows.filter(|&(_, &number)| is_missing(columns, number, lane));
+            let rows_of_lane = rows.filter(|&(_, &number)| is_missing(columns, number, lane));
             missing.clear();
-            missing.extend(own.map(|(at, _)| at));
+            missing.extend(rows_of_lane.map(|(at, _)| at));
             ways.clear();
             ways.extend(missing.iter().map(|&at| self.whole(&all[at], lane)));
             track_rows(&(self.mechanism)(lane), &groups, &mut ways);

@@ -26,11 +26,12 @@ impl<const N: usize> Draw<N> {
     pub(super) fn block<M: Dimensions<N>>(&self, index: usize, length: usize) -> Vec<M> {
         let mut random = stream(self.seed, index as u64);
         let mut mechanism = || {
-            let own: [f64; N] = array::from_fn(|i| drawn(self.distributions[i], &mut random));
+            let independent: [f64; N] =
+                array::from_fn(|i| drawn(self.distributions[i], &mut random));
             let deviations: [f64; N] = match &self.root {
-                None => own,
+                None => independent,
                 // Normal distributions have one standard deviation for a tolerance of 1, and so has what the root mixes.
-                Some(root) => array::from_fn(|i| (0..N).map(|j| root[i][j] * own[j]).sum()),
+                Some(root) => array::from_fn(|i| (0..N).map(|j| root[i][j] * independent[j]).sum()),
             };
             let value =
                 |i: usize| self.nominal[i] + (self.middles[i] + self.tolerances[i] * deviations[i]);

@@ -65,7 +65,7 @@ impl<const R: usize> History<R> {
 
     /// The place in the slot is beside the last one, and the only other one that counts. The determinants are those of the last one: floors
     /// from a table are bounds of them.
-    pub(super) fn look(&mut self, share: f64, groups: &Groups, lane: &Lane<'_, R>) {
+    pub(super) fn add_beside(&mut self, share: f64, groups: &Groups, lane: &Lane<'_, R>) {
         self.known = 2;
         self.put(self.before(), share, groups, lane);
         for group in &groups.spans {

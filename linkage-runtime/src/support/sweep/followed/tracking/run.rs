@@ -27,18 +27,18 @@ pub(crate) fn track_rows<M, const P: usize, const R: usize>(
     let mut waiting = 0..rows.len();
     let begin = |_| Tracker::new();
     let mut under_way: Vec<Tracker<R>> = waiting.by_ref().take(SLOTS).map(begin).collect();
-    for (number, own) in under_way.iter_mut().enumerate() {
+    for (number, tracker) in under_way.iter_mut().enumerate() {
         slots.put(number, &rows[number]);
-        own.begin(number, &rows[number], groups, &mut slots.lane(number));
+        tracker.begin(number, &rows[number], groups, &mut slots.lane(number));
     }
     loop {
         let mut slot = 0;
-        while let Some(own) = under_way.get_mut(slot) {
-            if own.leave(groups, rows) {
+        while let Some(tracker) = under_way.get_mut(slot) {
+            if tracker.leave(groups, rows) {
                 match waiting.next() {
                     Some(number) => {
                         slots.put(slot, &rows[number]);
-                        own.begin(number, &rows[number], groups, &mut slots.lane(slot));
+                        tracker.begin(number, &rows[number], groups, &mut slots.lane(slot));
                     }
                     None => {
                         under_way.swap_remove(slot);
@@ -54,7 +54,7 @@ pub(crate) fn track_rows<M, const P: usize, const R: usize>(
         }
         slots.taken = under_way.len();
         for (at, (span, found)) in groups.spans.iter().zip(&mut columns).enumerate() {
-            if under_way.iter().any(|own| own.wants(at)) {
+            if under_way.iter().any(|tracker| tracker.wants(at)) {
                 mechanism.correct(span.number, &slots, found);
                 let group = &M::GROUPS[span.number];
                 take(&mut under_way, &mut slots, groups, at, group, found);
@@ -79,9 +79,10 @@ fn take<const P: usize, const R: usize>(
         .zip(found.column(span.size + 1));
     let mut verdicts = [None; SLOTS];
     let mut sound = [false; SLOTS];
-    for (slot, (own, (&square, &determinant))) in under_way.iter_mut().zip(outputs).enumerate() {
-        if own.wants(at) {
-            let verdict = own.judge(span, Scalar::sqrt(square), determinant);
+    for (slot, (tracker, (&square, &determinant))) in under_way.iter_mut().zip(outputs).enumerate()
+    {
+        if tracker.wants(at) {
+            let verdict = tracker.judge(span, Scalar::sqrt(square), determinant);
             verdicts[slot] = Some(verdict);
             sound[slot] = matches!(verdict, Verdict::Closer | Verdict::Settled);
         }
@@ -89,9 +90,9 @@ fn take<const P: usize, const R: usize>(
     for (k, number) in span.state().enumerate() {
         slots.take(number, found.column(k), &sound);
     }
-    for (slot, (own, verdict)) in under_way.iter_mut().zip(verdicts).enumerate() {
+    for (slot, (tracker, verdict)) in under_way.iter_mut().zip(verdicts).enumerate() {
         if let Some(verdict) = verdict {
-            own.go_on(verdict, groups, at, group, &mut slots.lane(slot));
+            tracker.go_on(verdict, groups, at, group, &mut slots.lane(slot));
         }
     }
 }

@@ -104,7 +104,7 @@ impl<const R: usize> Tracker<R> {
         self.stage = Stage::Blocked;
         self.history.begin(row);
         if groups.have(row) {
-            self.look(lane);
+            self.probe(lane);
         }
     }
 
@@ -133,7 +133,7 @@ impl<const R: usize> Tracker<R> {
     }
 
     /// Finds how states change where it is, by a correction a little further on.
-    fn look(&mut self, lane: &mut Lane<'_, R>) {
+    fn probe(&mut self, lane: &mut Lane<'_, R>) {
         self.looks = true;
         self.share = (self.history.share() + BESIDE).min(1.0);
         lane.go(self.share);
@@ -229,7 +229,7 @@ impl<const R: usize> Tracker<R> {
     /// Goes on from where a step has led.
     fn arrive(&mut self, groups: &Groups, lane: &mut Lane<'_, R>) {
         if self.looks {
-            self.history.look(self.share, groups, lane);
+            self.history.add_beside(self.share, groups, lane);
             self.looks = false;
             return self.set_out(1.0, groups, lane);
         }
@@ -239,7 +239,7 @@ impl<const R: usize> Tracker<R> {
             return;
         }
         if self.rescaled {
-            return self.look(lane);
+            return self.probe(lane);
         }
         let longer = Scalar::sqrt(WANTED / self.first).clamp(SHORTER, LONGER);
         self.set_out(longer * self.length, groups, lane);
@@ -284,10 +284,10 @@ mod tests {
 
     /// At a place with a positive determinant, where a step has been predicted.
     fn predicted() -> Tracker<2> {
-        let mut own = Tracker::new();
-        own.history.begin(&[0.3, 0.5]);
-        own.try_group(0);
-        own
+        let mut tracker = Tracker::new();
+        tracker.history.begin(&[0.3, 0.5]);
+        tracker.try_group(0);
+        tracker
     }
 
     #[test]
@@ -299,9 +299,9 @@ mod tests {
     #[test]
     fn corrections_that_do_not_shrink_fast_are_refused() {
         for (second, verdict) in [(0.008, Verdict::Closer), (0.012, Verdict::Unsound)] {
-            let mut own = predicted();
-            assert_eq!(own.judge(PLACE, 0.04, 0.5), Verdict::Closer);
-            assert_eq!(own.judge(PLACE, second, 0.5), verdict);
+            let mut tracker = predicted();
+            assert_eq!(tracker.judge(PLACE, 0.04, 0.5), Verdict::Closer);
+            assert_eq!(tracker.judge(PLACE, second, 0.5), verdict);
         }
     }
 

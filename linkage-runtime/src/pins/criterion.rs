@@ -4,7 +4,7 @@ use core::fmt;
 
 /// A part that a pin presses on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Part {
+pub enum BearingPart {
     /// The rod of a clevis.
     Rod,
     /// The fork of a clevis.
@@ -15,7 +15,7 @@ pub enum Part {
     Seat,
 }
 
-impl fmt::Display for Part {
+impl fmt::Display for BearingPart {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Rod => "rod",
@@ -28,16 +28,16 @@ impl fmt::Display for Part {
 
 /// What limits a pin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Rule {
+pub enum Criterion {
     /// Its bending.
     Bending,
     /// Its shear.
     Shear,
     /// The bearing pressure in a part.
-    Bearing(Part),
+    Bearing(BearingPart),
 }
 
-impl fmt::Display for Rule {
+impl fmt::Display for Criterion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Bending => f.write_str("bending"),

@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use core::any::Any;
 
 /// Where a scene keeps a function.
-pub(super) struct Place<'a, X> {
+pub(super) struct SceneEntry<'a, X> {
     /// The frame that the result is of; 0 if there is none.
     pub(super) frame: u64,
     /// How many results there have been.
@@ -16,7 +16,7 @@ pub(super) struct Place<'a, X> {
     function: Box<dyn Evaluate<X> + 'a>,
 }
 
-impl<'a, X> Place<'a, X> {
+impl<'a, X> SceneEntry<'a, X> {
     pub(super) fn new(function: impl Evaluate<X> + 'a) -> Self {
         Self {
             frame: 0,
@@ -45,7 +45,7 @@ impl<'a, X> Place<'a, X> {
     }
 
     /// Evaluates for a frame. The places before this one have their results.
-    pub(super) fn evaluate(&mut self, argument: &X, frame: u64, earlier: &[Place<'_, X>]) {
+    pub(super) fn evaluate(&mut self, argument: &X, frame: u64, earlier: &[SceneEntry<'_, X>]) {
         self.function.evaluate(argument, earlier);
         for (index, seen) in &mut self.sources {
             *seen = earlier[*index].version;
@@ -62,7 +62,7 @@ impl<'a, X> Place<'a, X> {
 
 /// A function that keeps its result.
 pub(super) trait Evaluate<X> {
-    fn evaluate(&mut self, argument: &X, earlier: &[Place<'_, X>]);
+    fn evaluate(&mut self, argument: &X, earlier: &[SceneEntry<'_, X>]);
 
     /// The result of the last evaluation.
     fn result(&self) -> Option<&dyn Any>;
@@ -82,7 +82,7 @@ impl<F, R> Returning<F, R> {
 }
 
 impl<X, R: 'static, F: FnMut(&X) -> R> Evaluate<X> for Returning<F, R> {
-    fn evaluate(&mut self, argument: &X, _: &[Place<'_, X>]) {
+    fn evaluate(&mut self, argument: &X, _: &[SceneEntry<'_, X>]) {
         self.result = Some((self.function)(argument));
     }
 
@@ -104,7 +104,7 @@ impl<F, R> Filling<F, R> {
 }
 
 impl<X, R: 'static, F: FnMut(&X, &mut R)> Evaluate<X> for Filling<F, R> {
-    fn evaluate(&mut self, argument: &X, _: &[Place<'_, X>]) {
+    fn evaluate(&mut self, argument: &X, _: &[SceneEntry<'_, X>]) {
         (self.function)(argument, &mut self.result);
     }
 
@@ -131,7 +131,7 @@ impl<S, F, R> Joining<S, F, R> {
 }
 
 impl<X, S: Handles, R: 'static, F: FnMut(S::Results<'_>) -> R> Evaluate<X> for Joining<S, F, R> {
-    fn evaluate(&mut self, _: &X, earlier: &[Place<'_, X>]) {
+    fn evaluate(&mut self, _: &X, earlier: &[SceneEntry<'_, X>]) {
         let results = self.sources.results(&|index| earlier[index].result());
         self.result = results.map(&mut self.function);
     }
