@@ -57,9 +57,10 @@ impl<T: Scalar> Screw<T> {
             if !lengths.iter().all(|length| length.is_finite()) {
                 return f64::NAN;
             }
-            match arm.iter().all(|x| x.lane(lane).is_finite()) {
-                true => 1.0,
-                false => -1.0,
+            if arm.iter().all(|x| x.lane(lane).is_finite()) {
+                1.0
+            } else {
+                -1.0
             }
         });
         let choose = |turning, shifting| T::select(turns, turning, shifting);

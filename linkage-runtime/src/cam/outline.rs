@@ -77,8 +77,9 @@ fn distance(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
     let chord = [to[0] - from[0], to[1] - from[1]];
     let way = [point[0] - from[0], point[1] - from[1]];
     let length = Scalar::hypot(chord[0], chord[1]);
-    match length > 0.0 {
-        true => (chord[0] * way[1] - chord[1] * way[0]).abs() / length,
-        false => Scalar::hypot(way[0], way[1]),
+    if length > 0.0 {
+        (chord[0] * way[1] - chord[1] * way[0]).abs() / length
+    } else {
+        Scalar::hypot(way[0], way[1])
     }
 }

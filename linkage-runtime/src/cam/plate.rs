@@ -124,21 +124,27 @@ const CLOSED: f64 = 1e-9;
 
 /// Checks that the lengths make a follower.
 fn check_lengths(follower: &Follower) -> Result<(), CamError> {
-    let positive = |what, value: f64| match value > 0.0 && value.is_finite() {
-        true => Ok(()),
-        false => Err(CamError::Invalid {
-            what,
-            value,
-            expected: "positive and finite",
-        }),
+    let positive = |what, value: f64| {
+        if value > 0.0 && value.is_finite() {
+            Ok(())
+        } else {
+            Err(CamError::Invalid {
+                what,
+                value,
+                expected: "positive and finite",
+            })
+        }
     };
-    let roller = |radius: f64, base: f64| match radius >= 0.0 && radius < base {
-        true => Ok(()),
-        false => Err(CamError::Invalid {
-            what: "radius of the roller",
-            value: radius,
-            expected: "0 for a point, and less than that of the pitch circle",
-        }),
+    let roller = |radius: f64, base: f64| {
+        if radius >= 0.0 && radius < base {
+            Ok(())
+        } else {
+            Err(CamError::Invalid {
+                what: "radius of the roller",
+                value: radius,
+                expected: "0 for a point, and less than that of the pitch circle",
+            })
+        }
     };
     match *follower {
         Follower::Roller {

@@ -125,9 +125,10 @@ impl Curve<'_> {
         for index in 0..CORRECTIONS {
             // The displacement at a fixed input is beyond all bounds at a turning point; times the determinant it is smooth.
             let (here, determinant) = self.displacement(u, &state)?;
-            let aside = match 1.0 - u.abs() < BESIDE[0] {
-                true => -u.signum() * BESIDE[1],
-                false => -u.signum() * DIFFERENCE,
+            let aside = if 1.0 - u.abs() < BESIDE[0] {
+                -u.signum() * BESIDE[1]
+            } else {
+                -u.signum() * DIFFERENCE
             };
             let (there, other) = self.displacement(u + aside, &state)?;
             let pairs = there.iter().zip(&here);

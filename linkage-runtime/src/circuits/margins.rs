@@ -19,9 +19,10 @@ pub(super) fn least<M: Levels>(mechanism: &M, leaf: &Leaf, assembly: &M::Assembl
     let [low, high] = leaf.inputs;
     minimum(low, high, MARGINS, |x| {
         let margin = margin(mechanism, assembly, x);
-        match margin.is_nan() && !leaf.is_coupled() {
-            true => f64::INFINITY,
-            false => margin,
+        if margin.is_nan() && !leaf.is_coupled() {
+            f64::INFINITY
+        } else {
+            margin
         }
     })
 }
@@ -41,9 +42,10 @@ pub(super) fn up_to<M: Levels>(
     let [mut here, mut there] = [known, lost];
     for _ in 0..f64::MANTISSA_DIGITS {
         let middle = 0.5 * (here + there);
-        match margin(mechanism, assembly, middle).is_nan() {
-            true => there = middle,
-            false => here = middle,
+        if margin(mechanism, assembly, middle).is_nan() {
+            there = middle
+        } else {
+            here = middle
         }
     }
     ends[usize::from(lost > known)] = BranchEnd::Lost(here);

@@ -102,9 +102,10 @@ impl<A> Circuits<A> {
         branches.sort_by_key(|&k| numbers[k]);
         let [one, other] = branches.map(|k| numbers[k]);
         let [first, second] = branches.map(|k| circuit(self.branches[k].circuit));
-        match first == second {
-            true => format!("assemblies {one} and {other} of circuit {first} {at}"),
-            false => format!("circuits {first} and {second} {at}: assemblies {one} and {other}"),
+        if first == second {
+            format!("assemblies {one} and {other} of circuit {first} {at}")
+        } else {
+            format!("circuits {first} and {second} {at}: assemblies {one} and {other}")
         }
     }
 
@@ -138,9 +139,12 @@ fn input(cycle: &Cycle, x: f64, accuracy: f64) -> String {
 impl Estimate {
     /// The value as it is written in a declaration.
     fn value(&self) -> String {
-        let number = |x: &f64| match self.angle {
-            true => format!("{}deg", rounded(x.to_degrees())),
-            false => format!("{}{}", rounded(*x), self.unit),
+        let number = |x: &f64| {
+            if self.angle {
+                format!("{}deg", rounded(x.to_degrees()))
+            } else {
+                format!("{}{}", rounded(*x), self.unit)
+            }
         };
         match &self.numbers[..] {
             [one] => number(one),

@@ -88,9 +88,10 @@ impl<'a, M: Levels> LevelSearch<'a, M> {
         let surveyor = self.mechanism.surveyor(&before.chosen, middle);
         let mechanism = self.mechanism;
         let at = |x: f64| mechanism.survey(&surveyor, x).as_ref()[1 + group];
-        let over = match before.is_coupled() {
-            true => None,
-            false => mechanism.bounds(&surveyor, 1 + group),
+        let over = if before.is_coupled() {
+            None
+        } else {
+            mechanism.bounds(&surveyor, 1 + group)
         };
         let slack = Slack {
             at: &at,

@@ -201,9 +201,10 @@ fn bounds_see_what_no_sample_falls_into() {
             let (mut inside, mut outside) = (0.317, 0.317 + side * 3.0 * width);
             for _ in 0..70 {
                 let middle = 0.5 * (inside + outside);
-                match at(middle) < 0.0 {
-                    true => inside = middle,
-                    false => outside = middle,
+                if at(middle) < 0.0 {
+                    inside = middle
+                } else {
+                    outside = middle
                 }
             }
             outside
@@ -248,9 +249,10 @@ impl super::Levels for Gaps {
 
     fn survey(&self, (): &(), at: f64) -> [f64; 1] {
         let within = |[low, high]: &[f64; 2]| *low < at && at < *high;
-        match self.0.iter().any(within) {
-            true => [f64::NAN],
-            false => [1.0 + (at - 1.5).powi(2)],
+        if self.0.iter().any(within) {
+            [f64::NAN]
+        } else {
+            [1.0 + (at - 1.5).powi(2)]
         }
     }
 

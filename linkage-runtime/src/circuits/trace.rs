@@ -103,9 +103,10 @@ impl Curve<'_> {
             }
             let border = last.direction[0].signum();
             let lands = (border - last.u) / last.direction[0] <= length;
-            let next = match lands {
-                true => self.land(&last, border),
-                false => self.step_along(&last, length),
+            let next = if lands {
+                self.land(&last, border)
+            } else {
+                self.step_along(&last, length)
             };
             match next {
                 Some(next) => {

@@ -140,9 +140,10 @@ impl<const N: usize> Crest<N> {
                 .for_each(|(x, d)| *x += d);
             level += change[size - 1];
         }
-        match step.iter().all(|x| x.is_finite()) {
-            true => step,
-            false => [0.0; N],
+        if step.iter().all(|x| x.is_finite()) {
+            step
+        } else {
+            [0.0; N]
         }
     }
 }

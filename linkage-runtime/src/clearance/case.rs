@@ -70,9 +70,10 @@ impl<const K: usize> Case<K> {
                 let [(_, across), (_, beside)] = [&w[0], &base[0]].map(|v| split(&u[0], v));
                 // Of parallel edges an end is as near as anything between: there is no such case.
                 let parallel = norm(&across) <= PARALLEL * norm(&w[0]);
-                let t = match parallel {
-                    true => f64::NAN,
-                    false => dot(&beside, &across) / dot(&across, &across),
+                let t = if parallel {
+                    f64::NAN
+                } else {
+                    dot(&beside, &across) / dot(&across, &across)
                 };
                 // From `t`: the gap stays across the first edge, wherever rounding put the place on the second one.
                 let left = core::array::from_fn(|k| base[0][k] - t * w[0][k]);

@@ -160,11 +160,12 @@ impl<const K: usize> Clearance<K> {
             let distances = (a.distance - b.distance).abs();
             (a.at - b.at).abs() <= SAME * width && distances <= SAME * a.distance.max(b.distance)
         });
-        match found.is_empty() {
-            true => Err(SummaryError::NotAssembled {
+        if found.is_empty() {
+            Err(SummaryError::NotAssembled {
                 positions: rows.len(),
-            }),
-            false => Ok(Self { minima: found }),
+            })
+        } else {
+            Ok(Self { minima: found })
         }
     }
 

@@ -21,9 +21,12 @@ pub struct Nearest<const K: usize> {
 impl<const K: usize> Nearest<K> {
     pub(super) fn new(at: f64, case: Case<K>) -> Self {
         let distance = case.distance();
-        let direction = |component| match distance > 0.0 {
-            true => component / distance,
-            false => f64::NAN,
+        let direction = |component| {
+            if distance > 0.0 {
+                component / distance
+            } else {
+                f64::NAN
+            }
         };
         Self {
             at,

@@ -225,8 +225,9 @@ fn repeats<'a, const K: usize>(
             }
         }
     }
-    match off > 0.0 {
-        true => Err(PhaseError::NoCycle { second, range, off }),
-        false => Ok(()),
+    if off > 0.0 {
+        Err(PhaseError::NoCycle { second, range, off })
+    } else {
+        Ok(())
     }
 }

@@ -86,9 +86,12 @@ impl<const K: usize> Probe<K> {
     /// both are known there.
     pub(super) fn trial(&self, next: &Self) -> f64 {
         let h = next.phase - self.phase;
-        let height = |x: f64| match x < 0.5 * h {
-            true => self.parabola(x),
-            false => next.parabola(x - h),
+        let height = |x: f64| {
+            if x < 0.5 * h {
+                self.parabola(x)
+            } else {
+                next.parabola(x - h)
+            }
         };
         let mut best = 0.5 * h;
         let mut compare = |x: f64| {

@@ -130,9 +130,10 @@ impl Overlaps<'_> {
             let member = &self.cyclogram.members[overlap.members[k]];
             overlap.motions[k].described(member.bands(), &member.unit)
         };
-        match overlap.motions[0].is_dwell() {
-            true => format!("{}, {}", motion(0), motion(1)),
-            false => motion(0).to_string(),
+        if overlap.motions[0].is_dwell() {
+            format!("{}, {}", motion(0), motion(1))
+        } else {
+            motion(0).to_string()
         }
     }
 }

@@ -110,9 +110,10 @@ fn between(
             break;
         }
         let middle = at(middle);
-        match middle.side() == low.side() {
-            true => low = middle,
-            false => high = middle,
+        if middle.side() == low.side() {
+            low = middle
+        } else {
+            high = middle
         }
     }
     // What is finite, beside the border and far from it.

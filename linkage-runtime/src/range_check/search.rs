@@ -170,9 +170,10 @@ impl<'a> RangeSearch<'a> {
         let range = self.range;
         let (at, least) = lowest(stretch, range, &mut |x| self.slacks(x)[group]);
         // A slack that is negative by no more than rounding touches zero.
-        let miss = match least.abs() < DEAD {
-            true => 0.0,
-            false => self.largest_miss(group, stretch),
+        let miss = if least.abs() < DEAD {
+            0.0
+        } else {
+            self.largest_miss(group, stretch)
         };
         let single = self.ranged.slacks[group] == Slack::Signed;
         let (kind, from, to) = match (stretch.finite, miss > 0.0, stretch.works) {
@@ -213,9 +214,10 @@ impl<'a> RangeSearch<'a> {
     /// The stretch around the reference that works: as far as a turn to both sides, if whole turns are alike.
     pub(super) fn works(&mut self) -> [f64; 2] {
         let reference = self.ranged.inputs[self.input].reference;
-        let [low, high] = match self.angle && self.ranged.repeats {
-            true => [reference - TAU, reference + TAU],
-            false => self.range,
+        let [low, high] = if self.angle && self.ranged.repeats {
+            [reference - TAU, reference + TAU]
+        } else {
+            self.range
         };
         [low, high].map(|end| {
             let sign = if end < reference { -1.0 } else { 1.0 };

@@ -79,9 +79,12 @@ pub(crate) fn touches(
 ) -> Vec<f64> {
     let inside = |x: f64| (x - low).min(high - x) > END * (high - low);
     let mut level = |x: f64| Some(slack(x) - if inside(x) { DEAD } else { 0.0 });
-    let at = |k: usize| match k == samples {
-        true => high,
-        false => low + (high - low) * (k as f64 / samples as f64),
+    let at = |k: usize| {
+        if k == samples {
+            high
+        } else {
+            low + (high - low) * (k as f64 / samples as f64)
+        }
     };
     let points: Vec<Sample> = (0..=samples).map(|k| (at(k), level(at(k)))).collect();
     let found = stretches(points, &mut level);

@@ -38,10 +38,12 @@ impl<const N: usize> ZeroThreshold<N> {
     /// The sign of the `k`th derivative: 0 if it is no different from zero.
     pub(super) fn sign(&self, node: &Node<N>, k: usize) -> i8 {
         let value = node.jet[k];
-        match value.abs() <= self.0[k] {
-            true => 0,
-            false if value > 0.0 => 1,
-            false => -1,
+        if value.abs() <= self.0[k] {
+            0
+        } else if value > 0.0 {
+            1
+        } else {
+            -1
         }
     }
 

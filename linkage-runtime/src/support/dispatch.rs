@@ -21,9 +21,10 @@ where
 {
     #[cfg(all(target_arch = "x86_64", feature = "std"))]
     if !linkage_core::FUSED {
-        return match choice::found() {
-            true => choice::avx2(assembly, x),
-            false => choice::other(assembly, x),
+        return if choice::found() {
+            choice::avx2(assembly, x)
+        } else {
+            choice::other(assembly, x)
         };
     }
     inlined(assembly, x)
@@ -39,9 +40,10 @@ where
 {
     #[cfg(all(target_arch = "x86_64", feature = "std"))]
     if !linkage_core::FUSED {
-        return match choice::found() || choice::detect() {
-            true => Some(choice::avx2(assembly, x)),
-            false => None,
+        return if choice::found() || choice::detect() {
+            Some(choice::avx2(assembly, x))
+        } else {
+            None
         };
     }
     Some(inlined(assembly, x))
@@ -125,9 +127,10 @@ mod choice {
     /// What [`other`] calls.
     #[inline(always)]
     fn detected<A: Dispatch<T, R, I>, T: Copy, R, const I: usize>(assembly: &A, x: [T; I]) -> R {
-        match detect() {
-            true => avx2(assembly, x),
-            false => inlined(assembly, x),
+        if detect() {
+            avx2(assembly, x)
+        } else {
+            inlined(assembly, x)
         }
     }
 

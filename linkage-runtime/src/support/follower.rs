@@ -83,10 +83,11 @@ pub fn follow<T: Scalar, const I: usize, const W: usize>(
         let next = share + length;
         let mut there = here;
         for (k, end) in to.iter().enumerate() {
-            there[k] = match next < 1.0 {
+            there[k] = if next < 1.0 {
+                from[k] + (*end - from[k]) * T::from_f64(next)
+            } else {
                 // The whole way, so that nothing is lost on the last step.
-                false => *end,
-                true => from[k] + (*end - from[k]) * T::from_f64(next),
+                *end
             };
         }
         let mut all = groups.iter().enumerate();
@@ -101,9 +102,10 @@ pub fn follow<T: Scalar, const I: usize, const W: usize>(
                 length = (2.0 * length).min(1.0 - share);
             }
             Some((number, group, why)) if length < SHORTEST => {
-                let why = match has_vanished(from, &here, group) {
-                    true => Halt::DeadPoint,
-                    false => why,
+                let why = if has_vanished(from, &here, group) {
+                    Halt::DeadPoint
+                } else {
+                    why
                 };
                 return Err(Stop { number, share, why });
             }

@@ -143,9 +143,12 @@ impl<const N: usize, const K: usize> Requirement<N, K> {
 
     /// The largest effect of each parameter over all positions, for a tolerance of 1.
     pub(super) fn largest_effects(&self) -> [f64; N] {
-        let size = |row: &[f64; K]| match self.by_component {
-            true => row.iter().fold(0.0, |max: f64, x| max.max(x.abs())),
-            false => norm(row),
+        let size = |row: &[f64; K]| {
+            if self.by_component {
+                row.iter().fold(0.0, |max: f64, x| max.max(x.abs()))
+            } else {
+                norm(row)
+            }
         };
         array::from_fn(|i| {
             let sizes = self.positions.iter().map(|position| size(&position[i]));

@@ -30,9 +30,12 @@ pub fn placed(angles: &[bool], reach: f64, outputs: &[f64]) -> Vec<[f64; 2]> {
     let size = if now > 0.0 { reach / now } else { 1.0 };
     let mut next = outputs.iter().copied();
     let mut number = || next.next().unwrap_or(f64::NAN);
-    let one = |angle: &bool| match angle {
-        true => [number(), number()],
-        false => [number(), size],
+    let one = |angle: &bool| {
+        if *angle {
+            [number(), number()]
+        } else {
+            [number(), size]
+        }
     };
     angles.iter().map(one).collect()
 }

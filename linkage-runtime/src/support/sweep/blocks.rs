@@ -66,9 +66,10 @@ fn put<T: Copy, const V: usize>(column: &mut [T], row: usize, lanes: &[T; V]) {
 pub fn next_vectors<const V: usize, const B: usize>(left: usize, count: usize) -> usize {
     let (vectors, most) = (left.div_ceil(V), B / V);
     // A block of one vector takes as long as one of two: every operation waits for the one before. So the last two blocks share.
-    let shared = match vectors > most && vectors < 2 * most {
-        true => vectors.div_ceil(2),
-        false => vectors,
+    let shared = if vectors > most && vectors < 2 * most {
+        vectors.div_ceil(2)
+    } else {
+        vectors
     };
     shared.min(count / V).clamp(1, most)
 }

@@ -127,9 +127,12 @@ impl<F, const P: usize> Followed<F, P> {
         whole: &[f64; R],
     ) {
         for (&place, value) in self.places.iter().zip(&mut row[P..]) {
-            *value = T::from_lanes(|other| match other == lane {
-                true => whole[place],
-                false => value.lane(other),
+            *value = T::from_lanes(|other| {
+                if other == lane {
+                    whole[place]
+                } else {
+                    value.lane(other)
+                }
             });
         }
     }

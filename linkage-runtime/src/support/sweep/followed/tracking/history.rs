@@ -88,9 +88,10 @@ impl<const R: usize> History<R> {
         let ends = groups.spans.iter().map(|group| {
             let [now, then] = [here, before].map(|at| self.rows[at][group.floor()]);
             let (now, then) = (now * now, then * then);
-            match self.known > 1 && then > now && way > 0.0 {
-                true => self.shares[here] + now * way / (then - now),
-                false => f64::INFINITY,
+            if self.known > 1 && then > now && way > 0.0 {
+                self.shares[here] + now * way / (then - now)
+            } else {
+                f64::INFINITY
             }
         });
         ends.fold(f64::INFINITY, f64::min)
@@ -101,9 +102,12 @@ impl<const R: usize> History<R> {
         let known: [usize; KNOWN] = from_fn(|k| (self.latest + k) % KNOWN);
         let known = &known[..self.known];
         let ends = end < FAR && known.iter().all(|&at| self.shares[at] < end);
-        let along = |share: f64| match ends {
-            true => -Scalar::sqrt(end - share),
-            false => share,
+        let along = |share: f64| {
+            if ends {
+                -Scalar::sqrt(end - share)
+            } else {
+                share
+            }
         };
         let to = along(share);
         let points = self.shares.map(along);

@@ -187,17 +187,19 @@ impl<const R: usize> Tracker<R> {
         self.determinant = determinant;
         if !sound {
             // States are finite, and have no root in the equations of their group.
-            return match determinant.is_nan() {
-                true => Verdict::Impossible,
-                false => Verdict::Unsound,
+            return if determinant.is_nan() {
+                Verdict::Impossible
+            } else {
+                Verdict::Unsound
             };
         }
         let next = size * (size / self.last);
         self.corrections += 1;
         (self.last, self.allowed) = (size, ALLOWED_CONTRACTION * size);
-        match next <= SETTLED || self.looks {
-            true => Verdict::Settled,
-            false => Verdict::Closer,
+        if next <= SETTLED || self.looks {
+            Verdict::Settled
+        } else {
+            Verdict::Closer
         }
     }
 
@@ -218,9 +220,10 @@ impl<const R: usize> Tracker<R> {
             Verdict::Settled => {
                 self.rescaled |= self.scale > 0;
                 lane.set(groups.spans[at].floor(), 0.5 * self.determinant);
-                match at + 1 < groups.spans.len() {
-                    true => self.try_group(at + 1),
-                    false => self.arrive(groups, lane),
+                if at + 1 < groups.spans.len() {
+                    self.try_group(at + 1)
+                } else {
+                    self.arrive(groups, lane)
                 }
             }
         }
