@@ -26,9 +26,9 @@ impl Counterweight {
     pub fn of_masses([at_origin, m_x, m_y]: [f64; 3], radius: f64) -> Result<Self, BalanceError> {
         positive("the radius of the masses", radius)?;
         let mass = at_origin + m_x + m_y;
-        let place = [m_x, m_y].map(|m| radius * (m / mass));
-        if mass != 0.0 && norm(&place).is_finite() {
-            let [x, y] = place;
+        let centre = [m_x, m_y].map(|m| radius * (m / mass));
+        if mass != 0.0 && norm(&centre).is_finite() {
+            let [x, y] = centre;
             return Ok(Self { mass, x, y });
         }
         Err(BalanceError::Counterweight {

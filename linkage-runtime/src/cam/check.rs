@@ -82,11 +82,11 @@ fn undercuts(follower: &Follower, figures: &impl Fn(f64) -> Figures, peak: f64) 
     let limits = stationary(figures, |figures| figures.bend)
         .into_iter()
         .map(|place| place.angle);
-    let mut places: Vec<f64> = angles().chain(limits).chain([peak]).collect();
-    places.sort_by(f64::total_cmp);
+    let mut angles_checked: Vec<f64> = angles().chain(limits).chain([peak]).collect();
+    angles_checked.sort_by(f64::total_cmp);
     let mut open = (left(0.0) < 0.0).then_some(0.0);
     let mut found: Vec<[f64; 2]> = Vec::new();
-    for pair in places.windows(2) {
+    for pair in angles_checked.windows(2) {
         match (open, left(pair[1]) < 0.0) {
             (None, true) => open = Some(change([pair[0], pair[1]], left)),
             (Some(from), false) => {
@@ -115,19 +115,19 @@ fn undercuts(follower: &Follower, figures: &impl Fn(f64) -> Figures, peak: f64) 
 }
 
 /// Where a function becomes negative or ceases to be, which it does between two angles.
-fn change([mut low, mut high]: [f64; 2], of: impl Fn(f64) -> f64) -> f64 {
-    let begins = of(low) < 0.0;
+fn change([mut low, mut high]: [f64; 2], function: impl Fn(f64) -> f64) -> f64 {
+    let begins = function(low) < 0.0;
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
         if middle <= low || middle >= high {
             break;
         }
-        if (of(middle) < 0.0) == begins {
+        if (function(middle) < 0.0) == begins {
             low = middle;
         } else {
             high = middle;
         }
     }
-    let [below, above] = [low, high].map(|x| of(x).abs());
+    let [below, above] = [low, high].map(|x| function(x).abs());
     if below < above { low } else { high }
 }

@@ -20,13 +20,13 @@ pub struct Stationary {
 /// The places where one of the figures is highest or lowest beside its neighbours, in order: roots of its exact derivative.
 pub(super) fn stationary(
     figures: &impl Fn(f64) -> Figures,
-    of: impl Fn(Figures) -> Rate,
+    figure_of: impl Fn(Figures) -> Rate,
 ) -> Vec<Stationary> {
-    let all: Vec<f64> = angles().collect();
+    let angles_of_turn: Vec<f64> = angles().collect();
     // A root at the end of the turn is told by what comes after it.
     let turned = |angle: f64| if angle > TAU { angle - TAU } else { angle };
-    let slope = |angle: f64| of(figures(turned(angle))).slope;
-    let largest = all
+    let slope = |angle: f64| figure_of(figures(turned(angle))).slope;
+    let largest = angles_of_turn
         .iter()
         .fold(0.0, |most: f64, &angle| most.max(slope(angle).abs()));
     // Where the follower rests, rounding is left.
@@ -35,13 +35,13 @@ pub(super) fn stationary(
             .filter(|slope| slope.abs() > NOISE * largest)
             .unwrap_or(0.0)
     };
-    let found = all
+    let found = angles_of_turn
         .windows(2)
         .filter_map(|pair| crossing([pair[0], pair[1]], slope));
     found
         .map(|angle| Stationary {
             angle,
-            value: of(figures(angle)).value,
+            value: figure_of(figures(angle)).value,
         })
         .collect()
 }
@@ -50,17 +50,17 @@ pub(super) fn stationary(
 /// derivatives finds.
 pub(super) fn peak(
     figures: &impl Fn(f64) -> Figures,
-    of: impl Fn(Figures) -> Rate,
+    figure_of: impl Fn(Figures) -> Rate,
     figure: impl Fn(f64) -> f64,
 ) -> Stationary {
-    let value = |angle: f64| of(figures(angle)).value;
+    let value = |angle: f64| figure_of(figures(angle)).value;
     let searched = highest([0.0, TAU], POSITIONS + 1, |angle| figure(value(angle)));
     let searched = searched.map_or(0.0, |summit| summit.at);
     let first = Stationary {
         angle: searched,
         value: value(searched),
     };
-    let roots = stationary(figures, &of).into_iter();
+    let roots = stationary(figures, &figure_of).into_iter();
     // A root of the derivative tells the place better than a search, which sees no difference about it.
     let same = |one: f64, other: f64| (one - other).abs() <= NOISE * one.abs();
     roots.fold(first, |best, next| {
@@ -73,24 +73,24 @@ pub(super) fn peak(
 const NOISE: f64 = 1e-12;
 
 /// Where a function changes its sign between two angles; from 0 on it must become another sign, or come from one.
-fn crossing([mut low, mut high]: [f64; 2], of: impl Fn(f64) -> f64) -> Option<f64> {
-    let [begin, end] = [of(low), of(high)];
+fn crossing([mut low, mut high]: [f64; 2], function: impl Fn(f64) -> f64) -> Option<f64> {
+    let [begin, end] = [function(low), function(high)];
     if begin * end >= 0.0 {
         return (begin != 0.0 && end == 0.0)
             .then_some(high)
-            .filter(|_| of(high + (high - low)) * begin < 0.0);
+            .filter(|_| function(high + (high - low)) * begin < 0.0);
     }
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
         if middle <= low || middle >= high {
             break;
         }
-        if (of(middle) < 0.0) == (begin < 0.0) {
+        if (function(middle) < 0.0) == (begin < 0.0) {
             low = middle;
         } else {
             high = middle;
         }
     }
-    let [below, above] = [low, high].map(|x| of(x).abs());
+    let [below, above] = [low, high].map(|x| function(x).abs());
     Some(if below < above { low } else { high })
 }

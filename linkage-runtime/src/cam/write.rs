@@ -15,8 +15,8 @@ const CENTRE: f64 = 0.03;
 impl Outline {
     /// The least and the largest coordinates of profile, pitch curve and centre.
     fn bounds(&self) -> [[f64; 2]; 2] {
-        let all = self.points.iter().chain(&self.pitch);
-        all.fold([[0.0; 2]; 2], |[low, high], point| {
+        let points = self.points.iter().chain(&self.pitch);
+        points.fold([[0.0; 2]; 2], |[low, high], point| {
             let with =
                 |end: [f64; 2], least: fn(f64, f64) -> f64| [0, 1].map(|k| least(end[k], point[k]));
             [with(low, f64::min), with(high, f64::max)]

@@ -42,8 +42,8 @@ pub(super) fn follow(
     };
     let (mut error, mut listed) = (None, false);
     for &u in samples {
-        let all = match list_solutions(group, programs, &[slab.x(u)]) {
-            Ok(all) => all,
+        let solutions = match list_solutions(group, programs, &[slab.x(u)]) {
+            Ok(solutions) => solutions,
             Err(new) => {
                 listed |= new.is_a_miss();
                 error = error.or(Some(new));
@@ -57,7 +57,7 @@ pub(super) fn follow(
             slab,
             left: CORRECTIONS,
         };
-        for solution in all {
+        for solution in solutions {
             let Some(node) = curve.node(u, &solution.state) else {
                 continue;
             };

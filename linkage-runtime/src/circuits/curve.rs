@@ -184,16 +184,16 @@ impl Curve<'_> {
     /// Newton step turns them by.
     pub(super) fn difference(&self, from: &[f64], to: &[f64]) -> Vec<f64> {
         let mut differences = Vec::with_capacity(self.coordinates());
-        let mut place = 0;
+        let mut number = 0;
         for variable in self.variables {
             match variable {
                 Variable::Unit => {
-                    differences.push(from[place] * to[place + 1] - from[place + 1] * to[place]);
-                    place += 2;
+                    differences.push(from[number] * to[number + 1] - from[number + 1] * to[number]);
+                    number += 2;
                 }
                 Variable::Length | Variable::Number | Variable::Point | Variable::Conjugate => {
-                    differences.push(to[place] - from[place]);
-                    place += 1;
+                    differences.push(to[number] - from[number]);
+                    number += 1;
                 }
             }
         }
@@ -203,19 +203,19 @@ impl Curve<'_> {
     /// The state at these differences of the coordinates.
     fn moved(&self, state: &[f64], steps: &[f64]) -> Vec<f64> {
         let mut state = state.to_vec();
-        let mut place = 0;
+        let mut number = 0;
         for (variable, step) in self.variables.iter().zip(steps) {
             match variable {
                 Variable::Unit => {
-                    let [cos, sin] = [state[place], state[place + 1]];
+                    let [cos, sin] = [state[number], state[number + 1]];
                     let (c, s) = (cos - sin * step, sin + cos * step);
                     let length = math::double::sqrt(c * c + s * s);
-                    (state[place], state[place + 1]) = (c / length, s / length);
-                    place += 2;
+                    (state[number], state[number + 1]) = (c / length, s / length);
+                    number += 2;
                 }
                 Variable::Length | Variable::Number | Variable::Point | Variable::Conjugate => {
-                    state[place] += step;
-                    place += 1;
+                    state[number] += step;
+                    number += 1;
                 }
             }
         }

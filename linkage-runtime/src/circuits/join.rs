@@ -59,7 +59,7 @@ fn continuing(leaves: &[Leaf], seams: &[[Vec<f64>; 2]], one: usize, turn: bool) 
         let there = &seams[other][0];
         turn && ends == [End::Range; 2] && near(here, there, size(here).max(size(there)), SAME)
     };
-    let all: Vec<usize> = (0..leaves.len()).filter(is_near).collect();
+    let near_leaves: Vec<usize> = (0..leaves.len()).filter(is_near).collect();
     let alike = |other: &usize| {
         let mut pairs = leaves[one].ways.iter().zip(&leaves[*other].ways);
         pairs.all(|((_, here), (_, there))| match (here, there) {
@@ -67,8 +67,8 @@ fn continuing(leaves: &[Leaf], seams: &[[Vec<f64>; 2]], one: usize, turn: bool) 
             _ => true,
         })
     };
-    let same: Vec<usize> = all.iter().copied().filter(alike).collect();
-    if same.is_empty() { all } else { same }
+    let same: Vec<usize> = near_leaves.iter().copied().filter(alike).collect();
+    if same.is_empty() { near_leaves } else { same }
 }
 
 /// Pairs of leaves that meet at a turning point: of those that end there, two in which the group that turns back is assembled

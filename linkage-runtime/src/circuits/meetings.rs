@@ -18,7 +18,7 @@ struct Touched<'a> {
     group: usize,
     before: &'a [(usize, GroupAssembly)],
     inputs: [f64; 2],
-    places: Vec<f64>,
+    inputs_touched: Vec<f64>,
 }
 
 /// All pairs of assemblies that meet inside a range. `assemblies` are those of the leaves.
@@ -32,11 +32,11 @@ pub(super) fn meetings<M: Levels>(
     let mut known: Vec<Touched<'_>> = Vec::new();
     let mut found: Vec<Meeting> = Vec::new();
     for (one, leaf) in leaves.iter().enumerate() {
-        for (place, (group, way)) in leaf.ways.iter().enumerate() {
+        for (index_of_way, (group, way)) in leaf.ways.iter().enumerate() {
             if !matches!(levels[*group], Level::Modes(_)) {
                 continue;
             }
-            let before = &leaf.ways[..place];
+            let before = &leaf.ways[..index_of_way];
             let same = |touched: &Touched<'_>| {
                 touched.group == *group && touched.before == before && touched.inputs == leaf.inputs
             };
@@ -46,20 +46,20 @@ pub(super) fn meetings<M: Levels>(
                     group: *group,
                     before,
                     inputs: leaf.inputs,
-                    places: change_points(cycle, leaf.inputs, &slack),
+                    inputs_touched: change_points(cycle, leaf.inputs, &slack),
                 });
                 known.len() - 1
             });
             for (other, second) in leaves.iter().enumerate().skip(one + 1) {
                 let turned = second
                     .ways
-                    .get(place)
+                    .get(index_of_way)
                     .is_some_and(|(_, other_way)| other_way != way);
-                if !turned || second.ways[..place] != *before {
+                if !turned || second.ways[..index_of_way] != *before {
                     continue;
                 }
                 let at: Vec<f64> = known[index]
-                    .places
+                    .inputs_touched
                     .iter()
                     .copied()
                     .filter(|&x| {
@@ -97,10 +97,10 @@ fn change_points(cycle: &Cycle, [low, high]: [f64; 2], slack: &dyn Fn(f64) -> f6
         let ends = [cycle.low, cycle.high];
         ends.into_iter().find(|&end| near(x, end)).unwrap_or(x)
     };
-    let places = touches([low, high], count, &mut |x| slack(x) / largest);
-    let mut places: Vec<f64> = places.into_iter().map(snapped).collect();
-    if cycle.turn().is_some() && places.first() == Some(&cycle.low) {
-        places.retain(|&x| x != cycle.high);
+    let inputs = touches([low, high], count, &mut |x| slack(x) / largest);
+    let mut inputs: Vec<f64> = inputs.into_iter().map(snapped).collect();
+    if cycle.turn().is_some() && inputs.first() == Some(&cycle.low) {
+        inputs.retain(|&x| x != cycle.high);
     }
-    places
+    inputs
 }

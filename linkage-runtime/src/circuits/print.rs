@@ -46,8 +46,8 @@ impl<A> Circuits<A> {
             }
         }
         let circuit = |number: usize| {
-            let place = circuits.iter().position(|other| *other == number);
-            place.map_or(0, |place| place + 1)
+            let known = circuits.iter().position(|other| *other == number);
+            known.map_or(0, |known| known + 1)
         };
         for (number, branch) in in_order {
             let end = |end: BranchEnd| self.end(end, branch.closed);
@@ -91,13 +91,13 @@ impl<A> Circuits<A> {
         numbers: &[usize],
         circuit: &dyn Fn(usize) -> usize,
     ) -> String {
-        let places = meeting.at.iter().map(|&x| input(&self.cycle, x, FOUND));
-        let places: Vec<String> = places.collect();
-        let points = match places.len() {
+        let inputs = meeting.at.iter().map(|&x| input(&self.cycle, x, FOUND));
+        let inputs: Vec<String> = inputs.collect();
+        let points = match inputs.len() {
             1 => "change point",
             _ => "change points",
         };
-        let at = format!("meet at {} = {} ({points})", self.input, listed(&places));
+        let at = format!("meet at {} = {} ({points})", self.input, listed(&inputs));
         let mut branches = meeting.branches;
         branches.sort_by_key(|&k| numbers[k]);
         let [one, other] = branches.map(|k| numbers[k]);

@@ -148,7 +148,9 @@ impl<'a, M: Levels> LevelSearch<'a, M> {
             _ => self.strands(group, number, before, description, &mut programs),
         };
         match made {
-            Ok(all) => all.into_iter().for_each(|next| self.level(group + 1, next)),
+            Ok(leaves) => leaves
+                .into_iter()
+                .for_each(|next| self.level(group + 1, next)),
             Err(error) => {
                 self.error.get_or_insert(error);
             }
@@ -164,7 +166,7 @@ impl<'a, M: Levels> LevelSearch<'a, M> {
         description: &CoupledGroup,
         programs: &mut M::Programs,
     ) -> Result<Vec<Leaf>, AssemblyError> {
-        let all = match crate::support::list_solutions(description, programs, &[]) {
+        let solutions = match crate::support::list_solutions(description, programs, &[]) {
             Err(error) if error.is_a_miss() => Vec::new(),
             listed => listed?,
         };
@@ -175,7 +177,8 @@ impl<'a, M: Levels> LevelSearch<'a, M> {
                 .push((group, GroupAssembly::States([state.clone(), state])));
             Ok(next)
         };
-        all.into_iter()
+        solutions
+            .into_iter()
             .map(|solution| solution.state)
             .map(leaf)
             .collect()
@@ -195,7 +198,7 @@ impl<'a, M: Levels> LevelSearch<'a, M> {
         let inner = inner.filter(|&x| slab.covers(x)).map(|x| slab.parameter(x));
         let samples: Vec<f64> = inner.chain(ALWAYS).collect();
         let Followed { strands, turning } = coupled::follow(description, programs, slab, &samples)?;
-        let mut all = Vec::new();
+        let mut leaves = Vec::new();
         for strand in strands {
             let mut next = before.clone();
             let inputs = strand.inputs(&slab);
@@ -225,10 +228,10 @@ impl<'a, M: Levels> LevelSearch<'a, M> {
                 group,
                 GroupAssembly::States([0, 1].map(|end| strand.state(end).to_vec())),
             ));
-            all.push(next);
+            leaves.push(next);
         }
         self.turning += turning;
-        Ok(all)
+        Ok(leaves)
     }
 }
 

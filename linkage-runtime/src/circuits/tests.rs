@@ -21,8 +21,8 @@ fn samples_are_even_and_reach_both_ends() {
         angle,
         samples,
     };
-    let all = [0, 1, 2, 3, 4].map(|index| sample(&cycle, index));
-    assert_eq!(all, [-1.0, 0.0, 1.0, 2.0, 3.0]);
+    let inputs = [0, 1, 2, 3, 4].map(|index| sample(&cycle, index));
+    assert_eq!(inputs, [-1.0, 0.0, 1.0, 2.0, 3.0]);
 }
 
 const SLAB: Slab = Slab {
@@ -135,7 +135,7 @@ fn the_best_node_is_far_from_singular() {
         determinant,
         direction: Vec::new(),
     };
-    let places = [
+    let nodes = [
         (-0.995, 900.0),
         (-0.99, 2.0),
         (0.0, 0.1),
@@ -143,7 +143,7 @@ fn the_best_node_is_far_from_singular() {
         (0.7, 900.0),
     ];
     let strand = Strand {
-        nodes: places.map(node).into(),
+        nodes: nodes.map(node).into(),
         ends: [CurveEnd::Slab; 2],
     };
     assert_eq!(strand.best().u, 0.5);
@@ -162,8 +162,9 @@ fn found(at: &dyn Fn(f64) -> f64, over: Option<&dyn Fn(Enclosure) -> Enclosure>)
         Border::Root(x) => x,
         Border::Broken(_) => f64::NAN,
     };
-    let all = stretches(&SLAB, 8, &slack).into_iter();
-    all.map(|[from, to]| [input(from, SLAB.low), input(to, SLAB.high)])
+    let found = stretches(&SLAB, 8, &slack).into_iter();
+    found
+        .map(|[from, to]| [input(from, SLAB.low), input(to, SLAB.high)])
         .collect()
 }
 
@@ -187,8 +188,8 @@ fn what_happens_between_samples_is_seen() {
 
 /// A slack that rises but for a notch, so narrow that its samples only rise.
 fn notch<T: Scalar>(x: T, width: f64) -> T {
-    let [place, one, fifth] = [0.317, 1.0, 0.2].map(T::from_f64);
-    let far = (x - place) * T::from_f64(1.0 / width);
+    let [centre, one, fifth] = [0.317, 1.0, 0.2].map(T::from_f64);
+    let far = (x - centre) * T::from_f64(1.0 / width);
     one + fifth * x - (one + one) / (one + far * far)
 }
 
@@ -292,8 +293,12 @@ fn an_assembly_ends_where_it_has_no_margin() {
 #[test]
 fn parts_are_shown_or_not() {
     let wave = |u: Enclosure| (u * Enclosure::from_f64(20.0)).sin_cos().0;
-    let all = parts(&wave, false, -1e-14);
-    assert!(all.shown && all.ends.len() < 200, "{}", all.ends.len());
+    let parts = parts(&wave, false, -1e-14);
+    assert!(
+        parts.shown && parts.ends.len() < 200,
+        "{}",
+        parts.ends.len()
+    );
     let broken = |u: Enclosure| Enclosure::from_f64(1.0) / (u * u);
     assert!(!parts(&broken, false, -1e-14).shown);
     assert!(!parts(&broken, true, -1e-14).shown);

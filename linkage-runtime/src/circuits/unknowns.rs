@@ -37,6 +37,6 @@ pub(super) fn near(a: &[f64], b: &[f64], size: f64, share: f64) -> bool {
 }
 
 /// The largest of some numbers.
-pub(super) fn size(place: &[f64]) -> f64 {
-    place.iter().fold(0.0, |size: f64, x| size.max(x.abs()))
+pub(super) fn size(numbers: &[f64]) -> f64 {
+    numbers.iter().fold(0.0, |size: f64, x| size.max(x.abs()))
 }

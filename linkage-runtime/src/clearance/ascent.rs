@@ -197,9 +197,9 @@ fn solved(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
     let mut rank = size;
     let mut largest: f64 = 0.0;
     for step in 0..size {
-        let places = (step..size).flat_map(|row| (step..size).map(move |column| (row, column)));
+        let entries = (step..size).flat_map(|row| (step..size).map(move |column| (row, column)));
         let size_at = |&(row, column): &(usize, usize)| f64::abs(rows[row][columns[column]]);
-        let pivot = places.max_by(|a, b| size_at(a).total_cmp(&size_at(b)));
+        let pivot = entries.max_by(|a, b| size_at(a).total_cmp(&size_at(b)));
         let Some((row, column)) = pivot else { break };
         let pivot_size = size_at(&(row, column));
         largest = largest.max(pivot_size);

@@ -156,7 +156,7 @@ impl<'s, 'a, const K: usize, const N: usize> BoxSearch<'s, 'a, K, N> {
     /// What is between the organs of a pair at these phases.
     fn probe(&mut self, pair: usize, phases: &[f64; N]) -> Result<Rc<Probe<K>>, PhaseError> {
         let turned = &self.set.pairs[pair];
-        let phase = |of: Option<usize>| of.map_or(0.0, |phase| phases[phase]);
+        let phase = |number: Option<usize>| number.map_or(0.0, |phase| phases[phase]);
         // No negative zero.
         let difference = phase(turned.second) - phase(turned.first) + 0.0;
         if let Some(known) = self.seen[pair].get(&difference.to_bits()) {

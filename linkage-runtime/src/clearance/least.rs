@@ -103,8 +103,8 @@ impl<const K: usize> Clearance<K> {
             first: plain(first),
             second: plain(second),
         };
-        let places = positions(range, count).enumerate();
-        let rows: Vec<Pair<K, A, B>> = places.map(|(i, u)| pair(row(u, i))).collect();
+        let inputs = positions(range, count).enumerate();
+        let rows: Vec<Pair<K, A, B>> = inputs.map(|(i, u)| pair(row(u, i))).collect();
         Self::of_rows(range, &rows, |u| pair(function(u)))
     }
 
@@ -130,8 +130,8 @@ impl<const K: usize> Clearance<K> {
             .flat_map(|a| parts(B).iter().map(|b| [*a, *b]))
         {
             if parts == inside && K < 3 {
-                let mut places = positions(range, rows.len()).zip(rows);
-                let crossing = places.find(|(_, row)| Case::new(inside, row).is_nearest());
+                let mut rows_in_order = positions(range, rows.len()).zip(rows);
+                let crossing = rows_in_order.find(|(_, row)| Case::new(inside, row).is_nearest());
                 found.extend(crossing.map(|(u, row)| Nearest::new(u, Case::new(inside, row))));
                 continue;
             }

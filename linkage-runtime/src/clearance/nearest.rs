@@ -58,7 +58,10 @@ impl<const K: usize> Nearest<K> {
         core::array::from_fn(|p| {
             let first = first.map(|point| point[p].components());
             let second = second.map(|point| point[p].components());
-            let [a, b] = [place(&first, self.feet[0]), place(&second, self.feet[1])];
+            let [a, b] = [
+                foot_point(&first, self.feet[0]),
+                foot_point(&second, self.feet[1]),
+            ];
             dot(&self.direction, &difference(&a, &b))
         })
     }
@@ -76,20 +79,23 @@ impl<const K: usize> Nearest<K> {
     ) -> [f64; P] {
         let bend = self.case.bend();
         core::array::from_fn(|p| {
-            let of = |order: usize| {
+            let derivative = |order: usize| {
                 let first = first.map(|point| point[order][p].components());
                 let second = second.map(|point| point[order][p].components());
-                let gap = difference(&place(&first, self.feet[0]), &place(&second, self.feet[1]));
+                let gap = difference(
+                    &foot_point(&first, self.feet[0]),
+                    &foot_point(&second, self.feet[1]),
+                );
                 (gap, [span(&first), span(&second)])
             };
-            let ((gap, edges), (rate, _)) = (of(0), of(1));
+            let ((gap, edges), (rate, _)) = (derivative(0), derivative(1));
             -self.case.mixed(&Variation { gap, rate, edges }) / bend
         })
     }
 }
 
 /// What belongs to a place of a shape.
-pub(super) fn place<const K: usize>(points: &[[f64; K]], foot: f64) -> [f64; K] {
+pub(super) fn foot_point<const K: usize>(points: &[[f64; K]], foot: f64) -> [f64; K] {
     match points {
         [a, b] => between([a, b], foot),
         _ => points[0],

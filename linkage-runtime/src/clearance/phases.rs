@@ -2,7 +2,7 @@
 
 use super::PhaseError;
 use super::least::Clearance;
-use super::nearest::{Nearest, place};
+use super::nearest::{Nearest, foot_point};
 use super::probe::{Limits, Line, Probe};
 use super::shape::{Jet, Pair, plain};
 use crate::components::{Components, norm};
@@ -125,12 +125,12 @@ where
             };
             self.rows.iter().enumerate().map(row).collect()
         } else {
-            let places = positions(self.range, self.rows.len()).zip(&self.rows);
+            let inputs = positions(self.range, self.rows.len()).zip(&self.rows);
             let row = |(u, row): (f64, &Pair<K, A, B>)| Pair {
                 first: row.first,
                 second: self.turned(u + phase),
             };
-            places.map(row).collect()
+            inputs.map(row).collect()
         };
         Clearance::of_rows(self.range, &rows, pair)
     }
@@ -155,7 +155,7 @@ where
         let shape = self.turned(nearest.at + phase);
         let order = |k: usize| {
             let points: [[f64; K]; B] = core::array::from_fn(|i| shape[i][k]);
-            place(&points, nearest.feet[1])
+            foot_point(&points, nearest.feet[1])
         };
         let [slope, bend] = nearest.case.by_phase(&core::array::from_fn(order));
         Line {
@@ -202,8 +202,8 @@ fn repeats<'a, const K: usize>(
     };
     let missing = rows.len() - rows.clone().filter(finite).count();
     if missing > 0 {
-        let places = positions(range, rows.len()).zip(rows);
-        let gap = places.into_iter().find(|(_, shape)| !finite(shape));
+        let inputs = positions(range, rows.len()).zip(rows);
+        let gap = inputs.into_iter().find(|(_, shape)| !finite(shape));
         let at = gap.map_or(f64::NAN, |(at, _)| at);
         return Err(PhaseError::Gap {
             second,

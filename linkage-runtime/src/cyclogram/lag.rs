@@ -93,8 +93,8 @@ impl Lag<'_> {
         &self,
         tolerances: &Tolerances<P>,
     ) -> Result<Effects<P, 1>, CyclogramError> {
-        let of = |moment: &Moment<'_>| moment.member.effects(moment.index, tolerances);
-        Ok(of(&self.to)?.relative_to(&of(&self.from)?))
+        let effects = |moment: &Moment<'_>| moment.member.effects(moment.index, tolerances);
+        Ok(effects(&self.to)?.relative_to(&effects(&self.from)?))
     }
 }
 

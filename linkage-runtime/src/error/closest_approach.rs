@@ -95,15 +95,15 @@ mod tests {
         let closest_approach =
             ClosestApproach::Misses(vec![missed(5, 60.1, "mm"), missed(2, -0.02, "")]);
         let text = closest_approach.to_string();
-        let told = "from there, loop 5 misses by 60.1 mm, loop 2 by -0.02: there the links do not reach each other";
-        assert!(text.contains(told), "{text}");
+        let expected = "from there, loop 5 misses by 60.1 mm, loop 2 by -0.02: there the links do not reach each other";
+        assert!(text.contains(expected), "{text}");
     }
 
     #[test]
     fn of_many_loops_the_farthest_are_told() {
-        let all: Vec<Missed> = (1..=9).map(|k| missed(k, 1.0, "m")).collect();
-        let text = ClosestApproach::Misses(all).to_string();
-        let told = ", loop 6 by 1 m, and 3 more by less: ";
-        assert!(text.contains(told), "{text}");
+        let nine: Vec<Missed> = (1..=9).map(|k| missed(k, 1.0, "m")).collect();
+        let text = ClosestApproach::Misses(nine).to_string();
+        let expected = ", loop 6 by 1 m, and 3 more by less: ";
+        assert!(text.contains(expected), "{text}");
     }
 }

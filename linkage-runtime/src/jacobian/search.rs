@@ -64,9 +64,9 @@ pub fn singularities<const N: usize>(
     [from, to]: [f64; 2],
     steps: usize,
 ) -> Vec<Singularity> {
-    let mut at = |place: f64| Sample {
-        place,
-        determinant: jacobian(place).determinant(),
+    let mut at = |along: f64| Sample {
+        along,
+        determinant: jacobian(along).determinant(),
     };
     let count = steps.max(1);
     let mut found = Vec::new();
@@ -83,7 +83,7 @@ pub fn singularities<const N: usize>(
 
 #[derive(Clone, Copy)]
 struct Sample {
-    place: f64,
+    along: f64,
     determinant: f64,
 }
 
@@ -105,8 +105,8 @@ fn between(
     }
     let (mut low, mut high) = (first, second);
     for _ in 0..HALVINGS {
-        let middle = 0.5 * (low.place + high.place);
-        if middle == low.place || middle == high.place {
+        let middle = 0.5 * (low.along + high.along);
+        if middle == low.along || middle == high.along {
             break;
         }
         let middle = at(middle);
@@ -130,14 +130,14 @@ fn between(
         (false, false) => SingularityKind::End,
     };
     Some(Singularity {
-        at: near.place,
+        at: near.along,
         kind,
     })
 }
 
 /// Whether the determinant has a pole shortly beyond the border at `near`; `far` is a step away on the side where positions are.
 fn heads_for_pole(at: &mut impl FnMut(f64) -> Sample, near: Sample, far: Sample) -> bool {
-    let beside = at(near.place + SHORTLY * (far.place - near.place));
+    let beside = at(near.along + SHORTLY * (far.along - near.along));
     let [level, above] =
         [near, beside].map(|position| 1.0 / (position.determinant * position.determinant));
     // From `above` over `level` down to zero, within the same distance.

@@ -111,8 +111,8 @@ fn zeros_poles_and_ends_are_told_apart() {
         .map(|jacobian| (jacobian.at, jacobian.kind))
         .collect();
     assert_eq!(found.len(), expected.len());
-    for ((at, kind), (place, expected)) in found.into_iter().zip(expected) {
-        close(at, place, 1e-15);
+    for ((at, kind), (known, expected)) in found.into_iter().zip(expected) {
+        close(at, known, 1e-15);
         assert_eq!(kind, expected);
     }
     // A root's pole at 2, of which the last stretch is not served: a hundredth of a step, and a tenth.

@@ -45,8 +45,8 @@ impl RangeReport {
             .collect()
     }
 
-    fn message(&self, input: &Input, all: &[&RangeFinding]) -> RangeMessage {
-        let finding = all[0];
+    fn message(&self, input: &Input, alike: &[&RangeFinding]) -> RangeMessage {
+        let finding = alike[0];
         let Group {
             loops, unknowns, ..
         } = self.groups[finding.group];
@@ -57,16 +57,16 @@ impl RangeReport {
         };
         let angle = input.unit == "rad";
         let at = |x: f64| format!("`{} = {}`", input.name, place(x, angle, input.unit));
-        let places: Vec<String> = all.iter().map(|finding| at(finding.from)).collect();
-        let places = listed(&places);
+        let positions: Vec<String> = alike.iter().map(|finding| at(finding.from)).collect();
+        let positions = listed(&positions);
         let change = finding.kind == RangeFindingKind::ChangePoint;
         if finding.kind == RangeFindingKind::Undefined {
-            let [fact, help] = not_finite(group, &places, "");
+            let [fact, help] = not_finite(group, &positions, "");
             return RangeMessage { fact, help };
         }
         if input.range.is_none() {
             return RangeMessage {
-                fact: passes(group, &places),
+                fact: passes(group, &positions),
                 help: PASSES_HELP.to_string(),
             };
         }
@@ -87,7 +87,7 @@ impl RangeReport {
         let reaches = Reaches {
             group,
             change,
-            place: &places,
+            place: &positions,
             picture: &picture,
             works: works.each_ref().map(String::as_str),
             range: range.each_ref().map(String::as_str),

@@ -57,15 +57,15 @@ impl<'a> RangeSearch<'a> {
 
     fn sample(&mut self, low: f64, reference: f64, high: f64) {
         let count = samples(high - low, self.angle);
-        let mut places = Vec::with_capacity(count + 2);
+        let mut inputs = Vec::with_capacity(count + 2);
         for [from, to] in [[low, reference], [reference, high]] {
             // Casting rounds down, and makes 0 of what is no number.
             let steps = (count as f64 * ((to - from) / (high - low))) as usize;
             let steps = if to > from { steps.max(1) } else { 0 };
-            places.extend((0..steps).map(|k| from + (to - from) * (k as f64 / steps as f64)));
+            inputs.extend((0..steps).map(|k| from + (to - from) * (k as f64 / steps as f64)));
         }
-        places.push(high);
-        self.samples = places.into_iter().map(|x| (x, self.raw(x))).collect();
+        inputs.push(high);
+        self.samples = inputs.into_iter().map(|x| (x, self.raw(x))).collect();
         let at_reference = self.raw(reference);
         for (group, slack) in self.ranged.slacks.iter().enumerate() {
             let sizes = self.samples.iter().map(|(_, slacks)| slacks[group].abs());
@@ -89,34 +89,34 @@ impl<'a> RangeSearch<'a> {
     fn raw(&mut self, x: f64) -> Vec<f64> {
         let [low, high] = self.range;
         self.inputs[self.input] = x;
-        let mut all = (self.survey)(&self.inputs);
-        if all.iter().any(|slack| slack.is_nan()) && !self.is_inside(x) {
+        let mut slacks_there = (self.survey)(&self.inputs);
+        if slacks_there.iter().any(|slack| slack.is_nan()) && !self.is_inside(x) {
             // An arc function may reach the end of its range at that of the input's, apart from rounding.
             let step = END * (high - low);
             self.inputs[self.input] = x.clamp(low + step, high - step);
-            all = (self.survey)(&self.inputs);
+            slacks_there = (self.survey)(&self.inputs);
         }
-        let margin = all.remove(0);
-        all.truncate(self.ranged.groups.len());
-        let slacks = || all.iter().zip(self.ranged.slacks);
+        let margin = slacks_there.remove(0);
+        slacks_there.truncate(self.ranged.groups.len());
+        let slacks = || slacks_there.iter().zip(self.ranged.slacks);
         let closed = slacks().all(|(&slack, kind)| *kind == Slack::Prepared || slack >= -ROUNDING);
-        if margin.is_nan() && (closed || all.iter().any(|slack| slack.is_nan())) {
+        if margin.is_nan() && (closed || slacks_there.iter().any(|slack| slack.is_nan())) {
             let first = slacks().position(|(slack, _)| slack.is_nan());
-            let before = first.unwrap_or(all.len());
+            let before = first.unwrap_or(slacks_there.len());
             let prepared = self.ranged.slacks[..before].iter();
             if let Some(group) = prepared.rev().position(|kind| *kind == Slack::Prepared) {
-                all[before - 1 - group] = f64::NAN;
+                slacks_there[before - 1 - group] = f64::NAN;
             }
         }
-        all
+        slacks_there
     }
 
     fn slacks(&mut self, x: f64) -> Vec<f64> {
-        let mut all = self.raw(x);
-        for (slack, scale) in all.iter_mut().zip(&self.scales) {
+        let mut slacks_there = self.raw(x);
+        for (slack, scale) in slacks_there.iter_mut().zip(&self.scales) {
             *slack /= scale;
         }
-        all
+        slacks_there
     }
 
     /// Whether a position is so far from the ends of the range that a dead point there counts.
@@ -134,33 +134,33 @@ impl<'a> RangeSearch<'a> {
 
     /// All findings, in the order of the inputs.
     pub(super) fn findings(&mut self) -> Vec<RangeFinding> {
-        let mut all: Vec<RangeFinding> = Vec::new();
+        let mut findings: Vec<RangeFinding> = Vec::new();
         for group in 0..self.ranged.groups.len() {
-            let of = |(x, slacks): &(f64, Vec<f64>)| (*x, self.level(group, *x, slacks));
-            let samples: Vec<Sample> = self.samples.iter().map(of).collect();
+            let sample = |(x, slacks): &(f64, Vec<f64>)| (*x, self.level(group, *x, slacks));
+            let samples: Vec<Sample> = self.samples.iter().map(sample).collect();
             let found = stretches(samples, &mut |x| {
                 let slacks = self.slacks(x);
                 self.level(group, x, &slacks)
             });
-            all.extend(found.iter().map(|stretch| self.finding(group, stretch)));
+            findings.extend(found.iter().map(|stretch| self.finding(group, stretch)));
         }
         if !self.declared {
-            self.keep_change_points(&mut all);
+            self.keep_change_points(&mut findings);
         }
-        all.sort_by(|a, b| a.from.total_cmp(&b.from));
-        all
+        findings.sort_by(|a, b| a.from.total_cmp(&b.from));
+        findings
     }
 
     /// Without a range, to end at a dead point is no mistake. The ends of a turn are one position.
-    fn keep_change_points(&self, all: &mut Vec<RangeFinding>) {
+    fn keep_change_points(&self, findings: &mut Vec<RangeFinding>) {
         let [low, high] = self.range;
         let near = |x: f64, end: f64| (x - end).abs() < AT_END * (high - low);
-        let at_low: Vec<usize> = all
+        let at_low: Vec<usize> = findings
             .iter()
             .filter(|finding| near(finding.from, low))
             .map(|finding| finding.group)
             .collect();
-        all.retain(|finding| {
+        findings.retain(|finding| {
             let again = near(finding.from, high) && at_low.contains(&finding.group);
             finding.kind == RangeFindingKind::ChangePoint && !again
         });

@@ -123,10 +123,10 @@ fn between(
     level: &mut dyn FnMut(f64) -> Option<f64>,
 ) -> Option<Sample> {
     let last = samples.len() - 1;
-    let places = [middle.saturating_sub(1), middle, (middle + 1).min(last)];
+    let indices = [middle.saturating_sub(1), middle, (middle + 1).min(last)];
     let mut levels = [0.0; 3];
-    for (level, &place) in levels.iter_mut().zip(&places) {
-        *level = samples[place].1?;
+    for (level, &index) in levels.iter_mut().zip(&indices) {
+        *level = samples[index].1?;
     }
     let fail = fails(levels[1]);
     let sign = if fail { -1.0 } else { 1.0 };
@@ -141,11 +141,11 @@ fn between(
         Some(slack) if slack.is_nan() && fail => f64::INFINITY,
         Some(slack) => sign * slack,
     };
-    let point = |place: usize, margin: f64| Point {
-        x: samples[place].0,
+    let point = |index: usize, margin: f64| Point {
+        x: samples[index].0,
         margin: sign * margin,
     };
-    let ends = [point(places[0], levels[0]), point(places[2], levels[2])];
+    let ends = [point(indices[0], levels[0]), point(indices[2], levels[2])];
     let other = |point: Point| fails(sign * point.margin) != fail;
     let bottom = descend(ends[0], ends[1], &mut depth, other);
     other(bottom).then_some((bottom.x, Some(sign * bottom.margin)))

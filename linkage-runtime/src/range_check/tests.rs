@@ -49,9 +49,9 @@ fn report(
     check_range(
         &ranged,
         &|x| {
-            let mut all = slack(x[0]);
-            all.insert(0, all.iter().fold(1.0, |a: f64, b| a.min(*b)));
-            all
+            let mut survey = slack(x[0]);
+            survey.insert(0, survey.iter().fold(1.0, |a: f64, b| a.min(*b)));
+            survey
         },
         &|x| {
             slack(x[0])
@@ -169,9 +169,9 @@ fn a_turn_without_a_range_is_searched_for_change_points_alone() {
     let found = report(&[FREE], &[Slack::Number], &|x| {
         Vec::from([(0.5 * x).cos().powi(2)])
     });
-    let places: Vec<_> = found.findings.iter().map(|finding| finding.from).collect();
+    let inputs: Vec<_> = found.findings.iter().map(|finding| finding.from).collect();
     assert!(
-        places.len() == 1 && (places[0] - PI).abs() < 1e-7,
+        inputs.len() == 1 && (inputs[0] - PI).abs() < 1e-7,
         "{found:?}"
     );
     assert_eq!(

@@ -95,7 +95,7 @@ fn beginnings<const N: usize, F: Fn(f64) -> [f64; N]>(
     let [a, b] = between.map(|value| sign * value);
     let lower = from.max(ends[0]).max(a.max(b) - band);
     let upper = to.min(ends[1]).min(a.min(b));
-    let place = |bound: f64| {
+    let beginning = |bound: f64| {
         if bound <= from {
             first[0].u
         } else if bound >= to {
@@ -104,7 +104,7 @@ fn beginnings<const N: usize, F: Fn(f64) -> [f64; N]>(
             crossing_input(&curve.source, &first[1], &first[0], sign * bound)
         }
     };
-    (lower < upper).then(|| [place(lower), place(upper)])
+    (lower < upper).then(|| [beginning(lower), beginning(upper)])
 }
 
 /// Where on the last piece an interval ends that begins at `start`.

@@ -83,7 +83,7 @@ impl Extremes {
         k: usize,
     ) -> Self {
         let mut points = Vec::new();
-        let mut all = Vec::new();
+        let mut extremes = Vec::new();
         for part in solved {
             let turns = part.roots[k + 1].iter();
             points.extend(turns.map(|root| {
@@ -91,19 +91,19 @@ impl Extremes {
                 extreme(node, k, [root.before, root.after])
             }));
             points.extend(ends(source, threshold, part, k));
-            all.push(extreme(source.in_range(part.interval.nodes[0]), k, [0; 2]));
+            extremes.push(extreme(source.in_range(part.interval.nodes[0]), k, [0; 2]));
         }
         points.sort_by(|a, b| a.at.total_cmp(&b.at));
         if !points.is_empty() {
-            all.clone_from(&points);
+            extremes.clone_from(&points);
         }
         // A constant has no point; its value is the one of any node.
         let lower = |a: Extreme, b: Extreme| if b.value < a.value { b } else { a };
         let higher = |a: Extreme, b: Extreme| if b.value > a.value { b } else { a };
-        let first = all[0];
+        let first = extremes[0];
         Self {
-            lowest: all.iter().copied().fold(first, lower),
-            highest: all.iter().copied().fold(first, higher),
+            lowest: extremes.iter().copied().fold(first, lower),
+            highest: extremes.iter().copied().fold(first, higher),
             points,
         }
     }

@@ -20,14 +20,14 @@ impl Interval {
         from: f64,
         to: f64,
     ) -> Self {
-        let place = |u: f64| {
+        let in_range = |u: f64| {
             let jet = [0.0; N];
             source.in_range(Node { u, jet }).u
         };
-        let start = place(from);
+        let start = in_range(from);
         let range = to - from;
         // The end of the range is no place before its beginning.
-        let end = place(to);
+        let end = in_range(to);
         Self {
             from: start,
             to: if end <= source.low && range > 0.0 {

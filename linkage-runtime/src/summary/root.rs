@@ -57,9 +57,9 @@ pub(super) fn root(mut a: Sample, mut b: Sample, g: &mut impl FnMut(f64) -> [f64
 /// Where between `a` and `b` the root is by inverse quadratic interpolation through three places, where that is monotone; half the
 /// way elsewhere (Chandrupatla 1997).
 fn share(a: Sample, b: Sample, c: Sample) -> f64 {
-    let place = (a.0 - b.0) / (c.0 - b.0);
+    let ratio = (a.0 - b.0) / (c.0 - b.0);
     let level = (a.1 - b.1) / (c.1 - b.1);
-    if !(level * level < place && (1.0 - level) * (1.0 - level) < 1.0 - place) {
+    if !(level * level < ratio && (1.0 - level) * (1.0 - level) < 1.0 - ratio) {
         return 0.5;
     }
     let near = a.1 / (b.1 - a.1) * (c.1 / (b.1 - c.1));

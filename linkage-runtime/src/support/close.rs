@@ -17,12 +17,12 @@ pub fn finite<T: Scalar>(
     needed: &[usize],
     values: &[T],
 ) -> Result<(), AssemblyError> {
-    for &place in needed {
-        let mut lanes = (0..T::LANES).map(|lane| values[place].lane(lane));
+    for &parameter in needed {
+        let mut lanes = (0..T::LANES).map(|lane| values[parameter].lane(lane));
         if let Some(value) = lanes.find(|value| !value.is_finite()) {
             return Err(AssemblyError::NotFinite {
                 mechanism,
-                dimension: parameters[place].name,
+                dimension: parameters[parameter].name,
                 value,
             });
         }
@@ -72,11 +72,11 @@ pub fn explained<A, T: Scalar, V: AsRef<[T]>>(
     let values = values();
     let values = values.as_ref();
     let mut lanes = (0..values.len()).flat_map(|k| (0..T::LANES).map(move |lane| (k, lane)));
-    let mut all = core::iter::from_fn(|| {
+    let mut dimensions = core::iter::from_fn(|| {
         let (k, lane) = lanes.next()?;
         Some((&parameters[k], values[k].lane(lane)))
     });
-    match too_large(group.mechanism, &mut all) {
+    match too_large(group.mechanism, &mut dimensions) {
         Some(error) => Err(error),
         None => result,
     }
@@ -85,10 +85,10 @@ pub fn explained<A, T: Scalar, V: AsRef<[T]>>(
 /// One function for all mechanisms: their code is compiled often enough.
 fn too_large(
     mechanism: &'static str,
-    all: &mut dyn Iterator<Item = (&'static Parameter, f64)>,
+    dimensions: &mut dyn Iterator<Item = (&'static Parameter, f64)>,
 ) -> Option<AssemblyError> {
     let size = |value: f64| if value < 0.0 { -value } else { value };
-    let finite = all.filter(|(_, value)| value.is_finite());
+    let finite = dimensions.filter(|(_, value)| value.is_finite());
     let largest = finite.reduce(|a, b| if size(b.1) > size(a.1) { b } else { a });
     let (parameter, value) = largest?;
     (size(value) > LARGEST).then_some(AssemblyError::Overflow {

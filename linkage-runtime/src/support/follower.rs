@@ -90,8 +90,8 @@ pub fn follow<T: Scalar, const I: usize, const W: usize>(
                 *end
             };
         }
-        let mut all = groups.iter().enumerate();
-        let failed = all.find_map(|(number, group)| {
+        let mut numbered = groups.iter().enumerate();
+        let failed = numbered.find_map(|(number, group)| {
             let settled = settle(&mut there, group, |x| correct(number, x));
             Some((number, group, settled.err()?))
         });

@@ -77,19 +77,22 @@ pub struct Along {
 pub fn revolutions<T: Scalar, const A: usize, const I: usize>(
     mut search: impl FnMut(usize) -> Result<Revolutions<f64, A, I>, &'static str>,
 ) -> Result<Revolutions<T, A, I>, &'static str> {
-    let mut all = Revolutions::at_estimates([0.0; A]);
+    let mut revolutions = Revolutions::at_estimates([0.0; A]);
     for lane in 0..T::LANES {
         let one = search(lane)?;
-        let set = |all: T, one: f64| T::from_lanes(|i| if i == lane { one } else { all.lane(i) });
+        let set =
+            |lanes: T, one: f64| T::from_lanes(|i| if i == lane { one } else { lanes.lane(i) });
         for angle in 0..A {
-            all.centres[angle] = set(all.centres[angle], one.centres[angle]);
+            revolutions.centres[angle] = set(revolutions.centres[angle], one.centres[angle]);
             for input in 0..I {
-                all.windings[angle][input] =
-                    set(all.windings[angle][input], one.windings[angle][input]);
+                revolutions.windings[angle][input] = set(
+                    revolutions.windings[angle][input],
+                    one.windings[angle][input],
+                );
             }
         }
     }
-    Ok(all)
+    Ok(revolutions)
 }
 
 /// Finds the turns of the first `count` angles one after the other: from the vectors of their phases, in the order of the angles, where one of them decides,

@@ -173,14 +173,14 @@ mod tests {
     fn the_table_follows_from_the_formula() {
         for (range, row) in STANDARD.iter().enumerate() {
             let factor = tolerance_factor(UP_TO[range]).expect("it has a range");
-            for (place, multiple) in MULTIPLES.iter().enumerate() {
-                let (published, computed) = (row[place + 4], multiple * factor);
+            for (column, multiple) in MULTIPLES.iter().enumerate() {
+                let (published, computed) = (row[column + 4], multiple * factor);
                 let allowed = if range == 0 { 0.16 } else { 0.055 };
                 assert!(
                     (published / computed - 1.0).abs() <= allowed
                         || (published - computed).abs() <= 0.7,
                     "IT{} up to {} mm: {published}, computed {computed}",
-                    place + 5,
+                    column + 5,
                     UP_TO[range]
                 );
             }

@@ -54,8 +54,8 @@ pub(crate) fn corners(vectors: &[[f64; 3]], visit: &mut dyn FnMut(&[f64], [f64; 
         return;
     }
     let mut crossing = false;
-    for (place, &i) in long.iter().enumerate() {
-        for &j in &long[place + 1..] {
+    for (index, &i) in long.iter().enumerate() {
+        for &j in &long[index + 1..] {
             let Some(axis) = crossing_of(&units[i], &units[j]) else {
                 continue;
             };

@@ -229,8 +229,8 @@ impl<'a> MonteCarlo<'a> {
     fn distributions<const N: usize>(&self) -> Result<[Distribution; N], ToleranceError> {
         let mut distributions = [self.distribution; N];
         for &(index, distribution) in &self.exceptions {
-            let place = distributions.get_mut(index);
-            *place.ok_or(ToleranceError::NoSuchParameter { index, count: N })? = distribution;
+            let entry = distributions.get_mut(index);
+            *entry.ok_or(ToleranceError::NoSuchParameter { index, count: N })? = distribution;
         }
         Ok(distributions)
     }

@@ -120,8 +120,8 @@ impl<E, B: FnMut(f64) -> Result<Member, E>, W: Fn(&Event) -> bool> SettingSearch
         let meant = member.events().iter().enumerate();
         let meant = meant.filter(|(_, event)| (self.event)(event));
         let event_at = |(event, happening): (usize, &Event)| {
-            let all = member.sensitivity(event);
-            match all.and_then(|all| all.get(self.parameter)) {
+            let sensitivities = member.sensitivity(event);
+            match sensitivities.and_then(|sensitivities| sensitivities.get(self.parameter)) {
                 Some(&slope) => Ok(EventAt {
                     value,
                     off: member.lead(event, self.angle),
@@ -132,7 +132,7 @@ impl<E, B: FnMut(f64) -> Result<Member, E>, W: Fn(&Event) -> bool> SettingSearch
                 None => Err(SettingError::Parameter {
                     member: member.name().into(),
                     parameter: self.parameter,
-                    sensitivities: all.map(<[f64]>::len),
+                    sensitivities: sensitivities.map(<[f64]>::len),
                 }),
             }
         };

@@ -48,7 +48,7 @@ pub(super) fn closest_approach(
 /// The loops that miss, the farthest first; `shares` are those of their scales.
 fn farthest_first(group: &CoupledGroup, shares: &[f64]) -> ClosestApproach {
     let mut shares = shares.iter().copied();
-    let mut all: Vec<(f64, Missed)> = Vec::new();
+    let mut loops: Vec<(f64, Missed)> = Vec::new();
     for group_loop in group.missed {
         let sides: Vec<f64> = shares.by_ref().take(group_loop.rows).collect();
         let share = match sides[..] {
@@ -60,15 +60,17 @@ fn farthest_first(group: &CoupledGroup, shares: &[f64]) -> ClosestApproach {
             by: share * group_loop.scale,
             unit: group_loop.unit,
         };
-        all.push((share.abs(), missed));
+        loops.push((share.abs(), missed));
     }
-    let most = all.iter().fold(0.0, |most: f64, (size, _)| most.max(*size));
+    let most = loops
+        .iter()
+        .fold(0.0, |most: f64, (size, _)| most.max(*size));
     if most <= CLOSED {
         return ClosestApproach::Closes;
     }
-    all.retain(|(size, _)| *size > LITTLE * most);
-    all.sort_by(|(a, _), (b, _)| b.total_cmp(a));
-    ClosestApproach::Misses(all.into_iter().map(|(_, missed)| missed).collect())
+    loops.retain(|(size, _)| *size > LITTLE * most);
+    loops.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+    ClosestApproach::Misses(loops.into_iter().map(|(_, missed)| missed).collect())
 }
 
 /// The loops of a group by its state.
@@ -115,8 +117,8 @@ impl Equations<Vec<f64>> for Loops<'_> {
             let across = across(&bodies, &along)?;
             row.iter_mut().zip(across).for_each(|(x, y)| *x -= y);
         }
-        let mut all = matrix.iter().flatten().chain(&missed);
-        all.all(|x| x.is_finite()).then_some(Near {
+        let mut numbers = matrix.iter().flatten().chain(&missed);
+        numbers.all(|x| x.is_finite()).then_some(Near {
             missed,
             matrix,
             bodies,
@@ -135,13 +137,13 @@ impl Equations<Vec<f64>> for Loops<'_> {
 
 impl Loops<'_> {
     fn sides(&mut self, state: &[f64]) -> Sides {
-        let mut all = self.programs.missed(self.x, state).into_iter();
+        let mut sides = self.programs.missed(self.x, state).into_iter();
         let loops = self.group.missed.iter();
         let scales =
             loops.flat_map(|group_loop| core::iter::repeat_n(group_loop.scale, group_loop.rows));
         Sides {
-            of_loops: scales.zip(&mut all).map(|(scale, x)| x / scale).collect(),
-            of_bodies: all.collect(),
+            of_loops: scales.zip(&mut sides).map(|(scale, x)| x / scale).collect(),
+            of_bodies: sides.collect(),
         }
     }
 

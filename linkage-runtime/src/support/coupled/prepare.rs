@@ -89,8 +89,8 @@ pub fn initial_states_of<S: AsMut<[InitialState]> + Clone, P: CoupledPrograms>(
                 },
                 Which::Like(like) => {
                     let state = like[number].state(&x);
-                    let all = list_solutions(group, &mut programs, &x)?;
-                    nearest(all, &state).into_iter().collect()
+                    let solutions = list_solutions(group, &mut programs, &x)?;
+                    nearest(solutions, &state).into_iter().collect()
                 }
             };
             for solution in solutions {
@@ -112,12 +112,13 @@ pub fn initial_states_of<S: AsMut<[InitialState]> + Clone, P: CoupledPrograms>(
 }
 
 /// The solution with the nearest state.
-fn nearest(all: Vec<CoupledSolution>, state: &[f64]) -> Option<CoupledSolution> {
+fn nearest(solutions: Vec<CoupledSolution>, state: &[f64]) -> Option<CoupledSolution> {
     let distance = |solution: &CoupledSolution| -> f64 {
         let pairs = solution.state.iter().zip(state);
         pairs.map(|(a, b)| (a - b) * (a - b)).sum()
     };
-    all.into_iter()
+    solutions
+        .into_iter()
         .min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }
 

@@ -75,7 +75,9 @@ pub fn nearest_solution(
     }
     let listing = listed(group, &programs.system(x))?;
     let listed = solutions(group, &listing, programs, x);
-    let nearest_one = listed.as_ref().map_or(f64::INFINITY, |all| all[0].distance);
+    let nearest_one = listed
+        .as_ref()
+        .map_or(f64::INFINITY, |solutions| solutions[0].distance);
     let meeting = meeting_states(group.variables, &listing).into_iter();
     let mut meeting = meeting.map(|state| solution(group, programs, x, state).distance);
     if meeting.any(|other| may_be_meant(other, nearest_one, Ambiguity::AT_RUN_TIME)) {

@@ -86,8 +86,8 @@ fn last_rows<T: Copy>(column: &mut [T], slice: &[T], start: usize) {
 }
 
 fn repeat_last<T: Copy>(column: &mut [T], slice: &[T], start: usize) {
-    for (lane, place) in column.iter_mut().enumerate() {
-        *place = slice[(start + lane).min(slice.len() - 1)];
+    for (lane, value) in column.iter_mut().enumerate() {
+        *value = slice[(start + lane).min(slice.len() - 1)];
     }
 }
 

@@ -52,11 +52,11 @@ pub fn rows<T, const W: usize>(columns: &[&mut [T]; W]) -> usize {
 /// Writes lanes into a column from `row` on.
 #[inline(always)]
 fn put<T: Copy, const V: usize>(column: &mut [T], row: usize, lanes: &[T; V]) {
-    if let Some(place) = column
+    if let Some(vector) = column
         .get_mut(row..)
         .and_then(|rest| rest.first_chunk_mut())
     {
-        *place = *lanes;
+        *vector = *lanes;
     }
 }
 

@@ -76,8 +76,8 @@ impl<F, const P: usize> Followed<F, P> {
         });
         let groups = Groups::new(groups.collect());
         let one = |&number: &usize| one_row(arguments, start + number);
-        let mut all: Vec<[T; I]> = numbers.iter().map(one).collect();
-        let mut reached = alloc::vec![false; all.len()];
+        let mut completed: Vec<[T; I]> = numbers.iter().map(one).collect();
+        let mut reached = alloc::vec![false; completed.len()];
         let (mut missing, mut ways) = (Vec::new(), Vec::new());
         for lane in 0..T::LANES {
             let rows = numbers.iter().enumerate();
@@ -85,17 +85,17 @@ impl<F, const P: usize> Followed<F, P> {
             missing.clear();
             missing.extend(rows_of_lane.map(|(at, _)| at));
             ways.clear();
-            ways.extend(missing.iter().map(|&at| self.whole(&all[at], lane)));
+            ways.extend(missing.iter().map(|&at| self.whole(&completed[at], lane)));
             track_rows(&(self.mechanism)(lane), &groups, &mut ways);
             for (&at, there) in missing.iter().zip(&ways) {
                 if groups.have(there) {
-                    self.put(&mut all[at], lane, there);
+                    self.put(&mut completed[at], lane, there);
                     reached[at] = true;
                 }
             }
         }
         let kept = || reached.iter().zip(0..).filter(|(reached, _)| **reached);
-        let rows: Vec<[T; I]> = kept().map(|(_, at)| all[at]).collect();
+        let rows: Vec<[T; I]> = kept().map(|(_, at)| completed[at]).collect();
         let mut found = Columns::new(W, rows.len());
         run(kernel, &Rows(&rows), 0, found.all_mut());
         for (index, column) in columns.iter_mut().enumerate() {
@@ -112,9 +112,9 @@ impl<F, const P: usize> Followed<F, P> {
         lane: usize,
     ) -> [f64; R] {
         let mut whole = [f64::NAN; R];
-        let places = (0..P).chain(self.places.iter().copied());
-        for (place, value) in places.zip(row) {
-            whole[place] = value.lane(lane);
+        let numbers = (0..P).chain(self.places.iter().copied());
+        for (number, value) in numbers.zip(row) {
+            whole[number] = value.lane(lane);
         }
         whole
     }

@@ -137,9 +137,9 @@ impl<const N: usize, const K: usize> Samples<N, K> {
                 high: f64::NAN,
             };
         }
-        let place = part * (sorted.len() - 1) as f64;
-        let (below, above) = (place.floor() as usize, place.ceil() as usize);
-        let rest = place - place.floor();
+        let rank = part * (sorted.len() - 1) as f64;
+        let (below, above) = (rank.floor() as usize, rank.ceil() as usize);
+        let rest = rank - rank.floor();
         let [low, high] = ranks(sorted.len(), part, confidence);
         // Ranks count from 1; 0 and one more than there are samples stand for no limit.
         let limit = |rank: usize, beyond: f64| {
