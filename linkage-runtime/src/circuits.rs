@@ -1,4 +1,4 @@
-//! Which assemblies run through the whole range of an input, and where the others end.
+//! Assemblies over the range of an input: those that run through it, and the ends of the others.
 
 mod branch;
 mod coupled;

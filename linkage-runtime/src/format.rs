@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-/// What a function prints: `fmt::from_fn`, which the oldest Rust that is supported does not have.
+/// Prints with a function, as `fmt::from_fn`, which the oldest supported Rust does not have.
 pub(crate) fn printed(print: impl Fn(&mut fmt::Formatter<'_>) -> fmt::Result) -> impl fmt::Display {
     struct Printed<F>(F);
 
@@ -37,7 +37,8 @@ fn separated(
     Ok(())
 }
 
-/// A position, 0 if it differs from it by less than its accuracy, a share of the width of its range.
+/// A position, 0 if it differs from it by less than its accuracy, a share of the width of its
+/// range.
 #[cfg(feature = "alloc")]
 pub(crate) fn settled(x: f64, accuracy: f64, width: f64) -> f64 {
     if x.abs() < accuracy * width.abs() {

@@ -1,4 +1,5 @@
-//! Jacobians of mechanisms with as many results as inputs: both ways, for motions and for forces, and where they are singular.
+//! Jacobians of mechanisms with as many results as inputs: both ways, for motions and for forces,
+//! and where they are singular.
 
 mod factors;
 mod matrix;

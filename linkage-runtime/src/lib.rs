@@ -1,12 +1,14 @@
-//! What mechanisms compiled by `linkage` call at run time, with what `linkage-core` holds of it, which the compiler needs, too.
+//! The library that mechanisms compiled by `linkage` call at run time. It includes the items of
+//! `linkage-core`, which the compiler uses as well.
 //!
 //! Users reach everything here through the facade crate `linkage`.
 //!
 //! Features: `std` or `libm` (where the elementary functions come from; one of them is needed for
-//! everything that computes angles, and for the module `pins`), `alloc` (part of `std`: `Columns`, `Scene`, the modules
-//! `summary` and `cyclogram`, with elementary functions `balancing`, `cam` and `clearance`), `nalgebra`
-//! (`Vector2`, `Vector3`, `Frame`, `Screw`), `simba` (`Lanes`), `num-dual` (`Dual`), `rayon` (sweeps on all threads),
-//! `tolerance` and `monte-carlo` (the module `tolerance`), `design` (the module `design`), `report` (the module `report`).
+//! everything that computes angles, and for the module `pins`), `alloc` (part of `std`: `Columns`,
+//! `Scene`, the modules `summary` and `cyclogram`, with elementary functions `balancing`, `cam` and
+//! `clearance`), `nalgebra` (`Vector2`, `Vector3`, `Frame`, `Screw`), `simba` (`Lanes`), `num-dual`
+//! (`Dual`), `rayon` (sweeps on all threads), `tolerance` and `monte-carlo` (the module
+//! `tolerance`), `design` (the module `design`), `report` (the module `report`).
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 

@@ -1,4 +1,5 @@
-//! The check of the declared range of an assembly: change points, dead points, gaps. The compiler makes it for the default dimensions.
+//! The check of the declared range of an assembly: change points, dead points, gaps. The compiler
+//! makes it for the default dimensions.
 
 mod check;
 mod print;

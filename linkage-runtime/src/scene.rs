@@ -19,8 +19,8 @@ use entry::{Filling, Joining, Returning, SceneEntry};
 /// switched on and off.
 ///
 /// [`update`](Self::update) evaluates the functions that are on, and each only if the argument has
-/// changed since its last evaluation (NaN always has). The choice is made between whole functions: what is off
-/// is not even looked at, and inside of a function nothing is decided.
+/// changed since its last evaluation (NaN always has). The choice is made between whole functions:
+/// a function that is off costs nothing, and inside of a function there is no branch.
 ///
 /// A scene stays on its thread; several threads have a scene each.
 ///
@@ -45,9 +45,9 @@ use entry::{Filling, Joining, Returning, SceneEntry};
 /// assert_eq!(scene.get(press), Some(&[1.0, 0.0]));
 /// ```
 ///
-/// A function may keep what it captures, or borrow it for `'a`; a linkage that is assembled later than the
-/// scene is moved in (`move |phi| ..`), which copies it. If that changes, as when a linkage
-/// is assembled with other dimensions, [`set`](Self::set) puts a new function in its place.
+/// A function may own its captures, or borrow them for `'a`. A linkage that is assembled later than
+/// the scene is moved in (`move |phi| ..`), which copies it. If the linkage changes, for example to
+/// other dimensions, [`set`](Self::set) replaces the function.
 ///
 /// # Sweeps
 ///
@@ -101,7 +101,7 @@ impl<'a, X: PartialEq> Scene<'a, X> {
 
     /// Adds a function that writes its result into `buffer`, switched on.
     ///
-    /// The function finds in the buffer what it wrote the last time.
+    /// The buffer contains the result of the last evaluation.
     pub fn add_into<R: 'static>(
         &mut self,
         buffer: R,
@@ -110,11 +110,11 @@ impl<'a, X: PartialEq> Scene<'a, X> {
         self.push(SceneEntry::new(Filling::new(buffer, function)))
     }
 
-    /// Adds a function of the results of others, one handle or a tuple of two to four, switched on: what is asked of
-    /// several parts at once, from what each of them has computed already.
+    /// Adds a function of the results of others, one handle or a tuple of two to four, switched on.
+    /// It computes quantities of several parts from results that each of them already has.
     ///
-    /// It is evaluated after them, and only if one of them was evaluated anew. While one of them is off, or has no
-    /// result, it has none and costs nothing.
+    /// It is evaluated after them, and only if one of them was evaluated again. While one of them
+    /// is off, or has no result, it has none and costs nothing.
     ///
     /// ```
     /// use linkage_runtime::Scene;
@@ -159,7 +159,7 @@ impl<'a, X: PartialEq> Scene<'a, X> {
         self.place_mut(handle).put(Returning::new(function));
     }
 
-    /// As [`set`](Self::set), with a function that writes its result into `buffer`.
+    /// Works as [`set`](Self::set), with a function that writes its result into `buffer`.
     ///
     /// # Panics
     /// If the handle is of another scene.
@@ -194,7 +194,7 @@ impl<'a, X: PartialEq> Scene<'a, X> {
         }
     }
 
-    /// Whether the function is on.
+    /// Returns true if the function is on.
     ///
     /// # Panics
     /// If the handle is of another scene.
@@ -222,8 +222,8 @@ impl<'a, X: PartialEq> Scene<'a, X> {
         self.evaluate()
     }
 
-    /// As [`update`](Self::update), with an argument that is copied only if it differs from the last
-    /// one, and then into the memory of that one: angles of a sweep.
+    /// Works as [`update`](Self::update), with an argument that is copied only if it differs from
+    /// the last one, and then into the memory of that one: angles of a sweep.
     pub fn update_from<B>(&mut self, argument: &B) -> usize
     where
         B: ToOwned<Owned = X> + PartialEq + ?Sized,
@@ -261,7 +261,8 @@ impl<'a, X: PartialEq> Scene<'a, X> {
         is_current.then(|| self.entries[index].result()?.downcast_ref())?
     }
 
-    /// Whether the function is on and its result is that of this frame, and of the results that it is made of.
+    /// Returns true if the function is on and its result is that of this frame, and of the results
+    /// that it is made of.
     fn is_current(&self, index: usize) -> bool {
         let entry = &self.entries[index];
         let seen = |(source, version): &(usize, u64)| {

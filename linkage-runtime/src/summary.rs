@@ -1,9 +1,10 @@
-//! The summary of a cycle: limits and stroke, extreme velocities and accelerations, dwells, time ratio, transmission angle,
-//! margin, and what a four-bar is by Grashof's rule.
+//! The summary of a cycle: limits and stroke, extreme velocities and accelerations, dwells, time
+//! ratio, transmission angle, margin, and the type of a four-bar by Grashof's rule.
 //!
-//! A [`Curve`] follows a quantity and its derivatives over the range of the input. All places where the quantity or a derivative stands still are roots of the
-//! exact derivative above it, and so are found to the last digits. [`minimise`] searches for the smallest value of a
-//! figure without derivatives, such as the margin; [`grashof`] compares lengths.
+//! A [`Curve`] follows a quantity and its derivatives over the range of the input. All places where
+//! the quantity or a derivative is stationary are roots of the exact derivative above it, and so
+//! are found to the last digits. [`minimise`] searches for the smallest value of a figure without
+//! derivatives, such as the margin; [`grashof`] compares lengths.
 
 mod band;
 mod cascade;

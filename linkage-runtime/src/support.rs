@@ -1,4 +1,4 @@
-//! What only generated code calls.
+//! Items that only generated code calls.
 
 mod assembly_data;
 mod close;
@@ -82,8 +82,8 @@ macro_rules! if_alloc {
     ($($item:tt)*) => {};
 }
 
-/// Its content if feature `report` or `design` is on, which read columns by their names, else nothing: what nobody reads need not
-/// be compiled.
+/// Its content if feature `report` or `design` is on, which read columns by their names, else
+/// nothing: unused items need not be compiled.
 #[cfg(any(feature = "report", feature = "design"))]
 #[doc(hidden)]
 #[macro_export]
@@ -91,8 +91,8 @@ macro_rules! if_report {
     ($($item:tt)*) => { $($item)* };
 }
 
-/// Its content if feature `report` or `design` is on, which read columns by their names, else nothing: what nobody reads need not
-/// be compiled.
+/// Its content if feature `report` or `design` is on, which read columns by their names, else
+/// nothing: unused items need not be compiled.
 #[cfg(not(any(feature = "report", feature = "design")))]
 #[doc(hidden)]
 #[macro_export]

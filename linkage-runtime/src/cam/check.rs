@@ -1,4 +1,4 @@
-//! Whether the profile can be made: where it is undercut.
+//! The check for undercut.
 
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
@@ -11,7 +11,8 @@ use super::turn::{HALVINGS, angles};
 use super::undercut::Undercut;
 use crate::summary::Interval;
 
-/// How sharply the profile is bent outwards: the curvature of the pitch curve, or the radius turned round.
+/// Sharpness of the outward bend of the profile: the curvature of the pitch curve, or the negative
+/// radius.
 pub(super) fn sharpness(follower: &Follower, bend: f64) -> f64 {
     match *follower {
         Follower::Flat { .. } => -bend,
@@ -31,7 +32,8 @@ fn left(follower: &Follower, bend: f64) -> f64 {
 ///
 /// # Errors
 ///
-/// [`CamError::Undercut`] with the angles, and the radius of a roller or the distance of a flat face that would do.
+/// [`CamError::Undercut`] with the angles, and the radius of a roller or the distance of a flat
+/// face that would do.
 pub(super) fn check(
     follower: &Follower,
     figures: &impl Fn(f64) -> Figures,
@@ -75,8 +77,8 @@ pub(super) fn check(
     })
 }
 
-/// The intervals in which it is undercut. `peak` is among the places that are looked at, and so is where the curvature stands
-/// still: what is shorter than a step lies about such a place.
+/// The intervals in which the profile is undercut. The positions that are checked contain `peak`
+/// and the stationary curvatures: an interval shorter than a step is next to such a place.
 fn undercuts(follower: &Follower, figures: &impl Fn(f64) -> Figures, peak: f64) -> Vec<Interval> {
     let left = |angle: f64| left(follower, figures(angle).bend.value);
     let limits = stationary(figures, |figures| figures.bend)
@@ -114,7 +116,7 @@ fn undercuts(follower: &Follower, figures: &impl Fn(f64) -> Figures, peak: f64) 
     found.into_iter().map(interval).collect()
 }
 
-/// Where a function becomes negative or ceases to be, which it does between two angles.
+/// The place between two angles where a function becomes negative, or ceases to be.
 fn change([mut low, mut high]: [f64; 2], function: impl Fn(f64) -> f64) -> f64 {
     let begins = function(low) < 0.0;
     for _ in 0..HALVINGS {

@@ -1,27 +1,30 @@
-//! Where and how a follower touches its cam.
+//! The contact of a follower with its cam.
 
 use super::complex::{Complex, I};
 use super::follower::Follower;
 use linkage_core::Scalar;
 
-/// How the follower touches the cam at one angle.
+/// The contact of the follower with the cam at one angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
     /// The angle of the cam.
     pub angle: f64,
-    /// The roller's centre, in the cam's coordinates; of a flat face the foot of the way of its middle.
+    /// The roller's centre, in the cam's coordinates; of a flat face the foot of the way of its
+    /// middle.
     pub pitch: [f64; 2],
     /// The point of the profile.
     pub profile: [f64; 2],
-    /// From the follower's way to the contact normal, counter-clockwise; 0 for a flat face.
+    /// The angle from the follower's way to the contact normal, counter-clockwise; 0 for a flat
+    /// face.
     pub pressure_angle: f64,
-    /// One over the radius of curvature of the pitch curve, positive where it is convex; of a flat face that of the profile.
+    /// One over the radius of curvature of the pitch curve, positive where it is convex; of a flat
+    /// face that of the profile.
     pub pitch_curvature: f64,
-    /// Radius of curvature of the profile, positive where it is convex. Where the pitch curve is convex and this is negative, the
-    /// profile is undercut.
+    /// Radius of curvature of the profile, positive where it is convex. Where the pitch curve is
+    /// convex and this is negative, the profile is undercut.
     pub radius: f64,
-    /// How fast the follower slides along the cam, for an angular speed of 1, if its roller does not turn; one that rolls turns on its
-    /// pin at this speed over its radius.
+    /// The sliding speed of the follower along the cam, for an angular speed of 1, if its roller
+    /// does not turn. A roller that rolls turns on its pin at this speed divided by its radius.
     pub sliding: f64,
 }
 
@@ -32,10 +35,10 @@ pub(super) struct Rate {
     pub(super) slope: f64,
 }
 
-/// What is looked at over the turn.
+/// The figures that are searched over the turn.
 pub(super) struct Figures {
     pub(super) pressure: Rate,
-    /// Of the pitch curve; of a flat face the radius of the profile.
+    /// Curvature of the pitch curve; for a flat face the radius of the profile.
     pub(super) bend: Rate,
 }
 
@@ -72,7 +75,7 @@ pub(super) fn contact(follower: &Follower, jet: [f64; 4], angle: f64) -> Contact
     }
 }
 
-/// How far a flat face is from the centre at the base.
+/// Distance of a flat face from the centre at the base.
 fn face(follower: &Follower) -> f64 {
     match *follower {
         Follower::Flat { base } => base,

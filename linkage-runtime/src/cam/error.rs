@@ -12,11 +12,11 @@ use crate::format::rounded;
 pub enum CamError {
     /// A number that makes no sense.
     Invalid {
-        /// What it stands for.
+        /// Name of the number.
         what: &'static str,
         /// The number.
         value: f64,
-        /// What it must be.
+        /// The range that is required.
         expected: &'static str,
     },
     /// The motion is NaN or infinite.
@@ -29,11 +29,11 @@ pub enum CamError {
         /// Its value at a turn less that at 0.
         gap: f64,
     },
-    /// The profile cuts itself off: the follower would not come where its motion says.
+    /// The profile cuts itself off: the follower could not reach the position of its motion.
     Undercut {
-        /// Where, and by how much.
+        /// The intervals, with the missing radius.
         undercut: Undercut,
-        /// Of which follower.
+        /// The follower of this cam.
         follower: Follower,
     },
 }

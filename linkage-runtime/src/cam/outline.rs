@@ -7,13 +7,15 @@ use super::contact::Contact;
 use super::error::CamError;
 use linkage_core::Scalar;
 
-/// Parts of the turn to begin with: a profile has no waves within them that all places which are looked at would miss.
+/// Parts of the turn to begin with: a profile has no waves within them that all places which are
+/// looked at would miss.
 const PARTS: usize = 72;
 
-/// How often a part is halved at most: then its ends are some hundred roundoffs apart.
+/// Halvings of a part, at most: then its ends are some hundred roundoffs apart.
 const DEPTH: usize = 40;
 
-/// Of the chord error, what the places that are looked at may take: between them it is a little larger.
+/// The part of the chord error that checked places may use: between them the error is a little
+/// larger.
 const TAKEN: f64 = 0.95;
 
 /// A closed line.
@@ -72,7 +74,7 @@ pub(super) fn profile(contact: impl Fn(f64) -> Contact, chord_error: f64) -> Out
     outline
 }
 
-/// From a point to the line between two others.
+/// The distance of a point from the line between two others.
 fn distance(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
     let chord = [to[0] - from[0], to[1] - from[1]];
     let way = [point[0] - from[0], point[1] - from[1]];

@@ -19,14 +19,15 @@ pub struct Cam<F> {
 }
 
 impl<F: Fn(f64) -> [f64; 4]> Cam<F> {
-    /// The cam of a follower. `motion` gives, at an angle of the cam, the way of a follower that is pushed or the angle of one that
-    /// swings, from where the roller touches the base circle on, and its first three derivatives by the angle. It is
-    /// asked from 0 to a turn.
+    /// The cam of a follower. `motion` gives, at an angle of the cam, the way of a follower that is
+    /// pushed or the angle of one that swings, from where the roller touches the base circle on,
+    /// and its first three derivatives by the angle. It is evaluated from 0 to a turn.
     ///
     /// # Errors
     ///
-    /// [`CamError::Invalid`] for lengths that make no follower, [`CamError::NotFinite`] and [`CamError::Open`] for a motion that is
-    /// no number somewhere, or ends elsewhere than it began.
+    /// [`CamError::Invalid`] for lengths that make no follower, [`CamError::NotFinite`] and
+    /// [`CamError::Open`] for a motion that is no number somewhere, or ends elsewhere than it
+    /// began.
     pub fn new(follower: Follower, motion: F) -> Result<Self, CamError> {
         check_lengths(&follower)?;
         let cam = Self { follower, motion };
@@ -51,13 +52,14 @@ impl<F: Fn(f64) -> [f64; 4]> Cam<F> {
         contact(&self.follower, self.jet(angle), angle)
     }
 
-    /// The places where the pressure angle is highest or lowest beside its neighbours, in order; none where the follower rests, none for a flat
-    /// face. Roots of its exact derivative.
+    /// The places where the pressure angle is highest or lowest beside its neighbours, in order;
+    /// none where the follower rests, none for a flat face. Roots of its exact derivative.
     pub fn pressure_angles(&self) -> Vec<Stationary> {
         stationary(&|angle| self.figures(angle), |figures| figures.pressure)
     }
 
-    /// The same for the curvature of the pitch curve; for a flat face it is the radius of curvature of the profile.
+    /// The same for the curvature of the pitch curve; for a flat face it is the radius of curvature
+    /// of the profile.
     pub fn curvatures(&self) -> Vec<Stationary> {
         stationary(&|angle| self.figures(angle), |figures| figures.bend)
     }
@@ -71,8 +73,8 @@ impl<F: Fn(f64) -> [f64; 4]> Cam<F> {
         )
     }
 
-    /// The place where the profile is most sharply bent, and its radius of curvature there: the least one of those where it is
-    /// convex, negative if it is undercut.
+    /// The place where the profile is most sharply bent, and its radius of curvature there: the
+    /// least one of those where it is convex, negative if it is undercut.
     pub fn least_radius(&self) -> Stationary {
         let sharpness = |bend| sharpness(&self.follower, bend);
         let peak = peak(
@@ -89,21 +91,23 @@ impl<F: Fn(f64) -> [f64; 4]> Cam<F> {
         Stationary { value, ..peak }
     }
 
-    /// Whether the profile can be made.
+    /// Checks whether the profile can be made.
     ///
     /// # Errors
     ///
-    /// [`CamError::Undercut`] with the angles, and the radius of a roller or the distance of a flat face that would do.
+    /// [`CamError::Undercut`] with the angles, and the radius of a roller or the distance of a flat
+    /// face that would do.
     pub fn check(&self) -> Result<(), CamError> {
         check(&self.follower, &|angle| self.figures(angle))
     }
 
-    /// The profile as a line whose chords stray from it by no more than `chord_error`. Points lie on the profile, and where it is bent they
-    /// are denser.
+    /// The profile as a line whose chords stray from it by no more than `chord_error`. Points lie
+    /// on the profile, and where it is bent they are denser.
     ///
     /// # Errors
     ///
-    /// [`CamError::Invalid`] for an error that is not positive, [`CamError::Undercut`] as [`Cam::check`] tells it.
+    /// [`CamError::Invalid`] for an error that is not positive, [`CamError::Undercut`] as for
+    /// [`Cam::check`].
     pub fn profile(&self, chord_error: f64) -> Result<Outline, CamError> {
         check_chord_error(chord_error)?;
         self.check()?;
@@ -119,7 +123,8 @@ impl<F: Fn(f64) -> [f64; 4]> Cam<F> {
     }
 }
 
-/// By how much of its largest way the motion's end may miss its begin: what rounding of a turn's angle does to a steep motion.
+/// The gap between the ends of the motion that rounding of a turn's angle can cause, as a part of
+/// the largest way.
 const CLOSED: f64 = 1e-9;
 
 /// Checks that the lengths make a follower.

@@ -1,4 +1,4 @@
-//! What happens over the turn: places where pressure angle and curvature stand still.
+//! Search over the turn for places where pressure angle and curvature are stationary.
 
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
@@ -13,17 +13,18 @@ use super::turn::{HALVINGS, POSITIONS, angles};
 pub struct Stationary {
     /// The angle of the cam.
     pub angle: f64,
-    /// What it is there.
+    /// The value at this angle.
     pub value: f64,
 }
 
-/// The places where one of the figures is highest or lowest beside its neighbours, in order: roots of its exact derivative.
+/// The places where one of the figures is highest or lowest beside its neighbours, in order: roots
+/// of its exact derivative.
 pub(super) fn stationary(
     figures: &impl Fn(f64) -> Figures,
     figure_of: impl Fn(Figures) -> Rate,
 ) -> Vec<Stationary> {
     let angles_of_turn: Vec<f64> = angles().collect();
-    // A root at the end of the turn is told by what comes after it.
+    // A root at the end of the turn is seen by the values after it.
     let turned = |angle: f64| if angle > TAU { angle - TAU } else { angle };
     let slope = |angle: f64| figure_of(figures(turned(angle))).slope;
     let largest = angles_of_turn
@@ -46,7 +47,7 @@ pub(super) fn stationary(
         .collect()
 }
 
-/// Where a figure of a number is largest: at a place where the number stands still, or at a jump, which a search without
+/// The place where a figure is largest: a stationary place, or a jump, which a search without
 /// derivatives finds.
 pub(super) fn peak(
     figures: &impl Fn(f64) -> Figures,
@@ -61,7 +62,8 @@ pub(super) fn peak(
         value: value(searched),
     };
     let roots = stationary(figures, &figure_of).into_iter();
-    // A root of the derivative tells the place better than a search, which sees no difference about it.
+    // A root of the derivative is more exact than a search, which sees no difference about
+    // it.
     let same = |one: f64, other: f64| (one - other).abs() <= NOISE * one.abs();
     roots.fold(first, |best, next| {
         let (a, b) = (figure(best.value), figure(next.value));
@@ -69,10 +71,12 @@ pub(super) fn peak(
     })
 }
 
-/// Of a value: what rounding adds to it, and what a search without derivatives cannot tell from it.
+/// Rounding error of a value, and the resolution of a search without derivatives, as a part of the
+/// value.
 const NOISE: f64 = 1e-12;
 
-/// Where a function changes its sign between two angles; from 0 on it must become another sign, or come from one.
+/// The place between two angles where a function changes its sign. A zero counts if the sign
+/// differs on its two sides.
 fn crossing([mut low, mut high]: [f64; 2], function: impl Fn(f64) -> f64) -> Option<f64> {
     let [begin, end] = [function(low), function(high)];
     if begin * end >= 0.0 {

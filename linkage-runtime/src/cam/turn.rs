@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-/// At so many angles per turn it is looked: a motion does nothing within half a degree.
+/// The number of angles per turn: a motion does nothing within half a degree.
 pub(super) const POSITIONS: usize = 720;
 
 /// Halvings of a step: beyond them there are no numbers between its ends.

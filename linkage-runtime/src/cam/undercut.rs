@@ -3,18 +3,20 @@
 use crate::summary::Interval;
 use alloc::vec::Vec;
 
-/// Where a profile is undercut.
+/// The undercut part of a profile.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Undercut {
-    /// All intervals of the cam's angle in which the radius of the profile is negative where it should be convex, in the order of
-    /// their beginnings. One that goes across angle 0 is a single one: its end is below its beginning.
+    /// All intervals of the cam's angle in which the radius of the profile is negative where it
+    /// should be convex, in the order of their beginnings. One that goes across angle 0 is a single
+    /// one: its end is below its beginning.
     pub intervals: Vec<Interval>,
     /// The one of them in which it is worst.
     pub worst: Interval,
-    /// Where in it: the worst angle of the whole turn.
+    /// The worst angle of the whole turn.
     pub at: f64,
     /// The radius of curvature of the profile there.
     pub radius: f64,
-    /// What would just do: the radius of a roller, which is that of the pitch curve, or the distance of a flat face at the base.
+    /// The limit: the largest radius of a roller, which is the radius of the pitch curve, or the
+    /// least distance of a flat face at the base.
     pub limit: f64,
 }

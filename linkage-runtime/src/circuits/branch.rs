@@ -14,7 +14,7 @@ pub struct Circuits<A> {
     pub input: &'static str,
     /// The assemblies, in the order of the inputs where they begin.
     pub branches: Vec<Branch<A>>,
-    /// Which of them meet in change points.
+    /// The pairs of assemblies that meet in change points.
     pub meetings: Vec<Meeting>,
 }
 
@@ -32,12 +32,12 @@ pub struct Meeting {
 pub struct Branch<A> {
     /// The assembly.
     pub assembly: A,
-    /// Number of its circuit. Without being taken apart, a mechanism reaches all assemblies of a circuit, through turning
-    /// points, and no other.
+    /// Number of its circuit. Without being taken apart, a mechanism reaches all assemblies of a
+    /// circuit, through turning points, and no other.
     pub circuit: usize,
-    /// Where it begins and ends.
+    /// Both ends.
     pub ends: [BranchEnd; 2],
-    /// Whether it is the same again after a full turn of the input.
+    /// True if a full turn of the input leads back to the same position.
     pub closed: bool,
     /// Its smallest margin, 0 at a turning point.
     pub margin: f64,
@@ -45,31 +45,33 @@ pub struct Branch<A> {
     pub at: f64,
     /// The input at which `unknowns` are: the reference if the assembly exists there.
     pub input: f64,
-    /// Where the unknowns are, to be copied as start estimates for that input.
+    /// The values of the unknowns, to be copied as start estimates for that input.
     pub unknowns: Vec<Estimate>,
 }
 
-/// Where an unknown is. Printed, it is a start estimate: `theta = 40.2074deg`.
+/// A value of an unknown. Printed, it is a start estimate: `theta = 40.2074deg`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
     /// The unknown.
     pub name: &'static str,
     /// Unit of a length; empty for a number.
     pub unit: &'static str,
-    /// Whether it is an angle, from -pi to pi; it is printed in degrees.
+    /// True for an angle, from -pi to pi, which is printed in degrees.
     pub angle: bool,
     /// Its value, or the components of a point.
     pub numbers: Vec<f64>,
 }
 
-/// Where an assembly begins or ends.
+/// An end of an assembly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BranchEnd {
     /// With the range.
     Range(f64),
-    /// At a turning point, a dead point of the input, where it meets another assembly of its circuit.
+    /// At a turning point, a dead point of the input, where it meets another assembly of its
+    /// circuit.
     TurningPoint(f64),
-    /// It is not known beyond this input, although there is no turning point: a slide runs off to infinity, or two circuits cross.
+    /// It is not known beyond this input, although there is no turning point: a slide runs off to
+    /// infinity, or two circuits cross.
     Lost(f64),
 }
 
@@ -84,7 +86,7 @@ impl BranchEnd {
 }
 
 impl<A> Branch<A> {
-    /// Whether it runs through the whole range.
+    /// Returns true if the assembly runs through the whole range.
     #[must_use]
     pub fn is_whole(&self) -> bool {
         let through = |end: &BranchEnd| matches!(end, BranchEnd::Range(_));

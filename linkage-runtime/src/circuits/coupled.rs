@@ -10,23 +10,26 @@ use alloc::vec::Vec;
 /// Newton steps for all curves of a slab.
 const CORRECTIONS: usize = 1_000_000;
 
-/// A solution belongs to a strand if its determinant has the same sign and it is this near to the straight line between two nodes,
-/// as a part of its length, and anyway: between two strands of one sign there is one of the other.
+/// A solution belongs to a strand if its determinant has the same sign and it is this near to the
+/// straight line between two nodes, as a part of its length, and anyway: between two strands of one
+/// sign there is one of the other.
 const ASIDE: f64 = 0.1;
 const SAME: f64 = 1e-6;
 
-/// What is known of a coupled group over a slab.
+/// The curves of a coupled group over a slab.
 pub(super) struct Followed {
     pub(super) strands: Vec<Strand>,
-    /// How many turning points there are; strands number them from 0.
+    /// The number of turning points; strands number them from 0.
     pub(super) turning: usize,
 }
 
-/// Follows all solutions that are listed at the parameters `samples`, to both sides and through turning points.
+/// Follows all solutions that are listed at the parameters `samples`, to both sides and through
+/// turning points.
 ///
 /// # Errors
 ///
-/// The first error of the listing if it fails everywhere; at once for a group that is followed from its estimates.
+/// The first error of the listing if it fails everywhere; at once for a group that is followed from
+/// its estimates.
 pub(super) fn follow(
     group: &CoupledGroup,
     programs: &mut dyn CoupledPrograms,
@@ -79,7 +82,7 @@ pub(super) fn follow(
 }
 
 impl Strand {
-    /// Whether a node is on the strand.
+    /// Returns true if a node is on the strand.
     fn passes(&self, curve: &mut Curve<'_>, node: &Node) -> bool {
         let last = self.nodes.len() - 1;
         if node.u < self.nodes[0].u || node.u > self.nodes[last].u {
@@ -108,8 +111,9 @@ impl Strand {
         [0, last].map(|k| slab.x(self.nodes[k].u))
     }
 
-    /// The node to prepare a table from: between the ends, as far from singular as possible. At the ends of a slab groups before may turn
-    /// back; the slope of the inputs vanishes there as their determinants do, and a table from there would go nowhere.
+    /// The node to prepare a table from: between the ends, as far from singular as possible. At the
+    /// ends of a slab groups before may turn back; the slope of the inputs vanishes there as their
+    /// determinants do, and a table from there would go nowhere.
     pub(super) fn best(&self) -> &Node {
         let between = match self.nodes.len() {
             0..3 => &self.nodes[..],

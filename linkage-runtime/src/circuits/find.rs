@@ -12,15 +12,17 @@ use crate::error::AssemblyError;
 use alloc::vec::Vec;
 use linkage_core::Cycle;
 
-/// Finds all assemblies over a range, how far each reaches, which of them meet, and where their margins are smallest.
+/// Finds all assemblies over a range, how far each reaches, which of them meet, and where their
+/// margins are smallest.
 ///
-/// Groups with a closed form end where their discriminants vanish: bounds over intervals show that no such place is missed. Behind a coupled
-/// group, and in mechanisms that are interpreted, there are no bounds, and samples look for them. Solutions of coupled groups are followed
-/// along their curves, through turning points, so that no end is without the assembly that it is shared with.
+/// Groups with a closed form end where their discriminants vanish: bounds over intervals show that
+/// no such place is missed. Behind a coupled group, and in mechanisms that are interpreted, there
+/// are no bounds, and samples look for them. Solutions of coupled groups are followed along their
+/// curves, through turning points, so that no end is without the assembly that it is shared with.
 ///
 /// # Errors
 ///
-/// If nothing is found, and what was looked for could not be listed.
+/// An error if nothing is found, and a listing failed.
 pub fn circuits<M: Levels>(
     mechanism: &M,
     cycle: &Cycle,

@@ -1,16 +1,17 @@
-//! Which assemblies continue each other: through a turning point, or from one turn to the next.
+//! Assemblies that continue each other: through a turning point, or from one turn to the next.
 
 use super::leaf::{End, GroupAssembly, Leaf};
 use super::unknowns::{near, size};
 use alloc::vec::Vec;
 
-/// How close the places of one assembly are from one turn to the next, relative to their size.
+/// Greatest distance between positions of one assembly in two turns, relative to their size.
 const SAME: f64 = 1e-6;
 
 /// The end of a leaf: its number, and 0 or 1.
 type LeafEnd = (usize, usize);
 
-/// The circuits that the assemblies belong to, numbered from 0 in the order of their first ones, and which of them are closed.
+/// The circuits that the assemblies belong to, numbered from 0 in the order of their first ones,
+/// and which of them are closed.
 pub(super) fn join(
     leaves: &[Leaf],
     seams: &[[Vec<f64>; 2]],
@@ -51,7 +52,8 @@ pub(super) fn join(
 
 /// The leaves that continue one in the next turn: their unknowns are where its own end.
 ///
-/// At a change point several begin in one place. There the leaf continues that is assembled in the same way, wherever the turn begins.
+/// At a change point several begin in one place. There the leaf continues that is assembled in the
+/// same way, wherever the turn begins.
 fn continuing(leaves: &[Leaf], seams: &[[Vec<f64>; 2]], one: usize, turn: bool) -> Vec<usize> {
     let here = &seams[one][1];
     let is_near = |&other: &usize| {
@@ -71,8 +73,8 @@ fn continuing(leaves: &[Leaf], seams: &[[Vec<f64>; 2]], one: usize, turn: bool) 
     if same.is_empty() { near_leaves } else { same }
 }
 
-/// Pairs of leaves that meet at a turning point: of those that end there, two in which the group that turns back is assembled
-/// differently and the later ones alike.
+/// Pairs of leaves that meet at a turning point: of those that end there, two in which the group
+/// that turns back is assembled differently and the later ones alike.
 fn partners(leaves: &[Leaf]) -> Vec<(usize, usize)> {
     let ends: Vec<LeafEnd> = (0..leaves.len())
         .flat_map(|leaf| [(leaf, 0), (leaf, 1)])
@@ -94,7 +96,8 @@ fn partners(leaves: &[Leaf]) -> Vec<(usize, usize)> {
     pairs
 }
 
-/// How far the states of later groups are apart at two ends; infinite where these are not two sides of one turning point.
+/// Distance of the states of later groups at two ends; infinite unless these are two sides of one
+/// turning point.
 fn apart(leaves: &[Leaf], one: LeafEnd, other: LeafEnd) -> f64 {
     let [here, there] = [one, other].map(|(leaf, end)| (&leaves[leaf], end));
     let ends = [here, there].map(|(leaf, end)| leaf.ends[end]);

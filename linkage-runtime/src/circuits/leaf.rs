@@ -11,7 +11,7 @@ use linkage_core::numeric::continuation::Range;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum End {
     Range,
-    /// Where a group turns back; turning points are numbered.
+    /// A turning point of a group; turning points are numbered.
     Turning {
         number: usize,
         group: usize,
@@ -19,7 +19,7 @@ pub(super) enum End {
     Lost,
 }
 
-/// How a group is assembled.
+/// The assembly of one group.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum GroupAssembly {
     Mode(AssemblyMode),
@@ -40,7 +40,8 @@ pub(super) struct Leaf {
 }
 
 impl Leaf {
-    /// Where a table of it is to serve: over the whole range, or between its ends, however near they are to each other.
+    /// The range of its table: the whole range, or the inputs between its ends, however near these
+    /// are to each other.
     pub(super) fn range(&self, whole: Range) -> Range {
         let [low, high] = self.inputs;
         match self.ends {
@@ -54,13 +55,13 @@ impl Leaf {
         Slab { low, high }
     }
 
-    /// Whether a coupled group is among those that are assembled.
+    /// Returns true if a coupled group is among the assembled ones.
     pub(super) fn is_coupled(&self) -> bool {
         let of_states = |(_, way): &(usize, GroupAssembly)| matches!(way, GroupAssembly::States(_));
         self.ways.iter().any(of_states)
     }
 
-    /// Whether it ends at a turning point.
+    /// Returns true if it ends at a turning point.
     pub(super) fn turns(&self) -> bool {
         let turning = |end: &End| matches!(end, End::Turning { .. });
         self.ends.iter().any(turning)

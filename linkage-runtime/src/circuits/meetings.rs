@@ -1,4 +1,5 @@
-//! Where two assemblies meet and both go on: change points, at which a group has one solution instead of two.
+//! Change points, where two assemblies meet and both go on: a group has one solution there instead
+//! of two.
 
 use super::branch::Meeting;
 use super::leaf::{GroupAssembly, Leaf};
@@ -9,11 +10,12 @@ use alloc::vec::Vec;
 use linkage_core::range_check::{AT_END, samples};
 use linkage_core::{Cycle, Level};
 
-/// How close the places of two assemblies are where they meet, relative to their size: there a place is known to half of its digits, and later
-/// groups may enlarge what is missing.
+/// Greatest distance between the positions of two assemblies where they meet, relative to their
+/// size. Half of the digits are known there, and later groups may enlarge the error.
 const SAME: f64 = 1e-5;
 
-/// The places where a group with two solutions has one, for what is chosen of the groups before it over a stretch of the input.
+/// The inputs at which a group with two solutions has one, for given assemblies of the groups
+/// before it over a stretch of the input.
 struct Touched<'a> {
     group: usize,
     before: &'a [(usize, GroupAssembly)],
@@ -83,7 +85,7 @@ pub(super) fn meetings<M: Levels>(
     found
 }
 
-/// Where a slack touches zero between two inputs; the ends of a turn are one place.
+/// The inputs between two limits at which a slack touches zero. The ends of a turn are one input.
 fn change_points(cycle: &Cycle, [low, high]: [f64; 2], slack: &dyn Fn(f64) -> f64) -> Vec<f64> {
     let count = samples(high - low, cycle.angle);
     let at = |k: usize| low + (high - low) * (k as f64 / count as f64);

@@ -10,8 +10,8 @@ use core::fmt;
 use linkage_core::Cycle;
 use linkage_core::range_check::listed;
 
-/// One line for each assembly; angles in degrees. Behind its ends and margin: an input, and the unknowns there. Then one for each pair that meets
-/// in change points.
+/// One line for each assembly; angles in degrees. Behind its ends and margin: an input, and the
+/// unknowns there. Then one for each pair that meets in change points.
 impl<A> fmt::Display for Circuits<A> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let numbers: Vec<usize> = (1..=self.branches.len()).collect();
@@ -20,8 +20,8 @@ impl<A> fmt::Display for Circuits<A> {
 }
 
 impl<A> Circuits<A> {
-    /// The table with other numbers of the assemblies, one for each of `branches`, and in their order. Circuits are
-    /// numbered as they come.
+    /// The table with other numbers of the assemblies, one for each of `branches`, and in their
+    /// order. Circuits are numbered as they come.
     #[doc(hidden)]
     #[must_use]
     pub fn numbered(&self, numbers: &[usize]) -> String {
@@ -120,7 +120,8 @@ impl<A> Circuits<A> {
     }
 }
 
-/// The accuracy of the place of a smallest value, as a share of the range: roundoff there is squared.
+/// The accuracy of the place of a smallest value, as a share of the range: roundoff there is
+/// squared.
 const FOUND: f64 = 1e-7;
 
 /// Roundoff of an input, as a share of the range.
@@ -156,7 +157,7 @@ impl Estimate {
     }
 }
 
-/// As it is written in a declaration, behind `unknown`.
+/// The text of the declaration after `unknown`.
 impl fmt::Display for Estimate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} = {}", self.name, self.value())

@@ -12,13 +12,13 @@ use alloc::vec;
 use alloc::vec::Vec;
 use linkage_core::{Cycle, Level};
 
-/// Places at which the slack of a group is sampled for every place at which coupled groups are listed, and at least: to begin with, and all
-/// that is known of it where it has no bounds.
+/// Places at which the slack of a group is sampled for every place at which coupled groups are
+/// listed, and the least number of them. Without bounds the slack is known there alone.
 const SAMPLES: f64 = 0.85;
 const LEAST_SAMPLES: usize = 48;
 
-/// Parameters at which a coupled group is listed in every slab, however short it is. What turns back shortly before an end is found from
-/// there.
+/// Parameters at which a coupled group is listed in every slab, however short it is. They lead to
+/// assemblies that turn back shortly before an end.
 const ALWAYS: [f64; 5] = [-1.0, 1.0, -0.6, 0.05, 0.7];
 
 /// More modes than this are not searched.

@@ -47,8 +47,8 @@ fn curve(correction: &mut dyn Correction) -> Curve<'_> {
     }
 }
 
-/// An ellipse comes back to where it began, once, and turns where its inputs end: a circle, and a needle that is followed from close beside its
-/// tip.
+/// An ellipse comes back to where it began, once, and turns where its inputs end: a circle, and a
+/// needle that is followed from a point near its tip.
 #[test]
 fn an_ellipse_is_two_strands_between_its_turning_points() {
     for (width, x) in [(1.0_f64, 0.3_f64), (2e-3, 1.0 - 1e-6)] {
@@ -90,7 +90,8 @@ fn expect_round(ellipse: &mut dyn Correction, x: f64, s: f64) {
     assert!(one * other < 0.0);
 }
 
-/// A solution aside of the straight way by more than a tenth of the step is not the next one, though it points the same way.
+/// A solution aside of the straight way by more than a tenth of the step is not the next one,
+/// though it points the same way.
 #[test]
 fn a_node_is_not_reached_across_a_ledge() {
     fn ledge(x: f64) -> f64 {
@@ -108,7 +109,7 @@ fn a_node_is_not_reached_across_a_ledge() {
     assert!(curve.step_along(&before, 0.9).is_none());
 }
 
-/// Where rounding keeps corrections from vanishing the last one counts.
+/// The last correction counts where rounding keeps corrections from vanishing.
 #[test]
 fn a_node_is_found_in_spite_of_noise() {
     let mut calls = 0;
@@ -149,7 +150,7 @@ fn the_best_node_is_far_from_singular() {
     assert_eq!(strand.best().u, 0.5);
 }
 
-/// Where a slack is positive over the slab, by 8 samples and, if so, by bounds.
+/// The stretches with a positive slack, by 8 samples and, if given, by bounds.
 fn found(at: &dyn Fn(f64) -> f64, over: Option<&dyn Fn(Enclosure) -> Enclosure>) -> Vec<[f64; 2]> {
     let slack = Slack {
         at,
@@ -186,7 +187,7 @@ fn what_happens_between_samples_is_seen() {
     expect(&island, &[[0.3, 0.32]], 1e-9);
 }
 
-/// A slack that rises but for a notch, so narrow that its samples only rise.
+/// A slack that rises except for a notch, so narrow that its samples only rise.
 fn notch<T: Scalar>(x: T, width: f64) -> T {
     let [centre, one, fifth] = [0.317, 1.0, 0.2].map(T::from_f64);
     let far = (x - centre) * T::from_f64(1.0 / width);
@@ -222,7 +223,7 @@ fn bounds_see_what_no_sample_falls_into() {
     }
 }
 
-/// Two roots that are one but for rounding are no gap, with bounds as without.
+/// Two roots that differ by rounding only are no gap, with bounds as without.
 #[test]
 fn what_touches_zero_goes_on() {
     fn touching<T: Scalar>(x: T) -> T {
@@ -234,7 +235,7 @@ fn what_touches_zero_goes_on() {
     expect(&found(&touching::<f64>, Some(&over)), &[[-2.0, 2.0]], 0.0);
 }
 
-/// A mechanism of which only the margin is asked for: it has none in some gaps.
+/// A mechanism of which only the margin is used: it has none in some gaps.
 struct Gaps(&'static [[f64; 2]]);
 
 impl super::Levels for Gaps {
@@ -266,7 +267,8 @@ impl super::Levels for Gaps {
     }
 }
 
-/// Where there is no margin an assembly ends, on the side of the place where it is known; of several such places the nearest one counts.
+/// An assembly ends at an input without a margin, on the side of the known input; of several such
+/// inputs the nearest one counts.
 #[test]
 fn an_assembly_ends_where_it_has_no_margin() {
     use super::branch::BranchEnd::{Lost, Range};

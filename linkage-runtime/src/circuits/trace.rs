@@ -20,7 +20,7 @@ const STEEP: f64 = 0.3;
 const REFINEMENTS: usize = 80;
 const VERTICAL: f64 = 2e-6;
 
-/// How a curve ends.
+/// An end of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum CurveEnd {
     /// With the slab.
@@ -38,7 +38,8 @@ pub(super) struct Strand {
     pub(super) ends: [CurveEnd; 2],
 }
 
-/// The nodes of a curve through a known one, and its ends, both turning points of number 0 if it is closed.
+/// The nodes of a curve through a known one, and its ends, both turning points of number 0 if it is
+/// closed.
 struct Trace {
     nodes: Vec<Node>,
     ends: [CurveEnd; 2],
@@ -159,7 +160,8 @@ impl Curve<'_> {
         }
     }
 
-    /// A node between two lengths from another one where the input falls instead of rising, or the other way round.
+    /// A node between two lengths from another one where the input falls instead of rising, or the
+    /// other way round.
     fn lowest(
         &mut self,
         node: &Node,
@@ -192,7 +194,7 @@ impl Curve<'_> {
         None
     }
 
-    /// How far along its direction another node is.
+    /// The distance of another node along its direction.
     fn along(&self, node: &Node, other: &Node) -> f64 {
         let way = self.difference(&node.state, &other.state);
         (other.u - node.u) * node.direction[0] + dot(&way, &node.direction[1..])
@@ -244,7 +246,8 @@ impl Curve<'_> {
         strands
     }
 
-    /// The node between two at which the curve turns back: by the secant, and by halves where that does not come nearer.
+    /// The node between two at which the curve turns back: by the secant, and by halves where that
+    /// does not come nearer.
     fn turning(&mut self, one: &Node, other: &Node) -> Node {
         let (mut low, mut high) = (one.clone(), other.clone());
         for refinement in 0..REFINEMENTS {

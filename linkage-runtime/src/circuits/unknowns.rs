@@ -30,7 +30,7 @@ pub(super) fn estimates<M: Levels>(mechanism: &M, assembly: &M::Assembly, x: f64
     unknowns.iter().map(estimate).collect()
 }
 
-/// Whether places are the same, within a share of this size.
+/// Returns true if two lists of numbers are equal, within a share of this size.
 pub(super) fn near(a: &[f64], b: &[f64], size: f64, share: f64) -> bool {
     let close = |(a, b): (&f64, &f64)| (a - b).abs() <= share * size;
     a.iter().zip(b).all(close)

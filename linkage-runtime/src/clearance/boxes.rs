@@ -1,4 +1,5 @@
-//! Several phases at once: boxes of phases, from what each pair of organs says of the difference of its two phases.
+//! Several phases at once: boxes of phases, bounded by the clearance of each pair at the difference
+//! of its two phases.
 
 use super::PhaseError;
 use super::ascent::{self, Crest};
@@ -15,7 +16,7 @@ use linkage_core::math::double::sqrt;
 struct BoxSearch<'s, 'a, const K: usize, const N: usize> {
     set: &'s PhaseSet<'a, K, N>,
     ranges: [(f64, f64); N],
-    /// Of each pair, what was seen at a difference of phases.
+    /// The known clearances of each pair, by the difference of phases.
     seen: Vec<BTreeMap<u64, Rc<Probe<K>>>>,
 }
 
@@ -31,34 +32,38 @@ struct Cell<const N: usize> {
 /// In how many parts each range is divided at first.
 const PARTS: usize = 8;
 
-/// More boxes are not looked at: where phases change nothing, each of their values has boxes of its own.
+/// More boxes are not looked at: where phases change nothing, each of their values has boxes of its
+/// own.
 const CELLS: usize = 100_000;
 
 /// An end of the range that a step misses by rounding, as a share of a step, still has it.
 const BESIDE: f64 = 1e-9;
 
 impl<const K: usize, const N: usize> PhaseSet<'_, K, N> {
-    /// The phases, each from the first to the second one of its range, a cycle at most, that make the least distance
-    /// of all pairs over the cycle largest.
+    /// The phases, each from the first to the second one of its range, a cycle at most, that make
+    /// the least distance of all pairs over the cycle largest.
     ///
-    /// It is the best of all local optima, as [`Phases::best`] finds it for one phase: boxes of phases that might hold
-    /// more than [`bound`](BestPhases::bound) are divided until none is left. The optimum itself is located by
-    /// derivatives: there no change of the phases makes all contacts larger.
+    /// It is the best of all local optima, as [`Phases::best`] finds it for one phase: boxes of
+    /// phases that might hold more than [`bound`](BestPhases::bound) are divided until none is
+    /// left. The optimum itself is located by derivatives: there no change of the phases makes all
+    /// contacts larger.
     ///
     /// # Errors
     ///
-    /// `Phases` for a range that is empty, infinite or more than a cycle, `NoPairs` without any, `Curve` as
-    /// [`Phases::clearance`].
+    /// `Phases` for a range that is empty, infinite or more than a cycle, `NoPairs` without any,
+    /// `Curve` as [`Phases::clearance`].
     pub fn best(&self, ranges: [(f64, f64); N]) -> Result<BestPhases<K, N>, PhaseError> {
         BoxSearch::new(self, ranges)?.best()
     }
 
-    /// The best of the phases that are whole multiples of these steps, as `TAU / 48.0` for a gear of 48 slots, and what
-    /// is lost against the [best](Self::best) phases of all. All of them are compared.
+    /// The best of the phases that are whole multiples of these steps, such as `TAU / 48.0` for a
+    /// gear of 48 slots, and the loss against the [best](Self::best) phases of all. All
+    /// combinations are compared.
     ///
     /// # Errors
     ///
-    /// As [`best`](Self::best), and `Step` for a step that is not positive, or of which there is none in its range.
+    /// As [`best`](Self::best), and `Step` for a step that is not positive, or of which there is
+    /// none in its range.
     pub fn best_step(
         &self,
         ranges: [(f64, f64); N],
@@ -153,7 +158,7 @@ impl<'s, 'a, const K: usize, const N: usize> BoxSearch<'s, 'a, K, N> {
         Ok((least, cell))
     }
 
-    /// What is between the organs of a pair at these phases.
+    /// The clearance of a pair at these phases.
     fn probe(&mut self, pair: usize, phases: &[f64; N]) -> Result<Rc<Probe<K>>, PhaseError> {
         let turned = &self.set.pairs[pair];
         let phase = |number: Option<usize>| number.map_or(0.0, |phase| phases[phase]);
@@ -178,7 +183,7 @@ impl<'s, 'a, const K: usize, const N: usize> BoxSearch<'s, 'a, K, N> {
         Ok(crest)
     }
 
-    /// The optimum beside.
+    /// The optimum next to these phases.
     fn crest(&mut self, start: Option<[f64; N]>) -> Result<Crest<N>, PhaseError> {
         let start = start.unwrap_or_else(|| self.ranges.map(|(low, high)| 0.5 * (low + high)));
         let ranges = self.ranges;

@@ -1,4 +1,4 @@
-//! What keeps phases from being compared.
+//! A reason why phases cannot be compared.
 
 use crate::format::rounded;
 use crate::summary::SummaryError;
@@ -8,20 +8,20 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum PhaseError {
-    /// One of the organs cannot be followed.
+    /// One of the members cannot be followed.
     Curve(SummaryError),
-    /// The range is no cycle of an organ.
+    /// The range is no cycle of a member.
     NoCycle {
-        /// Whether it is the second one.
+        /// True for the second member.
         second: bool,
         /// The range of the shaft's angle.
         range: (f64, f64),
-        /// By how much a point, its first or its second derivative differs between both ends.
+        /// The difference of a point, its first or its second derivative between both ends.
         off: f64,
     },
-    /// An organ cannot be assembled at some of the positions.
+    /// A member cannot be assembled at some of the positions.
     Gap {
-        /// Whether it is the second one.
+        /// True for the second member.
         second: bool,
         /// The first angle at which it is missing.
         at: f64,
@@ -35,7 +35,7 @@ pub enum PhaseError {
         /// Its end.
         to: f64,
     },
-    /// No pair of organs is given.
+    /// No pair of members is given.
     NoPairs,
     /// A step is not positive and finite, or there is none in the range.
     Step {

@@ -44,28 +44,30 @@ pub struct Guaranteed {
     pub at: f64,
     /// The distance there without errors.
     pub nominal: f64,
-    /// By how much the tolerances can make it smaller.
+    /// The largest decrease within the tolerances.
     pub error: f64,
-    /// What is left.
+    /// The remaining distance.
     pub distance: f64,
 }
 
-/// Two minima whose angles differ by less, as a share of the range, and whose distances by less, as a share of them,
-/// are one that two cases have found: an end of a segment is the end of its inside.
+/// Two minima whose angles differ by less, as a share of the range, and whose distances by less, as
+/// a share of them, are one that two cases have found: an end of a segment is the end of its
+/// inside.
 const SAME: f64 = 1e-9;
 
 impl<const K: usize> Clearance<K> {
-    /// Follows two shapes over a range of the shaft's angle, from this many evenly spaced positions, both ends among
-    /// them.
+    /// Follows two shapes over a range of the shaft's angle, from this many evenly spaced
+    /// positions, both ends among them.
     ///
-    /// `function` gives both shapes at an angle, each with one point or with the two ends of a segment; a point is
-    /// `[p, v, a]`, its position and its first and second derivative by the angle (`velocity` and `acceleration` of
-    /// the language), as vectors of the plane or of space.
+    /// `function` gives both shapes at an angle, each with one point or with the two ends of a
+    /// segment; a point is `[p, v, a]`, its position and its first and second derivative by the
+    /// angle (`velocity` and `acceleration` of the language), as vectors of the plane or of space.
     ///
-    /// A segment's nearest place may be an end or lie inside, and each of these cases is followed for itself, as a
-    /// [`Curve`] of half the square of the distance, which is smooth where the distance itself is not (at 0). Its
-    /// roots are located as those of any course; of what is found stays what is nearest indeed. In the plane segments
-    /// that cross touch: the distance is 0, and if they cross at one of the positions this is told for the first one.
+    /// The nearest point of a segment may be an end or an inner point. Each of these cases is
+    /// followed separately, as a [`Curve`] of half the square of the distance, which is smooth
+    /// where the distance itself is not (at 0). The roots are located as those of any curve, and
+    /// cases that are not nearest are dropped. Segments of the plane that cross touch: the distance
+    /// is 0, and if they cross at one of the positions, the first such position is reported.
     ///
     /// # Errors
     ///
@@ -78,8 +80,8 @@ impl<const K: usize> Clearance<K> {
         Self::followed(range, positions, &function, |u, _| function(u))
     }
 
-    /// As [`new`](Self::new), where the evenly spaced positions have been evaluated already: `row(i)` gives the shapes
-    /// at the `i`th of [`positions`], from a sweep. `function` is then called for roots alone.
+    /// Works as [`new`](Self::new) with evaluated positions: `row(i)` returns the shapes at the
+    /// `i`th of [`positions`], from a sweep. `function` is then called for roots alone.
     ///
     /// # Errors
     ///
@@ -176,16 +178,17 @@ impl<const K: usize> Clearance<K> {
         self.minima.iter().fold(&self.minima[0], nearer)
     }
 
-    /// All places where the distance is less than beside, in order of the angle: also those where it is larger than
-    /// elsewhere, which tolerances or another phase may make the least one. In a range that is no cycle its ends may
-    /// be among them.
+    /// All local minima of the distance, in order of the angle: also those where
+    /// it is larger than elsewhere, which tolerances or another phase may make the least one. In a
+    /// range that is no cycle its ends may be among them.
     #[must_use]
     pub fn minima(&self) -> &[Nearest<K>] {
         &self.minima
     }
 
-    /// The distance that is left whatever the dimensions are within their tolerances, to first order: each minimum is
-    /// taken with its own sensitivities, since that with the least distance need not be that with the least rest.
+    /// The distance that remains for all dimensions within their tolerances, to first
+    /// order: each minimum is taken with its own sensitivities, since that with the least distance
+    /// need not be that with the least rest.
     ///
     /// `sensitivity` gives those of a minimum, by [`Nearest::sensitivity`].
     #[cfg(feature = "tolerance")]
@@ -207,7 +210,7 @@ impl<const K: usize> Clearance<K> {
         let mut worst = left(&self.minima[0]);
         for nearest in &self.minima[1..] {
             let next = left(nearest);
-            // Not less than or equal: NaN, where the shapes touch, is told.
+            // Not less than or equal: NaN, where the shapes touch, is reported.
             if next.distance.is_nan() || next.distance < worst.distance {
                 worst = next;
             }

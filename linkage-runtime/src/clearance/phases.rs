@@ -1,4 +1,4 @@
-//! Two organs on one shaft, of which one can be turned ahead.
+//! Two members on one shaft, of which one can be turned ahead.
 
 use super::PhaseError;
 use super::least::Clearance;
@@ -10,8 +10,8 @@ use crate::summary::{SummaryError, positions};
 use alloc::vec::Vec;
 use core::marker::PhantomData;
 
-/// Two organs on one shaft, the second of which leads by a phase: at the shaft's angle `x` it stands where it stands
-/// at `x + phase` without one.
+/// Two members on one shaft, the second of which leads by a phase: at the shaft's angle `x` it
+/// is where it is at `x + phase` without one.
 ///
 /// ```
 /// use linkage_runtime::clearance::Phases;
@@ -32,21 +32,23 @@ pub struct Phases<V, const K: usize, const A: usize, const B: usize, F, G> {
     first: F,
     second: G,
     range: (f64, f64),
-    /// Of both organs, one for each position.
+    /// The rows of both members, one for each position.
     rows: Vec<Pair<K, A, B>>,
     pub(super) limits: Limits,
     vectors: PhantomData<fn() -> V>,
 }
 
-/// By how much, as a share of its largest value, a point or derivative may differ between both ends of a cycle.
+/// The difference of a point or derivative between both ends of a cycle that counts as rounding, as
+/// a share of its largest value.
 const REPEATS: f64 = 1e-9;
 
-/// How much faster than at the fastest of the positions, and harder accelerated, an organ is thought to be between
-/// them at most: with 90 positions, a harmonic as high as the tenth of the shaft's turn loses no more than a
-/// twentieth between two of them.
+/// The assumed factor of speed and acceleration between two positions, compared with the fastest
+/// position. With 90 positions, a harmonic as high as the tenth of the shaft's turn loses no more
+/// than a twentieth between two of them.
 const BETWEEN: f64 = 1.25;
 
-/// How far a phase may be from a multiple of the spacing to be taken for one, as a share of the spacing: rounding.
+/// The distance of a phase from a multiple of the spacing that counts as rounding, as a share of
+/// the spacing.
 const ON_GRID: f64 = 1e-13;
 
 impl<V, const K: usize, const A: usize, const B: usize, F, G> Phases<V, K, A, B, F, G>
@@ -55,14 +57,14 @@ where
     F: Fn(f64) -> [[V; 3]; A],
     G: Fn(f64) -> [[V; 3]; B],
 {
-    /// Follows both organs over a cycle of the shaft, from this many evenly spaced positions, both ends among them:
-    /// each function gives the points of its organ, as [`Clearance::new`] takes them, at its own angle, without a
-    /// phase. Neither is ever called outside the range.
+    /// Follows both members over a cycle of the shaft, from this many evenly spaced positions, both
+    /// ends among them: each function gives the points of its member, as [`Clearance::new`] takes
+    /// them, at its own angle, without a phase. Neither is ever called outside the range.
     ///
     /// # Errors
     ///
-    /// `Curve` for an empty range or less than two positions, `Gap` if an organ cannot be assembled at a position,
-    /// `NoCycle` if it does not end where it began.
+    /// `Curve` for an empty range or less than two positions, `Gap` if a member cannot be assembled
+    /// at a position, `NoCycle` if it does not end where it began.
     pub fn new(
         range: (f64, f64),
         positions: usize,
@@ -116,7 +118,7 @@ where
         let steps = phase / self.width() * count as f64;
         let whole = (steps + 0.5f64.copysign(steps)) as i64;
         let rows: Vec<Pair<K, A, B>> = if (steps - whole as f64).abs() < ON_GRID {
-            // Both organs are at positions of theirs.
+            // Both members are at positions of theirs.
             let ahead = whole.rem_euclid(count as i64) as usize;
             let second = |i: usize| self.rows[(i + ahead) % count].second;
             let row = |(i, row): (usize, &Pair<K, A, B>)| Pair {
@@ -173,7 +175,7 @@ where
         self.rows.len()
     }
 
-    /// The second organ at an angle that may be beyond the range.
+    /// The second member at an angle that may be beyond the range.
     fn turned(&self, angle: f64) -> [Jet<K>; B] {
         let (low, high) = self.range;
         let mut angle = angle;
@@ -187,7 +189,7 @@ where
     }
 }
 
-/// Whether an organ is assembled everywhere, and ends where it began.
+/// Checks that a member is assembled everywhere, and ends where it began.
 fn repeats<'a, const K: usize>(
     range: (f64, f64),
     rows: impl ExactSizeIterator<Item = &'a [Jet<K>]> + Clone,

@@ -1,4 +1,4 @@
-//! Several organs on one shaft, whose phases are sought together.
+//! Several members on one shaft, whose phases are sought together.
 
 use super::nearest::Nearest;
 use super::phases::Phases;
@@ -9,10 +9,10 @@ use crate::summary::SummaryError;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 
-/// Pairs of organs on one shaft, of which `N` can be turned ahead, each by a phase of its own.
+/// Pairs of members on one shaft, of which `N` can be turned ahead, each by a phase of its own.
 ///
-/// What is between two organs depends on the difference of their phases alone: each pair is a [`Phases`], and says
-/// which of the phases turn its organs.
+/// The distance of two members depends on the difference of their phases alone. Each pair is a
+/// [`Phases`], with the numbers of the phases that turn its members.
 ///
 /// ```
 /// use linkage_runtime::clearance::{PhaseSet, Phases};
@@ -44,37 +44,37 @@ pub struct PhaseSet<'a, const K: usize, const N: usize> {
 
 type At<'a, const K: usize> = Box<dyn Fn(f64) -> Result<Probe<K>, SummaryError> + 'a>;
 
-/// Two organs, and the phases that turn them.
+/// Two members, and the phases that turn them.
 pub(super) struct TurnedPair<'a, const K: usize> {
     pub(super) first: Option<usize>,
     pub(super) second: Option<usize>,
     pub(super) limits: Limits,
     pub(super) cycle: f64,
-    /// What is between them at a difference of their phases.
+    /// The clearance at a difference of their phases.
     pub(super) at: At<'a, K>,
 }
 
 /// The phases at which the least distance of all pairs is largest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BestPhases<const K: usize, const N: usize> {
-    /// By how much each organ leads. One that changes nothing stays where it was looked at first.
+    /// The lead of each member. A member without influence keeps its first phase.
     pub phases: [f64; N],
     /// The least distance over the cycle, of all pairs.
     pub distance: f64,
-    /// Where organs are that near: one place, or several that are equally near.
+    /// The places with this distance: one, or several equal ones.
     pub contacts: Vec<PairContact<K, N>>,
-    /// No phases of the ranges have a larger least distance than this: at most a thousandth more than `distance`, or,
-    /// if that is more, a two-hundredth of the way of the fastest organ over a radian; more than that where too many
-    /// phases would have to be looked at.
+    /// No phases of the ranges have a larger least distance than this: at most a thousandth more
+    /// than `distance`, or, if that is more, a two-hundredth of the way of the fastest member over
+    /// a radian; more than that where too many phases would have to be looked at.
     pub bound: f64,
-    /// How many differences of phases were looked at.
+    /// The number of differences of phases that were evaluated.
     pub probes: usize,
 }
 
-/// A place of the cycle where the organs of a pair are nearest.
+/// A place of the cycle where the members of a pair are nearest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairContact<const K: usize, const N: usize> {
-    /// Which of the pairs, in the order in which they were given.
+    /// The number of the pair, in the order in which pairs were given.
     pub pair: usize,
     /// The place.
     pub nearest: Nearest<K>,
@@ -85,11 +85,11 @@ pub struct PairContact<const K: usize, const N: usize> {
 /// The best of the phases that gears can be set to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BestSteps<const K: usize, const N: usize> {
-    /// Of each phase: how many steps, the angle that they are, and by how much that is more than the best phase.
+    /// For each phase the number of steps, their angle, and its excess over the best phase.
     pub slots: [Slot; N],
     /// The least distance over the cycle.
     pub distance: f64,
-    /// How much less that is than at the best phases.
+    /// The loss against the best phases.
     pub loss: f64,
     /// The best phases of all.
     pub best: BestPhases<K, N>,
@@ -108,7 +108,7 @@ impl<'a, const K: usize, const N: usize> PhaseSet<'a, K, N> {
         Self { pairs: Vec::new() }
     }
 
-    /// Adds a pair of organs, each turned by the phase of this number, or by none.
+    /// Adds a pair of members, each turned by the phase of this number, or by none.
     ///
     /// # Panics
     ///

@@ -36,7 +36,8 @@ pub(super) const fn parts(vertices: usize) -> &'static [Feature] {
     }
 }
 
-/// The vector from the first to the second end of a segment, with its derivatives; zeros for a point.
+/// The vector from the first to the second end of a segment, with its derivatives; zeros for a
+/// point.
 pub(super) fn edge<const K: usize>(shape: &[Jet<K>]) -> Jet<K> {
     match shape {
         [a, b] => core::array::from_fn(|k| difference(&b[k], &a[k])),
@@ -44,7 +45,7 @@ pub(super) fn edge<const K: usize>(shape: &[Jet<K>]) -> Jet<K> {
     }
 }
 
-/// What belongs to the place at `foot`, 0 at the first end and 1 at the second one.
+/// The value at the position `foot`, 0 at the first end and 1 at the second one.
 pub(super) fn between<const K: usize>(ends: [&[f64; K]; 2], foot: f64) -> [f64; K] {
     core::array::from_fn(|k| ends[0][k] + foot * (ends[1][k] - ends[0][k]))
 }

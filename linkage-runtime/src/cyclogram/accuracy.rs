@@ -1,4 +1,4 @@
-//! What dimensions do to the angles at which motions begin and end.
+//! Effects of dimensions on the angles at which motions begin and end.
 
 use super::{Cause, Member};
 use alloc::vec::Vec;
@@ -9,13 +9,13 @@ use super::CyclogramError;
 use crate::tolerance::{Effects, Tolerances};
 
 impl Member {
-    /// Adds the sensitivities of all events: the derivatives of their angles by the parameters, in radians for a unit
-    /// of the parameter.
+    /// Adds the sensitivities of all events: the derivatives of their angles by the parameters, in
+    /// radians for a unit of the parameter.
     ///
     /// `value` gives those of the quantity, `sensitivity(y)`, `velocity` those of its derivative,
-    /// `sensitivity(velocity(y))`; the latter is called only where the organ turns back outside its bands, and needs
-    /// a course with a second derivative. With `y'` for derivatives by the shaft's angle, the implicit function
-    /// theorem says:
+    /// `sensitivity(velocity(y))`; the latter is called only where the member turns back outside
+    /// its bands, and needs a curve with a second derivative. With `y'` for derivatives by the
+    /// shaft's angle, the implicit function theorem gives:
     ///
     /// | event | derivative of its angle by `p` |
     /// |---|---|
@@ -49,8 +49,9 @@ impl Member {
         self
     }
 
-    /// The derivatives of the angle of the event of this index by the parameters, in the order of the arrays that
-    /// [`sensitivities`](Self::sensitivities) was given; `None` if it was not called, or without parameters.
+    /// The derivatives of the angle of the event of this index by the parameters, in the order of
+    /// the arrays that [`sensitivities`](Self::sensitivities) was given; `None` if it was not
+    /// called, or without parameters.
     ///
     /// # Panics
     ///
@@ -62,8 +63,8 @@ impl Member {
         (count > 0).then(|| &self.sensitivities[event * count..][..count])
     }
 
-    /// By how much, in radians, the tolerances shift the event of this index in the worst case, to first order;
-    /// `None` unless they were given.
+    /// The shift of the event of this index, in radians, by the tolerances in the worst case, to
+    /// first order; `None` unless they were given.
     ///
     /// # Panics
     ///
@@ -73,11 +74,12 @@ impl Member {
         (!self.shifts.is_empty()).then(|| self.shifts[event])
     }
 
-    /// Adds what tolerances do to the events in the worst case: tables then tell it.
+    /// Adds the effects of tolerances on the events in the worst case, which tables then contain.
     ///
     /// # Errors
     ///
-    /// `Parameters` without [`sensitivities`](Self::sensitivities), or if those are by another number of parameters.
+    /// `Parameters` without [`sensitivities`](Self::sensitivities), or if those are by another
+    /// number of parameters.
     #[cfg(feature = "tolerance")]
     pub fn tolerances<const P: usize>(
         mut self,
@@ -90,7 +92,7 @@ impl Member {
         Ok(self)
     }
 
-    /// What each tolerance does to the angle of the event of this index.
+    /// The effect of each tolerance on the angle of the event of this index.
     ///
     /// # Errors
     ///

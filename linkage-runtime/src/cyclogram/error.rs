@@ -1,4 +1,4 @@
-//! What keeps an organ from having a cyclogram.
+//! A reason why a member has no cyclogram.
 
 use super::Band;
 use crate::format::rounded;
@@ -6,61 +6,61 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt;
 
-/// Why there is no cyclogram: for one organ all that is wrong with it.
+/// A cause why there is no cyclogram: for one member all its mistakes.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CyclogramError {
-    /// The range is no cycle of the organ: after it the quantity or a derivative is not what it was before.
+    /// The range is no cycle of the member: the quantity or a derivative differs at its ends.
     NoCycle {
-        /// The organ.
+        /// The member.
         member: String,
         /// The range of the shaft's angle.
         range: (f64, f64),
         /// The quantity at both ends.
         values: [f64; 2],
     },
-    /// The organ is not assembled over the whole cycle.
+    /// The member is not assembled over the whole cycle.
     Gap {
-        /// The organ.
+        /// The member.
         member: String,
-        /// Where it is assembled.
+        /// The assembled parts.
         parts: Vec<(f64, f64)>,
     },
-    /// It stands still: there is nothing to tell.
+    /// It rests over the whole cycle.
     Still {
-        /// The organ.
+        /// The member.
         member: String,
-        /// Where.
+        /// The angle.
         value: f64,
     },
     /// Its bands do not fit its motion.
     Bands {
-        /// The organ.
+        /// The member.
         member: String,
         /// The lowest and the highest position.
         limits: [f64; 2],
-        /// What is wrong, band by band.
+        /// The mistakes of the bands.
         mistakes: Vec<BandMistake>,
     },
-    /// Two organs have not the same range of the shaft's angle.
+    /// Two members have not the same range of the shaft's angle.
     Ranges {
-        /// The organs.
+        /// The members.
         members: [String; 2],
         /// Their ranges.
         ranges: [(f64, f64); 2],
     },
     /// The tolerances are those of another number of parameters than the sensitivities.
     Parameters {
-        /// The organ.
+        /// The member.
         member: String,
-        /// How many tolerances there are.
+        /// The number of tolerances.
         tolerances: usize,
-        /// How many parameters the sensitivities are by; `None` if there are none.
+        /// The number of parameters of the sensitivities; `None` if there are none.
         sensitivities: Option<usize>,
     },
 }
 
-/// What is wrong with a band.
+/// A mistake of a band.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum BandMistake {
@@ -83,7 +83,7 @@ pub enum BandMistake {
     Overlap {
         /// The bands.
         bands: [Band; 2],
-        /// By how much.
+        /// The difference.
         by: f64,
     },
 }

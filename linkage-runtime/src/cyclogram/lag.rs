@@ -1,4 +1,4 @@
-//! By how much one event comes after another.
+//! The lag of one event after another.
 
 use super::{Cyclogram, Moment, Motion};
 use alloc::vec::Vec;
@@ -9,19 +9,20 @@ use super::CyclogramError;
 #[cfg(feature = "tolerance")]
 use crate::tolerance::{Effects, Tolerances};
 
-/// By how much one event of a machine comes after another, of the same organ or of two. Printed, it is a sentence.
+/// The lag of one event of a machine after another, of the same member or of two. Printed, it is a
+/// sentence.
 #[derive(Clone, Copy, Debug)]
 pub struct Lag<'a> {
     /// The event that is counted from.
     pub from: Moment<'a>,
     /// The one that comes after it.
     pub to: Moment<'a>,
-    /// How far the shaft turns from the one to the other, in radians: from 0 to less than a cycle.
+    /// Turn of the shaft between the two, in radians: from 0 to less than a cycle.
     pub angle: f64,
 }
 
 impl Cyclogram {
-    /// How far the shaft turns from an event `a` to the next `b`.
+    /// Turn of the shaft from an event `a` to the next `b`.
     ///
     /// ```
     /// use linkage_runtime::cyclogram::{Band, Cyclogram, Motion, Member};
@@ -54,8 +55,8 @@ impl Cyclogram {
         }
     }
 
-    /// The first event of the cycle at which the organ of this name begins a motion; `None` if there is no such organ,
-    /// or it never does that.
+    /// The first event of the cycle at which the member of this name begins a motion; `None` if
+    /// there is no such member, or it never does that.
     #[must_use]
     pub fn begin(&self, member: &str, motion: Motion) -> Option<Moment<'_>> {
         self.moments()
@@ -71,9 +72,9 @@ impl Cyclogram {
 }
 
 impl Lag<'_> {
-    /// The derivatives of its angle by the parameters: those of the later event less those of the earlier one, so that
-    /// what shifts both alike does nothing. `None` unless both organs have [sensitivities](super::Member::sensitivities)
-    /// by the same parameters.
+    /// The derivatives of its angle with respect to the parameters: those of the later event less
+    /// those of the earlier one, so that a common shift has no effect. `None` unless both members
+    /// have [sensitivities](super::Member::sensitivities) to the same parameters.
     #[must_use]
     pub fn sensitivity(&self) -> Option<Vec<f64>> {
         let from = self.from.member.sensitivity(self.from.index)?;
@@ -82,12 +83,13 @@ impl Lag<'_> {
         (from.len() == to.len()).then(|| both.map(|(to, from)| to - from).collect())
     }
 
-    /// What each tolerance does to its angle: to both events by the same parts, so no more than to the two of them
-    /// together. The worst case is `worst_case()`.
+    /// The effect of each tolerance on its angle. Both events have the same parts, so that the
+    /// effect is no more than the sum of the two. The worst case is `worst_case()`.
     ///
     /// # Errors
     ///
-    /// `Parameters` of an organ without sensitivities, or with those by another number of parameters.
+    /// `Parameters` of a member without sensitivities, or with those by another number of
+    /// parameters.
     #[cfg(feature = "tolerance")]
     pub fn effects<const P: usize>(
         &self,
@@ -98,7 +100,7 @@ impl Lag<'_> {
     }
 }
 
-/// As in `eye's dwell (top 0.5 mm) begins 12.3000 deg after hook's return begins`.
+/// A text such as `eye's dwell (top 0.5 mm) begins 12.3000 deg after hook's return begins`.
 impl fmt::Display for Lag<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let degrees = self.angle.to_degrees();

@@ -1,10 +1,10 @@
-//! All organs of a shaft.
+//! All members of a shaft.
 
 use super::{CyclogramError, Event, Member, Motion};
 use crate::summary::Interval;
 use alloc::vec::Vec;
 
-/// The organs of a machine over a cycle of its main shaft.
+/// The members of a machine over a cycle of its main shaft.
 ///
 /// ```
 /// use linkage_runtime::cyclogram::{Band, Cyclogram, Member};
@@ -33,25 +33,26 @@ use alloc::vec::Vec;
 pub struct Cyclogram {
     pub(crate) members: Vec<Member>,
     pub(crate) range: (f64, f64),
-    /// Indices of organs and of their events, in order of the angle.
+    /// Indices of members and of their events, in order of the angle.
     order: Vec<[usize; 2]>,
 }
 
-/// An event among those of all organs. Printed, it says what happens: `hook's dwell (top 0.5 mm) begins`.
+/// An event among those of all members. Printed, it is a text such as
+/// `hook's dwell (top 0.5 mm) begins`.
 #[derive(Clone, Copy, Debug)]
 pub struct Moment<'a> {
-    /// The organ.
+    /// The member.
     pub member: &'a Member,
     /// The index of its event.
     pub index: usize,
     /// The event.
     pub event: &'a Event,
-    /// How far the shaft turns from the event before it, of whichever organ, to this one.
+    /// Turn of the shaft from the event before it, of any member, to this one.
     pub after: f64,
 }
 
 impl Cyclogram {
-    /// The organs of a shaft, in the order in which they are listed and drawn.
+    /// The members of a shaft, in the order in which they are listed and drawn.
     ///
     /// # Errors
     ///
@@ -80,13 +81,13 @@ impl Cyclogram {
         })
     }
 
-    /// The organs, as they were given.
+    /// The members, as they were given.
     #[must_use]
     pub fn members(&self) -> &[Member] {
         &self.members
     }
 
-    /// The organ of this name.
+    /// The member of this name.
     #[must_use]
     pub fn member(&self, name: &str) -> Option<&Member> {
         self.members.iter().find(|member| member.name == name)
@@ -98,7 +99,7 @@ impl Cyclogram {
         self.range
     }
 
-    /// The events of all organs, in order of the angle.
+    /// The events of all members, in order of the angle.
     pub fn moments(&self) -> impl ExactSizeIterator<Item = Moment<'_>> {
         let count = self.order.len();
         let event = |i: usize| {
@@ -123,9 +124,10 @@ impl Cyclogram {
         })
     }
 
-    /// The intervals in which a condition holds of what all organs do at once, in the order of the organs; as
-    /// overlaps of dwells, `|motions| motions[0].is_dwell() && motions[1].is_dwell()`. In order of the angle; one
-    /// that goes across the seam is a single interval.
+    /// The intervals in which the simultaneous motions of all members, in the order of the members,
+    /// satisfy a condition: `|motions| motions[0].is_dwell() && motions[1].is_dwell()` for overlaps
+    /// of dwells. They are in order of the angle; an interval that goes across the seam is a single
+    /// one.
     #[must_use]
     pub fn together(&self, condition: impl Fn(&[Motion]) -> bool) -> Vec<Interval> {
         let low = self.range.0;

@@ -1,11 +1,11 @@
-//! One organ over a cycle.
+//! One member over a cycle.
 
 use super::{Band, BandMistake, Cause, CyclogramError, Event, Motion};
 use crate::summary::{Curve, CurveEvent, CurveEventKind, Interval};
 use alloc::string::String;
 use alloc::vec::Vec;
 
-/// An organ of a machine over a cycle of the shaft: what it does when.
+/// A working member of a machine over a cycle of the shaft.
 ///
 /// ```
 /// use linkage_runtime::cyclogram::{Band, Motion, Member};
@@ -29,26 +29,26 @@ pub struct Member {
     pub(super) limits: [f64; 2],
     pub(super) bands: Vec<Band>,
     pub(super) events: Vec<Event>,
-    /// Of each band, the place of the limit that it is measured from.
+    /// For each band, the place of its limit.
     pub(super) references: Vec<Option<f64>>,
-    /// Of each event, the derivatives of its angle by the parameters.
+    /// For each event, the derivatives of its angle with respect to the parameters.
     pub(super) sensitivities: Vec<f64>,
-    /// Of each event, by how much tolerances shift it.
+    /// For each event, its shift by tolerances.
     pub(super) shifts: Vec<f64>,
 }
 
 impl Member {
-    /// From the course of a quantity over a cycle, and the bands in which it is said to dwell. What rises is an
-    /// advance: turn the quantity round where it is the other way.
+    /// Builds a member from the curve of a quantity over a cycle, and the bands in which it dwells.
+    /// A rising quantity is an advance: reverse its sign if it is the other way.
     ///
-    /// A band begins and ends where the quantity passes its bound, at roots to the last digits. The highest and the
-    /// lowest position are the first ones of the highest and lowest limits.
+    /// A band begins and ends where the quantity passes its bound, at roots to the last digits. The
+    /// highest and the lowest position are the first ones of the highest and lowest limits.
     ///
     /// # Errors
     ///
-    /// `NoCycle` if the range is none, `Gap` if there is a position that cannot be assembled, `Still` if it does not
-    /// move, `Bands` for bands without width, that are not reached, that hold the whole motion, or that overlap: all
-    /// of them.
+    /// `NoCycle` if the range is none, `Gap` if there is a position that cannot be assembled,
+    /// `Still` if it does not move, `Bands` for bands without width, that are not reached, that
+    /// hold the whole motion, or that overlap: all of them.
     pub fn new<const N: usize, F: Fn(f64) -> [f64; N]>(
         name: impl Into<String>,
         curve: &Curve<N, F>,
@@ -132,14 +132,14 @@ impl Member {
         self.limits
     }
 
-    /// Where motions end and begin, in order of the angle.
+    /// The angles at which motions end and begin, in order.
     #[must_use]
     pub fn events(&self) -> &[Event] {
         &self.events
     }
 
-    /// What it does in which interval: the first one begins with the first event, the last one goes on across the
-    /// seam to it.
+    /// The motion in each interval. The first interval begins with the first event, the last one
+    /// ends with it, across the seam.
     pub fn intervals(&self) -> impl ExactSizeIterator<Item = (Motion, Interval)> {
         let count = self.events.len();
         let width = self.range.1 - self.range.0;
@@ -155,7 +155,7 @@ impl Member {
         })
     }
 
-    /// What it does at an angle of the range.
+    /// The motion at an angle of the range.
     #[must_use]
     pub fn motion(&self, angle: f64) -> Motion {
         let next = self.events.partition_point(|event| event.at <= angle);
@@ -165,8 +165,8 @@ impl Member {
         }
     }
 
-    /// By how much the organ must be turned ahead on the shaft so that its event of this index happens at `angle`,
-    /// from minus half to half a cycle: what is turned ahead by `x` does everything `x` earlier.
+    /// The lead of the member on the shaft with which its event of this index happens at `angle`,
+    /// from minus half to half a cycle: a lead of `x` makes everything `x` earlier.
     /// [`nearest_slot`](super::nearest_slot) sets it in steps.
     ///
     /// # Panics

@@ -1,4 +1,4 @@
-//! What several organs do at once.
+//! Simultaneous motions of several members.
 
 use super::{Cyclogram, Motion};
 use crate::summary::Interval;
@@ -7,18 +7,19 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt;
 
-/// An interval in which two organs do the same at once: both dwell, in whichever bands, both advance or both return.
+/// An interval in which two members do the same at once: both dwell, in whichever bands, both
+/// advance or both return.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Overlap {
-    /// The indices of the organs, the lower one first.
+    /// The indices of the members, the lower one first.
     pub members: [usize; 2],
-    /// What each of them does.
+    /// The motion of each of them.
     pub motions: [Motion; 2],
     /// When both do it.
     pub interval: Interval,
 }
 
-/// All overlaps of a machine's organs. Printed, they are a table.
+/// All overlaps of a machine's members. Printed, they are a table.
 #[derive(Clone, Debug)]
 pub struct Overlaps<'a> {
     pub(crate) cyclogram: &'a Cyclogram,
@@ -26,8 +27,9 @@ pub struct Overlaps<'a> {
 }
 
 impl Cyclogram {
-    /// The intervals in which two organs do the same at once: pair by pair, as the organs were given, each pair in the
-    /// order of the angle. What other motions have in common tells [`together`](Self::together).
+    /// The intervals in which two members do the same at once: pair by pair, in the order of the
+    /// members, each pair in the order of the angle. [`together`](Self::together) finds other
+    /// simultaneous motions.
     ///
     /// ```
     /// use linkage_runtime::cyclogram::{Band, Cyclogram, Member};
@@ -84,7 +86,8 @@ impl Cyclogram {
         found
     }
 
-    /// What two intervals of the cycle have in common: nothing, one interval, or two where both together are longer than a cycle.
+    /// The common part of two intervals of the cycle: nothing, one interval, or two if both
+    /// together are longer than a cycle.
     fn common(&self, a: &Interval, b: &Interval) -> Vec<Interval> {
         let (low, high) = self.range;
         let cycle = self.width();
@@ -124,7 +127,7 @@ impl Overlaps<'_> {
         &self.found
     }
 
-    /// What both do, of dwells in which bands.
+    /// The common motion, for dwells with their bands.
     fn described(&self, overlap: &Overlap) -> String {
         let motion = |k: usize| {
             let member = &self.cyclogram.members[overlap.members[k]];
@@ -138,7 +141,7 @@ impl Overlaps<'_> {
     }
 }
 
-/// A line for each, in degrees: from when to when, how long, which organs, and what both do.
+/// One line for each, in degrees: begin, end and length, the members, and their common motion.
 impl fmt::Display for Overlaps<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let names = |overlap: &Overlap| {

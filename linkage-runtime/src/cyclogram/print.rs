@@ -6,8 +6,8 @@ use alloc::format;
 use alloc::string::{String, ToString};
 use core::fmt;
 
-/// The events of all organs in order of the angle, in degrees: when, how long after the event before, whose, what
-/// ends and what begins; by how much tolerances shift it, if they were given.
+/// The events of all members in order of the angle, in degrees: angle, distance from the event
+/// before, member, ending and beginning motion, and the shift by tolerances, if they were given.
 impl fmt::Display for Cyclogram {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (low, high) = self.range();
@@ -49,14 +49,15 @@ impl fmt::Display for Cyclogram {
     }
 }
 
-/// A motion of the moment's organ.
+/// A motion of the moment's member.
 fn described(moment: &Moment<'_>, motion: Motion) -> String {
     motion
         .described(moment.member.bands(), &moment.member.unit)
         .to_string()
 }
 
-/// What happens: a dwell that begins or ends, or a motion that begins. As in `hook's dwell (top 0.5 mm) ends`.
+/// An event as a text: a dwell that begins or ends, or a motion that begins, such as
+/// `hook's dwell (top 0.5 mm) ends`.
 impl fmt::Display for Moment<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Event { begins, ends, .. } = *self.event;

@@ -40,7 +40,7 @@ pub enum AssemblyError {
     CannotClose {
         /// The group.
         group: GroupRef,
-        /// By how much it misses.
+        /// The amount by which it misses.
         miss: f64,
         /// Unit of `miss`; empty for a number.
         unit: &'static str,
@@ -54,7 +54,7 @@ pub enum AssemblyError {
         /// Its value.
         value: f64,
     },
-    /// A dimension is so large that what is computed of it is beyond the largest number.
+    /// A dimension is so large that a result is beyond the largest number.
     Overflow {
         /// Name of the mechanism.
         mechanism: &'static str,
@@ -65,8 +65,9 @@ pub enum AssemblyError {
         /// Its unit; empty for a number.
         unit: &'static str,
     },
-    /// The equations of a group have no value at the reference input although all dimensions are finite: a root or an arc function is out
-    /// of its range, something is divided by zero, or the position is singular.
+    /// The equations of a group have no value at the reference input although all dimensions are
+    /// finite: a root or an arc function is out of its range, something is divided by zero, or the
+    /// position is singular.
     Undefined {
         /// The group.
         group: GroupRef,
@@ -90,7 +91,7 @@ pub enum AssemblyError {
     Blocked {
         /// The group.
         group: GroupRef,
-        /// How far the way goes: 0 with the first dimensions, 1 with the last ones.
+        /// The possible part of the path: 0 with the first dimensions, 1 with the last ones.
         share: f64,
     },
     /// A group that has no closed form was not assembled.

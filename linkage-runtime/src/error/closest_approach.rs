@@ -1,26 +1,28 @@
-//! How near to closing loops come that are not reached from their estimates.
+//! Closest approach of loops that are not reached from their estimates.
 
 use crate::format::{printed, rounded};
 use alloc::vec::Vec;
 use core::fmt;
 
-/// What is known of a group to which its estimates do not lead: whether its loops close all the same.
+/// Closest approach of a group that is not reached from its estimates.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ClosestApproach {
-    /// They do not: by how much they miss where they come nearest to it, by the sum of squares, the farthest first. A loop that is not listed
-    /// closes there. That is sought from the estimates on; elsewhere there may be assemblies.
+    /// They do not: by how much they miss where they come nearest to it, by the sum of squares, the
+    /// farthest first. A loop that is not listed closes there. That is sought from the estimates
+    /// on; elsewhere there may be assemblies.
     Misses(
         /// At least one.
         Vec<Missed>,
     ),
-    /// They do: the links reach each other, and the estimates are too far off, or the assembly is at a dead point.
+    /// They do: the links reach each other, and the estimates are too far off, or the assembly is
+    /// at a dead point.
     Closes,
     /// It was not found out.
     Unknown,
 }
 
-/// By how much a loop does not close.
+/// The amount by which a loop does not close.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Missed {
     /// Its number, the first loop of the mechanism being 1.
@@ -31,7 +33,7 @@ pub struct Missed {
     pub unit: &'static str,
 }
 
-/// So many loops that miss are told.
+/// The number of loops that a message contains at most.
 const TOLD: usize = 6;
 
 /// Continues a sentence about estimates that do not lead to an assembly.

@@ -6,7 +6,8 @@ use core::fmt;
 
 /// A group of a mechanism, as errors name it.
 ///
-/// Printed, it is `CrankRocker: loop 1 (theta, psi; RRR)`; a group without loops is named by its number.
+/// Printed, it is `CrankRocker: loop 1 (theta, psi; RRR)`; a group without loops is named by its
+/// number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GroupRef {
     /// Name of the mechanism.

@@ -5,7 +5,8 @@ use crate::format::rounded;
 use crate::structure::Group;
 use core::fmt;
 
-/// Why a follower of an assembly did not reach the inputs that it was to go to. It stays where it was.
+/// Why a follower of an assembly did not reach the inputs that it was to go to. It stays where it
+/// was.
 ///
 /// ```
 /// use linkage_runtime::{GroupRef, Halt, NotFollowed};
@@ -31,27 +32,30 @@ use core::fmt;
 pub struct NotFollowed {
     /// The group that cannot be followed any further.
     pub group: GroupRef,
-    /// How far the way goes: 0 where the follower stands, 1 at the inputs that it was to go to.
+    /// The possible part of the path: 0 at the position of the follower, 1 at the wanted inputs.
     pub share: f64,
-    /// What is known of its end.
+    /// The reason for its end.
     pub why: Halt,
 }
 
-/// What is known of the end of a way.
+/// The reason for the end of a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Halt {
-    /// A dead point is there: the determinant of the loops is less than a hundredth of what it was where the way began.
+    /// A dead point is there: the determinant of the loops is less than a hundredth of its value at
+    /// the beginning of the path.
     DeadPoint,
-    /// No step is certain to stay on the assembly: a dead point is near, but not much nearer than where the way began, or another assembly; or the
-    /// equations are eliminated in an order, chosen at the reference, in which a pivot becomes too small here, which is a limit of linkage.
+    /// No step is certain to stay on the assembly: a dead point is near, but not much nearer than
+    /// where the way began, or another assembly; or the equations are eliminated in an order,
+    /// chosen at the reference, in which a pivot becomes too small here, which is a limit of
+    /// linkage.
     Uncertain,
     /// There is no correction: an input is no number, or a pivot of that order is zero.
     NoNumber,
 }
 
 impl NotFollowed {
-    /// What is known of a group and its way.
+    /// Builds the error of a group that cannot be followed any further.
     #[doc(hidden)]
     #[must_use]
     pub fn new(
@@ -80,7 +84,7 @@ impl fmt::Display for NotFollowed {
     }
 }
 
-/// Continues a sentence that says where the way ends.
+/// Continues a sentence about the end of a path.
 impl fmt::Display for Halt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

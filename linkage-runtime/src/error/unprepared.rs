@@ -32,17 +32,17 @@ use linkage_core::numeric::roots::Unlisted;
 pub struct CoupledError {
     /// The group.
     pub group: GroupRef,
-    /// What is wrong.
+    /// The cause.
     pub cause: CoupledCause,
 }
 
-/// What is wrong with a group that has no closed form.
+/// A cause why a group without a closed form was not assembled.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CoupledCause {
     /// All solutions at the reference input are complex: the links do not reach each other.
     NoneReal {
-        /// How many complex solutions there are.
+        /// The number of complex solutions.
         complex: usize,
     },
     /// The start estimates are equally near to two assemblies.
@@ -55,11 +55,12 @@ pub enum CoupledCause {
         /// Why.
         Unlisted,
     ),
-    /// The solutions cannot be listed, and the estimates, from which one is followed, do not lead to any: the way ends before, as at a dead point.
+    /// The solutions cannot be listed, and the estimates, from which one is followed, do not lead
+    /// to any: the way ends before, as at a dead point.
     NotReached {
-        /// The part of what the estimates miss by that is left there.
+        /// The part of the estimates' error that remains there.
         left: f64,
-        /// Whether the loops close all the same.
+        /// The closest approach of the loops.
         closest_approach: ClosestApproach,
     },
     /// The assembly is at a dead point at the reference input.
@@ -74,15 +75,17 @@ pub enum CoupledCause {
         /// The input where it ends.
         Value,
     ),
-    /// With several inputs: positions in the ranges, away from dead points, are not served, although the mechanism can be assembled there,
-    /// as far as is known. This is a limit of what is prepared, not a dead point.
+    /// With several inputs: positions in the ranges, away from dead points, are not served,
+    /// although the mechanism can be assembled there, as far as is known. This is a limit of the
+    /// preparation, not a dead point.
     LeavesOut {
         /// The share of the ranges.
         share: f64,
         /// The inputs at one of the positions.
         example: Placed,
     },
-    /// With several inputs: a dead point is so near to the reference that the assembly is not served there.
+    /// With several inputs: a dead point is so near to the reference that the assembly is not
+    /// served there.
     BesideDeadPoint(
         /// The reference inputs.
         Placed,
@@ -92,7 +95,7 @@ pub enum CoupledCause {
 /// The values of a group's unknowns in one assembly, or of its inputs at one position.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placed(
-    /// Of the unknowns those that have start estimates.
+    /// The values; of the unknowns those that have start estimates.
     pub Vec<Value>,
 );
 
@@ -105,7 +108,7 @@ pub struct Value {
     pub value: f64,
     /// Unit of a length; empty for a number.
     pub unit: &'static str,
-    /// Whether it is an angle: it is printed in degrees.
+    /// True for an angle, which is printed in degrees.
     pub angle: bool,
 }
 
@@ -116,7 +119,7 @@ impl fmt::Display for CoupledError {
     }
 }
 
-/// What does without a listing.
+/// Advice for groups without a listing.
 const ANOTHER_WAY: &str =
     "`assemble_from` follows an assembly of other dimensions to these, without a listing";
 

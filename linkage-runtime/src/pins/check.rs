@@ -7,7 +7,8 @@ use super::pin::{Limit, Pin};
 use super::size::largest;
 use super::validate::{positive, validate};
 
-/// A stress that exceeds the allowable one by this share or less does so by rounding: the diameter that is required was computed.
+/// A stress that exceeds the allowable one by this share or less does so by rounding: the diameter
+/// that is required was computed.
 const ROUNDING: f64 = 1e-12;
 
 /// A stress of a pin of known diameter.
@@ -46,13 +47,13 @@ pub struct Check {
     pub shear: Stress,
     /// Bearing pressures: in the rod and in the fork, or in the hub and in the seat.
     pub bearing: [Stress; 2],
-    /// What uses most of its allowable stress.
+    /// The criterion with the largest part of its allowable stress.
     pub governing: Criterion,
 }
 
 impl Check {
-    /// Whether no stress exceeds its allowable stress, but for rounding (1e-12 of it): true for the diameter that is
-    /// required.
+    /// Returns true if no stress exceeds its allowable stress, except for rounding (1e-12 of it):
+    /// true for the required diameter.
     #[must_use]
     pub fn holds(&self) -> bool {
         let [first, second] = self.bearing;

@@ -1,4 +1,4 @@
-//! What limits a pin.
+//! Criteria for the size of a pin.
 
 use core::fmt;
 
@@ -26,7 +26,7 @@ impl fmt::Display for BearingPart {
     }
 }
 
-/// What limits a pin.
+/// A criterion for the size of a pin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Criterion {
     /// Its bending.

@@ -51,8 +51,9 @@ pub(super) enum Formula {
     Shear { sections: f64 },
     /// `share F / (d width)`.
     Bearing { share: f64, width: Width },
-    /// `F (6 l + 4 s) / (d s^2)` at the mouth of a seat of length `s`: `F / (d s)` by the force, and by its moment
-    /// `F (l + s/2)` about the seat's middle a linear pressure of `6 F (l + s/2) / (d s^2)`. `six_arms` is `6 l`.
+    /// `F (6 l + 4 s) / (d s^2)` at the mouth of a seat of length `s`: `F / (d s)` by the force,
+    /// and by its moment `F (l + s/2)` about the seat's middle a linear pressure of
+    /// `6 F (l + s/2) / (d s^2)`. `six_arms` is `6 l`.
     Seat { six_arms: Length, length: Width },
 }
 
@@ -149,8 +150,9 @@ impl Formula {
 
 /// The positive root of `x^3 = linear x + constant`, where neither is negative.
 ///
-/// In closed form where one of them is zero. Otherwise by Newton's method from above: the cubic is convex there, so that
-/// each step stays above the root. In the unit chosen, the root lies between 1 and 1.3248.
+/// In closed form where one of them is zero. Otherwise by Newton's method from above: the cubic is
+/// convex there, so that each step stays above the root. In the unit chosen, the root is between
+/// 1 and 1.3248.
 fn root_of_cubic(linear: f64, constant: f64) -> f64 {
     const ABOVE: f64 = 1.3248;
     const STEPS: usize = 8;

@@ -1,6 +1,6 @@
-//! What a pin is: its load, its mounting, its material.
+//! A pin: its load, its mounting, its material.
 
-/// A pin of a joint, whose diameter is asked for or checked.
+/// A pin of a joint, whose diameter is required or checked.
 ///
 /// ```
 /// use linkage_runtime::pins::{Fit, Limit, Member, Mounting, Pin, Criterion, Width, standard_diameter};
@@ -30,7 +30,7 @@
 pub struct Pin {
     /// The largest force that the joint passes on.
     pub load: f64,
-    /// What holds the pin, and what it holds.
+    /// The parts that hold the pin, and that it holds.
     pub mounting: Mounting,
     /// The pin's strength in bending.
     pub bending: Limit,
@@ -38,12 +38,12 @@ pub struct Pin {
     pub shear: Limit,
 }
 
-/// What holds a pin, and what it holds.
+/// The parts that hold a pin, and that it holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mounting {
     /// A rod between the two cheeks of a fork.
     Clevis {
-        /// Where the pin is held.
+        /// The part that holds the pin.
         fit: Fit,
         /// The rod.
         rod: Member,
@@ -61,7 +61,7 @@ pub enum Mounting {
     },
 }
 
-/// Where the pin of a clevis is held. The tighter fit bends it less.
+/// The part that holds the pin of a clevis. The tighter fit bends the pin less.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Fit {
     /// Nowhere: it has clearance in the rod and in the fork.

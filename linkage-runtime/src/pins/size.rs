@@ -9,29 +9,30 @@ use super::pin::{Limit, Mounting, Pin};
 use super::validate::validate;
 use crate::format::rounded;
 
-/// The diameter that a pin needs, and what for.
+/// The diameter that a pin needs, with its criterion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Size {
     /// The diameter: the largest of those below.
     pub diameter: f64,
-    /// What bending requires.
+    /// The diameter required by bending.
     pub bending: f64,
-    /// What shear requires.
+    /// The diameter required by shear.
     pub shear: f64,
-    /// What the bearing pressures require: in the rod and in the fork, or in the hub and in the seat.
+    /// The diameters required by the bearing pressures: in the rod and in the fork, or in the hub
+    /// and in the seat.
     pub bearing: [f64; 2],
-    /// What requires the largest diameter.
+    /// The criterion that requires the largest diameter.
     pub governing: Criterion,
 }
 
 impl Pin {
-    /// The diameter that is required, which no check exceeds and one just meets. Take the next larger
-    /// [standard diameter](super::standard_diameter) or any other that is not smaller.
+    /// The diameter that is required, which no check exceeds and one just meets. Take the next
+    /// larger [standard diameter](super::standard_diameter) or any other that is not smaller.
     ///
     /// # Errors
     ///
-    /// `Invalid` for a number that is not positive and finite, `SeatTooShort` if an overhung pin's seat has a fixed length
-    /// that no diameter makes up for, `OutOfRange` if a result overflows.
+    /// `Invalid` for a number that is not positive and finite, `SeatTooShort` if an overhung pin's
+    /// seat has a fixed length that no diameter makes up for, `OutOfRange` if a result overflows.
     pub fn diameter(&self) -> Result<Size, PinError> {
         validate(self)?;
         let mut required = [0.0; 4];
@@ -84,7 +85,7 @@ pub(super) fn largest(numbers: &[f64; 4]) -> usize {
     )
 }
 
-/// One line: the diameter, what governs it, and what each check requires.
+/// One line: the diameter, its criterion, and the requirement of each check.
 impl fmt::Display for Size {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [first, second] = self.bearing;

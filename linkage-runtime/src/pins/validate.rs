@@ -36,7 +36,7 @@ pub(super) fn validate(pin: &Pin) -> Result<(), PinError> {
     }
 }
 
-/// What the numbers of a member are called: width, ratio, strength, safety factor.
+/// Names of the numbers of a member: width, ratio, strength, safety factor.
 type Names = [&'static str; 4];
 
 const ROD: Names = [

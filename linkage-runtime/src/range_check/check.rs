@@ -5,10 +5,12 @@ use super::search::RangeSearch;
 use alloc::vec::Vec;
 use linkage_core::range_check::{Driven, Slack, checked};
 
-/// Searches the declared range, with the criteria of the compiler. `survey` returns the least margin of all groups and the slack of each at
-/// given inputs, `gaps` by how much each group misses closing.
+/// Searches the declared range, with the criteria of the compiler. `survey` returns the least
+/// margin of all groups and the slack of each at given inputs, `gaps` by how much each group misses
+/// closing.
 ///
-/// An angle without a range is the only input that is checked for change points over the turn about its reference.
+/// An angle without a range is the only input that is checked for change points over the turn about
+/// its reference.
 pub fn check_range(
     ranged: &Ranged<'_>,
     survey: &dyn Fn(&[f64]) -> Vec<f64>,

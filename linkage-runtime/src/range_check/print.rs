@@ -12,17 +12,18 @@ use linkage_core::range_check::{
     significant, with_apostrophes,
 };
 
-/// What a check of a range reports.
+/// A message of the check of a range.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RangeMessage {
-    /// What happens.
+    /// The fact.
     pub fact: String,
-    /// What to do instead.
+    /// The advice.
     pub help: String,
 }
 
 impl RangeReport {
-    /// One message for the change points of each group, and one for everything else that was found, in the order of the inputs.
+    /// One message for the change points of each group, and one for everything else that was found,
+    /// in the order of the inputs.
     #[must_use]
     pub fn messages(&self) -> Vec<RangeMessage> {
         let Some(input) = self.input else {

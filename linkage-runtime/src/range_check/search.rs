@@ -24,7 +24,7 @@ pub(super) struct RangeSearch<'a> {
     declared: bool,
     angle: bool,
     inputs: Vec<f64>,
-    /// What the slack of each group is divided by.
+    /// The divisor of the slack of each group.
     scales: Vec<f64>,
     /// Inputs in order, the reference among them, and the slacks there.
     samples: Vec<(f64, Vec<f64>)>,
@@ -59,7 +59,7 @@ impl<'a> RangeSearch<'a> {
         let count = samples(high - low, self.angle);
         let mut inputs = Vec::with_capacity(count + 2);
         for [from, to] in [[low, reference], [reference, high]] {
-            // Casting rounds down, and makes 0 of what is no number.
+            // Casting rounds down, and converts NaN to 0.
             let steps = (count as f64 * ((to - from) / (high - low))) as usize;
             let steps = if to > from { steps.max(1) } else { 0 };
             inputs.extend((0..steps).map(|k| from + (to - from) * (k as f64 / steps as f64)));
@@ -85,13 +85,15 @@ impl<'a> RangeSearch<'a> {
         }
     }
 
-    /// The slacks of all groups as they are computed. That of a coupled group is NaN where nothing is prepared of it, else 1.
+    /// The slacks of all groups as they are computed. That of a coupled group is NaN where nothing
+    /// is prepared of it, else 1.
     fn raw(&mut self, x: f64) -> Vec<f64> {
         let [low, high] = self.range;
         self.inputs[self.input] = x;
         let mut slacks_there = (self.survey)(&self.inputs);
         if slacks_there.iter().any(|slack| slack.is_nan()) && !self.is_inside(x) {
-            // An arc function may reach the end of its range at that of the input's, apart from rounding.
+            // An arc function may reach the end of its range at that of the input's, apart from
+            // rounding.
             let step = END * (high - low);
             self.inputs[self.input] = x.clamp(low + step, high - step);
             slacks_there = (self.survey)(&self.inputs);
@@ -119,13 +121,15 @@ impl<'a> RangeSearch<'a> {
         slacks_there
     }
 
-    /// Whether a position is so far from the ends of the range that a dead point there counts.
+    /// Returns true if a position is so far from the ends of the range that a dead point there
+    /// counts.
     fn is_inside(&self, x: f64) -> bool {
         let [low, high] = self.range;
         (x - low).min(high - x) > END * (high - low)
     }
 
-    /// How far a group is from its dead point: at an end of the range it may be there. `None` where a group before it does not close.
+    /// The distance of a group from its dead point: at an end of the range it may be there. `None`
+    /// if a group before it does not close.
     fn level(&self, group: usize, x: f64, slacks: &[f64]) -> Option<f64> {
         let open = slacks[..group].iter().any(|&slack| fails(slack));
         let reserve = if self.is_inside(x) { DEAD } else { 0.0 };
@@ -193,14 +197,14 @@ impl<'a> RangeSearch<'a> {
         }
     }
 
-    /// What is as near to an end of the range as the search can tell is there.
+    /// Moves an input to the end of the range if the search cannot distinguish the two.
     fn snapped(&self, x: f64) -> f64 {
         let [low, high] = self.range;
         let near = |end: &f64| (x - *end).abs() < AT_END * (high - low);
         [low, high].into_iter().find(near).unwrap_or(x)
     }
 
-    /// By how much a group misses closing at worst in a stretch; 0 if it closes there.
+    /// The largest gap of a group in a stretch; 0 if it closes there.
     fn largest_miss(&mut self, group: usize, stretch: &Stretch) -> f64 {
         let mut miss = |x: f64| {
             self.inputs[self.input] = x;
@@ -211,7 +215,8 @@ impl<'a> RangeSearch<'a> {
         -least + 0.0
     }
 
-    /// The stretch around the reference that works: as far as a turn to both sides, if whole turns are alike.
+    /// The stretch around the reference that works: as far as a turn to both sides, if whole turns
+    /// are alike.
     pub(super) fn works(&mut self) -> [f64; 2] {
         let reference = self.ranged.inputs[self.input].reference;
         let [low, high] = if self.angle && self.ranged.repeats {

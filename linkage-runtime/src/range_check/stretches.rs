@@ -1,4 +1,5 @@
-//! Stretches of an input where a level is not positive: between samples, and at dips that no sample shows.
+//! Stretches of an input where a level is not positive: between samples, and at dips that no sample
+//! shows.
 
 use alloc::vec::Vec;
 use linkage_core::numeric::minimum::{Point, descend};
@@ -12,9 +13,9 @@ const HALVINGS: usize = 64;
 pub(crate) struct Stretch {
     pub(crate) from: f64,
     pub(crate) to: f64,
-    /// Whether it works before the stretch, and after it.
+    /// True if the assembly works before the stretch, and after it.
     pub(crate) works: [bool; 2],
-    /// Whether the level is a number at all of its samples.
+    /// True if the level is a number at all of its samples.
     pub(crate) finite: bool,
 }
 
@@ -71,7 +72,8 @@ pub(crate) fn stretches(
     found
 }
 
-/// The inputs between `low` and `high` where a slack of about 1 touches zero and is positive on both sides; at an end, on its side.
+/// The inputs between `low` and `high` where a slack of about 1 touches zero and is positive on
+/// both sides; at an end, on its side.
 pub(crate) fn touches(
     [low, high]: [f64; 2],
     samples: usize,
@@ -97,7 +99,7 @@ pub(crate) fn touches(
         .collect()
 }
 
-/// Where a level is lowest in and beside a narrow stretch, and how low it is.
+/// The input with the lowest level in and next to a narrow stretch, and that level.
 pub(crate) fn lowest(
     stretch: &Stretch,
     [low, high]: [f64; 2],
@@ -111,12 +113,13 @@ pub(crate) fn lowest(
     linkage_core::numeric::range::minimum(from, to, 8, level)
 }
 
-/// Whether a level is not that of a position that works.
+/// Returns true if a level is not that of a position that works.
 pub(crate) fn fails(level: f64) -> bool {
     level.is_nan() || level < -ROUNDING
 }
 
-/// A place beside a sample where it is otherwise than at the sample and its neighbours: the bottom of a dip, the top of a hill.
+/// A place next to a sample that differs from the sample and its neighbours: the bottom
+/// of a dip, the top of a hill.
 fn between(
     samples: &[Sample],
     middle: usize,
@@ -135,7 +138,7 @@ fn between(
     if !(alike && fall >= 0.0 && rise >= 0.0 && fall + rise > 0.0) {
         return None;
     }
-    // The samples are of numbers here: what is none on the way does not end a search for a hill.
+    // The samples are of numbers here: NaN between them does not end a search for a hill.
     let mut depth = |x: f64| match level(x) {
         None => f64::INFINITY,
         Some(slack) if slack.is_nan() && fail => f64::INFINITY,
@@ -151,7 +154,7 @@ fn between(
     other(bottom).then_some((bottom.x, Some(sign * bottom.margin)))
 }
 
-/// Where it stops working between a place that works and one that does not.
+/// The border between a working position and another one.
 fn edge(works: f64, broken: f64, level: &mut dyn FnMut(f64) -> Option<f64>) -> f64 {
     let (mut good, mut bad) = (works, broken);
     for _ in 0..HALVINGS {

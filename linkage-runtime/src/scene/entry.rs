@@ -5,11 +5,11 @@ use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::any::Any;
 
-/// Where a scene keeps a function.
+/// A function of a scene, with its sources.
 pub(super) struct SceneEntry<'a, X> {
     /// The frame that the result is of; 0 if there is none.
     pub(super) frame: u64,
-    /// How many results there have been.
+    /// The number of results so far.
     pub(super) version: u64,
     /// The earlier places that the result is made of, and which of their results it has seen.
     pub(super) sources: Vec<(usize, u64)>,

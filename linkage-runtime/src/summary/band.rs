@@ -1,4 +1,4 @@
-//! Where a quantity lies between two bounds.
+//! The intervals in which a quantity is between two bounds.
 
 use super::curve::Curve;
 use super::interval::Interval;
@@ -85,7 +85,8 @@ fn inside<const N: usize, F: Fn(f64) -> [f64; N]>(
     found
 }
 
-/// Where intervals end although the quantity goes on: at the end of a range over which it advances.
+/// The end of a range over which the quantity advances: intervals end there although the quantity
+/// goes on.
 fn seam_input<const N: usize, F: Fn(f64) -> [f64; N]>(curve: &Curve<N, F>) -> f64 {
     match curve.source.advance {
         Some(advance) if advance != 0.0 => curve.source.high,

@@ -1,8 +1,8 @@
 //! The roots of all derivatives, from the highest one down.
 //!
-//! Between neighbouring roots of one derivative the one below is monotone and has one root at most. So only the highest
-//! derivative depends on the positions to begin with. There, values and mean (the difference of the derivative below)
-//! tell of pairs of roots between two positions.
+//! Between neighbouring roots of one derivative the one below is monotone and has one root at most.
+//! So only the highest derivative depends on the positions to begin with. There, values and mean
+//! (the difference of the derivative below) tell of pairs of roots between two positions.
 
 use super::defined_intervals::DefinedInterval;
 use super::root::root;
@@ -10,7 +10,7 @@ use super::source::{Node, Source};
 use super::zero_threshold::ZeroThreshold;
 use alloc::vec::Vec;
 
-/// How often an interval is divided in search of a pair of roots.
+/// The number of divisions of an interval in search of a pair of roots.
 const DIVISIONS: u32 = 12;
 
 /// A place where a derivative is zero, and its signs around it.
@@ -74,7 +74,8 @@ fn cascade<const N: usize, F: Fn(f64) -> [f64; N]>(
     Ok(roots)
 }
 
-/// Adds the second node, and before it those between which the highest derivative changes its sign twice.
+/// Adds the second node, and before it those between which the highest derivative changes its sign
+/// twice.
 fn divide<const N: usize, F: Fn(f64) -> [f64; N]>(
     source: &Source<N, F>,
     threshold: &ZeroThreshold<N>,
@@ -94,8 +95,8 @@ fn divide<const N: usize, F: Fn(f64) -> [f64; N]>(
     Ok(())
 }
 
-/// Where the parabola with the highest derivative's values and mean comes nearest to zero, if it comes much nearer than
-/// both ends.
+/// The place where the parabola with the highest derivative's values and mean comes nearest to
+/// zero, if it comes much nearer than both ends.
 fn dip<const N: usize>(a: &Node<N>, b: &Node<N>) -> Option<f64> {
     const NEAR: f64 = 0.25;
     let width = b.u - a.u;
@@ -111,7 +112,8 @@ fn dip<const N: usize>(a: &Node<N>, b: &Node<N>) -> Option<f64> {
     nearer.then_some(a.u + width * share)
 }
 
-/// The roots of the `k`th derivative: sign changes, and places where it comes down to zero and rises again.
+/// The roots of the `k`th derivative: sign changes, and places where it comes down to zero and
+/// rises again.
 fn roots_of<const N: usize, F: Fn(f64) -> [f64; N]>(
     source: &Source<N, F>,
     threshold: &ZeroThreshold<N>,

@@ -1,4 +1,4 @@
-//! Where a quantity passes a value.
+//! Crossings of a value.
 
 use super::curve::Curve;
 use super::monotone_pieces::{crossing, monotone_pieces};
@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 pub struct Crossing<const N: usize> {
     /// The input.
     pub at: f64,
-    /// The quantity and its derivatives there, as the course's function gives them.
+    /// The quantity and its derivatives there, as the curve's function gives them.
     pub jet: [f64; N],
 }
 

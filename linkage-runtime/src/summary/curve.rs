@@ -1,4 +1,4 @@
-//! The course of a quantity over the range of its input.
+//! The curve of a quantity over the range of its input.
 
 use super::SummaryError;
 use super::cascade::{Solved, solve};
@@ -9,10 +9,12 @@ use super::source::{Node, Source};
 use super::zero_threshold::ZeroThreshold;
 use alloc::vec::Vec;
 
-/// The course of a quantity over the range of its input, with all places where it or one of its derivatives stands still.
+/// The curve of a quantity over the range of its input, with all places where it or one of its
+/// derivatives is stationary.
 ///
-/// `N` is how many numbers the function gives: the quantity and its first derivative, or also the second, or also the third
-/// (`velocity`, `acceleration` and `jerk` of the language). What is found to the last digits depends on them:
+/// `N` is the number of values of the function: the quantity and its first derivative, or also the
+/// second, or also the third (`velocity`, `acceleration` and `jerk` of the language). It determines
+/// the figures that are found to the last digits:
 ///
 /// | `N` | found |
 /// |---|---|
@@ -41,28 +43,31 @@ pub struct Curve<const N: usize, F> {
 }
 
 impl<const N: usize, F: Fn(f64) -> [f64; N]> Curve<N, F> {
-    /// Follows a quantity over a range of the input, from this many evenly spaced positions, both ends among them:
-    /// `function` gives the quantity and its first `N - 1` derivatives by the input.
+    /// Follows a quantity over a range of the input, from this many evenly spaced positions, both
+    /// ends among them: `function` gives the quantity and its first `N - 1` derivatives by the
+    /// input.
     ///
-    /// All derivatives have to be exact: roots are located by the derivative above, and to the last digits. 360 positions for
-    /// a turn are plenty for a mechanism; the highest derivative may have features that are narrower than the spacing, and these may be missed
-    /// if neither its values nor the differences of the derivative below show them.
+    /// All derivatives have to be exact: roots are located by the derivative above, and to the last
+    /// digits. 360 positions for a turn are plenty for a mechanism; the highest derivative may have
+    /// features that are narrower than the spacing, and these may be missed if neither its values
+    /// nor the differences of the derivative below show them.
     ///
-    /// A range of whole turns (2 pi) at whose ends all derivatives agree is a cycle: it has no ends, and what lies across the seam is one.
-    /// Where a number is NaN or infinite, the course has a [gap](Self::parts). A derivative below 32 units in the last place of
-    /// its median counts as zero.
+    /// A range of whole turns (2 pi) at whose ends all derivatives agree is a cycle: it has no
+    /// ends, and an interval across the seam is a single one. A NaN or infinite value is a
+    /// [gap](Self::parts) of the curve. A derivative below 32 units in the last place of its median
+    /// counts as zero.
     ///
     /// # Errors
     ///
-    /// `Range` for an empty or infinite range, `Positions` for less than two, `NotAssembled` if there is no position with finite
-    /// numbers.
+    /// `Range` for an empty or infinite range, `Positions` for less than two, `NotAssembled` if
+    /// there is no position with finite numbers.
     pub fn new(range: (f64, f64), positions: usize, function: F) -> Result<Self, SummaryError> {
         Self::followed(range, positions, function, |function, _, u| function(u))
     }
 
-    /// As [`new`](Self::new), where the evenly spaced positions have been evaluated already: `row(i)` gives the quantity and
-    /// its derivatives at the `i`th of [`positions`](super::positions). A sweep computes them several times faster than single calls
-    /// do; `function` is then called for roots alone.
+    /// Works as [`new`](Self::new) with evaluated positions: `row(i)` returns the quantity and its
+    /// derivatives at the `i`th of [`positions`](super::positions). A sweep computes them several
+    /// times faster than single calls do; `function` is then called for roots alone.
     ///
     /// ```
     /// use linkage_runtime::summary::{Curve, positions};
@@ -139,7 +144,8 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Curve<N, F> {
         &self.extremes[0]
     }
 
-    /// Extremes of the first derivative. Times the speed of the input they are those of the true velocity.
+    /// Extremes of the first derivative. Times the speed of the input they are those of the true
+    /// velocity.
     ///
     /// It needs the second derivative: with `N = 2` it does not compile.
     #[must_use]
@@ -148,8 +154,8 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Curve<N, F> {
         &self.extremes[1]
     }
 
-    /// Extremes of the second derivative. Times the square of the speed they are those of the true acceleration, at
-    /// constant speed.
+    /// Extremes of the second derivative. Times the square of the speed they are those of the true
+    /// acceleration, at constant speed.
     ///
     /// It needs the third derivative: with `N < 4` it does not compile.
     #[must_use]
@@ -169,7 +175,8 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Curve<N, F> {
         (self.source.low, self.source.high)
     }
 
-    /// Whether the range is a cycle: whole turns, after which the quantity and its derivatives are what they were before.
+    /// Returns true if the range is a cycle: whole turns, after which the quantity and its
+    /// derivatives return to their values.
     #[must_use]
     pub fn is_cycle(&self) -> bool {
         self.source.advance == Some(0.0)
@@ -180,8 +187,10 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Curve<N, F> {
         [self.source.low, self.source.high].map(|u| (self.source.function)(u)[0])
     }
 
-    /// Where the quantity and all its derivatives are finite, in order of the input: the whole range if there is no gap.
-    /// The borders of gaps are found by bisection. A gap that is narrower than the spacing of the positions is found if the search for roots meets it.
+    /// The intervals in which the quantity and all its derivatives are finite, in order of the
+    /// input: the whole range if there is no gap. The borders of gaps are found by bisection. A gap
+    /// that is narrower than the spacing of the positions is found if the search for roots meets
+    /// it.
     #[must_use]
     pub fn parts(&self) -> Vec<Interval> {
         let part = |part: &Solved<N>| {
@@ -198,7 +207,7 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Curve<N, F> {
         parts
     }
 
-    /// Whether there is a position in the range that is not finite.
+    /// Returns true if there is a position in the range that is not finite.
     #[must_use]
     pub fn has_gaps(&self) -> bool {
         let found: f64 = self.parts().iter().map(|part| part.range).sum();

@@ -1,4 +1,4 @@
-//! Where the quantity is defined: stretches of the range without a gap.
+//! Intervals of the range in which the quantity is defined.
 
 use super::source::{Node, Source};
 use super::zero_threshold::ZeroThreshold;
@@ -12,8 +12,9 @@ pub(super) struct DefinedInterval<const N: usize> {
     pub(super) whole: bool,
 }
 
-/// The evenly spaced positions over a range, both ends among them, from which a [`Curve`](super::Curve) is followed: what a sweep
-/// takes for [`Curve::swept`](super::Curve::swept).
+/// The evenly spaced positions over a range, both ends among them, from which a
+/// [`Curve`](super::Curve) is followed: a sweep computes the rows of
+/// [`Curve::swept`](super::Curve::swept) there.
 ///
 /// ```
 /// use linkage_runtime::summary::positions;
@@ -31,8 +32,8 @@ pub fn positions((low, high): (f64, f64), count: usize) -> impl ExactSizeIterato
     })
 }
 
-/// How far the quantity advances in a range of whole turns after which all derivatives are what they were before;
-/// `None` for other ranges.
+/// The advance of the quantity in a range of whole turns after which all derivatives return to
+/// their values; `None` for other ranges.
 pub(super) fn advance<const N: usize>(nodes: &[Node<N>]) -> Option<f64> {
     const AGREE: f64 = 1e-9;
     let (first, last) = (nodes.first()?, nodes.last()?);
@@ -41,7 +42,8 @@ pub(super) fn advance<const N: usize>(nodes: &[Node<N>]) -> Option<f64> {
     if !(whole && first.is_finite() && last.is_finite()) {
         return None;
     }
-    // The size of a value: its mean, so that one position next to a dead point does not make all values equal.
+    // The size of a value: its mean, so that one position next to a dead point does not make all
+    // values equal.
     let size = |k: usize| {
         let finite = || nodes.iter().filter(|node| node.is_finite());
         let count = finite().count() as f64;
@@ -56,7 +58,8 @@ pub(super) fn advance<const N: usize>(nodes: &[Node<N>]) -> Option<f64> {
     Some(if returns(0) { 0.0 } else { difference(0) })
 }
 
-/// The stretches between positions that are not finite, with their borders; over the seam if the range is a cycle.
+/// The stretches between positions that are not finite, with their borders; over the seam if the
+/// range is a cycle.
 pub(super) fn defined_intervals<const N: usize, F: Fn(f64) -> [f64; N]>(
     source: &Source<N, F>,
     nodes: &[Node<N>],
@@ -94,8 +97,8 @@ pub(super) fn defined_intervals<const N: usize, F: Fn(f64) -> [f64; N]>(
 }
 
 impl<const N: usize> DefinedInterval<N> {
-    /// The parts beside a gap at `u`, which is not finite. Without `search` for its borders, the whole space between the nodes
-    /// next to it is taken for the gap.
+    /// The parts on both sides of a gap at `u`, which is not finite. Without `search` for its
+    /// borders, the whole space between the nodes next to it is taken for the gap.
     pub(super) fn split<F: Fn(f64) -> [f64; N]>(
         &self,
         source: &Source<N, F>,
@@ -168,7 +171,8 @@ fn over_seam<const N: usize, F: Fn(f64) -> [f64; N]>(
     before.iter().copied().chain(later).collect()
 }
 
-/// A cycle that begins where no derivative is near zero, so that nothing has to be looked for at its ends.
+/// A cycle that begins where no derivative is near zero, so that nothing has to be looked for at
+/// its ends.
 fn rotated<const N: usize, F: Fn(f64) -> [f64; N]>(
     source: &Source<N, F>,
     nodes: &[Node<N>],

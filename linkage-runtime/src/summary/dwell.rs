@@ -11,14 +11,15 @@ use alloc::vec::Vec;
 /// An interval of the input in which the quantity stays in a band.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dwell {
-    /// Where it is; in a cycle perhaps across the seam.
+    /// The interval; in a cycle perhaps across the seam.
     pub interval: Interval,
-    /// The lowest value in it. If the quantity advances over a cycle, and the interval goes across the seam, values beyond it are
-    /// those of the next cycle; so also for the highest one.
+    /// The lowest value in it. If the quantity advances over a cycle, and the interval goes across
+    /// the seam, values beyond it are those of the next cycle; so also for the highest one.
     pub lowest: f64,
     /// The highest value in it.
     pub highest: f64,
-    /// The highest less the lowest of the limits in it: how much the quantity moves to and fro. 0 with one limit or none.
+    /// The highest less the lowest of the limits in it: how much the quantity moves to and fro. 0
+    /// with one limit or none.
     pub ripple: f64,
 }
 
@@ -123,7 +124,7 @@ fn around<const N: usize, F: Fn(f64) -> [f64; N]>(
     ])
 }
 
-/// Where the quantity leaves the bounds on the way through these stations.
+/// The input where the quantity leaves the bounds on the path through these ends of pieces.
 fn leaves<'a, const N: usize, F: Fn(f64) -> [f64; N]>(
     curve: &Curve<N, F>,
     mut way: impl Iterator<Item = &'a PieceEnd<N>>,
@@ -145,7 +146,7 @@ fn leaves<'a, const N: usize, F: Fn(f64) -> [f64; N]>(
     Some(inside.u())
 }
 
-/// Of the dwells of a chain of three cycles: whether this one belongs to the range.
+/// Returns true if a dwell of a chain of three cycles belongs to the range.
 fn begins_in_range<const N: usize, F: Fn(f64) -> [f64; N]>(curve: &Curve<N, F>, from: f64) -> bool {
     let (low, high) = curve.range();
     (low..high).contains(&from)

@@ -9,11 +9,12 @@ use alloc::vec::Vec;
 /// Two neighbouring stations.
 type Piece<const N: usize> = [Node<N>; 2];
 
-/// Into how many steps the first piece is divided where the speeds at both ends change in the same sense.
+/// Into how many steps the first piece is divided where the speeds at both ends change in the same
+/// sense.
 const STEPS: u32 = 16;
 
-/// The intervals over which the quantity changes by the whole band, with the same speed at both ends: those that become
-/// shorter if they are moved either way.
+/// The intervals over which the quantity changes by the whole band, with the same speed at both
+/// ends: those that become shorter if they are moved either way.
 pub(super) fn between<const N: usize, F: Fn(f64) -> [f64; N]>(
     curve: &Curve<N, F>,
     chain: &[PieceEnd<N>],
@@ -42,7 +43,8 @@ pub(super) fn between<const N: usize, F: Fn(f64) -> [f64; N]>(
     found
 }
 
-/// Those from the first to the last piece; `between` are the lowest and highest value between the pieces.
+/// Those from the first to the last piece; `between` are the lowest and highest value between the
+/// pieces.
 fn equal_speeds<const N: usize, F: Fn(f64) -> [f64; N]>(
     curve: &Curve<N, F>,
     [first, last]: [&Piece<N>; 2],
@@ -80,8 +82,8 @@ fn equal_speeds<const N: usize, F: Fn(f64) -> [f64; N]>(
     }
 }
 
-/// From where to where on the first piece an interval may begin, so that it ends on the last one and has nothing
-/// beyond the band between.
+/// The first and the last beginning on the first piece of an interval that ends on the last piece
+/// and is within the band between.
 fn beginnings<const N: usize, F: Fn(f64) -> [f64; N]>(
     curve: &Curve<N, F>,
     [first, last]: [&Piece<N>; 2],
@@ -107,7 +109,7 @@ fn beginnings<const N: usize, F: Fn(f64) -> [f64; N]>(
     (lower < upper).then(|| [beginning(lower), beginning(upper)])
 }
 
-/// Where on the last piece an interval ends that begins at `start`.
+/// The end, on the last piece, of an interval that begins at `start`.
 fn end_of<const N: usize, F: Fn(f64) -> [f64; N]>(
     curve: &Curve<N, F>,
     start: &Node<N>,

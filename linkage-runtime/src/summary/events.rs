@@ -5,7 +5,7 @@ use super::extremes::Kind;
 use super::monotone_pieces::{crossing, monotone_pieces};
 use alloc::vec::Vec;
 
-/// What is at a mark.
+/// The kind of an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum CurveEventKind {
     /// A limit.
@@ -14,7 +14,8 @@ pub(crate) enum CurveEventKind {
     Level(usize),
 }
 
-/// A place of the cycle; between two marks that follow each other the quantity only rises or only falls.
+/// A place of the cycle; between two marks that follow each other the quantity only rises or only
+/// falls.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CurveEvent<const N: usize> {
     pub(crate) at: f64,

@@ -5,45 +5,46 @@ use super::source::{Node, Source};
 use super::zero_threshold::ZeroThreshold;
 use alloc::vec::Vec;
 
-/// What a quantity does where it stands still.
+/// Extremes of a quantity and of its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
-    /// It is higher than beside.
+    /// A local maximum.
     High,
-    /// It is lower than beside.
+    /// A local minimum.
     Low,
     /// It moves on in the same sense.
     Pass,
 }
 
-/// A place where a quantity stands still, or an end of its course.
+/// A place where a quantity is stationary, or an end of its curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extreme {
     /// The input.
     pub at: f64,
-    /// The value there. Its tolerance is that of the quantity at this place, `sensitivity(q)`: where the quantity stands still, its derivative by
-    /// the input is zero, and it does not matter that the place shifts (the envelope theorem).
+    /// The value there. Its tolerance is that of the quantity at this place, `sensitivity(q)`:
+    /// where the quantity is stationary, its derivative by the input is zero, and it does not
+    /// matter that the place shifts (the envelope theorem).
     pub value: f64,
-    /// Whether it is a limit, and which one.
+    /// The kind of limit.
     pub kind: Kind,
-    /// Whether the course ends there: at an end of a range that is no cycle, or where the mechanism can no longer be assembled.
-    /// The quantity need not stand still there.
+    /// True at an end of the curve: an end of a range that is no cycle, or of the assembled part.
+    /// The quantity need not be stationary there.
     pub end: bool,
 }
 
 impl Extreme {
-    /// Whether the quantity turns back there.
+    /// Returns true if the quantity turns back there.
     #[must_use]
     pub fn is_limit(&self) -> bool {
         self.kind != Kind::Pass
     }
 }
 
-/// The extreme values of a quantity, or of one of its derivatives, over its course.
+/// The extreme values of a quantity, or of one of its derivatives, over its curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Extremes {
-    /// Where it stands still, and where its course ends, in order of the input. Of a rest in which the derivative is 0 exactly,
-    /// it is the first of the positions looked at. Empty for a constant.
+    /// The stationary places, and the ends of the curve, in order of the input. A rest with the
+    /// derivative 0 exactly is represented by its first position. Empty for a constant.
     pub points: Vec<Extreme>,
     /// The first of the lowest values.
     pub lowest: Extreme,
@@ -68,14 +69,14 @@ impl Extremes {
         }
     }
 
-    /// The places where it turns back, the ends of its course left out.
+    /// The places where it turns back, the ends of its curve left out.
     pub fn limits(&self) -> impl Iterator<Item = &Extreme> {
         self.points
             .iter()
             .filter(|point| point.is_limit() && !point.end)
     }
 
-    /// Of the `k`th derivative.
+    /// The extremes of the `k`th derivative.
     pub(super) fn new<const N: usize, F: Fn(f64) -> [f64; N]>(
         source: &Source<N, F>,
         threshold: &ZeroThreshold<N>,
@@ -109,7 +110,8 @@ impl Extremes {
     }
 }
 
-/// The ends of a stretch. Over the seam of a cycle over which the quantity advances, also the ends of the range.
+/// The ends of a stretch. Over the seam of a cycle over which the quantity advances, also the ends
+/// of the range.
 fn ends<const N: usize, F: Fn(f64) -> [f64; N]>(
     source: &Source<N, F>,
     threshold: &ZeroThreshold<N>,

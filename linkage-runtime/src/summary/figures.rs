@@ -1,4 +1,4 @@
-//! The figures of a course that are computed from its stretches.
+//! The figures of a curve that are computed from its stretches.
 
 use core::fmt;
 
@@ -14,16 +14,18 @@ use super::transmission::{Transmission, transmission_angle};
 use alloc::vec::Vec;
 
 impl<const N: usize, F: Fn(f64) -> [f64; N]> Curve<N, F> {
-    /// The intervals in which the quantity changes by no more than `band`, each as long as it can be made by moving it to and
-    /// fro; in order of the input. Of those that overlap, only the longest is there.
+    /// The intervals in which the quantity changes by no more than `band`, each as long as it can
+    /// be made by moving it to and fro; in order of the input. Of those that overlap, only the
+    /// longest is there.
     ///
-    /// Such an interval has a limit of the quantity, or an end of the course, as the highest or the lowest of its values. Or
-    /// it passes through the whole band with the same speed at both its ends, as around an inflection or a short way
-    /// back (a pilgrim step): for these the second derivative is needed (`N` of 3 or more). The ends are roots of the
-    /// quantity less the band's bounds.
+    /// Such an interval has a limit of the quantity, or an end of the curve, as the highest or the
+    /// lowest of its values. Or it passes through the whole band with the same speed at both its
+    /// ends, as around an inflection or a short way back (a pilgrim step): for these the second
+    /// derivative is needed (`N` of 3 or more). The ends are roots of the quantity less the band's
+    /// bounds.
     ///
-    /// So [`longest_dwell`](Self::longest_dwell) is the longest interval of the input in which the quantity stays within
-    /// `band`. Without a positive band there are no dwells.
+    /// So [`longest_dwell`](Self::longest_dwell) is the longest interval of the input in which the
+    /// quantity stays within `band`. Without a positive band there are no dwells.
     ///
     /// ```
     /// use linkage_runtime::summary::Curve;
@@ -40,17 +42,18 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Curve<N, F> {
         dwells(self, band)
     }
 
-    /// The longest interval of the input in which the quantity changes by no more than `band`. See [`dwells`](Self::dwells).
+    /// The longest interval of the input in which the quantity changes by no more than `band`. See
+    /// [`dwells`](Self::dwells).
     #[must_use]
     pub fn longest_dwell(&self, band: f64) -> Option<Dwell> {
         longest_dwell(self, band)
     }
 
-    /// Where the quantity passes a value, in order of the input: roots of the quantity less that value, where it goes
-    /// from one side of it to the other. Where it only touches the value it does not pass: that is one of the
-    /// [limits](super::Extremes::limits).
+    /// The inputs at which the quantity crosses a value, in order: roots of the quantity less that
+    /// value, where it goes from one side of it to the other. A touch is no crossing, but one of
+    /// the [limits](super::Extremes::limits).
     ///
-    /// So it tells at which inputs a wanted position is reached, all of them:
+    /// The example finds all inputs at which a position is reached:
     ///
     /// ```
     /// use linkage_runtime::summary::Curve;
@@ -67,30 +70,32 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Curve<N, F> {
         crossings(self, value)
     }
 
-    /// The intervals of the input in which the quantity lies between `low` and `high`, in order of the input. In a cycle, one that goes across the
-    /// seam is a single interval. Their ends are roots of the quantity less a bound.
+    /// The intervals of the input in which the quantity is between `low` and `high`, in order of
+    /// the input. In a cycle, one that goes across the seam is a single interval. Their ends are
+    /// roots of the quantity less a bound.
     #[must_use]
     pub fn within(&self, low: f64, high: f64) -> Vec<Interval> {
         within(self, low, high)
     }
 
-    /// The marks of a cycle without gaps, in the order in which they follow each other, beginning anywhere.
+    /// The marks of a cycle without gaps, in the order in which they follow each other, beginning
+    /// anywhere.
     pub(crate) fn events(&self, levels: &[f64]) -> Vec<CurveEvent<N>> {
         events(self, levels)
     }
 
-    /// How the input is divided between a forward and a return stroke. `None` if the range is no cycle or has gaps,
-    /// or if the quantity has not exactly one highest and one lowest position in it.
+    /// The input of the forward and of the return stroke. `None` if the range is no cycle or has
+    /// gaps, or if the quantity has not exactly one highest and one lowest position in it.
     #[must_use]
     pub fn time_ratio(&self) -> Option<TimeRatio> {
         time_ratio(self)
     }
 
-    /// For an angle between two links, in radians: the least and the greatest transmission angle, which is the acute one of the
-    /// angles between their lines, 0 to pi/2.
+    /// For an angle between two links, in radians: the least and the greatest transmission angle,
+    /// which is the acute one of the angles between their lines, 0 to pi/2.
     ///
-    /// It is extreme where the given angle stands still, at ends of the course, and where the links are in line or perpendicular: there
-    /// it is 0 or pi/2 exactly.
+    /// It is extreme where the given angle is stationary, at ends of the curve, and where the links
+    /// are in line or perpendicular: there it is 0 or pi/2 exactly.
     ///
     /// ```
     /// use linkage_runtime::summary::Curve;
@@ -107,10 +112,11 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Curve<N, F> {
         transmission_angle(self)
     }
 
-    /// The summary in lines, with six digits: limits, stroke, extreme velocities and accelerations as far as derivatives were given, time ratio, gaps.
+    /// The summary in lines, with six digits: limits, stroke, extreme velocities and accelerations
+    /// as far as derivatives were given, time ratio, gaps.
     ///
-    /// `unit` is the quantity's unit, `input` the input's (`"mm"`, `"rad"`, or empty). Angles are printed in degrees, derivatives as
-    /// they are, in `mm/rad` for example.
+    /// `unit` is the quantity's unit, `input` the input's (`"mm"`, `"rad"`, or empty). Angles are
+    /// printed in degrees, derivatives as they are, in `mm/rad` for example.
     ///
     /// ```
     /// use linkage_runtime::summary::Curve;

@@ -9,12 +9,12 @@ pub struct Interval {
     pub from: f64,
     /// Its end.
     pub to: f64,
-    /// How much input it is, across the seam where it goes.
+    /// Length of the interval, across the seam if it goes there.
     pub range: f64,
 }
 
 impl Interval {
-    /// From one place to another, which may lie beyond the range.
+    /// The interval from one input to another, which may be beyond the range.
     pub(super) fn between<const N: usize, F: Fn(f64) -> [f64; N]>(
         source: &Source<N, F>,
         from: f64,

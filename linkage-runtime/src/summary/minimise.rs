@@ -1,4 +1,4 @@
-//! Where a figure without derivatives is smallest.
+//! The smallest value of a figure without derivatives.
 
 use super::SummaryError;
 use linkage_core::numeric::summit::highest;
@@ -14,16 +14,18 @@ pub struct Minimum {
     pub missing: usize,
 }
 
-/// The smallest value of a figure that has no derivative, such as `margin()`, over a range of the input.
+/// The smallest value of a figure that has no derivative, such as `margin()`, over a range of the
+/// input.
 ///
-/// It is searched for, and not solved for as everything in a [`Curve`](super::Curve): a scan of evenly spaced positions, both ends among them, then a golden
-/// section search around the lowest ones. A hollow that is narrower than the spacing may be missed. The value is good to
-/// the last digits, the place to about eight where the figure is smooth.
+/// It is searched for, and not solved for as everything in a [`Curve`](super::Curve): a scan of
+/// evenly spaced positions, both ends among them, then a golden section search around the lowest
+/// ones. A hollow that is narrower than the spacing may be missed. The value is good to the last
+/// digits, the place to about eight where the figure is smooth.
 ///
 /// # Errors
 ///
-/// `Range` for an empty or infinite range, `Positions` for less than two, `NotAssembled` if the figure is NaN at all
-/// positions.
+/// `Range` for an empty or infinite range, `Positions` for less than two, `NotAssembled` if the
+/// figure is NaN at all positions.
 ///
 /// ```
 /// use linkage_runtime::summary::minimise;

@@ -1,4 +1,4 @@
-//! The course as a chain of pieces, on each of which the quantity rises or falls.
+//! The curve as a chain of pieces, on each of which the quantity rises or falls.
 
 use super::cascade::{Root, Solved};
 use super::extremes::Kind;
@@ -10,9 +10,9 @@ use alloc::vec::Vec;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PieceEnd<const N: usize> {
     pub(super) node: Node<N>,
-    /// Which limit it is; `None` for an extreme velocity, and where a cycle was cut open.
+    /// The kind of limit; `None` for an extreme velocity, and where a cycle was cut open.
     pub(super) limit: Option<Kind>,
-    /// Whether it is an end of the course.
+    /// True at an end of the curve.
     pub(super) end: bool,
 }
 
@@ -26,8 +26,8 @@ impl<const N: usize> PieceEnd<N> {
     }
 }
 
-/// The ends of a stretch, its limits and its extreme velocities, in order of the input: between neighbours the quantity
-/// is monotone, and with a second derivative its speed is, too.
+/// The ends of a stretch, its limits and its extreme velocities, in order of the input: between
+/// neighbours the quantity is monotone, and with a second derivative its speed is, too.
 pub(super) fn monotone_pieces<const N: usize>(part: &Solved<N>) -> Vec<PieceEnd<N>> {
     let turns = |root: &&Root<N>| root.before != root.after;
     let mut monotone_pieces: Vec<PieceEnd<N>> = Vec::new();
@@ -63,8 +63,8 @@ pub(super) fn monotone_pieces<const N: usize>(part: &Solved<N>) -> Vec<PieceEnd<
     monotone_pieces
 }
 
-/// Where, on the piece from `inside` to `outside` (in either direction), the quantity passes `bound`. Where it is not a number,
-/// it counts as outside.
+/// The input, on the piece from `inside` to `outside` (in either direction), at which the quantity
+/// crosses `bound`. A value that is not a number counts as outside.
 pub(super) fn crossing_input<const N: usize, F: Fn(f64) -> [f64; N]>(
     source: &Source<N, F>,
     inside: &Node<N>,
@@ -74,7 +74,7 @@ pub(super) fn crossing_input<const N: usize, F: Fn(f64) -> [f64; N]>(
     crossing(source, inside, outside, bound).u
 }
 
-/// As [`crossing_input`], with the derivatives there.
+/// Works as [`crossing_input`], with the derivatives there.
 pub(super) fn crossing<const N: usize, F: Fn(f64) -> [f64; N]>(
     source: &Source<N, F>,
     inside: &Node<N>,

@@ -1,4 +1,4 @@
-//! A course in lines to be read.
+//! A curve in lines to be read.
 
 use super::curve::Curve;
 use super::extremes::{Extreme, Extremes};

@@ -3,7 +3,7 @@
 use super::curve::Curve;
 use super::extremes::Kind;
 
-/// How the input of a cycle is divided between the two strokes.
+/// The input of the two strokes of a cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimeRatio {
     /// The input from the lowest to the highest position.

@@ -60,7 +60,7 @@ fn acute(angle: f64) -> f64 {
     angle.min(PI - angle)
 }
 
-/// `angle` plus a multiple of pi that lies strictly between two numbers.
+/// `angle` plus a multiple of pi that is strictly between two numbers.
 fn multiple(a: f64, b: f64, angle: f64) -> Option<f64> {
     let (low, high) = (a.min(b), a.max(b));
     let below = (low - angle) % PI;

@@ -1,4 +1,4 @@
-//! Which values of a derivative are no different from zero.
+//! The largest values of derivatives that count as zero.
 
 use super::source::Node;
 use alloc::vec::Vec;
@@ -11,10 +11,12 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 pub(super) struct ZeroThreshold<const N: usize>([f64; N]);
 
 impl<const N: usize> ZeroThreshold<N> {
-    /// From the positions over a range of this width; at least one must be finite.
+    /// Determines the thresholds from the positions over a range of this width; at least one must
+    /// be finite.
     ///
-    /// The size of a derivative is its median, since some positions may be next to a dead point. A derivative that
-    /// could not change any of the lower ones over the whole range beyond their rounding is nothing but rounding.
+    /// The size of a derivative is its median, since some positions may be next to a dead point. A
+    /// derivative that could not change any of the lower ones over the whole range beyond their
+    /// rounding is nothing but rounding.
     pub(super) fn new(nodes: &[Node<N>], width: f64) -> Self {
         let mut threshold = [0.0; N];
         let mut power = 1.0;
@@ -47,7 +49,8 @@ impl<const N: usize> ZeroThreshold<N> {
         }
     }
 
-    /// How clearly all derivatives that are not nothing but rounding differ from zero.
+    /// The least ratio of a derivative to its threshold, over all derivatives that are more than
+    /// rounding.
     pub(super) fn clearness(&self, node: &Node<N>) -> f64 {
         let levels = self.0.iter().zip(&node.jet).skip(1);
         levels

@@ -1,9 +1,11 @@
-//! What an assembly consists of, behind fields that the module of the mechanism cannot reach.
+//! The data of an assembly, in fields that the module of the mechanism cannot reach.
 
-/// What is prepared once and read from then on: nobody can change one part of it and leave the others as they were.
+/// Data that are prepared once and only read afterwards: nobody can change one part and leave the
+/// others as they were.
 ///
-/// A struct that a macro makes belongs to the module of the call, which so may write to all of its fields; to these it may not. Both parts are read by
-/// functions, not by methods, which rustc would suggest to users.
+/// A struct that a macro makes belongs to the module of the call, which so may write to all of its
+/// fields; to these it may not. Both parts are read by functions, not by methods, which rustc would
+/// suggest to users.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AssemblyData<Core, Starts = ()> {
     core: Core,
@@ -11,13 +13,13 @@ pub struct AssemblyData<Core, Starts = ()> {
 }
 
 impl<Core, Starts> AssemblyData<Core, Starts> {
-    /// What sweeps copy into their loops, and the prepared starts of coupled groups.
+    /// Data that sweeps copy into their loops, and the initial states of coupled groups.
     #[inline(always)]
     pub const fn new(core: Core, starts: Starts) -> Self {
         Self { core, starts }
     }
 
-    /// What sweeps copy into their loops.
+    /// Data that sweeps copy into their loops.
     #[inline(always)]
     pub const fn core(data: &Self) -> &Core {
         &data.core

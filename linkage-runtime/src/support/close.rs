@@ -1,4 +1,4 @@
-//! What `assemble()` and `assemblies()` of generated code do with the gaps of the groups.
+//! Checks of the gaps of groups for `assemble()` and `assemblies()` of generated code.
 
 #[cfg(feature = "alloc")]
 use crate::data::AssemblyMode;
@@ -9,8 +9,9 @@ use crate::structure::Group;
 use alloc::vec::Vec;
 use linkage_core::Scalar;
 
-/// Fails at a dimension that is NaN or infinite: closed forms without a root carry it into the results, where nothing tells it
-/// apart. `needed` are the parameters that the groups need, in the order of the groups, by their places among `values`.
+/// Fails at a dimension that is NaN or infinite, since closed forms without a root carry it into
+/// the results without a trace. `needed` are the parameters that the groups need, in the order of
+/// the groups, as indices of `values`.
 pub fn finite<T: Scalar>(
     mechanism: &'static str,
     parameters: &'static [Parameter],
@@ -30,8 +31,8 @@ pub fn finite<T: Scalar>(
     Ok(())
 }
 
-/// Fails at the first group that does not close: in one lane its gap is positive or not a number. `units` says what
-/// each gap is measured in.
+/// Fails at the first group that does not close: in one lane its gap is positive or not a number.
+/// `units` are the units of the gaps.
 pub fn close<T: Scalar>(
     mechanism: &'static str,
     groups: &'static [Group],
@@ -59,8 +60,8 @@ pub fn close<T: Scalar>(
     Ok(())
 }
 
-/// An error that is about no loop but about a dimension, which is too large. `values` gives the dimensions in the order of
-/// `parameters`; those that a loop needs are finite.
+/// An error that is about no loop but about a dimension, which is too large. `values` gives the
+/// dimensions in the order of `parameters`; those that a loop needs are finite.
 pub fn explained<A, T: Scalar, V: AsRef<[T]>>(
     result: Result<A, AssemblyError>,
     parameters: &'static [Parameter],
@@ -109,8 +110,8 @@ pub fn one<A>(only: A) -> Vec<A> {
 #[cfg(feature = "alloc")]
 const MOST_MODES: usize = 16;
 
-/// Every assembly that closes, the default modes first; `assemble` gives all with some modes. An error that is not about a loop that
-/// cannot close is returned if nothing closes.
+/// Every assembly that closes, the default modes first; `assemble` gives all with some modes. An
+/// error that is not about a loop that cannot close is returned if nothing closes.
 #[cfg(feature = "alloc")]
 pub fn assemblies<A, M: AsRef<[AssemblyMode]> + AsMut<[AssemblyMode]> + Clone>(
     mechanism: &'static str,

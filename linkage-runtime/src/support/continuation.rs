@@ -10,8 +10,8 @@ use linkage_core::Level;
 use linkage_core::numeric::continuation::{Correction, Grid, Range, Table, Terms};
 use linkage_core::numeric::range::first_failure;
 
-/// The longest step, and one that is too short to go on with, as parts of the way. What certifies a step is how little the states change,
-/// which sets the length of most steps; longer ones would only be tried in vain.
+/// The longest step, and the shortest one, as parts of the path. A step is certified by small
+/// changes of the states, which set the length of most steps; longer steps would only fail.
 const LONGEST: f64 = 1.0 / 4.0;
 const SHORTEST: f64 = 1e-7;
 
@@ -29,14 +29,14 @@ pub trait DimensionPath {
     const NAME: &'static str;
     /// The groups in order.
     const LEVELS: &'static [Level];
-    /// What `STRUCTURE` says of them.
+    /// The groups of `STRUCTURE`.
     const GROUPS: &'static [Group];
 
     /// The reference inputs.
     fn inputs(&self) -> &[f64];
-    /// What the mechanism is there, with what is prepared of coupled groups.
+    /// Surveys the mechanism there, with the initial states of coupled groups.
     fn survey(&self, share: f64, initial_states: &[InitialState]) -> Self::Survey;
-    /// A coupled group, with what is prepared of those before it. A mechanism without any has none.
+    /// A coupled group, with the initial states of those before it; `None` if there is none.
     fn coupled(
         &self,
         _share: f64,
@@ -50,14 +50,14 @@ pub trait DimensionPath {
 /// A place on the way.
 struct PathPoint {
     share: f64,
-    /// Of the coupled groups.
+    /// The states of the coupled groups.
     states: Vec<Vec<f64>>,
     determinants: Vec<f64>,
-    /// Of all groups; 1 of coupled ones.
+    /// The slacks of all groups; 1 for coupled ones.
     slacks: Vec<f64>,
 }
 
-/// What ends a way.
+/// A cause why a path ends.
 enum PathEnd {
     /// The group with this number.
     Group(usize),
@@ -70,7 +70,8 @@ impl From<AssemblyError> for PathEnd {
     }
 }
 
-/// Follows an assembly whose coupled groups are in these `states` from 0 to 1, and returns their states there.
+/// Follows an assembly whose coupled groups are in these `states` from 0 to 1, and returns their
+/// states there.
 ///
 /// # Errors
 ///
@@ -130,7 +131,7 @@ fn walk<W: DimensionPath>(path: &W, first: PathPoint) -> (Vec<PathPoint>, Option
     (points, None)
 }
 
-/// The first place between others where a group behind a coupled one comes apart, and the group.
+/// The first place between others where a group after a coupled one comes apart, and the group.
 fn first_dip<W: DimensionPath>(path: &W, points: &[PathPoint]) -> Option<(f64, usize)> {
     let coupled = |group: &usize| matches!(W::LEVELS[*group], Level::Coupled(_));
     let behind = (0..W::LEVELS.len()).skip_while(|group| !coupled(group));
@@ -202,7 +203,8 @@ fn step<W: DimensionPath>(path: &W, from: &PathPoint, share: f64) -> Result<Path
     Ok(next)
 }
 
-/// The place at another share of the way, if one step of the coupled groups leads there. Other groups may have come apart.
+/// The place at another share of the way, if one step of the coupled groups leads there. Other
+/// groups may have come apart.
 fn reach<W: DimensionPath>(path: &W, from: &PathPoint, share: f64) -> Result<PathPoint, PathEnd> {
     let mut next = PathPoint {
         share,
@@ -228,7 +230,7 @@ fn reach<W: DimensionPath>(path: &W, from: &PathPoint, share: f64) -> Result<Pat
                 let found = moved(&mut programs, description.variables, &x, before, sign);
                 let (state, determinant) = found.ok_or(PathEnd::Group(group))?;
                 next.determinants[number] = determinant;
-                // Only groups behind it would read that.
+                // Only groups after it would read that.
                 if group + 1 < W::LEVELS.len() {
                     initial_states[number] =
                         here(&mut programs, &x, &state).ok_or(PathEnd::Group(group))?;
@@ -245,7 +247,7 @@ fn reach<W: DimensionPath>(path: &W, from: &PathPoint, share: f64) -> Result<Pat
     Ok(next)
 }
 
-/// What later groups need of a solution: it is prepared at the reference inputs alone.
+/// Prepares a solution for later groups: at the reference inputs alone.
 fn here(programs: &mut dyn Correction, x: &[f64], state: &[f64]) -> Option<InitialState> {
     let range = |&x: &f64| Range {
         low: x,

@@ -2,7 +2,8 @@
 
 /// The function of an assembly that returns `R`: `I` arguments to its result, without a branch.
 ///
-/// As a method of a trait it can be inlined always, into code for any instruction set; a closure would be called.
+/// As a method of a trait it can be inlined always, into code for any instruction set; a closure
+/// would be called.
 pub trait Dispatch<T, R, const I: usize> {
     /// Its value at one position. With `FUSED` only on machines with fused multiply-add.
     fn at<const FUSED: bool>(&self, x: [T; I]) -> R;
@@ -10,9 +11,10 @@ pub trait Dispatch<T, R, const I: usize> {
 
 /// The function's value, with fused multiply-add where the machine has it.
 ///
-/// A build for machines that all have it inlines that code. Any other for x86-64 asks a flag that is set once, and jumps into code
-/// that was compiled for AVX2 with FMA; all that the flag leaves to be done stands behind a call, so that it takes no room and no
-/// registers here. Without the standard library nothing can be asked.
+/// A build for machines that all have it inlines that code. Any other for x86-64 tests a flag that
+/// is set once, and jumps into code that was compiled for AVX2 with FMA; all that the flag leaves
+/// to be done is in a function of its own, so that it takes no room and no registers here. Without
+/// the standard library the features of the machine are unknown.
 #[inline(always)]
 pub fn dispatch<A, T, R, const I: usize>(assembly: &A, x: [T; I]) -> R
 where
@@ -30,8 +32,9 @@ where
     inlined(assembly, x)
 }
 
-/// The function's value as sweeps compute it but for the rounding of sines, by code that [`dispatch`] has, too; none on machines without
-/// fused multiply-add, unless the build has code for them alone.
+/// The function's value as sweeps compute it except for the rounding of sines, by code that
+/// [`dispatch`] has, too. `None` on machines without fused multiply-add, unless the build has code
+/// for them alone.
 #[inline(always)]
 pub fn as_in_sweeps<A, T, R, const I: usize>(assembly: &A, x: [T; I]) -> Option<R>
 where
@@ -49,7 +52,8 @@ where
     Some(inlined(assembly, x))
 }
 
-/// The function's value by code for the build's own instruction set: for what is less than a call.
+/// The function's value by code for the build's own instruction set, for functions that are shorter
+/// than a call.
 #[inline(always)]
 pub fn inlined<A, T, R, const I: usize>(assembly: &A, x: [T; I]) -> R
 where
@@ -58,26 +62,27 @@ where
     assembly.at::<{ linkage_core::FUSED }>(x)
 }
 
-/// Which code runs on this machine.
+/// Choice of the code for this machine.
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
 mod choice {
     use core::sync::atomic::{AtomicU8, Ordering};
 
     use super::{Dispatch, inlined};
 
-    /// What has been found of the machine: one load and one comparison for each call. (The standard library's own flags are tested one by one.)
+    /// The known features of the machine: one load and one comparison for each call. (The standard
+    /// library's own flags are tested one by one.)
     static FOUND: AtomicU8 = AtomicU8::new(UNKNOWN);
     const UNKNOWN: u8 = 0;
     const MISSING: u8 = 1;
     const THERE: u8 = 2;
 
-    /// Whether AVX2 and FMA have been found.
+    /// Returns true if AVX2 and FMA have been found.
     #[inline(always)]
     pub(super) fn found() -> bool {
         FOUND.load(Ordering::Relaxed) == THERE
     }
 
-    /// Whether the machine has AVX2 and FMA; [`found`] knows it from then on.
+    /// Returns true if the machine has AVX2 and FMA, and stores that for [`found`].
     #[cold]
     pub(super) fn detect() -> bool {
         if FOUND.load(Ordering::Relaxed) == UNKNOWN {
@@ -88,8 +93,9 @@ mod choice {
         found()
     }
 
-    /// A call by the number of arguments, a constant: of the others no code is made. Up to three numbers are handed over in registers: an
-    /// array would go through memory or registers for integers.
+    /// A call by the number of arguments, a constant: of the others no code is made. Up to three
+    /// numbers are handed over in registers: an array would go through memory or registers for
+    /// integers.
     macro_rules! by_number {
         ($calls:ident, $assembly:ident, $x:ident) => {
             if const { I == 1 } {
@@ -124,7 +130,7 @@ mod choice {
         by_number!(rare, assembly, x)
     }
 
-    /// What [`other`] calls.
+    /// The rare part of [`other`].
     #[inline(always)]
     fn detected<A: Dispatch<T, R, I>, T: Copy, R, const I: usize>(assembly: &A, x: [T; I]) -> R {
         if detect() {

@@ -1,22 +1,24 @@
-//! From position to position: coupled groups followed from where they stand, whatever the ranges of the inputs.
+//! Continuation from position to position: coupled groups are followed from their current state,
+//! whatever the ranges of the inputs.
 
 use super::settle::CORRECTIONS;
 use crate::error::Halt;
 use linkage_core::Scalar;
 use linkage_core::numeric::continuation::{ALLOWED_CONTRACTION, FIRST_CORRECTION};
 
-/// Shorter steps, as parts of the way, are not tried: beside a dead point.
+/// The shortest step, as a part of the path: next to a dead point.
 const SHORTEST: f64 = 1e-6;
 
-/// A step may change the determinant by this factor at most, from where it begins to any of its corrections. Corrections shrink as fast as they
-/// should where a step comes from one dead point to another assembly beside the next one; the determinant does not stay what it was there.
+/// Greatest factor by which a step may change the determinant, from its beginning to any of its
+/// corrections. If a step leads from one dead point to another assembly next to the following one,
+/// corrections shrink as fast as they should, but the determinant changes.
 const DETERMINANTS: f64 = 2.0;
 
-/// Beside a dead point, as near as the shortest steps lead, the determinant is some thousandth of what it was; where it is more than this, something
-/// else may end the way.
+/// Share of the determinant below which a path ends at a dead point. The shortest steps reach some
+/// thousandth; with a larger share something else may end the path.
 const VANISHED: f64 = 0.01;
 
-/// Where the state of a coupled group stands among the inputs and states of a mechanism.
+/// The position of a coupled group's state among the inputs and states of a mechanism.
 #[derive(Clone, Copy, Debug)]
 pub struct Standing {
     /// Index of the group in `STRUCTURE`.
@@ -36,14 +38,14 @@ pub struct Corrected<T> {
     pub determinant: T,
 }
 
-/// Where a way ends before its end.
+/// The end of a path before its target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stop {
     /// The number of the coupled group that cannot be followed any further.
     pub number: usize,
-    /// How far the way goes, from 0 to 1.
+    /// The possible part of the path, from 0 to 1.
     pub share: f64,
-    /// What ends it.
+    /// The reason.
     pub why: Halt,
 }
 
@@ -62,10 +64,12 @@ pub fn put_corrected<T: Copy, const W: usize, const O: usize>(
     }
 }
 
-/// Follows the groups straight from where the mechanism stands, `from`, inputs with the states of all groups behind them, to the inputs `to`.
+/// Follows the groups on the straight path from the current position `from`, inputs with the states
+/// of all groups after them, to the inputs `to`.
 ///
-/// A step is taken if in every group, in their order, the first correction is small, each of the next ones at most a quarter of the one
-/// before, the last one negligible, and the determinant keeps its sign and, within a factor of two, its size. Other steps are halved.
+/// A step is taken if in every group, in their order, the first correction is small, each of the
+/// next ones at most a quarter of the one before, the last one negligible, and the determinant
+/// keeps its sign and, within a factor of two, its size. Other steps are halved.
 ///
 /// # Errors
 ///
@@ -148,7 +152,7 @@ fn settle<T: Scalar, const W: usize>(
         if largest <= settled {
             x[floor] = step.determinant * T::from_f64(0.5);
             let numbers = x[group.first..=floor].iter_mut();
-            // Derivatives belong to a position: what is evaluated there makes them anew.
+            // Derivatives belong to a position: they are computed again there.
             numbers.for_each(|number| *number = T::from_lanes(|lane| T::lane(*number, lane)));
             return Ok(());
         }
@@ -213,7 +217,8 @@ mod tests {
         assert!((stop.share - 0.5).abs() < 1e-4, "{stop:?}");
     }
 
-    /// `x^3 - 3 d^2 x = input`: dead points at `-d` and `d`, and on both sides of them an assembly with the same sign of the determinant.
+    /// `x^3 - 3 d^2 x = input`: dead points at `-d` and `d`, and on both sides of them an assembly
+    /// with the same sign of the determinant.
     #[test]
     fn two_dead_points_that_are_close_together_are_not_crossed() {
         let d: f64 = 0.004;
@@ -241,7 +246,8 @@ mod tests {
         }
     }
 
-    /// The same solutions by a matrix that is eliminated in an order that does not serve beyond the input 2, far from any dead point.
+    /// The same solutions by a matrix that is eliminated in an order that does not serve beyond the
+    /// input 2, far from any dead point.
     #[test]
     fn a_way_that_ends_for_another_reason_is_no_dead_point() {
         for (lost, why) in [(f64::NAN, Halt::NoNumber), (1.0, Halt::Uncertain)] {

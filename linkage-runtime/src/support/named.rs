@@ -4,12 +4,13 @@ use core::fmt::{Debug, Formatter, Result};
 
 use nalgebra::{Vector2, Vector3};
 
-/// A vector, or an array of such, with its components by name; as numbers of a matrix, which it is, nobody would know them.
+/// A vector, or an array of such, with its components by name; as numbers of a matrix, which it is,
+/// nobody would know them.
 pub fn named<V>(vectors: &V) -> Named<'_, V> {
     Named(vectors)
 }
 
-/// What [`named`] gives.
+/// Result of [`named`].
 pub struct Named<'a, V>(&'a V);
 
 /// A name without quotes.

@@ -1,4 +1,5 @@
-//! Centres and windings of continuous angles: `angle = angle_near(.., centre + sum of winding * input)`.
+//! Centres and windings of continuous angles:
+//! `angle = angle_near(.., centre + sum of winding * input)`.
 
 use linkage_core::Scalar;
 use linkage_core::numeric::winding::{Centre, follow, uniform};
@@ -8,7 +9,7 @@ use linkage_core::numeric::winding::{Centre, follow, uniform};
 pub struct Revolutions<T, const A: usize, const I: usize> {
     /// In radians.
     pub centres: [T; A],
-    /// By angle and input.
+    /// Turns by angle and input.
     pub windings: [[T; I]; A],
 }
 
@@ -51,8 +52,9 @@ pub struct Angle<X: 'static> {
     pub estimate: f64,
     /// The inputs it depends on.
     pub along: &'static [Along],
-    /// How many turns each of the vectors makes for a turn of each input whose sum the angle keeps within a quarter turn of, `None` for one that
-    /// turns with something else, too; none where no closed form says so.
+    /// The turns of each vector for a turn of each input. The angle stays within a quarter turn of
+    /// their sum. `None` for a vector that turns with something else, too; empty without a closed
+    /// form.
     pub phases: &'static [Option<X>],
 }
 
@@ -95,10 +97,11 @@ pub fn revolutions<T: Scalar, const A: usize, const I: usize>(
     Ok(revolutions)
 }
 
-/// Finds the turns of the first `count` angles one after the other: from the vectors of their phases, in the order of the angles, where one of them decides,
-/// else by following the angle along its inputs. From the reference position, or from `at` if it does not
-/// assemble there. `prepare` gives the directions `[cosine, sine]` of all angles as a function of the inputs; those of
-/// an angle may depend on the turns of the angles before it.
+/// Finds the turns of the first `count` angles one after the other: from the vectors of their
+/// phases, in the order of the angles, where one of them decides, else by following the angle along
+/// its inputs. From the reference position, or from `at` if it does not assemble there. `prepare`
+/// gives the directions `[cosine, sine]` of all angles as a function of the inputs; those of an
+/// angle may depend on the turns of the angles before it.
 ///
 /// # Errors
 ///
@@ -137,7 +140,8 @@ fn wind_from<const A: usize, const I: usize, D: Fn([f64; I]) -> [[f64; 2]; A]>(
     Ok(turns)
 }
 
-/// Centre and windings of one angle, from the vectors of its phases or by following it. `direction` is its cosine and sine.
+/// Centre and windings of one angle, from the vectors of its phases or by following it. `direction`
+/// is its cosine and sine.
 pub fn wind_one<X: AsRef<[f64]> + AsMut<[f64]> + Clone>(
     angle: &Angle<X>,
     phases: &[[f64; 2]],

@@ -11,7 +11,8 @@ const SETTLED: f64 = 1e-9;
 /// Lengths in states are scaled by a power of two, which changes on the way as links grow.
 const SCALES: [f64; 3] = [1.0, 0.5, 2.0];
 
-/// The state near `before` that solves the equations, and its determinant, which has the sign of `sign` (if that has one).
+/// The state near `before` that solves the equations, and its determinant, which has the sign of
+/// `sign` (if that has one).
 pub(super) fn moved(
     programs: &mut dyn Correction,
     variables: &[Variable],
@@ -69,7 +70,7 @@ mod tests {
     use super::*;
     use linkage_core::numeric::continuation::Step;
 
-    /// From 1 to where the square is this; two solutions meet at 0.
+    /// Moves from 1 to the root of this square; two solutions meet at 0.
     fn root(square: f64, sign: f64) -> Option<f64> {
         let mut programs = |x: &[f64], state: &mut [f64]| {
             let determinant = 2.0 * state[0];

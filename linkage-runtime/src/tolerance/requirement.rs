@@ -8,7 +8,7 @@ use super::modulus::farthest;
 use super::{Effects, ToleranceError, Tolerances};
 use crate::components::{Components, in_space, norm};
 
-/// How errors add up.
+/// Kinds of addition of errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Addition {
     /// All at their limits, with the worst signs.
@@ -18,7 +18,7 @@ pub enum Addition {
 }
 
 /// An allowed error of a quantity of `K` components, over positions with the sensitivities to `N`
-/// parameters: what tolerances are allocated to.
+/// parameters, to which tolerances are allocated.
 ///
 /// ```
 /// use linkage_runtime::Parameter;
@@ -112,7 +112,7 @@ impl<const N: usize, const K: usize> Requirement<N, K> {
         self.limit
     }
 
-    /// How errors add up.
+    /// Kinds of addition of errors.
     #[must_use]
     pub const fn addition(&self) -> Addition {
         self.addition
@@ -169,8 +169,8 @@ impl<const N: usize, const K: usize> Requirement<N, K> {
         Ok(())
     }
 
-    /// The conditions of the positions: of each the one that is tightest at some tolerances, or one for
-    /// each component. A condition limits tolerances `t`, or their squares where errors add
+    /// The conditions of the positions: of each the one that is tightest at some tolerances, or one
+    /// for each component. A condition limits tolerances `t`, or their squares where errors add
     /// statistically: the vector `sum of row_i t_i` must not be longer than 1.
     pub(super) fn conditions(&self, tolerances: &[f64; N]) -> Vec<Vec<[f64; 3]>> {
         let plain = |x: f64| match self.addition {

@@ -1,4 +1,4 @@
-//! What is known of dimensions, and how far they depend on each other.
+//! Knowledge of dimensions: distributions, standard uncertainties and correlations.
 
 use core::array;
 
@@ -8,11 +8,12 @@ use super::error::ToleranceError;
 use super::given::{Tolerances, exactly};
 use crate::data::Parameter;
 
-/// Standard uncertainties of `N` parameters with their correlations, as in the Guide to the Expression of Uncertainty
-/// in Measurement (JCGM 100:2008), in the units of the parameters.
+/// Standard uncertainties of `N` parameters with their correlations, as in the Guide to the
+/// Expression of Uncertainty in Measurement (JCGM 100:2008), in the units of the parameters.
 ///
-/// They come from tolerances and how dimensions are distributed within them (type B of the Guide), or from
-/// measurements: a standard deviation with its degrees of freedom, a matrix of covariances (type A).
+/// They come from tolerances and how dimensions are distributed within them (type B of the Guide),
+/// or from measurements: a standard deviation with its degrees of freedom, a matrix of covariances
+/// (type A).
 ///
 /// ```
 /// use linkage_runtime::Parameter;
@@ -41,8 +42,8 @@ pub struct Uncertainties<const N: usize> {
 }
 
 impl<const N: usize> Uncertainties<N> {
-    /// Dimensions that are distributed in this way within their tolerances, independently, with infinite degrees of
-    /// freedom: the distributions are known.
+    /// Dimensions that are distributed in this way within their tolerances, independently, with
+    /// infinite degrees of freedom: the distributions are known.
     #[must_use]
     pub fn new(tolerances: &Tolerances<N>, distribution: Distribution) -> Self {
         Self {
@@ -54,13 +55,14 @@ impl<const N: usize> Uncertainties<N> {
         }
     }
 
-    /// Dimensions with these nominal values, normally distributed about them with these covariances; a dimension whose
-    /// variance is 0 is exact.
+    /// Dimensions with these nominal values, normally distributed about them with these
+    /// covariances; a dimension whose variance is 0 is exact.
     ///
     /// # Errors
     ///
-    /// `Count` if there are not `N` parameters; `Uncertainty` for a variance that is negative, infinite or NaN,
-    /// `NotSymmetric`, `Correlation` or `Contradiction` for covariances that no quantities have.
+    /// `Count` if there are not `N` parameters; `Uncertainty` for a variance that is negative,
+    /// infinite or NaN, `NotSymmetric`, `Correlation` or `Contradiction` for covariances that no
+    /// quantities have.
     pub fn covariance(
         parameters: &[Parameter],
         covariance: &[[f64; N]; N],
@@ -108,12 +110,13 @@ impl<const N: usize> Uncertainties<N> {
         Ok(self)
     }
 
-    /// The standard uncertainty of the parameter with this index, which is then normally distributed, about the middle of
-    /// its zone.
+    /// The standard uncertainty of the parameter with this index, which is then normally
+    /// distributed, about the middle of its zone.
     ///
     /// # Errors
     ///
-    /// `NoSuchParameter` for an index that is not below `N`, `Uncertainty` if it is negative, infinite or NaN.
+    /// `NoSuchParameter` for an index that is not below `N`, `Uncertainty` if it is negative,
+    /// infinite or NaN.
     pub fn standard(mut self, index: usize, standard: f64) -> Result<Self, ToleranceError> {
         let name = self.parameter(index)?.name;
         if !(standard >= 0.0 && standard.is_finite()) {
@@ -128,12 +131,13 @@ impl<const N: usize> Uncertainties<N> {
         Ok(self)
     }
 
-    /// On how many degrees of freedom the standard uncertainty of the parameter with this index rests: one less than
-    /// there were measurements. Infinity if it is exactly known.
+    /// On how many degrees of freedom the standard uncertainty of the parameter with this index
+    /// rests: one less than there were measurements. Infinity if it is exactly known.
     ///
     /// # Errors
     ///
-    /// `NoSuchParameter` for an index that is not below `N`, `DegreesOfFreedom` if there is not one at least.
+    /// `NoSuchParameter` for an index that is not below `N`, `DegreesOfFreedom` if there is not one
+    /// at least.
     pub fn degrees_of_freedom(
         mut self,
         index: usize,
@@ -147,12 +151,14 @@ impl<const N: usize> Uncertainties<N> {
         Ok(self)
     }
 
-    /// Correlation coefficients of pairs of parameters, by their indices, beside those that were given before.
+    /// Correlation coefficients of pairs of parameters, by their indices, in addition to those that
+    /// were given before.
     ///
     /// # Errors
     ///
-    /// `NoSuchParameter` for an index that is not below `N`, `Correlation` for one that is not between -1 and 1 or of a
-    /// parameter with itself, `Contradiction` if no quantities have all of them together.
+    /// `NoSuchParameter` for an index that is not below `N`, `Correlation` for one that is not
+    /// between -1 and 1 or of a parameter with itself, `Contradiction` if no quantities have all of
+    /// them together.
     pub fn correlations(mut self, pairs: &[(usize, usize, f64)]) -> Result<Self, ToleranceError> {
         for &(i, j, coefficient) in pairs {
             self = self.pair(i, j, coefficient)?;
@@ -160,14 +166,14 @@ impl<const N: usize> Uncertainties<N> {
         self.rooted()
     }
 
-    /// The parameters with nominal values; their tolerances are half the widths of their zones, three standard
-    /// uncertainties where these were given.
+    /// The parameters with nominal values; their tolerances are half the widths of their zones,
+    /// three standard uncertainties where these were given.
     #[must_use]
     pub const fn tolerances(&self) -> &Tolerances<N> {
         &self.tolerances
     }
 
-    /// How each parameter is distributed.
+    /// The distribution of each parameter.
     #[must_use]
     pub const fn distributions(&self) -> &[Distribution; N] {
         &self.distributions
@@ -204,7 +210,7 @@ impl<const N: usize> Uncertainties<N> {
         &self.root
     }
 
-    /// Whether the parameter is correlated with another one.
+    /// Returns true if the parameter is correlated with another one.
     pub(super) fn is_correlated(&self, i: usize) -> bool {
         (0..N).any(|j| j != i && self.correlations[i][j] != 0.0)
     }

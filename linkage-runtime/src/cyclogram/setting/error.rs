@@ -5,41 +5,41 @@ use crate::format::rounded;
 use alloc::string::String;
 use core::fmt;
 
-/// Why an event cannot be set to an angle. `E` is what building an organ fails with.
+/// A reason why an event cannot be set to an angle. `E` is the error of building a member.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SettingError<E> {
-    /// No organ can be built with any value that was looked at.
+    /// No member can be built with any value that was looked at.
     Unbuilt {
         /// The range of the parameter.
         range: (f64, f64),
         /// Why there is none with the first value.
         error: E,
     },
-    /// The organs have no such event.
+    /// The members have no such event.
     NoEvent {
         /// The range of the parameter.
         range: (f64, f64),
-        /// The organ.
+        /// The member.
         member: String,
     },
-    /// The organ has no sensitivities, or none to this parameter.
+    /// The member has no sensitivities, or none to this parameter.
     Parameter {
-        /// The organ.
+        /// The member.
         member: String,
         /// The index of the parameter.
         parameter: usize,
-        /// How many parameters the sensitivities are by; `None` if there are none.
+        /// The number of parameters of the sensitivities; `None` if there are none.
         sensitivities: Option<usize>,
     },
     /// The event is nowhere at the wanted angle.
     Unreached {
-        /// The organ.
+        /// The member.
         member: String,
         /// The wanted angle.
         wanted: f64,
-        /// The nearest angle that was found: at the values that are looked at, the ends of the range among them, and where the
-        /// angle turns back between them.
+        /// The nearest angle that was found: at the values that are looked at, the ends of the
+        /// range among them, and where the angle turns back between them.
         nearest: f64,
         /// At this value of the parameter.
         value: f64,

@@ -9,19 +9,20 @@ use alloc::vec::Vec;
 
 /// Steps to a root: halvings alone leave nothing between two numbers after as many as these.
 const STEPS: usize = 64;
-/// A step that is less than so many roundoffs of the value changes nothing any more.
+/// Roundoffs of the value below which a step changes nothing any more.
 const ROUNDOFFS: f64 = 2.0;
-/// An event that is no farther from the wanted angle, in radians, is at it: its own angle has more digits unless it hardly passes its
-/// bound. What jumps is farther.
+/// Greatest distance from the wanted angle, in radians, of an event that is at it: the angle has
+/// more digits unless the curve hardly passes its bound. A jump is farther away.
 const REACHED: f64 = 1e-9;
-/// Roots of one event that are no farther apart than this part of the range are one: each is known to some roundoffs over the slope.
+/// Roots of one event that are no farther apart than this part of the range are one: each is known
+/// to some roundoffs over the slope.
 const SAME: f64 = 1e-9;
 
 /// One event with one value of the parameter.
 #[derive(Clone, Copy, Debug)]
 struct EventAt {
     value: f64,
-    /// By how much its angle is more than the wanted one, from minus half to half a cycle.
+    /// The excess of its angle over the wanted one, from minus half to half a cycle.
     off: f64,
     /// Its angle.
     at: f64,
@@ -36,7 +37,7 @@ pub(super) struct SettingSearch<B, W> {
     pub(super) parameter: usize,
     pub(super) angle: f64,
     pub(super) range: (f64, f64),
-    /// Name and cycle of the organ, once it has been built.
+    /// Name and cycle of the member, once it has been built.
     pub(super) member: Option<(String, f64)>,
 }
 
@@ -155,7 +156,8 @@ impl<E, B: FnMut(f64) -> Result<Member, E>, W: Fn(&Event) -> bool> SettingSearch
         })
     }
 
-    /// Between two values, where the angle turns back: its derivative changes its sign there. `None` where it does not.
+    /// Between two values, where the angle turns back: its derivative changes its sign there.
+    /// `None` where it does not.
     fn turn(&mut self, mut low: EventAt, mut high: EventAt) -> Option<EventAt> {
         if low.slope * high.slope >= 0.0 || self.is_turned(low, high) {
             return None;
@@ -218,14 +220,15 @@ impl<E, B: FnMut(f64) -> Result<Member, E>, W: Fn(&Event) -> bool> SettingSearch
         (best.off.abs() <= REACHED).then_some(best)
     }
 
-    /// Whether what changes its sign between two values is the way round the cycle, and not the event.
+    /// Returns true if the sign changes at the seam of the cycle, and not at the event.
     fn is_turned(&self, low: EventAt, high: EventAt) -> bool {
         let cycle = self.member.as_ref().map_or(0.0, |member| member.1);
         (low.off - high.off).abs() > 0.5 * cycle
     }
 }
 
-/// Among the events with the next value, which one is the same as this one: that where its derivative leads.
+/// Among the events with the next value, which one is the same as this one: that where its
+/// derivative leads.
 fn nearest_to(events_at: &[EventAt], before: EventAt) -> Option<EventAt> {
     let away = |other: &EventAt| {
         let slope = 0.5 * (before.slope + other.slope);

@@ -7,13 +7,15 @@ use crate::cyclogram::event::Event;
 use crate::cyclogram::member::Member;
 use alloc::vec::Vec;
 
-/// The values of a parameter at which an event of an organ is at a wanted angle, in their order: a phase between two drives of one organ,
-/// a dimension. (An organ that is turned as a whole needs no search: [`Member::lead`].)
+/// The values of a parameter at which an event of a member is at a wanted angle, in their order: a
+/// phase between two drives of one member, a dimension. (A member that is turned as a whole needs
+/// no search: [`Member::lead`].)
 ///
-/// `build` makes the organ with a value of the parameter out of `range`, with [sensitivities](Member::sensitivities), of which
-/// `parameter` is the index; `event` says which events are meant. Values with which there is no organ are passed over. Roots are found
-/// by Newton's method with the sensitivity of the event, between values on both sides of them, to the last digits. Before that 33 values,
-/// evenly over the range, are looked at.
+/// `build` makes the member with a value of the parameter out of `range`, with
+/// [sensitivities](Member::sensitivities), of which `parameter` is the index; `event` selects the
+/// events. Values with which there is no member are passed over. Roots are found by
+/// Newton's method with the sensitivity of the event, between values on both sides of them, to the
+/// last digits. Before that 33 values, evenly over the range, are looked at.
 ///
 /// ```
 /// use linkage_runtime::cyclogram::{Band, Member, set_event};
@@ -44,7 +46,8 @@ use alloc::vec::Vec;
 ///
 /// # Errors
 ///
-/// `Unbuilt`, `NoEvent`, `Parameter` without a sensitivity to the parameter, `Unreached` with the nearest angle.
+/// `Unbuilt`, `NoEvent`, `Parameter` without a sensitivity to the parameter, `Unreached` with the
+/// nearest angle.
 pub fn set_event<E>(
     range: (f64, f64),
     parameter: usize,

@@ -2,8 +2,8 @@
 
 use crate::cyclogram::member::Member;
 
-/// So many values of the parameter are looked at, evenly over its range, before anything is located: an event that does more between
-/// two of them than turn back once is missed.
+/// The number of values of the parameter, evenly over its range, that are evaluated before anything
+/// is located. An event that turns back more than once between two of them is missed.
 pub(super) const VALUES: usize = 33;
 
 /// A value of the parameter at which the event is at the wanted angle.
@@ -11,7 +11,7 @@ pub(super) const VALUES: usize = 33;
 pub struct Setting {
     /// The value.
     pub value: f64,
-    /// The organ with it.
+    /// The member with it.
     pub member: Member,
     /// The index of the event.
     pub event: usize,

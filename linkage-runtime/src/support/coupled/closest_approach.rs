@@ -1,4 +1,4 @@
-//! Where the loops of a group come nearest to closing, and by how much each misses there.
+//! The closest approach of a group's loops, with the gap of each.
 
 use super::group::CoupledGroup;
 use super::programs::CoupledPrograms;
@@ -10,19 +10,21 @@ use linkage_core::numeric::cholesky;
 use linkage_core::numeric::continuation::turned;
 use linkage_core::numeric::least::{CLOSED, Equations, Rows, STEP, least};
 
-/// Loops that miss by a smaller part of what the farthest misses by hold.
+/// Share of the largest gap below which a loop counts as closed.
 const LITTLE: f64 = 1e-3;
 
-/// Bodies are rigid but for this.
+/// Greatest change of a body that counts as rigid.
 const RIGID: f64 = 1e-13;
 
 /// Corrections of bodies that are not: each leaves a tenth after the longest step.
 const CORRECTIONS: usize = 20;
 
-/// Axes may be estimated roughly, so what their loops say there is a rough guide for the first time.
+/// Repetitions: axes may be estimated roughly, so that the first derivatives of their loops are
+/// rough.
 const TIMES: usize = 3;
 
-/// How near to closing its loops come from where its unknowns are estimated: where a way ends, bodies may be far from rigid.
+/// The closest approach of the loops from the estimates of the unknowns. At the end of a path,
+/// bodies may be far from rigid.
 pub(super) fn closest_approach(
     group: &CoupledGroup,
     programs: &mut dyn CoupledPrograms,
@@ -80,18 +82,18 @@ struct Loops<'a> {
     x: &'a [f64],
 }
 
-/// What is to be least, and what holds all the while.
+/// The sides to be minimised, and the constraints.
 struct Sides {
-    /// As shares of the loops' scales.
+    /// Gaps of the loops, as shares of their scales.
     of_loops: Vec<f64>,
-    /// Of the loops that make bodies rigid.
+    /// Gaps of the loops that make bodies rigid.
     of_bodies: Vec<f64>,
 }
 
 /// The loops about a state.
 struct Near {
     missed: Vec<f64>,
-    /// By row and unknown, for changes that leave bodies rigid.
+    /// Derivatives by row and unknown, for changes that leave bodies rigid.
     matrix: Vec<Vec<f64>>,
     bodies: Vec<Vec<f64>>,
 }
@@ -147,7 +149,7 @@ impl Loops<'_> {
         }
     }
 
-    /// Of the loops, and of those of bodies: by row and unknown.
+    /// Derivatives of the loops, and of those of bodies: by row and unknown.
     fn derivatives(&mut self, state: &[f64]) -> [Vec<Vec<f64>>; 2] {
         let variables = self.group.variables;
         let columns: Vec<Sides> = (0..variables.len())
@@ -184,7 +186,8 @@ impl Loops<'_> {
         left.iter().all(|x| x.abs() <= CLOSED).then_some(state)
     }
 
-    /// Bodies made rigid again, as near to the state as possible; `bodies` are the derivatives of their loops thereabouts.
+    /// Bodies made rigid again, as near to the state as possible; `bodies` are the derivatives of
+    /// their loops nearby.
     fn corrected(&mut self, mut state: Vec<f64>, bodies: &[Vec<f64>]) -> Vec<f64> {
         for _ in 0..CORRECTIONS {
             let off = self.sides(&state).of_bodies;

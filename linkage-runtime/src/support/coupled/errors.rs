@@ -75,7 +75,7 @@ impl CoupledGroup {
         }
     }
 
-    /// What cannot be said of such a group.
+    /// The error for a figure that needs a listing of such a group.
     pub(crate) fn not_listed(&self) -> AssemblyError {
         self.error(CoupledCause::NotListed(Unlisted::Followed))
     }

@@ -30,11 +30,13 @@ impl<const I: usize, const S: usize, const N: usize> CoupledGrid<I, S, N> {
         others.fold(self.first.served(), f64::min)
     }
 
-    /// The state near `x` and the floor, without derivatives. With `FUSED` only on machines with fused multiply-add.
+    /// The state near `x` and the floor, without derivatives. With `FUSED` only on machines with
+    /// fused multiply-add.
     #[must_use]
     #[inline(always)]
     pub fn at<T: Scalar, const FUSED: bool>(&self, x: [T; I]) -> ([T; S], T) {
-        // In memory at once, its numbers are computed as vectors: otherwise the optimiser takes them apart and computes each alone.
+        // In memory at once, its numbers are computed as vectors: otherwise the optimiser takes
+        // them apart and computes each alone.
         black_box(self.look_up::<T, FUSED>(x))
     }
 
@@ -55,8 +57,8 @@ impl<const I: usize, const S: usize, const N: usize> CoupledGrid<I, S, N> {
         })
     }
 
-    /// What [`at`](Self::at) gives for the first `vectors` times `V` rows of the inputs: the numbers of the state and then the floor, a column
-    /// each.
+    /// Writes the results of [`at`](Self::at) for the first `vectors` times `V` rows of the inputs:
+    /// the numbers of the state and then the floor, a column each.
     #[inline(always)]
     pub fn fill<T: Scalar, const FUSED: bool, const V: usize, const B: usize>(
         &self,
@@ -68,7 +70,8 @@ impl<const I: usize, const S: usize, const N: usize> CoupledGrid<I, S, N> {
             let nothing = ([T::from_f64(0.0); S], T::from_f64(0.0));
             let mut rows = [nothing; V];
             for (lane, row) in rows.iter_mut().enumerate() {
-                // Across rows, look-ups would become gathers, which are slow: nothing is moved across this.
+                // Across rows, look-ups would become gathers, which are slow: nothing is moved
+                // across this.
                 black_box(());
                 let mut inputs = [T::from_f64(0.0); I];
                 for (input, column) in inputs.iter_mut().zip(x) {

@@ -1,4 +1,4 @@
-//! What generated code says of a group without a closed form.
+//! Data of a coupled group in generated code.
 
 use alloc::vec::Vec;
 use linkage_core::numeric::continuation::{Range, Terms};
@@ -17,23 +17,26 @@ pub struct CoupledGroup {
     pub loops: &'static [usize],
     /// Its unknowns, for messages.
     pub names: &'static [&'static str],
-    /// Its unknowns that have start estimates, in the order of [`CoupledPrograms::placed`](super::CoupledPrograms::placed).
+    /// Its unknowns that have start estimates, in the order of
+    /// [`CoupledPrograms::placed`](super::CoupledPrograms::placed).
     pub unknowns: &'static [CoupledUnknown],
     /// The variables of its polynomial system.
     pub variables: &'static [Variable],
     /// The terms of its polynomial system; none of a group that is followed from its estimates.
     pub terms: &'static [Term<'static>],
-    /// The loops of a group that is followed from its estimates, in the order of [`CoupledPrograms::missed`](super::CoupledPrograms::missed); none if
-    /// that cannot be told.
+    /// The loops of a group that is followed from its estimates, in the order of
+    /// [`CoupledPrograms::missed`](super::CoupledPrograms::missed); empty if there are no programs
+    /// for them.
     pub missed: &'static [CoupledLoop],
     /// The inputs that it depends on.
     pub inputs: &'static [CoupledInput],
-    /// What a grid over two of them knows in its cells.
+    /// Data in the cells of a grid over two of them.
     pub in_cells: Terms,
 }
 
 impl CoupledGroup {
-    /// Whether its assembly is followed from the estimates, since its solutions cannot be listed.
+    /// Returns true if its assembly is followed from the estimates, since its solutions cannot be
+    /// listed.
     pub(crate) fn is_followed(&self) -> bool {
         self.terms.is_empty()
     }
@@ -49,22 +52,22 @@ impl CoupledGroup {
 pub struct CoupledUnknown {
     /// Its name.
     pub name: &'static str,
-    /// Where it is at the reference inputs, about.
+    /// The estimate at the reference inputs.
     pub estimate: f64,
     /// The length that counts as much as a radian; 1 for an angle.
     pub scale: f64,
     /// Unit of a length; empty for a number.
     pub unit: &'static str,
-    /// Whether it is an angle.
+    /// True for an angle.
     pub angle: bool,
 }
 
-/// A loop by which is told how near to closing a group comes.
+/// A loop that measures the closest approach of a group.
 #[derive(Clone, Copy, Debug)]
 pub struct CoupledLoop {
     /// Its number, the first loop of the mechanism being 1.
     pub number: usize,
-    /// How many components its sides have.
+    /// The number of components of its sides.
     pub rows: usize,
     /// Its unit; empty for a number.
     pub unit: &'static str,
@@ -81,7 +84,7 @@ pub struct CoupledInput {
     pub unit: &'static str,
     /// Its index among all inputs.
     pub index: usize,
-    /// Whether its range was declared.
+    /// True if its range was declared.
     pub declared: bool,
     /// Its range.
     pub range: Range,

@@ -1,4 +1,4 @@
-//! What is prepared of a coupled group.
+//! The initial states of a coupled group.
 
 use super::grid::CoupledGrid;
 use super::lanes::Coupled;
@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 use linkage_core::Scalar;
 use linkage_core::numeric::continuation::{Grid, Table};
 
-/// What is prepared of a coupled group.
+/// The initial states of a coupled group for Newton's method, over the ranges of its inputs.
 #[derive(Clone, Debug, PartialEq)]
 pub enum InitialState {
     /// Nothing yet: every state is NaN.
@@ -19,8 +19,9 @@ pub enum InitialState {
 }
 
 impl InitialState {
-    /// Writes the state at the group's inputs `x` as calls of generated code look it up, and returns the floor; NaN where there is none.
-    /// With `FUSED` only on machines with fused multiply-add.
+    /// Writes the state at the group's inputs `x` as calls of generated code look it up, and
+    /// returns the floor; NaN where there is none. With `FUSED` only on machines with fused
+    /// multiply-add.
     ///
     /// # Panics
     ///

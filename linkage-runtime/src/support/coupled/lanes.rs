@@ -24,7 +24,8 @@ impl<const S: usize> Coupled<S> {
         }
     }
 
-    /// The state at `x` and the floor, without derivatives. With `FUSED` only on machines with fused multiply-add.
+    /// The state at `x` and the floor, without derivatives. With `FUSED` only on machines with
+    /// fused multiply-add.
     #[must_use]
     #[inline(always)]
     pub fn at<T: Scalar, const FUSED: bool>(&self, x: T) -> ([T; S], T) {
@@ -37,8 +38,8 @@ impl<const S: usize> Coupled<S> {
         })
     }
 
-    /// What [`at`](Self::at) gives for the first `vectors` times `V` of `x`, to the last bit: the numbers of the state and then the floor, a
-    /// column each.
+    /// Writes the results of [`at`](Self::at) for the first `vectors` times `V` of `x`, to the last
+    /// bit: the numbers of the state and then the floor, a column each.
     #[inline(always)]
     pub fn fill<T: Scalar, const FUSED: bool, const V: usize, const B: usize>(
         &self,

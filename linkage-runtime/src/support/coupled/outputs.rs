@@ -24,7 +24,8 @@ pub fn pairs(outputs: &[f64]) -> Vec<[f64; 2]> {
     outputs.chunks_exact(2).map(|c| [c[0], c[1]]).collect()
 }
 
-/// What [`CoupledPrograms::placed`](super::CoupledPrograms::placed) gives, from outputs in this order and the reach of the links; by default that is `reach`.
+/// The result of [`CoupledPrograms::placed`](super::CoupledPrograms::placed), from outputs in this
+/// order and the reach of the links, which is `reach` by default.
 pub fn placed(angles: &[bool], reach: f64, outputs: &[f64]) -> Vec<[f64; 2]> {
     let now = outputs.last().copied().unwrap_or(f64::NAN);
     let size = if now > 0.0 { reach / now } else { 1.0 };

@@ -1,4 +1,4 @@
-//! What is prepared of all coupled groups of a mechanism, one group after the other.
+//! Preparation of all coupled groups of a mechanism, one group after the other.
 
 use super::group::CoupledGroup;
 use super::initial_state::InitialState;
@@ -10,7 +10,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 use linkage_core::numeric::continuation::{Grid, Range, Refusal, Table};
 
-/// Which assemblies are prepared.
+/// The assemblies to prepare.
 #[derive(Clone, Copy, Debug)]
 pub enum Wanted<'a, const K: usize> {
     /// The one nearest to the start estimates.
@@ -21,8 +21,8 @@ pub enum Wanted<'a, const K: usize> {
     Like(&'a [InitialState; K]),
 }
 
-/// Prepares the coupled groups in their order. `programs` gives group `k` with what is prepared of those before it; `at`
-/// are all inputs of the mechanism.
+/// Prepares the coupled groups in their order. `programs` returns the programs of group `k`, given
+/// the initial states of those before it; `at` are all inputs of the mechanism.
 ///
 /// # Errors
 ///
@@ -47,7 +47,7 @@ pub fn initial_states<const K: usize, P: CoupledPrograms>(
     )
 }
 
-/// As [`Wanted`], where the number of groups is known at run time only.
+/// The choice of [`Wanted`], for a number of groups that is known at run time only.
 #[derive(Clone, Copy, Debug)]
 pub enum Which<'a> {
     /// The one nearest to the start estimates.
@@ -58,7 +58,8 @@ pub enum Which<'a> {
     Like(&'a [InitialState]),
 }
 
-/// As [`initial_states`], for any list `S` of as many starts as groups; `nothing` is the one with [`InitialState::Nothing`] alone.
+/// Works as [`initial_states`], for any list `S` of as many initial states as groups; `nothing` is
+/// the list with [`InitialState::Nothing`] alone.
 ///
 /// # Errors
 ///
@@ -122,8 +123,9 @@ fn nearest(solutions: Vec<CoupledSolution>, state: &[f64]) -> Option<CoupledSolu
         .min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }
 
-/// Prepares a group from a solution at its inputs `x`. Where no range is declared, and for `every` assembly that was asked
-/// for, as far as the solution goes; one that cannot be followed at all is prepared for these inputs alone.
+/// Prepares a group from a solution at its inputs `x`. Where no range is declared, and for `every`
+/// assembly that was requested, as far as the solution goes; one that cannot be followed at all is
+/// prepared for these inputs alone.
 fn start(
     group: &CoupledGroup,
     programs: &mut dyn CoupledPrograms,
@@ -200,7 +202,8 @@ pub fn prepared(
     start(group, programs, x, state, ranges, true)
 }
 
-/// Prepares all groups from known states, as `assemble()` does from those that estimates choose; `at` are all inputs of the mechanism.
+/// Prepares all groups from known states, as `assemble()` does from those that estimates choose;
+/// `at` are all inputs of the mechanism.
 ///
 /// # Errors
 ///

@@ -14,7 +14,7 @@ pub struct CoupledSolution {
     pub state: Vec<f64>,
     /// The unknowns with start estimates: angles from -pi to pi, lengths.
     pub values: Vec<f64>,
-    /// How far it is from the estimates.
+    /// The distance from the estimates.
     pub distance: f64,
 }
 

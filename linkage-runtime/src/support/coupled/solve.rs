@@ -1,5 +1,5 @@
-//! The assembly of a group at the reference inputs: all solutions are listed, the one nearest to the start estimates is
-//! taken.
+//! The assembly of a group at the reference inputs: all solutions are listed, the one nearest to
+//! the start estimates is taken.
 
 use super::estimate::followed;
 use super::group::CoupledGroup;
@@ -43,7 +43,8 @@ fn solutions(
     Ok(solutions)
 }
 
-/// All real solutions at the inputs `x`, the nearest to the estimates first; of a group that is followed the one to which these lead.
+/// All real solutions at the inputs `x`, the nearest to the estimates first; of a group that is
+/// followed the one to which these lead.
 ///
 /// # Errors
 ///
@@ -64,7 +65,8 @@ pub fn list_solutions(
 ///
 /// # Errors
 ///
-/// If the solutions cannot be listed, none is real, two are equally near, or two meet at a turning point; if the estimates lead nowhere.
+/// If the solutions cannot be listed, none is real, two are equally near, or two meet at a turning
+/// point; if the estimates lead nowhere.
 pub fn nearest_solution(
     group: &CoupledGroup,
     programs: &mut dyn CoupledPrograms,

@@ -1,18 +1,19 @@
-//! Where the arguments of a sweep come from.
+//! Sources of the arguments of a sweep.
 
 use linkage_core::Scalar;
 
 /// Rows of `I` arguments.
 pub trait Arguments<T, const I: usize> {
-    /// How many rows.
+    /// The number of rows.
     ///
     /// # Panics
     ///
     /// Panics if they are not complete.
     fn check(&self) -> usize;
 
-    /// Fills the first `rows` of a block from `start`, argument by argument, `V` at a time: there may be more, but no fewer. Rows after the
-    /// last repeat the last. With `FUSED` only on machines with fused multiply-add.
+    /// Fills the first `rows` of a block from `start`, argument by argument, `V` at a time: there
+    /// may be more, but no fewer. Rows after the last repeat the last. With `FUSED` only on
+    /// machines with fused multiply-add.
     fn block<const FUSED: bool, const V: usize, const B: usize>(
         &self,
         start: usize,
@@ -39,7 +40,7 @@ impl<T: Scalar, const I: usize> Arguments<T, I> for Inputs<'_, T, I> {
             names,
             slices,
         } = self;
-        // The first slice with other than one element tells how many rows there are.
+        // The first slice with other than one element determines the number of rows.
         let lengths = slices.iter().map(|slice| slice.len());
         let (first, len) = lengths
             .enumerate()
@@ -73,7 +74,7 @@ impl<T: Scalar, const I: usize> Arguments<T, I> for Inputs<'_, T, I> {
     }
 }
 
-/// The last rows, fewer than a block: rare, and so behind a call.
+/// The last rows, fewer than a block: rare, and so in a function of its own.
 #[inline(never)]
 fn last_rows<T: Copy>(column: &mut [T], slice: &[T], start: usize) {
     if let [value] = slice {
@@ -91,8 +92,8 @@ fn repeat_last<T: Copy>(column: &mut [T], slice: &[T], start: usize) {
     }
 }
 
-/// Many mechanisms: the dimensions of each, and one slice for each input with an element for each mechanism, or a
-/// single element for all. A row is the scalars of the dimensions, then the inputs.
+/// Many mechanisms: the dimensions of each, and one slice for each input with an element for each
+/// mechanism, or a single element for all. A row is the scalars of the dimensions, then the inputs.
 #[derive(Clone, Copy, Debug)]
 pub struct Sets<'a, M, T, F, const N: usize> {
     /// The function, for the panic.

@@ -1,4 +1,4 @@
-//! What the loops of a kernel over blocks of rows use.
+//! Blocks of rows, as the loops of a kernel use them.
 
 use linkage_core::Scalar;
 
@@ -10,7 +10,8 @@ pub struct Block<T, const B: usize, const N: usize>(
     pub [[T; B]; N],
 );
 
-/// Generated code reads and writes through these: rustc takes ten times as long for the types of an index into an array of arrays.
+/// Generated code reads and writes through these: rustc takes ten times as long for the types of an
+/// index into an array of arrays.
 impl<T: Copy, const B: usize, const N: usize> Block<T, B, N> {
     /// All numbers are `value`.
     #[inline(always)]
@@ -43,7 +44,7 @@ impl<T: Copy, const B: usize, const N: usize> Block<T, B, N> {
     }
 }
 
-/// How many rows the columns have.
+/// The number of rows of the columns.
 #[inline(always)]
 pub fn rows<T, const W: usize>(columns: &[&mut [T]; W]) -> usize {
     columns.first().map_or(0, |column| column.len())
@@ -60,12 +61,13 @@ fn put<T: Copy, const V: usize>(column: &mut [T], row: usize, lanes: &[T; V]) {
     }
 }
 
-/// How many vectors of `V` rows the next block has, of `left` rows that are still to come of `count`: one at least, as many as fill `B` rows at
-/// most. What is left for the last may have rows that are done already.
+/// The number of vectors of `V` rows in the next block, if `left` of `count` rows remain: at least
+/// one, and at most `B` rows. The last block may repeat rows that are done already.
 #[inline(always)]
 pub fn next_vectors<const V: usize, const B: usize>(left: usize, count: usize) -> usize {
     let (vectors, most) = (left.div_ceil(V), B / V);
-    // A block of one vector takes as long as one of two: every operation waits for the one before. So the last two blocks share.
+    // A block of one vector takes as long as one of two: every operation waits for the one before.
+    // So the last two blocks share.
     let shared = if vectors > most && vectors < 2 * most {
         vectors.div_ceil(2)
     } else {
@@ -74,7 +76,7 @@ pub fn next_vectors<const V: usize, const B: usize>(left: usize, count: usize) -
     shared.min(count / V).clamp(1, most)
 }
 
-/// Fewer rows than stand side by side: `evaluate` fills `V`, the first go into the columns.
+/// Fewer rows than a vector has: `evaluate` fills `V`, the first go into the columns.
 pub(super) fn few<T: Scalar, const V: usize, const W: usize>(
     columns: [&mut [T]; W],
     evaluate: impl FnOnce([&mut [T]; W]),

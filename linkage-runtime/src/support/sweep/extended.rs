@@ -1,11 +1,12 @@
-//! Arguments with the states of coupled groups behind them.
+//! Arguments with the states of coupled groups after them.
 
 use super::arguments::Arguments;
 use linkage_core::Scalar;
 
-/// Where the states of coupled groups come from: `S` numbers from `J` inputs.
+/// Sources of the states of coupled groups: `S` numbers from `J` inputs.
 pub trait States<T, const J: usize, const S: usize> {
-    /// The states of the first `vectors` times `V` rows of the inputs. With `FUSED` only on machines with fused multiply-add.
+    /// The states of the first `vectors` times `V` rows of the inputs. With `FUSED` only on
+    /// machines with fused multiply-add.
     fn fill<const FUSED: bool, const V: usize, const B: usize>(
         &self,
         inputs: &[[T; B]; J],
@@ -14,14 +15,14 @@ pub trait States<T, const J: usize, const S: usize> {
     );
 }
 
-/// Rows of `I` arguments, `J` of them inputs, with `S` states behind them.
+/// Rows of `I` arguments, `J` of them inputs, with `S` states after them.
 #[derive(Clone, Copy, Debug)]
 pub struct Extended<A, F, const I: usize, const J: usize, const S: usize> {
     /// The rows.
     pub inner: A,
     /// The first of the inputs among the arguments.
     pub first: usize,
-    /// From inputs to states.
+    /// The function from inputs to states.
     pub states: F,
 }
 

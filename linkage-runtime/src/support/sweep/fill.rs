@@ -18,7 +18,7 @@ pub fn fill<T: Scalar, const I: usize, const W: usize>(
 ) {
     let rows = arguments.check();
     columns.resize(rows);
-    // Fewer rows than stand side by side are a vector, too, which is written as a whole.
+    // Fewer rows than a vector has are computed as a vector, too, which is written as a whole.
     let columns = match rows {
         0 => columns.all_mut(),
         _ => columns.all_with_room(instruction_set::lanes::<T>()),
@@ -26,10 +26,12 @@ pub fn fill<T: Scalar, const I: usize, const W: usize>(
     instruction_set::run(kernel, arguments, 0, columns);
 }
 
-/// So many positions take less time as calls than as a vector, which takes that of three to five calls.
+/// Number of positions below which calls take less time than a vector, which takes as long as three
+/// to five calls.
 const CALLS: usize = 3;
 
-/// As [`fill`], but a few positions by `one`, the function as it is called, row by row, if that gives something.
+/// Works as [`fill`], but evaluates a few positions by `one`, the function for calls, row by row,
+/// if that returns something.
 ///
 /// # Panics
 ///
@@ -61,7 +63,8 @@ pub fn in_row<T: Copy>(values: &[T], row: usize) -> T {
     }
 }
 
-/// Evaluates `kernel` at all positions, into slices of that length. `title` is the function, for the panic.
+/// Evaluates `kernel` at all positions, into slices of that length. `title` is the function, for
+/// the panic.
 ///
 /// # Panics
 ///

@@ -1,4 +1,5 @@
-//! Mechanisms too far from the one of the tables for the steps of a kernel: the states of their coupled groups are followed.
+//! Mechanisms too far from the one of the tables for the steps of a kernel: the states of their
+//! coupled groups are followed.
 
 mod rows;
 mod tracking;
@@ -15,7 +16,8 @@ use tracking::{Groups, StateSpan, track_rows};
 
 pub use tracking::Moving;
 
-/// Rows that are followed together: enough for vectors of rows, few enough for the processor's cache.
+/// Rows that are followed together: enough for vectors of rows, few enough for the processor's
+/// cache.
 const TOGETHER: usize = 512;
 
 /// A function's part of a mechanism that is followed.
@@ -23,14 +25,15 @@ const TOGETHER: usize = 512;
 pub struct Followed<F, const P: usize> {
     /// The mechanism of a lane, a [`Moving`].
     pub mechanism: F,
-    /// Where inputs, states and floors of the function's rows stand in those of the mechanism; dimensions stand first in both.
+    /// Positions of inputs, states and floors of the function's rows in those of the mechanism;
+    /// dimensions are first in both.
     pub places: &'static [usize],
     /// The groups that the function uses, each with the first place and the size of its state.
     pub groups: &'static [(usize, usize, usize)],
 }
 
 impl<F, const P: usize> Followed<F, P> {
-    /// Evaluates rows that are not a number anew, with followed states.
+    /// Evaluates rows that are not a number again, with followed states.
     fn complete<T, M, const R: usize, const I: usize, const W: usize>(
         &self,
         kernel: &impl Kernel<T, I, W>,
@@ -138,7 +141,7 @@ impl<F, const P: usize> Followed<F, P> {
     }
 }
 
-/// Whether a result is no number.
+/// Returns true if a result is no number.
 fn is_missing<T: Scalar>(columns: &[&mut [T]], row: usize, lane: usize) -> bool {
     columns.iter().any(|column| column[row].lane(lane).is_nan())
 }
@@ -149,7 +152,8 @@ fn one_row<T: Scalar, const I: usize>(arguments: &impl Arguments<T, I>, number: 
     row.map(|[value]| value)
 }
 
-/// As [`fill`](super::fill); where results are not a number, the states of coupled groups are followed to the dimensions of the row.
+/// Works as [`fill`](super::fill). If results are not a number, the states of coupled groups are
+/// followed to the dimensions of the row.
 ///
 /// # Panics
 ///
@@ -175,7 +179,7 @@ pub fn fill_followed<T, M, F, const P: usize, const R: usize, const I: usize, co
     followed.complete(kernel, arguments, 0, &mut columns);
 }
 
-/// As [`fill_followed`], on all threads of rayon's current pool.
+/// Works as [`fill_followed`], on all threads of rayon's current pool.
 ///
 /// # Panics
 ///

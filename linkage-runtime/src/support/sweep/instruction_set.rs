@@ -6,7 +6,7 @@ use super::kernel::Kernel;
 use linkage_core::FUSED;
 use linkage_core::Scalar;
 
-/// How many rows stand side by side.
+/// The number of rows side by side.
 pub(super) const fn lanes<T: Scalar>() -> usize {
     match (T::VECTORISES, size_of::<T>()) {
         (false, _) => 1,
@@ -29,7 +29,7 @@ pub(super) fn run<T, K, A, const I: usize, const W: usize>(
     if blocks::rows(&columns) == 0 {
         return;
     }
-    // Constants, which are known before code is made: none is made for what is not chosen.
+    // Constants, which are known before code is made: code exists for the chosen one only.
     if const { !T::VECTORISES } {
         kernel.evaluate::<FUSED, 1, 1>(arguments, start, columns);
     } else if const { size_of::<T>() == 4 } {

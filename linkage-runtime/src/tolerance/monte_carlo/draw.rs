@@ -1,4 +1,4 @@
-//! How mechanisms are drawn.
+//! Random draws of mechanisms.
 
 use alloc::vec::Vec;
 use core::array;
@@ -17,7 +17,8 @@ pub(super) struct Draw<const N: usize> {
     pub(super) middles: [f64; N],
     pub(super) tolerances: [f64; N],
     pub(super) distributions: [Distribution; N],
-    /// The root of the matrix of correlations: all that are correlated are normal. `None` if nothing is.
+    /// The root of the matrix of correlations: all that are correlated are normal. `None` if
+    /// nothing is.
     pub(super) root: Option<Square<N>>,
 }
 
@@ -30,7 +31,8 @@ impl<const N: usize> Draw<N> {
                 array::from_fn(|i| drawn(self.distributions[i], &mut random));
             let deviations: [f64; N] = match &self.root {
                 None => independent,
-                // Normal distributions have one standard deviation for a tolerance of 1, and so has what the root mixes.
+                // Normal distributions have one standard deviation for a tolerance of 1, and so has
+                // what the root mixes.
                 Some(root) => array::from_fn(|i| (0..N).map(|j| root[i][j] * independent[j]).sum()),
             };
             let value =

@@ -1,4 +1,4 @@
-//! Rows that are at hand as arguments of a kernel.
+//! Rows in memory as arguments of a kernel.
 
 use crate::support::sweep::arguments::Arguments;
 use linkage_core::Scalar;

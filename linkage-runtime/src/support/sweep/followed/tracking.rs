@@ -1,5 +1,5 @@
-//! Many mechanisms on their straight ways to dimensions of their own, side by side: each takes its own steps, and whoever has arrived makes
-//! room for the next.
+//! Many mechanisms on straight paths to dimensions of their own, side by side: each takes its own
+//! steps, and the next one takes the slot of one that has arrived.
 
 mod groups;
 mod history;

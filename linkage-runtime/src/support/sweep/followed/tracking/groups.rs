@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 #[derive(Clone, Copy)]
 pub(crate) struct StateSpan {
     pub(crate) number: usize,
-    /// Of its state in a row; the floor stands behind that.
+    /// Position of its state in a row, before the floor.
     pub(crate) first: usize,
     pub(crate) size: usize,
 }
@@ -24,7 +24,7 @@ impl StateSpan {
 /// The coupled groups that are followed, in order.
 pub(crate) struct Groups {
     pub(super) spans: Vec<StateSpan>,
-    /// Where all numbers of their states stand, and these with the floors.
+    /// Positions of all numbers of their states, and of these with the floors.
     pub(super) states: Vec<usize>,
     pub(super) numbers: Vec<usize>,
 }
@@ -41,7 +41,7 @@ impl Groups {
         }
     }
 
-    /// Whether a row has all their states.
+    /// Returns true if a row has all their states.
     pub(crate) fn have<const R: usize>(&self, row: &[f64; R]) -> bool {
         self.numbers.iter().all(|&number| row[number].is_finite())
     }

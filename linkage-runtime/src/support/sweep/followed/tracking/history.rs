@@ -13,15 +13,15 @@ const FAR: f64 = 4.0;
 
 /// The last places on the way.
 pub(super) struct History<const R: usize> {
-    /// What was reached: the states, and as floors half of the determinants.
+    /// The reached points: the states, and as floors half of the determinants.
     rows: [[f64; R]; KNOWN],
     shares: [f64; KNOWN],
     known: usize,
-    /// Which is the latest; those before it follow.
+    /// The number of the latest; those before it follow.
     latest: usize,
 }
 
-/// How states are extrapolated: the weight of each place.
+/// The extrapolation of states: the weight of each point.
 pub(super) struct Outlook([f64; KNOWN]);
 
 impl<const R: usize> History<R> {
@@ -63,8 +63,8 @@ impl<const R: usize> History<R> {
         self.put(self.latest, share, groups, lane);
     }
 
-    /// The place in the slot is beside the last one, and the only other one that counts. The determinants are those of the last one: floors
-    /// from a table are bounds of them.
+    /// The place in the slot is beside the last one, and the only other one that counts. The
+    /// determinants are those of the last one: floors from a table are bounds of them.
     pub(super) fn add_beside(&mut self, share: f64, groups: &Groups, lane: &Lane<'_, R>) {
         self.known = 2;
         self.put(self.before(), share, groups, lane);
@@ -80,8 +80,8 @@ impl<const R: usize> History<R> {
         }
     }
 
-    /// The share of the way at which the first of the determinants would vanish if its square went on as between the last places: towards a
-    /// dead point it falls evenly.
+    /// The share of the way at which the first of the determinants would vanish if its square went
+    /// on as between the last places: towards a dead point it falls evenly.
     pub(super) fn end(&self, groups: &Groups) -> f64 {
         let [here, before] = [self.latest, self.before()];
         let way = self.shares[here] - self.shares[before];
@@ -97,7 +97,8 @@ impl<const R: usize> History<R> {
         ends.fold(f64::INFINITY, f64::min)
     }
 
-    /// To another share of the way. If a dead point is at `end`, states change with the root of the distance from there.
+    /// To another share of the way. If a dead point is at `end`, states change with the root of the
+    /// distance from there.
     pub(super) fn outlook(&self, share: f64, end: f64) -> Outlook {
         let known: [usize; KNOWN] = from_fn(|k| (self.latest + k) % KNOWN);
         let known = &known[..self.known];

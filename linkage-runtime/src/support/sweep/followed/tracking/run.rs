@@ -9,8 +9,9 @@ use crate::support::CoupledGroup;
 use alloc::vec::Vec;
 use linkage_core::Scalar;
 
-/// Takes all as far as they come: each row has the dimensions that are wanted, the inputs, and the states at the dimensions of the mechanism.
-/// Who arrives gets the states there, who is blocked states that are not a number.
+/// Takes all as far as they come: each row has the dimensions that are wanted, the inputs, and the
+/// states at the dimensions of the mechanism. A row that arrives gets the states there, a blocked
+/// one states that are not a number.
 pub(crate) fn track_rows<M, const P: usize, const R: usize>(
     mechanism: &M,
     groups: &Groups,
@@ -63,7 +64,8 @@ pub(crate) fn track_rows<M, const P: usize, const R: usize>(
     }
 }
 
-/// What has been found for a group, by its place among those that are followed, goes to all that want it.
+/// Passes the correction of a group, by its number among those that are followed, to all trackers
+/// that wait for it.
 fn take<const P: usize, const R: usize>(
     under_way: &mut [Tracker<R>],
     slots: &mut Slots<P, R>,

@@ -3,10 +3,12 @@
 use crate::support::sweep::arguments::Arguments;
 use alloc::boxed::Box;
 
-/// How many are under way at once: enough for vectors of rows, few enough for the processor's nearest cache.
+/// The number of mechanisms that are tracked at once: enough for vectors of rows, few enough for
+/// the processor's nearest cache.
 pub(super) const SLOTS: usize = 32;
 
-/// One row in each slot. Dimensions are those that are wanted; kernels read those at a share of the way.
+/// One row in each slot. Dimensions are those that are wanted; kernels read those at a share of the
+/// way.
 pub(super) struct Slots<const P: usize, const R: usize> {
     from: [f64; P],
     columns: Box<[[f64; SLOTS]; R]>,
@@ -90,7 +92,7 @@ impl<const P: usize, const R: usize> Arguments<f64, R> for Slots<P, R> {
     }
 }
 
-/// So many slots from one on, which there are.
+/// The slots of one block.
 #[inline(always)]
 fn vector<const V: usize>(column: &[f64; SLOTS], first: usize) -> [f64; V] {
     let rest = column.get(first..).and_then(|rest| rest.first_chunk());

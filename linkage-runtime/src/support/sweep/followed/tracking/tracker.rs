@@ -8,26 +8,28 @@ use crate::support::settle::{CORRECTIONS, scaled, scales};
 use linkage_core::Scalar;
 use linkage_core::numeric::continuation::{ALLOWED_CONTRACTION, FIRST_CORRECTION};
 
-/// Where the way is looked at to see how states change.
+/// Distance, as a part of the path, of the point that shows the change of the states.
 const BESIDE: f64 = 1.0 / 1024.0;
 
-/// Where shorter steps were needed, the way is blocked, or next to it.
+/// Shortest step: with shorter ones the path is blocked, or next to its end.
 const SHORTEST: f64 = 1e-4;
 
-/// The length of a step is chosen so that the first correction will be about this part of the largest one.
+/// The length of a step is chosen so that the first correction will be about this part of the
+/// largest one.
 const WANTED: f64 = 0.5 * FIRST_CORRECTION;
 
-/// How much shorter or longer the next step may be.
+/// Limits of the change of the next step's length.
 const SHORTER: f64 = 1.0 / 8.0;
 const LONGER: f64 = 4.0;
 
 /// A step goes no nearer to a dead point that seems to be ahead than by this part of the distance.
 const TOWARDS_END: f64 = 0.9;
 
-/// States are extrapolated by no more, in radians or scaled lengths: far less than the distance of another assembly.
+/// States are extrapolated by no more, in radians or scaled lengths: far less than the distance of
+/// another assembly.
 const AHEAD: f64 = 0.25;
 
-/// What the next correction may be where none is made: the kernel corrects what is left.
+/// Largest expected correction that is not made: the kernel corrects the rest.
 const SETTLED: f64 = 1e-4;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +40,7 @@ enum Stage {
     Blocked,
 }
 
-/// What is to be said of a correction.
+/// The verdict on a correction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Verdict {
     /// Too large, or on another assembly.
@@ -58,12 +60,13 @@ pub(super) struct Tracker<const R: usize> {
     share: f64,
     length: f64,
     stage: Stage,
-    /// Whether it only looks at what is beside the last place, since it knows no other.
+    /// True while it evaluates a point next to its only one.
     looks: bool,
-    /// Which scale of lengths is tried, and whether the step has changed one.
+    /// The number of the scale of lengths, and whether the step has changed one.
     scale: usize,
     rescaled: bool,
-    /// The last correction, the largest one now, how many there were, and the largest first one of the step.
+    /// The last correction, the largest one now, how many there were, and the largest first one of
+    /// the step.
     last: f64,
     allowed: f64,
     corrections: usize,
@@ -73,7 +76,7 @@ pub(super) struct Tracker<const R: usize> {
 }
 
 impl<const R: usize> Tracker<R> {
-    /// Nobody yet.
+    /// A tracker without a row.
     pub(super) fn new() -> Self {
         Self {
             number: 0,
@@ -92,7 +95,8 @@ impl<const R: usize> Tracker<R> {
         }
     }
 
-    /// Begins with the states that `row` has behind the dimensions that are wanted; the slot has that row.
+    /// Begins with the states that `row` has after the wanted dimensions; the slot has
+    /// that row.
     pub(super) fn begin(
         &mut self,
         number: usize,
@@ -108,12 +112,13 @@ impl<const R: usize> Tracker<R> {
         }
     }
 
-    /// Whether it waits for a correction of the group with this place among those that are followed.
+    /// Returns true if it waits for a correction of the group with this number among those that are
+    /// followed.
     pub(super) fn wants(&self, at: usize) -> bool {
         self.stage == Stage::Group(at)
     }
 
-    /// Whether it has come as far as it can; its row then has what it has found.
+    /// Returns true if it has come as far as it can; its row then has the result.
     pub(super) fn leave(&self, groups: &Groups, rows: &mut [[f64; R]]) -> bool {
         let arrived = match self.stage {
             Stage::Group(_) => return false,
@@ -176,7 +181,7 @@ impl<const R: usize> Tracker<R> {
         (self.last, self.allowed, self.corrections) = (FIRST_CORRECTION, FIRST_CORRECTION, 0);
     }
 
-    /// What a correction of this size, from where the determinant is that, is worth.
+    /// Judges a correction of this size, which begins with that determinant.
     pub(super) fn judge(&mut self, span: StateSpan, size: f64, determinant: f64) -> Verdict {
         if self.corrections == 0 {
             self.first = self.first.max(size);
