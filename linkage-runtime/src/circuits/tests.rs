@@ -295,11 +295,11 @@ fn an_assembly_ends_where_it_has_no_margin() {
 #[test]
 fn parts_are_shown_or_not() {
     let wave = |u: Enclosure| (u * Enclosure::from_f64(20.0)).sin_cos().0;
-    let parts = parts(&wave, false, -1e-14);
+    let shown = parts(&wave, false, -1e-14);
     assert!(
-        parts.shown && parts.ends.len() < 200,
+        shown.shown && shown.ends.len() < 200,
         "{}",
-        parts.ends.len()
+        shown.ends.len()
     );
     let broken = |u: Enclosure| Enclosure::from_f64(1.0) / (u * u);
     assert!(!parts(&broken, false, -1e-14).shown);

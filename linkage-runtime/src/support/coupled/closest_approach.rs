@@ -34,11 +34,7 @@ pub(super) fn closest_approach(
     if group.missed.is_empty() {
         return ClosestApproach::Unknown;
     }
-    let mut loops = Loops {
-        group: group,
-        programs,
-        x,
-    };
+    let mut loops = Loops { group, programs, x };
     let found = loops
         .rigid(estimate)
         .and_then(|from| least(&mut loops, from));

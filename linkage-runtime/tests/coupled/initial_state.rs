@@ -5,7 +5,7 @@ use linkage_runtime::numeric::continuation::{Correction, Range, Residuals, Step,
 use linkage_runtime::numeric::roots::{Term, Variable};
 use linkage_runtime::support::{
     Coupled, CoupledGroup, CoupledInput, CoupledPrograms, CoupledUnknown, InitialState, Wanted,
-    list_solutions, nearest_solution, starts,
+    initial_states, list_solutions, nearest_solution,
 };
 use linkage_runtime::{AssemblyError, CoupledCause, FUSED, Scalar};
 use std::f64::consts::TAU;
@@ -91,7 +91,7 @@ impl CoupledPrograms for Programs {
 
 /// The assembly nearest to the estimates, over the range.
 fn nearest(triad: EyeNeedle) -> Result<InitialState, AssemblyError> {
-    let all = starts(&[GROUP], &[0.0], Wanted::Nearest, |_, _| {
+    let all = initial_states(&[GROUP], &[0.0], Wanted::Nearest, |_, _| {
         Ok(Programs(triad))
     })?;
     let [start] = all.into_iter().next().unwrap();
