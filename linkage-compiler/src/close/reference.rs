@@ -46,7 +46,7 @@ pub(crate) fn assemble_reference<'m>(
     reporter: Reporter,
 ) -> Reference {
     let machine = Machine::new(closing, formulation, nominal);
-    let Sizes { longest, largest } = Sizes::new(algebra, formulation, nominal);
+    let Sizes { longest, largest } = Sizes::of(algebra, formulation, nominal);
     let mut assembly = Assembly {
         words: Words::new(algebra.mechanism),
         algebra,

@@ -35,7 +35,7 @@ impl Resolver<'_> {
         };
         let [input] = inputs[..] else {
             let help = "with several inputs a body has an axis for each: ask for `omega(body)`, `velocity(body.origin)` and `body.origin`, and give \
-                        an entry of each of the arrays to `linkage::Screw::new`";
+                        an entry of each of the arrays to `linkage::Screw::of`";
             self.needs_one_input(name, inputs.len(), help, span);
             return self.failed(span);
         };
