@@ -202,7 +202,7 @@ fn compare(
 /// The axis about which the carrier turns and along which it shifts while the wheel travels, the rack at rest.
 fn screw(check: &mut Check, axle: &FiveLinkAxleAssembly, travel: f64, rack: f64) {
     let body = axle.body(travel, rack);
-    let screw: Screw = Screw::new(body.w[0], body.v[0], body.carrier.origin);
+    let screw: Screw = Screw::of(body.w[0], body.v[0], body.carrier.origin);
     let Screw {
         direction, point, ..
     } = screw;

@@ -21,7 +21,7 @@ use linkage_core::Scalar;
 ///
 /// // The origin of the body is at (5, 0, 0); it turns about a vertical axis and rises by 3 per radian.
 /// let (omega, velocity) = (Vector3::new(0.0, 0.0, 2.0), Vector3::new(0.0, 4.0, 6.0));
-/// let screw: Screw = Screw::new(omega, velocity, Vector3::new(5.0, 0.0, 0.0));
+/// let screw: Screw = Screw::of(omega, velocity, Vector3::new(5.0, 0.0, 0.0));
 /// assert_eq!(screw.direction, Vector3::new(0.0, 0.0, 1.0));
 /// assert_eq!(screw.point, Vector3::new(3.0, 0.0, 0.0));
 /// assert_eq!((screw.turn, screw.shift, screw.pitch()), (2.0, 6.0, 3.0));
@@ -53,7 +53,7 @@ impl<T: Scalar> Screw<T> {
     /// size of the numbers; the axis of a body that hardly turns is far away. If it is farther than
     /// the largest number, turning makes no difference anywhere, and the motion is a shift.
     #[must_use]
-    pub fn new(omega: Vector3<T>, velocity: Vector3<T>, at: Vector3<T>) -> Self {
+    pub fn of(omega: Vector3<T>, velocity: Vector3<T>, at: Vector3<T>) -> Self {
         let (turning, moving) = (Scaled::new(omega), Scaled::new(velocity));
         let (axis, way) = (turning.direction(), moving.direction());
         // Powers of two are kept out of the products, which can neither overflow nor vanish.

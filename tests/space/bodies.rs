@@ -191,7 +191,7 @@ fn between(poses: [linkage::Frame; 2], step: f64) -> Screw {
     let turn = (after.rotation * before.rotation.inverse()).scaled_axis() / step;
     let shift = (after.translation.vector - before.translation.vector) / step;
     let middle = 0.5 * (after.translation.vector + before.translation.vector);
-    Screw::new(turn, shift, middle)
+    Screw::of(turn, shift, middle)
 }
 
 #[test]

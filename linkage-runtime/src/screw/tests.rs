@@ -36,7 +36,7 @@ const AT: [f64; 3] = [5.0, -2.0, 2.0];
 
 #[test]
 fn a_screw_of_rational_numbers() {
-    let screw: Screw = Screw::new(vector(OMEGA), vector(VELOCITY), vector(AT));
+    let screw: Screw = Screw::of(vector(OMEGA), vector(VELOCITY), vector(AT));
     near(screw.direction, OMEGA.map(|x| x / 7.0), 1e-16);
     let nearest = [53.0 / 49.0, -92.0 / 49.0, 159.0 / 49.0];
     near(screw.point, nearest, 3e-16);
@@ -57,7 +57,7 @@ fn a_screw_of_rational_numbers() {
     );
     near(screw.velocity(vector(AT)), VELOCITY, 5e-16);
     // The other way round it is the same axis, and a screw of the same hand.
-    let back: Screw = Screw::new(-vector(OMEGA), -vector(VELOCITY), vector(AT));
+    let back: Screw = Screw::of(-vector(OMEGA), -vector(VELOCITY), vector(AT));
     assert_eq!(back.direction, -screw.direction);
     assert_eq!((back.point, back.pitch()), (screw.point, 2.5));
 }
@@ -65,7 +65,7 @@ fn a_screw_of_rational_numbers() {
 /// Exact quotients and a root in 60 digits, of the doubles as they are, rounded at last.
 #[test]
 fn screws_against_sixty_digits() {
-    let screw: Screw = Screw::new(
+    let screw: Screw = Screw::of(
         vector([0.1, -0.7, 0.3]),
         vector([12.5, 3.25, -40.0]),
         vector([100.0, 0.5, -7.0]),
@@ -91,7 +91,7 @@ fn screws_against_sixty_digits() {
 fn a_body_that_hardly_turns() {
     let omega = [3.0, -0.5, 10.0].map(|x| x * 2.0_f64.powi(-44));
     let at = vector([760.0, -20.5, 320.25]);
-    let screw: Screw = Screw::new(vector(omega), vector([0.1, 0.7, -0.2]), at);
+    let screw: Screw = Screw::of(vector(omega), vector([0.1, 0.7, -0.2]), at);
     let point = [
         -1_111_085_433_624.168_5,
         257_642_999_256.988_34,
@@ -106,18 +106,18 @@ fn a_body_that_hardly_turns() {
 #[test]
 fn a_body_that_only_shifts_has_no_axis() {
     let (zero, at) = (Vector3::zeros(), vector(AT));
-    let screw: Screw = Screw::new(zero, vector([-6.0, 2.0, 3.0]), at);
+    let screw: Screw = Screw::of(zero, vector([-6.0, 2.0, 3.0]), at);
     assert!(screw.is_shift() && screw.pitch().is_infinite());
     near(screw.direction, [-6.0 / 7.0, 2.0 / 7.0, 3.0 / 7.0], 1e-16);
     assert_eq!((screw.turn, screw.shift, screw.point), (0.0, 7.0, at));
     near(screw.velocity(zero), [-6.0, 2.0, 3.0], 2e-16);
     // Its axis is farther away than any number.
-    let far: Screw = Screw::new(vector([0.0, 0.0, 1e-200]), vector([1e200, 0.0, 0.0]), at);
+    let far: Screw = Screw::of(vector([0.0, 0.0, 1e-200]), vector([1e200, 0.0, 0.0]), at);
     assert_eq!(
         far,
-        Screw::new(vector([0.0; 3]), vector([1e200, 0.0, 0.0]), at)
+        Screw::of(vector([0.0; 3]), vector([1e200, 0.0, 0.0]), at)
     );
-    let rest: Screw = Screw::new(zero, zero, at);
+    let rest: Screw = Screw::of(zero, zero, at);
     assert!(rest.is_shift() && rest.pitch().is_nan());
     assert_eq!((rest.direction, rest.velocity(zero)), (zero, zero));
 }
@@ -126,7 +126,7 @@ fn a_body_that_only_shifts_has_no_axis() {
 fn a_body_that_only_turns_does_not_shift() {
     for size in [5e-324, 1e-310, 1e-300, 1.0, 1e300] {
         let at = vector(AT);
-        let screw: Screw = Screw::new(vector([0.0, -size, 0.0]), Vector3::zeros(), at);
+        let screw: Screw = Screw::of(vector([0.0, -size, 0.0]), Vector3::zeros(), at);
         assert_eq!((screw.turn, screw.shift, screw.pitch()), (size, 0.0, 0.0));
         assert_eq!((screw.direction, screw.point), (-Vector3::y(), at));
     }
@@ -141,7 +141,7 @@ fn what_has_no_position_has_no_screw() {
         (Vector3::zeros(), nothing),
         (infinite, something),
     ] {
-        let screw: Screw = Screw::new(omega, velocity, something);
+        let screw: Screw = Screw::of(omega, velocity, something);
         assert!(screw.turn.is_nan() && screw.shift.is_nan() && !screw.is_shift());
         let vectors = [screw.direction, screw.point, screw.velocity(something)];
         assert!(vectors.iter().flatten().all(|x| x.is_nan()), "{screw:?}");
@@ -171,7 +171,7 @@ fn velocities_are_those_of_the_body() {
         };
         let [of_turning, of_lengths] = [0; 2].map(|_| random.below(900) as i32 - 450);
         let scaled = |v: [i128; 3], power: i32| vector(v.map(|x| x as f64 * 2.0_f64.powi(power)));
-        let screw: Screw = Screw::new(
+        let screw: Screw = Screw::of(
             scaled(omega, of_turning),
             scaled(velocity, of_turning + of_lengths),
             scaled(at, of_lengths),
@@ -195,7 +195,7 @@ fn velocities_are_those_of_the_body() {
 
 #[test]
 fn single_precision_and_derivatives() {
-    let single: Screw<f32> = Screw::new(
+    let single: Screw<f32> = Screw::of(
         vector(OMEGA).cast(),
         vector(VELOCITY).cast(),
         vector(AT).cast(),
@@ -205,7 +205,7 @@ fn single_precision_and_derivatives() {
         (7.0, 17.5, 2.5)
     );
     assert!((single.point.x - 53.0 / 49.0).abs() < 3e-7);
-    let tiny: Screw<f32> = Screw::new(
+    let tiny: Screw<f32> = Screw::of(
         vector(OMEGA).cast() * 1e-30,
         vector(VELOCITY).cast() * 1e-30,
         vector(AT).cast(),
@@ -215,7 +215,7 @@ fn single_precision_and_derivatives() {
     let number = |value: f64, slope: f64| Dual(num_dual::Dual64::new(value, slope));
     let constant = |v: [f64; 3]| Vector3::from(v.map(|x| number(x, 0.0)));
     let omega = Vector3::from(OMEGA.map(|x| number(x, x)));
-    let screw = Screw::new(omega, constant(VELOCITY), constant(AT));
+    let screw = Screw::of(omega, constant(VELOCITY), constant(AT));
     assert_eq!((screw.turn.0.re, screw.turn.0.eps), (7.0, 7.0));
     close(screw.pitch().0.eps, -2.5, 5e-16);
     assert!(screw.shift.0.eps.abs() < 2e-14);
@@ -223,7 +223,7 @@ fn single_precision_and_derivatives() {
 
 #[test]
 fn it_is_shown_by_components() {
-    let screw: Screw = Screw::new(Vector3::z(), Vector3::z() * 2.0, Vector3::x());
+    let screw: Screw = Screw::of(Vector3::z(), Vector3::z() * 2.0, Vector3::x());
     let shown: Vec<&str> = Vec::from([
         "Screw { direction: {x: 0.0, y: 0.0, z: 1.0}",
         "point: {x: 1.0, y: 0.0, z: 0.0}",
