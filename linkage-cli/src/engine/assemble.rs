@@ -1,6 +1,6 @@
 //! Closing the loops, and evaluating functions.
 
-use linkage_compiler::unit::Surveyed;
+use linkage_compiler::ir::Surveyed;
 use linkage_runtime::support::{
     InitialState, Which, assemblies, close, explained, finite, initial_states_of,
 };

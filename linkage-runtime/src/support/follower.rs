@@ -1,10 +1,9 @@
 //! Continuation from position to position: coupled groups are followed from their current state,
 //! whatever the ranges of the inputs.
 
-use super::settle::CORRECTIONS;
 use crate::error::Halt;
 use linkage_core::Scalar;
-use linkage_core::numeric::continuation::{ALLOWED_CONTRACTION, FIRST_CORRECTION};
+use linkage_core::certificate::{ALLOWED_CONTRACTION, CORRECTIONS, FIRST_CORRECTION};
 
 /// The shortest step, as a part of the path: next to a dead point.
 const SHORTEST: f64 = 1e-6;

@@ -4,9 +4,9 @@ use super::groups::{Groups, StateSpan};
 use super::history::History;
 use super::slots::Lane;
 use crate::support::CoupledGroup;
-use crate::support::settle::{CORRECTIONS, scaled, scales};
+use crate::support::settle::{scaled, scales};
 use linkage_core::Scalar;
-use linkage_core::numeric::continuation::{ALLOWED_CONTRACTION, FIRST_CORRECTION};
+use linkage_core::certificate::{ALLOWED_CONTRACTION, CORRECTIONS, FIRST_CORRECTION};
 
 /// Distance, as a part of the path, of the point that shows the change of the states.
 const BESIDE: f64 = 1.0 / 1024.0;
