@@ -11,7 +11,7 @@ use crate::writer::Writer;
 
 /// Returns the function that tests rounding, digits and the order of sums; the sine, if the mechanism has one, is tested with them.
 pub(crate) fn arithmetic(surface: &Surface, helpers: &Helpers) -> String {
-    let Surface { own, real, .. } = surface;
+    let Surface { private, real, .. } = surface;
     let word = |word: &str| {
         Some(match word {
             "ROUNDING" => surface.code(Why::Rounding).to_string(),
@@ -26,7 +26,7 @@ pub(crate) fn arithmetic(surface: &Surface, helpers: &Helpers) -> String {
             _ => return None,
         })
     };
-    let filled = |template: &str| fill(template, *real, own, word);
+    let filled = |template: &str| fill(template, *real, private, word);
     let sine = match helpers.has("sin_cos") {
         true => filled(include_str!("templates/arithmetic_sine.c")),
         false => String::new(),
@@ -36,12 +36,12 @@ pub(crate) fn arithmetic(surface: &Surface, helpers: &Helpers) -> String {
 
 /// The function that tests a number.
 pub(crate) fn ok(writer: &mut Writer) {
-    let Surface { own, ok, .. } = writer.surface;
+    let Surface { private, ok, .. } = writer.surface;
     writer.printer.helpers.need("infinite");
     writer.text += &comment("", "Whether a number exists and is finite.");
     let _ = writeln!(
         writer.text,
-        "{}\n{{\n    return !{own}infinite(number);\n}}\n",
+        "{}\n{{\n    return !{private}infinite(number);\n}}\n",
         ok.signature
     );
 }

@@ -106,9 +106,9 @@ fn exported(
     real: Real,
 ) -> Result<(Sources, Vec<String>), Refused> {
     let mut coupled = unit.coupled.iter();
-    let without = |own: &&Coupled| own.inputs.is_empty() || own.start.is_none();
-    if let Some(own) = coupled.find(without) {
-        let group = &unit.groups[own.group];
+    let without = |group: &&Coupled| group.inputs.is_empty() || group.start.is_none();
+    if let Some(found) = coupled.find(without) {
+        let group = &unit.groups[found.group];
         return Err(Refused {
             message: format!(
                 "{name}: {} are solved together without a closed form and depend on no input; exported C has such groups over inputs only, a \

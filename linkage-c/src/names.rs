@@ -90,7 +90,7 @@ fn is_temporary(name: &str) -> bool {
     let digits = name
         .strip_prefix("state_")
         .or_else(|| name.strip_prefix('v'));
-    digits.is_some_and(|own| !own.is_empty() && own.bytes().all(|c| c.is_ascii_digit()))
+    digits.is_some_and(|entry| !entry.is_empty() && entry.bytes().all(|c| c.is_ascii_digit()))
 }
 
 /// A name of Rust with numbers in place of letters that C does not know.

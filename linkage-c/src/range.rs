@@ -53,7 +53,12 @@ pub(crate) fn declared(surface: &Surface) -> String {
         ..
     } = surface;
     let Some((input, _)) = unit.checked() else {
-        return match unit.inputs.iter().filter(|own| own.range.is_some()).count() {
+        return match unit
+            .inputs
+            .iter()
+            .filter(|entry| entry.range.is_some())
+            .count()
+        {
             0 | 1 => String::new(),
             _ => {
                 comment(
@@ -101,7 +106,7 @@ pub(crate) fn items(writer: &mut Writer) {
     let Surface {
         unit,
         prefix,
-        own,
+        private,
         real,
         range: RangeNames {
             check_range,
@@ -128,12 +133,15 @@ pub(crate) fn items(writer: &mut Writer) {
     };
     let criteria = Criteria::of(*real);
     let flags = |is: fn(&Group) -> bool| {
-        let flags = unit.groups.iter().map(|own| u8::from(is(own)).to_string());
+        let flags = unit
+            .groups
+            .iter()
+            .map(|entry| u8::from(is(entry)).to_string());
         format!("{{ {} }}", flags.collect::<Vec<_>>().join(", "))
     };
-    let references = unit.inputs.iter().map(|own| real.literal(own.reference));
+    let references = unit.inputs.iter().map(|item| real.literal(item.reference));
     let references: Vec<String> = references.collect();
-    let text = fill(include_str!("templates/range.c"), *real, own, |word| {
+    let text = fill(include_str!("templates/range.c"), *real, private, |word| {
         Some(match word {
             "MECHANISM" => prefix.clone(),
             "CHECK" => check_range.name.clone(),
@@ -148,9 +156,9 @@ pub(crate) fn items(writer: &mut Writer) {
             "BELOW" => steps(low, reference).to_string(),
             "ABOVE" => steps(reference, high).to_string(),
             "DECLARED" => u8::from(own_input.range.is_some()).to_string(),
-            "TABLES" => flags(|own| own.slack == Slack::Prepared),
-            "SINGLE" => flags(|own| own.slack == Slack::Signed),
-            "RELATIVE" => flags(|own| matches!(own.slack, Slack::Signed | Slack::Relative)),
+            "TABLES" => flags(|other| other.slack == Slack::Prepared),
+            "SINGLE" => flags(|entry| entry.slack == Slack::Signed),
+            "RELATIVE" => flags(|entry| matches!(entry.slack, Slack::Signed | Slack::Relative)),
             "DEAD" => real.literal(criteria.dead),
             "ROUNDING" => real.literal(criteria.rounding),
             "END" => real.literal(criteria.end),

@@ -20,7 +20,7 @@ pub(crate) fn source(surface: &Surface) -> String {
         surface,
         printer: Printer {
             real: surface.real,
-            own: &surface.own,
+            private: &surface.private,
             helpers: Helpers::new(surface.real),
         },
         text: String::new(),
@@ -30,11 +30,11 @@ pub(crate) fn source(surface: &Surface) -> String {
     assemble::error(&mut writer);
     ok(&mut writer);
     range::items(&mut writer);
-    for own in &surface.functions {
-        evaluator(&mut writer, own);
+    for function in &surface.functions {
+        evaluator(&mut writer, function);
     }
     let Writer { printer, text, .. } = writer;
-    let helpers = printer.helpers.text(&surface.own);
+    let helpers = printer.helpers.text(&surface.private);
     let arithmetic = arithmetic(surface, &printer.helpers);
     head(surface) + &helpers + "\n" + &arithmetic + &text
 }

@@ -10,7 +10,7 @@ use crate::real::Real;
 pub(crate) fn fill(
     template: &str,
     real: Real,
-    own: &str,
+    private: &str,
     other: impl Fn(&str) -> Option<String>,
 ) -> String {
     let mut text = String::new();
@@ -31,7 +31,7 @@ pub(crate) fn fill(
         if let (true, Ok(x)) = (is_real, piece.parse()) {
             text += &real.literal(x);
         } else if let Some(name) = piece.strip_prefix("own_") {
-            text += own;
+            text += private;
             text += name;
         } else if let Some(word) = real.template_word(piece).or_else(|| other(piece)) {
             text += &word;

@@ -20,7 +20,10 @@ impl Writer<'_> {
     /// A program as a function of all inputs, `x`, that writes its results to `out`.
     pub(crate) fn plain(&mut self, name: &str, program: &Program, note: &str) {
         let Surface {
-            prefix, own, real, ..
+            prefix,
+            private,
+            real,
+            ..
         } = self.surface;
         let real = real.name();
         let printed = self.printed(program);
@@ -30,7 +33,7 @@ impl Writer<'_> {
         let takes = format!("const {prefix} *m, const {real} *x, {real} *out");
         let _ = writeln!(
             self.text,
-            "static void {own}{name}({takes})\n{{\n{body}}}\n"
+            "static void {private}{name}({takes})\n{{\n{body}}}\n"
         );
     }
 
@@ -58,8 +61,12 @@ pub(crate) fn used(parameters: &[&str], body: String) -> String {
     let of_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let words = body.split(|c| !of_name(c) && c != '.');
     let words: Vec<&str> = words.filter_map(|word| word.split('.').next()).collect();
-    let unused = parameters.iter().filter(|own| !words.contains(own));
-    let unused: String = unused.map(|own| format!("    (void){own};\n")).collect();
+    let unused = parameters
+        .iter()
+        .filter(|parameter| !words.contains(parameter));
+    let unused: String = unused
+        .map(|entry| format!("    (void){entry};\n"))
+        .collect();
     body + &unused
 }
 

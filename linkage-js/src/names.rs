@@ -73,9 +73,9 @@ pub(crate) fn exported(title: &str) -> String {
 pub(crate) fn arguments<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
     let mut taken = BTreeSet::new();
     let mut one = |name: &str| {
-        let own = free(name, |name| WORDS.contains(&name) || taken.contains(name));
-        taken.insert(own.clone());
-        own
+        let chosen = free(name, |name| WORDS.contains(&name) || taken.contains(name));
+        taken.insert(chosen.clone());
+        chosen
     };
     names.map(&mut one).collect()
 }

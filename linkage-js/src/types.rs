@@ -17,26 +17,26 @@ pub(crate) fn types(title: &str, name: &str, unit: &CompiledMechanism) -> String
         text,
         "/** Dimensions of {title} by name. */\nexport interface Dimensions {{"
     );
-    for own in unit.scalars() {
+    for scalar in unit.scalars() {
         let _ = writeln!(
             text,
             "  /** {} */\n  {}: number;",
-            measure(&own.unit),
-            key(&own.name)
+            measure(&scalar.unit),
+            key(&scalar.name)
         );
     }
     let _ = writeln!(
         text,
         "}}\n\n/** Closed loops: results at any inputs. */\nexport interface Assembly {{"
     );
-    for own in &unit.functions {
-        text += &documented("  ", &about(own));
+    for function in &unit.functions {
+        text += &documented("  ", &about(function));
         let _ = writeln!(
             text,
             "  {}({}): {};",
-            method(plain(&own.name)),
-            arguments(unit, own),
-            result(own)
+            method(plain(&function.name)),
+            arguments(unit, function),
+            result(function)
         );
     }
     let _ = writeln!(text, "}}\n");
@@ -48,8 +48,8 @@ pub(crate) fn types(title: &str, name: &str, unit: &CompiledMechanism) -> String
     text
 }
 
-fn arguments(unit: &CompiledMechanism, own: &Function) -> String {
-    let names = own.arguments.iter().map(|&place| {
+fn arguments(unit: &CompiledMechanism, called: &Function) -> String {
+    let names = called.arguments.iter().map(|&place| {
         let name = match place.checked_sub(unit.inputs.len()) {
             None => &unit.inputs[place].name,
             Some(place) => &unit.arguments[place].name,
@@ -70,8 +70,8 @@ fn method(name: &str) -> String {
 }
 
 /// The function's doc comment, then what its results are.
-fn about(own: &Function) -> String {
-    let told = own.fields.iter().map(|field| {
+fn about(called: &Function) -> String {
+    let told = called.fields.iter().map(|field| {
         let name = plain(&field.name);
         match &field.told()[..] {
             "" => format!("- `{name}`: a number"),
@@ -79,22 +79,22 @@ fn about(own: &Function) -> String {
         }
     });
     let results = told.collect::<Vec<_>>().join("\n");
-    match own.documentation.trim() {
+    match called.documentation.trim() {
         "" => results,
         documentation => format!("{documentation}\n\n{results}"),
     }
 }
 
-fn result(own: &Function) -> String {
-    let fields = own.fields.iter();
+fn result(called: &Function) -> String {
+    let fields = called.fields.iter();
     let fields: Vec<String> = fields
         .map(|field| format!("{}: {}", plain(&field.name), shape(&field.shape)))
         .collect();
     format!("{{ {} }}", fields.join("; "))
 }
 
-fn shape(own: &Shape) -> String {
-    match own {
+fn shape(declared: &Shape) -> String {
+    match declared {
         Shape::Scalar => "number".to_owned(),
         Shape::Vector(count) => format!("[{}]", vec!["number"; *count].join(", ")),
         Shape::Array(_, entry) => format!("{}[]", shape(entry)),

@@ -61,7 +61,11 @@ pub fn run_by<A: Arithmetic>(
     let count = program.instructions.len();
     let mut values = Vec::with_capacity(count);
     steps::<A>(program, 0, count, &mut values, load);
-    program.outputs.iter().map(|own| values[own.0]).collect()
+    program
+        .outputs
+        .iter()
+        .map(|output| values[output.0])
+        .collect()
 }
 
 /// Runs the instructions `from..to`; `values` holds the results of those before.

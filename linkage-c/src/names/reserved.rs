@@ -73,7 +73,10 @@ fn is_of_integers(name: &str) -> bool {
             .find_map(|kind| text.strip_prefix(mark)?.strip_prefix(kind));
         rest.is_some_and(sizes)
     };
-    if let Some(rest) = ["PRI", "SCN"].iter().find_map(|own| name.strip_prefix(own)) {
+    if let Some(rest) = ["PRI", "SCN"]
+        .iter()
+        .find_map(|entry| name.strip_prefix(entry))
+    {
         let kind = rest.strip_prefix(|c: char| "diouxXbB".contains(c));
         return kind.is_some_and(|rest| sizes(rest) || fast(rest, ""));
     }

@@ -90,9 +90,9 @@ impl Helpers {
     }
 
     /// Returns all needed helpers as C.
-    pub(crate) fn text(&self, own: &str) -> String {
+    pub(crate) fn text(&self, private: &str) -> String {
         let needed = self.needed.iter().map(|&index| helpers()[index].text);
-        let texts = needed.map(|text| fill(text, self.real, own, |_| None));
+        let texts = needed.map(|text| fill(text, self.real, private, |_| None));
         texts.collect::<Vec<_>>().join("\n")
     }
 }

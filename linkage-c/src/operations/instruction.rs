@@ -13,7 +13,7 @@ const LIBRARY: [(&str, &str); 2] = [("abs", "fabs"), ("sqrt", "sqrt")];
 pub(crate) struct Printer<'a> {
     pub(crate) real: Real,
     /// The beginning of names that nothing else has.
-    pub(crate) own: &'a str,
+    pub(crate) private: &'a str,
     pub(crate) helpers: Helpers,
 }
 
@@ -46,7 +46,7 @@ impl Printer<'_> {
     /// A call of a helper.
     fn call_helper(&mut self, helper: &str, operands: &[&str]) -> String {
         self.helpers.need(helper);
-        format!("{}{helper}({})", self.own, operands.join(", "))
+        format!("{}{helper}({})", self.private, operands.join(", "))
     }
 }
 
@@ -74,8 +74,8 @@ impl Language for C<'_, '_> {
 
     fn define_sine_pair(&mut self, index: usize, angle: &str) -> [String; 2] {
         let pair = self.printer.call_helper("sin_cos", &[angle]);
-        let own = self.printer.own;
-        self.statements += &format!("    const {own}pair v{index} = {pair};\n");
+        let private = self.printer.private;
+        self.statements += &format!("    const {private}pair v{index} = {pair};\n");
         [format!("v{index}.sine"), format!("v{index}.cosine")]
     }
 
@@ -110,7 +110,7 @@ mod tests {
         for real in [Real::Double, Real::Single] {
             let mut printer = Printer {
                 real,
-                own: "own_",
+                private: "own_",
                 helpers: Helpers::new(real),
             };
             let mut c = C {

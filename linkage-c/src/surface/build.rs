@@ -17,7 +17,7 @@ use crate::real::Real;
 /// The surface of a mechanism that is called `title` in its declaration.
 pub(crate) fn surface<'a>(title: &str, unit: &'a CompiledMechanism, real: Real) -> Surface<'a> {
     let prefix = names::prefix(title, |prefix| {
-        let codes = codes(title, prefix, unit).into_iter().map(|own| own.name);
+        let codes = codes(title, prefix, unit).into_iter().map(|code| code.name);
         let others = CONSTANTS_OF_ALL.map(|name| constant(prefix, name));
         codes.chain(others).collect()
     });
@@ -32,20 +32,20 @@ pub(crate) fn surface<'a>(title: &str, unit: &'a CompiledMechanism, real: Real) 
     // A member of C++ is not called like the type of another one.
     let types: Vec<&str> = vectors.iter().map(String::as_str).collect();
     let functions = unit.functions.iter();
-    let functions = functions.map(|own| {
+    let functions = functions.map(|function| {
         let scope = Scope {
             unit,
             real,
             prefix: &prefix,
             types: &types,
         };
-        evaluator(scope, own, &mut global, &mut renamed)
+        evaluator(scope, function, &mut global, &mut renamed)
     });
     let functions: Vec<Evaluator<'a>> = functions.collect();
     // After the functions: a user's function of one of these names keeps it.
     let range = RangeNames::new(&prefix, &mut global);
-    let arguments = functions.iter().flat_map(|own| &own.arguments);
-    let own = names.unused_beginning(&format!("{prefix}_own_"), arguments);
+    let arguments = functions.iter().flat_map(|entry| &entry.arguments);
+    let private = names.unused_beginning(&format!("{prefix}_own_"), arguments);
     let mut fields = Names::new(Place::Struct, &types);
     let dimensions: Vec<Dimension<'a>> = unit
         .parameters
@@ -64,20 +64,24 @@ pub(crate) fn surface<'a>(title: &str, unit: &'a CompiledMechanism, real: Real) 
                 documentation: &parameter.documentation,
                 shape: parameter.shape.clone(),
                 note: dimension_note(&parameter.scalars),
-                values: parameter.scalars.iter().map(|own| own.nominal).collect(),
+                values: parameter
+                    .scalars
+                    .iter()
+                    .map(|scalar| scalar.nominal)
+                    .collect(),
             }
         })
         .collect();
     let scalars = dimensions.iter();
     let scalars = scalars
-        .flat_map(|own| places(&own.name, &own.shape))
+        .flat_map(|item| places(&item.name, &item.shape))
         .collect();
     Surface {
         codes: codes(title, &prefix, unit),
         title: plain(title),
         unit,
         real,
-        own,
+        private,
         dimensions,
         scalars,
         functions,

@@ -49,23 +49,23 @@ pub(super) fn evaluator<'a>(
         let (usual, note) = match place.checked_sub(unit.inputs.len()) {
             None => (&unit.inputs[place].name, input_note(unit, place)),
             Some(place) => {
-                let own = &unit.arguments[place];
-                (&own.name, own.unit.clone())
+                let argument = &unit.arguments[place];
+                (&argument.name, argument.unit.clone())
             }
         };
-        let own = scope.take(usual);
+        let name = scope.take(usual);
         renamed.note(
             || format!("the argument `{usual}` of `{declared}`"),
             usual,
-            &own,
+            &name,
         );
-        arguments.push(own);
+        arguments.push(name);
         argument_notes.push(note);
     }
     let mut names = Names::new(Place::Struct, types);
     let mut columns = &function.columns[..];
     let fields = function.fields.iter().map(|field| {
-        let (own, rest) = columns.split_at(field.shape.width());
+        let (of_field, rest) = columns.split_at(field.shape.width());
         columns = rest;
         let usual = &field.name;
         let name = names.take(usual);
@@ -77,16 +77,16 @@ pub(super) fn evaluator<'a>(
         Field {
             name,
             documentation: &field.documentation,
-            note: field_note(field, own),
+            note: field_note(field, of_field),
             shape: field.shape.clone(),
         }
     });
     let fields = fields.collect();
     let number = real.name();
-    let numbers = arguments.iter().map(|own| format!(", {number} {own}"));
+    let numbers = arguments.iter().map(|entry| format!(", {number} {entry}"));
     let arrays = arguments
         .iter()
-        .map(|own| format!(", const {number} *{own}"));
+        .map(|item| format!(", const {number} *{item}"));
     let sweep = sweep.map(|name| Declared {
         signature: format!(
             "void {name}(const {prefix} *m, size_t count{}, {result} *results)",

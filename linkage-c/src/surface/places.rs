@@ -28,13 +28,13 @@ pub(crate) fn places(name: &str, shape: &Shape) -> Vec<String> {
         Shape::Frame => {
             let vectors = OF_FRAME.iter();
             let vectors =
-                vectors.flat_map(|own| places(&format!("{name}.{own}"), &Shape::Vector(3)));
+                vectors.flat_map(|vector| places(&format!("{name}.{vector}"), &Shape::Vector(3)));
             vectors.collect()
         }
         Shape::PlaneFrame => {
             let vectors = OF_FRAME[..3].iter();
             let vectors =
-                vectors.flat_map(|own| places(&format!("{name}.{own}"), &Shape::Vector(2)));
+                vectors.flat_map(|item| places(&format!("{name}.{item}"), &Shape::Vector(2)));
             vectors.collect()
         }
     }

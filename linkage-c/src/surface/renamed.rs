@@ -41,7 +41,7 @@ pub(crate) fn listed(all: &[Renamed]) -> String {
     if all.is_empty() {
         return String::new();
     }
-    let lines = all.iter().map(|own| own.to_string().replace('`', ""));
+    let lines = all.iter().map(|item| item.to_string().replace('`', ""));
     let lines: Vec<String> = lines.collect();
     comment(
         "",

@@ -26,11 +26,11 @@ pub fn evaluate_given(
             continue;
         }
         let node = graph.node(id);
-        let own = match node {
+        let known = match node {
             Node::Symbol(symbol) => given(symbol),
             _ => None,
         };
-        if let Some(value) = own {
+        if let Some(value) = known {
             memo.insert(id, value);
             stack.pop();
             continue;

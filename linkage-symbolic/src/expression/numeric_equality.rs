@@ -82,7 +82,7 @@ fn agree_at(graph: &Graph, a: NodeId, b: NodeId, place: Place, share: f64) -> Op
                 (result, result.abs().max(size))
             }
             Node::Ternary(op, x, y, z) => {
-                let result = op.apply([x, y, z].map(|own| values[&own].0));
+                let result = op.apply([x, y, z].map(|entry| values[&entry].0));
                 // A root is known as well as its discriminant.
                 let size = if op == Ternary::Root {
                     values[&x].1

@@ -183,7 +183,7 @@ mod tests {
                 binary(Binary::Div, 2, 6),
             ];
             let contracted = contract(program(&operations, &[7]));
-            let is_fused = |own: &Instruction| matches!(own, Instruction::Fused(..));
+            let is_fused = |entry: &Instruction| matches!(entry, Instruction::Fused(..));
             assert_eq!(contracted.instructions.iter().any(is_fused), fuses);
         }
     }

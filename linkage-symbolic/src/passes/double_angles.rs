@@ -176,7 +176,7 @@ mod tests {
     }
 
     fn angles(program: &Program) -> usize {
-        let is_pair = |own: &&Instruction| matches!(own, Instruction::SinCos(_));
+        let is_pair = |angle: &&Instruction| matches!(angle, Instruction::SinCos(_));
         program.instructions.iter().filter(is_pair).count()
     }
 

@@ -90,7 +90,7 @@ impl<'a> Halves<'a> {
         if graph.binding(p) == Binding::Call {
             return None;
         }
-        let [sin, cos] = [Unary::Sin, Unary::Cos].map(|own| graph.unary(own, half));
+        let [sin, cos] = [Unary::Sin, Unary::Cos].map(|entry| graph.unary(entry, half));
         let twice = graph.mul(graph.mul(graph.constant(2.0), p), sin);
         Some(match function {
             Unary::Cos => (p, graph.neg(graph.mul(twice, sin))),

@@ -62,18 +62,18 @@ impl<'a> View<'a> {
         };
         for id in graph.reachable(outputs) {
             let node = graph.node(id);
-            let own = matches!(
+            let is_root = matches!(
                 node,
                 Node::Ternary(Ternary::Root, ..) | Node::Unary(Unary::Sqrt, _)
             );
             let before = node.operands().map(|x| view.roots[&x]).max();
             view.roots
-                .insert(id, before.unwrap_or(0) + usize::from(own));
+                .insert(id, before.unwrap_or(0) + usize::from(is_root));
             for operand in node.operands() {
                 view.users.entry(operand).or_default().push(id);
             }
             if let Some(sum) = view.two_products(id) {
-                view.sums.insert(key(sum.map(|own| own.factors)), id);
+                view.sums.insert(key(sum.map(|item| item.factors)), id);
             }
         }
         for &output in outputs {
@@ -121,9 +121,9 @@ impl<'a> View<'a> {
         let outer = self.two_products(id)?;
         outer
             .iter()
-            .all(|own| self.is_early(own.factors[0]))
+            .all(|item| self.is_early(item.factors[0]))
             .then_some(())?;
-        let [[p, u], [q, v]] = outer.map(|own| own.factors);
+        let [[p, u], [q, v]] = outer.map(|product| product.factors);
         let inner = self.inner(u, v)?;
         // The other component.
         let partner = *self.sums.get(&key([[q, u], [p, v]]))?;
@@ -146,7 +146,7 @@ impl<'a> View<'a> {
         } else {
             [other[1], other[0]]
         };
-        let signs = |pair: [Product; 2]| pair.map(|own| own.negative);
+        let signs = |pair: [Product; 2]| pair.map(|entry| entry.negative);
         let ([s1, s2], [o1, o2]) = (signs(outer), signs(other));
         // A rotation has one sign that differs from the other three, or three.
         if !(s1 ^ s2 ^ o1 ^ o2) {
@@ -197,7 +197,7 @@ impl<'a> View<'a> {
                 }
                 let find = |x: NodeId, y: NodeId| {
                     of_v.iter()
-                        .find(|own| key([own.factors; 2])[0] == key([[x, y]; 2])[0])
+                        .find(|entry| key([entry.factors; 2])[0] == key([[x, y]; 2])[0])
                 };
                 if let (Some(first), Some(second)) = (find(a, d2), find(b, d1))
                     && f.negative ^ g.negative ^ first.negative ^ second.negative

@@ -76,7 +76,7 @@ impl Rewriter {
             return known;
         }
         let one = self.one.unwrap_or_else(|| {
-            let is_one = |own: &Instruction| *own == Instruction::Constant(1.0);
+            let is_one = |entry: &Instruction| *entry == Instruction::Constant(1.0);
             let known = self.program.instructions.iter().position(is_one);
             known.map_or_else(|| self.program.push(Instruction::Constant(1.0)), Value)
         });
@@ -110,7 +110,8 @@ mod tests {
     }
 
     fn divisions(program: &Program) -> usize {
-        let is_division = |own: &&Instruction| matches!(own, Instruction::Binary(Binary::Div, ..));
+        let is_division =
+            |entry: &&Instruction| matches!(entry, Instruction::Binary(Binary::Div, ..));
         program.instructions.iter().filter(is_division).count()
     }
 

@@ -23,14 +23,14 @@ fn factors(program: &Program) -> Vec<bool> {
     let mut of_root = Vec::with_capacity(program.instructions.len());
     for instruction in &program.instructions {
         let is = |x: Value| -> bool { of_root[x.0] };
-        let own = match *instruction {
+        let has_root = match *instruction {
             Instruction::Ternary(Ternary::Root, ..) => true,
             Instruction::Unary(Unary::Neg | Unary::Abs, x) => is(x),
             Instruction::Binary(Binary::Mul, a, b) => is(a) || is(b),
             Instruction::Binary(Binary::Div, a, _) => is(a),
             _ => false,
         };
-        of_root.push(own);
+        of_root.push(has_root);
     }
     of_root
 }
@@ -66,14 +66,14 @@ mod tests {
         };
         for x in [1.0, -3.5, 0.0, -0.0, 1e100, f64::MIN_POSITIVE] {
             for q in [1.0, 0.3, 1e-300, 2e-16] {
-                let [old, new] = [&written, &marked].map(|own| at(own, q, x));
+                let [old, new] = [&written, &marked].map(|entry| at(entry, q, x));
                 assert_eq!(old[0].to_bits(), new[0].to_bits(), "{x} {q}");
             }
             for q in [0.0, -1e-16] {
                 assert!(at(&marked, q, x)[0].is_nan(), "{x} {q}");
             }
             // Other divisors are as they were.
-            let [old, new] = [&written, &marked].map(|own| at(own, 0.0, x)[1]);
+            let [old, new] = [&written, &marked].map(|item| at(item, 0.0, x)[1]);
             assert!(old.to_bits() == new.to_bits() || old.is_nan() && new.is_nan());
         }
     }

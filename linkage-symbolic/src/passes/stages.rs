@@ -107,13 +107,13 @@ fn stage(
         taken: Vec::new(),
         places: BTreeMap::new(),
     };
-    let own: Vec<usize> = range
+    let operations: Vec<usize> = range
         .filter(|&index| !program.instructions[index].is_free())
         .collect();
-    for &index in &own {
+    for &index in &operations {
         builder.place(index);
     }
-    let next: Vec<usize> = own
+    let next: Vec<usize> = operations
         .into_iter()
         .filter(|&index| last_uses[index] >= end)
         .collect();
@@ -157,7 +157,7 @@ impl Builder<'_> {
             return place;
         }
         let instruction = self.whole.instructions[value];
-        let own = match self.range.contains(&value) || instruction.is_free() {
+        let instruction = match self.range.contains(&value) || instruction.is_free() {
             true => {
                 let operands: Vec<Value> = instruction.operands().collect();
                 operands.iter().for_each(|operand| {
@@ -170,7 +170,7 @@ impl Builder<'_> {
                 Instruction::Load(Source::Carried(self.taken.len() - 1))
             }
         };
-        let place = self.program.push(own);
+        let place = self.program.push(instruction);
         self.places.insert(value, place);
         place
     }

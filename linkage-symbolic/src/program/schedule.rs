@@ -17,9 +17,9 @@ pub struct Slots {
 
 impl Slots {
     fn slot(&mut self, source: &Graph, node: NodeId) -> usize {
-        let own = self.copy(source, node);
-        *self.index.entry(own).or_insert_with(|| {
-            self.nodes.push(own);
+        let copy = self.copy(source, node);
+        *self.index.entry(copy).or_insert_with(|| {
+            self.nodes.push(copy);
             self.nodes.len() - 1
         })
     }
@@ -43,23 +43,23 @@ impl Slots {
     /// An operation of values that are copied already.
     fn copy_operation(&self, source: &Graph, node: Node) -> NodeId {
         let new = |x: NodeId| self.copied[&x];
-        let mut own = self.graph.store_mut();
+        let mut store = self.graph.store_mut();
         match node {
-            Node::Constant(_) => own.intern(node),
+            Node::Constant(_) => store.intern(node),
             Node::Symbol(symbol) => {
                 let place = source.symbol(symbol).source;
-                own.source(place.expect("symbols of a plain graph have sources"))
+                store.source(place.expect("symbols of a plain graph have sources"))
             }
-            Node::Unary(op, a) => own.intern(Node::Unary(op, new(a))),
+            Node::Unary(op, a) => store.intern(Node::Unary(op, new(a))),
             Node::Binary(op, a, b) => {
                 let (mut a, mut b) = (new(a), new(b));
                 // Which operand is first follows from the graph; equal values must be one slot.
                 if matches!(op, Binary::Add | Binary::Mul) && b < a {
                     (a, b) = (b, a);
                 }
-                own.intern(Node::Binary(op, a, b))
+                store.intern(Node::Binary(op, a, b))
             }
-            Node::Ternary(op, a, b, c) => own.intern(Node::Ternary(op, new(a), new(b), new(c))),
+            Node::Ternary(op, a, b, c) => store.intern(Node::Ternary(op, new(a), new(b), new(c))),
         }
     }
 

@@ -22,7 +22,7 @@ pub(super) static ROOT: &[Rule<Ternary, 3>] = &[
     rule(
         "root(k, slack(x), abs(y)) = sqrt(k)",
         |g, _, [q, slack, size]| {
-            let forgives = [slack, size].iter().all(|&own| g.is_never_negative(own));
+            let forgives = [slack, size].iter().all(|&item| g.is_never_negative(item));
             let q = g.constant_value(q).filter(|&q| q > 0.0 && forgives)?;
             Some(g.constant(q.sqrt()))
         },
