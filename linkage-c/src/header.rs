@@ -6,7 +6,7 @@ use linkage_symbolic::count::Count;
 
 use crate::comment::comment;
 use crate::preprocessor;
-use crate::range;
+use crate::range_check;
 use crate::surface::{Code, Evaluator, Surface, listed};
 
 /// The text of the header.
@@ -52,7 +52,7 @@ pub(crate) fn header(surface: &Surface) -> String {
         "1 for a number that exists and is finite, else 0. It looks at the bits: compilers keep this test where NaN is taken for impossible.",
     );
     let _ = writeln!(text, "{};\n", surface.ok.signature);
-    text += &range::declared(surface);
+    text += &range_check::declared(surface);
     for function in &surface.functions {
         text += &evaluator(surface, function);
     }

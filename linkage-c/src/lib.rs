@@ -31,16 +31,16 @@
 
 mod arithmetic;
 mod assemble;
+mod c_names;
 mod clash;
 mod comment;
 mod coupled;
 mod error;
 mod evaluator;
 mod header;
-mod names;
 mod operations;
 mod preprocessor;
-mod range;
+mod range_check;
 mod real;
 mod source;
 mod states;

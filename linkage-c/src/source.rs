@@ -9,7 +9,7 @@ use crate::coupled;
 use crate::evaluator::evaluator;
 use crate::operations::{Helpers, Printer};
 use crate::preprocessor;
-use crate::range;
+use crate::range_check;
 use crate::surface::Surface;
 use crate::winding;
 use crate::writer::Writer;
@@ -29,7 +29,7 @@ pub(crate) fn source(surface: &Surface) -> String {
     assemble::assemble(&mut writer);
     assemble::error(&mut writer);
     ok(&mut writer);
-    range::items(&mut writer);
+    range_check::items(&mut writer);
     for function in &surface.functions {
         evaluator(&mut writer, function);
     }

@@ -119,7 +119,7 @@ pub(crate) fn literal(x: f64) -> String {
 mod tests {
     use super::*;
     use linkage_runtime::javascript::engine;
-    use linkage_symbolic::program::{Binary, Call, Ternary, Unary};
+    use linkage_symbolic::program::{Binary, RustCall, Ternary, Unary};
 
     /// JavaScript has the function of each operation, or the engine defines it.
     #[test]
@@ -129,7 +129,7 @@ mod tests {
         let binary = Binary::ALL.iter().map(|op| (op.row().name, op.row().call));
         let ternary = Ternary::ALL.iter().map(|op| (op.row().name, op.row().call));
         for (name, call) in unary.chain(binary).chain(ternary) {
-            if let Call::Method(_) | Call::FusedMethod(_) = call {
+            if let RustCall::Method(_) | RustCall::FusedMethod(_) = call {
                 let function = function_of(name);
                 let is_defined = engine.contains(&format!("function {function}("));
                 assert!(

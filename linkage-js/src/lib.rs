@@ -29,9 +29,9 @@
 mod description;
 mod instruction;
 #[cfg(feature = "module")]
-mod module;
+mod js_names;
 #[cfg(feature = "module")]
-mod names;
+mod module;
 mod object;
 #[cfg(feature = "module")]
 mod types;

@@ -7,7 +7,7 @@ use std::fmt::{self, Display, Formatter};
 use linkage_compiler::ir::CompiledMechanism;
 use linkage_runtime::javascript::module_engine;
 
-use crate::{description, names, types};
+use crate::{description, js_names, types};
 
 /// A mechanism as JavaScript.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,7 +41,7 @@ impl Error for Clash {}
 pub fn module(title: &str, unit: &CompiledMechanism) -> Module {
     let engine = module_engine();
     let description = description(title, unit);
-    let name = names::exported(title);
+    let name = js_names::exported(title);
     let renamed = match name == title {
         true => String::new(),
         false => format!(

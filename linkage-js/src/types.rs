@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use linkage_compiler::ir::{CompiledMechanism, Function, Shape, plain};
 
-use crate::names::arguments as named;
+use crate::js_names::arguments as named;
 
 /// What is the same for all mechanisms.
 const COMMON: &str = include_str!("common.d.ts");

@@ -20,13 +20,12 @@ pub mod rules;
 
 pub use differentiate::{Calculus, DerivativeMemo, differentiate, pull_back};
 pub use expression::{
-    Ex, MAX_DEGREE, Monomial, Obstacle, Polynomial, V2, V3, Vector, Vn, agree, agree_within,
-    collect, evaluate, evaluate_given, obstacle, substitute,
+    Ex, MAX_DEGREE, Monomial, Obstacle, Polynomial, V2, V3, Vector, Vn, collect, evaluate,
+    evaluate_given, numerically_equal, numerically_equal_within, obstacle, substitute,
 };
 pub use graph::{Binding, Graph, Node, NodeId, Symbol, SymbolId};
-pub use lookup as unordered;
-pub use passes::common_factors::share_multiples;
+pub use passes::common_factors::share_common_factors;
 pub use passes::half_angles::by_half_angles;
 pub use passes::inline;
-pub use passes::late_roots::roots_last;
+pub use passes::late_roots::late_roots;
 pub use program::{count, schedule};

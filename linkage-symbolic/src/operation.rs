@@ -8,7 +8,7 @@ mod row;
 mod value;
 
 use row::{ARC, arc, row, trigonometric};
-pub use row::{Call, Class, Row, Symmetry};
+pub use row::{Class, OperationRow, RustCall, Symmetry};
 use value::{DEAD_POINT, WHOLE, angle_near, inverse_scale, one_of, root, select, sign};
 
 /// An enumeration of operations with a row for each.
@@ -35,7 +35,7 @@ macro_rules! table {
             }
 
             /// What is known of it.
-            pub fn row(self) -> &'static Row<$arity> {
+            pub fn row(self) -> &'static OperationRow<$arity> {
                 match self {
                     $(Self::$Variant => const { &$row },)*
                 }
@@ -48,11 +48,11 @@ table! {
     /// Operations of one operand.
     pub enum Unary: 1 {
         /// `-a`
-        Neg => Row { call: Call::Operator('-'), latency: 1, ..row("neg", |[a]| -a) },
+        Neg => OperationRow { call: RustCall::Operator('-'), latency: 1, ..row("neg", |[a]| -a) },
         /// `|a|`
-        Abs => Row { latency: 1, splits: true, never_negative: true, ..row("abs", |[a]| a.abs()) },
+        Abs => OperationRow { latency: 1, splits: true, never_negative: true, ..row("abs", |[a]| a.abs()) },
         /// The square root.
-        Sqrt => Row {
+        Sqrt => OperationRow {
             latency: 20,
             time: 6,
             class: Class::Root,
@@ -61,21 +61,21 @@ table! {
             ..row("sqrt", |[a]| a.sqrt())
         },
         /// The sine. That and the cosine of one operand are computed together.
-        Sin => Row {
+        Sin => OperationRow {
             class: Class::SineCosine,
             symmetry: Symmetry::Odd,
-            call: Call::SinePair(0),
+            call: RustCall::SinePair(0),
             ..trigonometric("sin", |[a]| a.sin())
         },
         /// The cosine.
-        Cos => Row {
+        Cos => OperationRow {
             class: Class::SineCosine,
             symmetry: Symmetry::Even,
-            call: Call::SinePair(1),
+            call: RustCall::SinePair(1),
             ..trigonometric("cos", |[a]| a.cos())
         },
         /// The tangent.
-        Tan => Row {
+        Tan => OperationRow {
             time: ARC,
             size: 50,
             partial: true,
@@ -83,20 +83,20 @@ table! {
             ..trigonometric("tan", |[a]| a.tan())
         },
         /// The arc sine.
-        Asin => Row {
+        Asin => OperationRow {
             splits: true,
             partial: true,
             symmetry: Symmetry::Odd,
             ..arc("asin", |[a]| a.asin())
         },
         /// The arc cosine.
-        Acos => Row { splits: true, partial: true, ..arc("acos", |[a]| a.acos()) },
+        Acos => OperationRow { splits: true, partial: true, ..arc("acos", |[a]| a.acos()) },
         /// The arc tangent.
-        Atan => Row { symmetry: Symmetry::Odd, splits: true, ..arc("atan", |[a]| a.atan()) },
+        Atan => OperationRow { symmetry: Symmetry::Odd, splits: true, ..arc("atan", |[a]| a.atan()) },
         /// `+1` for a number that is positive or `+0`, `-1` for a negative one: the derivative of `Abs`.
-        Sign => Row { latency: 20, splits: true, ..row("sign", |[a]| sign(a)) },
+        Sign => OperationRow { latency: 20, splits: true, ..row("sign", |[a]| sign(a)) },
         /// The nearest whole number, of two the even one; right up to `2^51`.
-        Whole => Row {
+        Round => OperationRow {
             latency: 8,
             size: 2,
             splits: true,
@@ -104,14 +104,14 @@ table! {
         },
         /// `slack(x)`: by how much rounding may turn negative what was computed from terms of the size `x`: 8 roundoffs of it, of the
         /// numbers that a program runs on. No constant for that reason. NaN where `x` is infinite.
-        Slack => Row {
+        Slack => OperationRow {
             size: 2,
             splits: true,
             never_negative: true,
             ..row("slack", |[x]| DEAD_POINT * x.abs() + 0.0 * x)
         },
         /// A power of two near `1/|x|` (1 for 0 and non-finite numbers): scales lengths without rounding.
-        InverseScale => Row {
+        InverseScale => OperationRow {
             latency: 20,
             size: 6,
             never_negative: true,
@@ -124,52 +124,52 @@ table! {
     /// Operations of two operands.
     pub enum Binary: 2 {
         /// `a + b`
-        Add => Row {
+        Add => OperationRow {
             class: Class::Addition,
-            call: Call::Operator('+'),
+            call: RustCall::Operator('+'),
             ..row("+", |[a, b]| a + b)
         },
         /// `a - b`
-        Sub => Row {
+        Sub => OperationRow {
             class: Class::Addition,
-            call: Call::Operator('-'),
+            call: RustCall::Operator('-'),
             ..row("-", |[a, b]| a - b)
         },
         /// `a * b`
-        Mul => Row {
+        Mul => OperationRow {
             class: Class::Multiplication,
-            call: Call::Operator('*'),
+            call: RustCall::Operator('*'),
             ..row("*", |[a, b]| a * b)
         },
         /// `a / b`
-        Div => Row {
+        Div => OperationRow {
             latency: 15,
             time: 5,
             class: Class::Division,
             partial: true,
-            call: Call::Operator('/'),
+            call: RustCall::Operator('/'),
             ..row("/", |[a, b]| a / b)
         },
         /// `a / b`, NaN where that is infinite: a quotient by the root of a discriminant. Only programs have it.
-        Quotient => Row {
+        Quotient => OperationRow {
             latency: 19,
             time: 6,
             size: 2,
             class: Class::Division,
             partial: true,
-            call: Call::FusedMethod("quotient_with"),
+            call: RustCall::FusedMethod("quotient_with"),
             ..row("quotient", |[a, b]| a / b + 0.0 * (a / b))
         },
         /// `atan2(y, x)`
-        Atan2 => Row {
+        Atan2 => OperationRow {
             latency: 15,
             class: Class::ArcTangent,
             splits: true,
-            call: Call::FusedMethod("atan2_with"),
+            call: RustCall::FusedMethod("atan2_with"),
             ..arc("atan2", |[y, x]| y.atan2(x))
         },
         /// `sqrt(x^2 + y^2)` without overflow.
-        Hypot => Row {
+        Hypot => OperationRow {
             latency: 15,
             time: 6,
             size: 20,
@@ -178,14 +178,14 @@ table! {
             ..row("hypot", |[a, b]| a.hypot(b))
         },
         /// NaN if an operand is; of two zeros the negative one.
-        Min => Row {
+        Min => OperationRow {
             latency: 15,
             size: 3,
             splits: true,
             ..row("min", |[a, b]| one_of(a, b, a < b, b < a))
         },
         /// NaN if an operand is; of two zeros the negative one.
-        Max => Row {
+        Max => OperationRow {
             latency: 15,
             size: 3,
             splits: true,
@@ -199,27 +199,27 @@ table! {
     pub enum Ternary: 3 {
         /// `angle_near(y, x, guide)`: the argument of `x + i y`, plus the number of whole turns that brings it nearest to
         /// `guide`.
-        AngleNear => Row {
+        AngleNear => OperationRow {
             latency: 4,
             class: Class::ArcTangent,
             splits: true,
-            call: Call::FusedMethod("angle_near_with"),
+            call: RustCall::FusedMethod("angle_near_with"),
             ..arc("angle_near", |[y, x, guide]| angle_near(y, x, guide))
         },
         /// `root(q, slack, size)`: the square root of `q`; 0 where `q` is negative by no more than `slack` times `size`, neither of them
         /// negative; NaN below that. An infinite `size` comes with a `q` that is no finite number either. It closes a group up to the dead point and refuses beyond.
-        Root => Row {
+        GuardedSqrt => OperationRow {
             latency: 15,
             time: 6,
             size: 5,
             class: Class::Root,
             never_negative: true,
             partial: true,
-            call: Call::FusedMethod("root_with"),
+            call: RustCall::FusedMethod("root_with"),
             ..row("root", |[q, slack, size]| root(q, slack, size))
         },
         /// `select(s, a, b)`: `a` where `s >= 0`, `b` where it is negative, NaN where it is NaN.
-        Select => Row { size: 3, splits: true, ..row("select", |[s, a, b]| select(s, a, b)) },
+        Select => OperationRow { size: 3, splits: true, ..row("select", |[s, a, b]| select(s, a, b)) },
     }
 }
 
@@ -228,10 +228,10 @@ table! {
     /// numbers here, twice. Each printer has its own code for them.
     pub enum Fused: 3 {
         /// `a * b + c`
-        MulAdd => Row { class: Class::MultiplyAdd, ..row("mul_add", |[a, b, c]| a * b + c) },
+        MulAdd => OperationRow { class: Class::MultiplyAdd, ..row("mul_add", |[a, b, c]| a * b + c) },
         /// `a * b - c`
-        MulSub => Row { class: Class::MultiplyAdd, ..row("mul_sub", |[a, b, c]| a * b - c) },
+        MulSub => OperationRow { class: Class::MultiplyAdd, ..row("mul_sub", |[a, b, c]| a * b - c) },
         /// `c - a * b`
-        SubMul => Row { class: Class::MultiplyAdd, ..row("sub_mul", |[a, b, c]| c - a * b) },
+        SubMul => OperationRow { class: Class::MultiplyAdd, ..row("sub_mul", |[a, b, c]| c - a * b) },
     }
 }

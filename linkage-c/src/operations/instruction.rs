@@ -102,7 +102,7 @@ impl Language for C<'_, '_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use linkage_symbolic::program::{Binary, Call, Ternary, Unary};
+    use linkage_symbolic::program::{Binary, RustCall, Ternary, Unary};
 
     /// C has a function of its library or a helper for each operation.
     #[test]
@@ -122,7 +122,7 @@ mod tests {
             let binary = Binary::ALL.iter().map(|op| (op.row().name, op.row().call));
             let ternary = Ternary::ALL.iter().map(|op| (op.row().name, op.row().call));
             for (name, call) in unary.chain(binary).chain(ternary) {
-                if let Call::Method(_) | Call::FusedMethod(_) = call {
+                if let RustCall::Method(_) | RustCall::FusedMethod(_) = call {
                     assert!(c.call(name, &["a"]).ends_with("(a)"));
                 }
             }

@@ -8,15 +8,15 @@ use super::declared::Declared;
 use super::evaluator::{Scope, evaluator};
 use super::notes::dimension_note;
 use super::places::places;
-use super::range::RangeNames;
+use super::range_names::RangeNames;
 use super::refusal::codes;
 use super::renamed::Log;
-use crate::names::{self, Names, Place, plain, snake_letters};
+use crate::c_names::{self, Names, Namespace, plain, snake_letters};
 use crate::real::Real;
 
 /// The surface of a mechanism that is called `title` in its declaration.
 pub(crate) fn surface<'a>(title: &str, unit: &'a CompiledMechanism, real: Real) -> Surface<'a> {
-    let prefix = names::prefix(title, |prefix| {
+    let prefix = c_names::prefix(title, |prefix| {
         let codes = codes(title, prefix, unit).into_iter().map(|code| code.name);
         let others = CONSTANTS_OF_ALL.map(|name| constant(prefix, name));
         codes.chain(others).collect()
@@ -24,7 +24,7 @@ pub(crate) fn surface<'a>(title: &str, unit: &'a CompiledMechanism, real: Real) 
     let mut renamed = Log::default();
     let usual = snake_letters(title);
     renamed.note(|| format!("the mechanism `{title}`"), &usual, &prefix);
-    let mut names = Names::new(Place::File, &[&prefix]);
+    let mut names = Names::new(Namespace::File, &[&prefix]);
     let mut global = |name: &str| names.take(&format!("{prefix}_{name}"));
     let [dimensions_type, assemble, error, ok, constants] =
         ["dimensions", "assemble", "error", "ok", CONSTANTS].map(&mut global);
@@ -46,7 +46,7 @@ pub(crate) fn surface<'a>(title: &str, unit: &'a CompiledMechanism, real: Real) 
     let range = RangeNames::new(&prefix, &mut global);
     let arguments = functions.iter().flat_map(|entry| &entry.arguments);
     let private = names.unused_beginning(&format!("{prefix}_own_"), arguments);
-    let mut fields = Names::new(Place::Struct, &types);
+    let mut fields = Names::new(Namespace::Struct, &types);
     let dimensions: Vec<Dimension<'a>> = unit
         .parameters
         .iter()

@@ -5,7 +5,7 @@ use linkage_compiler::ir::{CompiledMechanism, Function, Shape};
 use super::constant::constant;
 use super::declared::Declared;
 use super::places::innermost;
-use super::range::{OFF, RangeNames, kind_constant};
+use super::range_names::{OFF, RangeNames, kind_constant};
 use super::refusal::{Code, Why};
 use super::renamed::Renamed;
 use crate::real::Real;

@@ -6,7 +6,7 @@ use super::data::{Evaluator, Field};
 use super::declared::Declared;
 use super::notes::{field_note, input_note};
 use super::renamed::Log;
-use crate::names::{Names, Place};
+use crate::c_names::{Names, Namespace};
 use crate::real::Real;
 
 /// What the names of a function's arguments and results must differ from.
@@ -42,7 +42,7 @@ pub(super) fn evaluator<'a>(
     // What else the function has in scope.
     let others = ["m", "count", "results", "result", "k", "inputs"];
     let others = [&others[..], &[prefix, &name, &result]].concat();
-    let mut scope = Names::new(Place::Function, &others);
+    let mut scope = Names::new(Namespace::Function, &others);
     let mut arguments = Vec::new();
     let mut argument_notes = Vec::new();
     for &place in &function.arguments {
@@ -62,7 +62,7 @@ pub(super) fn evaluator<'a>(
         arguments.push(name);
         argument_notes.push(note);
     }
-    let mut names = Names::new(Place::Struct, types);
+    let mut names = Names::new(Namespace::Struct, types);
     let mut columns = &function.columns[..];
     let fields = function.fields.iter().map(|field| {
         let (of_field, rest) = columns.split_at(field.shape.width());

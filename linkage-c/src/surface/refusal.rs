@@ -2,7 +2,7 @@
 
 use linkage_compiler::ir::{CompiledMechanism, Group};
 
-use crate::names::plain;
+use crate::c_names::plain;
 
 /// A number that `assemble` may return.
 #[derive(Clone, Debug)]

@@ -5,7 +5,7 @@
 //! of pivots, which would be a branch, and no division but the last. They grow with the factorial of the size: larger matrices are
 //! eliminated in an order that is known before (`pivots`).
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use linkage_symbolic::{Ex, Graph, SymbolId};
 

@@ -1,6 +1,6 @@
 //! Frames in space: axes from two directions, points and coordinates in them.
 
-use linkage_symbolic::{Ex, V2, V3, Vector, Vn, agree_within};
+use linkage_symbolic::{Ex, V2, V3, Vector, Vn, numerically_equal_within};
 
 use super::{Algebra, Value, coordinates};
 
@@ -170,5 +170,5 @@ fn sparse_cross<'m>(a: V3<'m>, b: V3<'m>) -> V3<'m> {
 
 /// True if an expression is zero wherever it is evaluated.
 pub(super) fn vanishes(x: Ex) -> bool {
-    agree_within(x, x.number(0.0), ROUNDING)
+    numerically_equal_within(x, x.number(0.0), ROUNDING)
 }

@@ -1,6 +1,6 @@
 //! Lengths of vectors, vectors known to have length 1, and what lengths were made of.
 
-use linkage_symbolic::{NodeId, SymbolId, agree, agree_within, substitute};
+use linkage_symbolic::{NodeId, SymbolId, numerically_equal, numerically_equal_within, substitute};
 
 use super::Algebra;
 
@@ -50,7 +50,7 @@ impl Algebra<'_> {
     pub(crate) fn unit_vector(&mut self, v: [NodeId; 3]) -> [NodeId; 3] {
         if !self.is_unit(&v) {
             let (square, one) = (self.sum_of_squares(&v), self.graph.one());
-            if agree_within(&self.graph, square, one, UNIT) {
+            if numerically_equal_within(&self.graph, square, one, UNIT) {
                 self.mark_unit(&v);
             }
         }
@@ -86,14 +86,14 @@ impl Algebra<'_> {
         let sum: Vec<NodeId> = pairs.map(|(&x, &y)| self.graph.add(x, y)).collect();
         let whole = self.sum_of_squares(&sum);
         let parts = self.graph.add(first, second);
-        agree(&self.graph, first, second) && agree(&self.graph, whole, parts)
+        numerically_equal(&self.graph, first, second) && numerically_equal(&self.graph, whole, parts)
     }
 
     /// Lengths in `roots` stay known as lengths of vectors when symbols are replaced.
     pub(crate) fn substitute_norms(
         &mut self,
         roots: &[NodeId],
-        map: &linkage_symbolic::unordered::Map<SymbolId, NodeId>,
+        map: &linkage_symbolic::lookup::Map<SymbolId, NodeId>,
     ) {
         let Self {
             graph,

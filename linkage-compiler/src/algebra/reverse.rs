@@ -4,7 +4,7 @@
 //! unknowns, turns them into multipliers, and hands those to its coefficients. Everything is visited once, after all that
 //! depends on it.
 
-use linkage_symbolic::unordered::{Map, Set};
+use linkage_symbolic::lookup::{Map, Set};
 
 use linkage_symbolic::{Ex, Node, NodeId, SymbolId, Vector, pull_back};
 

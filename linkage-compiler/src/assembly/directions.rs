@@ -3,7 +3,7 @@
 
 mod asked;
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use linkage_symbolic::Graph;
 

@@ -7,8 +7,8 @@ use std::f64::consts::PI;
 use std::rc::Rc;
 
 use linkage_symbolic::Ex;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::program::Ternary;
-use linkage_symbolic::unordered::Map;
 
 use crate::algebra::{Algebra, Bound, Nominal, Translate, Value};
 use crate::model::{Dimension, Expr, ExprKind, LengthUnit, Mechanism, Name, Type};

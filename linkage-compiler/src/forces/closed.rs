@@ -2,7 +2,7 @@
 //! with their reciprocals. Loops may be written in any way, so which they are is found by numbers, with other
 //! dimensions and in other assemblies, too.
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use linkage_symbolic::{Ex, NodeId, Vn};
 

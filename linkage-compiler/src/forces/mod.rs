@@ -51,7 +51,7 @@ mod system;
 mod tree;
 mod wrench;
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 use std::rc::Rc;
 
 use linkage_symbolic::{Ex, Graph, Vn};

@@ -1,6 +1,6 @@
 //! How points and bodies move: by each input or unknown, and in time at given speeds.
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use linkage_symbolic::{Ex, SymbolId, Vector, Vn};
 

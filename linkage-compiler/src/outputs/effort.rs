@@ -6,7 +6,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use linkage_symbolic::unordered::{Map, Set};
+use linkage_symbolic::lookup::{Map, Set};
 use linkage_symbolic::{SymbolId, program::Source};
 
 use crate::algebra::{Algebra, Direction};

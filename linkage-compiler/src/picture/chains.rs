@@ -1,6 +1,6 @@
 //! Sums of vectors as chains: from a point, each term is a step to the next.
 
-use linkage_symbolic::unordered::Set;
+use linkage_symbolic::lookup::Set;
 
 use linkage_symbolic::Vn;
 

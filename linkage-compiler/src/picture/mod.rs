@@ -60,7 +60,7 @@ mod titles;
 mod views;
 
 use linkage_symbolic::Vn;
-use linkage_symbolic::unordered::Set;
+use linkage_symbolic::lookup::Set;
 
 use crate::algebra::{Algebra, Nominal};
 use crate::assembly::Reference;

@@ -1,7 +1,7 @@
 //! How points move where nothing closes the loops: each unknown by itself, as its name says. So what is written as one link is told from
 //! what is only held together by others.
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, SymbolId, Vn};
 
 use crate::algebra::{Algebra, Bound, Nominal, Translate};

@@ -25,7 +25,7 @@ mod trigonometric;
 use std::borrow::Cow;
 
 use linkage_core::numeric::continuation::Terms;
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use linkage_symbolic::{Ex, SymbolId};
 

@@ -1,8 +1,8 @@
 //! What the closed forms of all kinds of groups share: giving unknowns their definitions and rules.
 
 use linkage_core::numeric::continuation::Terms;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::program::{Source, Ternary};
-use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
 use crate::algebra::{

@@ -1,6 +1,6 @@
 //! Recognising an unknown point, or a direction, by its distances from known points and planes.
 
-use linkage_symbolic::{Ex, SymbolId, V3, Vector, agree};
+use linkage_symbolic::{Ex, SymbolId, V3, Vector, numerically_equal};
 
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::{Analysis, Form, Plane, Sphere};
@@ -88,7 +88,7 @@ impl<'m> Analysis<'_, 'm> {
                     continue;
                 }
                 let first = *factor.get_or_insert(own);
-                if place.replace(component).is_some() || !agree(first, own) {
+                if place.replace(component).is_some() || !numerically_equal(first, own) {
                     return None;
                 }
             }

@@ -48,7 +48,7 @@ fn unary_rule<'g>(op: Unary, y: Ex<'g>, a: Ex<'g>, da: Ex<'g>) -> Ex<'g> {
         Unary::Asin => arc_rule(a, da),
         Unary::Acos => -arc_rule(a, da),
         Unary::Atan => da / (1.0 + a.square()),
-        Unary::Sign | Unary::Whole | Unary::Slack | Unary::InverseScale => a.number(0.0),
+        Unary::Sign | Unary::Round | Unary::Slack | Unary::InverseScale => a.number(0.0),
     }
 }
 
@@ -81,7 +81,7 @@ fn ternary_rule<'g>(
         // The number of turns does not change where there is a derivative.
         Ternary::AngleNear => argument_rule([a, b], [da, db]),
         Ternary::Select => a.select(db, dc),
-        Ternary::Root => unary_rule(Unary::Sqrt, y, a, da),
+        Ternary::GuardedSqrt => unary_rule(Unary::Sqrt, y, a, da),
     }
 }
 

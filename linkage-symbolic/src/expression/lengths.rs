@@ -2,7 +2,7 @@
 
 use super::any_vector::Vn;
 use super::ex::Ex;
-use super::numeric_equality::{agree, agree_within};
+use super::numeric_equality::{numerically_equal, numerically_equal_within};
 use super::vector::{V3, Vector};
 
 /// What rounding may add to the square of a direction.
@@ -78,7 +78,7 @@ impl<'g> Vn<'g> {
         let [first, second] = [self, other].map(Self::square);
         let whole = (self + other).square();
         let parts = first + second;
-        agree(first, second) && agree(whole, parts)
+        numerically_equal(first, second) && numerically_equal(whole, parts)
     }
 }
 
@@ -141,7 +141,7 @@ impl V3<'_> {
     pub fn unit(self) -> Self {
         if !self.is_unit() {
             let (square, one) = (self.square(), self.0[0].number(1.0));
-            if agree_within(square, one, UNIT) {
+            if numerically_equal_within(square, one, UNIT) {
                 self.mark_unit();
             }
         }

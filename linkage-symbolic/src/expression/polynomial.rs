@@ -47,7 +47,7 @@ pub fn obstacle(root: Ex, symbols: &[SymbolId]) -> Option<Obstacle> {
             Node::Binary(Binary::Div, ..) => return Some(Obstacle::Division),
             Node::Unary(Unary::Sqrt, _)
             | Node::Binary(Binary::Hypot, ..)
-            | Node::Ternary(Ternary::Root, ..) => {
+            | Node::Ternary(Ternary::GuardedSqrt, ..) => {
                 return Some(Obstacle::Root);
             }
             _ => return Some(Obstacle::Function),

@@ -1,8 +1,8 @@
 //! Definitions of symbols, as a walk through the graph follows them.
 
+use super::binding::Source;
 use super::node::{Node, NodeId};
 use super::shared::Graph;
-use super::source::Source;
 
 /// What a symbol stands for, and where it is loaded from; nothing for operations.
 pub(crate) fn meaning(graph: &Graph, node: Node) -> (Option<NodeId>, Option<Source>) {

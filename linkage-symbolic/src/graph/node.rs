@@ -1,6 +1,6 @@
 //! Nodes and symbols of the graph.
 
-use super::source::{Binding, Source};
+use super::binding::{Binding, Source};
 use crate::operation::{Binary, Ternary, Unary};
 
 /// Index of a node; children have smaller indices than their parents.

@@ -2,8 +2,8 @@
 
 use std::cell::{Ref, RefCell, RefMut};
 
+use super::binding::{Binding, Source};
 use super::node::{Node, NodeId, Symbol, SymbolId};
-use super::source::{Binding, Source};
 use super::store::Store;
 
 /// A flat arena of operations. Equal operations are one node, constructors simplify. It grows behind a shared reference: [`Ex`](crate::Ex) is a

@@ -1,7 +1,7 @@
 //! What the graph holds.
 
+use super::binding::{Binding, Source};
 use super::node::{Node, NodeId, Symbol, SymbolId};
-use super::source::{Binding, Source};
 use super::vectors::Vectors;
 use crate::lookup::{Map, Set};
 

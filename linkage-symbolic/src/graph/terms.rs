@@ -1,7 +1,7 @@
 //! What rules look for in operands: signs, factors, terms.
 
+use super::binding::Binding;
 use super::node::{Node, NodeId};
-use super::source::Binding;
 use super::store::Store;
 use crate::operation::{Binary, Ternary, Unary};
 

@@ -2,7 +2,7 @@
 
 /// What is known of an operation of so many operands.
 #[derive(Clone, Copy, Debug)]
-pub struct Row<const ARITY: usize> {
+pub struct OperationRow<const ARITY: usize> {
     /// In texts: a word, or the sign that stands between both operands.
     pub name: &'static str,
     /// What it computes, on numbers.
@@ -25,7 +25,7 @@ pub struct Row<const ARITY: usize> {
     /// Its result for the negative operand: the rules of simplification follow from it.
     pub symmetry: Symmetry,
     /// The code for it in Rust.
-    pub call: Call,
+    pub call: RustCall,
 }
 
 /// The result of an operation of one operand for the negative operand.
@@ -41,7 +41,7 @@ pub enum Symmetry {
 
 /// The code of an operation on numbers of `linkage_core::Scalar`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Call {
+pub enum RustCall {
     /// An operator in front of the operand or between both.
     Operator(char),
     /// A method of this name.
@@ -77,8 +77,8 @@ pub enum Class {
 pub(super) const fn row<const ARITY: usize>(
     name: &'static str,
     value: fn([f64; ARITY]) -> f64,
-) -> Row<ARITY> {
-    Row {
+) -> OperationRow<ARITY> {
+    OperationRow {
         name,
         value,
         latency: 4,
@@ -89,7 +89,7 @@ pub(super) const fn row<const ARITY: usize>(
         never_negative: false,
         partial: false,
         symmetry: Symmetry::Neither,
-        call: Call::Method(name),
+        call: RustCall::Method(name),
     }
 }
 
@@ -97,8 +97,11 @@ pub(super) const fn row<const ARITY: usize>(
 pub(super) const ARC: u32 = 30;
 
 /// A row of a function of an angle.
-pub(super) const fn trigonometric(name: &'static str, value: fn([f64; 1]) -> f64) -> Row<1> {
-    Row {
+pub(super) const fn trigonometric(
+    name: &'static str,
+    value: fn([f64; 1]) -> f64,
+) -> OperationRow<1> {
+    OperationRow {
         latency: 20,
         time: 20,
         size: 20,
@@ -110,8 +113,8 @@ pub(super) const fn trigonometric(name: &'static str, value: fn([f64; 1]) -> f64
 pub(super) const fn arc<const ARITY: usize>(
     name: &'static str,
     value: fn([f64; ARITY]) -> f64,
-) -> Row<ARITY> {
-    Row {
+) -> OperationRow<ARITY> {
+    OperationRow {
         latency: 20,
         time: ARC,
         size: 50,

@@ -26,7 +26,7 @@ struct Factors {
 type Base = ([NodeId; 2], [Vec<NodeId>; 2], u64);
 
 /// The values `outputs` with multiples of the same sum computed as such.
-pub fn share_multiples(graph: &Graph, outputs: &[NodeId]) -> Vec<NodeId> {
+pub fn share_common_factors(graph: &Graph, outputs: &[NodeId]) -> Vec<NodeId> {
     let reachable = graph.reachable(outputs);
     let mut members: BTreeMap<Base, Vec<(NodeId, Factors)>> = BTreeMap::new();
     for &id in &reachable {

@@ -9,7 +9,7 @@ use crate::lookup::Map;
 use crate::program::{Binary, Ternary, Unary};
 
 /// The values `outputs` with less behind each root: turned before it, then summed before it, too.
-pub fn roots_last(graph: &Graph, outputs: &[NodeId]) -> [Vec<NodeId>; 2] {
+pub fn late_roots(graph: &Graph, outputs: &[NodeId]) -> [Vec<NodeId>; 2] {
     let turned = rewritten(graph, outputs, |view, id, new| view.turned_before(id, new));
     let added = rewritten(graph, &turned, |view, id, new| view.added_before(id, new));
     [turned, added]
@@ -64,7 +64,7 @@ impl<'a> View<'a> {
             let node = graph.node(id);
             let is_root = matches!(
                 node,
-                Node::Ternary(Ternary::Root, ..) | Node::Unary(Unary::Sqrt, _)
+                Node::Ternary(Ternary::GuardedSqrt, ..) | Node::Unary(Unary::Sqrt, _)
             );
             let before = node.operands().map(|x| view.roots[&x]).max();
             view.roots

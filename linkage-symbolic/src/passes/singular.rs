@@ -24,7 +24,7 @@ fn factors(program: &Program) -> Vec<bool> {
     for instruction in &program.instructions {
         let is = |x: Value| -> bool { of_root[x.0] };
         let has_root = match *instruction {
-            Instruction::Ternary(Ternary::Root, ..) => true,
+            Instruction::Ternary(Ternary::GuardedSqrt, ..) => true,
             Instruction::Unary(Unary::Neg | Unary::Abs, x) => is(x),
             Instruction::Binary(Binary::Mul, a, b) => is(a) || is(b),
             Instruction::Binary(Binary::Div, a, _) => is(a),
@@ -46,7 +46,7 @@ mod tests {
         let mut program = Program::default();
         let [q, x] = [0, 1].map(|k| program.push(Instruction::Load(Source::Input(k))));
         let [one, two, slack] = [1.0, 2.0, 1e-15].map(|x| program.push(Instruction::Constant(x)));
-        let root = program.push(Instruction::Ternary(Ternary::Root, q, slack, one));
+        let root = program.push(Instruction::Ternary(Ternary::GuardedSqrt, q, slack, one));
         let divisor = program.push(Instruction::Binary(Binary::Mul, two, root));
         let rate = program.push(Instruction::Binary(Binary::Div, x, divisor));
         let plain = program.push(Instruction::Binary(Binary::Div, x, q));

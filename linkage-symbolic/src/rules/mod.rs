@@ -17,6 +17,7 @@
 //! The names are formulas: `x`, `y`, `z` depend on an input, `p`, `q`, `r` on parameters alone, `k` and `m` are numbers; `f` is any
 //! operation that has the rule. The tests read them: they build the left side, expect the right side, and compare values.
 
+mod by_operation;
 mod construct;
 mod functions;
 mod guards;
@@ -26,7 +27,6 @@ mod rates;
 mod rule;
 mod signs;
 mod sums;
-mod table;
 
-pub use rule::{Assumes, Changes, Rule};
-pub use table::{of_binary, of_inlined, of_rates, of_ternary, of_unary};
+pub use by_operation::{of_binary, of_inlined, of_rates, of_ternary, of_unary};
+pub use rule::{Assumes, Changes, RewriteRule};

@@ -35,7 +35,7 @@ type Rewrite<Operation, const ARITY: usize> =
 
 /// A rewriting that a constructor tries.
 #[derive(Clone, Copy, Debug)]
-pub struct Rule<Operation, const ARITY: usize> {
+pub struct RewriteRule<Operation, const ARITY: usize> {
     /// What it does, as a formula.
     pub name: &'static str,
     /// Other ways of writing that it finds.
@@ -51,8 +51,8 @@ pub struct Rule<Operation, const ARITY: usize> {
 pub(super) const fn rule<Operation, const ARITY: usize>(
     name: &'static str,
     rewrite: Rewrite<Operation, ARITY>,
-) -> Rule<Operation, ARITY> {
-    Rule {
+) -> RewriteRule<Operation, ARITY> {
+    RewriteRule {
         name,
         also: &[],
         changes: Changes::Nothing,
@@ -61,7 +61,7 @@ pub(super) const fn rule<Operation, const ARITY: usize>(
     }
 }
 
-impl<Operation, const ARITY: usize> Rule<Operation, ARITY> {
+impl<Operation, const ARITY: usize> RewriteRule<Operation, ARITY> {
     pub(super) const fn changes(self, changes: Changes) -> Self {
         Self { changes, ..self }
     }
@@ -87,7 +87,7 @@ impl<Operation, const ARITY: usize> Rule<Operation, ARITY> {
 
 /// What the first rule that fits makes of an operation.
 pub(super) fn first<Operation: Copy, const ARITY: usize>(
-    rules: &[Rule<Operation, ARITY>],
+    rules: &[RewriteRule<Operation, ARITY>],
     store: &mut Store,
     op: Operation,
     operands: [NodeId; ARITY],

@@ -1,11 +1,11 @@
 //! Rules of sums and differences.
 
 use super::functions::FOLD_TWO;
-use super::rule::{Assumes, Changes, Rule, rule};
+use super::rule::{Assumes, Changes, RewriteRule, rule};
 use crate::graph::{Node, NodeId, Store};
 use crate::operation::{Binary, Unary};
 
-pub(super) static SUM: &[Rule<Binary, 2>] = &[
+pub(super) static SUM: &[RewriteRule<Binary, 2>] = &[
     // -0 + 0 is 0.
     rule("0 + x = x", |g, _, [a, b]| g.is_zero(a).then_some(b)).changes(Changes::SignOfZero),
     rule("x + 0 = x", |g, _, [a, b]| g.is_zero(b).then_some(a)).changes(Changes::SignOfZero),
@@ -51,7 +51,7 @@ pub(super) static SUM: &[Rule<Binary, 2>] = &[
     FOLD_TWO,
 ];
 
-pub(super) static DIFFERENCE: &[Rule<Binary, 2>] = &[
+pub(super) static DIFFERENCE: &[RewriteRule<Binary, 2>] = &[
     rule("x - 0 = x", |g, _, [a, b]| g.is_zero(b).then_some(a)),
     // 0 - 0 is 0.
     rule("0 - x = -x", |g, _, [a, b]| g.is_zero(a).then(|| g.neg(b))).changes(Changes::SignOfZero),

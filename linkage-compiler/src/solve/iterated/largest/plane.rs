@@ -4,7 +4,7 @@
 //! one of both for each joint, with a factor that depends on the bodies alone; the sum of the sizes is the largest value. For a link with three
 //! joints that is half of what it measures around them.
 
-use linkage_symbolic::{Ex, V2, Vector, agree};
+use linkage_symbolic::{Ex, V2, Vector, numerically_equal};
 
 use crate::solve::Solver;
 
@@ -71,7 +71,11 @@ impl<'m> Solver<'_, 'm> {
             let shares = sums.iter().map(|sum| {
                 let products = sum.iter().zip(joint).map(|(&a, &b)| a * b);
                 let share = products.fold(zero, |sum, x| sum + x);
-                if agree(share, zero) { zero } else { share }
+                if numerically_equal(share, zero) {
+                    zero
+                } else {
+                    share
+                }
             });
             let mut shares: Vec<Ex> = shares.collect();
             let pivot = shares.iter().position(|share| !share.is_zero())?;

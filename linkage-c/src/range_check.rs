@@ -21,7 +21,7 @@ struct Criteria {
 }
 
 impl Criteria {
-    fn of(real: Real) -> Self {
+    fn for_real(real: Real) -> Self {
         match real {
             Real::Double => Self {
                 dead: DEAD,
@@ -131,7 +131,7 @@ pub(crate) fn items(writer: &mut Writer) {
         true => ((count as f64 * ((to - from) / (high - low))) as usize).max(1),
         false => 0,
     };
-    let criteria = Criteria::of(*real);
+    let criteria = Criteria::for_real(*real);
     let flags = |is: fn(&Group) -> bool| {
         let flags = unit
             .groups

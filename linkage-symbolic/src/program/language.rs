@@ -3,7 +3,7 @@
 use super::instruction::{Instruction, Value};
 use super::straight_line::Program;
 use crate::graph::Source;
-use crate::operation::{Call, Fused};
+use crate::operation::{Fused, RustCall};
 
 /// A language that programs are printed in. Each value of a program is an expression of the language: a literal, a variable, or a
 /// member of one.
@@ -76,15 +76,15 @@ pub fn print<L: Language>(program: &Program, language: &mut L) -> Vec<String> {
 fn operation<L: Language>(
     language: &mut L,
     name: &'static str,
-    call: Call,
+    call: RustCall,
     operands: &[&str],
 ) -> String {
     match (call, operands) {
-        (Call::Operator(sign), [a, b]) => format!("{a} {sign} {b}"),
-        (Call::Operator(sign), _) => format!("{sign}{}", operands.concat()),
+        (RustCall::Operator(sign), [a, b]) => format!("{a} {sign} {b}"),
+        (RustCall::Operator(sign), _) => format!("{sign}{}", operands.concat()),
         // Programs are paired before they are printed, but a program without this pass must be right too.
-        (Call::SinePair(number), _) => language.sine_or_cosine(number, operands[0]),
-        (Call::Method(_) | Call::FusedMethod(_), _) => language.call(name, operands),
+        (RustCall::SinePair(number), _) => language.sine_or_cosine(number, operands[0]),
+        (RustCall::Method(_) | RustCall::FusedMethod(_), _) => language.call(name, operands),
     }
 }
 

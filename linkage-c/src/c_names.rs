@@ -9,7 +9,7 @@ use reserved::{is_declared, is_for_compilers, is_header, is_keyword, is_mathemat
 
 /// Where names stand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Place {
+pub(crate) enum Namespace {
     /// In a struct.
     Struct,
     /// In a file.
@@ -21,13 +21,13 @@ pub(crate) enum Place {
 /// The names of one place, each once.
 #[derive(Clone, Debug)]
 pub(crate) struct Names {
-    place: Place,
+    place: Namespace,
     taken: BTreeSet<String>,
 }
 
 impl Names {
     /// A place in which some names are taken.
-    pub(crate) fn new(place: Place, taken: &[&str]) -> Self {
+    pub(crate) fn new(place: Namespace, taken: &[&str]) -> Self {
         let taken = taken.iter().map(|&name| name.to_owned()).collect();
         Self { place, taken }
     }
@@ -36,7 +36,7 @@ impl Names {
     /// Otherwise underscores follow it; names that are left to compilers begin with an `x`.
     pub(crate) fn take(&mut self, wanted: &str) -> String {
         let mut name = plain(wanted);
-        if is_for_compilers(&name, self.place == Place::File) {
+        if is_for_compilers(&name, self.place == Namespace::File) {
             name.insert(0, 'x');
         }
         while self.is_taken(&name) {
@@ -51,9 +51,9 @@ impl Names {
             || is_macro(name)
             || self.taken.contains(name)
             || match self.place {
-                Place::Struct => false,
-                Place::File => is_declared(name),
-                Place::Function => is_mathematics(name) || is_temporary(name),
+                Namespace::Struct => false,
+                Namespace::File => is_declared(name),
+                Namespace::Function => is_mathematics(name) || is_temporary(name),
             }
     }
 
@@ -75,7 +75,7 @@ impl Names {
 /// Returns the beginning of all names of a mechanism, which is also the name of its files. `constants` returns the names of its
 /// constants for a beginning.
 pub(crate) fn prefix(title: &str, constants: impl Fn(&str) -> Vec<String>) -> String {
-    let mut prefix = Names::new(Place::File, &[]).take(&snake(title));
+    let mut prefix = Names::new(Namespace::File, &[]).take(&snake(title));
     while is_header(&prefix)
         || is_declared(&prefix)
         || constants(&prefix).iter().any(|name| is_macro(name))
