@@ -1,4 +1,5 @@
-//! A test of the arithmetic that results depend on, which `assemble` makes; and the test of a number.
+//! A test of the arithmetic that results depend on, which `assemble` makes; and the test of a
+//! number.
 
 use std::fmt::Write;
 
@@ -9,7 +10,8 @@ use crate::surface::{Surface, Why};
 use crate::template::fill;
 use crate::writer::Writer;
 
-/// Returns the function that tests rounding, digits and the order of sums; the sine, if the mechanism has one, is tested with them.
+/// Returns the function that tests rounding, digits and the order of sums; the sine, if the
+/// mechanism has one, is tested with them.
 pub(crate) fn arithmetic(surface: &Surface, helpers: &Helpers) -> String {
     let Surface { private, real, .. } = surface;
     let word = |word: &str| {

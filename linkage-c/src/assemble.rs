@@ -9,7 +9,7 @@ use crate::surface::{Surface, Why, reference};
 use crate::template::fill;
 use crate::writer::{Writer, used};
 
-/// What depends on the dimensions alone.
+/// Writes the function that computes the values that depend on the dimensions alone.
 pub(crate) fn prepare(writer: &mut Writer) {
     let Surface {
         unit,
@@ -76,7 +76,7 @@ pub(crate) fn close(writer: &mut Writer) {
     writer.text.push('\n');
 }
 
-/// The function that says whether what is computed of a dimension may overflow.
+/// Returns the function that checks for overflow in numbers computed from a dimension.
 fn overflows(surface: &Surface) -> String {
     let Surface {
         private,
@@ -173,7 +173,7 @@ pub(crate) fn assemble(writer: &mut Writer) {
     );
 }
 
-/// Whether dimensions are not those of the tables.
+/// Returns a condition: dimensions are not those of the tables.
 fn moved(surface: &Surface) -> String {
     let nominal: Vec<f64> = surface
         .unit

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 pub(crate) use reserved::is_macro;
 use reserved::{is_declared, is_for_compilers, is_header, is_keyword, is_mathematics};
 
-/// Where names stand.
+/// The scope of names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Namespace {
     /// In a struct.
@@ -32,8 +32,9 @@ impl Names {
         Self { place, taken }
     }
 
-    /// Returns the name in C of something of the user, which nothing else in this place gets. It is the user's own name if C can have it.
-    /// Otherwise underscores follow it; names that are left to compilers begin with an `x`.
+    /// Returns the name in C of something of the user, which nothing else in this place gets. It is
+    /// the user's own name if C can have it. Otherwise underscores follow it; names that are left
+    /// to compilers begin with an `x`.
     pub(crate) fn take(&mut self, wanted: &str) -> String {
         let mut name = plain(wanted);
         if is_for_compilers(&name, self.place == Namespace::File) {
@@ -72,8 +73,8 @@ impl Names {
     }
 }
 
-/// Returns the beginning of all names of a mechanism, which is also the name of its files. `constants` returns the names of its
-/// constants for a beginning.
+/// Returns the beginning of all names of a mechanism, which is also the name of its files.
+/// `constants` returns the names of its constants for a beginning.
 pub(crate) fn prefix(title: &str, constants: impl Fn(&str) -> Vec<String>) -> String {
     let mut prefix = Names::new(Namespace::File, &[]).take(&snake(title));
     while is_header(&prefix)

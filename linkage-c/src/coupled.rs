@@ -1,4 +1,5 @@
-//! Groups without a closed form: states that are known over the ranges of their inputs, from which Newton steps begin.
+//! Groups without a closed form: states that are known over the ranges of their inputs, from which
+//! Newton steps begin.
 
 mod constants;
 
@@ -16,7 +17,8 @@ use crate::surface::{Surface, Why};
 use crate::template::fill;
 use crate::writer::{Writer, used, written};
 
-/// The templates of a group: the value of a number of the state in a cell, what looks up a state, and what is made of it.
+/// The templates of a group: the value of a number of the state in a cell, the look-up of a state,
+/// and the state for other dimensions.
 struct Templates {
     value: &'static str,
     table: &'static str,
@@ -122,7 +124,7 @@ fn of_axis(real: Real, axis: &Axis) -> Vec<(&'static str, String)> {
     ]
 }
 
-/// What names in all templates stand for.
+/// Returns the text for a name that all templates use.
 fn of_group(surface: &Surface, coupled: &Coupled, word: &str) -> Option<String> {
     let real = surface.real;
     Some(match word {

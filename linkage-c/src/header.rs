@@ -1,4 +1,4 @@
-//! The header: what users see.
+//! The header, which users read.
 
 use std::fmt::Write;
 
@@ -183,7 +183,7 @@ fn evaluator(surface: &Surface, evaluator: &Evaluator) -> String {
     text
 }
 
-/// A member of a struct, what the user says of it in front.
+/// Returns a member of a struct, after the user's documentation of it.
 fn member(documentation: &str, declared: &str, note: &str) -> String {
     let about = match documentation.trim().is_empty() {
         true => String::new(),

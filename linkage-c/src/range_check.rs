@@ -11,8 +11,9 @@ use crate::surface::{KINDS, OFF, RangeNames, Surface};
 use crate::template::fill;
 use crate::writer::Writer;
 
-/// What the search goes by: how small a slack is a dead point, what is rounding, the share of a range at its ends where a dead point is
-/// allowed, the share of it within which a place is at its end.
+/// The criteria of the search: the slack of a dead point, the size of rounding, the share of a
+/// range at its ends where a dead point is allowed, and the share of it within which a place is at
+/// its end.
 struct Criteria {
     dead: f64,
     rounding: f64,
@@ -29,8 +30,8 @@ impl Criteria {
                 end: END,
                 at_end: AT_END,
             },
-            // 16 roundoffs: what discriminants are rounded by is 8 of them. A slack that is zero as a square does not
-            // say more than half of the digits of its place.
+            // 16 roundoffs: what discriminants are rounded by is 8 of them. A slack that is zero as
+            // a square does not say more than half of the digits of its place.
             Real::Single => Self {
                 dead: 2e-6,
                 rounding: 1e-6,

@@ -16,7 +16,8 @@ pub(crate) fn limit(real: Real) -> String {
     })
 }
 
-/// Statements that find the states that a program loads, in front of it, but for that of group `own`; `inputs` is the array of all inputs.
+/// Returns statements that find the states that a program loads, except that of group `except`;
+/// `inputs` is the array of all inputs.
 pub(crate) fn look_up(
     surface: &Surface,
     program: &Program,

@@ -1,4 +1,5 @@
-//! Angles with turns: by the closed form if one of the vectors that they are found from decides, else followed through the ranges.
+//! Angles with turns: by the closed form if one of the vectors that they are found from decides,
+//! else followed through the ranges.
 
 use std::fmt::Write;
 
@@ -27,7 +28,7 @@ pub(crate) fn turns_type(surface: &Surface) -> String {
     }
 }
 
-/// What finds the turns; nothing if no angle counts them.
+/// Writes the functions that find the turns; nothing if no angle counts them.
 pub(crate) fn items(writer: &mut Writer) {
     let surface = writer.surface;
     let unit = surface.unit;
@@ -80,7 +81,7 @@ fn bearings(writer: &mut Writer) {
     );
 }
 
-/// What is known of each angle.
+/// Returns the tables of facts about each angle.
 fn tables(surface: &Surface) -> String {
     let Surface {
         unit,
@@ -140,7 +141,7 @@ fn tables(surface: &Surface) -> String {
     )
 }
 
-/// Where the entries of each angle begin, and the end of all.
+/// Returns the index of the first entry of each angle, and the end of all.
 fn firsts(
     unit: &CompiledMechanism,
     count: impl Fn(usize) -> usize,

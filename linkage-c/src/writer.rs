@@ -1,4 +1,4 @@
-//! The source as it grows: text, and what prints programs into it.
+//! The source as it grows: its text, and functions that print programs into it.
 
 use std::fmt::Write;
 
@@ -37,7 +37,7 @@ impl Writer<'_> {
         );
     }
 
-    /// A program on what plumbing has.
+    /// Prints a program whose inputs are the array `x`.
     pub(crate) fn printed(&mut self, program: &Program) -> Printed {
         let surface = self.surface;
         self.printer.program(program, &|source| match source {
@@ -56,7 +56,8 @@ pub(crate) fn written(printed: &Printed) -> String {
     body
 }
 
-/// A body with a line for each parameter that it does not read: compilers warn of these. A member of a struct may have the name of a parameter.
+/// A body with a line for each parameter that it does not read: compilers warn of these. A member
+/// of a struct may have the name of a parameter.
 pub(crate) fn used(parameters: &[&str], body: String) -> String {
     let of_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let words = body.split(|c| !of_name(c) && c != '.');
@@ -70,7 +71,7 @@ pub(crate) fn used(parameters: &[&str], body: String) -> String {
     body + &unused
 }
 
-/// Where a number stands that is no input.
+/// Returns the expression of a number that is no input.
 pub(crate) fn place(surface: &Surface, source: Source) -> String {
     match source {
         Source::Parameter(index) => format!("m->dimensions.{}", surface.scalars[index]),

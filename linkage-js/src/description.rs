@@ -1,4 +1,5 @@
-//! What the engine knows of a mechanism: its numbers and its programs, as an object of JavaScript.
+//! The description of a mechanism for the engine: its numbers and its programs, as an object of
+//! JavaScript.
 
 use linkage_compiler::ir::{CompiledMechanism, Coupled, Function, Input, Shape, Start, plain};
 use linkage_core::numeric::continuation::Axis;
@@ -210,7 +211,7 @@ fn evaluator(called: &Function, inputs: usize) -> String {
         .text()
 }
 
-/// `null` for a number, else how many of what.
+/// Returns `null` for a number, else a list of the count and the shape of an entry.
 fn shape(declared: &Shape) -> String {
     let number = || "null".to_owned();
     let many = |count: &usize, entry| list([count.to_string(), entry].into_iter());

@@ -6,10 +6,11 @@ use linkage_compiler::ir::{CompiledMechanism, Function, Shape, plain};
 
 use crate::js_names::arguments as named;
 
-/// What is the same for all mechanisms.
+/// The part that is the same for all mechanisms.
 const COMMON: &str = include_str!("common.d.ts");
 
-/// The text of the `.d.ts` file beside the module, which exports the mechanism `title` by a name of JavaScript.
+/// The text of the `.d.ts` file beside the module, which exports the mechanism `title` by a name of
+/// JavaScript.
 pub(crate) fn types(title: &str, name: &str, unit: &CompiledMechanism) -> String {
     let mut text =
         format!("// {title}. Written by linkage; not to be changed by hand.\n\n{COMMON}\n");
@@ -69,7 +70,7 @@ fn method(name: &str) -> String {
     }
 }
 
-/// The function's doc comment, then what its results are.
+/// The function's doc comment, then the meaning of its results.
 fn about(called: &Function) -> String {
     let told = called.fields.iter().map(|field| {
         let name = plain(&field.name);
@@ -117,7 +118,7 @@ fn key(name: &str) -> String {
     }
 }
 
-/// A doc comment; what would end it is taken apart.
+/// Returns a doc comment, with the end mark of comments taken apart.
 fn documented(indent: &str, documentation: &str) -> String {
     let lines: Vec<&str> = documentation.lines().map(str::trim).collect();
     if lines.iter().all(|line| line.is_empty()) {

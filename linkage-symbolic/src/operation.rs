@@ -1,8 +1,10 @@
 //! The operations, each with one row of facts.
 //!
-//! Calls of `linkage_core::Scalar` in the compiler and the derivative in `differentiate` are matches without a wildcard: an operation
-//! that is added here does not compile before they have it. Tests require its function in C (`linkage-c`), in the engine of JavaScript
-//! and for intervals. Rules of simplification are optional, except for those of symmetry, which follow from the row.
+//! Calls of `linkage_core::Scalar` in the compiler and the derivative in `differentiate` are
+//! matches without a wildcard: an operation that is added here does not compile before they have
+//! it. Tests require its function in C (`linkage-c`), in the engine of JavaScript and for
+//! intervals. Rules of simplification are optional, except for those of symmetry, which follow from
+//! the row.
 
 mod row;
 mod value;
@@ -34,7 +36,7 @@ macro_rules! table {
                 (self.row().value)(operands)
             }
 
-            /// What is known of it.
+            /// Returns its row in the table.
             pub fn row(self) -> &'static OperationRow<$arity> {
                 match self {
                     $(Self::$Variant => const { &$row },)*
@@ -93,7 +95,8 @@ table! {
         Acos => OperationRow { splits: true, partial: true, ..arc("acos", |[a]| a.acos()) },
         /// The arc tangent.
         Atan => OperationRow { symmetry: Symmetry::Odd, splits: true, ..arc("atan", |[a]| a.atan()) },
-        /// `+1` for a number that is positive or `+0`, `-1` for a negative one: the derivative of `Abs`.
+        /// `+1` for a number that is positive or `+0`, `-1` for a negative one: the derivative of
+        /// `Abs`.
         Sign => OperationRow { latency: 20, splits: true, ..row("sign", |[a]| sign(a)) },
         /// The nearest whole number, of two the even one; right up to `2^51`.
         Round => OperationRow {
@@ -102,15 +105,17 @@ table! {
             splits: true,
             ..row("whole", |[a]| (a + WHOLE) - WHOLE)
         },
-        /// `slack(x)`: by how much rounding may turn negative what was computed from terms of the size `x`: 8 roundoffs of it, of the
-        /// numbers that a program runs on. No constant for that reason. NaN where `x` is infinite.
+        /// `slack(x)`: the most by which rounding turns a value negative that was computed from
+        /// terms of the size `x`. That is 8 roundoffs of it, of the numbers that a program runs on,
+        /// and therefore no constant. NaN where `x` is infinite.
         Slack => OperationRow {
             size: 2,
             splits: true,
             never_negative: true,
             ..row("slack", |[x]| DEAD_POINT * x.abs() + 0.0 * x)
         },
-        /// A power of two near `1/|x|` (1 for 0 and non-finite numbers): scales lengths without rounding.
+        /// A power of two near `1/|x|` (1 for 0 and non-finite numbers): scales lengths without
+        /// rounding.
         InverseScale => OperationRow {
             latency: 20,
             size: 6,
@@ -150,7 +155,8 @@ table! {
             call: RustCall::Operator('/'),
             ..row("/", |[a, b]| a / b)
         },
-        /// `a / b`, NaN where that is infinite: a quotient by the root of a discriminant. Only programs have it.
+        /// `a / b`, NaN where that is infinite: a quotient by the root of a discriminant. Only
+        /// programs have it.
         Quotient => OperationRow {
             latency: 19,
             time: 6,
@@ -197,8 +203,8 @@ table! {
 table! {
     /// Operations of three operands.
     pub enum Ternary: 3 {
-        /// `angle_near(y, x, guide)`: the argument of `x + i y`, plus the number of whole turns that brings it nearest to
-        /// `guide`.
+        /// `angle_near(y, x, guide)`: the argument of `x + i y`, plus the number of whole turns
+        /// that brings it nearest to `guide`.
         AngleNear => OperationRow {
             latency: 4,
             class: Class::ArcTangent,
@@ -206,8 +212,10 @@ table! {
             call: RustCall::FusedMethod("angle_near_with"),
             ..arc("angle_near", |[y, x, guide]| angle_near(y, x, guide))
         },
-        /// `root(q, slack, size)`: the square root of `q`; 0 where `q` is negative by no more than `slack` times `size`, neither of them
-        /// negative; NaN below that. An infinite `size` comes with a `q` that is no finite number either. It closes a group up to the dead point and refuses beyond.
+        /// `root(q, slack, size)`: the square root of `q`; 0 where `q` is negative by no more than
+        /// `slack` times `size`, neither of them negative; NaN below that. An infinite `size` comes
+        /// with a `q` that is no finite number either. It closes a group up to the dead point and
+        /// refuses beyond.
         GuardedSqrt => OperationRow {
             latency: 15,
             time: 6,
@@ -224,8 +232,8 @@ table! {
 }
 
 table! {
-    /// A product and a sum. Only programs have them: contraction makes them, and the machine rounds once or twice as it can. On
-    /// numbers here, twice. Each printer has its own code for them.
+    /// A product and a sum. Only programs have them: contraction makes them, and the machine rounds
+    /// once or twice as it can. On numbers here, twice. Each printer has its own code for them.
     pub enum Fused: 3 {
         /// `a * b + c`
         MulAdd => OperationRow { class: Class::MultiplyAdd, ..row("mul_add", |[a, b, c]| a * b + c) },

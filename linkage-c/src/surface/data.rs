@@ -1,4 +1,4 @@
-//! What users of the C see: names, types, comments.
+//! The surface of a mechanism for users of the C: names, types, comments.
 
 use linkage_compiler::ir::{CompiledMechanism, Function, Shape};
 
@@ -15,9 +15,9 @@ use crate::real::Real;
 pub(crate) struct Surface<'a> {
     pub(crate) unit: &'a CompiledMechanism,
     pub(crate) real: Real,
-    /// As the user called it.
+    /// The name in the declaration.
     pub(crate) title: String,
-    /// What all names begin with; also that of the struct.
+    /// The beginning of all names; also that of the struct.
     pub(crate) prefix: String,
     /// The beginning of names in the source alone.
     pub(crate) private: String,
@@ -25,7 +25,7 @@ pub(crate) struct Surface<'a> {
     /// Expressions of the scalars of all dimensions, behind that of the struct and a point.
     pub(crate) scalars: Vec<String>,
     pub(crate) functions: Vec<Evaluator<'a>>,
-    /// What `assemble` may return, after 0.
+    /// The results of `assemble`, after 0.
     pub(crate) codes: Vec<Code>,
     pub(crate) assemble: Declared,
     pub(crate) error: Declared,
@@ -76,7 +76,8 @@ pub(crate) struct Field<'a> {
 /// The end of the macro that lets a file with finite mathematics include the header.
 pub(crate) const FINITE_MATH: &str = "finite_math";
 
-/// The end of the name of a type that exists where constants have all their digits: compilers print it.
+/// The end of the name of a type that exists where constants have all their digits: compilers print
+/// it.
 pub(super) const CONSTANTS: &str = "is_not_for_fsingle_precision_constant";
 
 /// The ends of constants and macros that each mechanism has.

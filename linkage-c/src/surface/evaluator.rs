@@ -9,7 +9,7 @@ use super::renamed::Log;
 use crate::c_names::{Names, Namespace};
 use crate::real::Real;
 
-/// What the names of a function's arguments and results must differ from.
+/// Names that those of a function's arguments and results must differ from.
 pub(super) struct Scope<'a> {
     pub(super) unit: &'a CompiledMechanism,
     pub(super) real: Real,

@@ -1,4 +1,4 @@
-//! What users of the C see, chosen once: header and source both print it.
+//! The surface of a mechanism for users of the C, chosen once: header and source both print it.
 
 mod build;
 mod constant;

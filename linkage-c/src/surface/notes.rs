@@ -1,4 +1,4 @@
-//! What comments say of arguments, dimensions and results.
+//! Comments on arguments, dimensions and results.
 
 use linkage_compiler::ir::{Column, CompiledMechanism, Shape, in_degrees};
 
@@ -30,7 +30,7 @@ pub(super) fn dimension_note(scalars: &[linkage_compiler::ir::Scalar]) -> String
     }
 }
 
-/// What it is with its unit, and what the entries of an array are.
+/// Returns the meaning with its unit, and the names of the entries of an array.
 pub(super) fn field_note(field: &linkage_compiler::ir::Field, columns: &[Column]) -> String {
     let about = match &field.told()[..] {
         "" => "a number".to_owned(),
@@ -46,7 +46,7 @@ pub(super) fn field_note(field: &linkage_compiler::ir::Field, columns: &[Column]
     }
 }
 
-/// What an input's reference is called in comments.
+/// Returns the reference inputs for comments.
 pub(crate) fn reference(unit: &CompiledMechanism) -> String {
     let inputs = unit.inputs.iter();
     let places: Vec<String> = inputs

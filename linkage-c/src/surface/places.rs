@@ -5,7 +5,7 @@ use linkage_compiler::ir::{COMPONENTS, Shape};
 /// Components of frames.
 const OF_FRAME: [&str; 4] = ["origin", "x", "y", "z"];
 
-/// What the entries of an array are, of arrays of arrays too; other shapes as they are.
+/// Returns the shape of the entries of an array, of arrays of arrays too; other shapes as they are.
 pub(crate) fn innermost(shape: &Shape) -> &Shape {
     match shape {
         Shape::Array(_, entry) => innermost(entry),

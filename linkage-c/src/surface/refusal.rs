@@ -1,4 +1,4 @@
-//! What `assemble` may return, and the texts for it.
+//! The results of `assemble`, and the texts for them.
 
 use linkage_compiler::ir::{CompiledMechanism, Group};
 
@@ -8,7 +8,7 @@ use crate::c_names::plain;
 #[derive(Clone, Debug)]
 pub(crate) struct Code {
     pub(crate) why: Why,
-    /// Of the constant.
+    /// The name of the constant.
     pub(crate) name: String,
     pub(crate) text: String,
 }
@@ -22,7 +22,7 @@ pub(crate) enum Why {
     CannotClose(usize),
     /// A group has no solution in numbers.
     Undefined(usize),
-    /// What is computed of a dimension overflows.
+    /// A number computed from a dimension overflows.
     TooLarge,
     /// An angle, among those that are followed, cannot be followed through the ranges.
     NoTurns(usize),
@@ -37,13 +37,13 @@ pub(crate) enum Why {
 }
 
 impl Why {
-    /// Whether the test of the arithmetic finds it.
+    /// Returns true for findings of the test of the arithmetic.
     pub(crate) fn is_of_arithmetic(self) -> bool {
         OF_ARITHMETIC.iter().any(|(why, ..)| *why == self)
     }
 }
 
-/// What the test of the arithmetic may find.
+/// The findings of the test of the arithmetic.
 const OF_ARITHMETIC: [(Why, &str, &str); 3] = [
     (
         Why::Rounding,

@@ -4,8 +4,9 @@ use crate::expression::Ex;
 use crate::graph::{Node, NodeId};
 use crate::operation::{Binary, Ternary, Unary};
 
-/// The chain rule backwards: from the derivative `weight` of a result by an operation, what each of the operation's operands contributes
-/// to the result's derivatives by them.
+/// Applies the chain rule backwards. From the derivative `weight` of a result with respect to an
+/// operation it returns, for each operand, the contribution to the derivative with respect to this
+/// operand.
 pub fn pull_back<'g>(value: Ex<'g>, weight: Ex<'g>) -> Vec<(NodeId, Ex<'g>)> {
     let operands: Vec<NodeId> = value.node().operands().collect();
     let zero = value.number(0.0);

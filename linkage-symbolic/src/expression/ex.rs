@@ -1,7 +1,8 @@
-//! Expressions: nodes to compute with, so that a formula in code reads as the formula in its comment.
+//! Expressions: nodes to compute with, so that a formula in code reads as the formula in its
+//! comment.
 //!
-//! The order in which operations are written is the order in which their nodes are made, and that order decides which operand of a sum
-//! stands first.
+//! The order in which operations are written is the order in which their nodes are made, and that
+//! order decides which operand of a sum stands first.
 
 use std::fmt;
 use std::hash::{Hash, Hasher};
@@ -122,13 +123,15 @@ impl<'g> Ex<'g> {
         self.binary(Binary::Atan2, x)
     }
 
-    /// The root of a discriminant that was computed from terms of the size `scale`: see [`Ternary::GuardedSqrt`].
+    /// The root of a discriminant that was computed from terms of the size `scale`: see
+    /// [`Ternary::GuardedSqrt`].
     pub fn root(self, scale: Self) -> Self {
         let slack = scale.number(1.0).unary(Unary::Slack);
         self.ternary(Ternary::GuardedSqrt, slack, scale.abs())
     }
 
-    /// What is not negative where [`root`](Self::root) is a number: the discriminant with what rounding may have taken.
+    /// Returns the discriminant plus the rounding that [`root`](Self::root) allows: it is not
+    /// negative where that is a number.
     pub fn reserve(self, scale: Self) -> Self {
         match self.root(scale).node() {
             Node::Ternary(Ternary::GuardedSqrt, _, slack, size) => {

@@ -1,4 +1,4 @@
-//! Formulas: expressions and vectors of expressions, and what is asked of them.
+//! Formulas: expressions and vectors of expressions, with their values, polynomials and equality.
 
 mod any_vector;
 mod evaluate;

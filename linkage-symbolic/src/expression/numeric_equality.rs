@@ -1,5 +1,5 @@
-//! Are two expressions equal? By evaluating both at chosen places: sums and products may be written in more ways than
-//! constructors can bring to one form.
+//! Are two expressions equal? By evaluating both at chosen places: sums and products may be written
+//! in more ways than constructors can bring to one form.
 
 use super::ex::Ex;
 use crate::graph::{Graph, Node, NodeId, SymbolId};
@@ -15,8 +15,8 @@ const TRIED: u64 = 64;
 /// Differences below this share of the larger terms are rounding.
 const ROUNDING: f64 = 1e-10;
 
-/// True if two expressions have equal values wherever their symbols are independent, up to rounding. Definitions are not
-/// followed.
+/// True if two expressions have equal values wherever their symbols are independent, up to
+/// rounding. Definitions are not followed.
 pub fn numerically_equal(a: Ex, b: Ex) -> bool {
     numerically_equal_within(a, b, ROUNDING)
 }
@@ -50,7 +50,7 @@ fn splits(graph: &Graph, id: NodeId) -> bool {
     }
 }
 
-/// Where expressions are evaluated.
+/// A point at which expressions are evaluated.
 #[derive(Clone, Copy)]
 enum SamplePoint {
     /// All symbols in 0.5..1.5: roots are defined, nothing is lost beside large terms.
@@ -61,7 +61,8 @@ enum SamplePoint {
 
 /// Nothing where both sides are undefined.
 fn agree_at(graph: &Graph, a: NodeId, b: NodeId, point: SamplePoint, share: f64) -> Option<bool> {
-    // Each value comes with the size of the terms that it is made of: a small sum of large terms is known less well.
+    // Each value comes with the size of the terms that it is made of: a small sum of large terms is
+    // known less well.
     let mut values: Map<NodeId, (f64, f64)> = Map::new();
     for id in graph.reachable(&[a, b]) {
         let known = match graph.node(id) {
@@ -149,7 +150,8 @@ mod tests {
         numbers.iter().sum::<f64>() / numbers.len() as f64
     }
 
-    /// Near numbers fill 0.5 to 1.5 evenly: the mean is 1, that of the squared distances from it 1/12.
+    /// Near numbers fill 0.5 to 1.5 evenly: the mean is 1, that of the squared distances from it
+    /// 1/12.
     #[test]
     fn near_numbers_fill_their_range() {
         let numbers = numbers(SamplePoint::Near);

@@ -1,8 +1,9 @@
 //! The graph: a flat arena of operations.
 //!
-//! From the ground up: `binding` and `node` are the data, `vectors` remembers facts about vectors, `store` is the arena, `terms` recognises
-//! forms of operands, `shared` is the arena behind a shared reference, and `definitions` leads from symbols to their definitions.
-//! Constructors that simplify are in [`rules`](crate::rules).
+//! From the ground up: `binding` and `node` are the data, `vectors` remembers facts about vectors,
+//! `store` is the arena, `terms` recognises forms of operands, `shared` is the arena behind a
+//! shared reference, and `definitions` leads from symbols to their definitions. Constructors that
+//! simplify are in [`rules`](crate::rules).
 
 mod binding;
 mod definitions;

@@ -1,7 +1,10 @@
-//! What waits for a root is added last, and turned before: the chain behind a root is as short as its formulas allow.
+//! Adds terms that wait for a root last, and turns vectors before: the chain after a root is as
+//! short as its formulas allow.
 //!
-//! A vector that turns with a link is `Z (n D + h D_perp)` with a root `h`: `n (Z D) + h (Z D)_perp` has as many operations, and all but the last of them are done by the
-//! time the root is. The same holds for a sum, `x + (y + h z) = (x + y) + h z`. Both round as often as before.
+//! A vector that turns with a link is `Z (n D + h D_perp)` with a root `h`. The form `n (Z D) + h
+//! (Z D)_perp` has as many operations, and all except the last of them are done by the time the
+//! root is. The same holds for a sum, `x + (y + h z) = (x + y) + h z`. Both round as often as
+//! before.
 
 use crate::expression::rebuild_shared;
 use crate::graph::{Binding, Graph, Node, NodeId};
@@ -41,12 +44,12 @@ struct Product {
     factors: [NodeId; 2],
 }
 
-/// What is known of the nodes below some outputs.
+/// Facts about the nodes below some outputs.
 struct View<'a> {
     graph: &'a Graph,
     /// The operations on each node; an output is used once more.
     users: Map<NodeId, Vec<NodeId>>,
-    /// How many roots each node waits for, one behind the other.
+    /// The number of roots that each node waits for, one after the other.
     roots: Map<NodeId, usize>,
     /// Sums of two products, by their factors in order.
     sums: Map<[[NodeId; 2]; 2], NodeId>,
@@ -99,7 +102,8 @@ impl<'a> View<'a> {
         Some([a, b])
     }
 
-    /// Signs in front of what is known before a call count as those of the product.
+    /// Returns the factors of a product. Signs of a factor that is known before a call count as
+    /// those of the product.
     fn product(&self, id: NodeId) -> Option<Product> {
         let Node::Binary(Binary::Mul, a, b) = self.graph.node(id) else {
             return None;
@@ -182,7 +186,8 @@ impl<'a> View<'a> {
         self.graph.add(first, second)
     }
 
-    /// `u = +-a d1 +- b d2` and `v = +-a d2 +- b d1`, a rotation, where `b` waits for one root more than all else.
+    /// `u = +-a d1 +- b d2` and `v = +-a d2 +- b d1`, a rotation, where `b` waits for one root more
+    /// than all else.
     fn inner(&self, u: NodeId, v: NodeId) -> Option<Inner> {
         let [of_u, of_v] = [self.two_products(u)?, self.two_products(v)?];
         let orders = [[0, 1], [1, 0]];
@@ -243,7 +248,8 @@ impl<'a> View<'a> {
             })
     }
 
-    /// The product that waits for a root in a sum that is used once, and the rest, each with its sign.
+    /// The product that waits for a root in a sum that is used once, and the rest, each with its
+    /// sign.
     fn late_term(&self, sum: NodeId) -> Option<((NodeId, bool), NodeId, bool)> {
         let Node::Binary(op @ (Binary::Add | Binary::Sub), a, b) = self.graph.node(sum) else {
             return None;

@@ -1,4 +1,5 @@
-//! Sine and cosine of one angle as one instruction: the machine computes both for little more than one of them.
+//! Sine and cosine of one angle as one instruction: the machine computes both for little more than
+//! one of them.
 
 use std::collections::BTreeMap;
 
@@ -37,7 +38,7 @@ pub fn pair(program: Program) -> Program {
     paired
 }
 
-/// What is used of an angle.
+/// The used functions of an angle.
 #[derive(Default)]
 struct Used {
     cosine: bool,

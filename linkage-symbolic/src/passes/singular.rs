@@ -1,7 +1,9 @@
-//! Quotients by the root of a discriminant have no value where the root is 0: NaN instead of an infinity.
+//! Quotients by the root of a discriminant have no value where the root is 0: NaN instead of an
+//! infinity.
 //!
-//! A rate of a group is such a quotient. At a dead point it does not exist. At a change point its limits are finite, but the dividend is 0 apart
-//! from rounding, and so would be the sign of an infinity.
+//! A rate of a group is such a quotient. At a dead point it does not exist. At a change point its
+//! limits are finite, but the dividend is 0 apart from rounding, and so would be the sign of an
+//! infinity.
 
 use crate::program::{Binary, Instruction, Program, Ternary, Unary, Value};
 
@@ -18,7 +20,7 @@ pub fn mark(mut program: Program) -> Program {
     program
 }
 
-/// Which values have a root of a discriminant as a factor.
+/// Returns true for each value that has a root of a discriminant as a factor.
 fn factors(program: &Program) -> Vec<bool> {
     let mut of_root = Vec::with_capacity(program.instructions.len());
     for instruction in &program.instructions {

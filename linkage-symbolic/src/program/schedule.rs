@@ -1,17 +1,18 @@
-//! Slicing and ordering: from a plain graph to straight-line programs, split by when values are known.
+//! Slicing and ordering: from a plain graph to straight-line programs, split by when values are
+//! known.
 
 use crate::graph::{Binding, Graph, Node, NodeId};
 use crate::lookup::Map;
 use crate::program::{Binary, Instruction, Program, Source, Unary, Value};
 
-/// The values that `assemble()` computes for all evaluators of a mechanism, in a graph of their own: equal values of different graphs
-/// are one slot.
+/// The values that `assemble()` computes for all evaluators of a mechanism, in a graph of their
+/// own: equal values of different graphs are one slot.
 #[derive(Debug, Default)]
 pub struct Slots {
     graph: Graph,
     nodes: Vec<NodeId>,
     index: Map<NodeId, usize>,
-    /// Where values of the graph that is scheduled now are in the own one.
+    /// The nodes in `graph` of the values of the graph that is scheduled now.
     copied: Map<NodeId, NodeId>,
 }
 
@@ -24,7 +25,8 @@ impl Slots {
         })
     }
 
-    /// The same operations in the own graph, as they are: to simplify anew would round differently beside other values.
+    /// The same operations in the own graph, as they are: simplifying again would round differently
+    /// beside other values.
     fn copy(&mut self, source: &Graph, root: NodeId) -> NodeId {
         let mut stack = vec![root];
         while let Some(&id) = stack.last() {
@@ -69,14 +71,16 @@ impl Slots {
     }
 }
 
-/// The program for `outputs` at a call: what is known earlier comes from slots, what no output needs is not in it.
+/// Returns the program for `outputs` at a call: values that are known earlier come from slots, and
+/// values that no output needs are left out.
 pub fn schedule(graph: &Graph, outputs: &[NodeId], slots: &mut Slots) -> Program {
     slots.copied.clear();
     let mut slot = |node| slots.slot(graph, node);
     Scheduler::new(graph, Some(&mut slot)).run(outputs)
 }
 
-/// The same program but for the numbers of its slots, to be counted and thrown away: nothing is kept of what `assemble()` would compute.
+/// Returns the same program except for the numbers of its slots, to be counted and dropped: values
+/// of `assemble()` are not recorded.
 pub fn draft(graph: &Graph, outputs: &[NodeId]) -> Program {
     let mut count = 0;
     let mut slot = |_| {
@@ -93,7 +97,7 @@ pub fn schedule_whole(graph: &Graph, outputs: &[NodeId]) -> Program {
 
 struct Scheduler<'a> {
     graph: &'a Graph,
-    /// Numbers what `assemble()` computes.
+    /// Numbers the values of `assemble()`.
     slots: Option<&'a mut dyn FnMut(NodeId) -> usize>,
     program: Program,
     values: Map<NodeId, Value>,
@@ -140,7 +144,8 @@ impl<'a> Scheduler<'a> {
         }
     }
 
-    /// What is done for a node: a difference with a minus sign is the opposite difference.
+    /// Returns the operation that is done for a node: a difference with a minus sign is the
+    /// opposite difference.
     fn operation(&self, id: NodeId) -> Node {
         let node = self.graph.node(id);
         if let Node::Unary(Unary::Neg, inner) = node

@@ -4,7 +4,8 @@ use super::rule::RewriteRule;
 use super::{functions, guards, products, quotients, rates, signs, sums};
 use crate::operation::{Binary, Symmetry, Ternary, Unary};
 
-/// Returns the rules of an operation of one operand, in order. Operations without rules of their own follow those of their symmetry.
+/// Returns the rules of an operation of one operand, in order. Operations without rules of their
+/// own follow those of their symmetry.
 pub fn of_unary(op: Unary) -> &'static [RewriteRule<Unary, 1>] {
     match op {
         Unary::Neg => signs::NEGATIVE,
@@ -19,7 +20,8 @@ pub fn of_unary(op: Unary) -> &'static [RewriteRule<Unary, 1>] {
     }
 }
 
-/// Returns the rules of an operation of two operands, in order. The factor of a product that is known earlier is the first.
+/// Returns the rules of an operation of two operands, in order. The factor of a product that is
+/// known earlier is the first.
 pub fn of_binary(op: Binary) -> &'static [RewriteRule<Binary, 2>] {
     match op {
         Binary::Add => sums::SUM,
@@ -40,7 +42,8 @@ pub fn of_ternary(op: Ternary) -> &'static [RewriteRule<Ternary, 3>] {
     }
 }
 
-/// Returns the rules that sums and products of rates follow before those of all: rates share factors, the turning of a link.
+/// Returns the rules that sums and products of rates follow before those of all: rates share
+/// factors, the turning of a link.
 pub fn of_rates(op: Binary) -> &'static [RewriteRule<Binary, 2>] {
     match op {
         Binary::Add => rates::SUM,

@@ -111,8 +111,8 @@ impl Store {
         self.binary(Binary::Div, a, b)
     }
 
-    /// `x` of a term `-x`. The sign may be in a factor that is known early: in a sum or product it costs nothing, and
-    /// without it the term may be one that exists.
+    /// `x` of a term `-x`. The sign may be in a factor that is known early: in a sum or product it
+    /// costs nothing, and without it the term may be one that exists.
     pub(crate) fn negative_term(&mut self, id: NodeId) -> Option<NodeId> {
         if let Some(x) = self.negated(id) {
             return Some(x);

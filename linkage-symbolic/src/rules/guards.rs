@@ -28,7 +28,8 @@ pub(super) static ROOT: &[RewriteRule<Ternary, 3>] = &[
         },
     )
     .assumes(Assumes::Finite),
-    // What is known before a call is multiplied there, once and for all; of the rest the sign may be known.
+    // What is known before a call is multiplied there, once and for all; of the rest the sign may
+    // be known.
     rule(
         "root(x, slack(k), abs(p y)) = root(x, slack(k p), abs(y))",
         |g, op, [q, slack, size]| {
@@ -60,8 +61,9 @@ pub(super) static ROOT: &[RewriteRule<Ternary, 3>] = &[
 ];
 
 pub(super) static GUARD: &[RewriteRule<Ternary, 3>] = &[
-    // A root is never negative, so the guard only makes its value NaN where the root is. A value that is computed from the root is
-    // that by itself, unless a choice within it passes the root by: formulas that choose have the root on both sides.
+    // A root is never negative, so the guard only makes its value NaN where the root is. A value
+    // that is computed from the root is that by itself, unless a choice within it passes the root
+    // by: formulas that choose have the root on both sides.
     rule(
         "select(root(x, y, y), root(x, y, y) z, root(x, y, y)) = root(x, y, y) z",
         |g, _, [root, value, otherwise]| {

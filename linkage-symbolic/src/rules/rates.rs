@@ -22,7 +22,8 @@ pub(super) static PRODUCT: &[RewriteRule<Binary, 2>] = &[
     .assumes(Assumes::Range),
 ];
 
-// Where vectors turn with one angle, `y + z` is mostly a component of their sum that is known already.
+// Where vectors turn with one angle, `y + z` is mostly a component of their sum that is known
+// already.
 
 pub(super) static SUM: &[RewriteRule<Binary, 2>] = &[rule("x y + x z = x (y + z)", common_rate)
     .also(&["(p x) y + x z = x (p y + z)"])
