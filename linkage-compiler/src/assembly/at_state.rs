@@ -1,6 +1,6 @@
 //! Where all unknowns stand if a coupled group has some state, whether or not its loops close.
 
-use linkage_symbolic::{SymbolId, unordered::Map};
+use linkage_symbolic::{SymbolId, lookup::Map};
 
 use crate::algebra::Bound;
 use crate::mobility::Position;

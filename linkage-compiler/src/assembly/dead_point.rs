@@ -1,7 +1,7 @@
 //! What a dead point in a range looks like: which links are stretched or folded, what their lengths come to, and by how much they miss.
 
 use crate::algebra::translate;
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, SymbolId, V2, substitute};
 
 use crate::algebra::{Algebra, Bound, Translate, Value};

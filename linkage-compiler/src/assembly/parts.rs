@@ -7,7 +7,7 @@ use crate::algebra::nominal;
 use crate::algebra::translate;
 use std::rc::Rc;
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use crate::algebra::{Algebra, Bound, Nominal, Translate, Value};
 use crate::model::{Dimension, Expr, ExprKind, Mechanism, Name};

@@ -5,7 +5,7 @@ mod asked;
 
 use crate::algebra::nominal;
 use crate::algebra::translate;
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use linkage_symbolic::Graph;
 

@@ -4,7 +4,7 @@ use linkage_symbolic::count::{chain, time};
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::passes::polished;
 use linkage_symbolic::schedule::{draft, schedule_whole};
-use linkage_symbolic::{Ex, Graph, NodeId, by_half_angles, roots_last, share_multiples};
+use linkage_symbolic::{Ex, Graph, NodeId, by_half_angles, late_roots, share_common_factors};
 
 use crate::observer::PhaseObserver;
 
@@ -24,7 +24,7 @@ impl Formulas {
     /// `inline`, then `share multiples`, in the inliner's plain graph.
     pub(crate) fn new(inliner: &mut Inliner, scalars: &[Ex]) -> Self {
         let inlined = plain(inliner, scalars);
-        let shared = share_multiples(&inliner.target, &inlined);
+        let shared = share_common_factors(&inliner.target, &inlined);
         Self {
             inlined,
             halved: shared.clone(),
@@ -55,7 +55,7 @@ impl Formulas {
             self.halved = halved;
         }
         self.last.clone_from(&self.halved);
-        for last in roots_last(graph, &self.halved) {
+        for last in late_roots(graph, &self.halved) {
             if shorter(&self.last, &last) {
                 self.last = last;
             }

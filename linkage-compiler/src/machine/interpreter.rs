@@ -1,6 +1,6 @@
 //! The mechanism on numbers: one program for all groups, run by the interpreter at compile time.
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use linkage_core::{Enclosure, Scalar};
 use linkage_symbolic::interpret::{run, run_by, run_steps};

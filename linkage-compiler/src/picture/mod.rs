@@ -60,7 +60,7 @@ pub(crate) mod titles;
 pub(crate) mod views;
 
 use linkage_symbolic::Vn;
-use linkage_symbolic::unordered::Set;
+use linkage_symbolic::lookup::Set;
 
 use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::Reporter;

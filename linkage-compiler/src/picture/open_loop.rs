@@ -2,7 +2,7 @@
 //! what is only held together by others.
 
 use crate::algebra::translate;
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, SymbolId, Vn};
 
 use crate::algebra::{Algebra, Bound, Nominal, Translate};

@@ -7,9 +7,9 @@ use std::collections::BTreeSet;
 pub(crate) use reserved::is_macro;
 use reserved::{is_declared, is_for_compilers, is_header, is_keyword, is_mathematics};
 
-/// Where names stand.
+/// The scope of names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Place {
+pub(crate) enum Namespace {
     /// In a struct.
     Struct,
     /// In a file.
@@ -21,22 +21,23 @@ pub(crate) enum Place {
 /// The names of one place, each once.
 #[derive(Clone, Debug)]
 pub(crate) struct Names {
-    place: Place,
+    place: Namespace,
     taken: BTreeSet<String>,
 }
 
 impl Names {
     /// A place in which some names are taken.
-    pub(crate) fn new(place: Place, taken: &[&str]) -> Self {
+    pub(crate) fn new(place: Namespace, taken: &[&str]) -> Self {
         let taken = taken.iter().map(|&name| name.to_owned()).collect();
         Self { place, taken }
     }
 
-    /// Returns the name in C of something of the user, which nothing else in this place gets. It is the user's own name if C can have it.
-    /// Otherwise underscores follow it; names that are left to compilers begin with an `x`.
+    /// Returns the name in C of something of the user, which nothing else in this place gets. It is
+    /// the user's own name if C can have it. Otherwise underscores follow it; names that are left
+    /// to compilers begin with an `x`.
     pub(crate) fn take(&mut self, wanted: &str) -> String {
         let mut name = plain(wanted);
-        if is_for_compilers(&name, self.place == Place::File) {
+        if is_for_compilers(&name, self.place == Namespace::File) {
             name.insert(0, 'x');
         }
         while self.is_taken(&name) {
@@ -51,9 +52,9 @@ impl Names {
             || is_macro(name)
             || self.taken.contains(name)
             || match self.place {
-                Place::Struct => false,
-                Place::File => is_declared(name),
-                Place::Function => is_mathematics(name) || is_temporary(name),
+                Namespace::Struct => false,
+                Namespace::File => is_declared(name),
+                Namespace::Function => is_mathematics(name) || is_temporary(name),
             }
     }
 
@@ -72,10 +73,10 @@ impl Names {
     }
 }
 
-/// Returns the beginning of all names of a mechanism, which is also the name of its files. `constants` returns the names of its
-/// constants for a beginning.
+/// Returns the beginning of all names of a mechanism, which is also the name of its files.
+/// `constants` returns the names of its constants for a beginning.
 pub(crate) fn prefix(title: &str, constants: impl Fn(&str) -> Vec<String>) -> String {
-    let mut prefix = Names::new(Place::File, &[]).take(&snake(title));
+    let mut prefix = Names::new(Namespace::File, &[]).take(&snake(title));
     while is_header(&prefix)
         || is_declared(&prefix)
         || constants(&prefix).iter().any(|name| is_macro(name))
@@ -90,7 +91,7 @@ fn is_temporary(name: &str) -> bool {
     let digits = name
         .strip_prefix("state_")
         .or_else(|| name.strip_prefix('v'));
-    digits.is_some_and(|own| !own.is_empty() && own.bytes().all(|c| c.is_ascii_digit()))
+    digits.is_some_and(|entry| !entry.is_empty() && entry.bytes().all(|c| c.is_ascii_digit()))
 }
 
 /// A name of Rust with numbers in place of letters that C does not know.

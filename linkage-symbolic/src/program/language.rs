@@ -3,15 +3,16 @@
 use super::instruction::{Instruction, Value};
 use super::straight_line::Program;
 use crate::graph::Source;
-use crate::operation::{Call, Fused};
+use crate::operation::{Fused, RustCall};
 
-/// A language that programs are printed in. Each value of a program is an expression of the language: a literal, a variable, or a
-/// member of one.
+/// A language that programs are printed in. Each value of a program is an expression of the
+/// language: a literal, a variable, or a member of one.
 pub trait Language {
     /// Returns a number as a literal.
     fn number(&self, x: f64) -> String;
 
-    /// Returns the expression of a number that the program loads; `index` is that of the instruction.
+    /// Returns the expression of a number that the program loads; `index` is that of the
+    /// instruction.
     fn load(&mut self, index: usize, source: Source) -> String;
 
     /// Defines a variable for the value of an instruction. Returns its name.
@@ -20,15 +21,16 @@ pub trait Language {
     /// Defines variables for the sine and the cosine of an angle. Returns the expressions of both.
     fn define_sine_pair(&mut self, index: usize, angle: &str) -> [String; 2];
 
-    /// Returns a call of the function for an operation; `name` is that of its row in the table of operations.
+    /// Returns a call of the function for an operation; `name` is that of its row in the table of
+    /// operations.
     fn call(&mut self, name: &'static str, operands: &[&str]) -> String;
 
     /// Returns the expression of a sine, or of a cosine (number 1), without a variable.
     fn sine_or_cosine(&mut self, number: usize, angle: &str) -> String;
 }
 
-/// Prints a program: definitions in order, by methods of `language`. Returns the expressions of the results. Values that nothing reads are left
-/// out.
+/// Prints a program: definitions in order, by methods of `language`. Returns the expressions of the
+/// results. Values that nothing reads are left out.
 pub fn print<L: Language>(program: &Program, language: &mut L) -> Vec<String> {
     let read = read(program);
     let mut values: Vec<String> = Vec::with_capacity(program.instructions.len());
@@ -76,15 +78,16 @@ pub fn print<L: Language>(program: &Program, language: &mut L) -> Vec<String> {
 fn operation<L: Language>(
     language: &mut L,
     name: &'static str,
-    call: Call,
+    call: RustCall,
     operands: &[&str],
 ) -> String {
     match (call, operands) {
-        (Call::Operator(sign), [a, b]) => format!("{a} {sign} {b}"),
-        (Call::Operator(sign), _) => format!("{sign}{}", operands.concat()),
-        // Programs are paired before they are printed, but a program without this pass must be right too.
-        (Call::SinePair(number), _) => language.sine_or_cosine(number, operands[0]),
-        (Call::Method(_) | Call::FusedMethod(_), _) => language.call(name, operands),
+        (RustCall::Operator(sign), [a, b]) => format!("{a} {sign} {b}"),
+        (RustCall::Operator(sign), _) => format!("{sign}{}", operands.concat()),
+        // Programs are paired before they are printed, but a program without this pass must be
+        // right too.
+        (RustCall::SinePair(number), _) => language.sine_or_cosine(number, operands[0]),
+        (RustCall::Method(_) | RustCall::FusedMethod(_), _) => language.call(name, operands),
     }
 }
 

@@ -11,8 +11,9 @@ use crate::surface::{KINDS, OFF, RangeNames, Surface};
 use crate::template::fill;
 use crate::writer::Writer;
 
-/// What the search goes by: how small a slack is a dead point, what is rounding, the share of a range at its ends where a dead point is
-/// allowed, the share of it within which a place is at its end.
+/// The criteria of the search: the slack of a dead point, the size of rounding, the share of a
+/// range at its ends where a dead point is allowed, and the share of it within which a place is at
+/// its end.
 struct Criteria {
     dead: f64,
     rounding: f64,
@@ -21,7 +22,7 @@ struct Criteria {
 }
 
 impl Criteria {
-    fn of(real: Real) -> Self {
+    fn for_real(real: Real) -> Self {
         match real {
             Real::Double => Self {
                 dead: DEAD,
@@ -29,8 +30,8 @@ impl Criteria {
                 end: END,
                 at_end: AT_END,
             },
-            // 16 roundoffs: what discriminants are rounded by is 8 of them. A slack that is zero as a square does not
-            // say more than half of the digits of its place.
+            // 16 roundoffs: what discriminants are rounded by is 8 of them. A slack that is zero as
+            // a square does not say more than half of the digits of its place.
             Real::Single => Self {
                 dead: 2e-6,
                 rounding: 1e-6,
@@ -53,7 +54,12 @@ pub(crate) fn declared(surface: &Surface) -> String {
         ..
     } = surface;
     let Some((input, _)) = unit.checked() else {
-        return match unit.inputs.iter().filter(|own| own.range.is_some()).count() {
+        return match unit
+            .inputs
+            .iter()
+            .filter(|entry| entry.range.is_some())
+            .count()
+        {
             0 | 1 => String::new(),
             _ => {
                 comment(
@@ -101,7 +107,7 @@ pub(crate) fn items(writer: &mut Writer) {
     let Surface {
         unit,
         prefix,
-        own,
+        private,
         real,
         range: RangeNames {
             check_range,
@@ -126,14 +132,17 @@ pub(crate) fn items(writer: &mut Writer) {
         true => ((count as f64 * ((to - from) / (high - low))) as usize).max(1),
         false => 0,
     };
-    let criteria = Criteria::of(*real);
+    let criteria = Criteria::for_real(*real);
     let flags = |is: fn(&Group) -> bool| {
-        let flags = unit.groups.iter().map(|own| u8::from(is(own)).to_string());
+        let flags = unit
+            .groups
+            .iter()
+            .map(|entry| u8::from(is(entry)).to_string());
         format!("{{ {} }}", flags.collect::<Vec<_>>().join(", "))
     };
-    let references = unit.inputs.iter().map(|own| real.literal(own.reference));
+    let references = unit.inputs.iter().map(|item| real.literal(item.reference));
     let references: Vec<String> = references.collect();
-    let text = fill(include_str!("templates/range.c"), *real, own, |word| {
+    let text = fill(include_str!("templates/range.c"), *real, private, |word| {
         Some(match word {
             "MECHANISM" => prefix.clone(),
             "CHECK" => check_range.name.clone(),
@@ -148,9 +157,9 @@ pub(crate) fn items(writer: &mut Writer) {
             "BELOW" => steps(low, reference).to_string(),
             "ABOVE" => steps(reference, high).to_string(),
             "DECLARED" => u8::from(own_input.range.is_some()).to_string(),
-            "TABLES" => flags(|own| own.slack == Slack::Prepared),
-            "SINGLE" => flags(|own| own.slack == Slack::Signed),
-            "RELATIVE" => flags(|own| matches!(own.slack, Slack::Signed | Slack::Relative)),
+            "TABLES" => flags(|other| other.slack == Slack::Prepared),
+            "SINGLE" => flags(|entry| entry.slack == Slack::Signed),
+            "RELATIVE" => flags(|entry| matches!(entry.slack, Slack::Signed | Slack::Relative)),
             "DEAD" => real.literal(criteria.dead),
             "ROUNDING" => real.literal(criteria.rounding),
             "END" => real.literal(criteria.end),

@@ -5,7 +5,7 @@ use linkage_symbolic::count::{chain, time};
 use linkage_symbolic::passes::polished;
 use linkage_symbolic::program::Source;
 use linkage_symbolic::schedule::{Slots, schedule};
-use linkage_symbolic::{Ex, Graph, NodeId, evaluate, roots_last};
+use linkage_symbolic::{Ex, Graph, NodeId, evaluate, late_roots};
 
 use crate::inputs;
 
@@ -65,7 +65,7 @@ fn turned_vectors_and_sums_are_what_they_were() {
         };
         let expected = evaluate(&roots, load);
         let before = cost(&graph, &ids);
-        let [turned, added] = roots_last(&graph, &ids);
+        let [turned, added] = late_roots(&graph, &ids);
         for ids in [&turned, &added] {
             let own: Vec<Ex> = ids.iter().map(|&id| graph.ex(id)).collect();
             for (x, y) in expected.iter().zip(evaluate(&own, load)) {

@@ -11,7 +11,7 @@ pub enum Binding {
     Call,
 }
 
-/// Where a program finds a number that it does not compute itself.
+/// The origin of a number that a program does not compute itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Source {
     /// A scalar parameter of the mechanism, by index.
@@ -22,14 +22,15 @@ pub enum Source {
     Mode(usize),
     /// The centre of a continuous angle, by index among the continuous angles.
     Centre(usize),
-    /// How many turns a continuous angle makes for each turn of an input.
+    /// The number of turns of a continuous angle for each turn of an input.
     Winding(usize, usize),
     /// A value computed once in `assemble()`, by slot.
     Prepared(usize),
     /// A value from the stage before, by index.
     Carried(usize),
-    /// What is prepared of the solution of a coupled group near a position, by group (among the coupled ones) and
-    /// component: an approximate state, then the least determinant that is certified.
+    /// A prepared number of the solution of a coupled group near a position, by group (among the
+    /// coupled ones) and component: an approximate state, then the least determinant that is
+    /// certified.
     State(usize, usize),
     /// The largest correction of a prepared state that is certified.
     Limit,

@@ -1,11 +1,12 @@
 //! The rules of each operation.
 
-use super::rule::Rule;
+use super::rule::RewriteRule;
 use super::{functions, guards, products, quotients, rates, signs, sums};
 use crate::operation::{Binary, Symmetry, Ternary, Unary};
 
-/// Returns the rules of an operation of one operand, in order. Operations without rules of their own follow those of their symmetry.
-pub fn of_unary(op: Unary) -> &'static [Rule<Unary, 1>] {
+/// Returns the rules of an operation of one operand, in order. Operations without rules of their
+/// own follow those of their symmetry.
+pub fn of_unary(op: Unary) -> &'static [RewriteRule<Unary, 1>] {
     match op {
         Unary::Neg => signs::NEGATIVE,
         Unary::Abs => signs::ABSOLUTE,
@@ -19,8 +20,9 @@ pub fn of_unary(op: Unary) -> &'static [Rule<Unary, 1>] {
     }
 }
 
-/// Returns the rules of an operation of two operands, in order. The factor of a product that is known earlier is the first.
-pub fn of_binary(op: Binary) -> &'static [Rule<Binary, 2>] {
+/// Returns the rules of an operation of two operands, in order. The factor of a product that is
+/// known earlier is the first.
+pub fn of_binary(op: Binary) -> &'static [RewriteRule<Binary, 2>] {
     match op {
         Binary::Add => sums::SUM,
         Binary::Sub => sums::DIFFERENCE,
@@ -32,16 +34,17 @@ pub fn of_binary(op: Binary) -> &'static [Rule<Binary, 2>] {
 }
 
 /// Returns the rules of an operation of three operands, in order.
-pub fn of_ternary(op: Ternary) -> &'static [Rule<Ternary, 3>] {
+pub fn of_ternary(op: Ternary) -> &'static [RewriteRule<Ternary, 3>] {
     match op {
         Ternary::Select => functions::SELECT,
-        Ternary::Root => guards::ROOT,
+        Ternary::GuardedSqrt => guards::ROOT,
         _ => functions::OF_THREE,
     }
 }
 
-/// Returns the rules that sums and products of rates follow before those of all: rates share factors, the turning of a link.
-pub fn of_rates(op: Binary) -> &'static [Rule<Binary, 2>] {
+/// Returns the rules that sums and products of rates follow before those of all: rates share
+/// factors, the turning of a link.
+pub fn of_rates(op: Binary) -> &'static [RewriteRule<Binary, 2>] {
     match op {
         Binary::Add => rates::SUM,
         Binary::Sub => rates::DIFFERENCE,
@@ -51,7 +54,7 @@ pub fn of_rates(op: Binary) -> &'static [Rule<Binary, 2>] {
 }
 
 /// Returns the rules that choices follow, before those of all, once definitions are known.
-pub fn of_inlined(op: Ternary) -> &'static [Rule<Ternary, 3>] {
+pub fn of_inlined(op: Ternary) -> &'static [RewriteRule<Ternary, 3>] {
     match op {
         Ternary::Select => guards::GUARD,
         _ => &[],

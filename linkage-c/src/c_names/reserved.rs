@@ -1,5 +1,6 @@
-//! Names that C, C++ and their libraries have. The lists are those of the standards up to C23 and C++23, of POSIX, and of the headers of
-//! glibc, newlib and avr-libc; a test compares them with the headers of the system.
+//! Names that C, C++ and their libraries have. The lists are those of the standards up to C23 and
+//! C++23, of POSIX, and of the headers of glibc, newlib and avr-libc; a test compares them with the
+//! headers of the system.
 
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
@@ -13,7 +14,8 @@ pub(crate) fn is_keyword(name: &str) -> bool {
     is_in(&ALL, include_str!("keywords.txt"), name)
 }
 
-/// Macros of the library that stand for something without arguments: no name of the user may be one, wherever it is.
+/// Macros of the library that stand for something without arguments: no name of the user may be
+/// one, wherever it is.
 pub(crate) fn is_macro(name: &str) -> bool {
     static ALL: OnceLock<Set> = OnceLock::new();
     is_in(&ALL, include_str!("macros.txt"), name)
@@ -23,7 +25,8 @@ pub(crate) fn is_macro(name: &str) -> bool {
             .any(|base| base.starts_with("M_") && is_macro(base))
 }
 
-/// Functions, types and variables of the library, and macros with arguments: no name of a file may be one.
+/// Functions, types and variables of the library, and macros with arguments: no name of a file may
+/// be one.
 pub(crate) fn is_declared(name: &str) -> bool {
     static ALL: OnceLock<Set> = OnceLock::new();
     let all = include_str!("declared.txt");
@@ -73,7 +76,10 @@ fn is_of_integers(name: &str) -> bool {
             .find_map(|kind| text.strip_prefix(mark)?.strip_prefix(kind));
         rest.is_some_and(sizes)
     };
-    if let Some(rest) = ["PRI", "SCN"].iter().find_map(|own| name.strip_prefix(own)) {
+    if let Some(rest) = ["PRI", "SCN"]
+        .iter()
+        .find_map(|entry| name.strip_prefix(entry))
+    {
         let kind = rest.strip_prefix(|c: char| "diouxXbB".contains(c));
         return kind.is_some_and(|rest| sizes(rest) || fast(rest, ""));
     }

@@ -2,7 +2,7 @@
 
 use linkage_random::Random;
 use linkage_symbolic::program::{Binary, Source};
-use linkage_symbolic::{Ex, Graph, Node, evaluate, share_multiples};
+use linkage_symbolic::{Ex, Graph, Node, evaluate, share_common_factors};
 
 use crate::inputs;
 
@@ -49,7 +49,7 @@ fn shared_sums_are_what_they_were() {
             }
         });
         let ids = roots.map(|own| own.id());
-        let shared = share_multiples(&graph, &ids);
+        let shared = share_common_factors(&graph, &ids);
         let shared: Vec<Ex> = shared.into_iter().map(|id| graph.ex(id)).collect();
         let [before, after] = [&roots[..], &shared].map(|all| sums(&graph, all));
         assert!(after <= before, "{case}: {after} sums of {before}");
@@ -79,8 +79,8 @@ fn nothing_is_divided_by_a_factor() {
     let [p, q, r, s] = [0, 1, 2, 3].map(|k| graph.ex(graph.source(Source::Parameter(k))));
     let sum = |common: Ex| ((common * p) * x + (common * q) * y).id();
     let [of_r, of_s, both] = [sum(r), sum(s), sum(r * s)];
-    assert_eq!(share_multiples(&graph, &[of_r, of_s]), [of_r, of_s]);
-    let shared = share_multiples(&graph, &[both, of_r]);
+    assert_eq!(share_common_factors(&graph, &[of_r, of_s]), [of_r, of_s]);
+    let shared = share_common_factors(&graph, &[both, of_r]);
     assert_eq!(shared[1], of_r);
     assert!(graph.contains(shared[0], of_r) && shared[0] != both);
 }
@@ -94,7 +94,7 @@ fn factors_are_known_before_a_call() {
         let both = u * v;
         let [x, y] = inputs(&graph);
         let sums = [u, both].map(|own| (own * x + own * y).id());
-        let shared = share_multiples(&graph, &sums) != sums;
+        let shared = share_common_factors(&graph, &sums) != sums;
         assert_eq!(shared, u.is_fixed());
     }
 }

@@ -2,7 +2,7 @@
 
 use linkage_random::Random;
 use linkage_symbolic::program::Binary;
-use linkage_symbolic::{Graph, evaluate, share_multiples};
+use linkage_symbolic::{Graph, evaluate, share_common_factors};
 
 use crate::exact::exact;
 use crate::formula::{Formula, Operation};
@@ -30,7 +30,7 @@ fn multiples_are_rounded_as_they_say() {
         let graph = Graph::new();
         let symbols = Symbols::new(&graph, NUMBERS[0]);
         let plain = [0, 1].map(|k| sums[k].build(&graph, &symbols));
-        let shared = share_multiples(&graph, &plain);
+        let shared = share_common_factors(&graph, &plain);
         assert!(shared != plain, "{texts:?}: not shared");
         let nodes: Vec<_> = plain.iter().chain(&shared).map(|&x| graph.ex(x)).collect();
         for _ in 0..ROUNDS {

@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 
 use linkage_compiler::ir::plain;
 
-/// Words that are no names of variables: reserved ones of modules, and those that TypeScript refuses or reads otherwise.
+/// Words that are no names of variables: reserved ones of modules, and those that TypeScript
+/// refuses or reads otherwise.
 const WORDS: &[&str] = &[
     "arguments",
     "await",
@@ -58,7 +59,8 @@ const WORDS: &[&str] = &[
     "yield",
 ];
 
-/// What a module has beside the mechanism: the error, and the class that the error extends in the types.
+/// Names of a module besides the mechanism: the error, and the class that the error extends in the
+/// types.
 const OF_MODULE: &[&str] = &["AssemblyError", "Error"];
 
 /// The name by which a module exports a mechanism: its own, or that with an underscore behind it.
@@ -73,9 +75,9 @@ pub(crate) fn exported(title: &str) -> String {
 pub(crate) fn arguments<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
     let mut taken = BTreeSet::new();
     let mut one = |name: &str| {
-        let own = free(name, |name| WORDS.contains(&name) || taken.contains(name));
-        taken.insert(own.clone());
-        own
+        let chosen = free(name, |name| WORDS.contains(&name) || taken.contains(name));
+        taken.insert(chosen.clone());
+        chosen
     };
     names.map(&mut one).collect()
 }
