@@ -11,16 +11,17 @@ pub(crate) mod text;
 pub use origin::SourceSpan;
 pub(crate) use origin::{OriginId, Origins};
 
-/// What is wrong, and where.
+/// A mistake and its place.
 #[derive(Clone, Debug)]
 pub struct Message {
     /// The words at fault.
     pub span: SourceSpan,
-    /// The fact, in lower case, names in back-ticks; where something can be said about it, a second line `help: ...` with what to write.
+    /// The fact, in lower case, names in back-ticks. If possible, a second line `help: ...` names
+    /// the text to write.
     pub text: String,
 }
 
-/// Where phases without spans report: messages at the places that [`OriginId`]s lead back to.
+/// Reports for phases without spans: an [`OriginId`] leads to the place of a message.
 #[derive(Debug)]
 pub(crate) struct Reporter<'a> {
     pub(crate) origins: &'a Origins,
@@ -44,7 +45,7 @@ impl Reporter<'_> {
         self.error(origin, format!("{fact}\nhelp: {help}"));
     }
 
-    /// At all that stands from one place to another.
+    /// Reports at all tokens from one place to another.
     pub(crate) fn error_between(
         &mut self,
         [first, last]: [OriginId; 2],
@@ -66,7 +67,8 @@ impl Reporter<'_> {
         self.diagnostics.warning_with_help(span, fact, help);
     }
 
-    /// What is said about a place in a part begins with the part: the words at fault are those of its own struct.
+    /// Begins a message about a part with the name of the part: the words at fault are those of the
+    /// part's own struct.
     fn within_part(&self, origin: OriginId, message: String) -> String {
         match self.origins.part(origin) {
             Some(part) => format!("in the part `{part}`: {message}"),
@@ -82,7 +84,7 @@ impl Reporter<'_> {
         }
     }
 
-    /// How many messages there are by now, of all phases.
+    /// Returns the number of messages of all phases so far.
     pub(crate) fn errors(&self) -> usize {
         self.diagnostics.len()
     }
@@ -96,13 +98,14 @@ pub(crate) struct Diagnostics {
 }
 
 impl Diagnostics {
-    /// Fact first, lower case, names in back-ticks; a second line `help: ...` says what to write.
+    /// Adds a message: the fact in lower case, names in back-ticks, then a second line `help: ...`
+    /// with the text to write.
     pub(crate) fn error(&mut self, span: SourceSpan, message: impl Into<String>) {
         let text = text::short_words(&message.into());
         self.list.push(Message { span, text });
     }
 
-    /// As [`error`](Self::error), with the second line given apart.
+    /// Adds a message as [`error`](Self::error) does, with the second line as a separate argument.
     pub(crate) fn error_with_help(
         &mut self,
         span: SourceSpan,
@@ -112,7 +115,8 @@ impl Diagnostics {
         self.error(span, format!("{fact}\nhelp: {help}"));
     }
 
-    /// What is no mistake, but hardly meant: told if there is no mistake.
+    /// Adds a message about text that is valid, but hardly meant. It is printed if there is no
+    /// mistake.
     pub(crate) fn warning_with_help(
         &mut self,
         span: SourceSpan,
@@ -123,7 +127,7 @@ impl Diagnostics {
         self.warnings.push(Message { span, text });
     }
 
-    /// Adds the messages of another sink behind those of this one.
+    /// Appends the messages of another sink.
     pub(crate) fn append(&mut self, other: Diagnostics) {
         self.list.extend(other.list);
         self.warnings.extend(other.warnings);
@@ -134,12 +138,12 @@ impl Diagnostics {
         self.list.is_empty()
     }
 
-    /// How many mistakes there are.
+    /// Returns the number of mistakes.
     pub(crate) fn len(&self) -> usize {
         self.list.len()
     }
 
-    /// What is wrong, without the places.
+    /// Returns the texts of all mistakes, without their places.
     pub(crate) fn texts(&self) -> Vec<String> {
         self.list.iter().map(|own| own.text.clone()).collect()
     }
@@ -165,7 +169,8 @@ impl Diagnostics {
     }
 }
 
-/// A macro cannot warn. But rustc tells of uses of what is deprecated with the reason given, and at the place of the use.
+/// Makes rustc print a warning, which a macro cannot: rustc reports uses of deprecated items with
+/// their reason, at the place of the use.
 fn compile_warning(message: &Message, attributes: &TokenStream) -> TokenStream {
     let used = Ident::new("__mechanism", message.span.first);
     let text = &message.text;

@@ -1,4 +1,4 @@
-//! Places in the source: spans where there are tokens, ids of them behind `model`.
+//! Places in the source: spans where there are tokens, ids of them in all phases after `model`.
 
 use std::ops::Range;
 
@@ -19,11 +19,12 @@ pub struct SourceSpan {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct OriginId(pub u32);
 
-/// The source spans behind the model's [`OriginId`]s, and the parts of the mechanism that they stand in.
+/// The source spans of the model's [`OriginId`]s, and the parts of the mechanism that contain them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Origins {
     spans: Vec<SourceSpan>,
-    /// Where the origins of each part begin and end, with its name; a part within a part stands before it.
+    /// Ranges of the origins of parts, with their names. A part within a part comes before the part
+    /// around it.
     parts: Vec<(Range<u32>, String)>,
 }
 
@@ -33,7 +34,7 @@ impl Origins {
         OriginId(self.spans.len() as u32 - 1)
     }
 
-    /// All origins of a part; the answer is what is to be added to their numbers.
+    /// Adds all origins of a part. Returns the offset of their numbers.
     pub(crate) fn add_part(&mut self, name: &str, own: &Origins) -> u32 {
         let first = self.spans.len() as u32;
         self.spans.extend(&own.spans);
@@ -75,7 +76,7 @@ impl SourceSpan {
         }
     }
 
-    /// From the start of `self` to the end of `last`.
+    /// Returns the span from the start of `self` to the end of `last`.
     pub(crate) fn to(self, last: SourceSpan) -> Self {
         SourceSpan {
             first: self.first,

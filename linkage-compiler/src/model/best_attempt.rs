@@ -1,7 +1,8 @@
-//! Numbers without a unit that are used as lengths: reported where they are declared, not where dimensions differ.
+//! Numbers without a unit that are used as lengths: reported at their declaration, not at the place
+//! where dimensions differ.
 //!
-//! Where a number meets a length, the declarations without a unit that the number comes from are suspects. If the mechanism has fewer
-//! mistakes with suspects as lengths, their units are what is missing.
+//! If a number meets a length, the declarations without a unit that the number comes from are
+//! suspects. If the mechanism has fewer mistakes with suspects as lengths, their units are missing.
 
 use super::attempt::{Attempt, attempt, fewest_mistakes};
 use super::library::Source;
@@ -10,7 +11,7 @@ use crate::model::symbols::assumed_units::Unitless;
 use crate::model::symbols::zeros::Zeros;
 use crate::model::types::Name;
 
-/// The attempt to resolve a mechanism whose mistakes say most.
+/// Returns the attempt to resolve a mechanism whose mistakes are the most informative ones.
 pub(super) fn best_attempt(source: &Source) -> Attempt {
     let best = fewest_mistakes(source, &[]);
     let lengths = suspected(source, &best);

@@ -99,7 +99,8 @@ pub(crate) struct ParamItem {
     pub(crate) value: Toleranced,
 }
 
-/// A parameter's value: a single toleranced expression, or a vector whose components have tolerances of their own.
+/// A parameter's value: one expression with a tolerance, or a vector whose components have
+/// tolerances.
 #[derive(Debug)]
 pub(crate) enum Toleranced {
     /// `nominal [+- tolerance]`; the nominal value may be a scalar or a vector.
@@ -148,7 +149,7 @@ pub(crate) struct PartItem {
     pub(crate) whole: bool,
     /// The body that its frame is fixed on.
     pub(crate) on: Option<Member>,
-    /// Where its origin is, or its frame in space.
+    /// Its origin, or its frame in space.
     pub(crate) at: Option<Expr>,
     /// The angle of its x axis.
     pub(crate) turned: Option<Expr>,
@@ -168,11 +169,12 @@ pub(crate) struct GravityItem {
     pub(crate) span: SourceSpan,
 }
 
-/// `body NAME = JOINT, turns expr, mass expr at expr, inertia expr [at expr];`, the clauses after the joint in any order.
+/// `body NAME = JOINT, turns expr, mass expr at expr, inertia expr [at expr];`, the clauses after
+/// the joint in any order.
 #[derive(Debug)]
 pub(crate) struct BodyItem {
     pub(crate) name: Ident,
-    /// What the body hangs on; its point is the body's origin.
+    /// The joint that the body is attached by; its point is the body's origin.
     pub(crate) joint: JointPart,
     pub(crate) turns: Option<Expr>,
     pub(crate) masses: Vec<MassPart>,
@@ -214,7 +216,7 @@ pub(crate) struct JointItem {
     pub(crate) joint: JointPart,
 }
 
-/// The name of a body or a joint, with those of the parts that it belongs to in front: `rod`, `hook.rod`.
+/// The name of a body or a joint, after the names of its parts: `rod`, `hook.rod`.
 #[derive(Clone, Debug)]
 pub(crate) struct Member {
     pub(crate) text: String,
@@ -279,7 +281,8 @@ pub(crate) enum ExprKind {
     Call(Ident, Vec<Expr>),
     /// `[a, b]`, only meaningful as second argument of `sensitivity`.
     List(Vec<Expr>),
-    /// What a syntax error left behind; it has been reported, later phases stay silent about it.
+    /// The replacement of a syntax error. It has been reported, so later phases do not report it
+    /// again.
     Error,
 }
 
@@ -335,7 +338,7 @@ impl From<&Ident> for Member {
 }
 
 impl Expr {
-    /// What a mistake leaves behind.
+    /// Returns the expression that replaces a mistake.
     pub(crate) fn error(span: SourceSpan) -> Self {
         Expr {
             kind: ExprKind::Error,

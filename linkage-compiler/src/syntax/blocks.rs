@@ -8,8 +8,9 @@ use super::stream::Stream;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::text::{list, nearest};
 
-/// Reads the body of the macro (without the facade's path in front): the mechanisms of one call in the order of their structs, none if there
-/// is no `struct NAME { ... }`; whatever else is missing or wrong is reported and left out.
+/// Reads the body of the macro, without the facade's path. Returns the mechanisms of one call in
+/// the order of their structs, none if there is no `struct NAME { ... }`. Anything else that is
+/// missing or wrong is reported and left out.
 pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<MechanismDef> {
     let mut parser = Parser::new(Stream::new(tokens), diagnostics);
     let mut mechanisms = Vec::new();
@@ -142,7 +143,7 @@ impl Parser<'_> {
         None
     }
 
-    /// Two structs of one name are told, and the first is kept.
+    /// Reports two structs of one name, and keeps the first one.
     fn drop_second(&mut self, mechanisms: &mut Vec<MechanismDef>) {
         let mut kept: Vec<MechanismDef> = Vec::new();
         for own in mechanisms.drain(..) {

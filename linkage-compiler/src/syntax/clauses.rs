@@ -1,4 +1,5 @@
-//! Clauses: a word and what belongs to it, as in `on crank at p2`. Which an item has, in any order.
+//! Clauses: a word and its operands, as in `on crank at p2`. The rules of an item list its clauses,
+//! which come in any order.
 
 use super::ast::{Expr, Member};
 use super::keyword::ClauseWord;
@@ -18,12 +19,12 @@ pub(super) struct ClauseRule {
 
 #[derive(Clone, Copy)]
 enum Content {
-    /// A name of what these words say.
+    /// A name; the text describes it in messages.
     Name(&'static str),
     Value,
 }
 
-/// Whether `at POINT` belongs to the clause.
+/// The use of `at POINT` in the clause.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Point {
     Never,
@@ -32,7 +33,7 @@ pub(super) enum Point {
 }
 
 impl ClauseRule {
-    /// A word and a name; `what` is what the name is of.
+    /// A word and a name, which `what` describes.
     pub(super) const fn name(word: ClauseWord, what: &'static str) -> Self {
         ClauseRule {
             content: Content::Name(what),
@@ -75,7 +76,7 @@ impl ClauseRule {
         matches!(self.content, Content::Name(_))
     }
 
-    /// How a clause is read that belongs to other items.
+    /// Returns the rule of a clause that belongs to other items.
     fn foreign(word: ClauseWord) -> Self {
         match word {
             ClauseWord::On | ClauseWord::From | ClauseWord::To => Self::name(word, "a name"),
@@ -94,18 +95,18 @@ impl ClauseRule {
 pub(super) struct Clause {
     word: ClauseWord,
     pub(super) name: Option<Member>,
-    /// The expression, or what stands for it after a mistake.
+    /// The expression, or its replacement after a mistake.
     pub(super) value: Expr,
     pub(super) point: Option<Expr>,
     pub(super) span: SourceSpan,
 }
 
-/// What messages say of the item that the clauses belong to.
+/// The item of the clauses, for messages.
 #[derive(Clone, Copy)]
 pub(super) struct Owner<'a> {
     /// Its kind, to follow an article.
     pub(super) what: &'a str,
-    /// How the item is written.
+    /// The form of the item.
     pub(super) form: &'a str,
     pub(super) span: SourceSpan,
 }
@@ -114,8 +115,8 @@ pub(super) struct Owner<'a> {
 #[derive(Default)]
 pub(super) struct Clauses {
     found: Vec<Clause>,
-    /// Something could not be read or does not belong here, which has been reported: what seems to be missing,
-    /// doubled or out of place may come from that.
+    /// True after a reported mistake: other clauses can seem to be missing, doubled or misplaced
+    /// because of it.
     pub(super) broken: bool,
 }
 
@@ -171,7 +172,7 @@ impl Parser<'_> {
         }
     }
 
-    /// What the next word begins, and whether the item may have it.
+    /// Reads the word of the next clause. The flag is true if the item can have the clause.
     fn clause_word(
         &mut self,
         owner: Owner,
@@ -232,7 +233,7 @@ impl Parser<'_> {
         second
     }
 
-    /// What follows the clause's word.
+    /// Reads the rest of a clause after its word.
     fn clause(&mut self, rule: &ClauseRule, start: SourceSpan) -> Clause {
         let (name, value) = match rule.content {
             Content::Name(what) => (self.clause_name(rule.word, what), Expr::error(start)),

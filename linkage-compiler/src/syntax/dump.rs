@@ -158,7 +158,7 @@ impl Display for Between {
     }
 }
 
-/// A word and what belongs to it, if it is there.
+/// Prints a word and its operand, if there is one.
 fn optional(f: &mut Formatter, word: &str, value: Option<&impl Display>) -> fmt::Result {
     value.map_or(Ok(()), |value| write!(f, "{word}{value}"))
 }

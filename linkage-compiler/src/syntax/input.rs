@@ -91,7 +91,7 @@ impl Parser<'_> {
         group.stream().into_iter().any(dot).then(|| group.clone())
     }
 
-    /// What is written for `..`, or around a range.
+    /// Reports another notation of `..` or of a range.
     fn other_range<T>(&mut self) -> Parsed<T> {
         const WANTED: &str = "`..` between the ends of the range";
         const HELP: &str = "write both ends with `..` between them: `in 0deg..360deg`";

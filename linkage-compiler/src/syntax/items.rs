@@ -13,7 +13,7 @@ use super::vocabulary::Word;
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::nearest;
 
-/// Behind a loop that follows from the others.
+/// The word after a loop that follows from the others.
 const REDUNDANT: &str = "redundant";
 
 impl Parser<'_> {
@@ -169,7 +169,8 @@ impl Parser<'_> {
         self.expected("an item", &help)
     }
 
-    /// `= RULE ;`; `help` says what to write if `=` is missing. A mistake in it leaves the span of the item so far; the flag says whether the end was reached.
+    /// Reads `= RULE ;`; `help` is the text to write if `=` is missing. After a mistake in it, the
+    /// result is the span of the item so far. The flag is true if the end was reached.
     pub(super) fn value<T>(
         &mut self,
         help: &str,
@@ -186,7 +187,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `=`; `help` says what to write if it is missing.
+    /// Reads `=`; `help` is the text to write if it is missing.
     pub(super) fn equals(&mut self, help: &str) -> Parsed<()> {
         if self.stream.eat_punct('=') {
             return match self.stream.is_punct(0, '=') {

@@ -15,7 +15,7 @@ const AT: ClauseRule = ClauseRule::value(ClauseWord::At);
 const ALONG: ClauseRule = ClauseRule::value(ClauseWord::Along);
 const ABOUT: ClauseRule = ClauseRule::value(ClauseWord::About);
 
-/// What a body has besides its joint.
+/// The clauses of a body besides those of its joint.
 const BODY: [ClauseRule; 3] = [
     ClauseRule::value(ClauseWord::Turns),
     ClauseRule::value(ClauseWord::Mass).with_point().repeated(),
@@ -146,7 +146,7 @@ impl Parser<'_> {
         Ok(Kind { kind, span })
     }
 
-    /// What the clauses say of the joint. Clauses that are missing are reported.
+    /// Makes a joint of its clauses. Missing clauses are reported.
     fn joint_part(
         &mut self,
         kind: Kind,
@@ -212,7 +212,7 @@ fn inertia(clause: Clause) -> InertiaPart {
     }
 }
 
-/// What a mistake leaves behind: a joint that gives no reason for further messages.
+/// Returns a replacement after a mistake: a joint that causes no further messages.
 fn lost_joint(span: SourceSpan) -> JointPart {
     JointPart {
         kind: JointKind::Fixed,

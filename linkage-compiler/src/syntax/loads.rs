@@ -51,7 +51,7 @@ impl Parser<'_> {
             span,
         };
         let item = self.load(owner, &FORCE, &[ClauseWord::On, ClauseWord::At])?;
-        // What is missing has been reported.
+        // The missing clause has been reported.
         item.at.is_some().then_some(item).ok_or(Reported)
     }
 

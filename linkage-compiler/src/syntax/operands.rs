@@ -1,4 +1,4 @@
-//! What follows the word of a clause: a name, an expression, a point.
+//! Operands of clauses: a name, an expression, a point.
 
 use proc_macro2::Ident;
 
@@ -88,8 +88,8 @@ impl Parser<'_> {
         Some(self.clause_value(ClauseWord::At.word()))
     }
 
-    /// A clause begins here where an operand should stand, or the item ends. A name may look like a clause's word,
-    /// but what follows a name is no operand.
+    /// Returns true if a clause begins here instead of an operand, or the item ends. A name may
+    /// look like a clause's word, but a name is followed by no operand.
     pub(super) fn lacks_operand(&self) -> bool {
         self.at_clause_word() && self.at_operand(1)
             || self.stream.at_end()
@@ -117,7 +117,8 @@ impl Parser<'_> {
         }
     }
 
-    /// To the next clause that the item may have, after something that is none; `at` may belong to that.
+    /// Skips to the next clause that the item can have, after one that it cannot have; `at` may
+    /// belong to that clause.
     pub(super) fn skip_to_clause(&mut self, rules: &[ClauseRule]) {
         let is_rule = |word: &Ident| {
             word != ClauseWord::At.word() && rules.iter().any(|rule| word == rule.word.word())

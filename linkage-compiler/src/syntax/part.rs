@@ -10,7 +10,7 @@ use crate::diagnostic::SourceSpan;
 
 const FORM: &str = "part NAME: MECHANISM { input = expression }";
 
-/// Where a part stands.
+/// The clauses for the location of a part.
 const RULES: [ClauseRule; 3] = [
     ClauseRule::name(ClauseWord::On, "the name of a body"),
     ClauseRule::value(ClauseWord::At),

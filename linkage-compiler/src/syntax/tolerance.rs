@@ -28,7 +28,7 @@ impl Parser<'_> {
         })
     }
 
-    /// Whether the parenthesis is the whole value, or all of it before the tolerance.
+    /// Returns true if the parenthesis is the whole value, or all of it before the tolerance.
     fn value_ends_after_group(&self) -> bool {
         let at = |wanted| self.stream.is_punct(1, wanted);
         let tolerance = at('+')

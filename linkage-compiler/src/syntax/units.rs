@@ -1,4 +1,4 @@
-//! The units of literals: one table. What they mean for dimensions is told in `model`.
+//! The units of literals in one table. Their dimensions are in `model`.
 
 /// A unit: a scale times powers of kilogram, newton, metre and second.
 #[derive(Clone, Copy, Debug)]
@@ -108,7 +108,7 @@ pub(crate) fn unit_names() -> impl Iterator<Item = &'static str> {
     UNITS.iter().map(|(spellings, _)| spellings[0])
 }
 
-/// Whether this is the suffix of a literal.
+/// Returns true for the suffix of a literal.
 pub(crate) fn is_unit(name: &str) -> bool {
     row(name).is_some()
 }

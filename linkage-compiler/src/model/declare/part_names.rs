@@ -12,7 +12,7 @@ use crate::model::symbols::sink::Sink;
 use crate::model::types::{Name, Type};
 use crate::syntax::PartItem;
 
-/// A part's name, and room for what is given to it among the derived quantities.
+/// Declares a part's name, and reserves derived quantities for the values that the part is given.
 pub(in crate::model) fn declare_part(
     names: &Names,
     parts: &mut Parts,
@@ -82,7 +82,7 @@ fn make_part_body(
     body
 }
 
-/// All names of parts, once it is known how many names there are beside them.
+/// Declares all names of parts. All other names have been counted before.
 pub(in crate::model) fn declare_names_of_parts(
     names: &mut Names,
     parts: &mut Parts,
@@ -122,7 +122,8 @@ pub(in crate::model) fn declare_names_of_parts(
     }
 }
 
-/// The names of a part: what they are in the mechanism around it, as they are written in its own, and their types.
+/// Returns the names of a part: the name in the mechanism around it, its text in the part's own
+/// mechanism, its type.
 fn members(body: &PartBody) -> Vec<(Name, String, Type)> {
     let mechanism = body.mechanism();
     let mut all = Vec::new();

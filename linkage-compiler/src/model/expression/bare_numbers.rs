@@ -6,8 +6,8 @@ use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{Expr, Mechanism, Name, Type, angles};
 
-/// Reports references, ranges and estimates of angles that lack a unit. Whether an input or unknown is an angle is
-/// known from how it is used: it may be a number as well.
+/// Reports references, ranges and estimates of angles that lack a unit. An input or unknown is an
+/// angle if it is used as one: it can be a number as well.
 pub(in crate::model) fn refuse_bare_coordinates(
     names: &Names,
     sink: &mut Sink,
@@ -26,7 +26,7 @@ pub(in crate::model) fn refuse_bare_coordinates(
     }
 }
 
-/// Whether a scalar is given in a unit of angles or used as an angle.
+/// Returns true if a scalar is given in a unit of angles or used as an angle.
 fn is_angle_name(names: &Names, name: Name, used: &BTreeSet<Name>) -> bool {
     let symbol = names.symbol(name);
     match symbol.map(|symbol| &symbol.ty) {

@@ -13,12 +13,12 @@ use crate::model::symbols::sink::Sink;
 use crate::model::types::{Dimension, Expr, Function, Type};
 use crate::syntax::Word;
 
-/// What stands behind the frame in `point_in` and `coordinates_in`.
+/// The second argument of `point_in` and `coordinates_in`, after the frame.
 #[derive(Clone, Copy)]
 pub(in crate::model) struct SecondArgument {
-    /// The beginning of the sentence that says what it must be.
+    /// The beginning of the sentence about its type.
     pub(in crate::model) rule: &'static str,
-    /// What it is called.
+    /// The name of the argument.
     pub(in crate::model) word: &'static str,
 }
 

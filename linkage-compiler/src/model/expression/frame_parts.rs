@@ -8,15 +8,16 @@ use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{Dimension, Expr, ExprKind, Type};
 
-/// What a frame consists of, in this order.
+/// The parts of a frame, in this order.
 pub(crate) const PARTS: [&str; 4] = ["origin", "x", "y", "z"];
 
 pub(in crate::model) const PARTS_HELP: &str = "parts of a frame are `.origin`, `.x`, `.y` and `.z`";
 
-/// What a frame of the plane consists of, in this order.
+/// The parts of a frame of the plane, in this order.
 pub(crate) const PLANE_PARTS: [&str; 4] = ["origin", "x", "y", "angle"];
 
-/// Which of them is its angle, behind so many vectors: as a quantity it is these.
+/// The index of the angle among these parts, after as many vectors. As a quantity, the frame is
+/// these vectors.
 pub(in crate::model) const ANGLE_PART: usize = 3;
 
 pub(crate) const VECTORS_OF_PLANE: usize = ANGLE_PART;
@@ -60,7 +61,7 @@ pub(in crate::model) fn make_frame_part(
     }
 }
 
-/// What to write for a frame where a vector is needed, its name filled in.
+/// Returns a help with the text to write for a frame where a vector is needed.
 pub(in crate::model) fn frame_parts_help(names: &Names, verb: &str, frame: &Expr) -> String {
     let name = match &frame.kind {
         ExprKind::Name(name) => names.symbol(*name).map(|symbol| symbol.text.as_str()),

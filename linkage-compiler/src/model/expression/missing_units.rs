@@ -7,7 +7,8 @@ use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{Dimension, Expr, ExprKind, Name, Type};
 
-/// A vector of such a length may well be a direction, which is a vector of numbers: estimates of directions are rough.
+/// A vector of such a length can be a direction, which is a vector of numbers: estimates of
+/// directions are rough.
 const LENGTHS_OF_DIRECTIONS: RangeInclusive<f64> = 0.5..=2.0;
 
 /// Remembers of a declared value whether its unit may be missing, or whose.
@@ -37,7 +38,8 @@ pub(in crate::model) fn note_unitless(
     units.set_lacking(name, lacking);
 }
 
-/// Who may lack a unit, if one of two values is a number and the other made of lengths.
+/// Adds the names that may lack a unit, if one of two values is a number and the other one contains
+/// lengths.
 pub(in crate::model) fn suspect_unit(
     units: &AssumedUnits,
     sink: &mut Sink,

@@ -11,7 +11,7 @@ use crate::model::symbols::sink::Sink;
 use crate::model::symbols::site::{Context, Site, refusal};
 use crate::model::types::{Expr, ExprKind, Name, Placed};
 
-/// `hook.tip`: a name of a part, seen from where the part stands.
+/// Resolves `hook.tip`: a name of a part, in the frame of the mechanism around it.
 pub(in crate::model) fn resolve_member(
     names: &Names,
     parts: &Parts,
@@ -44,7 +44,7 @@ pub(in crate::model) fn resolve_member(
         rest.is_some_and(|rest| rest.starts_with('.'))
     });
     let mut around: Vec<&Placed> = around.collect();
-    // From the innermost part outwards.
+    // The innermost part comes first.
     around.sort_by_key(|own| std::cmp::Reverse(own.path.len()));
     for own in around {
         value = own.frame().seen(value);
@@ -52,7 +52,8 @@ pub(in crate::model) fn resolve_member(
     value
 }
 
-/// What a part is made of, and where it stands, is known behind its item.
+/// Returns a message for a name of a part that is used before the part's item: its values and its
+/// location are unknown there.
 pub(in crate::model) fn order_refusal(
     parts: &Parts,
     symbol: &Symbol,

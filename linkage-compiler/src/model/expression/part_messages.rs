@@ -1,4 +1,4 @@
-//! What is said of names of parts.
+//! Messages about names of parts.
 
 use proc_macro2::Ident;
 
@@ -52,7 +52,7 @@ pub(in crate::model) fn refuse_unknown_member(
     sink.error_with_help(member.into(), fact, help);
 }
 
-/// Whether a body or joint of a part has this name.
+/// Returns true if a body or joint of a part has this name.
 fn is_body_or_joint(parts: &Parts, path: &str) -> bool {
     let (first, rest) = path.split_once('.').unwrap_or((path, ""));
     let part = parts.scopes.iter().find(|part| part.name == first);
@@ -65,7 +65,7 @@ fn is_body_or_joint(parts: &Parts, path: &str) -> bool {
         })
 }
 
-/// What a part is called as a mechanism.
+/// Returns the name of the mechanism that a part is.
 fn mechanism_name(parts: &Parts, path: &str) -> String {
     let (first, rest) = path.split_once('.').unwrap_or((path, ""));
     let part = parts.scopes.iter().find(|part| part.name == first);

@@ -21,11 +21,12 @@ struct Measure {
     number: Option<(String, bool)>,
     /// Units and their powers.
     units: Vec<(String, i32)>,
-    /// Whether there is a unit that is not glued to the number.
+    /// True if there is a unit that is not glued to the number.
     loose: bool,
 }
 
-/// A product or quotient. A number and the units that it is multiplied with are one number, converted exactly.
+/// Resolves a product or quotient. A number and the units that it is multiplied with are one
+/// number, converted exactly.
 pub(in crate::model) fn resolve_product(
     operands: Operands,
     sink: &mut Sink,

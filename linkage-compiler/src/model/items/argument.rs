@@ -12,7 +12,8 @@ use crate::model::symbols::values::Values;
 use crate::model::types::{Argument, Dimension, Expr, Input, Name, Type};
 use crate::syntax::NamedItem;
 
-/// All arguments in the order of their names; speeds and accelerations stand at their inputs.
+/// Resolves all arguments in the order of their names. Speeds and accelerations are declared at
+/// their inputs.
 pub(in crate::model) fn resolve_arguments(
     scope: &mut Scope,
     sink: &mut Sink,
@@ -79,7 +80,7 @@ fn resolve_argument(
     }
 }
 
-/// Reports what must be known before functions are called and depends on an argument.
+/// Reports a value that depends on an argument, but must be known before functions are called.
 pub(in crate::model) fn refuse_argument(
     names: &Names,
     values: &Values,

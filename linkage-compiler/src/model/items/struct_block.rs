@@ -131,7 +131,8 @@ pub(in crate::model) fn resolve_items(
     mechanism
 }
 
-/// What parts bring that does not depend on what they are given.
+/// Adds the constants, unknowns and parameters of parts. They do not depend on the values that
+/// parts are given.
 fn embed_coordinates(
     parts: &Parts,
     values: &mut Values,

@@ -13,8 +13,9 @@ use crate::model::symbols::part_scopes::{PartScope, Parts};
 use crate::model::symbols::sink::Sink;
 use crate::syntax::{BodyItem, JointPart};
 
-/// Declares all bodies and joints: own bodies with the joints that they hang on, those of parts, own joints that close loops, those of
-/// parts. The answer is what the numbers of each part's are.
+/// Declares all bodies and joints: own bodies with the joints that they are attached by, those of
+/// parts, own joints that close loops, those of parts. Returns the numbers of each part's bodies
+/// and joints.
 pub(in crate::model) fn declare_members(
     parts: &Parts,
     members: &mut MemberNames,

@@ -122,7 +122,7 @@ fn rows(expr: &syntax::Expr) -> Option<Vec<&[syntax::Expr]>> {
     rows.iter().map(row).collect()
 }
 
-/// Whether two expressions are written alike.
+/// Returns true if two expressions are written alike.
 fn same(left: &Expr, right: &Expr) -> bool {
     let operands = || left.operands().into_iter().zip(right.operands());
     let alike = match (&left.kind, &right.kind) {

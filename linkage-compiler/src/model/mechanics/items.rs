@@ -12,7 +12,8 @@ use crate::model::symbols::sink::Sink;
 use crate::model::types::{Dimension, Expr, Mechanism};
 use crate::syntax::{BodyItem, GravityItem, PartItem};
 
-/// Everything about masses and forces. Bodies come first: they tell whether the mechanism is one of the plane or of space.
+/// Resolves all items about masses and forces. Bodies come first: they decide between plane and
+/// space.
 pub(in crate::model) fn resolve_mechanics(
     scope: &mut Scope,
     sink: &mut Sink,

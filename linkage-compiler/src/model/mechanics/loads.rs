@@ -12,7 +12,7 @@ use crate::model::symbols::site::Context;
 use crate::model::types::{Between, Body, Dimension, Element, ElementKind, Expr, Load, Type};
 use crate::syntax::{self, ElementItem, JointKind, LoadItem, Member, Word};
 
-/// What a value must be, and how one is written.
+/// The dimension of a value, and an example of one.
 #[derive(Clone, Copy)]
 struct Measure {
     dimension: Dimension,
@@ -96,7 +96,7 @@ fn find_two_bodies(
     [on.flatten(), from.flatten()]
 }
 
-/// Reports what would act between a body and itself.
+/// Reports a load between a body and itself.
 fn refuse_same_body(
     sink: &mut Sink,
     first: Option<Option<usize>>,
@@ -151,7 +151,8 @@ pub(in crate::model) fn resolve_spring(
     }
 }
 
-/// In space the angle of a pin is known if a body hangs by it that turns with an angle; in the plane all angles are.
+/// Reports a spring in a pin of space without an angle. The angle is known if a body is attached by
+/// the pin and turns with an angle; in the plane all angles are known.
 fn refuse_without_angle(sink: &mut Sink, between: &Between, bodies: &[Body], span: SourceSpan) {
     let (Between::Joint(joint), Some(3)) = (between, sink.components) else {
         return;
@@ -213,7 +214,8 @@ fn resolve_element_value(
     }
 }
 
-/// Where a spring or damper is, and whether it acts on an angle, if that is known.
+/// Resolves the place of a spring or damper. The flag is true for an angle, `None` if the joint is
+/// unknown.
 fn resolve_between(scope: &Scope, sink: &mut Sink, item: &ElementItem) -> (Between, Option<bool>) {
     match &item.between {
         syntax::Between::Points(ends) => {

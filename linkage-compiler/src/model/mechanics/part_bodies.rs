@@ -53,7 +53,8 @@ fn refuse_other_space(sink: &mut Sink, item: &PartItem, count: usize) {
     sink.error_with_help(span, fact, help);
 }
 
-/// Joints of parts that close loops, what acts on their bodies, and gravity if the mechanism itself says nothing of it.
+/// Adds joints of parts that close loops, loads on their bodies, and gravity if the mechanism
+/// itself has none.
 pub(in crate::model) fn embed_mechanics(
     parts: &Parts,
     sink: &mut Sink,

@@ -14,7 +14,7 @@ use crate::model::symbols::sink::Sink;
 use crate::model::types::{BinaryOp, Dimension, Expr, ExprKind, Knot, MotionLawWord, Type};
 use crate::syntax::{self, Word};
 
-/// How far knots may be from a turn apart to be meant so: angles are rounded once or twice.
+/// The greatest rounding error of knots that are a turn apart: angles are rounded once or twice.
 pub(in crate::model) const TURN_ROUNDING: f64 = 4.0 * f64::EPSILON * TAU;
 
 /// The two arguments of a function.
@@ -107,8 +107,8 @@ pub(in crate::model) fn common_scalar(
     }
 }
 
-/// Whether the last knot stands a turn behind the first one, whatever the dimensions are: both are numbers, or the last one is
-/// written as the first one and `360deg`.
+/// Returns true if the last knot is a turn after the first one for all dimensions: both are
+/// numbers, or the last one is written as the first one plus `360deg`.
 pub(in crate::model) fn spans_a_turn(knots: &[Knot]) -> bool {
     let (Some(first), Some(last)) = (knots.first(), knots.last()) else {
         return false;

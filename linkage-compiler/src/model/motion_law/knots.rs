@@ -6,7 +6,7 @@ use crate::model::symbols::sink::Sink;
 use crate::model::types::{Knot, Law, MotionLawWord, Repeating, SplineWord};
 use crate::syntax::{self, Word};
 
-/// What accepts a jump of speed or acceleration at a knot.
+/// The word that permits a jump of speed or acceleration at a knot.
 const JUMP: &str = "jump";
 
 pub(in crate::model) fn resolve_knots(

@@ -1,4 +1,4 @@
-//! `slope(course)`: a course differentiated by what it is given along.
+//! `slope(course)`: the derivative of a course with respect to its argument.
 
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::count;

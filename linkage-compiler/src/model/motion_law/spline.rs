@@ -13,7 +13,7 @@ use crate::model::types::{
 };
 use crate::syntax;
 
-/// What is written behind the points.
+/// The words after the points.
 #[derive(Default)]
 struct SplineWords {
     ends: Option<Ends>,
@@ -101,7 +101,7 @@ fn read_spline_words(sink: &mut Sink, all: &[syntax::Expr]) -> Option<SplineWord
     Some(words)
 }
 
-/// What the pieces are; slopes are given at all points or at none.
+/// Returns the kind of the pieces. Slopes are given at all points or at none.
 fn choose_pieces(sink: &mut Sink, knots: &[Knot], words: &SplineWords) -> Option<Pieces> {
     let worded = knots.iter().find(|own| own.law.is_some());
     if let Some(knot) = worded {

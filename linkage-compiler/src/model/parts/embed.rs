@@ -1,4 +1,4 @@
-//! Parts: what a mechanism within another consists of, under other names and in another frame.
+//! Content of a part, with the names and the frame of the mechanism around it.
 
 use crate::diagnostic::OriginId;
 use crate::model::symbols::part_frame::PartFrame;
@@ -7,11 +7,11 @@ use crate::model::types::{
     Constant, Expr, ExprKind, Let, Loop, MechanismPart, Name, Parameter, Placed, Unknown,
 };
 
-/// How a part's expressions are read in the mechanism around it.
+/// Translates expressions of a part for the mechanism around it.
 pub(in crate::model) struct Embedding<'p> {
     name: &'p str,
     pub(super) body: &'p PartBody,
-    /// What its inputs are: other names, where they are nothing else.
+    /// Its inputs here. An input that is given a plain name becomes that name.
     inputs: Vec<Name>,
     pub(super) frame: PartFrame,
 }
@@ -48,7 +48,8 @@ impl<'p> Embedding<'p> {
         own.in_part(self.body.first_origin)
     }
 
-    /// What a name of the part is; a mistake for an argument that is not given, which has been reported.
+    /// Returns the meaning of a name of the part here. An argument that is not given is a mistake,
+    /// which has been reported.
     fn meant(&self, name: Name) -> ExprKind {
         let body = self.body;
         let own = match name {
@@ -112,7 +113,7 @@ impl<'p> Embedding<'p> {
         let parameters = open.map(|(own, _)| Parameter {
             name: self.text(&own.name),
             origin: self.origin(own.origin),
-            // The part's own struct tells.
+            // The part's own struct reports it.
             may_be_unused: true,
             nominal: self.expr(&own.nominal),
             tolerances: own
@@ -154,7 +155,7 @@ impl<'p> Embedding<'p> {
         })
     }
 
-    /// What is known of it as a part.
+    /// Returns the facts about the part for later phases.
     pub(in crate::model) fn as_part(&self) -> MechanismPart {
         let mechanism = self.body.mechanism();
         MechanismPart {
@@ -169,7 +170,7 @@ impl<'p> Embedding<'p> {
         }
     }
 
-    /// The parts within it that have frames of their own; its loops stand behind so many others.
+    /// Returns the parts within it that have frames. Its loops come after `loops` others.
     pub(in crate::model) fn placed(&self, loops: usize) -> impl Iterator<Item = Placed> {
         let own = self.body.mechanism().placed.iter();
         own.map(move |own| Placed {

@@ -1,9 +1,9 @@
-//! Bodies, joints and loads of a part, in the frame and with the numbers of the mechanism around it.
+//! Bodies, joints and loads of a part, in the frame and with the numbers of the mechanism around.
 
 use super::embed::Embedding;
 use crate::model::types::{Between, Body, Element, Expr, Inertia, Joint, Load};
 
-/// What numbers of bodies and joints of a part are in the mechanism around it.
+/// Numbers of bodies and joints of a part in the mechanism around it.
 #[derive(Clone, Copy)]
 pub(in crate::model) struct MemberNumbers {
     pub(in crate::model) first_body: usize,
@@ -13,7 +13,7 @@ pub(in crate::model) struct MemberNumbers {
     pub(in crate::model) on: Option<usize>,
 }
 
-/// Bodies and what acts on them, where the part stands.
+/// Bodies and loads, at the location of the part.
 impl Embedding<'_> {
     fn vector(&self, own: &Expr) -> Expr {
         self.frame.seen(self.expr(own))
@@ -55,7 +55,7 @@ impl Embedding<'_> {
         })
     }
 
-    /// In the axes of the body, wherever the part stands.
+    /// Returns an inertia in the axes of the body. It does not depend on the location of the part.
     fn inertia(&self, own: &Inertia) -> Inertia {
         match own {
             Inertia::Scalar(own) => Inertia::Scalar(self.expr(own)),

@@ -1,4 +1,4 @@
-//! What a part is given: expressions for its inputs, and where it stands.
+//! Items of parts: expressions for the inputs of a part, and its location.
 
 use super::embed::Embedding;
 use super::lets::add_let;
@@ -19,7 +19,7 @@ use crate::model::symbols::values::Values;
 use crate::model::types::{Expr, Let, Mechanism, Name, Parameter, Placed, Type};
 use crate::syntax::{self, GivenPart, PartItem};
 
-/// A part's derived quantities and loops, behind what they are made of.
+/// Resolves a part. Its derived quantities and loops come after those that they depend on.
 pub(in crate::model) fn resolve_part(
     scope: &mut Scope,
     sink: &mut Sink,
@@ -59,7 +59,7 @@ pub(in crate::model) fn resolve_part(
                     &what,
                 )
             }
-            // It has been told that it is missing.
+            // The missing input has been reported.
             None => error_expr(sink, (&item.name).into()),
         };
         pass_rates_on(
@@ -134,7 +134,7 @@ pub(in crate::model) fn resolve_part(
     }
 }
 
-/// Reports what is given twice, is no input, argument or parameter, or is missing.
+/// Reports a value that is given twice, one for an unknown name, and a missing one.
 fn check_given(sink: &mut Sink, item: &PartItem, body: &PartBody) {
     let mechanism = body.mechanism();
     let inputs: Vec<&str> = mechanism
@@ -184,7 +184,8 @@ fn check_given(sink: &mut Sink, item: &PartItem, body: &PartBody) {
     }
 }
 
-/// What moves an input of a part gives it speed and acceleration, by the chain rule.
+/// Passes speed and acceleration of an expression on to the input that it is given to, by the chain
+/// rule.
 fn pass_rates_on(
     parts: &mut Parts,
     values: &Values,

@@ -6,7 +6,7 @@ use crate::model::symbols::part_scopes::PartBody;
 use crate::model::types::Leaf;
 
 impl PartBody {
-    /// The part itself, or those within it; its loops stand behind so many others.
+    /// Returns the part itself, or the parts within it. Its loops come after `loops` others.
     pub(in crate::model) fn leaves(&self, loops: usize) -> Vec<Leaf> {
         let mechanism = self.mechanism();
         let whole = Leaf {

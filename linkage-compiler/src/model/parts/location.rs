@@ -1,4 +1,4 @@
-//! Where parts stand, and what of them is read from outside.
+//! Locations of parts.
 
 use super::lets::add_let;
 use crate::model::expression::dispatch::resolve_expression;
@@ -15,7 +15,7 @@ use crate::model::symbols::site::Context;
 use crate::model::types::{Dimension, Expr, ExprKind, Mechanism, Name, Placed, Type};
 use crate::syntax::PartItem;
 
-/// Where the part stands.
+/// Resolves the location of the part.
 pub(in crate::model) fn place_part(
     scope: &mut Scope,
     sink: &mut Sink,
@@ -149,7 +149,7 @@ fn check_rotation(
     )
 }
 
-/// How many components the points of a mechanism have: 2, 3, or both.
+/// Returns the numbers of components of the points of a mechanism: 2, 3, or both.
 fn components_of_points(mechanism: &Mechanism) -> Vec<usize> {
     let lets = mechanism.lets.iter().map(|own| &own.value.ty);
     let unknowns = mechanism.unknowns.iter().map(|own| &own.ty);

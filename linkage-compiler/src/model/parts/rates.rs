@@ -1,4 +1,4 @@
-//! How what is given to an input of a part changes in time, by the speeds of the inputs around it.
+//! Speeds and accelerations of the values that inputs of a part are given.
 
 use super::slopes::{of_both, slopes};
 use crate::model::symbols::declared_names::Names;
@@ -6,10 +6,10 @@ use crate::model::symbols::part_scopes::Unfollowed;
 use crate::model::symbols::values::Values;
 use crate::model::types::{BinaryOp, Dimension, Expr, ExprKind, Let, MotionLaw, Name, Type};
 
-/// The derivative in time; `None` for what stands still.
+/// The derivative with respect to time; `None` for a value at rest.
 type Rate = Result<Option<Expr>, Unfollowed>;
 
-/// The speed and the acceleration of a number that `lets` stand before.
+/// Returns the speed and the acceleration of a value. `lets` has all derived quantities before it.
 pub(in crate::model) fn speed_and_acceleration(
     values: &Values,
     value: &Expr,
@@ -29,7 +29,7 @@ pub(in crate::model) fn speed_and_acceleration(
     [or_still(speed, 1), or_still(acceleration, 2)]
 }
 
-/// What a message adds where a speed or an acceleration of a part does not follow.
+/// Returns the second half of a help for a speed or an acceleration of a part that does not follow.
 pub(in crate::model) fn unfollowed_help(names: &Names, why: Unfollowed) -> String {
     match why {
         Unfollowed::OfInput(input) => {
@@ -111,7 +111,7 @@ fn time_derivative(values: &Values, value: &Expr, lets: &[Let]) -> Rate {
                 }
             });
         }
-        // Of what is made of parameters alone, like `sqrt(2)`, nothing moves.
+        // A value made of parameters alone, like `sqrt(2)`, is at rest.
         _ if is_still(value, lets) => return Ok(None),
         ExprKind::MotionLaw(course) => {
             let slope = slope_of_motion_law(course, value, lets).ok_or(Unfollowed::Other)?;
@@ -131,13 +131,13 @@ fn time_derivative(values: &Values, value: &Expr, lets: &[Let]) -> Rate {
     Ok(Some(made(kind)))
 }
 
-/// What changes with an argument, by its slope.
+/// Returns the rate of a function from its slope and the rate of its argument.
 fn by_chain_rule(values: &Values, slope: Expr, argument: &Expr, lets: &[Let]) -> Rate {
     let rate = time_derivative(values, argument, lets)?;
     Ok(rate.map(|rate| of_both(BinaryOp::Mul, slope, rate)))
 }
 
-/// The slope of a course whose knots stand still.
+/// Returns the slope of a course whose knots are at rest.
 fn slope_of_motion_law(course: &MotionLaw, value: &Expr, lets: &[Let]) -> Option<Expr> {
     let mut knots = course.operands().into_iter().skip(1);
     let slope = course
@@ -172,7 +172,7 @@ fn summed(
     }
 }
 
-/// What changes of a number in time, so often.
+/// Returns the type of a derivative of this order with respect to time.
 fn changing(ty: &Type, order: i32) -> Type {
     let rate = |dimension: Dimension| Type::Scalar(dimension.rate(order));
     ty.dimension().map_or_else(|| ty.clone(), rate)

@@ -2,7 +2,8 @@
 
 use crate::model::types::{BinaryOp, Dimension, Expr, ExprKind, Function, Type};
 
-/// The derivatives of a function's value by its arguments; `None` for those that have none as expressions of the language.
+/// Returns the derivatives of a function's value with respect to its arguments; `None` if the
+/// language has no expression for them.
 pub(in crate::model) fn slopes(
     function: Function,
     arguments: &[Expr],
@@ -55,7 +56,7 @@ pub(in crate::model) fn slopes(
             over(b.clone(), value.clone()),
         ],
         Function::Abs => vec![over(value.clone(), a.clone())],
-        // Of vectors; or whose slope no expression of the language is.
+        // Functions of vectors, and functions whose slope is no expression of the language.
         Function::Polar
         | Function::Dir
         | Function::Rotate
@@ -75,7 +76,8 @@ pub(in crate::model) fn slopes(
     })
 }
 
-/// A sum, product or quotient of scalars whose powers are those of some mechanism: none is beyond all use.
+/// Returns a sum, product or quotient of scalars. Their powers occur in some mechanism, so none is
+/// too large.
 pub(in crate::model) fn of_both(operator: BinaryOp, a: Expr, b: Expr) -> Expr {
     let dimensions = [&a, &b].map(|own| own.ty.dimension().unwrap_or(Dimension::NUMBER));
     let [first, second] = dimensions;

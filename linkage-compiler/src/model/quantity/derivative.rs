@@ -1,4 +1,5 @@
-//! `d`, `velocity`, `acceleration`, `jerk`, `omega`, `alpha`, the screw of a frame, `sensitivity`, `margin`, `picture`: only in the functions of the `impl` block.
+//! `d`, `velocity`, `acceleration`, `jerk`, `omega`, `alpha`, `sensitivity`, `margin`: known only
+//! in the functions of the `impl` block.
 
 use super::input_derivative::{
     listed_inputs, make_derivative, make_unless_error, refuse_several_inputs, type_by_variable,

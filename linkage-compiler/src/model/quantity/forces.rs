@@ -1,4 +1,4 @@
-//! What functions ask about forces.
+//! Quantities about forces: reactions, drives, energies, shaking forces.
 
 use proc_macro2::Ident;
 
@@ -29,7 +29,7 @@ pub(in crate::model) fn resolve_mechanics_quantity(
     span: SourceSpan,
 ) -> Expr {
     let name = word.word();
-    // What a part with a mistake consists of is not known.
+    // The content of a part with a mistake is unknown.
     if operands
         .scope
         .parts

@@ -8,7 +8,7 @@ use crate::model::symbols::sink::Sink;
 use crate::model::types::{Expr, ExprKind, Type};
 use crate::syntax::{self};
 
-/// The frame of which the turning is asked for.
+/// Resolves the frame whose rotation is the quantity.
 pub(in crate::model) fn resolve_turning(
     operands: Operands,
     sink: &mut Sink,
@@ -25,7 +25,7 @@ pub(in crate::model) fn resolve_turning(
     value
 }
 
-/// A frame of which it is asked how it moves.
+/// Resolves the frame whose motion is the quantity.
 pub(in crate::model) fn resolve_moving_frame(
     operands: Operands,
     sink: &mut Sink,

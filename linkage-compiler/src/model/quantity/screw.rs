@@ -1,5 +1,7 @@
-//! `screw_point`, `screw_direction`, `screw_pitch`: the axis about which a body turns and along which it shifts at one moment, as expressions of
-//! its angular velocity and the velocity of its origin, so that they are differentiated like anything else.
+//! `screw_point`, `screw_direction`, `screw_pitch`: the instantaneous screw axis of a body.
+//!
+//! They are expressions of the angular velocity of the body and the velocity of its origin, so they
+//! have derivatives like any other expression.
 
 use super::input_derivative::{listed_inputs, make_derivative, refuse_several_inputs};
 use super::moving_frame::resolve_moving_frame;
@@ -73,7 +75,8 @@ pub(in crate::model) fn resolve_screw(
     }
 }
 
-/// With `w` for `omega(body)` and `v` for `velocity(body.origin)` the axis goes through `body.origin + cross(w, v) / dot(w, w)` along `w`.
+/// Returns a quantity of the screw. With `w` for `omega(body)` and `v` for `velocity(body.origin)`
+/// the axis goes through `body.origin + cross(w, v) / dot(w, w)` along `w`.
 fn make_screw(
     names: &Names,
     values: &Values,

@@ -1,4 +1,4 @@
-//! What one differentiates by: inputs, scalar parameters, components of vector parameters.
+//! Variables of derivatives: inputs, scalar parameters, components of vector parameters.
 
 use proc_macro2::Ident;
 
@@ -194,7 +194,7 @@ pub(in crate::model) fn all_scalar_parameters(
     None
 }
 
-/// `[crank, pivot_d.x]`; a vector stands for its components.
+/// Resolves `[crank, pivot_d.x]`. A vector means all its components.
 pub(in crate::model) fn resolve_listed_parameters(
     operands: Operands,
     sink: &mut Sink,

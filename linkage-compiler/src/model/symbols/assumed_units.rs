@@ -83,7 +83,7 @@ impl AssumedUnits {
                 match (a.is_empty(), b.is_empty()) {
                     (true, _) => b,
                     (_, true) => a,
-                    // A square; of different factors, nobody knows which is the length.
+                    // This is a square. Of different factors, any could be the length.
                     _ if a == b => a,
                     _ => Vec::new(),
                 }

@@ -7,7 +7,7 @@ use crate::syntax::UnknownItem;
 /// The axis that is the product of the others if it makes no difference which one is.
 const USUALLY_DERIVED: usize = 1;
 
-/// Where a body is.
+/// The kind of an unknown frame.
 #[derive(Clone, Copy, PartialEq)]
 pub(in crate::model) enum FrameKind {
     Plane,
@@ -27,7 +27,7 @@ impl FrameKind {
         }
     }
 
-    /// How many unknowns it consists of.
+    /// Returns the number of unknowns that it consists of.
     pub(in crate::model) fn unknowns(self) -> usize {
         self.parts().len()
     }

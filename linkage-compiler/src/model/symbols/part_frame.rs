@@ -1,8 +1,8 @@
-//! Frames of parts: what of a part is seen from the mechanism around it.
+//! Frames of parts: expressions of a part in the frame of the mechanism around it.
 
 use crate::model::types::{BinaryOp, Dimension, Expr, ExprKind, Function, Placed, Type};
 
-/// Where a part stands.
+/// The location of a part.
 #[derive(Clone, Default)]
 pub(in crate::model) struct PartFrame {
     at: Option<Expr>,
@@ -19,7 +19,8 @@ impl Placed {
 }
 
 impl PartFrame {
-    /// What of a part is seen from the mechanism around it: vectors of lengths are points, other vectors directions; scalars stay.
+    /// Returns an expression of a part in the frame of the mechanism around it. Vectors of lengths
+    /// are points, other vectors directions; scalars do not change.
     pub(in crate::model) fn seen(&self, own: Expr) -> Expr {
         match &own.ty {
             Type::Vector(_, dimension) if dimension.fits(Dimension::LENGTH) => self.seen_point(own),

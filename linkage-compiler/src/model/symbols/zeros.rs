@@ -1,8 +1,8 @@
-//! Zeros without a unit, and unknowns without an estimate: what they are taken for.
+//! Zeros without a unit, and unknowns without an estimate: assumptions about their types.
 
 use crate::model::types::{Name, Type};
 
-/// What zeros are taken for.
+/// Assumptions about zeros.
 #[derive(Clone, Default)]
 pub(in crate::model) struct Zeros {
     /// Those that are lengths; the others are numbers.
@@ -20,7 +20,7 @@ impl Zeros {
         }
     }
 
-    /// The zero that stands for an estimate that is not given.
+    /// Returns the zero that replaces a missing estimate.
     pub(in crate::model) fn zero_of(&self, name: Name) -> Type {
         let mut vectors = self.vectors.iter();
         let count = vectors.find_map(|(own, count)| (*own == name).then_some(*count));

@@ -1,4 +1,4 @@
-//! Which coordinates are angles, by what is done with them.
+//! Coordinates that are angles, which follows from their uses.
 
 use std::collections::BTreeSet;
 
@@ -17,7 +17,7 @@ pub(in crate::model) fn angles(mechanism: &Mechanism) -> BTreeSet<Name> {
         open: Vec::new(),
     };
     angles.find_factors();
-    // An angle that is found late may stand beside names that were looked at before.
+    // An angle that is found late can occur next to names that were examined before.
     loop {
         let before = angles.found.len();
         angles.look_through();
@@ -29,7 +29,8 @@ pub(in crate::model) fn angles(mechanism: &Mechanism) -> BTreeSet<Name> {
 
 struct Angles<'m> {
     mechanism: &'m Mechanism,
-    /// Names of values that may multiply an angle: made of parameters and numbers without pi, which makes angles of numbers.
+    /// Names of values that can multiply an angle. They consist of parameters and numbers without
+    /// pi, which makes angles of numbers.
     factors: BTreeSet<Name>,
     found: BTreeSet<Name>,
     /// Values that are angles and have not been looked at.
@@ -102,13 +103,13 @@ impl<'m> Angles<'m> {
                     let values: Vec<&Expr> = course.knots.iter().map(|own| &own.value).collect();
                     self.together(&values);
                 }
-                // The others do not tell what their operands are.
+                // The others tell nothing about their operands.
                 _ => {}
             }
         }
     }
 
-    /// What is added or equal: if one is an angle, all are.
+    /// Handles terms of a sum, and sides of an equation: if one is an angle, all are.
     fn together(&mut self, values: &[&'m Expr]) {
         if values.iter().any(|value| self.is_angle(value)) {
             values.iter().for_each(|value| self.angle(value));
@@ -158,7 +159,7 @@ impl<'m> Angles<'m> {
         }
     }
 
-    /// What a product or quotient is a multiple of, if the rest is a plain factor.
+    /// Returns the factor of a product or quotient that is not plain, if the rest is.
     fn multiplied<'e>(&self, value: &'e Expr) -> Option<&'e Expr> {
         match &value.kind {
             ExprKind::Binary(BinaryOp::Mul, a, b) if self.is_factor(a) => Some(b),

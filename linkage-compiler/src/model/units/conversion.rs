@@ -6,7 +6,7 @@ use super::decimal::Decimal;
 use crate::model::types::{Dimension, LengthUnit};
 use crate::syntax::{Scale, UnitOfMeasure, Word, find_unit, is_unit};
 
-/// How many digits of pi are multiplied: far more than a double's literal can tell apart.
+/// Digits of pi for multiplication: far more than a literal of a double can distinguish.
 const PI: &str = "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899\
                   8628034825342117067982148086513282306647";
 /// Its reciprocal.
@@ -95,7 +95,8 @@ struct Factor {
 }
 
 impl Factor {
-    /// From a product of units to the unit of its dimension; `None` for powers beyond all use.
+    /// Converts a product of units to the unit of its dimension; `None` for powers that are too
+    /// large.
     fn from_units(units: &[(&str, i32)], length: LengthUnit) -> Option<(Factor, Dimension)> {
         let mut factor = Factor::default();
         let mut dimension = Dimension::NUMBER;

@@ -7,7 +7,7 @@ pub(in crate::model) struct Decimal {
     exponent: i64,
 }
 
-/// Digits kept behind those of the dividend when a quotient does not end.
+/// Digits after those of the dividend if a quotient does not end.
 const GUARD_DIGITS: usize = 40;
 /// Beyond this every value overflows or vanishes; the sum of two cannot overflow.
 const EXPONENT_LIMIT: i64 = 1_000_000_000;
