@@ -4,9 +4,10 @@ use std::ops::Range;
 
 use proc_macro2::{Ident, Span};
 
-/// First and last token of a piece of source text; messages underline all that lies between.
+/// First and last token of a piece of source text; messages underline all text between them.
 ///
-/// Outside of a procedural macro, lines and columns of both are known if proc-macro2 has its feature `span-locations`.
+/// Outside of a procedural macro, lines and columns of both are known if proc-macro2 has its
+/// feature `span-locations`.
 #[derive(Clone, Copy, Debug)]
 pub struct SourceSpan {
     /// The first token, or a group with its delimiters.

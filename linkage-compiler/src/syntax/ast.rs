@@ -314,7 +314,8 @@ pub(crate) struct QuantityDef {
 }
 
 impl UnknownItem {
-    /// The number of arguments in `unknown NAME = frame(...);`, a body of the plane (2) or of space (3).
+    /// The number of arguments in `unknown NAME = frame(...);`, a body of the plane (2) or of space
+    /// (3).
     pub(crate) fn frame_arguments(&self) -> Option<usize> {
         match &self.estimate.as_ref()?.kind {
             ExprKind::Call(function, arguments) if function == "frame" => Some(arguments.len()),

@@ -9,7 +9,8 @@ use super::parser::{Parsed, Parser};
 const RATES: &str = "`at` names the arguments that are its speed and acceleration: `input phi = 30deg at omega, epsilon;`";
 
 impl Parser<'_> {
-    /// `NAME = expr [in lo..hi] [at SPEED [, ACCELERATION]] ;` after `input`, and whether its end has been reached.
+    /// Reads `NAME = expr [in lo..hi] [at SPEED [, ACCELERATION]] ;` after `input`. The flag is
+    /// true if its end has been reached.
     pub(super) fn input_item(&mut self) -> Parsed<(Item, bool)> {
         let name = self.name("a name after `input`")?;
         let mut input = InputItem {

@@ -84,7 +84,8 @@ impl Parser<'_> {
         self.end_of_item()
     }
 
-    /// `NAME = BODY on BODY at POINT ;` after the joint's word, and whether its end has been reached.
+    /// Reads `NAME = BODY on BODY at POINT ;` after the joint's word. The flag is true if its end
+    /// has been reached.
     pub(super) fn joint_item(&mut self, kind: Kind) -> Parsed<(Item, bool)> {
         let word = kind.kind.word();
         let form = format!("{word} NAME = BODY on BODY at POINT");

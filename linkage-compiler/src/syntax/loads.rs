@@ -84,7 +84,8 @@ impl Parser<'_> {
         })
     }
 
-    /// `expr from BODY at expr to BODY at expr [, free expr]` or `expr on JOINT [, free expr]` after `spring`.
+    /// Reads `expr from BODY at expr to BODY at expr [, free expr]` or `expr on JOINT [, free
+    /// expr]` after `spring`.
     pub(super) fn spring_item(&mut self, span: SourceSpan) -> Parsed<ElementItem> {
         self.element(LoadWord::Spring, &SPRING, span)
     }

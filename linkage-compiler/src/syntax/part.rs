@@ -18,7 +18,8 @@ const RULES: [ClauseRule; 3] = [
 ];
 
 impl Parser<'_> {
-    /// `NAME: MECHANISM { given = expr, ... } CLAUSES ;` after `part`, and whether its end has been reached.
+    /// Reads `NAME: MECHANISM { given = expr, ... } CLAUSES ;` after `part`. The flag is true if
+    /// its end has been reached.
     pub(super) fn part_item(&mut self) -> Parsed<(Item, bool)> {
         let help = format!("write `{FORM}`");
         let name = self.name("a name after `part`")?;

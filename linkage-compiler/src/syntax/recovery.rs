@@ -54,7 +54,8 @@ impl Parser<'_> {
         }
     }
 
-    /// `gravity =`, or a load: its word, the beginning of a value, and a clause before the next `;`.
+    /// `gravity =`, or a load: its word, the beginning of a value, and a clause before the next
+    /// `;`.
     fn at_unnamed_item(&self) -> bool {
         let follows_operator = matches!(
             self.stream.previous(),

@@ -1,4 +1,4 @@
-//! Units of numbers: the length unit of the mechanism, and numbers without a unit that may lack one.
+//! Units of numbers: the length unit of the mechanism, and numbers without a unit.
 
 use std::collections::BTreeMap;
 
@@ -23,7 +23,8 @@ pub(in crate::model) struct Unitless {
 /// The units in which numbers are read.
 pub(in crate::model) struct AssumedUnits {
     pub(in crate::model) length: LengthUnit,
-    /// Names whose number without a unit is taken for a length, and unknowns that are taken for vectors.
+    /// Names whose number without a unit is taken for a length, and unknowns that are taken for
+    /// vectors.
     pub(in crate::model) zeros: Zeros,
     /// Names declared by numbers without a unit.
     pub(in crate::model) unitless: Vec<Unitless>,

@@ -1,4 +1,4 @@
-//! Parts: mechanisms within a mechanism, their names there and the expressions that are given to them.
+//! Parts: mechanisms within a mechanism, their names there and the expressions that they are given.
 
 use std::rc::Rc;
 

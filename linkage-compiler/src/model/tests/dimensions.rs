@@ -1,4 +1,4 @@
-//! What may be added, multiplied and passed.
+//! Operands that can be added, multiplied and passed.
 
 use super::model;
 use crate::model::{Mechanism, dump};

@@ -1,4 +1,4 @@
-//! From source text to the model.
+//! Tests of the way from source text to the model.
 
 mod bare;
 mod derivatives;

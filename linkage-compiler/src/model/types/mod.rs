@@ -1,4 +1,5 @@
-//! The resolved mechanism: ids instead of names, checked dimensions, one length unit, angles in radians.
+//! The resolved mechanism: ids instead of names, checked dimensions, one length unit, angles in
+//! radians.
 //!
 //! No spans here: an [`OriginId`](crate::diagnostic::OriginId) leads back to the source text.
 

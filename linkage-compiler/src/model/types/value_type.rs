@@ -11,7 +11,8 @@ pub(crate) enum Type {
     Array(Vec<Type>),
     /// A point and three perpendicular directions in space, as entries 0 (the origin) to 3.
     Frame,
-    /// A point and a direction in the plane; its parts are the origin, the axes and the angle of the first.
+    /// A point and a direction in the plane; its parts are the origin, the axes and the angle of
+    /// the first.
     PlaneFrame,
     /// The literal `0` (or a vector of such): fits every dimension. The count is 1 for a scalar.
     Zero(usize),

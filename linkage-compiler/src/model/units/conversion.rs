@@ -15,7 +15,8 @@ const PER_PI: &str = "0.31830988618379067153776752674502872406891929148091289749
 /// Factors of one kind beyond this are taken for a mistake.
 const LIMIT: i32 = 64;
 
-/// A literal in the unit of its dimension: the mechanism's length unit, radians, newtons, seconds, kilograms.
+/// A literal in the unit of its dimension: the mechanism's length unit, radians, newtons, seconds,
+/// kilograms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::model) enum Literal {
     /// Zero without a unit fits every dimension.
