@@ -145,7 +145,10 @@ impl Diagnostics {
 
     /// Returns the texts of all mistakes, without their places.
     pub(crate) fn texts(&self) -> Vec<String> {
-        self.list.iter().map(|own| own.text.clone()).collect()
+        self.list
+            .iter()
+            .map(|message| message.text.clone())
+            .collect()
     }
 
     /// Mistakes and warnings, in the order in which they were found.

@@ -122,7 +122,7 @@ impl<'m> MessageFormat<'m> {
         let differs = |decimals: &usize| rounded(shown, *decimals) != rounded(beside, *decimals);
         let enough = lengths
             .find(differs)
-            .map_or(shown, |own| rounded(shown, own));
+            .map_or(shown, |decimals| rounded(shown, decimals));
         format!("{enough}{unit}")
     }
 

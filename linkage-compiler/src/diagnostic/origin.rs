@@ -36,10 +36,10 @@ impl Origins {
     }
 
     /// Adds all origins of a part. Returns the offset of their numbers.
-    pub(crate) fn add_part(&mut self, name: &str, own: &Origins) -> u32 {
+    pub(crate) fn add_part(&mut self, name: &str, origins: &Origins) -> u32 {
         let first = self.spans.len() as u32;
-        self.spans.extend(&own.spans);
-        let inner = own.parts.iter().map(|(range, inner)| {
+        self.spans.extend(&origins.spans);
+        let inner = origins.parts.iter().map(|(range, inner)| {
             let range = first + range.start..first + range.end;
             (range, format!("{name}.{inner}"))
         });

@@ -44,7 +44,11 @@ fn suspected(source: &Source, first: &Attempt) -> Vec<Name> {
 /// The attempt with those lengths alone that lessen the mistakes.
 fn without_needless(source: &Source, mut lengths: Vec<Name>, mut best: Attempt) -> Attempt {
     for name in lengths.clone() {
-        let fewer: Vec<Name> = lengths.iter().copied().filter(|own| *own != name).collect();
+        let fewer: Vec<Name> = lengths
+            .iter()
+            .copied()
+            .filter(|other| *other != name)
+            .collect();
         let other = fewest_mistakes(source, &fewer);
         if other.diagnostics.len() <= best.diagnostics.len() {
             (lengths, best) = (fewer, other);
@@ -57,23 +61,23 @@ impl Attempt {
     /// Adds messages at the numbers that were taken for lengths, before all others.
     fn with_missing_units(mut self) -> Attempt {
         let mut told = Diagnostics::default();
-        for own in self
+        for unitless in self
             .unitless
             .iter()
-            .filter(|own| self.zeros.lengths.contains(&own.name))
+            .filter(|unitless| self.zeros.lengths.contains(&unitless.name))
         {
             let Unitless {
                 text,
                 number,
                 length,
                 ..
-            } = own;
+            } = unitless;
             let fact = format!("`{number}` has no unit, but `{text}` is used as a length");
-            let help = match own.beside {
+            let help = match unitless.beside {
                 Some(beside) => format!("write `{length}`, and give {beside} a unit, too"),
                 None => format!("write `{length}`"),
             };
-            told.error_with_help(own.span, fact, help);
+            told.error_with_help(unitless.span, fact, help);
         }
         told.append(self.diagnostics);
         self.diagnostics = told;

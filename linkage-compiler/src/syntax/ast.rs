@@ -28,9 +28,11 @@ impl MechanismDef {
 
 /// The lines of a doc comment, without the blank in front.
 pub(crate) fn documentation(attributes: &[Attribute]) -> String {
-    let docs = attributes.iter().filter(|own| own.name == "doc");
-    let text = |own: &Attribute| {
-        let literal = own.arguments.clone().into_iter().last()?;
+    let docs = attributes
+        .iter()
+        .filter(|attribute| attribute.name == "doc");
+    let text = |attribute: &Attribute| {
+        let literal = attribute.arguments.clone().into_iter().last()?;
         let text = syn::parse2::<LitStr>(literal.into()).ok()?.value();
         Some(text.strip_prefix(' ').map_or(text.clone(), str::to_owned))
     };

@@ -35,8 +35,13 @@ struct SegmentName;
 impl MechanismDef {
     /// Returns the lints that the user allows in all code of the mechanism.
     pub(crate) fn allows(&self) -> TokenStream {
-        let allows = self.attributes.iter().filter(|own| own.name == "allow");
-        allows.flat_map(|own| own.tokens.clone()).collect()
+        let allows = self
+            .attributes
+            .iter()
+            .filter(|attribute| attribute.name == "allow");
+        allows
+            .flat_map(|attribute| attribute.tokens.clone())
+            .collect()
     }
 }
 

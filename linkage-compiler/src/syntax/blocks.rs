@@ -29,8 +29,8 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<M
         return mechanisms;
     }
     for Implementation { name, functions } in implementations {
-        if let Some(own) = parser.implemented(&name, &mechanisms) {
-            mechanisms[own].functions.extend(functions);
+        if let Some(index) = parser.implemented(&name, &mechanisms) {
+            mechanisms[index].functions.extend(functions);
         }
     }
     parser.drop_second(&mut mechanisms);
@@ -121,7 +121,9 @@ impl Parser<'_> {
 
     /// The mechanism that an `impl` block belongs to, by its number.
     fn implemented(&mut self, name: &Ident, mechanisms: &[MechanismDef]) -> Option<usize> {
-        let found = mechanisms.iter().position(|own| own.name == *name);
+        let found = mechanisms
+            .iter()
+            .position(|mechanism| mechanism.name == *name);
         if found.is_some() {
             return found;
         }
@@ -132,7 +134,10 @@ impl Parser<'_> {
             self.diagnostics.error_with_help(name.into(), fact, help);
             return Some(0);
         }
-        let names: Vec<String> = mechanisms.iter().map(|own| own.name.to_string()).collect();
+        let names: Vec<String> = mechanisms
+            .iter()
+            .map(|mechanism| mechanism.name.to_string())
+            .collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let fact = format!("there is no struct `{name}` in this call");
         let help = match nearest(&name.to_string(), names.iter().copied()) {
@@ -146,12 +151,12 @@ impl Parser<'_> {
     /// Reports two structs of one name, and keeps the first one.
     fn drop_second(&mut self, mechanisms: &mut Vec<MechanismDef>) {
         let mut kept: Vec<MechanismDef> = Vec::new();
-        for own in mechanisms.drain(..) {
-            let Some(first) = kept.iter().find(|first| first.name == own.name) else {
-                kept.push(own);
+        for mechanism in mechanisms.drain(..) {
+            let Some(first) = kept.iter().find(|first| first.name == mechanism.name) else {
+                kept.push(mechanism);
                 continue;
             };
-            let name = &own.name;
+            let name = &mechanism.name;
             let fact = format!("two structs of this call have the name `{name}`");
             self.diagnostics
                 .error_with_help(name.into(), fact, "choose another name");

@@ -83,7 +83,7 @@ impl Display for Member {
 impl Display for PartItem {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         let given = self.given.iter();
-        let given = given.map(|own| format!("{} = {}", own.name, own.value));
+        let given = given.map(|given| format!("{} = {}", given.name, given.value));
         let given: Vec<String> = given.collect();
         write!(
             f,

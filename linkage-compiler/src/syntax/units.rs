@@ -151,7 +151,7 @@ mod tests {
     fn no_spelling_stands_twice() {
         let mut all: Vec<&str> = UNITS
             .iter()
-            .flat_map(|(own, _)| own.iter().copied())
+            .flat_map(|(spellings, _)| spellings.iter().copied())
             .collect();
         let count = all.len();
         all.sort_unstable();

@@ -11,7 +11,7 @@ pub(crate) trait Word: Copy + 'static {
 
     /// Returns the meaning of a written word.
     fn from_word(word: &str) -> Option<Self> {
-        Self::all().find(|own| own.word() == word)
+        Self::all().find(|candidate| candidate.word() == word)
     }
 }
 
@@ -20,10 +20,10 @@ pub(crate) trait Word: Copy + 'static {
 /// Code that handles every word matches all variants without `_`, so a new word does not compile
 /// before all places handle it.
 macro_rules! vocabulary {
-    ($(#[$meta:meta])* $vis:vis enum $name:ident { $($(#[$own:meta])* $variant:ident = $word:literal,)+ }) => {
+    ($(#[$meta:meta])* $vis:vis enum $name:ident { $($(#[$doc:meta])* $variant:ident = $word:literal,)+ }) => {
         $(#[$meta])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        $vis enum $name { $($(#[$own])* $variant,)+ }
+        $vis enum $name { $($(#[$doc])* $variant,)+ }
 
         impl $crate::syntax::Word for $name {
             fn all() -> impl Iterator<Item = Self> {
@@ -35,10 +35,10 @@ macro_rules! vocabulary {
             }
         }
     };
-    ($(#[$meta:meta])* $vis:vis enum $name:ident { $($(#[$own:meta])* $variant:ident($part:ty),)+ }) => {
+    ($(#[$meta:meta])* $vis:vis enum $name:ident { $($(#[$doc:meta])* $variant:ident($part:ty),)+ }) => {
         $(#[$meta])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        $vis enum $name { $($(#[$own])* $variant($part),)+ }
+        $vis enum $name { $($(#[$doc])* $variant($part),)+ }
 
         impl $crate::syntax::Word for $name {
             fn all() -> impl Iterator<Item = Self> {
@@ -46,7 +46,7 @@ macro_rules! vocabulary {
             }
 
             fn word(self) -> &'static str {
-                match self { $(Self::$variant(own) => own.word(),)+ }
+                match self { $(Self::$variant(inner) => inner.word(),)+ }
             }
         }
     };

@@ -14,7 +14,10 @@ pub(in crate::model) fn refuse_bare_coordinates(
     mechanism: &Mechanism,
 ) {
     let values = values_of_coordinates(mechanism);
-    if values.iter().all(|own| own.value.bare_number().is_none()) {
+    if values
+        .iter()
+        .all(|coordinate| coordinate.value.bare_number().is_none())
+    {
         return;
     }
     let used = angles(mechanism);

@@ -49,7 +49,7 @@ pub(in crate::model) fn frame_type(
         [origin, x] => {
             if [&*origin, x]
                 .iter()
-                .any(|own| own.ty.components() == Some(3))
+                .any(|vector| vector.ty.components() == Some(3))
             {
                 refuse_count_of_arguments(sink, function, arguments.len(), span);
                 return None;

@@ -48,8 +48,8 @@ pub(in crate::model) fn suspect_unit(
 ) {
     let number = |ty: &Type| ty.dimension() == Some(Dimension::NUMBER);
     let length = |ty: &Type| {
-        let dimension = ty.dimension().filter(|own| own.is_geometric());
-        dimension.is_some_and(|own| own.half_lengths > 0)
+        let dimension = ty.dimension().filter(|dimension| dimension.is_geometric());
+        dimension.is_some_and(|dimension| dimension.half_lengths > 0)
     };
     if number(&left.ty) && length(right) {
         let lacking = units.lacking_unit(left);
@@ -76,15 +76,15 @@ fn with_unit(value: &Expr, unit: &str) -> Option<String> {
     let ExprKind::Vector(components) = &value.kind else {
         return None;
     };
-    let zero = |own: &Expr| matches!(own.kind, ExprKind::Number(0.0));
-    let numbers = components.iter().map(|own| match zero(own) {
+    let zero = |component: &Expr| matches!(component.kind, ExprKind::Number(0.0));
+    let numbers = components.iter().map(|component| match zero(component) {
         true => Some(0.0),
-        false => own.bare_number(),
+        false => component.bare_number(),
     });
     let numbers: Vec<f64> = numbers.collect::<Option<_>>()?;
     let length = numbers
         .iter()
-        .fold(0.0, |length: f64, own| length.hypot(*own));
+        .fold(0.0, |length: f64, number| length.hypot(*number));
     if length == 0.0 || LENGTHS_OF_DIRECTIONS.contains(&length) {
         return None;
     }

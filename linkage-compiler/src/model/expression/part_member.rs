@@ -39,15 +39,15 @@ pub(in crate::model) fn resolve_member(
     let (name, ty) = (symbol.name, symbol.ty.clone());
     let mut value = make_expr(sink, ExprKind::Name(name), ty, span);
     let around = parts.placed.iter();
-    let around = around.filter(|own| {
-        let rest = text.strip_prefix(own.path.as_str());
+    let around = around.filter(|part| {
+        let rest = text.strip_prefix(part.path.as_str());
         rest.is_some_and(|rest| rest.starts_with('.'))
     });
     let mut around: Vec<&Placed> = around.collect();
     // The innermost part comes first.
-    around.sort_by_key(|own| std::cmp::Reverse(own.path.len()));
-    for own in around {
-        value = own.frame().seen(value);
+    around.sort_by_key(|part| std::cmp::Reverse(part.path.len()));
+    for part in around {
+        value = part.frame().seen(value);
     }
     value
 }
@@ -63,7 +63,7 @@ pub(in crate::model) fn order_refusal(
     let first = text.split('.').next().unwrap_or_default();
     let part = parts.scopes.iter().find(|part| part.name == first)?;
     let body = part.body.as_ref();
-    let placed = body.is_some_and(|own| own.is_placed || own.is_turned);
+    let placed = body.is_some_and(|body| body.is_placed || body.is_turned);
     let ordered = matches!(context.site, Site::LetOrLoop) && part.item > context.item;
     let fact = match symbol.name {
         _ if !ordered => return None,

@@ -45,12 +45,12 @@ pub(in crate::model) fn lifting_help(names: &Names, plane: &Expr) -> String {
     };
     match &plane.kind {
         ExprKind::Name(name) => {
-            let own = text(plane, "p");
+            let written = text(plane, "p");
             let declared = match name {
                 Name::Let(_) => String::new(),
-                _ => format!(", or declare `{own}` as `(x, y, z)`"),
+                _ => format!(", or declare `{written}` as `(x, y, z)`"),
             };
-            format!("write `({own}.x, {own}.y, 0)`{declared}")
+            format!("write `({written}.x, {written}.y, 0)`{declared}")
         }
         ExprKind::Vector(components) => {
             let [x, y] = [(0, "x"), (1, "y")].map(|(k, axis)| text(&components[k], axis));

@@ -106,10 +106,10 @@ pub(in crate::model) fn resolve_items(
                 });
             }
             Definition::Loop(item) => {
-                let own = resolve_loop(scope, sink, item, context);
+                let equation = resolve_loop(scope, sink, item, context);
                 match item.redundant {
-                    true => mechanism.redundant.push(own),
-                    false => mechanism.loops.push(own),
+                    true => mechanism.redundant.push(equation),
+                    false => mechanism.loops.push(equation),
                 }
             }
             Definition::Part(item) => resolve_part(scope, sink, item, position, &mut mechanism),
@@ -140,15 +140,15 @@ fn embed_coordinates(
     mechanism: &mut Mechanism,
 ) {
     for part in 0..parts.scopes.len() {
-        let own = Embedding::new(&parts.scopes[part], &mechanism.lets, &[]);
-        let Some(embedding) = own else { continue };
+        let embedding = Embedding::new(&parts.scopes[part], &mechanism.lets, &[]);
+        let Some(embedding) = embedding else { continue };
         mechanism.constants.extend(embedding.constants());
         mechanism.unknowns.extend(embedding.unknowns());
-        for mut own in embedding.parameters() {
+        for mut parameter in embedding.parameters() {
             let index = mechanism.parameters.len();
-            own.first_scalar = add_scalars(values, &own.name, index, &own.ty);
-            check_field(parts, sink, &own.name, part, &mechanism.parameters);
-            mechanism.parameters.push(own);
+            parameter.first_scalar = add_scalars(values, &parameter.name, index, &parameter.ty);
+            check_field(parts, sink, &parameter.name, part, &mechanism.parameters);
+            mechanism.parameters.push(parameter);
         }
     }
 }

@@ -156,10 +156,10 @@ impl FoundFrame {
 /// Returns for each axis of a frame the number of points of loops and derived quantities with a
 /// coordinate along it, plus the number of uses of the axis.
 fn uses_of_axes(mechanism: &Mechanism, number: usize) -> [usize; 3] {
-    let is_frame = |own: &Expr| own.as_name() == Some(Name::Let(number));
+    let is_frame = |value: &Expr| value.as_name() == Some(Name::Let(number));
     let loops = mechanism.loops.iter();
-    let loops = loops.flat_map(|own| [&own.left, &own.right]);
-    let lets = mechanism.lets.iter().map(|own| &own.value);
+    let loops = loops.flat_map(|equation| [&equation.left, &equation.right]);
+    let lets = mechanism.lets.iter().map(|item| &item.value);
     let mut uses = [0; 3];
     for part in loops.chain(lets).flat_map(Expr::parts) {
         match &part.kind {
@@ -184,7 +184,7 @@ fn is_zero(mechanism: &Mechanism, vector: &Expr, component: usize) -> bool {
             let value = mechanism.value_of(*name);
             value.is_some_and(|value| is_zero(mechanism, value, component))
         }
-        ExprKind::Negate(own) => is_zero(mechanism, own, component),
+        ExprKind::Negate(inner) => is_zero(mechanism, inner, component),
         // It may be anything.
         _ => false,
     }

@@ -84,9 +84,9 @@ pub(in crate::model) fn declare_bodies_of_part(
         return 0;
     };
     let bodies = body.mechanism().bodies.iter().enumerate();
-    let bodies = bodies.map(|(index, own)| {
+    let bodies = bodies.map(|(index, body)| {
         let member = Member::Body(first + index);
-        (format!("{name}.{}", own.name), (member, *span))
+        (format!("{name}.{}", body.name), (member, *span))
     });
     let bodies: Vec<_> = bodies.collect();
     let count = bodies.len();
@@ -109,10 +109,10 @@ pub(in crate::model) fn declare_joints_of_part(
         if !among.contains(&index) {
             continue;
         }
-        if let Some(own) = &joint.name {
+        if let Some(joint_name) = &joint.name {
             let member = Member::Joint(members.joints.len());
             let members = &mut members.by_name;
-            members.insert(format!("{name}.{own}"), (member, *span));
+            members.insert(format!("{name}.{joint_name}"), (member, *span));
         }
         members.joints.push(joint.kind);
     }

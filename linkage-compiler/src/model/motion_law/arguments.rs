@@ -48,7 +48,7 @@ pub(in crate::model) fn resolve_argument_and_knots(
     let knots = resolve_knots(operands, sink, word, list);
     let mut knots = knots.filter(|_| !argument.ty.is_error())?;
     let mut along: Vec<&mut Expr> = vec![&mut argument];
-    along.extend(knots.iter_mut().map(|own| &mut own.place));
+    along.extend(knots.iter_mut().map(|knot| &mut knot.place));
     let what = format!(
         "the argument of `{}` and the places of its knots",
         word.word()
@@ -61,7 +61,7 @@ pub(in crate::model) fn resolve_argument_and_knots(
         word,
         &what,
     )?;
-    let mut values: Vec<&mut Expr> = knots.iter_mut().map(|own| &mut own.value).collect();
+    let mut values: Vec<&mut Expr> = knots.iter_mut().map(|knot| &mut knot.value).collect();
     let what = format!("the values of `{}`", word.word());
     let value = common_scalar(
         &operands.scope.names,
@@ -75,7 +75,7 @@ pub(in crate::model) fn resolve_argument_and_knots(
         let before = sink.diagnostics.len();
         knots
             .iter()
-            .for_each(|own| refuse_bare_angle(sink, &own.place, "the place of a knot"));
+            .for_each(|knot| refuse_bare_angle(sink, &knot.place, "the place of a knot"));
         if sink.diagnostics.len() > before {
             return None;
         }
@@ -93,7 +93,7 @@ pub(in crate::model) fn common_scalar(
     what: &str,
 ) -> Option<Type> {
     let ty = common_type(names, units, sink, all, what).settled();
-    all.iter_mut().for_each(|own| own.settle(&ty));
+    all.iter_mut().for_each(|value| value.settle(&ty));
     match ty {
         Type::Scalar(_) => Some(ty),
         Type::Error => None,
@@ -114,7 +114,7 @@ pub(in crate::model) fn spans_a_turn(knots: &[Knot]) -> bool {
         return false;
     };
     let (first, last) = (&first.place, &last.place);
-    if !matches!(first.ty, Type::Scalar(own) if own.angle) {
+    if !matches!(first.ty, Type::Scalar(dimension) if dimension.angle) {
         return false;
     }
     let turn = |x: f64| (x - TAU).abs() <= TURN_ROUNDING;

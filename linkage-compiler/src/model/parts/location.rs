@@ -42,7 +42,7 @@ pub(in crate::model) fn place_part(
         mechanism,
         |scope, sink, value| check_rotation(&scope.names, &scope.units, sink, value, item),
     );
-    let in_space = |own: &Expr| own.ty.components() == Some(3) || own.ty == Type::Frame;
+    let in_space = |value: &Expr| value.ty.components() == Some(3) || value.ty == Type::Frame;
     if let (Some(at), Some(angle)) = (&at, &turned)
         && in_space(at)
     {
@@ -114,12 +114,12 @@ fn check_location(
             return error_expr(sink, span);
         }
     };
-    if let Some(own) = points.iter().find(|own| **own != count) {
+    if let Some(components) = points.iter().find(|components| **components != count) {
         let words = |count| if count == 3 { "space" } else { "the plane" };
         let fact = format!(
             "the part `{}` has vectors of {}, and stands at a place of {}",
             item.name,
-            words(*own),
+            words(*components),
             words(count)
         );
         let help = "place it by a point of its own kind, or write what is asked of it with `point_in`; that a plane cannot be \
@@ -151,9 +151,9 @@ fn check_rotation(
 
 /// Returns the numbers of components of the points of a mechanism: 2, 3, or both.
 fn components_of_points(mechanism: &Mechanism) -> Vec<usize> {
-    let lets = mechanism.lets.iter().map(|own| &own.value.ty);
-    let unknowns = mechanism.unknowns.iter().map(|own| &own.ty);
-    let parameters = mechanism.parameters.iter().map(|own| &own.ty);
+    let lets = mechanism.lets.iter().map(|item| &item.value.ty);
+    let unknowns = mechanism.unknowns.iter().map(|unknown| &unknown.ty);
+    let parameters = mechanism.parameters.iter().map(|parameter| &parameter.ty);
     let mut all: Vec<usize> = lets
         .chain(unknowns)
         .chain(parameters)

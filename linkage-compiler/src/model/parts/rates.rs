@@ -25,7 +25,7 @@ pub(in crate::model) fn speed_and_acceleration(
         Some(speed) => time_derivative(values, &speed, lets),
         None => Ok(None),
     });
-    let or_still = |rate: Rate, order| rate.map(|own| own.unwrap_or(still(value, order)));
+    let or_still = |rate: Rate, order| rate.map(|rate| rate.unwrap_or(still(value, order)));
     [or_still(speed, 1), or_still(acceleration, 2)]
 }
 
@@ -61,7 +61,7 @@ fn time_derivative(values: &Values, value: &Expr, lets: &[Let]) -> Rate {
         // Nothing that moves depends on arguments but these.
         ExprKind::Name(Name::Argument(speed)) => {
             let mut inputs = values.rates.iter();
-            let input = inputs.position(|own| own[0] == Some(*speed));
+            let input = inputs.position(|rates| rates[0] == Some(*speed));
             let input = input.ok_or(Unfollowed::Other)?;
             let [_, acceleration] = values.rates[input];
             ExprKind::Name(Name::Argument(
@@ -80,7 +80,7 @@ fn time_derivative(values: &Values, value: &Expr, lets: &[Let]) -> Rate {
                 time_derivative(values, a, lets)?,
                 time_derivative(values, b, lets)?,
             ];
-            let [a, b] = [a, b].map(|own| own.as_ref().clone());
+            let [a, b] = [a, b].map(|operand| operand.as_ref().clone());
             return Ok(match (op, rates) {
                 (_, [None, None]) => None,
                 (BinaryOp::Add, [None, Some(rate)]) => Some(rate),
@@ -142,7 +142,7 @@ fn slope_of_motion_law(course: &MotionLaw, value: &Expr, lets: &[Let]) -> Option
     let mut knots = course.operands().into_iter().skip(1);
     let slope = course
         .slope()
-        .filter(|_| knots.all(|own| is_still(own, lets)))?;
+        .filter(|_| knots.all(|value| is_still(value, lets)))?;
     let by = course.argument_type().dimension()?;
     let dimension = value.ty.dimension()?.over(by)?;
     Some(Expr {

@@ -20,17 +20,17 @@ pub(in crate::model) fn slopes(
         ty,
         origin: value.origin,
     };
-    let negative = |own: Expr| Expr {
-        ty: own.ty.clone(),
-        origin: own.origin,
-        kind: ExprKind::Negate(Box::new(own)),
+    let negative = |value: Expr| Expr {
+        ty: value.ty.clone(),
+        origin: value.origin,
+        kind: ExprKind::Negate(Box::new(value)),
     };
-    let square = |own: &Expr| of_both(Mul, own.clone(), own.clone());
+    let square = |value: &Expr| of_both(Mul, value.clone(), value.clone());
     let over = |a: Expr, b: Expr| of_both(Div, a, b);
     let [a, b] = [arguments.first()?, arguments.last()?];
     let are_numbers = arguments
         .iter()
-        .all(|own| matches!(own.ty, Type::Scalar(_)));
+        .all(|argument| matches!(argument.ty, Type::Scalar(_)));
     if !are_numbers {
         return None;
     }
@@ -79,7 +79,7 @@ pub(in crate::model) fn slopes(
 /// Returns a sum, product or quotient of scalars. Their powers occur in some mechanism, so none is
 /// too large.
 pub(in crate::model) fn of_both(operator: BinaryOp, a: Expr, b: Expr) -> Expr {
-    let dimensions = [&a, &b].map(|own| own.ty.dimension().unwrap_or(Dimension::NUMBER));
+    let dimensions = [&a, &b].map(|operand| operand.ty.dimension().unwrap_or(Dimension::NUMBER));
     let [first, second] = dimensions;
     let dimension = match operator {
         BinaryOp::Add | BinaryOp::Sub => Some(first.or(second)),

@@ -67,20 +67,24 @@ impl AssumedUnits {
     /// Returns the names declared without a unit that a number would have its dimension from.
     pub(in crate::model) fn lacking_unit(&self, value: &Expr) -> Vec<Name> {
         let of_all = |values: &mut dyn Iterator<Item = &Expr>| {
-            let mut all: Vec<Name> = values.flat_map(|own| self.lacking_unit(own)).collect();
+            let mut all: Vec<Name> = values
+                .flat_map(|operand| self.lacking_unit(operand))
+                .collect();
             all.sort_unstable();
             all.dedup();
             all
         };
         match &value.kind {
             ExprKind::Name(name) => self.lacking.get(name).cloned().unwrap_or_default(),
-            ExprKind::Negate(own) | ExprKind::Component(own, _) => self.lacking_unit(own),
+            ExprKind::Negate(operand) | ExprKind::Component(operand, _) => {
+                self.lacking_unit(operand)
+            }
             ExprKind::Vector(components) => of_all(&mut components.iter()),
             ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) => {
                 of_all(&mut [&**a, &**b].into_iter())
             }
             ExprKind::Binary(BinaryOp::Mul, a, b) => {
-                let [a, b] = [a, b].map(|own| self.lacking_unit(own));
+                let [a, b] = [a, b].map(|operand| self.lacking_unit(operand));
                 match (a.is_empty(), b.is_empty()) {
                     (true, _) => b,
                     (_, true) => a,

@@ -41,9 +41,9 @@ impl<'m> Angles<'m> {
     fn find_factors(&mut self) {
         let mechanism = self.mechanism;
         let constants = mechanism.constants.iter().enumerate();
-        let constants = constants.map(|(index, own)| (Name::Const(index), &own.value));
+        let constants = constants.map(|(index, constant)| (Name::Const(index), &constant.value));
         let lets = mechanism.lets.iter().enumerate();
-        let lets = lets.map(|(index, own)| (Name::Let(index), &own.value));
+        let lets = lets.map(|(index, item)| (Name::Let(index), &item.value));
         for (name, value) in constants.chain(lets) {
             if self.is_factor(value) {
                 self.factors.insert(name);
@@ -53,17 +53,17 @@ impl<'m> Angles<'m> {
 
     fn look_through(&mut self) {
         let mechanism = self.mechanism;
-        for (index, own) in mechanism.lets.iter().enumerate() {
-            self.look_at(&own.value);
-            if self.is_angle(&own.value) {
+        for (index, item) in mechanism.lets.iter().enumerate() {
+            self.look_at(&item.value);
+            if self.is_angle(&item.value) {
                 self.found.insert(Name::Let(index));
-                self.angle(&own.value);
+                self.angle(&item.value);
             }
         }
-        for own in mechanism.loops.iter().chain(&mechanism.redundant) {
-            self.look_at(&own.left);
-            self.look_at(&own.right);
-            self.together(&[&own.left, &own.right]);
+        for equation in mechanism.loops.iter().chain(&mechanism.redundant) {
+            self.look_at(&equation.left);
+            self.look_at(&equation.right);
+            self.together(&[&equation.left, &equation.right]);
         }
         for value in mechanism.expressions_of_mechanics() {
             self.look_at(value);
@@ -79,7 +79,7 @@ impl<'m> Angles<'m> {
             function
                 .quantities
                 .iter()
-                .for_each(|own| self.look_at(&own.value));
+                .for_each(|item| self.look_at(&item.value));
         }
     }
 
@@ -96,11 +96,11 @@ impl<'m> Angles<'m> {
                 }
                 ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) => self.together(&[a, b]),
                 ExprKind::MotionLaw(course) => {
-                    let places = course.knots.iter().map(|own| &own.place);
+                    let places = course.knots.iter().map(|knot| &knot.place);
                     let along: Vec<&Expr> =
                         std::iter::once(&*course.argument).chain(places).collect();
                     self.together(&along);
-                    let values: Vec<&Expr> = course.knots.iter().map(|own| &own.value).collect();
+                    let values: Vec<&Expr> = course.knots.iter().map(|knot| &knot.value).collect();
                     self.together(&values);
                 }
                 // The others tell nothing about their operands.
@@ -122,7 +122,7 @@ impl<'m> Angles<'m> {
         while let Some(value) = self.open.pop() {
             match &value.kind {
                 ExprKind::Name(name) => self.mark(*name),
-                ExprKind::Negate(own) => self.open.push(own),
+                ExprKind::Negate(operand) => self.open.push(operand),
                 ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) => {
                     self.open.extend([&**a, &**b]);
                 }
@@ -151,11 +151,13 @@ impl<'m> Angles<'m> {
         }
         match &value.kind {
             ExprKind::Name(name) => self.found.contains(name),
-            ExprKind::Negate(own) => self.is_angle(own),
+            ExprKind::Negate(operand) => self.is_angle(operand),
             ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) => {
                 self.is_angle(a) || self.is_angle(b)
             }
-            _ => self.multiplied(value).is_some_and(|own| self.is_angle(own)),
+            _ => self
+                .multiplied(value)
+                .is_some_and(|operand| self.is_angle(operand)),
         }
     }
 

@@ -143,8 +143,8 @@ impl Dimension {
     /// Adds `factor` times the powers of `other`. Only angles, and products of angles and times,
     /// remember `angle`.
     fn combined(self, other: Dimension, factor: i32, angle: bool) -> Option<Dimension> {
-        let power = |own: i32, other: i32| {
-            let power = own + factor * other;
+        let power = |halves: i32, other: i32| {
+            let power = halves + factor * other;
             (power.abs() <= LIMIT).then_some(power)
         };
         let half_lengths = power(self.half_lengths, other.half_lengths)?;

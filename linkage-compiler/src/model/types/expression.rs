@@ -88,8 +88,8 @@ pub(crate) struct Knot {
 /// Equal if they have the same meaning, in any place.
 impl PartialEq for Knot {
     fn eq(&self, other: &Self) -> bool {
-        let words = |own: &Self| (own.law, own.may_jump);
-        let numbers = |own: &Self| (own.place.clone(), own.value.clone(), own.slope.clone());
+        let words = |knot: &Self| (knot.law, knot.may_jump);
+        let numbers = |knot: &Self| (knot.place.clone(), knot.value.clone(), knot.slope.clone());
         numbers(self) == numbers(other) && words(self) == words(other)
     }
 }
@@ -97,7 +97,7 @@ impl PartialEq for Knot {
 /// Equal if they have the same meaning, in any place.
 impl PartialEq for MotionLaw {
     fn eq(&self, other: &Self) -> bool {
-        let all = |own: &Self| (own.kind, own.repeats, own.order);
+        let all = |law: &Self| (law.kind, law.repeats, law.order);
         self.argument == other.argument && self.knots == other.knots && all(self) == all(other)
     }
 }
@@ -197,8 +197,8 @@ impl MotionLaw {
         let angle = self
             .knots
             .iter()
-            .find(|own| matches!(own.place.ty, Type::Scalar(own) if own.angle));
-        angle.map_or(&*self.argument, |own| &own.place).ty.clone()
+            .find(|knot| matches!(knot.place.ty, Type::Scalar(knot) if knot.angle));
+        angle.map_or(&*self.argument, |knot| &knot.place).ty.clone()
     }
 
     /// Returns the type of its values, without derivatives.
@@ -206,7 +206,7 @@ impl MotionLaw {
         let angle = self
             .knots
             .iter()
-            .find(|own| matches!(own.value.ty, Type::Scalar(own) if own.angle));
+            .find(|knot| matches!(knot.value.ty, Type::Scalar(knot) if knot.angle));
         angle.unwrap_or(&self.knots[0]).value.ty.clone()
     }
 
@@ -216,12 +216,12 @@ impl MotionLaw {
         expression: impl Fn(&Expr) -> Expr,
         origin: impl Fn(OriginId) -> OriginId,
     ) -> Self {
-        let knot = |own: &Knot| Knot {
-            place: expression(&own.place),
-            value: expression(&own.value),
-            slope: own.slope.as_ref().map(&expression),
-            origin: origin(own.origin),
-            ..own.clone()
+        let knot = |old: &Knot| Knot {
+            place: expression(&old.place),
+            value: expression(&old.value),
+            slope: old.slope.as_ref().map(&expression),
+            origin: origin(old.origin),
+            ..old.clone()
         };
         Self {
             argument: Box::new(expression(&self.argument)),
@@ -234,7 +234,9 @@ impl MotionLaw {
     pub(crate) fn operands(&self) -> Vec<&Expr> {
         let mut all = vec![&*self.argument];
         let knots = self.knots.iter();
-        all.extend(knots.flat_map(|own| [&own.place, &own.value].into_iter().chain(&own.slope)));
+        all.extend(
+            knots.flat_map(|knot| [&knot.place, &knot.value].into_iter().chain(&knot.slope)),
+        );
         all
     }
 

@@ -47,10 +47,10 @@ impl Mechanism {
     pub(crate) fn paths_of_parts(&self) -> Vec<(String, String)> {
         let parts = self.parts.iter();
         let paths = parts.flat_map(|part| {
-            let own = (part.name.clone(), part.mechanism.clone());
+            let first = (part.name.clone(), part.mechanism.clone());
             let inner = part.inner.iter();
             let inner = inner.map(|(path, of)| (format!("{}.{path}", part.name), of.clone()));
-            std::iter::once(own).chain(inner)
+            std::iter::once(first).chain(inner)
         });
         paths.collect()
     }
@@ -86,9 +86,12 @@ impl Mechanism {
     /// Returns the index in [`Mechanism::placed`] of the part whose point this is, and the point in
     /// the frame of the part.
     pub(crate) fn standing<'e>(&self, expr: &'e Expr) -> Option<(usize, &'e Expr)> {
-        let is_length = expr.ty.dimension().is_some_and(|own| own.half_lengths == 2);
+        let is_length = expr
+            .ty
+            .dimension()
+            .is_some_and(|dimension| dimension.half_lengths == 2);
         let all = self.placed.iter().enumerate().filter(|_| is_length);
-        let mut found = all.filter_map(|(index, own)| Some((index, own.point_behind(expr)?)));
+        let mut found = all.filter_map(|(index, part)| Some((index, part.point_behind(expr)?)));
         found.next()
     }
 

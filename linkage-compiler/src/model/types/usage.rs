@@ -59,7 +59,7 @@ impl Mechanism {
             all.extend(body.masses.iter().flat_map(|(mass, at)| [mass, at]));
             for (inertia, about) in &body.inertias {
                 match inertia {
-                    Inertia::Scalar(own) => all.push(own),
+                    Inertia::Scalar(value) => all.push(value),
                     Inertia::Tensor(rows) => all.extend(rows.iter().flatten()),
                 }
                 all.extend(about);
@@ -109,10 +109,10 @@ impl EvaluatorDef {
     pub(crate) fn asked_picture(&self) -> Option<AskedPicture<'_>> {
         self.quantities
             .iter()
-            .find_map(|own| match &own.value.kind {
+            .find_map(|quantity| match &quantity.value.kind {
                 ExprKind::Picture(links) => Some(AskedPicture {
                     links,
-                    origin: own.value.origin,
+                    origin: quantity.value.origin,
                 }),
                 _ => None,
             })
@@ -120,7 +120,7 @@ impl EvaluatorDef {
 
     /// Returns true for a function with forces or with a picture, which depend on bodies.
     pub(crate) fn asks_of_bodies(&self) -> bool {
-        let values = self.quantities.iter().map(|own| &own.value);
+        let values = self.quantities.iter().map(|quantity| &quantity.value);
         values
             .flat_map(Expr::parts)
             .any(|part| matches!(part.kind, ExprKind::Mechanics(_) | ExprKind::Picture(_)))

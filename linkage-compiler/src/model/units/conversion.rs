@@ -115,9 +115,9 @@ impl Factor {
     fn include(&mut self, scale: Scale, power: i32) -> Option<()> {
         self.ten += scale.ten * i64::from(power);
         self.pi += scale.pi * power;
-        let (number, own) = scale.whole;
+        let (number, exponent) = scale.whole;
         if number > 1 {
-            *self.whole.entry(number).or_default() += own * power;
+            *self.whole.entry(number).or_default() += exponent * power;
         }
         let counts = self.whole.values().chain([&self.pi]);
         counts
