@@ -2,12 +2,12 @@
 //!
 //! A body counts as a whole: its loops are differentiated by shifts and turns, not by the unknowns that it consists of.
 
-mod line;
-mod loops;
-mod motion;
-mod nearest;
-mod null_space;
-mod overconstrained;
+pub(crate) mod line;
+pub(crate) mod loops;
+pub(crate) mod motion;
+pub(crate) mod nearest;
+pub(crate) mod null_space;
+pub(crate) mod overconstrained;
 
 use linkage_core::numeric::least::STEP;
 use linkage_symbolic::Graph;
@@ -101,7 +101,7 @@ impl<'w, 'm> Position<'w, 'm> {
     }
 
     fn told(&self, rows: &Rows, last: f64) -> Option<String> {
-        let motion = self.motion(rows, last)?;
+        let motion = motion::motion(self, rows, last)?;
         let dependent = self.dependent(rows, last).into_iter().next();
         Some(
             match dependent.and_then(|own| self.dependence(rows, &own)) {
@@ -217,7 +217,7 @@ impl Position<'_, '_> {
     /// Which loops say the same, if these rows do.
     fn dependence(&self, rows: &Rows, dependent: &[usize]) -> Option<String> {
         let loops: Vec<usize> = dependent.iter().map(|&k| rows.loops[k]).collect();
-        if let Some(shape) = self.shape_of_links(rows, dependent) {
+        if let Some(shape) = line::shape_of_links(self, rows, dependent) {
             return Some(format!("the links of {} {shape}", loop_list(&loops)));
         }
         (loops.len() > 1).then(|| {

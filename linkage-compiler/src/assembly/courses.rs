@@ -2,6 +2,8 @@
 
 mod ends;
 
+use crate::algebra::nominal;
+use crate::algebra::translate;
 use linkage_symbolic::Graph;
 
 use crate::algebra::{Algebra, Nominal};
@@ -37,7 +39,7 @@ pub(crate) fn check_courses(mechanism: &Mechanism, nominal: &Nominal, reporter: 
     // A graph of its own: nodes made in another order would change how sums of the mechanism are written.
     let graph = Graph::new();
     let mut algebra = Algebra::new(mechanism, &graph);
-    algebra.translate_lets();
+    translate::translate_lets(&mut algebra);
     let mut seen: Vec<OriginId> = Vec::new();
     for expr in courses {
         let ExprKind::MotionLaw(course) = &expr.kind else {
@@ -49,8 +51,8 @@ pub(crate) fn check_courses(mechanism: &Mechanism, nominal: &Nominal, reporter: 
         }
         seen.push(course.knots[0].origin);
         let mut number = |own: &Expr| {
-            let scale = algebra.internal_per_unit(&own.ty);
-            algebra.evaluated(own, &nominal.parameters, &[])[0] / scale
+            let scale = translate::internal_per_unit(&algebra, &own.ty);
+            nominal::evaluated(&mut algebra, own, &nominal.parameters, &[])[0] / scale
         };
         let knots: Vec<At> = course
             .knots

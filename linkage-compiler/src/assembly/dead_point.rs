@@ -1,5 +1,6 @@
 //! What a dead point in a range looks like: which links are stretched or folded, what their lengths come to, and by how much they miss.
 
+use crate::algebra::translate;
 use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, V2, substitute};
 
@@ -209,7 +210,7 @@ impl<'m> DeadPoint<'_, 'm> {
             if !matches!(ty, Type::Vector(2, _)) {
                 return None;
             }
-            let Value::Vector(vector) = self.algebra.name(name) else {
+            let Value::Vector(vector) = translate::value_of_name(self.algebra, name) else {
                 return None;
             };
             let components: Vec<Ex> = vector.iter().collect();

@@ -3,6 +3,8 @@
 
 mod asked;
 
+use crate::algebra::nominal;
+use crate::algebra::translate;
 use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::Graph;
@@ -24,7 +26,7 @@ pub(crate) fn check_directions(mechanism: &Mechanism, nominal: &Nominal, reporte
     // A graph of its own: nodes made in another order would change how sums of the mechanism are written.
     let graph = Graph::new();
     let mut algebra = Algebra::new(mechanism, &graph);
-    algebra.translate_lets();
+    translate::translate_lets(&mut algebra);
     let mut check = Check {
         mechanism,
         nominal,
@@ -78,7 +80,7 @@ impl<'a> Check<'a, '_> {
         let Self {
             algebra, nominal, ..
         } = self;
-        algebra.evaluated(expr, &nominal.parameters, self.inputs)
+        nominal::evaluated(algebra, expr, &nominal.parameters, self.inputs)
     }
 
     fn is_zero(&mut self, vector: &Expr) -> bool {

@@ -1,5 +1,7 @@
 //! What is said of a mechanism that comes apart in its range: dead points, change points.
 
+use crate::algebra::constant_ratio;
+use crate::algebra::dependence;
 use std::f64::consts::TAU;
 
 use linkage_core::range_check::{self, Comes, Reaches, not_finite, rounded_inwards};
@@ -30,7 +32,7 @@ impl<'m> Ranges<'_, 'm> {
         let words = MessageFormat::new(algebra.mechanism);
         let input = &algebra.mechanism.inputs[at.input];
         let solved = &self.formulation.groups[at.place.group];
-        let concerned = algebra.inputs_below(&[solved.closed.slack]);
+        let concerned = dependence::inputs_below(algebra, &[solved.closed.slack]);
         let place = words.inputs(&at.place.inputs, &concerned);
         let loops = loop_numbers(&solved.group.loops);
         let unknowns = words.unknowns(&solved.group.unknowns);
@@ -91,7 +93,7 @@ impl<'m> Ranges<'_, 'm> {
     ) -> Apart {
         let words = MessageFormat::new(algebra.mechanism);
         let solved = &self.formulation.groups[at.group];
-        let concerned = algebra.inputs_below(&[solved.closed.slack]);
+        let concerned = dependence::inputs_below(algebra, &[solved.closed.slack]);
         let loops = loop_numbers(&solved.group.loops);
         let unknowns = words.unknowns(&solved.group.unknowns);
         let group = Comes {
@@ -167,14 +169,16 @@ impl<'m> Ranges<'_, 'm> {
                 Ternary::AngleNear.apply([sin, cos, near])
             };
             let here = angle(self, from, estimate);
-            let rate = algebra.candidate_rates(at.input).into_iter().find(|rate| {
-                // Short of the change point itself, where digits are lost.
-                (1..COMPARED).all(|k| {
-                    let x = from + (to - from) * (k as f64 / COMPARED as f64);
-                    let expected = here + rate * (x - from);
-                    (angle(self, x, expected) - expected).abs() < ALIKE
-                })
-            })?;
+            let rate = constant_ratio::candidate_rates(algebra, at.input)
+                .into_iter()
+                .find(|rate| {
+                    // Short of the change point itself, where digits are lost.
+                    (1..COMPARED).all(|k| {
+                        let x = from + (to - from) * (k as f64 / COMPARED as f64);
+                        let expected = here + rate * (x - from);
+                        (angle(self, x, expected) - expected).abs() < ALIKE
+                    })
+                })?;
             let offset = here - rate * from;
             even.push(ConstantRatio {
                 unknown,

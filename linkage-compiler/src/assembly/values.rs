@@ -1,5 +1,7 @@
 //! What is computed of the declared dimensions alone and has no finite value for them: `sqrt(crank - rocker)`.
 
+use crate::algebra::nominal;
+use crate::algebra::translate;
 use std::collections::BTreeSet;
 
 use linkage_symbolic::Graph;
@@ -17,7 +19,7 @@ pub(crate) fn check_values(mechanism: &Mechanism, nominal: &Nominal, reporter: &
     // A graph of its own: nodes made in another order would change how sums of the mechanism are written.
     let graph = Graph::new();
     let mut algebra = Algebra::new(mechanism, &graph);
-    algebra.translate_lets();
+    translate::translate_lets(&mut algebra);
     let mut check = Check::new(algebra, nominal, &[]);
     let all: Vec<usize> = (0..mechanism.loops.len()).collect();
     let used = mechanism.usage(&all).lets;
@@ -60,7 +62,7 @@ pub(super) fn without_value(
 ) -> Option<(OriginId, String)> {
     let graph = Graph::new();
     let mut algebra = Algebra::new(mechanism, &graph);
-    algebra.translate_lets();
+    translate::translate_lets(&mut algebra);
     let mut check = Check::new(algebra, nominal, inputs);
     let used = mechanism.usage(loops).lets;
     for (index, own) in mechanism.lets.iter().enumerate() {
@@ -171,10 +173,13 @@ impl<'a, 'm> Check<'a, 'm> {
     }
 
     fn value(&mut self, expr: &Expr) -> Vec<f64> {
-        let scale = self.algebra.internal_per_unit(&expr.ty);
-        let values = self
-            .algebra
-            .evaluated(expr, &self.nominal.parameters, self.inputs);
+        let scale = translate::internal_per_unit(&self.algebra, &expr.ty);
+        let values = nominal::evaluated(
+            &mut self.algebra,
+            expr,
+            &self.nominal.parameters,
+            self.inputs,
+        );
         // Zero has no sign for a reader.
         values
             .into_iter()
