@@ -152,10 +152,7 @@ fn without_noise(components: &[f64]) -> impl Iterator<Item = f64> {
     let largest = components.iter().fold(0.0, |a: f64, x| a.max(x.abs()));
     components
         .iter()
-        .map(move |&x| match x.abs() <= NOISE * largest {
-            true => 0.0,
-            false => x,
-        })
+        .map(move |&x| if x.abs() <= NOISE * largest { 0.0 } else { x })
 }
 
 /// `loop 2`, `loops 2 and 3`, `loops 1, 2 and 3`

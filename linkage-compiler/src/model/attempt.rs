@@ -79,9 +79,10 @@ fn with_points(source: &Source, mut best: Attempt) -> Attempt {
 }
 
 fn fewer_mistakes(best: Attempt, other: Attempt) -> Attempt {
-    match other.diagnostics.len() < best.diagnostics.len() {
-        true => other,
-        false => best,
+    if other.diagnostics.len() < best.diagnostics.len() {
+        other
+    } else {
+        best
     }
 }
 

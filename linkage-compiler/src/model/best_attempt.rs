@@ -60,7 +60,7 @@ fn without_needless(source: &Source, mut lengths: Vec<Name>, mut best: Attempt) 
 impl Attempt {
     /// Adds messages at the numbers that were taken for lengths, before all others.
     fn with_missing_units(mut self) -> Attempt {
-        let mut told = Diagnostics::default();
+        let mut messages = Diagnostics::default();
         for unitless in self
             .unitless
             .iter()
@@ -77,10 +77,10 @@ impl Attempt {
                 Some(beside) => format!("write `{length}`, and give {beside} a unit, too"),
                 None => format!("write `{length}`"),
             };
-            told.error_with_help(unitless.span, fact, help);
+            messages.error_with_help(unitless.span, fact, help);
         }
-        told.append(self.diagnostics);
-        self.diagnostics = told;
+        messages.append(self.diagnostics);
+        self.diagnostics = messages;
         self
     }
 }

@@ -1,8 +1,9 @@
 //! Clauses: a word and its operands, as in `on crank at p2`. The rules of an item list its clauses,
 //! which come in any order.
 
-use super::ast::{Expr, Member};
+use super::expression_tree::Expr;
 use super::keyword::ClauseWord;
+use super::mechanics_tree::Member;
 use super::parser::{Parsed, Parser};
 use super::vocabulary::Word;
 use crate::diagnostic::SourceSpan;
@@ -246,9 +247,10 @@ impl Parser<'_> {
             }
         };
         let lost = rule.is_named() && name.is_none();
-        let point = match lost && !self.stream.is_word(0, "at") {
-            true => None,
-            false => self.clause_point(rule, start),
+        let point = if lost && !self.stream.is_word(0, "at") {
+            None
+        } else {
+            self.clause_point(rule, start)
         };
         Clause {
             word: rule.word,

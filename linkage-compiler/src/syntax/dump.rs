@@ -2,11 +2,10 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use super::ast::{
-    Between, BinaryOp, BodyItem, ElementItem, Expr, ExprKind, InputItem, Item, JointItem, LoadItem,
-    MechanismDef, Member, PartItem, Toleranced,
-};
+use super::ast::{InputItem, Item, MechanismDef, PartItem, Toleranced};
+use super::expression_tree::{BinaryOp, Expr, ExprKind};
 use super::keyword::JointKind;
+use super::mechanics_tree::{Between, BodyItem, ElementItem, JointItem, LoadItem, Member};
 use super::vocabulary::Word;
 
 /// One line for each item and quantity, every operation in parentheses.

@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
-use super::ast::{BinaryOp, Expr, ExprKind};
+use super::expression_tree::{BinaryOp, Expr, ExprKind};
 use super::keyword::is_keyword;
 use super::parser::{Parsed, Parser};
 use crate::diagnostic::SourceSpan;

@@ -2,7 +2,8 @@
 
 use proc_macro2::{Delimiter, Ident};
 
-use super::ast::{Attribute, Expr, ExprKind, FunctionDef, QuantityDef};
+use super::ast::{Attribute, FunctionDef, QuantityDef};
+use super::expression_tree::{Expr, ExprKind};
 use super::parser::{Parsed, Parser};
 
 impl Parser<'_> {

@@ -2,8 +2,9 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Spacing, TokenTree};
 
-use super::ast::{Expr, InputItem, Item};
+use super::ast::{InputItem, Item};
 use super::expression::PlusMinus;
+use super::expression_tree::Expr;
 use super::parser::{Parsed, Parser};
 
 const RATES: &str = "`at` names the arguments that are its speed and acceleration: `input phi = 30deg at omega, epsilon;`";

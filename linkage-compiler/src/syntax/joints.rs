@@ -2,9 +2,11 @@
 
 use proc_macro2::{Ident, Span};
 
-use super::ast::{BodyItem, Expr, InertiaPart, Item, JointItem, JointPart, MassPart, Member};
+use super::ast::Item;
 use super::clauses::{Clause, ClauseRule, Clauses, Owner};
+use super::expression_tree::Expr;
 use super::keyword::{ClauseWord, JointKind};
+use super::mechanics_tree::{BodyItem, InertiaPart, JointItem, JointPart, MassPart, Member};
 use super::parser::{Parsed, Parser, Reported};
 use super::vocabulary::Word;
 use crate::diagnostic::SourceSpan;
@@ -62,10 +64,7 @@ impl Parser<'_> {
         }
         let kind = self.kind()?;
         let named = self.stream.ident(0).is_some() && !self.at_clause_word();
-        let name = match named {
-            true => self.joint_name(kind),
-            false => None,
-        };
+        let name = if named { self.joint_name(kind) } else { None };
         let word = kind.kind.word();
         let span = kind.span.to(self.stream.previous_span());
         let rules = [joint_rules(kind.kind), &BODY].concat();
@@ -90,14 +89,16 @@ impl Parser<'_> {
         let word = kind.kind.word();
         let form = format!("{word} NAME = BODY on BODY at POINT");
         let help = format!("write `{form}`");
-        let name = match self.stream.is_punct(0, '=') {
-            true => self.expected(&format!("a name after `{word}`"), &help).ok(),
-            false => self.joint_name(kind),
+        let name = if self.stream.is_punct(0, '=') {
+            self.expected(&format!("a name after `{word}`"), &help).ok()
+        } else {
+            self.joint_name(kind)
         };
         self.equals(&help)?;
-        let body = match self.lacks_operand() {
-            true => self.expected("the name of a body after `=`", &help).ok(),
-            false => Some(self.member("the name of a body after `=`")?),
+        let body = if self.lacks_operand() {
+            self.expected("the name of a body after `=`", &help).ok()
+        } else {
+            Some(self.member("the name of a body after `=`")?)
         };
         let owner = Owner {
             what: &format!("`{word}` joint"),

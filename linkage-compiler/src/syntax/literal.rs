@@ -1,6 +1,6 @@
 //! Numbers with their units.
 
-use super::ast::{Expr, ExprKind};
+use super::expression_tree::{Expr, ExprKind};
 use super::parser::{Parsed, Parser};
 use super::spelling::units_within;
 use super::units::{is_unit, unit_names};

@@ -1,9 +1,11 @@
 //! Forces, torques, springs and dampers.
 
-use super::ast::{Between, ElementItem, Expr, ExprKind, GravityItem, LoadItem, Member};
+use super::ast::GravityItem;
 use super::clauses::{Clause, ClauseRule, Clauses, Owner};
 use super::expression::PlusMinus;
+use super::expression_tree::{Expr, ExprKind};
 use super::keyword::{ClauseWord, LoadWord};
+use super::mechanics_tree::{Between, ElementItem, LoadItem, Member};
 use super::parser::{Parsed, Parser, Reported};
 use super::vocabulary::Word;
 use crate::diagnostic::SourceSpan;

@@ -2,10 +2,11 @@
 
 use proc_macro2::Ident;
 
-use super::ast::{Expr, Member};
 use super::clauses::{ClauseRule, Point};
 use super::expression::PlusMinus;
+use super::expression_tree::Expr;
 use super::keyword::ClauseWord;
+use super::mechanics_tree::Member;
 use super::parser::{Parsed, Parser};
 use super::vocabulary::Word;
 use crate::diagnostic::SourceSpan;
@@ -14,9 +15,10 @@ impl Parser<'_> {
     /// The name after the word of a clause; a mistake in it has been read over.
     pub(super) fn clause_name(&mut self, word: ClauseWord, what: &str) -> Option<Member> {
         let wanted = format!("{what} after `{}`", word.word());
-        let name = match self.lacks_operand() {
-            true => self.expected(&wanted, ""),
-            false => self.member(&wanted),
+        let name = if self.lacks_operand() {
+            self.expected(&wanted, "")
+        } else {
+            self.member(&wanted)
         };
         if name.is_err() {
             self.skip_clause();
@@ -39,9 +41,10 @@ impl Parser<'_> {
     /// The expression after the word of a clause or a load; a mistake in it has been read over.
     pub(super) fn clause_value(&mut self, word: &str) -> Expr {
         let span = self.stream.previous_span();
-        let value = match self.lacks_operand() || self.stream.is_punct(0, ',') {
-            true => self.expected(&format!("an expression after `{word}`"), ""),
-            false => self.before_clauses(|parser| parser.sum(PlusMinus::JointIsMistake)),
+        let value = if self.lacks_operand() || self.stream.is_punct(0, ',') {
+            self.expected(&format!("an expression after `{word}`"), "")
+        } else {
+            self.before_clauses(|parser| parser.sum(PlusMinus::JointIsMistake))
         };
         match value {
             Ok(_) if self.at_decimal_comma() => {

@@ -1,6 +1,6 @@
 //! Powers of units: `mm^2`, `s^-1`.
 
-use super::ast::{Expr, ExprKind};
+use super::expression_tree::{Expr, ExprKind};
 use super::parser::{Parsed, Parser};
 
 const NO_POWERS: &str = "there is no operator for powers";

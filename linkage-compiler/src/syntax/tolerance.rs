@@ -1,7 +1,8 @@
 //! Values of parameters: nominal values with tolerances.
 
-use super::ast::{Expr, ExprKind, Toleranced};
+use super::ast::Toleranced;
 use super::expression::PlusMinus;
+use super::expression_tree::{Expr, ExprKind};
 use super::parser::{Parsed, Parser};
 use crate::diagnostic::SourceSpan;
 

@@ -68,9 +68,10 @@ pub(in crate::model) fn mismatch_help(
     }
     let components = [left, right].map(vector_components);
     if components[0] != components[1] {
-        let vector = match components.contains(&Some(3)) {
-            true => "(x, y, z)",
-            false => "(x, y)",
+        let vector = if components.contains(&Some(3)) {
+            "(x, y, z)"
+        } else {
+            "(x, y)"
         };
         return format!("write a vector `{vector}` on both sides, or take a component `.x`");
     }

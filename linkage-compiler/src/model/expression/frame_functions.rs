@@ -130,9 +130,10 @@ fn point_argument(
     }
     suspect_unit(units, sink, argument, &wanted);
     let fact = format!("{role} {wanted}, found {}", argument.ty);
-    let help = match dimension.is_number_or_angle() {
-        true => "give its components a unit, or multiply it by a length",
-        false => "divide by a length",
+    let help = if dimension.is_number_or_angle() {
+        "give its components a unit, or multiply it by a length"
+    } else {
+        "divide by a length"
     };
     let span = sink.span(argument.origin);
     sink.error_with_help(span, fact, help);

@@ -77,9 +77,12 @@ fn with_unit(value: &Expr, unit: &str) -> Option<String> {
         return None;
     };
     let zero = |component: &Expr| matches!(component.kind, ExprKind::Number(0.0));
-    let numbers = components.iter().map(|component| match zero(component) {
-        true => Some(0.0),
-        false => component.bare_number(),
+    let numbers = components.iter().map(|component| {
+        if zero(component) {
+            Some(0.0)
+        } else {
+            component.bare_number()
+        }
     });
     let numbers: Vec<f64> = numbers.collect::<Option<_>>()?;
     let length = numbers

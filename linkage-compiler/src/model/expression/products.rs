@@ -91,9 +91,10 @@ fn make_measured(
         .collect();
     let converted = convert_product(text, &powers, units.length);
     let number = make_literal(sink, converted, "the number with its units", expr.span);
-    match negative {
-        true => make_negation(names, sink, number, expr.span),
-        false => number,
+    if negative {
+        make_negation(names, sink, number, expr.span)
+    } else {
+        number
     }
 }
 
@@ -116,9 +117,10 @@ pub(in crate::model) fn refuse_lonely_power(
                 "there is no operator for powers, but of units: `{text}` is {}",
                 symbol.kind()
             ),
-            match is_unit(&text) {
-                true => format!("the name hides the unit `{text}`: give it another one"),
-                false => format!("write `{text} * {text}` for a square"),
+            if is_unit(&text) {
+                format!("the name hides the unit `{text}`: give it another one")
+            } else {
+                format!("write `{text} * {text}` for a square")
             },
         ),
         None if is_unit(&text) => (

@@ -22,9 +22,10 @@ pub(in crate::model) fn resolve_named(
 ) -> Expr {
     let value = resolve_expression(scope, sink, &item.value, context);
     note_unitless(&scope.names, &mut scope.units, sink, name, &value, None);
-    let ty = match scope.units.is_taken_for_length(name) {
-        true => scope.units.declared(name, &value.ty),
-        false => value.ty.clone(),
+    let ty = if scope.units.is_taken_for_length(name) {
+        scope.units.declared(name, &value.ty)
+    } else {
+        value.ty.clone()
     };
     scope.names.set_type(name, ty, false);
     value

@@ -107,9 +107,10 @@ pub(in crate::model) fn resolve_items(
             }
             Definition::Loop(item) => {
                 let equation = resolve_loop(scope, sink, item, context);
-                match item.redundant {
-                    true => mechanism.redundant.push(equation),
-                    false => mechanism.loops.push(equation),
+                if item.redundant {
+                    mechanism.redundant.push(equation)
+                } else {
+                    mechanism.loops.push(equation)
                 }
             }
             Definition::Part(item) => resolve_part(scope, sink, item, position, &mut mechanism),

@@ -99,9 +99,10 @@ fn resolve_turns(scope: &Scope, sink: &mut Sink, expr: &syntax::Expr, kind: Join
             (value.ty == Type::Frame, "a frame", "turns frame(p, x, z)")
         }
     };
-    match fits {
-        true => value,
-        false => refuse_clause(&scope.names, sink, value, "turns", wanted, example),
+    if fits {
+        value
+    } else {
+        refuse_clause(&scope.names, sink, value, "turns", wanted, example)
     }
 }
 

@@ -127,15 +127,16 @@ pub(in crate::model) fn resolve_spring(
     if turning == Some(true) && sink.diagnostics.len() == before {
         refuse_without_angle(sink, &between, bodies, item.span);
     }
-    let (stiffness, free_of) = match turning.unwrap_or_default() {
-        true => (
+    let (stiffness, free_of) = if turning.unwrap_or_default() {
+        (
             Measure::new(Dimension::MOMENT, "300N*mm"),
             Measure::new(Dimension::ANGLE, "20deg"),
-        ),
-        false => (
+        )
+    } else {
+        (
             Measure::new(Dimension::from_powers(-1, 1, 0), "2.5N/mm"),
             Measure::new(Dimension::LENGTH, "40mm"),
-        ),
+        )
     };
     let known = turning.is_some();
     let value = resolve_element_value(scope, sink, &item.value, known, stiffness, "spring");
@@ -174,9 +175,10 @@ pub(in crate::model) fn resolve_damper(
     item: &ElementItem,
 ) -> Element {
     let (between, turning) = resolve_between(scope, sink, item);
-    let damping = match turning.unwrap_or_default() {
-        true => Measure::new(Dimension::from_powers(1, 1, 1), "5N*mm*s"),
-        false => Measure::new(Dimension::from_powers(-1, 1, 1), "0.2N*s/mm"),
+    let damping = if turning.unwrap_or_default() {
+        Measure::new(Dimension::from_powers(1, 1, 1), "5N*mm*s")
+    } else {
+        Measure::new(Dimension::from_powers(-1, 1, 1), "0.2N*s/mm")
     };
     let value = resolve_element_value(
         scope,
@@ -208,9 +210,10 @@ fn resolve_element_value(
     measure: Measure,
     word: &str,
 ) -> Expr {
-    match joint_is_known {
-        true => resolve_scalar(scope, sink, value, measure.dimension, word, measure.example),
-        false => resolve_expression(scope, sink, value, Context::MECHANICS),
+    if joint_is_known {
+        resolve_scalar(scope, sink, value, measure.dimension, word, measure.example)
+    } else {
+        resolve_expression(scope, sink, value, Context::MECHANICS)
     }
 }
 

@@ -43,10 +43,9 @@ pub(in crate::model) fn resolve_spline(
         &ty,
     )?;
     let turn = spans_a_turn(&knots);
-    let ends = words.ends.unwrap_or(match turn {
-        true => Ends::Periodic,
-        false => Ends::Natural,
-    });
+    let ends = words
+        .ends
+        .unwrap_or(if turn { Ends::Periodic } else { Ends::Natural });
     let repeats = match (ends, turn) {
         (Ends::Periodic, true) => Repeats::EachTurn,
         (Ends::Periodic, false) => Repeats::FromLastToFirst,
@@ -113,28 +112,30 @@ fn choose_pieces(sink: &mut Sink, knots: &[Knot], words: &SplineWords) -> Option
     }
     let with = knots.iter().filter(|knot| knot.slope.is_some()).count();
     if with == 0 {
-        return Some(match words.is_quintic {
-            true => Pieces::Quintic,
-            false => Pieces::Cubic,
+        return Some(if words.is_quintic {
+            Pieces::Quintic
+        } else {
+            Pieces::Cubic
         });
     }
     let clamped = words.ends == Some(Ends::Clamped);
     let fault = knots.iter().find(|knot| knot.slope.is_none() || clamped);
     if let Some(knot) = fault {
         let span = sink.span(knot.origin);
-        let (fact, help) = match clamped {
-            true => (
+        let (fact, help) = if clamped {
+            (
                 "the slopes at the ends of this spline are given, and `clamped` would give others"
                     .to_owned(),
                 "leave `clamped` out: behind its ends it goes on with the slopes given",
-            ),
-            false => (
+            )
+        } else {
+            (
                 format!(
                     "{with} of {} points of this spline have a slope, this one has none",
                     knots.len()
                 ),
                 "give all points a slope, or none: `(place, value, slope)`",
-            ),
+            )
         };
         sink.error_with_help(span, fact, help);
         return None;

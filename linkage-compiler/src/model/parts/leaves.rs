@@ -14,9 +14,10 @@ impl PartBody {
             loops: 0..mechanism.loops.len(),
             unknowns: 0..mechanism.unknowns.len(),
         };
-        let leaves = match mechanism.parts.is_empty() {
-            true => vec![whole],
-            false => mechanism.leaves.clone(),
+        let leaves = if mechanism.parts.is_empty() {
+            vec![whole]
+        } else {
+            mechanism.leaves.clone()
         };
         let behind = |range: Range<usize>, others: usize| range.start + others..range.end + others;
         let leaves = leaves.into_iter().map(|leaf| Leaf {

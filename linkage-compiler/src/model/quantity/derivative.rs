@@ -135,9 +135,10 @@ pub(in crate::model) fn resolve_input_derivative(
         refuse_wrong_count(sink, name, &[subject], arguments.len(), span);
         return error_expr(sink, span);
     };
-    let value = match word.turns() {
-        true => resolve_turning(operands, sink, name, quantity),
-        false => resolve_differentiable(operands, sink, quantity),
+    let value = if word.turns() {
+        resolve_turning(operands, sink, name, quantity)
+    } else {
+        resolve_differentiable(operands, sink, quantity)
     };
     // A mistake in the list of inputs has been reported.
     let Some(inputs) = inputs else {

@@ -133,9 +133,10 @@ fn refuse_variable<T>(
         .map(|scalar| scalar.name.as_str())
         .collect();
     let variables = [&inputs[..], &parameters[..]].concat();
-    let help = match variables.is_empty() {
-        true => "declare an `input` or a `param`".to_owned(),
-        false => format!("variables are {}", list(&variables)),
+    let help = if variables.is_empty() {
+        "declare an `input` or a `param`".to_owned()
+    } else {
+        format!("variables are {}", list(&variables))
     };
     let fact = format!("derivative with respect to {what}");
     sink.error_with_help(span, fact, help);
@@ -258,9 +259,10 @@ fn resolve_listed_parameter(
             .scope
             .names
             .names_of(|name| matches!(name, Name::Parameter(_)));
-        let help = match parameters.is_empty() {
-            true => "declare a `param`".to_owned(),
-            false => format!("parameters are {}", list(&parameters)),
+        let help = if parameters.is_empty() {
+            "declare a `param`".to_owned()
+        } else {
+            format!("parameters are {}", list(&parameters))
         };
         sink.error_with_help(entry.span, fact, help);
         return None;

@@ -23,9 +23,10 @@ pub(in crate::model) struct Symbol {
 impl Symbol {
     /// Returns the kind of its name as text.
     pub(in crate::model) fn kind(&self) -> &'static str {
-        match self.is_unknown_frame {
-            true => "an unknown",
-            false => kind(self.name),
+        if self.is_unknown_frame {
+            "an unknown"
+        } else {
+            kind(self.name)
         }
     }
 }

@@ -79,9 +79,10 @@ pub(in crate::model) fn refusal(symbol: &Symbol, context: Context) -> Option<(St
     if !allowed {
         return Some((
             format!("`{text}` is {}, which cannot be used here", symbol.kind()),
-            match is_unit(text) {
-                true => format!("{rule}; the name hides the unit `{text}`"),
-                false => rule.to_owned(),
+            if is_unit(text) {
+                format!("{rule}; the name hides the unit `{text}`")
+            } else {
+                rule.to_owned()
             },
         ));
     }

@@ -135,7 +135,7 @@ fn unknowns_without_an_estimate_fit_their_use() {
     let types: Vec<String> = mechanism
         .unknowns
         .iter()
-        .map(|own| own.ty.to_string())
+        .map(|unknown| unknown.ty.to_string())
         .collect();
     let expected = [
         "a number",

@@ -57,9 +57,10 @@ impl Parser<'_> {
         }
         let visibility = self.visibility();
         if !self.stream.is_word(0, "struct") {
-            return match mechanisms.is_empty() {
-                true => self.expected("`struct NAME { ... }`", ""),
-                false => self.expected("`impl NAME { ... }` or another `struct NAME { ... }`", ""),
+            return if mechanisms.is_empty() {
+                self.expected("`struct NAME { ... }`", "")
+            } else {
+                self.expected("`impl NAME { ... }` or another `struct NAME { ... }`", "")
             };
         }
         self.stream.skip(1);
@@ -93,10 +94,10 @@ impl Parser<'_> {
     /// `struct NAME<'a> { ... }`: reported, and read as if it had not been there.
     fn braces_after_generics(&mut self, name: &str) -> Parsed<proc_macro2::Group> {
         let lifetime = self.stream.is_punct(1, '\'');
-        let help = match lifetime {
-            true => format!("write `{name}` alone: a mechanism borrows nothing"),
-            false => "leave the type parameters out: the generated types have one for the scalar"
-                .to_owned(),
+        let help = if lifetime {
+            format!("write `{name}` alone: a mechanism borrows nothing")
+        } else {
+            "leave the type parameters out: the generated types have one for the scalar".to_owned()
         };
         let result = self.expected(&format!("`{{` after `{name}`"), &help);
         while !self.stream.at_end() && self.stream.group(0, Delimiter::Brace).is_none() {
