@@ -2,10 +2,9 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use crate::model::expression::frame_parts::{PARTS, PLANE_PARTS};
 use crate::model::types::{
-    BinaryOp, COMPONENTS, Expr, ExprKind, Knot, MechanicalQuantity, Mechanism, MotionLaw,
-    MotionLawKind, MotionWord, Pieces, Repeats, Type, Variable,
+    BinaryOp, COMPONENTS, Expr, ExprKind, FRAME_PARTS, Knot, MechanicalQuantity, Mechanism,
+    MotionLaw, MotionLawKind, MotionWord, PLANE_PARTS, Pieces, Repeats, Type, Variable,
 };
 use crate::syntax::Word;
 
@@ -103,7 +102,7 @@ impl Display for Show<'_> {
             ExprKind::Index(value, index) if value.ty.is_frame() => {
                 let parts = match value.ty {
                     Type::PlaneFrame => PLANE_PARTS,
-                    _ => PARTS,
+                    _ => FRAME_PARTS,
                 };
                 write!(f, "{}.{}", self.inner(value), parts[*index])
             }

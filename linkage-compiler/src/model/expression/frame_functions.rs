@@ -3,14 +3,13 @@
 use super::agreement::refuse_compound;
 use super::argument_types::vector_argument;
 use super::call_messages::{refuse_argument_type, refuse_count_of_arguments};
-use super::frame_parts::type_of_part;
 use super::missing_units::suspect_unit;
 use super::operators::settle_alone;
 use crate::diagnostic::SourceSpan;
 use crate::model::symbols::assumed_units::AssumedUnits;
 use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
-use crate::model::types::{Dimension, Expr, Function, Type};
+use crate::model::types::{Dimension, Expr, Function, Type, type_of_part};
 use crate::syntax::Word;
 
 /// The second argument of `point_in` and `coordinates_in`, after the frame.

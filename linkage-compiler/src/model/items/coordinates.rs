@@ -1,7 +1,7 @@
 //! Inputs and unknowns.
 
+use crate::model::dispatch::resolve_expression;
 use crate::model::expression::agreement::common_type;
-use crate::model::expression::dispatch::resolve_expression;
 use crate::model::expression::frame_items::refuse_frame_item;
 use crate::model::expression::missing_units::note_unitless;
 use crate::model::symbols::scope::Scope;

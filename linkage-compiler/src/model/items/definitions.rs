@@ -1,8 +1,8 @@
 //! Constants, derived quantities and loops.
 
-use super::argument::refuse_argument;
+use crate::model::dispatch::resolve_expression;
 use crate::model::expression::agreement::mismatch_help;
-use crate::model::expression::dispatch::resolve_expression;
+use crate::model::expression::argument_use::refuse_argument;
 use crate::model::expression::frame_items::refuse_frame_loop;
 use crate::model::expression::missing_units::{note_unitless, suspect_both_units};
 use crate::model::expression::plane_and_space::both_types;

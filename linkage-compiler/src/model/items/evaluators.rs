@@ -6,7 +6,7 @@ use proc_macro2::Ident;
 
 use crate::diagnostic::text::{list, nearest};
 use crate::diagnostic::{OriginId, SourceSpan};
-use crate::model::expression::dispatch::{operands, resolve_expression};
+use crate::model::dispatch::{operands, resolve_expression};
 use crate::model::expression::operators::settle_alone;
 use crate::model::expression::refused_names::{
     check_new_type, check_reserved, check_type_parameter, report_duplicate,

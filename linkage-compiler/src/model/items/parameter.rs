@@ -2,8 +2,8 @@
 
 use super::scalars::add_scalars;
 use crate::diagnostic::SourceSpan;
+use crate::model::dispatch::resolve_expression;
 use crate::model::expression::composite::make_vector;
-use crate::model::expression::dispatch::resolve_expression;
 use crate::model::expression::frame_items::refuse_frame_item;
 use crate::model::expression::missing_units::note_unitless;
 use crate::model::symbols::scope::Scope;

@@ -6,13 +6,14 @@
 //! the plane it is an unknown point and an angle.
 
 use crate::diagnostic::OriginId;
-use crate::model::expression::dispatch::resolve_expression;
-use crate::model::expression::frame_parts::type_of_part;
+use crate::model::dispatch::resolve_expression;
 use crate::model::symbols::frame_kind::FrameKind;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
 use crate::model::symbols::site::{Context, Site};
-use crate::model::types::{Expr, ExprKind, Function, Let, Loop, Mechanism, Name, Type, Unknown};
+use crate::model::types::{
+    Expr, ExprKind, Function, Let, Loop, Mechanism, Name, Type, Unknown, type_of_part,
+};
 use crate::syntax::UnknownItem;
 
 /// An unknown frame and the unknowns that it consists of.

@@ -5,8 +5,8 @@ use std::ops::Range;
 use proc_macro2::Ident;
 
 use crate::diagnostic::SourceSpan;
+use crate::model::declare::passes::Mechanical;
 use crate::model::expression::refused_names::{check_reserved, report_duplicate};
-use crate::model::items::passes::Mechanical;
 use crate::model::parts::embed_bodies::MemberNumbers;
 use crate::model::symbols::member_names::{FRAME, Member, MemberNames};
 use crate::model::symbols::part_scopes::{PartScope, Parts};

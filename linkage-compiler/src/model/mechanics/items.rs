@@ -6,7 +6,7 @@ use super::declare::declare_members;
 use super::joints::resolve_joint_item;
 use super::loads::{resolve_damper, resolve_force, resolve_spring, resolve_torque};
 use super::part_bodies::{embed_bodies, embed_mechanics};
-use crate::model::items::passes::Mechanical;
+use crate::model::declare::passes::Mechanical;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{Dimension, Expr, Mechanism};

@@ -2,7 +2,7 @@
 
 use super::clauses::{resolve_point, resolve_scalar, resolve_vector};
 use crate::diagnostic::SourceSpan;
-use crate::model::expression::dispatch::resolve_expression;
+use crate::model::dispatch::resolve_expression;
 use crate::model::expression::members::{find_body, find_joint};
 use crate::model::symbols::member_names::MemberNames;
 use crate::model::symbols::part_scopes::Parts;

@@ -1,11 +1,11 @@
 //! Locations of parts.
 
 use super::lets::add_let;
-use crate::model::expression::dispatch::resolve_expression;
+use crate::model::dispatch::resolve_expression;
+use crate::model::expression::argument_use::refuse_argument;
 use crate::model::expression::fitting::fit_to_type;
 use crate::model::expression::missing_units::suspect_unit;
 use crate::model::expression::nodes::error_expr;
-use crate::model::items::argument::refuse_argument;
 use crate::model::symbols::assumed_units::AssumedUnits;
 use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::part_scopes::PartBody;

@@ -1,11 +1,10 @@
 //! Frames whose motion functions ask for.
 
-use crate::model::expression::frame_parts::{ANGLE_PART, type_of_part};
 use crate::model::expression::nodes::{error_expr, make_expr};
 use crate::model::expression::operators::settle_alone;
 use crate::model::symbols::operands::Operands;
 use crate::model::symbols::sink::Sink;
-use crate::model::types::{Expr, ExprKind, Type};
+use crate::model::types::{ANGLE_PART, Expr, ExprKind, Type, type_of_part};
 use crate::syntax::{self};
 
 /// Resolves the frame whose rotation is the quantity.

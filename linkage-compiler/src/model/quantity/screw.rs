@@ -7,13 +7,14 @@ use super::input_derivative::{listed_inputs, make_derivative, refuse_several_inp
 use super::moving_frame::resolve_moving_frame;
 use crate::diagnostic::SourceSpan;
 use crate::model::expression::call_messages::refuse_wrong_count;
-use crate::model::expression::frame_parts::{ANGLE_PART, type_of_part};
 use crate::model::expression::nodes::{error_expr, make_expr};
 use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::operands::Operands;
 use crate::model::symbols::sink::Sink;
 use crate::model::symbols::values::Values;
-use crate::model::types::{BinaryOp, Dimension, Expr, ExprKind, Function, MotionWord, Type};
+use crate::model::types::{
+    ANGLE_PART, BinaryOp, Dimension, Expr, ExprKind, Function, MotionWord, Type, type_of_part,
+};
 use crate::syntax::{self, Word};
 
 /// The part of a frame that is its origin.

@@ -1,7 +1,6 @@
 //! Unknown frames in the plane and in space: the unknowns that they consist of.
 
-use crate::model::expression::frame_parts::{PARTS, PLANE_PARTS};
-use crate::model::types::Type;
+use crate::model::types::{FRAME_PARTS, PLANE_PARTS, Type};
 use crate::syntax::UnknownItem;
 
 /// The axis that is the product of the others if it makes no difference which one is.
@@ -50,7 +49,7 @@ impl FrameKind {
     pub(in crate::model) fn names(self) -> [&'static str; 4] {
         match self {
             FrameKind::Plane => PLANE_PARTS,
-            FrameKind::Space { .. } => PARTS,
+            FrameKind::Space { .. } => FRAME_PARTS,
         }
     }
 }

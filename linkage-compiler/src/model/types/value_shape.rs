@@ -1,7 +1,7 @@
 //! Numbers of a value, and their arrangement.
 
+use super::parts_of_frame::{PARTS, VECTORS_OF_PLANE};
 use super::value_type::Type;
-use crate::model::expression::frame_parts::{PARTS, VECTORS_OF_PLANE};
 
 /// The arrangement of a value of a function's result, without dimensions.
 #[derive(Clone, Debug, PartialEq, Eq)]
