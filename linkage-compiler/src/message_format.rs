@@ -42,8 +42,8 @@ impl<'m> MessageFormat<'m> {
         match values {
             [] => String::new(),
             _ => {
-                let all: Vec<usize> = (0..values.len()).collect();
-                format!(" at the reference input {}", self.inputs(values, &all))
+                let inputs: Vec<usize> = (0..values.len()).collect();
+                format!(" at the reference input {}", self.inputs(values, &inputs))
             }
         }
     }

@@ -193,12 +193,12 @@ impl Parser<'_> {
             return Ok((rule, true));
         }
         let words: Vec<&str> = rules.iter().map(|rule| rule.word.word()).collect();
-        let all = format!("clauses of a {} are {}", owner.what, list(&words));
+        let help = format!("clauses of a {} are {}", owner.what, list(&words));
         if let Some(foreign) = ClauseWord::from_word(&word) {
             if !clauses.broken {
                 let fact = format!("`{word}` does not belong to a {}", owner.what);
                 let span = (&ident).into();
-                self.diagnostics.error_with_help(span, &fact, &all);
+                self.diagnostics.error_with_help(span, &fact, &help);
             }
             self.stream.skip(1);
             return Ok((ClauseRule::foreign(foreign), false));
@@ -215,7 +215,7 @@ impl Parser<'_> {
             let _ = self.expected::<()>("`on`", &format!("write `on {word}`"));
             return Ok((rules[0], true));
         }
-        self.expected("a clause or `;`", &all)
+        self.expected("a clause or `;`", &help)
     }
 
     fn is_second(

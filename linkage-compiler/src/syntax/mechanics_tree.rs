@@ -18,7 +18,8 @@ pub(crate) struct BodyItem {
     pub(crate) inertias: Vec<InertiaPart>,
 }
 
-/// `KIND [NAME] on BODY at expr [along expr | about expr]`, the clauses after the name in any order.
+/// `KIND [NAME] on BODY at expr [along expr | about expr]`, the clauses after the name in any
+/// order.
 #[derive(Debug)]
 pub(crate) struct JointPart {
     pub(crate) kind: JointKind,

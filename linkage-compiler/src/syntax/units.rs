@@ -149,13 +149,13 @@ mod tests {
 
     #[test]
     fn no_spelling_stands_twice() {
-        let mut all: Vec<&str> = UNITS
+        let mut spellings: Vec<&str> = UNITS
             .iter()
             .flat_map(|(spellings, _)| spellings.iter().copied())
             .collect();
-        let count = all.len();
-        all.sort_unstable();
-        all.dedup();
-        assert_eq!(all.len(), count);
+        let count = spellings.len();
+        spellings.sort_unstable();
+        spellings.dedup();
+        assert_eq!(spellings.len(), count);
     }
 }

@@ -128,8 +128,8 @@ pub(in crate::model) fn declare_names_of_parts(
 /// mechanism, its type.
 fn members(body: &PartBody) -> Vec<(Name, String, Type)> {
     let mechanism = body.mechanism();
-    let mut all = Vec::new();
-    let mut add = |name, text: &str, ty: &Type| all.push((name, text.to_owned(), ty.clone()));
+    let mut names = Vec::new();
+    let mut add = |name, text: &str, ty: &Type| names.push((name, text.to_owned(), ty.clone()));
     for (index, constant) in mechanism.constants.iter().enumerate() {
         add(
             Name::Const(body.first_constant + index),
@@ -165,5 +165,5 @@ fn members(body: &PartBody) -> Vec<(Name, String, Type)> {
     for (index, item) in mechanism.lets.iter().enumerate() {
         add(Name::Let(first + index), &item.name, &item.value.ty);
     }
-    all
+    names
 }

@@ -57,11 +57,11 @@ struct CoordinateValue<'m> {
 }
 
 fn values_of_coordinates(mechanism: &Mechanism) -> Vec<CoordinateValue<'_>> {
-    let mut all = Vec::new();
+    let mut list = Vec::new();
     for (index, input) in mechanism.inputs.iter().enumerate() {
         let mut add = |role, value| {
             let name = Name::Input(index);
-            all.push(CoordinateValue { name, role, value });
+            list.push(CoordinateValue { name, role, value });
         };
         add("reference", &input.reference);
         if let Some((low, high)) = &input.range {
@@ -70,12 +70,12 @@ fn values_of_coordinates(mechanism: &Mechanism) -> Vec<CoordinateValue<'_>> {
         }
     }
     let unknowns = mechanism.unknowns.iter().enumerate();
-    all.extend(unknowns.filter_map(|(index, unknown)| {
+    list.extend(unknowns.filter_map(|(index, unknown)| {
         Some(CoordinateValue {
             name: Name::Unknown(index),
             role: "estimate",
             value: unknown.estimate.as_ref()?,
         })
     }));
-    all
+    list
 }

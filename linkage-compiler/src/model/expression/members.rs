@@ -69,8 +69,8 @@ pub(in crate::model) fn find_joint(
 
 /// Returns a help with the joint that a body is attached by.
 fn hanging_help(members: &MemberNames, body: usize) -> String {
-    let mut all = members.by_name.iter();
-    match all.find(|(_, (member, _))| *member == Member::Joint(body)) {
+    let mut names = members.by_name.iter();
+    match names.find(|(_, (member, _))| *member == Member::Joint(body)) {
         Some((name, _)) => format!("it hangs on the joint `{name}`"),
         None => {
             let kind = members.joints[body].word();

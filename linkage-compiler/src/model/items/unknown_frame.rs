@@ -180,7 +180,7 @@ fn uses_of_axes(mechanism: &Mechanism, number: usize) -> [usize; 3] {
 /// Returns true if a component of a vector is written as 0.
 fn is_zero(mechanism: &Mechanism, vector: &Expr, component: usize) -> bool {
     match &vector.kind {
-        ExprKind::Vector(all) => matches!(all[component].kind, ExprKind::Number(0.0)),
+        ExprKind::Vector(components) => matches!(components[component].kind, ExprKind::Number(0.0)),
         ExprKind::Name(name @ (Name::Const(_) | Name::Let(_))) => {
             let value = mechanism.value_of(*name);
             value.is_some_and(|value| is_zero(mechanism, value, component))

@@ -28,12 +28,12 @@ pub(in crate::model) fn declare_members(
         declare_joint(members, sink, &item.joint);
     }
     members.bodies = bodies.len();
-    let mut all: Vec<MemberNumbers> = Vec::new();
+    let mut numbers_of_parts: Vec<MemberNumbers> = Vec::new();
     for part in 0..parts.scopes.len() {
         let first_body = members.bodies;
         let bodies = declare_bodies_of_part(parts, members, part, first_body);
         members.bodies += bodies;
-        all.push(MemberNumbers {
+        numbers_of_parts.push(MemberNumbers {
             first_body,
             bodies,
             first_closing: 0,
@@ -51,11 +51,11 @@ pub(in crate::model) fn declare_members(
             | Mechanical::Damper(_) => {}
         }
     }
-    for (part, numbers) in all.iter_mut().enumerate() {
+    for (part, numbers) in numbers_of_parts.iter_mut().enumerate() {
         numbers.first_closing = members.joints.len();
         declare_joints_of_part(parts, members, part, numbers.bodies..usize::MAX);
     }
-    all
+    numbers_of_parts
 }
 
 pub(in crate::model) fn declare_joint(

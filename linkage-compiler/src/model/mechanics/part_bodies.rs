@@ -29,8 +29,8 @@ pub(in crate::model) fn embed_bodies(
         let joints: Vec<_> = embedding.joints(*numbers, true).collect();
         if let Some(joint) = joints.first() {
             let count = joint.at.ty.components().unwrap_or(2);
-            let all = *sink.components.get_or_insert(count);
-            if all != count {
+            let expected = *sink.components.get_or_insert(count);
+            if expected != count {
                 refuse_other_space(sink, item, count);
             }
         }

@@ -88,18 +88,18 @@ pub(in crate::model) fn common_scalar(
     names: &Names,
     units: &AssumedUnits,
     sink: &mut Sink,
-    all: &mut [&mut Expr],
+    values: &mut [&mut Expr],
     word: MotionLawWord,
     what: &str,
 ) -> Option<Type> {
-    let ty = common_type(names, units, sink, all, what).settled();
-    all.iter_mut().for_each(|value| value.settle(&ty));
+    let ty = common_type(names, units, sink, values, what).settled();
+    values.iter_mut().for_each(|value| value.settle(&ty));
     match ty {
         Type::Scalar(_) => Some(ty),
         Type::Error => None,
         _ => {
             let fact = format!("`{}` takes scalars, found {ty}", word.word());
-            let span = sink.span(all[0].origin);
+            let span = sink.span(values[0].origin);
             let help = "take a component `.x`; a vector has a course for each component";
             sink.error_with_help(span, fact, help);
             None

@@ -54,7 +54,7 @@ fn resolve_knot(
     };
     let (words, may_jump) = match &parts[2..] {
         [before @ .., last] if named(last).is_some_and(|name| name == JUMP) => (before, true),
-        all => (all, false),
+        words => (words, false),
     };
     let place = operands.resolve(sink, &parts[0]);
     let value = operands.resolve(sink, &parts[1]);
@@ -77,8 +77,8 @@ fn resolve_knot(
             return None;
         }
     };
-    let all = [&place, &value].into_iter().chain(&slope);
-    if all.into_iter().any(|value| value.ty.is_error()) {
+    let values = [&place, &value].into_iter().chain(&slope);
+    if values.into_iter().any(|value| value.ty.is_error()) {
         return None;
     }
     let origin = sink.add_origin(entry.span);

@@ -82,9 +82,9 @@ pub(in crate::model) fn resolve_spline(
     Some((course, ty))
 }
 
-fn read_spline_words(sink: &mut Sink, all: &[syntax::Expr]) -> Option<SplineWords> {
+fn read_spline_words(sink: &mut Sink, list: &[syntax::Expr]) -> Option<SplineWords> {
     let mut words = SplineWords::default();
-    for word in all {
+    for word in list {
         let is_new = match read_spline_word(sink, word)? {
             SplineWord::Ends(ends) => words.ends.replace(ends).is_none(),
             SplineWord::Degree(_) => !std::mem::replace(&mut words.is_quintic, true),
@@ -172,8 +172,8 @@ fn fit_slopes(
 fn refuse_jumps(sink: &mut Sink, knots: &[Knot], ends: Ends, pieces: Pieces) -> Option<()> {
     let jumps = ends == Ends::Clamped && pieces == Pieces::Cubic;
     let last = knots.len() - 1;
-    let mut all = knots.iter().enumerate();
-    let refused = all.find(|(k, knot)| knot.may_jump && !(jumps && (*k == 0 || *k == last)));
+    let mut numbered = knots.iter().enumerate();
+    let refused = numbered.find(|(k, knot)| knot.may_jump && !(jumps && (*k == 0 || *k == last)));
     let Some((_, knot)) = refused else {
         return Some(());
     };

@@ -72,15 +72,15 @@ impl<'p> Embedding<'p> {
     /// An expression of the part in its own frame.
     pub(in crate::model) fn expr(&self, expr: &Expr) -> Expr {
         let boxed = |expr: &Expr| Box::new(self.expr(expr));
-        let all = |list: &[Expr]| list.iter().map(|expr| self.expr(expr)).collect();
+        let translated = |list: &[Expr]| list.iter().map(|expr| self.expr(expr)).collect();
         let kind = match &expr.kind {
             ExprKind::Name(name) => self.meant(*name),
-            ExprKind::Vector(components) => ExprKind::Vector(all(components)),
+            ExprKind::Vector(components) => ExprKind::Vector(translated(components)),
             ExprKind::Component(expr, index) => ExprKind::Component(boxed(expr), *index),
             ExprKind::Index(expr, index) => ExprKind::Index(boxed(expr), *index),
             ExprKind::Negate(expr) => ExprKind::Negate(boxed(expr)),
             ExprKind::Binary(operator, a, b) => ExprKind::Binary(*operator, boxed(a), boxed(b)),
-            ExprKind::Call(function, arguments) => ExprKind::Call(*function, all(arguments)),
+            ExprKind::Call(function, arguments) => ExprKind::Call(*function, translated(arguments)),
             ExprKind::MotionLaw(course) => ExprKind::MotionLaw(course.map(|expr| self.expr(expr), |expr| self.origin(expr))),
             ExprKind::Number(_)
             | ExprKind::Error
@@ -109,8 +109,8 @@ impl<'p> Embedding<'p> {
 
     /// Those that are not given.
     pub(in crate::model) fn parameters(&self) -> Vec<Parameter> {
-        let all = self.body.mechanism().parameters.iter();
-        let open = all.zip(&self.body.parameters);
+        let parameters = self.body.mechanism().parameters.iter();
+        let open = parameters.zip(&self.body.parameters);
         let open = open.filter(|(_, name)| matches!(name, Some(Name::Parameter(_))));
         let parameters = open.map(|(parameter, _)| Parameter {
             name: self.text(&parameter.name),

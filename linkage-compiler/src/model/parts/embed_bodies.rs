@@ -74,8 +74,8 @@ impl Embedding<'_> {
         members: MemberNumbers,
         hanging: bool,
     ) -> impl Iterator<Item = Joint> {
-        let all = self.body.mechanism().joints.iter().enumerate();
-        let joints = all.filter(move |(index, _)| (*index < members.bodies) == hanging);
+        let joints = self.body.mechanism().joints.iter().enumerate();
+        let joints = joints.filter(move |(index, _)| (*index < members.bodies) == hanging);
         joints.map(move |(_, joint)| Joint {
             name: joint.name.as_ref().map(|name| self.text(name)),
             kind: joint.kind,

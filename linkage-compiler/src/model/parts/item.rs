@@ -37,8 +37,8 @@ pub(in crate::model) fn resolve_part(
         index.and_then(|index| Some((index, scope.parts.scopes[index].body.clone()?)))
     else {
         let given = item.given.iter().map(|given| &given.value);
-        let all: Vec<&syntax::Expr> = given.chain(&item.at).chain(&item.turned).collect();
-        for value in all {
+        let values: Vec<&syntax::Expr> = given.chain(&item.at).chain(&item.turned).collect();
+        for value in values {
             resolve_expression(scope, sink, value, context);
         }
         return;
@@ -234,9 +234,10 @@ fn refuse_open_arguments(
             _ => None,
         })
         .collect();
-    let of = mechanism.name.clone();
-    let all = mechanism.arguments.iter().enumerate();
-    let open = all.filter(|(index, _)| body.arguments[*index].is_none() && used.contains(index));
+    let mechanism_name = mechanism.name.clone();
+    let arguments = mechanism.arguments.iter().enumerate();
+    let open =
+        arguments.filter(|(index, _)| body.arguments[*index].is_none() && used.contains(index));
     let open = open.filter_map(|(index, argument)| match &body.rates[index] {
         Some(Ok(_)) => None,
         Some(Err(why)) => Some((argument.name.clone(), Some(why.clone()))),
@@ -245,7 +246,7 @@ fn refuse_open_arguments(
     let open: Vec<_> = open.collect();
     for (name, why) in open {
         let fact = format!(
-            "the argument `{name}` of `{of}` is left open in the part `{}`",
+            "the argument `{name}` of `{mechanism_name}` is left open in the part `{}`",
             item.name
         );
         let mut help =

@@ -154,7 +154,7 @@ fn components_of_points(mechanism: &Mechanism) -> Vec<usize> {
     let lets = mechanism.lets.iter().map(|item| &item.value.ty);
     let unknowns = mechanism.unknowns.iter().map(|unknown| &unknown.ty);
     let parameters = mechanism.parameters.iter().map(|parameter| &parameter.ty);
-    let mut all: Vec<usize> = lets
+    let mut counts: Vec<usize> = lets
         .chain(unknowns)
         .chain(parameters)
         .filter_map(|ty| match ty {
@@ -164,7 +164,7 @@ fn components_of_points(mechanism: &Mechanism) -> Vec<usize> {
             Type::Scalar(_) | Type::Array(_) | Type::Zero(_) | Type::Error => None,
         })
         .collect();
-    all.sort_unstable();
-    all.dedup();
-    all
+    counts.sort_unstable();
+    counts.dedup();
+    counts
 }

@@ -15,10 +15,10 @@ pub(in crate::model) fn speed_and_acceleration(
     value: &Expr,
     lets: &[Let],
 ) -> [Result<Expr, Unfollowed>; 2] {
-    let still = |of: &Expr, order: i32| Expr {
+    let still = |value: &Expr, order: i32| Expr {
         kind: ExprKind::Number(0.0),
-        ty: changing(&of.ty, order),
-        origin: of.origin,
+        ty: changing(&value.ty, order),
+        origin: value.origin,
     };
     let speed = time_derivative(values, value, lets);
     let acceleration = speed.clone().and_then(|speed| match speed {

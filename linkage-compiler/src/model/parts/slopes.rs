@@ -15,8 +15,8 @@ pub(in crate::model) fn slopes(
         ty: Type::NUMBER,
         origin: value.origin,
     };
-    let call = |function, of: &Expr, ty: Type| Expr {
-        kind: ExprKind::Call(function, vec![of.clone()]),
+    let call = |function, operand: &Expr, ty: Type| Expr {
+        kind: ExprKind::Call(function, vec![operand.clone()]),
         ty,
         origin: value.origin,
     };

@@ -152,8 +152,8 @@ fn scalars_of_parameter(
     ty: &Type,
     field: Option<&Ident>,
 ) -> Option<Vec<ScalarParameterId>> {
-    let all = values.scalar_parameters.iter().enumerate();
-    let mine = all.filter(|(_, scalar)| scalar.parameter == parameter);
+    let scalars = values.scalar_parameters.iter().enumerate();
+    let mine = scalars.filter(|(_, scalar)| scalar.parameter == parameter);
     let mine: Vec<_> = mine.map(|(index, _)| ScalarParameterId(index)).collect();
     let Some(field) = field else {
         return Some(mine);

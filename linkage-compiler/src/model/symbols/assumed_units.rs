@@ -67,12 +67,12 @@ impl AssumedUnits {
     /// Returns the names declared without a unit that a number would have its dimension from.
     pub(in crate::model) fn lacking_unit(&self, value: &Expr) -> Vec<Name> {
         let of_all = |values: &mut dyn Iterator<Item = &Expr>| {
-            let mut all: Vec<Name> = values
+            let mut names: Vec<Name> = values
                 .flat_map(|operand| self.lacking_unit(operand))
                 .collect();
-            all.sort_unstable();
-            all.dedup();
-            all
+            names.sort_unstable();
+            names.dedup();
+            names
         };
         match &value.kind {
             ExprKind::Name(name) => self.lacking.get(name).cloned().unwrap_or_default(),
@@ -96,7 +96,7 @@ impl AssumedUnits {
             ExprKind::Binary(BinaryOp::Div, a, _) => self.lacking_unit(a),
             ExprKind::Call(function, arguments) => {
                 let measured = function.measured_arguments().iter();
-                of_all(&mut measured.map(|place| &arguments[*place]))
+                of_all(&mut measured.map(|index| &arguments[*index]))
             }
             // A literal has no declaration, and the others are no numbers by a missing unit.
             _ => Vec::new(),

@@ -90,8 +90,8 @@ impl<'m> Angles<'m> {
                     self.together(&arguments.iter().collect::<Vec<_>>());
                 }
                 ExprKind::Call(function, arguments) => {
-                    if let Some(place) = function.angle_argument() {
-                        self.angle(&arguments[place]);
+                    if let Some(index) = function.angle_argument() {
+                        self.angle(&arguments[index]);
                     }
                 }
                 ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) => self.together(&[a, b]),

@@ -97,8 +97,8 @@ impl PartialEq for Knot {
 /// Equal if they have the same meaning, in any place.
 impl PartialEq for MotionLaw {
     fn eq(&self, other: &Self) -> bool {
-        let all = |law: &Self| (law.kind, law.repeats, law.order);
-        self.argument == other.argument && self.knots == other.knots && all(self) == all(other)
+        let words = |law: &Self| (law.kind, law.repeats, law.order);
+        self.argument == other.argument && self.knots == other.knots && words(self) == words(other)
     }
 }
 
@@ -232,12 +232,12 @@ impl MotionLaw {
 
     /// The expressions that it is made of, as they are read.
     pub(crate) fn operands(&self) -> Vec<&Expr> {
-        let mut all = vec![&*self.argument];
+        let mut operands = vec![&*self.argument];
         let knots = self.knots.iter();
-        all.extend(
+        operands.extend(
             knots.flat_map(|knot| [&knot.place, &knot.value].into_iter().chain(&knot.slope)),
         );
-        all
+        operands
     }
 
     /// Its derivative by its argument; `None` for more of them than a course has.

@@ -49,7 +49,8 @@ impl Mechanism {
         let paths = parts.flat_map(|part| {
             let first = (part.name.clone(), part.mechanism.clone());
             let inner = part.inner.iter();
-            let inner = inner.map(|(path, of)| (format!("{}.{path}", part.name), of.clone()));
+            let inner =
+                inner.map(|(path, mechanism)| (format!("{}.{path}", part.name), mechanism.clone()));
             std::iter::once(first).chain(inner)
         });
         paths.collect()
@@ -90,8 +91,8 @@ impl Mechanism {
             .ty
             .dimension()
             .is_some_and(|dimension| dimension.half_lengths == 2);
-        let all = self.placed.iter().enumerate().filter(|_| is_length);
-        let mut found = all.filter_map(|(index, part)| Some((index, part.point_behind(expr)?)));
+        let parts = self.placed.iter().enumerate().filter(|_| is_length);
+        let mut found = parts.filter_map(|(index, part)| Some((index, part.point_behind(expr)?)));
         found.next()
     }
 

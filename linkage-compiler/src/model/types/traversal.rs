@@ -39,7 +39,7 @@ impl Expr {
     /// The expressions that it is made of directly.
     pub(crate) fn operands(&self) -> Vec<&Expr> {
         match &self.kind {
-            ExprKind::Vector(all) | ExprKind::Call(_, all) => all.iter().collect(),
+            ExprKind::Vector(operands) | ExprKind::Call(_, operands) => operands.iter().collect(),
             ExprKind::MotionLaw(course) => course.operands(),
             ExprKind::Component(a, _) | ExprKind::Index(a, _) | ExprKind::Negate(a) => vec![a],
             ExprKind::Binary(_, a, b) => vec![a, b],

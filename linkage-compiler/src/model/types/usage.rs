@@ -49,34 +49,34 @@ impl Mechanism {
 
     /// All that bodies, joints and loads are written with.
     pub(crate) fn expressions_of_mechanics(&self) -> Vec<&Expr> {
-        let mut all: Vec<&Expr> = self.gravity.iter().collect();
+        let mut values: Vec<&Expr> = self.gravity.iter().collect();
         for joint in &self.joints {
-            all.push(&joint.at);
-            all.extend(&joint.direction);
+            values.push(&joint.at);
+            values.extend(&joint.direction);
         }
         for body in &self.bodies {
-            all.extend(&body.turns);
-            all.extend(body.masses.iter().flat_map(|(mass, at)| [mass, at]));
+            values.extend(&body.turns);
+            values.extend(body.masses.iter().flat_map(|(mass, at)| [mass, at]));
             for (inertia, about) in &body.inertias {
                 match inertia {
-                    Inertia::Scalar(value) => all.push(value),
-                    Inertia::Tensor(rows) => all.extend(rows.iter().flatten()),
+                    Inertia::Scalar(value) => values.push(value),
+                    Inertia::Tensor(rows) => values.extend(rows.iter().flatten()),
                 }
-                all.extend(about);
+                values.extend(about);
             }
         }
         for load in &self.loads {
-            all.push(&load.value);
-            all.extend(&load.at);
+            values.push(&load.value);
+            values.extend(&load.at);
         }
         for element in &self.elements {
-            all.push(&element.value);
-            all.extend(&element.free);
+            values.push(&element.value);
+            values.extend(&element.free);
             if let Between::Points(ends) = &element.between {
-                all.extend(ends.iter().map(|(_, at)| at));
+                values.extend(ends.iter().map(|(_, at)| at));
             }
         }
-        all
+        values
     }
 }
 

@@ -49,9 +49,9 @@ impl Decimal {
             }
         }
         let mut carry = 0;
-        for place in product.iter_mut().rev() {
-            let sum = *place + carry;
-            *place = sum % 10;
+        for digit in product.iter_mut().rev() {
+            let sum = *digit + carry;
+            *digit = sum % 10;
             carry = sum / 10;
         }
         let digits = product.into_iter().map(|digit| digit as u8).collect();
