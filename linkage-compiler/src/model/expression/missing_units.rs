@@ -57,7 +57,7 @@ pub(in crate::model) fn suspect_unit(
     }
 }
 
-/// See [`suspect`](Self::suspect), both ways.
+/// Calls [`suspect_unit`] both ways.
 pub(in crate::model) fn suspect_both_units(
     units: &AssumedUnits,
     sink: &mut Sink,

@@ -261,7 +261,8 @@ pub(crate) struct Quantity {
 }
 
 impl Placed {
-    /// The point of the part that is seen here; the inverse of [`PartFrame::seen_point`].
+    /// Returns the point of the part that this expression is in the mechanism around it. The
+    /// inverse of `PartFrame::seen_point`.
     pub(crate) fn point_behind<'e>(&self, seen: &'e Expr) -> Option<&'e Expr> {
         let turned_back = |turned: &'e Expr| match (&self.turned, &turned.kind) {
             (None, _) => Some(turned),

@@ -13,7 +13,7 @@ pub(crate) enum Name {
     Pi,
 }
 
-/// Index into [`Mechanism::scalar_parameters`].
+/// Index into `Mechanism::scalar_parameters`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct ScalarParameterId(pub usize);
 
