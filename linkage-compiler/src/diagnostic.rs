@@ -11,12 +11,13 @@ pub(crate) mod text;
 pub use origin::SourceSpan;
 pub(crate) use origin::{OriginId, Origins};
 
-/// What is wrong, and where.
+/// A mistake and its place.
 #[derive(Clone, Debug)]
 pub struct Message {
     /// The words at fault.
     pub span: SourceSpan,
-    /// The fact, in lower case, names in back-ticks; where something can be said about it, a second line `help: ...` with what to write.
+    /// The fact, in lower case, names in back-ticks. If possible, a second line `help: ...` names
+    /// the text to write.
     pub text: String,
 }
 
@@ -92,7 +93,7 @@ impl<'a> Reporter<'a> {
         self.error(origin, format!("{fact}\nhelp: {help}"));
     }
 
-    /// At all that stands from one place to another.
+    /// Reports at all tokens from one place to another.
     pub(crate) fn error_between(
         &mut self,
         [first, last]: [OriginId; 2],
@@ -115,7 +116,8 @@ impl<'a> Reporter<'a> {
         self.diagnostics.warnings.insert(self.section, message);
     }
 
-    /// What is said about a place in a part begins with the part: the words at fault are those of its own struct.
+    /// Begins a message about a part with the name of the part: the words at fault are those of the
+    /// part's own struct.
     fn within_part(&self, origin: OriginId, message: String) -> String {
         match self.origins.part(origin) {
             Some(part) => format!("in the part `{part}`: {message}"),
@@ -203,7 +205,7 @@ impl Diagnostics {
         self.mistakes.insert(section, message);
     }
 
-    /// As [`error`](Self::error), with the second line given apart.
+    /// Adds a message as [`error`](Self::error) does, with the second line as a separate argument.
     pub(crate) fn error_with_help(
         &mut self,
         span: SourceSpan,
@@ -224,12 +226,12 @@ impl Diagnostics {
         self.mistakes.0.is_empty()
     }
 
-    /// How many mistakes there are.
+    /// Returns the number of mistakes.
     pub(crate) fn len(&self) -> usize {
         self.mistakes.0.len()
     }
 
-    /// What is wrong, without the places.
+    /// Returns the texts of all mistakes, without their places.
     pub(crate) fn texts(&self) -> Vec<String> {
         self.mistakes.iter().map(|own| own.text.clone()).collect()
     }
@@ -255,7 +257,8 @@ impl Diagnostics {
     }
 }
 
-/// A macro cannot warn. But rustc tells of uses of what is deprecated with the reason given, and at the place of the use.
+/// Makes rustc print a warning, which a macro cannot: rustc reports uses of deprecated items with
+/// their reason, at the place of the use.
 fn compile_warning(message: &Message, attributes: &TokenStream) -> TokenStream {
     let used = Ident::new("__mechanism", message.span.first);
     let text = &message.text;

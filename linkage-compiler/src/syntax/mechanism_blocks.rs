@@ -8,8 +8,9 @@ use super::stream::Stream;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::text::{list, nearest};
 
-/// Reads the body of the macro (without the facade's path in front): the mechanisms of one call in the order of their structs, none if there
-/// is no `struct NAME { ... }`; whatever else is missing or wrong is reported and left out.
+/// Reads the body of the macro, without the facade's path. Returns the mechanisms of one call in
+/// the order of their structs, none if there is no `struct NAME { ... }`. Anything else that is
+/// missing or wrong is reported and left out.
 pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<MechanismDef> {
     let mut parser = Parser::new(Stream::new(tokens), diagnostics);
     let mut mechanisms = Vec::new();
@@ -28,8 +29,8 @@ pub(crate) fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<M
         return mechanisms;
     }
     for Implementation { name, functions } in implementations {
-        if let Some(own) = parser.implemented(&name, &mechanisms) {
-            mechanisms[own].functions.extend(functions);
+        if let Some(index) = parser.implemented(&name, &mechanisms) {
+            mechanisms[index].functions.extend(functions);
         }
     }
     parser.drop_second(&mut mechanisms);
@@ -56,9 +57,10 @@ impl Parser<'_> {
         }
         let visibility = self.visibility();
         if !self.stream.is_word(0, "struct") {
-            return match mechanisms.is_empty() {
-                true => self.expected("`struct NAME { ... }`", ""),
-                false => self.expected("`impl NAME { ... }` or another `struct NAME { ... }`", ""),
+            return if mechanisms.is_empty() {
+                self.expected("`struct NAME { ... }`", "")
+            } else {
+                self.expected("`impl NAME { ... }` or another `struct NAME { ... }`", "")
             };
         }
         self.stream.skip(1);
@@ -92,10 +94,10 @@ impl Parser<'_> {
     /// `struct NAME<'a> { ... }`: reported, and read as if it had not been there.
     fn braces_after_generics(&mut self, name: &str) -> Parsed<proc_macro2::Group> {
         let lifetime = self.stream.is_punct(1, '\'');
-        let help = match lifetime {
-            true => format!("write `{name}` alone: a mechanism borrows nothing"),
-            false => "leave the type parameters out: the generated types have one for the scalar"
-                .to_owned(),
+        let help = if lifetime {
+            format!("write `{name}` alone: a mechanism borrows nothing")
+        } else {
+            "leave the type parameters out: the generated types have one for the scalar".to_owned()
         };
         let result = self.expected(&format!("`{{` after `{name}`"), &help);
         while !self.stream.at_end() && self.stream.group(0, Delimiter::Brace).is_none() {
@@ -120,7 +122,9 @@ impl Parser<'_> {
 
     /// The mechanism that an `impl` block belongs to, by its number.
     fn implemented(&mut self, name: &Ident, mechanisms: &[MechanismDef]) -> Option<usize> {
-        let found = mechanisms.iter().position(|own| own.name == *name);
+        let found = mechanisms
+            .iter()
+            .position(|mechanism| mechanism.name == *name);
         if found.is_some() {
             return found;
         }
@@ -131,7 +135,10 @@ impl Parser<'_> {
             self.diagnostics.error_with_help(name.into(), fact, help);
             return Some(0);
         }
-        let names: Vec<String> = mechanisms.iter().map(|own| own.name.to_string()).collect();
+        let names: Vec<String> = mechanisms
+            .iter()
+            .map(|mechanism| mechanism.name.to_string())
+            .collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let fact = format!("there is no struct `{name}` in this call");
         let help = match nearest(&name.to_string(), names.iter().copied()) {
@@ -142,15 +149,15 @@ impl Parser<'_> {
         None
     }
 
-    /// Two structs of one name are told, and the first is kept.
+    /// Reports two structs of one name, and keeps the first one.
     fn drop_second(&mut self, mechanisms: &mut Vec<MechanismDef>) {
         let mut kept: Vec<MechanismDef> = Vec::new();
-        for own in mechanisms.drain(..) {
-            let Some(first) = kept.iter().find(|first| first.name == own.name) else {
-                kept.push(own);
+        for mechanism in mechanisms.drain(..) {
+            let Some(first) = kept.iter().find(|first| first.name == mechanism.name) else {
+                kept.push(mechanism);
                 continue;
             };
-            let name = &own.name;
+            let name = &mechanism.name;
             let fact = format!("two structs of this call have the name `{name}`");
             self.diagnostics
                 .error_with_help(name.into(), fact, "choose another name");

@@ -1,13 +1,13 @@
-//! Expressions: everything but calls.
+//! Expressions: everything but calls, which `function_call` resolves.
 
-use super::composite::{make_component, make_entry, make_vector};
 use super::function_call::resolve_call;
-use super::literal::resolve_number;
-use super::look_up::look_up_name;
-use super::nodes::{error_expr, make_expr};
-use super::operators::{make_binary, make_negation};
-use super::part_member::resolve_member;
-use super::products::{refuse_lonely_power, resolve_product};
+use crate::model::expression::composite::{make_component, make_entry, make_vector};
+use crate::model::expression::literal::resolve_number;
+use crate::model::expression::look_up::look_up_name;
+use crate::model::expression::nodes::{error_expr, make_expr};
+use crate::model::expression::operators::{make_binary, make_negation};
+use crate::model::expression::part_member::resolve_member;
+use crate::model::expression::products::{refuse_lonely_power, resolve_product};
 use crate::model::symbols::operands::Operands;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
@@ -16,7 +16,7 @@ use crate::model::types::{BinaryOp, Expr, ExprKind};
 use crate::syntax;
 
 /// Returns the operands of an expression in this place.
-pub(in crate::model) fn operands<'a>(scope: &'a Scope, context: Context<'a>) -> Operands<'a> {
+pub(super) fn operands<'a>(scope: &'a Scope, context: Context<'a>) -> Operands<'a> {
     Operands {
         scope,
         context,
@@ -25,7 +25,7 @@ pub(in crate::model) fn operands<'a>(scope: &'a Scope, context: Context<'a>) -> 
 }
 
 /// Resolves an expression of the syntax tree: names, types, units.
-pub(in crate::model) fn resolve_expression(
+pub(super) fn resolve_expression(
     scope: &Scope,
     sink: &mut Sink,
     expr: &syntax::Expr,

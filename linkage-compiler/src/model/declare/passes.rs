@@ -1,7 +1,7 @@
 //! The items of the struct block by the pass that resolves them.
 //!
-//! Kinds are resolved one after the other, so that only `let` and `const` depend on the order. Items of one pass stay in the order in
-//! which they are written.
+//! Kinds are resolved one after the other, so only `let` and `const` depend on the order. Items of
+//! one pass keep the order in which they are written.
 
 use crate::syntax::{
     BodyItem, ElementItem, GravityItem, InputItem, Item, JointItem, LoadItem, LoopItem,
@@ -24,27 +24,27 @@ pub(in crate::model) struct Passes<'a> {
     pub(in crate::model) mechanics: Vec<Mechanical<'a>>,
 }
 
-/// What the mechanism moves with.
+/// An input or an unknown.
 pub(in crate::model) enum Coordinate<'a> {
     Input(&'a InputItem),
     Unknown(&'a UnknownItem),
 }
 
-/// What functions take besides inputs.
+/// An argument of functions that is no input.
 pub(in crate::model) enum Taken<'a> {
     Argument(&'a NamedItem),
     /// The speed and acceleration of an input.
     Rates(&'a InputItem),
 }
 
-/// What is said about the coordinates.
+/// A derived quantity, a loop or a part.
 pub(in crate::model) enum Definition<'a> {
     Let(&'a NamedItem),
     Loop(&'a LoopItem),
     Part(&'a PartItem),
 }
 
-/// What acts between bodies.
+/// An item about masses and forces, other than a body.
 pub(in crate::model) enum Mechanical<'a> {
     Gravity(&'a GravityItem),
     Joint(&'a JointItem),

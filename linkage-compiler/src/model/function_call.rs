@@ -2,11 +2,11 @@
 
 use proc_macro2::Ident;
 
-use super::agreement::refuse_compound;
-use super::call_messages::{refuse_count_of_arguments, refuse_unknown_function};
-use super::function_types::result_type;
-use super::nodes::{error_expr, make_expr};
 use crate::diagnostic::SourceSpan;
+use crate::model::expression::agreement::refuse_compound;
+use crate::model::expression::call_messages::{refuse_count_of_arguments, refuse_unknown_function};
+use crate::model::expression::function_types::result_type;
+use crate::model::expression::nodes::{error_expr, make_expr};
 use crate::model::motion_law::motion_law_call::resolve_motion_law;
 use crate::model::quantity::quantity_call::resolve_quantity;
 use crate::model::symbols::operands::Operands;
@@ -14,7 +14,7 @@ use crate::model::symbols::sink::Sink;
 use crate::model::types::{Expr, ExprKind, Function, MotionLawWord, QuantityWord};
 use crate::syntax::{self, Word};
 
-pub(in crate::model) fn resolve_call(
+pub(super) fn resolve_call(
     operands: Operands,
     sink: &mut Sink,
     ident: &Ident,
