@@ -185,7 +185,7 @@ pub(super) fn groups(mechanism: &'static str, unit: &CompiledMechanism) -> &'sta
 fn group(mechanism: &'static str, unit: &CompiledMechanism, coupled: &Coupled) -> CoupledGroup {
     let own = &unit.groups[coupled.group];
     let unknowns = coupled.unknowns.iter().map(|placed| {
-        let Shown { name, unit, scale } = placed.shown(unit);
+        let Shown { name, unit, scale } = unit.shown(placed);
         CoupledUnknown {
             name: forever(name),
             estimate: placed.estimate,
