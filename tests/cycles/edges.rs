@@ -6,7 +6,7 @@ use linkage::Dimensions;
 use linkage::summary::Course;
 use std::f64::consts::TAU;
 
-/// Whether the drive of the eye needle is judged, too, and all bounds: `LINKAGE_LONG=1`. In a build without optimisation its searches take seconds.
+/// Returns whether the drive of the eye needle is judged, too, and all bounds. In a build without optimisation its searches take seconds.
 fn long() -> bool {
     std::env::var_os("LINKAGE_LONG").is_some()
 }

@@ -129,7 +129,7 @@ macro_rules! problems {
                 }
             }
 
-            /// Reasons why the claim of a result does not hold, by positions that know nothing of the search.
+            /// Lists reasons why the claim of a result does not hold, by positions that know nothing of the search.
             fn refuted(best: &BestCycle<$mechanism, $assembly>, goal: Goal, keep: Keep) -> Vec<String> {
                 let of = &best.assembly;
                 let kept = |stroke: f64| match keep {

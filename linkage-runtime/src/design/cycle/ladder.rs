@@ -3,7 +3,8 @@
 //! A search within wide bounds may lose its way where one within narrower bounds does not: it leaves the valley that it began in, or comes near
 //! to a place where the mechanism ceases to exist. So there are rungs from narrow bounds to the full ones, each twice as wide as the rung below,
 //! and on each rung a search begins with the first mechanism, and another one with the best result of the rungs below. If both do not
-//! converge, the bounds widen in eight even steps, with the same two searches on each and a third one from the best result so far.
+//! converge, the bounds widen in eight even steps, with the same two searches on each, a third one from the best
+//! result so far and, where that does not converge, a fourth one whose first step is short.
 //!
 //! The results of all rungs are kept. So the best one is never worse than the first mechanism, if that holds all conditions. Widths of
 //! rungs and steps do not depend on the full bounds, and searches on a step do not depend on the width of its rung. So bounds that are as wide as
@@ -24,6 +25,8 @@ const NARROW: f64 = 0.04;
 const STEPS: i32 = 8;
 /// Rungs below the narrowest one, with every second step only.
 const BELOW: i32 = 2;
+/// A search from an optimum within bounds that are a step narrower has little way to go: the first step is this part of the usual one.
+const SHORT: f64 = 0.1;
 /// The most rungs: bounds that are a million times as wide as narrow ones.
 const RUNGS: i32 = 20;
 /// The most steps of a rung where no search has any result.
@@ -208,19 +211,41 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             .collect()
     }
 
-    /// Searches within a part of the bounds from the best result of all, if that is another one than that of the rungs below.
+    /// Searches within a part of the bounds from the best result of all, and with a shorter first step where that search does not converge.
+    ///
+    /// `near` is the best result of the rungs below, from which a search within this part was begun already.
     fn follow(&self, ladder: &mut Ladder, part: f64, near: &[f64]) {
         let best = ladder.near();
+        let mut converged = false;
         if best != near {
-            let result = self.within(ladder, part, best);
+            let result = self.within(ladder, part, best.clone());
+            converged = result.as_ref().is_ok_and(|result| result.converged);
+            let _ = ladder.keep(result, part);
+        }
+        if !converged && ladder.has_climbed() {
+            let start = self.start_within(ladder, part, best);
+            let result = start.and_then(|mut start| {
+                let parameters = start.reach.iter_mut().take(ladder.origin.len());
+                parameters.for_each(|reach| *reach *= SHORT);
+                self.descend(start)
+            });
             let _ = ladder.keep(result, part);
         }
     }
 
     /// Searches within a part of the bounds from a place.
     fn within(&self, ladder: &Ladder, part: f64, place: Vec<f64>) -> Result<Ended, DesignError> {
+        self.descend(self.start_within(ladder, part, place)?)
+    }
+
+    fn start_within(
+        &self,
+        ladder: &Ladder,
+        part: f64,
+        place: Vec<f64>,
+    ) -> Result<Start, DesignError> {
         let limits = narrowed(&self.problem.limits, &ladder.origin, part);
-        self.descend(self.problem.start(&limits, place)?)
+        self.problem.start(&limits, place)
     }
 
     /// The first mechanism itself, if it holds all conditions.

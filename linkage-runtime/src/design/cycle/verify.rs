@@ -103,7 +103,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         Ok(if confirmed { claimed } else { goal })
     }
 
-    /// Whether the conditions of a wish hold in full: a goal with variables of its own has others that suit the mechanism where those
+    /// Returns whether the conditions of a wish must hold in full: a goal with variables of its own has others that suit the mechanism where those
     /// of a search break its conditions by what a search leaves. At corners of tolerances it has none.
     fn is_exact(&self, start: &Start, k: usize) -> bool {
         self.wishes[k].is_goal() && !start.own[k].is_empty() && start.added[k].is_empty()
