@@ -3,8 +3,8 @@
 //! A search within wide bounds may lose its way where one within narrower bounds does not: it leaves the valley that it began in, or comes near
 //! to a place where the mechanism ceases to exist. So there are rungs from narrow bounds to the full ones, each twice as wide as the rung below,
 //! and on each rung a search begins with the first mechanism, and another one with the best result of the rungs below. If both do not
-//! converge, the bounds widen in eight even steps, with the same two searches on each, a third one from the best
-//! result so far and, where that does not converge, a fourth one whose first step is short.
+//! converge, the bounds widen in eight even steps, with the same two searches on each, a third one from the best result
+//! so far and, where that does not converge, a fourth one with a short first step.
 //!
 //! The results of all rungs are kept. So the best one is never worse than the first mechanism, if that holds all conditions. Widths of
 //! rungs and steps do not depend on the full bounds, and searches on a step do not depend on the width of its rung. So bounds that are as wide as
