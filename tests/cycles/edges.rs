@@ -99,8 +99,9 @@ fn a_narrow_band_holds_in_full() {
 #[test]
 fn bounds_of_more_percents_are_never_worse() {
     const BANDS: [f64; 9] = [0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0];
-    /// Searches that do not converge end elsewhere if their bounds differ by rounding.
-    const NEAR: f64 = 1e-4;
+    /// Parts of a dwell of the press and of the eye needle. Searches of the latter do not converge beside its flat triangle: they end
+    /// elsewhere if their bounds differ by rounding.
+    const NEAR: [f64; 2] = [1e-4, 0.01];
     let (bands, percents) = if long() {
         (&BANDS[..], 1..=13)
     } else {
@@ -132,8 +133,8 @@ fn bounds_of_more_percents_are_never_worse() {
                 );
             }
             println!("{band} mm, {percent} %: {goals:?}");
-            for (best, goal) in best.iter_mut().zip(goals) {
-                assert!(goal > *best * (1.0 - NEAR), "{best} and {goal}");
+            for ((best, goal), near) in best.iter_mut().zip(goals).zip(NEAR) {
+                assert!(goal > *best * (1.0 - near), "{best} and {goal}");
                 *best = best.max(goal);
             }
         }
