@@ -6,7 +6,7 @@ use quote::quote;
 
 use super::array_types::Types;
 use super::outline::Outline;
-use super::{array_types, attribute, literal, starts, survey};
+use super::{array_types, attribute, literal, survey};
 use crate::ir::{CompiledMechanism, Input};
 
 /// `circuits()`; nothing for a mechanism without groups or with another number of inputs than one.

@@ -7,7 +7,7 @@ use super::array_types::Types;
 use super::constructors::explained;
 use super::load::Places;
 use super::outline::Outline;
-use super::{array_types, assembly_data, attribute, literal, starts, survey};
+use super::{array_types, assembly_data, attribute, literal, survey};
 use crate::ir::CompiledMechanism;
 
 /// `assemble_from`.

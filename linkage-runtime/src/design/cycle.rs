@@ -9,6 +9,7 @@ mod descent;
 mod descents;
 mod dwell;
 mod error_of;
+mod extent;
 mod figures;
 mod fit;
 mod found;
