@@ -19,7 +19,7 @@ pub(super) fn literal(outline: &Outline, unit: &CompiledMechanism) -> TokenStrea
         let operations = count::literal(outline, &own.called.count);
         quote!(#runtime::FunctionInfo { name: #name, operations: #operations })
     });
-    let prepare = count::literal(outline, &Count::of(&unit.prepare));
+    let prepare = count::literal(outline, &Count::of_program(&unit.prepare));
     quote! {
         #runtime::Structure {
             mobility: #mobility,
