@@ -1,13 +1,14 @@
-//! What closes loops and evaluates functions in a browser, as this crate does it for generated Rust: centres and windings of angles, groups without a
-//! closed form, misses. `linkage-js` prints the programs of a mechanism for it.
+//! What closes loops and evaluates functions in a browser, as this crate does it for generated
+//! Rust: centres and windings of angles, groups without a closed form, misses. `linkage-js` prints
+//! the programs of a mechanism for it.
 
 #[cfg(feature = "alloc")]
 use alloc::{borrow::ToOwned, format, string::String};
 #[cfg(feature = "alloc")]
 use linkage_core::{certificate, range_check};
 
-/// The parts of the engine as they are stored: a later one uses those before it, and `CORE.` is followed by the name of a constant of
-/// `linkage-core`.
+/// The parts of the engine as they are stored: a later one uses those before it, and `CORE.` is
+/// followed by the name of a constant of `linkage-core`.
 #[cfg(feature = "alloc")]
 pub(crate) const ENGINE: [&str; 6] = [
     include_str!("javascript/elementary.js"),
@@ -18,8 +19,8 @@ pub(crate) const ENGINE: [&str; 6] = [
     include_str!("javascript/assemble.js"),
 ];
 
-/// What modules have after the engine, and pages do not. The function `mechanismOf` of the last part makes of a description what other people's
-/// programs use.
+/// What modules have after the engine, and pages do not. The function `mechanismOf` of the last
+/// part makes of a description what other people's programs use.
 #[cfg(feature = "alloc")]
 pub(crate) const MODULE: [&str; 2] = [
     include_str!("javascript/range.js"),
@@ -42,7 +43,8 @@ pub fn module_engine() -> String {
     with_constants(&[&ENGINE[..], &MODULE].concat().join("\n"))
 }
 
-/// Writes the values of constants of `linkage-core` where the sources of the engine have `CORE.` and a name.
+/// Writes the values of constants of `linkage-core` where the sources of the engine have `CORE.`
+/// and a name.
 #[cfg(feature = "alloc")]
 fn with_constants(source: &str) -> String {
     let mut parts = source.split("CORE.");
@@ -98,8 +100,8 @@ fn literal(number: f64) -> String {
     }
 }
 
-/// The programs of a mechanism as JavaScript, for the page of a report: the constant `PROGRAMS` of a mechanism with a function that asks for
-/// `picture()`.
+/// The programs of a mechanism as JavaScript, for the page of a report: the constant `PROGRAMS` of
+/// a mechanism with a function that asks for `picture()`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Programs {
     /// An object: what the engine knows of the mechanism.

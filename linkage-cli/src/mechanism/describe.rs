@@ -50,7 +50,7 @@ pub(super) fn structure(unit: &CompiledMechanism) -> &'static Structure {
         mobility: unit.mobility,
         groups: forever(groups.collect::<Vec<_>>()),
         functions: forever(functions.collect::<Vec<_>>()),
-        prepare: operations(&Count::of(&unit.prepare)),
+        prepare: operations(&Count::of_program(&unit.prepare)),
     };
     forever(structure)
 }

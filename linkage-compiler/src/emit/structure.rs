@@ -19,7 +19,7 @@ pub(super) fn literal(outline: &Outline, unit: &CompiledMechanism) -> TokenStrea
         let operations = count::literal(&outline.runtime, &own.called.count);
         quote!(#runtime::FunctionInfo { name: #name, operations: #operations })
     });
-    let prepare = count::literal(&outline.runtime, &Count::of(&unit.prepare));
+    let prepare = count::literal(&outline.runtime, &Count::of_program(&unit.prepare));
     quote! {
         #runtime::Structure {
             mobility: #mobility,
