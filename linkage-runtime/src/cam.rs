@@ -15,8 +15,6 @@ mod follower;
 mod outline;
 mod search;
 mod undercut;
-#[cfg(feature = "report")]
-mod write;
 
 pub use contact::Contact;
 pub use error::CamError;

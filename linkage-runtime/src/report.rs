@@ -7,6 +7,7 @@
 
 mod accuracy;
 mod builder;
+mod cam_profile;
 mod check;
 mod colour;
 mod compare;
@@ -23,6 +24,8 @@ mod json;
 mod letters;
 mod machine;
 mod mistake;
+mod output_file;
+mod outputs;
 mod page;
 mod panels;
 mod plot;
@@ -32,9 +35,10 @@ mod png;
 mod rates;
 mod row;
 mod shown;
+mod summary;
 mod svg;
 mod tables;
-pub(crate) mod tags;
+mod tags;
 mod thin;
 mod units;
 mod whole;

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use super::Report;
+use super::builder::Report;
 use super::tables::Saved;
 use super::units::numerator;
 use crate::{Column, Meaning, Parameter};
@@ -87,37 +87,35 @@ impl Sensitive<'_> {
     }
 }
 
-impl Report {
-    /// Quantities with sensitivities, in the order of their first one. None without dimensions, or if no parameter that
-    /// they depend on has a tolerance.
-    pub(super) fn sensitive(&self) -> Vec<Sensitive<'_>> {
-        let mut all: Vec<Sensitive<'_>> = Vec::new();
-        for table in &self.tables {
-            let start = all.len();
-            for (column, values) in table.columns() {
-                let Meaning::Sensitivity { parameter, of } = column.meaning else {
-                    continue;
-                };
-                let Some(dimension) = self.dimensions.get(parameter) else {
-                    continue;
-                };
-                let effect = (dimension.parameter, values);
-                let name = quantity(table, column);
-                match all[start..].iter_mut().find(|s| s.name == name) {
-                    Some(sensitive) => sensitive.effects.push(effect),
-                    None => all.push(Sensitive {
-                        table,
-                        column: of,
-                        name,
-                        unit: unit(table, column, of, dimension.parameter.unit),
-                        effects: Vec::from([effect]),
-                    }),
-                }
+/// Quantities with sensitivities, in the order of their first one. None without dimensions, or if no parameter that
+/// they depend on has a tolerance.
+pub(super) fn sensitive(report: &Report) -> Vec<Sensitive<'_>> {
+    let mut all: Vec<Sensitive<'_>> = Vec::new();
+    for table in &report.tables {
+        let start = all.len();
+        for (column, values) in table.columns() {
+            let Meaning::Sensitivity { parameter, of } = column.meaning else {
+                continue;
+            };
+            let Some(dimension) = report.dimensions.get(parameter) else {
+                continue;
+            };
+            let effect = (dimension.parameter, values);
+            let name = quantity(table, column);
+            match all[start..].iter_mut().find(|s| s.name == name) {
+                Some(sensitive) => sensitive.effects.push(effect),
+                None => all.push(Sensitive {
+                    table,
+                    column: of,
+                    name,
+                    unit: unit(table, column, of, dimension.parameter.unit),
+                    effects: Vec::from([effect]),
+                }),
             }
         }
-        all.retain(|s| s.effects.iter().any(|(p, _)| p.tolerance > 0.0));
-        all
     }
+    all.retain(|s| s.effects.iter().any(|(p, _)| p.tolerance > 0.0));
+    all
 }
 
 /// What a sensitivity is one of: the quantity's name, otherwise its own without the parameter.

@@ -203,4 +203,19 @@ impl Report {
         });
         self
     }
+
+    /// How [`csv`](Self::csv) and the files of [`write`](Self::write) are written: angles in degrees, digits, separator, decimal mark.
+    #[must_use]
+    pub fn csv_style(mut self, style: CsvStyle) -> Self {
+        self.csv_style = style;
+        self
+    }
+
+    /// What the organs of the machine do at which angle of its shaft, which is the input: as a diagram of bars below the drawing of the
+    /// page, with a line where the machine stands, as a table, and as files.
+    #[must_use]
+    pub fn cyclogram(mut self, cyclogram: &Cyclogram) -> Self {
+        self.cyclogram = Some(cyclogram.clone());
+        self
+    }
 }

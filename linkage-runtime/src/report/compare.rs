@@ -10,10 +10,12 @@ use std::path::{Path, PathBuf};
 use std::string::{String, ToString};
 use std::vec::Vec;
 
+use super::SummaryRow;
+use super::builder::Report;
 use super::colour::page_rules;
-use super::error::failed;
+use super::error::{ReportError, failed};
 use super::frame::Framed;
-use super::{Report, ReportError, SummaryRow};
+use super::{output_file, summary};
 
 const BODY: &str = include_str!("page/compare/page.html");
 /// Nothing comes from elsewhere.
@@ -135,7 +137,9 @@ impl<'a> Compared<'a> {
             (name, row.value, row.unit)
         };
         let own = self.figures.iter().cloned();
-        own.chain(self.report.summary_rows()).map(named).collect()
+        own.chain(summary::summary_rows(self.report))
+            .map(named)
+            .collect()
     }
 }
 
@@ -210,6 +214,6 @@ impl<'a> Comparison<'a> {
         let html = self.html()?;
         let folder = folder.as_ref();
         fs::create_dir_all(folder).map_err(failed(folder))?;
-        super::write::file(&folder.join("index.html"), html)
+        output_file::file(&folder.join("index.html"), html)
     }
 }

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 use std::vec::Vec;
 
-use super::Report;
+use super::builder::Report;
 use crate::{Column, Meaning};
 
 /// A cycle closes if its ends differ by less: in turns, and in units of the largest value. Positions and quantities are known
@@ -17,34 +17,32 @@ pub(super) struct Gap {
     pub(super) to: f64,
 }
 
-impl Report {
-    /// Ranges of positions in which some column is not finite, both ends included.
-    pub(super) fn gaps(&self) -> Vec<Gap> {
-        let mut gaps: Vec<Gap> = Vec::new();
-        let mut open = false;
-        for (row, &at) in self.positions.iter().enumerate() {
-            let columns = self.tables.iter().flat_map(|table| &table.values);
-            let missing = columns.map(|values| values[row]).any(|x| !x.is_finite());
-            match gaps.last_mut() {
-                Some(gap) if missing && open => gap.to = at,
-                _ if missing => gaps.push(Gap { from: at, to: at }),
-                _ => {}
-            }
-            open = missing;
+/// Ranges of positions in which some column is not finite, both ends included.
+pub(super) fn gaps(report: &Report) -> Vec<Gap> {
+    let mut gaps: Vec<Gap> = Vec::new();
+    let mut open = false;
+    for (row, &at) in report.positions.iter().enumerate() {
+        let columns = report.tables.iter().flat_map(|table| &table.values);
+        let missing = columns.map(|values| values[row]).any(|x| !x.is_finite());
+        match gaps.last_mut() {
+            Some(gap) if missing && open => gap.to = at,
+            _ if missing => gaps.push(Gap { from: at, to: at }),
+            _ => {}
         }
-        gaps
+        open = missing;
     }
+    gaps
+}
 
-    /// Whether the positions are whole turns after which all quantities are as they were, angles apart from whole turns.
-    pub(super) fn is_periodic(&self) -> bool {
-        let (Some(first), Some(last)) = (self.positions.first(), self.positions.last()) else {
-            return false;
-        };
-        let turns = (last - first) / TAU;
-        let whole = turns.round() != 0.0 && (turns - turns.round()).abs() < CLOSED;
-        let mut columns = self.tables.iter().flat_map(|table| table.columns());
-        self.input.unit == "rad" && whole && columns.all(|(column, values)| closes(column, values))
-    }
+/// Whether the positions are whole turns after which all quantities are as they were, angles apart from whole turns.
+pub(super) fn is_periodic(report: &Report) -> bool {
+    let (Some(first), Some(last)) = (report.positions.first(), report.positions.last()) else {
+        return false;
+    };
+    let turns = (last - first) / TAU;
+    let whole = turns.round() != 0.0 && (turns - turns.round()).abs() < CLOSED;
+    let mut columns = report.tables.iter().flat_map(|table| table.columns());
+    report.input.unit == "rad" && whole && columns.all(|(column, values)| closes(column, values))
 }
 
 fn closes(column: &Column, values: &[f64]) -> bool {

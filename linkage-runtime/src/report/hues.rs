@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 use std::vec::Vec;
 
-use super::Report;
+use super::builder::Report;
 use super::colour::{CURVES, Colour};
+use super::shown;
 use crate::{Column, Meaning, PointKind};
 
 /// Colours of quantities by their names; components of a vector have that of the vector.
@@ -73,34 +74,32 @@ fn components(column: &str) -> (&str, usize) {
     }
 }
 
-impl Report {
-    /// The colours of all quantities: those of the functions first, then points of the picture.
-    pub(super) fn hues(&self) -> Hues {
-        let mut hues = Giving::default();
-        let columns = self.tables.iter().flat_map(|table| table.heading.columns);
-        let (own, others): (Vec<&Column>, Vec<&Column>) =
-            columns.partition(|column| match column.meaning {
-                Meaning::Value | Meaning::Rate { .. } | Meaning::Margin => true,
-                Meaning::Sensitivity { .. } | Meaning::Picture => false,
-            });
-        for column in own {
-            hues.give(components(column.name).0, column.unit);
-        }
-        if let Some(shown) = self.shown() {
-            for (index, point) in shown.picture.points.iter().enumerate() {
-                if point.kind != PointKind::Construction {
-                    let given = hues.give(point.name, shown.unit);
-                    // `shape[p].x` is where `p` is.
-                    let column = components(shown.column_name(index)).0;
-                    hues.of.entry(column).or_insert(given);
-                }
+/// The colours of all quantities: those of the functions first, then points of the picture.
+pub(super) fn hues(report: &Report) -> Hues {
+    let mut hues = Giving::default();
+    let columns = report.tables.iter().flat_map(|table| table.heading.columns);
+    let (own, others): (Vec<&Column>, Vec<&Column>) =
+        columns.partition(|column| match column.meaning {
+            Meaning::Value | Meaning::Rate { .. } | Meaning::Margin => true,
+            Meaning::Sensitivity { .. } | Meaning::Picture => false,
+        });
+    for column in own {
+        hues.give(components(column.name).0, column.unit);
+    }
+    if let Some(shown) = shown::find_picture(report) {
+        for (index, point) in shown.picture.points.iter().enumerate() {
+            if point.kind != PointKind::Construction {
+                let given = hues.give(point.name, shown.unit);
+                // `shape[p].x` is where `p` is.
+                let column = components(shown.column_name(index)).0;
+                hues.of.entry(column).or_insert(given);
             }
         }
-        for column in others {
-            hues.give(components(column.name).0, column.unit);
-        }
-        Hues { of: hues.of }
     }
+    for column in others {
+        hues.give(components(column.name).0, column.unit);
+    }
+    Hues { of: hues.of }
 }
 
 /// Colours while they are given.

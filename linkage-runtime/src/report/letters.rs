@@ -4,7 +4,9 @@ use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use super::{Mistake, Report};
+use super::Mistake;
+use super::builder::Report;
+use super::summary;
 
 /// What words have that cannot be shown: neither XML nor HTML has control characters. Line ends and tabs are spaces there.
 pub(super) fn control(what: &str, words: &str) -> Option<Mistake> {
@@ -20,25 +22,23 @@ pub(super) fn control(what: &str, words: &str) -> Option<Mistake> {
     })
 }
 
-impl Report {
-    pub(super) fn check_words(&self, mistakes: &mut Vec<Mistake>) {
-        let of = |what: &str, words: &str| control(what, words);
-        mistakes.extend(of("the title", &self.title));
-        mistakes.extend(of("the text below the title", &self.about));
-        for (index, note) in self.notes.iter().enumerate() {
-            mistakes.extend(of(&format!("note {index}"), note));
-        }
-        for (index, fact) in self.facts.iter().enumerate() {
-            mistakes.extend(of(&format!("the name of fact {index}"), &fact.name));
-            mistakes.extend(of(&format!("fact {index}"), &fact.text));
-        }
-        for (index, row) in self.summary_rows().iter().enumerate() {
-            let words: [&String; 3] = [&row.quantity, &row.what, &row.unit];
-            mistakes.extend(
-                words
-                    .into_iter()
-                    .find_map(|words| of(&format!("row {index} of the summary"), words)),
-            );
-        }
+pub(super) fn check_words(report: &Report, mistakes: &mut Vec<Mistake>) {
+    let of = |what: &str, words: &str| control(what, words);
+    mistakes.extend(of("the title", &report.title));
+    mistakes.extend(of("the text below the title", &report.about));
+    for (index, note) in report.notes.iter().enumerate() {
+        mistakes.extend(of(&format!("note {index}"), note));
+    }
+    for (index, fact) in report.facts.iter().enumerate() {
+        mistakes.extend(of(&format!("the name of fact {index}"), &fact.name));
+        mistakes.extend(of(&format!("fact {index}"), &fact.text));
+    }
+    for (index, row) in summary::summary_rows(report).iter().enumerate() {
+        let words: [&String; 3] = [&row.quantity, &row.what, &row.unit];
+        mistakes.extend(
+            words
+                .into_iter()
+                .find_map(|words| of(&format!("row {index} of the summary"), words)),
+        );
     }
 }

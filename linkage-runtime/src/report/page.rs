@@ -2,9 +2,11 @@
 
 use std::string::String;
 
+use super::builder::Report;
 use super::colour::page_rules;
+use super::error::ReportError;
 use super::frame::Framed;
-use super::{Report, ReportError};
+use super::{json, machine};
 use crate::javascript::{ENGINE, OTHERS};
 
 const BODY: &str = include_str!("page/page.html");
@@ -92,74 +94,69 @@ const LIVE_CYCLE: [&str; 2] = [
 /// Of a page that is written anew while it is open.
 const FOLLOW: &str = include_str!("page/follow.js");
 
-impl Report {
-    /// An interactive page as one file that needs no network: the moving mechanism, plots, tables.
-    ///
-    /// # Errors
-    ///
-    /// As [`check`](Self::check).
-    pub fn html(&self) -> Result<String, ReportError> {
-        let follow = match self.version {
-            Some(version) => std::format!("{FOLLOW}\nfollow({version});\n"),
-            None => String::new(),
-        };
-        let script =
-            self.engine() + &SCRIPTS[..START].join("\n") + &self.live() + SCRIPTS[START] + &follow;
-        let framed = Framed {
-            title: &self.title,
-            policy: &self.policy(),
-            style: &(self.styles() + &page_rules(self.link_hues())),
-            body: BODY,
-            data: ("report", &self.page_json()?),
-            script: &script,
-        };
-        Ok(framed.html())
+/// Returns the interactive page.
+pub(super) fn page_html(report: &Report) -> Result<String, ReportError> {
+    let follow = match report.version {
+        Some(version) => std::format!("{FOLLOW}\nfollow({version});\n"),
+        None => String::new(),
+    };
+    let script = engine_script(report)
+        + &SCRIPTS[..START].join("\n")
+        + &live_script(report)
+        + SCRIPTS[START]
+        + &follow;
+    let framed = Framed {
+        title: &report.title,
+        policy: &content_policy(report),
+        style: &(page_styles(report) + &page_rules(machine::link_hues(report))),
+        body: BODY,
+        data: ("report", &json::page_json(report)?),
+        script: &script,
+    };
+    Ok(framed.html())
+}
+
+/// The engine with the programs, in a function of its own: its names are not those of the page.
+fn engine_script(report: &Report) -> String {
+    if report.programs.is_empty() {
+        return String::new();
+    }
+    let programs = report.programs.iter().map(|own| own.description);
+    let programs = programs.collect::<std::vec::Vec<_>>().join(",\n");
+    let engine = ENGINE.join("\n");
+    std::format!(
+        "const engine = (() => {{\n{engine}\n{OTHERS}\nreturn {{ assembled, evaluate, gapsAt, solutionsAt, standing, AssemblyError, programs: [{programs}] }};\n}})();\n"
+    )
+}
+
+/// Nothing comes from elsewhere, but for the version that an open page asks for.
+fn content_policy(report: &Report) -> String {
+    let follow = match report.version {
+        Some(_) => " 'report' file:",
+        None => "",
+    };
+    std::format!(
+        "default-src 'none'; script-src 'unsafe-inline'{follow}; style-src 'unsafe-inline'; img-src data: blob:; connect-src blob:; base-uri 'none'; form-action 'none'"
+    )
+}
+
+fn live_script(report: &Report) -> String {
+    match report.programs.is_empty() {
+        true => String::from("\n"),
+        false => {
+            let cycle = report.cyclogram.as_ref().map(|_| LIVE_CYCLE.join("\n"));
+            std::format!("\n{}\n{}\n", LIVE.join("\n"), cycle.unwrap_or_default())
+        }
     }
 }
 
-impl Report {
-    /// The engine with the programs, in a function of its own: its names are not those of the page.
-    fn engine(&self) -> String {
-        if self.programs.is_empty() {
-            return String::new();
-        }
-        let programs = self.programs.iter().map(|own| own.description);
-        let programs = programs.collect::<std::vec::Vec<_>>().join(",\n");
-        let engine = ENGINE.join("\n");
-        std::format!(
-            "const engine = (() => {{\n{engine}\n{OTHERS}\nreturn {{ assembled, evaluate, gapsAt, solutionsAt, standing, AssemblyError, programs: [{programs}] }};\n}})();\n"
-        )
-    }
-
-    /// Nothing comes from elsewhere, but for the version that an open page asks for.
-    fn policy(&self) -> String {
-        let follow = match self.version {
-            Some(_) => " 'self' file:",
-            None => "",
-        };
-        std::format!(
-            "default-src 'none'; script-src 'unsafe-inline'{follow}; style-src 'unsafe-inline'; img-src data: blob:; connect-src blob:; base-uri 'none'; form-action 'none'"
-        )
-    }
-
-    fn live(&self) -> String {
-        match self.programs.is_empty() {
-            true => String::from("\n"),
-            false => {
-                let cycle = self.cyclogram.as_ref().map(|_| LIVE_CYCLE.join("\n"));
-                std::format!("\n{}\n{}\n", LIVE.join("\n"), cycle.unwrap_or_default())
-            }
-        }
-    }
-
-    fn styles(&self) -> String {
-        let live = if self.programs.is_empty() {
-            ""
-        } else {
-            LIVE_STYLE
-        };
-        std::format!("{}\n{live}", STYLES.join("\n"))
-    }
+fn page_styles(report: &Report) -> String {
+    let live = if report.programs.is_empty() {
+        ""
+    } else {
+        LIVE_STYLE
+    };
+    std::format!("{}\n{live}", STYLES.join("\n"))
 }
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 
 use std::vec::Vec;
 
-use super::Plot;
 use super::hues::Hues;
+use super::plot::Plot;
 
 /// Curves in one panel.
 pub(super) const TOGETHER: usize = 6;

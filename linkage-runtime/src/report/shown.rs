@@ -4,7 +4,7 @@ use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use super::Report;
+use super::builder::Report;
 use crate::{Column, Guide, GuideOn, Picture, PicturePoint, PointKind};
 
 /// The picture of a report, with the places of its points.
@@ -87,49 +87,46 @@ impl<'a> Shown<'a> {
     }
 }
 
-impl Report {
-    pub(super) fn shown(&self) -> Option<Shown<'_>> {
-        self.tables.iter().find_map(|table| {
-            let columns = table.heading.picture?;
-            Some(Shown {
-                picture: columns.picture,
-                columns: &table.values[columns.first..],
-                unit: table.heading.columns.get(columns.first)?.unit,
-                named: table.heading.columns.get(columns.first..)?,
-            })
+pub(super) fn find_picture(report: &Report) -> Option<Shown<'_>> {
+    report.tables.iter().find_map(|table| {
+        let columns = table.heading.picture?;
+        Some(Shown {
+            picture: columns.picture,
+            columns: &table.values[columns.first..],
+            unit: table.heading.columns.get(columns.first)?.unit,
+            named: table.heading.columns.get(columns.first..)?,
         })
-    }
+    })
+}
 
-    /// The notes, and what there is to say of the picture.
-    pub(super) fn told(&self) -> Vec<String> {
-        let shown = self.shown();
-        let missing = shown.map_or_else(Vec::new, |shown| told_of_missing(shown.picture));
-        self.notes.iter().cloned().chain(missing).collect()
-    }
+/// The notes, and what there is to say of the picture.
+pub(super) fn all_notes(report: &Report) -> Vec<String> {
+    let shown = find_picture(report);
+    let missing = shown.map_or_else(Vec::new, |shown| told_of_missing(shown.picture));
+    report.notes.iter().cloned().chain(missing).collect()
+}
 
-    /// Whether there is a picture, and a position at which all of it can be drawn.
-    pub(super) fn is_drawable(&self) -> bool {
-        self.shown()
-            .is_some_and(|shown| (0..shown.rows()).any(|row| shown.is_assembled(row)))
-    }
+/// Whether there is a picture, and a position at which all of it can be drawn.
+pub(super) fn is_drawable(report: &Report) -> bool {
+    find_picture(report).is_some_and(|shown| (0..shown.rows()).any(|row| shown.is_assembled(row)))
+}
 
-    /// Indices of the points whose paths are drawn: those that were asked for, otherwise tips.
-    pub(super) fn traced(&self, picture: &Picture) -> Vec<usize> {
-        let tips = || {
-            let points = picture.points.iter().enumerate();
-            points.filter(|(_, point)| point.kind == PointKind::Tip)
-        };
-        match self.traces.as_slice() {
-            [] => tips().map(|(index, _)| index).collect(),
-            names => {
-                let mut found = Vec::new();
-                for index in names.iter().filter_map(|name| point_named(picture, name)) {
-                    if !found.contains(&index) {
-                        found.push(index);
-                    }
+/// Indices of the points whose paths are drawn: those that were asked for, otherwise tips.
+pub(super) fn traced_points(report: &Report, picture: &Picture) -> Vec<usize> {
+    let tips = || {
+        let points = picture.points.iter().enumerate();
+        points.filter(|(_, point)| point.kind == PointKind::Tip)
+    };
+    match report.traces.as_slice() {
+        [] => tips().map(|(index, _)| index).collect(),
+        names => {
+            let mut found = Vec::new();
+            for index in names.iter().filter_map(|name| point_named(picture, name)) {
+                if !found.contains(&index) {
+                    found.push(index);
                 }
-                found
             }
+            found
         }
     }
 }

@@ -3,7 +3,6 @@
 use std::string::String;
 use std::vec::Vec;
 
-use super::Report;
 use crate::{Column, Heading, Meaning, Table};
 
 /// A table as the report keeps it.
@@ -41,10 +40,8 @@ impl Saved {
     }
 }
 
-impl Report {
-    /// Names of the tables.
-    pub(super) fn functions(&self) -> Vec<String> {
-        let names = self.tables.iter().map(|table| table.heading.function);
-        names.map(String::from).collect()
-    }
+/// Names of the tables.
+pub(super) fn function_names(tables: &[Saved]) -> Vec<String> {
+    let names = tables.iter().map(|table| table.heading.function);
+    names.map(String::from).collect()
 }

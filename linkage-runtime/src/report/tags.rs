@@ -9,7 +9,7 @@ use std::string::String;
 
 /// Where an entity belongs to.
 #[derive(Clone, Copy)]
-pub(crate) enum Layer {
+pub(super) enum Layer {
     Links,
     Joints,
     Paths,
@@ -30,7 +30,7 @@ const NEXT_HUE: usize = 7;
 
 impl Layer {
     /// Those of a mechanism.
-    pub(crate) const OF_MECHANISMS: &'static [Self] = &[
+    pub(super) const OF_MECHANISMS: &'static [Self] = &[
         Self::Links,
         Self::Joints,
         Self::Paths,
@@ -63,13 +63,13 @@ impl Layer {
 }
 
 /// A file that is being written.
-pub(crate) struct Tags {
+pub(super) struct Tags {
     text: String,
 }
 
 impl Tags {
     /// Everything before the entities. Points are seen as dots in circles of this radius.
-    pub(crate) fn new(layers: &[Layer], [low, high]: [[f64; 3]; 2], radius: f64) -> Self {
+    pub(super) fn new(layers: &[Layer], [low, high]: [[f64; 3]; 2], radius: f64) -> Self {
         let mut tags = Self {
             text: String::new(),
         };
@@ -94,25 +94,25 @@ impl Tags {
         tags
     }
 
-    pub(crate) fn finish(mut self) -> String {
+    pub(super) fn finish(mut self) -> String {
         self.put(0, "ENDSEC").put(0, "EOF");
         self.text
     }
 
-    pub(crate) fn point(&mut self, layer: Layer, at: [f64; 3]) {
+    pub(super) fn point(&mut self, layer: Layer, at: [f64; 3]) {
         self.entity("POINT", layer).place(0, at);
     }
 
-    pub(crate) fn line(&mut self, layer: Layer, from: [f64; 3], to: [f64; 3]) {
+    pub(super) fn line(&mut self, layer: Layer, from: [f64; 3], to: [f64; 3]) {
         self.entity("LINE", layer).place(0, from).place(1, to);
     }
 
-    pub(crate) fn circle(&mut self, layer: Layer, centre: [f64; 3], radius: f64) {
+    pub(super) fn circle(&mut self, layer: Layer, centre: [f64; 3], radius: f64) {
         self.entity("CIRCLE", layer).place(0, centre);
         self.number(40, radius);
     }
 
-    pub(crate) fn polyline(
+    pub(super) fn polyline(
         &mut self,
         layer: Layer,
         closed: bool,
@@ -129,7 +129,7 @@ impl Tags {
         self.entity("SEQEND", layer);
     }
 
-    pub(crate) fn text(&mut self, layer: Layer, at: [f64; 3], height: f64, words: &str) {
+    pub(super) fn text(&mut self, layer: Layer, at: [f64; 3], height: f64, words: &str) {
         self.entity("TEXT", layer).place(0, at);
         self.number(40, height).put(1, ascii(words));
     }

@@ -3,35 +3,35 @@
 use std::collections::BTreeSet;
 use std::vec::Vec;
 
-use super::{BandKind, Report};
+use super::BandKind;
+use super::builder::Report;
+use super::{accuracy, rates};
 
 /// A page has no more rows. The limit is ours: a screen is a few thousand pixels wide, and browsers draw tens of thousands of corners of
 /// each curve at every change.
 const MOST: usize = 20_000;
 
-impl Report {
-    /// The rows that a page has, `None` for all: the first and the last one, those with the extremes of what is shown, both sides of every
-    /// edge of a gap, and others at even distances.
-    pub(super) fn page_rows(&self) -> Option<Vec<usize>> {
-        let count = self.positions.len();
-        if count <= MOST {
-            return None;
-        }
-        let mut rows = BTreeSet::from([0, count - 1]);
-        let columns = self.tables.iter().flat_map(|table| &table.values);
-        columns.for_each(|values| add_marks(&mut rows, values));
-        for rate in self.true_rates() {
-            add_marks(&mut rows, &rate.values);
-        }
-        for sensitive in self.sensitive() {
-            for kind in [BandKind::WorstCase, BandKind::Statistical] {
-                add_marks(&mut rows, &sensitive.half(kind));
-            }
-        }
-        let others = MOST.saturating_sub(rows.len());
-        rows.extend((0..others).map(|i| (i + 1) * (count - 1) / (others + 1)));
-        Some(rows.into_iter().collect())
+/// The rows that a page has, `None` for all: the first and the last one, those with the extremes of what is shown, both sides of every
+/// edge of a gap, and others at even distances.
+pub(super) fn page_rows(report: &Report) -> Option<Vec<usize>> {
+    let count = report.positions.len();
+    if count <= MOST {
+        return None;
     }
+    let mut rows = BTreeSet::from([0, count - 1]);
+    let columns = report.tables.iter().flat_map(|table| &table.values);
+    columns.for_each(|values| add_marks(&mut rows, values));
+    for rate in rates::true_rates(report) {
+        add_marks(&mut rows, &rate.values);
+    }
+    for sensitive in accuracy::sensitive(report) {
+        for kind in [BandKind::WorstCase, BandKind::Statistical] {
+            add_marks(&mut rows, &sensitive.half(kind));
+        }
+    }
+    let others = MOST.saturating_sub(rows.len());
+    rows.extend((0..others).map(|i| (i + 1) * (count - 1) / (others + 1)));
+    Some(rows.into_iter().collect())
 }
 
 /// Adds the rows of the extremes, and of both sides of all edges of gaps.

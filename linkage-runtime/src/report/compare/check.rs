@@ -4,8 +4,10 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::{Compared, Comparison};
+use crate::report::Mistake;
+use crate::report::error::ReportError;
 use crate::report::letters::control;
-use crate::report::{Mistake, ReportError};
+use crate::report::{check, plots};
 
 impl Comparison<'_> {
     pub(super) fn check(&self) -> Result<(), ReportError> {
@@ -33,7 +35,7 @@ impl Comparison<'_> {
         design: &Compared<'_>,
         mistakes: &mut Vec<Mistake>,
     ) -> Result<(), ReportError> {
-        match design.report.check() {
+        match check::check(design.report) {
             Err(ReportError::Mistakes(own)) => {
                 mistakes.extend(own);
                 return Ok(());
@@ -60,15 +62,15 @@ impl Comparison<'_> {
             });
         }
         for column in self.columns() {
-            let Some((_, unit, _)) = design.report.series(&column) else {
+            let Some((_, unit, _)) = plots::find_series(design.report, &column) else {
                 mistakes.push(Mistake::Unknown {
                     kind: "column",
                     name: column,
-                    known: design.report.known(),
+                    known: plots::known_columns(design.report),
                 });
                 continue;
             };
-            let firsts = first.report.series(&column).map(|(_, unit, _)| unit);
+            let firsts = plots::find_series(first.report, &column).map(|(_, unit, _)| unit);
             mistakes.extend(other_unit(column, design, unit, firsts));
         }
         let all = self.figures();

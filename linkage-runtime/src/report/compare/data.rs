@@ -8,6 +8,7 @@ use super::front::front;
 use super::picture::Drawn;
 use super::{Compared, Comparison};
 use crate::Meaning;
+use crate::report::{plots, shown};
 
 /// A page has no more positions of each design: two for each degree of a turn that a drawing of some hundred pixels
 /// shows would be no better.
@@ -48,10 +49,10 @@ impl Comparison<'_> {
             "about": self.about,
             "input": input,
             "extent": extent,
-            "unit": first.and_then(|report| report.shown()).map(|shown| shown.unit),
+            "unit": first.and_then(|report| shown::find_picture(report)).map(|shown| shown.unit),
             "designs": designs.collect::<Vec<_>>(),
             "curves": self.columns().iter().filter_map(|name| {
-                let (_, unit, _) = first?.series(name)?;
+                let (_, unit, _) = first.and_then(|report| plots::find_series(report, name))?;
                 // Where the unit stands behind the name, it is not said twice.
                 let bare = name.split(" [").next().unwrap_or(name);
                 Some(json!({ "name": bare, "unit": unit }))
@@ -165,7 +166,7 @@ fn figure(design: &Compared<'_>, name: &str) -> Option<f64> {
 }
 
 fn curve(design: &Compared<'_>, name: &str, rows: &[usize]) -> Option<Vec<f64>> {
-    let (_, _, values) = design.report.series(name)?;
+    let (_, _, values) = plots::find_series(design.report, name)?;
     let finite = || values.iter().copied().filter(|x| x.is_finite());
     let range = finite().fold(f64::NEG_INFINITY, f64::max) - finite().fold(f64::INFINITY, f64::min);
     // A constant has all its digits.

@@ -4,8 +4,9 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::vec::Vec;
 
-use crate::report::Report;
+use crate::report::builder::Report;
 use crate::report::drawing::View;
+use crate::report::shown;
 use crate::report::shown::Shown;
 use crate::{GuideOn, PointKind};
 
@@ -21,7 +22,7 @@ pub(super) struct Drawn<'a> {
 
 impl<'a> Drawn<'a> {
     pub(super) fn new(report: &'a Report) -> Option<Self> {
-        let shown = report.shown()?;
+        let shown = shown::find_picture(report)?;
         let view = View::new(shown.picture.dimension);
         Some(Self {
             shown,
@@ -90,7 +91,7 @@ impl<'a> Drawn<'a> {
             .rails(rows)
             .into_iter()
             .map(|ends| ends.map(|place| place.map(rounded)));
-        let traces = self.report.traced(self.shown.picture);
+        let traces = shown::traced_points(self.report, self.shown.picture);
         json!({
             "points": all.collect::<Vec<_>>(),
             "links": links.collect::<Vec<_>>(),
@@ -107,7 +108,7 @@ impl<'a> Drawn<'a> {
             .iter()
             .flat_map(|link| link.points.iter().copied());
         let sliders = picture.guides.iter().map(|guide| guide.slider);
-        let traced = self.report.traced(picture);
+        let traced = shown::traced_points(self.report, picture);
         let mut all: Vec<usize> = of_links.chain(sliders).chain(traced).collect();
         all.sort_unstable();
         all.dedup();

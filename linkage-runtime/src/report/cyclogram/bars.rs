@@ -3,7 +3,7 @@
 use std::format;
 use std::string::String;
 
-use super::word;
+use super::text::word;
 use crate::cyclogram::{Cyclogram, Motion, Organ};
 use crate::report::colour::Colour;
 use crate::report::plot::ticks::Scale;
@@ -34,7 +34,7 @@ impl Places {
     }
 }
 
-pub(super) fn drawn(cyclogram: &Cyclogram, hues: &[usize]) -> String {
+pub(in crate::report) fn drawn(cyclogram: &Cyclogram, hues: &[usize]) -> String {
     let organs = cyclogram.organs();
     let (low, high) = cyclogram.range();
     let names = organs.iter().map(|organ| organ.name().chars().count());

@@ -69,6 +69,12 @@ pub(super) fn distance(point: [f64; 2], [a, b]: [[f64; 2]; 2]) -> f64 {
     (point[0] - a[0] - part * dx).hypot(point[1] - a[1] - part * dy)
 }
 
+/// The same angle between minus and plus half a turn.
+pub(super) fn wrapped(angle: f64) -> f64 {
+    let turn = core::f64::consts::TAU;
+    angle - turn * (angle / turn).round()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

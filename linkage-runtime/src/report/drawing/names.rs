@@ -5,18 +5,15 @@ use core::f64::consts::{FRAC_PI_4, TAU};
 
 use std::vec::Vec;
 
-use super::Drawing;
-use super::legend;
-use super::parts::JOINT;
+use super::options::Drawing;
 use super::room::{Area, Taken};
 use super::sheet::Sheet;
+use super::sizes::{JOINT, LETTER_SIZE, LETTER_WIDTH};
+use super::{caption, cover, legend_layout};
 use crate::PointKind;
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
 
-/// Size of the letters and average width of one.
-const SIZE: f64 = 3.2;
-const LETTER: f64 = 1.95;
 /// Between a name and what it keeps clear of, and between a joint and its name.
 const CLEAR: f64 = 0.5;
 const APART: f64 = 0.8;
@@ -51,59 +48,58 @@ struct Scene {
     limits: Area,
 }
 
-impl Drawing<'_> {
-    /// Width of the longest name on paper.
-    pub(super) fn names_width(&self) -> f64 {
-        let points = self.shown.picture.points.iter().filter(|_| self.names);
-        let letters = points.map(|point| point.name.chars().count());
-        LETTER * letters.max().unwrap_or(0) as f64
-    }
-
-    pub(super) fn point_names(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
-        let points = self.shown.picture.points.iter().enumerate();
-        let points = points.filter(|(_, point)| point.kind != PointKind::Construction);
-        let points = points.filter_map(|(index, point)| Some((sheet.point(index, row)?, point)));
-        let points: Vec<_> = points.collect();
-        let mut scene = Scene {
-            taken: self.taken(sheet, row),
-            names: Vec::new(),
-            leaders: Vec::new(),
-            joints: points.iter().map(|(at, _)| *at).collect(),
-            limits: self.limits(sheet),
-        };
-        for (at, point) in points {
-            let half = [0.5 * LETTER * point.name.chars().count() as f64, 0.5 * SIZE];
-            let place = scene.best(at, half);
-            scene.names.push(place.area);
-            if let Some([from, to]) = place.leader {
-                scene.leaders.push(Taken::new(&[from, to], 0.0));
-                let line = Element::line(from, to).class("leader");
-                svg.add(line.stroke(Colour::Muted, 0.2));
-            }
-            let [left, top, right, bottom] = place.area;
-            // Letters stand on a line a good third of their size below the middle.
-            let middle = [0.5 * (left + right), 0.5 * (top + bottom) + 0.35 * SIZE];
-            let words = Element::text(middle, SIZE).anchor("middle").class("name");
-            // Legible over ghosts.
-            let words = words
-                .stroke(Colour::Paper, 0.9)
-                .set("paint-order", "stroke");
-            svg.words(
-                words.fill(Colour::Ink).set("stroke-linejoin", "round"),
-                point.name,
-            );
+pub(super) fn point_names(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
+    let points = drawing.shown.picture.points.iter().enumerate();
+    let points = points.filter(|(_, point)| point.kind != PointKind::Construction);
+    let points = points.filter_map(|(index, point)| Some((sheet.point(index, row)?, point)));
+    let points: Vec<_> = points.collect();
+    let mut scene = Scene {
+        taken: cover::covered(drawing, sheet, row),
+        names: Vec::new(),
+        leaders: Vec::new(),
+        joints: points.iter().map(|(at, _)| *at).collect(),
+        limits: limits(drawing, sheet),
+    };
+    for (at, point) in points {
+        let half = [
+            0.5 * LETTER_WIDTH * point.name.chars().count() as f64,
+            0.5 * LETTER_SIZE,
+        ];
+        let place = scene.best(at, half);
+        scene.names.push(place.area);
+        if let Some([from, to]) = place.leader {
+            scene.leaders.push(Taken::new(&[from, to], 0.0));
+            let line = Element::line(from, to).class("leader");
+            svg.add(line.stroke(Colour::Muted, 0.2));
         }
+        let [left, top, right, bottom] = place.area;
+        // Letters stand on a line a good third of their size below the middle.
+        let middle = [
+            0.5 * (left + right),
+            0.5 * (top + bottom) + 0.35 * LETTER_SIZE,
+        ];
+        let words = Element::text(middle, LETTER_SIZE)
+            .anchor("middle")
+            .class("name");
+        // Legible over ghosts.
+        let words = words
+            .stroke(Colour::Paper, 0.9)
+            .set("paint-order", "stroke");
+        svg.words(
+            words.fill(Colour::Ink).set("stroke-linejoin", "round"),
+            point.name,
+        );
     }
+}
 
-    fn limits(&self, sheet: &Sheet<'_>) -> Area {
-        let [width, height] = sheet.size;
-        [
-            EDGE,
-            self.head() + legend::height(self, width) + EDGE,
-            width - EDGE,
-            height - super::caption::FOOT - EDGE,
-        ]
-    }
+fn limits(drawing: &Drawing<'_>, sheet: &Sheet<'_>) -> Area {
+    let [width, height] = sheet.size;
+    [
+        EDGE,
+        caption::title_end(drawing) + legend_layout::height(drawing, width) + EDGE,
+        width - EDGE,
+        height - super::caption::FOOT - EDGE,
+    ]
 }
 
 impl Scene {

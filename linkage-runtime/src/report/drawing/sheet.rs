@@ -2,10 +2,12 @@
 
 use std::vec::Vec;
 
-use super::Drawing;
 use super::geometry::along;
-use super::legend;
-use super::wheels::Wheels;
+use super::legend_layout;
+use super::options::Drawing;
+use super::pitch_circles::PitchCircles;
+use super::sizes::LETTER_WIDTH;
+use super::view::View;
 use crate::PointKind;
 use crate::report::shown::Shown;
 
@@ -20,52 +22,8 @@ const NARROWEST: f64 = 110.0;
 const LETTER: f64 = 2.8;
 /// The mechanism is not drawn larger than this without being asked for.
 const LARGEST: [f64; 2] = [160.0, 180.0];
-/// How far guides go on beyond the slider, on paper.
-pub(super) const BEYOND: f64 = 8.0;
 /// A direction that is shorter on paper points at the reader but for rounding.
 const VISIBLE: f64 = 1e-6;
-
-/// Two directions of space that are the paper's right and up.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::report) struct View {
-    right: [f64; 3],
-    up: [f64; 3],
-    in_space: bool,
-}
-
-impl View {
-    pub(in crate::report) fn new(dimension: usize) -> Self {
-        let plane = Self {
-            right: [1.0, 0.0, 0.0],
-            up: [0.0, 1.0, 0.0],
-            in_space: dimension == 3,
-        };
-        plane.from((-60f64).to_radians(), 25f64.to_radians())
-    }
-
-    pub(super) fn from(self, azimuth: f64, elevation: f64) -> Self {
-        if !self.in_space {
-            return self;
-        }
-        let ((sa, ca), (se, ce)) = (azimuth.sin_cos(), elevation.sin_cos());
-        Self {
-            right: [-sa, ca, 0.0],
-            up: [-se * ca, -se * sa, ce],
-            ..self
-        }
-    }
-
-    pub(in crate::report) fn project(&self, v: [f64; 3]) -> [f64; 2] {
-        let product = |a: [f64; 3]| a[0] * v[0] + a[1] * v[1] + a[2] * v[2];
-        [product(self.right), product(self.up)]
-    }
-
-    /// How near to the reader something is.
-    fn nearness(&self, v: [f64; 3]) -> f64 {
-        let ([a, b, c], [d, e, f]) = (self.right, self.up);
-        (b * f - c * e) * v[0] + (c * d - a * f) * v[1] + (a * e - b * d) * v[2]
-    }
-}
 
 /// The paper, in millimetres, and where the mechanism is on it.
 pub(super) struct Sheet<'a> {
@@ -95,9 +53,9 @@ impl<'a> Sheet<'a> {
         });
         let factor = scale * unit;
         let title = 12.0 + LETTER * drawing.report.title.chars().count() as f64;
-        let beside = 2.0 * (MARGIN + drawing.names_width().min(LONGEST));
+        let beside = 2.0 * (MARGIN + names_width(drawing).min(LONGEST));
         let width = (wide * factor + beside).max(NARROWEST).max(title);
-        let top = MARGIN + HEAD + legend::height(drawing, width);
+        let top = MARGIN + HEAD + legend_layout::height(drawing, width);
         Self {
             shown,
             view,
@@ -188,7 +146,7 @@ fn limits(drawing: &Drawing<'_>, view: &View) -> [[f64; 2]; 2] {
     let guides = shown.picture.guides.iter();
     let rails: Vec<_> = guides.map(|guide| (guide, shown.rail(guide))).collect();
     let gears = shown.picture.gears.iter();
-    let gears = gears.filter_map(|gear| Some((gear, Wheels::of(shown, gear)?)));
+    let gears = gears.filter_map(|gear| Some((gear, PitchCircles::new(shown, gear)?)));
     let gears: Vec<_> = gears.collect();
     for row in 0..shown.rows() {
         for (index, point) in shown.picture.points.iter().enumerate() {
@@ -248,4 +206,16 @@ fn round_scale(limit: f64) -> f64 {
         .into_iter()
         .find(|s| *s <= limit)
         .unwrap_or_else(|| of(1.0))
+}
+
+/// Width of the longest name on paper.
+fn names_width(drawing: &Drawing<'_>) -> f64 {
+    let points = drawing
+        .shown
+        .picture
+        .points
+        .iter()
+        .filter(|_| drawing.names);
+    let letters = points.map(|point| point.name.chars().count());
+    LETTER_WIDTH * letters.max().unwrap_or(0) as f64
 }

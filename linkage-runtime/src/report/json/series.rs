@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::hash::DefaultHasher;
 use std::vec::Vec;
 
-use crate::report::Report;
+use crate::report::builder::Report;
 
 /// Which columns of tables stand in the JSON. Whatever has the same numbers refers to one of them.
 pub(super) struct Series<'a> {

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use std::vec::Vec;
 
-use crate::report::drawing::Wheels;
+use crate::report::drawing::PitchCircles;
 use crate::report::shown::Shown;
 use crate::{DriveOn, JointShape};
 
@@ -35,7 +35,7 @@ fn joints(shown: &Shown<'_>) -> Value {
 fn gears(shown: &Shown<'_>) -> Value {
     let gears = shown.picture.gears.iter();
     let gears = gears.filter_map(|gear| {
-        let wheels = Wheels::of(shown, gear)?;
+        let wheels = PitchCircles::new(shown, gear)?;
         Some(json!({ "centres": gear.centres, "radii": wheels.radii, "ratio": wheels.ratio }))
     });
     gears.collect::<Vec<_>>().into()

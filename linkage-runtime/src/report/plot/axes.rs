@@ -4,7 +4,7 @@ use std::format;
 use std::string::String;
 use std::vec::Vec;
 
-use super::Quantity;
+use super::curve::Quantity;
 use super::ticks::Scale;
 
 /// Scale and title of an axis.

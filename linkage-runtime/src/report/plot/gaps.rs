@@ -5,7 +5,7 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::super::svg::short;
-use super::Plot;
+use super::builder::Plot;
 use crate::words::rounded;
 
 /// Rows from the first to the last one in which some curve is not finite.
@@ -14,46 +14,44 @@ pub(super) type Rows = (usize, usize);
 /// More gaps than this are counted, not listed.
 const LISTED: usize = 4;
 
-impl Plot {
-    pub(super) fn gaps(&self) -> Vec<Rows> {
-        let missing = |row: usize| {
-            let values = self.curves.iter().map(|curve| curve.quantity.values[row]);
-            values.into_iter().any(|x| !x.is_finite())
-        };
-        let rows = 0..self.abscissa.values.len();
-        let mut gaps: Vec<Rows> = Vec::new();
-        for row in rows.filter(|row| missing(*row)) {
-            match gaps.last_mut() {
-                Some((_, last)) if *last + 1 == row => *last = row,
-                _ => gaps.push((row, row)),
-            }
+pub(super) fn gaps(plot: &Plot) -> Vec<Rows> {
+    let missing = |row: usize| {
+        let values = plot.curves.iter().map(|curve| curve.quantity.values[row]);
+        values.into_iter().any(|x| !x.is_finite())
+    };
+    let rows = 0..plot.abscissa.values.len();
+    let mut gaps: Vec<Rows> = Vec::new();
+    for row in rows.filter(|row| missing(*row)) {
+        match gaps.last_mut() {
+            Some((_, last)) if *last + 1 == row => *last = row,
+            _ => gaps.push((row, row)),
         }
-        gaps
     }
+    gaps
+}
 
-    /// The gaps in words.
-    pub(super) fn gap_notes(&self) -> Vec<String> {
-        let gaps = self.gaps();
-        if gaps.is_empty() {
-            return Vec::new();
-        }
-        let axis = &self.abscissa;
-        let place = |row: usize| rounded(axis.values[row]);
-        let stretch = |&(first, last): &Rows| match first == last {
-            true => format!("{}", place(first)),
-            false => format!("{} to {}", place(first), place(last)),
-        };
-        let mut stretches: Vec<String> = gaps.iter().take(LISTED).map(stretch).collect();
-        if gaps.len() > LISTED {
-            stretches.push(format!("and {} more", gaps.len() - LISTED));
-        }
-        let unit = &axis.unit;
-        Vec::from([format!(
-            "Gaps at {} = {} {unit}: the mechanism cannot be assembled there, or a value is infinite.",
-            axis.name,
-            stretches.join(", "),
-        )])
+/// The gaps in words.
+pub(super) fn gap_notes(plot: &Plot) -> Vec<String> {
+    let gaps = gaps(plot);
+    if gaps.is_empty() {
+        return Vec::new();
     }
+    let axis = &plot.abscissa;
+    let place = |row: usize| rounded(axis.values[row]);
+    let stretch = |&(first, last): &Rows| match first == last {
+        true => format!("{}", place(first)),
+        false => format!("{} to {}", place(first), place(last)),
+    };
+    let mut stretches: Vec<String> = gaps.iter().take(LISTED).map(stretch).collect();
+    if gaps.len() > LISTED {
+        stretches.push(format!("and {} more", gaps.len() - LISTED));
+    }
+    let unit = &axis.unit;
+    Vec::from([format!(
+        "Gaps at {} = {} {unit}: the mechanism cannot be assembled there, or a value is infinite.",
+        axis.name,
+        stretches.join(", "),
+    )])
 }
 
 /// Between the strokes of hatching, along an axis.

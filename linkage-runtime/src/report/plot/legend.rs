@@ -5,7 +5,7 @@ use std::string::String;
 use super::super::colour::Colour;
 use super::super::hues::Style;
 use super::super::svg::{Element, Svg};
-use super::panel::{dashed, shade};
+use super::stroke::{dashed, shade};
 use crate::report::BandKind;
 
 const LINE: f64 = 19.0;

@@ -3,13 +3,12 @@
 use std::vec::Vec;
 
 use super::super::colour::Colour;
-use super::super::hues::Style;
 use super::super::svg::{Element, Svg};
 use super::axes::Axis;
+use super::curve::{Band, Curve};
 use super::gaps::{Rows, hatching, pieces};
 use super::legend::Entry;
-use super::{Band, Curve};
-use crate::report::BandKind;
+use super::stroke::{dashed, shade};
 
 /// Left end of panels: the place for numbers and title.
 pub(super) const LEFT: f64 = 86.0;
@@ -226,33 +225,5 @@ impl Places<'_> {
             let across = title([0.5 * (left + right), bottom + 41.0]).class("axis");
             svg.words(across, &self.x.title);
         }
-    }
-}
-
-impl Curve {
-    fn style(&self, index: usize) -> Style {
-        self.style.unwrap_or(Style::numbered(index))
-    }
-
-    const fn width(&self) -> f64 {
-        if self.thin { 1.0 } else { 1.8 }
-    }
-}
-
-/// The line of a curve.
-pub(super) fn dashed(line: Element, style: Style) -> Element {
-    match style.dash {
-        0 => line,
-        1 => line.set("stroke-dasharray", "9 4"),
-        2 => line.set("stroke-dasharray", "2.5 3"),
-        _ => line.set("stroke-dasharray", "10 3 2.5 3"),
-    }
-}
-
-/// How opaque a band is.
-pub(super) const fn shade(kind: BandKind) -> f64 {
-    match kind {
-        BandKind::WorstCase => 0.18,
-        BandKind::Statistical => 0.32,
     }
 }

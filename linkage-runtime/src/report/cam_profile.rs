@@ -1,10 +1,10 @@
-//! Profiles as files: SVG and DXF, true to size.
+//! Profiles of plate cams as SVG and DXF, true to size.
 
 use std::format;
 use std::string::String;
 
-use super::Outline;
-use crate::report::tags::{Layer, Tags};
+use super::tags::{Layer, Tags};
+use crate::cam::Outline;
 
 /// Around the profile, and the width of its line, in shares of its size.
 const MARGIN: f64 = 0.05;
@@ -29,7 +29,7 @@ impl Outline {
     }
 
     /// A picture of the profile with its pitch curve and centre, where a unit of length is a millimetre on paper. All points have all of
-    /// their digits, with y upwards in the coordinates that [`Cam`](super::Cam) has.
+    /// their digits, with y upwards in the coordinates that [`Cam`](crate::cam::Cam) has.
     pub fn svg(&self) -> String {
         let [low, high] = self.bounds();
         let size = self.size();
