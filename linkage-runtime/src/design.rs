@@ -25,6 +25,7 @@ mod least_squares;
 mod limits;
 mod minimax;
 mod normal;
+mod optimum;
 mod parallel;
 mod problem;
 mod proof;
@@ -40,6 +41,7 @@ mod settings;
 mod starts;
 mod targets;
 mod varied;
+mod violation;
 mod wish;
 
 pub use builder::Design;
@@ -49,12 +51,11 @@ pub use cycle::{
     Demand, Dwell, ErrorOf, Figure, Fit, Highest, Lowest, Motion, Own, Peak, Piece, Pieces, Place,
     RootMeanSquare, Stroke, TimeRatio, Verdict,
 };
-pub use error::DesignError;
+pub use error::{DesignError, Refusals};
 pub use found::{Found, Search};
 pub use identify::{
     Identification, Identified, Measured, Readings, Remedy, Residual, Undetermined, Unknown,
 };
-pub use refusals::Refusals;
 pub use relation::Relation;
 pub use sampled::Sampled;
 pub use settings::Progress;

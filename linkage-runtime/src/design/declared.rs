@@ -4,9 +4,10 @@ use alloc::vec::Vec;
 
 use super::Found;
 use super::normal::Normal;
+use super::optimum::Optimum;
 use super::problem::Evaluator;
 use super::results::Results;
-use super::search::Optimum;
+use super::search;
 use super::settings::End;
 use crate::Dimensions;
 
@@ -52,7 +53,7 @@ where
             };
             let mode = (&self.assemblies[own.assembly], self.steps);
             let (problem, limits) = (self.problem, &self.problem.limits);
-            let near = own.within(limits, problem, &mut evaluator, mode);
+            let near = search::refine(own, limits, problem, &mut evaluator, mode);
             let near = self.rounded(near.into_iter().collect(), end).optima;
             let mut near = near.iter().map(|near| self.found(&mut evaluator, near));
             return match near.next() {

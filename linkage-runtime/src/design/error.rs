@@ -1,5 +1,6 @@
 //! What is wrong with a design problem, and why nothing is found.
 
+mod refusals;
 mod words;
 
 use alloc::boxed::Box;
@@ -7,7 +8,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use std::time::Duration;
 
-use super::{Interruption, Refusals};
+use super::certificate::{Interrupted, Interruption};
 use crate::AssemblyError;
 
 /// Why a design problem cannot be solved.
@@ -226,3 +227,36 @@ impl DesignError {
 }
 
 impl core::error::Error for DesignError {}
+
+/// Why no start led to a mechanism that holds what must hold. Each start counts once: as `refused`, `open`, `broken` or `ended`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Refusals {
+    /// Starts that were tried.
+    pub starts: usize,
+    /// Starts that contradict relations between parameters.
+    pub refused: usize,
+    /// These relations, in words, with how many starts contradict each: one start may contradict several.
+    pub relations: Vec<(String, usize)>,
+    /// Starts that do not assemble where something is wanted.
+    pub open: usize,
+    /// Starts that end where a condition does not hold.
+    pub broken: usize,
+    /// These conditions, with how many starts end where each does not hold.
+    pub conditions: Vec<(String, usize)>,
+    /// Of the ends that violate conditions the one that comes nearest: its condition that is missed most, and by how much.
+    pub missed: Option<(String, f64)>,
+    /// Starts that end at local optima which hold all conditions; they are refused for what follows.
+    pub ended: usize,
+    /// Distinct optima near which no values of catalogues hold all conditions.
+    pub no_values: usize,
+    /// Distinct optima that do not assemble over the whole range on one circuit.
+    pub not_whole: usize,
+    /// That of them with the least sum of squares, and why it does not.
+    pub nearest: Option<Interrupted>,
+    /// Distinct optima that violate a condition or a relation in the assembly that would be returned.
+    pub unverified: usize,
+    /// That of them with the least sum of squares: the condition or relation that is missed most, and by how much.
+    pub violated: Option<(String, f64)>,
+    /// What refused the first start of a search that has one of its own, with its numbers.
+    pub first: Option<Box<DesignError>>,
+}

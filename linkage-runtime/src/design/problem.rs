@@ -10,11 +10,9 @@ use core::marker::PhantomData;
 use core::ops::Range;
 use linkage_core::Cycle;
 
-pub(crate) use conditions::Violation;
-
 use super::limits::{Limits, Linear};
 use super::normal::Normal;
-use super::search::Optimum;
+use super::optimum::Optimum;
 use super::wish::{Candidates, Evaluate, Free, Rows, Wish};
 use crate::Dimensions;
 

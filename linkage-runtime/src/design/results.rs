@@ -9,9 +9,11 @@ use super::catalogue::rounded;
 use super::certificate::{Interrupted, Interruption};
 use super::limits::Limits;
 use super::normal::Normal;
+use super::optimum::Optimum;
 use super::parallel::in_parallel;
 use super::problem::{Evaluator, Problem};
-use super::search::{Optimum, distinct};
+use super::proof::certify_optimum;
+use super::search::{distinct, refine};
 use super::settings::End;
 use super::varied::Freedom;
 use crate::Dimensions;
@@ -109,7 +111,7 @@ where
             let mut evaluator = Evaluator::new(problem);
             let mode = (&self.assemblies[optimum.assembly], self.steps);
             let descend = |limits: &Limits, near: &Optimum| {
-                near.within(limits, problem, &mut evaluator, mode)
+                refine(near, limits, problem, &mut evaluator, mode)
             };
             let (lists, limits) = (&problem.catalogues, &problem.limits);
             let best = rounded(lists, limits, optimum.clone(), descend, &ended);
@@ -214,8 +216,7 @@ where
     ) -> Result<Found<M, A>, Refused> {
         let problem = self.problem;
         let assembly = &self.assemblies[optimum.assembly];
-        let branch = problem
-            .certify(evaluator, assembly, optimum, self.circuits)
+        let branch = certify_optimum(problem, evaluator, assembly, optimum, self.circuits)
             .map_err(Refused::NotWhole)?;
         evaluator.evaluate(&branch.assembly, core::iter::once(&optimum.x[..]));
         let mut normal = Normal::new(problem.limits.len());

@@ -26,6 +26,23 @@ pub struct Sampled<M, A, C, F, const N: usize> {
     of: PhantomData<fn(&M, &A) -> C>,
 }
 
+impl Targets {
+    /// As a wish: the quantities and their derivatives are in the columns of this function, a `_sweep_sets_into` method such as
+    /// `FourBarAssembly::path_sweep_sets_into`.
+    ///
+    /// The function has each quantity, its `sensitivity(..)` by all parameters that may vary, and, where inputs are free, its
+    /// `velocity(..)`.
+    #[must_use]
+    pub fn computed_by<M, A, C, F, const N: usize>(self, function: F) -> Sampled<M, A, C, F, N>
+    where
+        M: Dimensions<N> + Copy,
+        F: Fn(&A, &[M], &[f64], &mut C) + Send + Sync,
+        C: Table + Default,
+    {
+        Sampled::new(self, function)
+    }
+}
+
 impl<M, A, C, F, const N: usize> Sampled<M, A, C, F, N> {
     pub(super) fn new(targets: Targets, function: F) -> Self {
         Self {

@@ -2,10 +2,10 @@
 
 use alloc::vec::Vec;
 
-use super::catalogue::Local;
 use super::least_squares::{Descent, State, minimise};
 use super::limits::Limits;
 use super::normal::Normal;
+use super::optimum::Optimum;
 use super::problem::{Evaluator, Problem};
 use super::refusals::{Fate, Tally};
 use super::starts;
@@ -14,57 +14,27 @@ use crate::Dimensions;
 /// Starts of a block, which are evaluated side by side: enough for lanes, and few enough that their numbers stay in the cache.
 pub(crate) const BLOCK: usize = 32;
 
-/// A local optimum, not yet certified.
-#[derive(Clone, Debug)]
-pub(crate) struct Optimum {
-    /// The variables.
-    pub(crate) x: Vec<f64>,
-    pub(crate) sum: f64,
-    /// Which of the assemblies.
-    pub(crate) assembly: usize,
-    /// The start that led here.
-    pub(crate) start: usize,
-    /// How many starts did.
-    pub(crate) hits: usize,
-    /// Whether no step makes the sum smaller.
-    pub(crate) converged: bool,
-    /// Whether the sum is zero but for rounding.
-    pub(crate) zero: bool,
-}
-
-impl Local for Optimum {
-    fn place(&self) -> &[f64] {
-        &self.x
-    }
-
-    fn least(&self) -> f64 {
-        self.sum
-    }
-}
-
-impl Optimum {
-    /// The optimum within narrower limits, from this one.
-    pub(crate) fn within<M: Dimensions<N> + Copy, A, const N: usize>(
-        &self,
-        limits: &Limits,
-        problem: &Problem<'_, M, A, N>,
-        evaluator: &mut Evaluator<'_, M, A, N>,
-        (assembly, most): (&A, usize),
-    ) -> Option<Self> {
-        let start = limits.nearest(&self.x)?;
-        let (descent, state) = minimise(start, limits, most, |x, normal| {
-            evaluator.evaluate(assembly, core::iter::once(x));
-            evaluator.normal(0, normal);
-        });
-        let valid = descent.here.sum.is_finite() && problem.meets(&descent.here);
-        valid.then(|| Self {
-            zero: self.zero && descent.is_zero(),
-            x: descent.x,
-            sum: descent.here.sum,
-            converged: state == State::Converged,
-            ..*self
-        })
-    }
+/// The optimum within narrower limits, from this one.
+pub(crate) fn refine<M: Dimensions<N> + Copy, A, const N: usize>(
+    optimum: &Optimum,
+    limits: &Limits,
+    problem: &Problem<'_, M, A, N>,
+    evaluator: &mut Evaluator<'_, M, A, N>,
+    (assembly, most): (&A, usize),
+) -> Option<Optimum> {
+    let start = limits.nearest(&optimum.x)?;
+    let (descent, state) = minimise(start, limits, most, |x, normal| {
+        evaluator.evaluate(assembly, core::iter::once(x));
+        evaluator.normal(0, normal);
+    });
+    let valid = descent.here.sum.is_finite() && problem.meets(&descent.here);
+    valid.then(|| Optimum {
+        zero: optimum.zero && descent.is_zero(),
+        x: descent.x,
+        sum: descent.here.sum,
+        converged: state == State::Converged,
+        ..*optimum
+    })
 }
 
 /// What a block of starts gave.

@@ -4,9 +4,6 @@ use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::sampled::Sampled;
-use crate::{Dimensions, Table};
-
 /// At which inputs the positions are.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Timing {
@@ -85,20 +82,5 @@ impl Targets {
     pub fn weights(mut self, weights: impl IntoIterator<Item = f64>) -> Self {
         self.weights = weights.into_iter().collect();
         self
-    }
-
-    /// As a wish: the quantities and their derivatives are in the columns of this function, a `_sweep_sets_into` method such as
-    /// `FourBarAssembly::path_sweep_sets_into`.
-    ///
-    /// The function has each quantity, its `sensitivity(..)` by all parameters that may vary, and, where inputs are free, its
-    /// `velocity(..)`.
-    #[must_use]
-    pub fn computed_by<M, A, C, F, const N: usize>(self, function: F) -> Sampled<M, A, C, F, N>
-    where
-        M: Dimensions<N> + Copy,
-        F: Fn(&A, &[M], &[f64], &mut C) + Send + Sync,
-        C: Table + Default,
-    {
-        Sampled::new(self, function)
     }
 }

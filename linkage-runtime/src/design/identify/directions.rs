@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use nalgebra::{DMatrix, DVector};
 
 use super::determined::Determined;
-use super::words::Named;
+use super::named::Named;
 
 /// A direction in which all may move, in terms of ranges, with its name if it has one.
 pub(super) struct Candidate {

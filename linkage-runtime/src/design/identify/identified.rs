@@ -3,8 +3,9 @@
 use alloc::vec::Vec;
 
 use super::determined::Determined;
+use super::named::Named;
 use super::reading::Row;
-use super::words::{Named, Undetermined};
+use super::words::Undetermined;
 use crate::tolerance::student;
 use crate::{Dimensions, Parameter};
 

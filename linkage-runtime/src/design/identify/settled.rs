@@ -7,8 +7,9 @@ use alloc::vec::Vec;
 
 use nalgebra::DMatrix;
 
-use super::Identification;
 use super::determined::Determined;
+use super::setup::Identification;
+use super::{fit, rows};
 use crate::Dimensions;
 use crate::design::limits::Limits;
 
@@ -23,45 +24,40 @@ struct Step {
     length: f64,
 }
 
-impl<M, A, const N: usize> Identification<'_, M, A, N>
-where
-    M: Dimensions<N> + Copy,
-{
-    /// Whether no step within the bounds makes the sum of squares smaller; such steps are made before it is denied.
-    pub(super) fn settle(
-        &self,
-        limits: &Limits,
-        x: &mut Vec<f64>,
-        ranges: &[f64],
-        unknown: &[usize],
-        found: &mut Determined,
-    ) -> bool {
-        for _ in 0..super::POLISH {
-            let Step { step, length } = found.within(limits, x);
-            if found.is_settled(length) {
-                return true;
-            }
-            let next: Vec<f64> = (0..x.len()).map(|j| x[j] - ranges[j] * step[j]).collect();
-            if !limits.hold(&next) {
-                return false;
-            }
-            let rows = self.rows(&next, unknown);
-            let finite = |x: &f64| x.is_finite();
-            if !rows
-                .iter()
-                .all(|row| finite(&row.difference) && row.slopes.iter().all(finite))
-            {
-                return false;
-            }
-            let there = Determined::new(&rows, ranges, self.estimates_deviations());
-            if there.rank != found.rank || there.sum > found.sum {
-                return false;
-            }
-            (*x, *found) = (next, there);
+/// Whether no step within the bounds makes the sum of squares smaller; such steps are made before it is denied.
+pub(super) fn settle<M: Dimensions<N> + Copy, A, const N: usize>(
+    identification: &Identification<'_, M, A, N>,
+    limits: &Limits,
+    x: &mut Vec<f64>,
+    ranges: &[f64],
+    unknown: &[usize],
+    found: &mut Determined,
+) -> bool {
+    for _ in 0..fit::POLISH {
+        let Step { step, length } = found.within(limits, x);
+        if found.is_settled(length) {
+            return true;
         }
-        let Step { length, .. } = found.within(limits, x);
-        found.is_settled(length)
+        let next: Vec<f64> = (0..x.len()).map(|j| x[j] - ranges[j] * step[j]).collect();
+        if !limits.hold(&next) {
+            return false;
+        }
+        let rows = rows::rows(identification, &next, unknown);
+        let finite = |x: &f64| x.is_finite();
+        if !rows
+            .iter()
+            .all(|row| finite(&row.difference) && row.slopes.iter().all(finite))
+        {
+            return false;
+        }
+        let there = Determined::new(&rows, ranges, rows::estimates_deviations(identification));
+        if there.rank != found.rank || there.sum > found.sum {
+            return false;
+        }
+        (*x, *found) = (next, there);
     }
+    let Step { length, .. } = found.within(limits, x);
+    found.is_settled(length)
 }
 
 impl Determined {

@@ -9,9 +9,8 @@ use nalgebra::DVector;
 
 use super::determined::Determined;
 use super::directions::candidates;
+use super::named::Named;
 use super::reading::Row;
-use crate::Parameter;
-use crate::design::limits::Limits;
 use crate::words::rounded;
 
 /// A combination of parameters that the readings do not determine: it stays as near as can be to where the fit began.
@@ -40,17 +39,6 @@ pub struct Remedy {
     pub input: f64,
     /// By how many standard deviations it changes there, when the combination changes over its range.
     pub change: f64,
-}
-
-/// The unknown parameters.
-pub(super) struct Named {
-    pub(super) parameters: Vec<Parameter>,
-    /// Their places in `PARAMETERS`.
-    pub(super) places: Vec<usize>,
-    pub(super) starts: Vec<f64>,
-    pub(super) values: Vec<f64>,
-    pub(super) ranges: Vec<f64>,
-    pub(super) limits: Limits,
 }
 
 /// Directions that differ by less than this sine are one.

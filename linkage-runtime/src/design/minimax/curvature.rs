@@ -4,7 +4,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::super::quadratic::dot;
-use super::{Groups, Key, Row};
+use super::rows::{Groups, Key, Row};
 
 /// A positive definite approximation of the second derivatives of the rows, each times its weight, in reaches.
 ///

@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use super::super::limits::Limits;
 use super::super::quadratic::{Face, Quadratic};
 use super::curvature::Curvature;
-use super::{Groups, Row, cost};
+use super::rows::{Groups, Row, cost};
 
 /// Within what a step is, and what violations cost.
 #[derive(Clone, Copy, Debug)]

@@ -4,8 +4,8 @@ use alloc::vec::Vec;
 
 use super::super::limits::Limits;
 use super::curvature::Curvature;
+use super::rows::{Groups, Search};
 use super::step::{Aim, Plan, fall, step};
-use super::{Groups, Search};
 
 /// A step that gains less than this part of its promise is taken back; the smallest part that keeps searches from stalling.
 const TAKEN: f64 = 1e-4;

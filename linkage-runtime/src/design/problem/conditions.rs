@@ -4,6 +4,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use super::super::normal::Normal;
+use super::super::violation::Violation;
 use super::Problem;
 use crate::Dimensions;
 
@@ -24,17 +25,6 @@ struct Row {
     value: f64,
     /// What its value is compared with.
     size: f64,
-}
-
-/// A condition that does not hold.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Violation {
-    /// The number of its wish.
-    pub(crate) wish: usize,
-    /// By how much it is violated.
-    pub(crate) by: f64,
-    /// The same as a part of its size.
-    pub(crate) part: f64,
 }
 
 impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
