@@ -1,11 +1,10 @@
 //! The commands and their options.
 
-use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::error::{ContextKind, ContextValue};
-use clap::{Parser, Subcommand};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{CommandFactory, Parser, Subcommand};
 use linkage_compiler::shortened;
 
 mod assemblies;
@@ -22,6 +21,7 @@ mod range;
 mod replaced;
 mod sweep;
 mod table;
+mod terminal;
 mod tolerance;
 mod values;
 
@@ -71,7 +71,13 @@ pub fn run() -> ExitCode {
     let Arguments { command } = parsed.unwrap_or_else(|error| brief(error).exit());
     let result = match &command {
         Command::Check { files, dimensions } => check::run(files, dimensions),
-        Command::Table(options) => table::run(options),
+        Command::Table(options) => {
+            if let Some(mistake) = options.mistake() {
+                let mut command = Arguments::command();
+                command.error(ErrorKind::ArgumentConflict, mistake).exit();
+            }
+            table::run(options)
+        }
         Command::New { file } => new::run(file),
         Command::Page(options) => page::run(options),
         Command::Tolerance(options) => tolerance::run(options),
@@ -107,9 +113,4 @@ fn brief(mut error: clap::Error) -> clap::Error {
         }
     }
     error
-}
-
-/// Whether messages are coloured.
-fn is_coloured() -> bool {
-    io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|word| word.is_empty())
 }

@@ -6,6 +6,7 @@ mod coupled;
 mod numbers;
 mod operations;
 mod range_check;
-mod turns;
+mod revolutions;
+mod winding;
 
 pub use assemble::Assembly;

@@ -7,7 +7,7 @@ use std::path::Path;
 use linkage_compiler::{short_words, shortened};
 use linkage_runtime::AssemblyError;
 
-use crate::look_alike::{letters, look_alike};
+use crate::confusable::{letters, look_alike};
 
 /// What is told before the command ends with exit status 1.
 #[derive(Clone, Debug)]

@@ -31,6 +31,7 @@
 //! ```
 
 mod command;
+mod confusable;
 mod engine;
 mod failure;
 mod look_alike;

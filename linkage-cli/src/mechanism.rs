@@ -2,11 +2,14 @@
 //! lives as long as the process.
 
 mod describe;
+pub(crate) mod forever;
 
 use linkage_compiler::Checked;
 use linkage_compiler::unit::{Unit, plain};
 use linkage_runtime::generated::{Angle, CoupledGroup};
 use linkage_runtime::{AssemblyMode, Heading, Input, Parameter, Structure};
+
+use forever::forever;
 
 /// A mechanism without a mistake: its programs, and what they are about.
 #[derive(Clone, Debug)]
@@ -73,13 +76,13 @@ impl Mechanism {
         inputs.map(|input| input.reference).collect()
     }
 
-    /// The modes that the start estimates choose.
     /// The groups whose assembly is followed from the estimates, as numbers in `structure`.
     pub(crate) fn followed(&self) -> impl Iterator<Item = usize> {
         let followed = self.unit.coupled.iter().filter(|own| own.followed);
         followed.map(|own| own.group)
     }
 
+    /// The modes that the start estimates choose.
     pub(crate) fn modes(&self) -> Vec<AssemblyMode> {
         let modes = self.unit.modes().into_iter();
         modes
@@ -100,9 +103,4 @@ impl Mechanism {
             }
         }
     }
-}
-
-/// Something that lives as long as the process.
-pub(crate) fn forever<T: ?Sized, B: Into<Box<T>>>(own: B) -> &'static T {
-    Box::leak(own.into())
 }

@@ -8,9 +8,9 @@ use linkage_compiler::check_all;
 use linkage_runtime::Input;
 
 use super::assemblies::{not_listed, placed, shown};
-use super::is_coloured;
 use super::output::print;
 use super::range;
+use super::terminal::is_coloured;
 use super::values::Dimensions;
 use crate::failure::Failure;
 use crate::look_alike::look_alikes;

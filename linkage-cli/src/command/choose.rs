@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use linkage_compiler::{check_all, shortened};
 
-use super::is_coloured;
+use super::terminal::is_coloured;
 use crate::failure::{Failure, known_names, listed};
 use crate::look_alike::look_alikes;
 use crate::mechanism::Mechanism;

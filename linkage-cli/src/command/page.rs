@@ -20,7 +20,8 @@ use super::replaced::refuse_page;
 use super::sweep::{Rows, arguments, positions, still};
 use super::values::{Dimensions, parts};
 use crate::failure::{Failure, known_names};
-use crate::mechanism::{Mechanism, forever};
+use crate::mechanism::Mechanism;
+use crate::mechanism::forever::forever;
 use crate::normal::normal;
 
 /// Options of the command.

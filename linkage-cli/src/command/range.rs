@@ -3,7 +3,7 @@
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use linkage_runtime::RangeReport;
 
-use super::is_coloured;
+use super::terminal::is_coloured;
 use super::values::Dimensions;
 use crate::engine::Assembly;
 use crate::failure::Failure;

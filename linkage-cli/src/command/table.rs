@@ -4,9 +4,8 @@ mod streamed;
 
 use std::path::PathBuf;
 
-use clap::error::ErrorKind;
-use clap::{Args, CommandFactory, value_parser};
-use linkage_runtime::report::CsvStyle;
+use clap::{Args, value_parser};
+use linkage_runtime::report::{CsvStyle, Mistake};
 
 use super::choose::Chosen;
 use super::course::Course;
@@ -55,10 +54,6 @@ pub(super) struct Options {
 /// Writes the table.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let style = options.style();
-    if let Some(mistake) = style.mistake().filter(|_| !options.json) {
-        let mut command = super::Arguments::command();
-        command.error(ErrorKind::ArgumentConflict, mistake).exit();
-    }
     let (mechanism, function) = options.chosen.with_function(&options.function)?;
     let assembly = range::assembled(&options.dimensions, &mechanism)?;
     let along = options.course.of(&mechanism, function, options.steps)?;
@@ -78,6 +73,11 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
 }
 
 impl Options {
+    /// Returns the mistake of a style whose cells cannot be told apart.
+    pub(super) fn mistake(&self) -> Option<Mistake> {
+        self.style().mistake().filter(|_| !self.json)
+    }
+
     fn style(&self) -> CsvStyle {
         let style = CsvStyle::default()
             .separator(&self.separator.replace("\\t", "\t"))

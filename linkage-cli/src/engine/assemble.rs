@@ -7,8 +7,10 @@ use linkage_runtime::{AssemblyError, AssemblyMode, Estimate, Scalar};
 use super::coupled::Programs;
 use super::numbers::{Numbers, States};
 use super::operations::{by_build, called};
-use super::turns::{Turning, Turns};
-use crate::mechanism::{Mechanism, forever};
+use super::revolutions::Revolutions;
+use super::winding::Winding;
+use crate::mechanism::Mechanism;
+use crate::mechanism::forever::forever;
 
 /// An assembled mechanism.
 #[derive(Clone, Debug)]
@@ -17,7 +19,7 @@ pub struct Assembly<'m> {
     dimensions: Vec<f64>,
     modes: Vec<AssemblyMode>,
     starts: Vec<Start>,
-    turns: Turns,
+    revolutions: Revolutions,
     prepared: Vec<f64>,
 }
 
@@ -135,7 +137,7 @@ impl Assembly<'_> {
         Numbers {
             dimensions: &self.dimensions,
             modes: &self.modes,
-            turns: &self.turns,
+            revolutions: &self.revolutions,
             prepared: &self.prepared,
             inputs,
             states,
@@ -224,9 +226,9 @@ impl Mechanism {
         );
         found.map_err(|error| {
             // A group with a closed form that does not close before a coupled one is needed.
-            let turns = Turns::at_estimates(self);
+            let revolutions = Revolutions::at_estimates(self);
             let closed = self
-                .prepared(dimensions, modes.to_vec(), turns, nothing)
+                .prepared(dimensions, modes.to_vec(), revolutions, nothing)
                 .close(at);
             match closed {
                 Err(first @ AssemblyError::CannotClose { .. }) => first,
@@ -242,18 +244,18 @@ impl Mechanism {
         at: &[f64],
         starts: Vec<Start>,
     ) -> Result<Assembly<'_>, AssemblyError> {
-        let turning = Turning {
+        let turning = Winding {
             mechanism: self,
             dimensions,
             modes: &modes,
             starts: &starts,
         };
         let found = turning.wind(self.angles.len(), at);
-        let turns = match &found {
-            Ok(turns) => turns.clone(),
-            Err(_) => Turns::at_estimates(self),
+        let revolutions = match &found {
+            Ok(revolutions) => revolutions.clone(),
+            Err(_) => Revolutions::at_estimates(self),
         };
-        let assembly = self.prepared(dimensions, modes, turns, starts);
+        let assembly = self.prepared(dimensions, modes, revolutions, starts);
         assembly.close(at)?;
         match found {
             Ok(_) => Ok(assembly),
@@ -269,22 +271,22 @@ impl Mechanism {
         &self,
         dimensions: &[f64],
         modes: Vec<AssemblyMode>,
-        turns: Turns,
+        revolutions: Revolutions,
         starts: Vec<Start>,
     ) -> Assembly<'_> {
-        let turning = Turning {
+        let turning = Winding {
             mechanism: self,
             dimensions,
             modes: &modes,
             starts: &starts,
         };
-        let prepared = turning.prepare(&turns);
+        let prepared = turning.prepare(&revolutions);
         Assembly {
             mechanism: self,
             dimensions: dimensions.to_vec(),
             modes,
             starts,
-            turns,
+            revolutions,
             prepared,
         }
     }

@@ -7,8 +7,10 @@ use linkage_runtime::{AssemblyError, Circuits};
 
 use super::Assembly;
 use super::coupled::Programs;
-use super::turns::{Turning, Turns};
-use crate::mechanism::{Mechanism, forever};
+use super::revolutions::Revolutions;
+use super::winding::Winding;
+use crate::mechanism::Mechanism;
+use crate::mechanism::forever::forever;
 
 /// A mechanism with one input, as the runtime searches it.
 struct Search<'m> {
@@ -70,23 +72,23 @@ impl<'m> Levels for Search<'m> {
     }
 
     fn surveyor(&self, chosen: &Chosen, at: f64) -> Assembly<'m> {
-        let turning = Turning {
+        let turning = Winding {
             mechanism: self.mechanism,
             dimensions: self.dimensions,
             modes: &chosen.modes,
             starts: &chosen.starts,
         };
         let count = self.mechanism.unit.surveying;
-        let turns = match count {
-            0 => Turns::at_estimates(self.mechanism),
+        let revolutions = match count {
+            0 => Revolutions::at_estimates(self.mechanism),
             _ => {
                 let found = turning.wind(count, &[at]);
-                found.unwrap_or_else(|_| Turns::at_estimates(self.mechanism))
+                found.unwrap_or_else(|_| Revolutions::at_estimates(self.mechanism))
             }
         };
         let Chosen { modes, starts } = chosen.clone();
         self.mechanism
-            .prepared(self.dimensions, modes, turns, starts)
+            .prepared(self.dimensions, modes, revolutions, starts)
     }
 
     fn survey(&self, assembly: &Assembly<'m>, at: f64) -> Vec<f64> {

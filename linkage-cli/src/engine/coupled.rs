@@ -8,7 +8,8 @@ use linkage_symbolic::program::Source;
 
 use super::numbers::{Numbers, States};
 use super::operations::{by_build, over_states};
-use super::turns::{Turning, Turns};
+use super::revolutions::Revolutions;
+use super::winding::Winding;
 use crate::mechanism::Mechanism;
 
 /// A group, and what is prepared of those before it.
@@ -17,7 +18,7 @@ pub(crate) struct Programs<'m> {
     number: usize,
     dimensions: Vec<f64>,
     modes: Vec<AssemblyMode>,
-    turns: Turns,
+    revolutions: Revolutions,
     prepared: Vec<f64>,
     starts: Vec<Start>,
     at: Vec<f64>,
@@ -37,14 +38,14 @@ impl<'m> Programs<'m> {
         number: usize,
         starts: &[Start],
     ) -> Result<Self, AssemblyError> {
-        let turning = Turning {
+        let turning = Winding {
             mechanism,
             dimensions,
             modes,
             starts,
         };
-        let turns = turning.wind(mechanism.unit.coupled[number].turning, at);
-        let turns = turns.map_err(|unknown| AssemblyError::NoWinding {
+        let revolutions = turning.wind(mechanism.unit.coupled[number].turning, at);
+        let revolutions = revolutions.map_err(|unknown| AssemblyError::NoWinding {
             mechanism: mechanism.name,
             unknown,
         })?;
@@ -53,8 +54,8 @@ impl<'m> Programs<'m> {
             number,
             dimensions: dimensions.to_vec(),
             modes: modes.to_vec(),
-            prepared: turning.prepare(&turns),
-            turns,
+            prepared: turning.prepare(&revolutions),
+            revolutions,
             starts: starts.to_vec(),
             at: at.to_vec(),
         })
@@ -84,7 +85,7 @@ impl<'m> Programs<'m> {
         Numbers {
             dimensions: &self.dimensions,
             modes: &self.modes,
-            turns: &self.turns,
+            revolutions: &self.revolutions,
             prepared: &self.prepared,
             inputs: &self.at,
             states,

@@ -4,7 +4,7 @@ use linkage_runtime::generated::{Single, Start, inlined, single};
 use linkage_runtime::{AssemblyMode, Scalar};
 use linkage_symbolic::program::Source;
 
-use super::turns::Turns;
+use super::revolutions::Revolutions;
 use crate::mechanism::Mechanism;
 
 /// A mechanism's numbers at some inputs.
@@ -12,7 +12,7 @@ use crate::mechanism::Mechanism;
 pub(super) struct Numbers<'a> {
     pub(super) dimensions: &'a [f64],
     pub(super) modes: &'a [AssemblyMode],
-    pub(super) turns: &'a Turns,
+    pub(super) revolutions: &'a Revolutions,
     pub(super) prepared: &'a [f64],
     /// Inputs, then the arguments behind them.
     pub(super) inputs: &'a [f64],
@@ -27,8 +27,8 @@ impl Numbers<'_> {
             Source::Parameter(index) => self.dimensions[index],
             Source::Input(index) => self.inputs[index],
             Source::Mode(mode) => self.modes[mode].sign(),
-            Source::Centre(angle) => self.turns.centres[angle],
-            Source::Winding(angle, input) => self.turns.windings[angle][input],
+            Source::Centre(angle) => self.revolutions.centres[angle],
+            Source::Winding(angle, input) => self.revolutions.windings[angle][input],
             Source::Prepared(slot) => self.prepared[slot],
             Source::State(group, component) => self.states[group][component],
             Source::Limit => f64::CORRECTION_LIMIT,

@@ -1,6 +1,6 @@
 //! The runtime's descriptions of a unit, as generated code has them as constants.
 
-use linkage_compiler::unit::{Coupled, Function, Meaning, Picture, Shown, Unit};
+use linkage_compiler::unit::{Coupled, Function, Meaning, Picture, Shown, Unit, plain};
 use linkage_runtime::generated::{
     Along, Angle, CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown, Range, Term,
 };
@@ -10,7 +10,7 @@ use linkage_runtime::{
 };
 use linkage_symbolic::count::Count;
 
-use super::{forever, plain};
+use super::forever::forever;
 
 pub(super) fn inputs(unit: &Unit) -> &'static [Input] {
     let inputs = unit.inputs.iter().map(|own| Input {
