@@ -20,6 +20,7 @@ mod frame;
 mod gaps;
 mod hues;
 mod index;
+mod joint_signs;
 mod json;
 mod letters;
 mod machine;

@@ -6,7 +6,7 @@ use super::builder::Report;
 use super::colour::page_rules;
 use super::error::ReportError;
 use super::frame::Framed;
-use super::{json, machine};
+use super::{joint_signs, json, machine, shown};
 use crate::javascript::{ENGINE, OTHERS};
 
 const BODY: &str = include_str!("page/page.html");
@@ -100,7 +100,9 @@ pub(super) fn page_html(report: &Report) -> Result<String, ReportError> {
         Some(version) => std::format!("{FOLLOW}\nfollow({version});\n"),
         None => String::new(),
     };
+    let joints = shown::find_picture(report).map_or(&[][..], |shown| shown.picture.joints);
     let script = engine_script(report)
+        + &joint_signs::page_constant(joints)
         + &SCRIPTS[..START].join("\n")
         + &live_script(report)
         + SCRIPTS[START]

@@ -112,7 +112,7 @@ pub(super) fn points(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>, ro
                 Element::circle(at, DOT).fill(colour)
             }
             PointKind::Ground | PointKind::Joint => Element::circle(at, JOINT)
-                .fill(match signs::is_ball(drawing, index) {
+                .fill(match signs::is_filled(drawing, index) {
                     true => colour,
                     false => Colour::Paper,
                 })

@@ -8,14 +8,17 @@ use super::room::Taken;
 use super::sheet::Sheet;
 use super::{fixed, wheels};
 use crate::report::colour::Colour;
+use crate::report::joint_signs::{Bar, Directions, sign};
 use crate::report::svg::{Element, Svg};
-use crate::{Guide, GuideShape, JointShape};
+use crate::{Guide, GuideShape};
 
 /// Half the length and half the height of a hinge's sleeve, and of one that slides, too.
 const SLEEVE: [f64; 2] = [2.6, 1.2];
 const LONG_SLEEVE: [f64; 2] = [4.4, 1.2];
 /// Radius of the socket of a ball, and of the ring of a universal joint.
 const SOCKET: f64 = 1.75;
+/// Half the length of an arm of a cross.
+const CROSS: f64 = 1.9 * SOCKET;
 /// Half the height of a barrel, and the width of a piston rod.
 const BARREL: f64 = 2.1;
 const ROD: f64 = 1.3;
@@ -24,45 +27,31 @@ const SHARE: [f64; 2] = [0.85, 0.3];
 /// Width of outlines.
 const OUTLINE: f64 = 0.35;
 
-/// What tells joints in space from each other, below the circles of their points.
+/// Draws the signs of joints in space, below the circles of their points.
 pub(super) fn joint_signs(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
     let picture = drawing.shown.picture;
     for joint in picture.joints.iter().filter(|_| picture.dimension == 3) {
-        let Some(at) = sheet.point(joint.point, row) else {
+        let sign = sign(joint.shape);
+        let (Some(at), Some(class)) = (sheet.point(joint.point, row), sign.class) else {
             continue;
         };
-        let (axes, along) = ways(drawing, sheet, joint.point, row);
-        let mut axes = axes.into_iter();
-        let group = Element::new("g").class("joint");
+        let group = Element::new("g").class("joint").class(class);
         let name = picture.points[joint.point].name;
-        match joint.shape {
-            JointShape::Pin => svg.group(group.class("hinge").set("data-name", name), |svg| {
-                axes.by_ref()
-                    .take(1)
-                    .for_each(|way| sleeve(svg, at, way, SLEEVE));
-            }),
-            JointShape::Ball => svg.group(group.class("ball").set("data-name", name), |svg| {
+        svg.group(group.set("data-name", name), |svg| {
+            if sign.ring {
                 svg.add(ring(at));
-            }),
-            JointShape::Universal => {
-                svg.group(group.class("universal").set("data-name", name), |svg| {
-                    svg.add(ring(at));
-                    for way in axes {
-                        let [a, b] = [-1.0, 1.0].map(|end| moved(at, way, 1.9 * SOCKET * end, 0.0));
+            }
+            for way in bar_directions(drawing, sheet, joint.point, sign.directions, row) {
+                match sign.bar {
+                    Bar::Sleeve => sleeve(svg, at, way, SLEEVE),
+                    Bar::LongSleeve => sleeve(svg, at, way, LONG_SLEEVE),
+                    Bar::Line => {
+                        let [a, b] = [-1.0, 1.0].map(|end| moved(at, way, CROSS * end, 0.0));
                         svg.add(Element::line(a, b).stroke(Colour::Ink, 0.6));
                     }
-                });
+                }
             }
-            JointShape::Cylindrical => {
-                svg.group(group.class("cylindrical").set("data-name", name), |svg| {
-                    let way = along.or_else(|| axes.next());
-                    way.into_iter()
-                        .for_each(|way| sleeve(svg, at, way, LONG_SLEEVE));
-                });
-            }
-            // Its block is the sign.
-            JointShape::Slide => {}
-        }
+        });
     }
 }
 
@@ -77,17 +66,13 @@ pub(super) fn sign_covers(drawing: &Drawing<'_>, sheet: &Sheet<'_>, row: usize) 
         let Some(at) = sheet.point(joint.point, row) else {
             continue;
         };
-        let (axes, along) = ways(drawing, sheet, joint.point, row);
-        let (ways, half, high) = match joint.shape {
-            JointShape::Pin => (axes.into_iter().take(1).collect(), SLEEVE[0], SLEEVE[1]),
-            JointShape::Ball | JointShape::Slide => (Vec::new(), 0.0, 0.0),
-            JointShape::Universal => (axes, 1.9 * SOCKET, OUTLINE),
-            JointShape::Cylindrical => {
-                let way = along.or(axes.first().copied());
-                let [half, high] = LONG_SLEEVE;
-                (way.into_iter().collect(), half, high)
-            }
+        let sign = sign(joint.shape);
+        let [half, high] = match sign.bar {
+            Bar::Sleeve => SLEEVE,
+            Bar::LongSleeve => LONG_SLEEVE,
+            Bar::Line => [CROSS, OUTLINE],
         };
+        let ways = bar_directions(drawing, sheet, joint.point, sign.directions, row);
         all.extend(ways.into_iter().map(|way| {
             let ends = [-half, half].map(|end| moved(at, way, end, 0.0));
             Taken::new(&ends, high + OUTLINE)
@@ -106,19 +91,27 @@ pub(super) fn sign_covers(drawing: &Drawing<'_>, sheet: &Sheet<'_>, row: usize) 
     all
 }
 
-/// The directions of the axes through a point, and of a guide's line.
-fn ways(
+/// The directions of the bars of a sign, on paper.
+fn bar_directions(
     drawing: &Drawing<'_>,
     sheet: &Sheet<'_>,
     point: usize,
+    directions: Directions,
     row: usize,
-) -> (Vec<[f64; 2]>, Option<[f64; 2]>) {
+) -> Vec<[f64; 2]> {
     let picture = drawing.shown.picture;
     let axes = picture.axes.iter().filter(|axis| axis.point == point);
-    let axes = axes.filter_map(|axis| sheet.direction(axis.direction, row));
-    let mut guides = picture.guides.iter().filter(|own| own.slider == point);
-    let along = guides.find_map(|own| sheet.direction(own.direction, row));
-    (axes.collect(), along)
+    let mut axes = axes.filter_map(|axis| sheet.direction(axis.direction, row));
+    match directions {
+        Directions::None => Vec::new(),
+        Directions::FirstAxis => axes.next().into_iter().collect(),
+        Directions::AllAxes => axes.collect(),
+        Directions::Guide => {
+            let mut guides = picture.guides.iter().filter(|guide| guide.slider == point);
+            let along = guides.find_map(|guide| sheet.direction(guide.direction, row));
+            along.or_else(|| axes.next()).into_iter().collect()
+        }
+    }
 }
 
 pub(super) fn cylinder_cover(
@@ -137,18 +130,18 @@ pub(super) fn cylinder_cover(
     Vec::from([rod, Taken::new(&[foot, mouth], BARREL + OUTLINE)])
 }
 
-/// The mark of a point with a ball: filled, as a ball in its socket.
-pub(super) fn is_ball(drawing: &Drawing<'_>, point: usize) -> bool {
+/// Whether the mark of a point is filled, as a ball in its socket.
+pub(super) fn is_filled(drawing: &Drawing<'_>, point: usize) -> bool {
     let picture = drawing.shown.picture;
     let mut joints = picture.joints.iter();
-    picture.dimension == 3 && joints.any(|own| own.point == point && own.shape == JointShape::Ball)
+    picture.dimension == 3 && joints.any(|own| own.point == point && sign(own.shape).filled)
 }
 
 /// Whether something slides in a point, and nothing turns.
 pub(super) fn only_slides(drawing: &Drawing<'_>, point: usize) -> bool {
     let joints = drawing.shown.picture.joints.iter();
     let mut here = joints.filter(|own| own.point == point).peekable();
-    here.peek().is_some() && here.all(|own| own.shape == JointShape::Slide)
+    here.peek().is_some() && here.all(|own| !sign(own.shape).turns)
 }
 
 /// Cylinders: a barrel from the one end, a piston rod from the other.

@@ -3,9 +3,10 @@
 use serde_json::{Value, json};
 use std::vec::Vec;
 
+use crate::DriveOn;
 use crate::report::drawing::PitchCircles;
+use crate::report::joint_signs::sign;
 use crate::report::shown::Shown;
-use crate::{DriveOn, JointShape};
 
 /// Adds it to the picture.
 pub(super) fn add(picture: &mut Value, shown: &Shown<'_>) {
@@ -19,13 +20,7 @@ fn joints(shown: &Shown<'_>) -> Value {
     let joint = |joint: &crate::PictureJoint| {
         json!({
             "point": joint.point,
-            "shape": match joint.shape {
-                JointShape::Pin => "pin",
-                JointShape::Slide => "slide",
-                JointShape::Ball => "ball",
-                JointShape::Universal => "universal",
-                JointShape::Cylindrical => "cylindrical",
-            },
+            "shape": sign(joint.shape).name,
         })
     };
     joints.map(joint).collect::<Vec<_>>().into()

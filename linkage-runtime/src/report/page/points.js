@@ -10,7 +10,7 @@ function pointPart(point, index) {
   const target = shape("circle", { class: "target", r: 15 });
   const name = nameParts(point);
   const node = shape("g", {
-    class: `point ${point.kind}${radius === RADII.dot ? " dot" : ""}${isBall(index) ? " filled" : ""}`,
+    class: `point ${point.kind}${radius === RADII.dot ? " dot" : ""}${isFilled(index) ? " filled" : ""}`,
     "data-point": point.name,
     tabindex: 0,
     role: "button",

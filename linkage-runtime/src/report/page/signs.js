@@ -3,10 +3,9 @@
 // Radius of the arrow about a driven pivot; where on its circle it begins and ends, seen from the link; its pieces.
 const DRIVE = { radius: 25, from: 0.35, to: 1.75, pieces: 12, push: 19, beside: 17 };
 const HEAD = { length: 9, half: 3.6 };
-// Half the length and half the height of sleeves; the radius of a socket; half the arms of a cross.
-const SLEEVE = { pin: [11, 5], cylindrical: [19, 5] };
-const SOCKET = 8.5;
-const CROSS = 15;
+// Half the length and half the height of bars; the radius of a ring.
+const BARS = { sleeve: [11, 5], "long sleeve": [19, 5], line: [15, 0] };
+const RING = 8.5;
 // From where wheels touch to the middle of their ratio, which stands in the larger one, and half its width.
 const RATIO = { aside: 32, half: 24 };
 
@@ -139,41 +138,43 @@ function growth(row, value, wrapped) {
 // What is around the mark of a joint in space; nothing in the plane, where all joints are pins and blocks.
 function jointSigns(index) {
   const joints = isSpatial() ? picture.joints.filter((joint) => joint.point === index) : [];
-  return joints.filter((joint) => joint.shape !== "slide").map((joint) => jointSign(joint));
+  return joints.filter((joint) => JOINT_SIGNS[joint.shape].drawn).map((joint) => jointSign(joint));
 }
 
 function jointSign(joint) {
-  const sleeve = shape("path", { class: joint.shape === "universal" ? "cross" : "sleeve" });
-  const socket = shape("circle", { class: "socket", r: SOCKET });
-  const round = joint.shape === "ball" || joint.shape === "universal";
-  const node = shape("g", { class: joint.shape, "data-joint": joint.shape }, ...(round ? [socket] : []), ...(joint.shape === "ball" ? [] : [sleeve]));
+  const { ring, directions, bar } = JOINT_SIGNS[joint.shape];
+  const bars = shape("path", { class: bar === "line" ? "cross" : "sleeve" });
+  const socket = shape("circle", { class: "socket", r: RING });
+  const node = shape("g", { class: joint.shape, "data-joint": joint.shape }, ...(ring ? [socket] : []), ...(directions === "none" ? [] : [bars]));
   const update = (at, row) => {
     set(socket, { cx: pixel(at[0]), cy: pixel(at[1]) });
     const ways = waysOf(joint, row).map(projectDirection);
-    const [half, thick] = SLEEVE[joint.shape] ?? [CROSS, 0];
+    const [half, thick] = BARS[bar];
     const shapes = ways.map((way) => block(at, way, half, thick));
-    set(sleeve, { d: shapes.map((corners) => `${lineThrough(corners)}Z`).join("") });
-    const around = round ? [taken([at.slice(0, 2)], SOCKET + 1)] : [];
+    set(bars, { d: shapes.map((corners) => `${lineThrough(corners)}Z`).join("") });
+    const around = ring ? [taken([at.slice(0, 2)], RING + 1)] : [];
     return [...around, ...shapes.map((corners) => taken(corners, 1))];
   };
   return { node, update };
 }
 
-// The axes that a sign shows: one of a pin, both of a universal joint, the line of what slides along it.
+// The directions of the bars of a sign.
 function waysOf({ point, shape: kind }, row) {
-  if (kind === "ball") return [];
+  const { directions } = JOINT_SIGNS[kind];
+  if (directions === "none") return [];
   const axes = picture.axes.filter((axis) => axis.point === point).map((axis) => directionAt(axis.direction, row));
   const lines = picture.guides.filter((guide) => guide.slider === point).map((guide) => directionAt(guide.direction, row));
-  const found = (kind === "cylindrical" ? [...lines, ...axes] : axes).filter((way) => way !== null);
-  return kind === "universal" ? found : found.slice(0, 1);
+  const found = (directions === "guide" ? [...lines, ...axes] : axes).filter((way) => way !== null);
+  return directions === "first axis" || directions === "guide" ? found.slice(0, 1) : directions === "all axes" ? found : [];
 }
 
 // Whether something slides in a point, and nothing turns.
 function onlySlides(index) {
   const joints = picture.joints.filter((joint) => joint.point === index);
-  return joints.length > 0 && joints.every((joint) => joint.shape === "slide");
+  return joints.length > 0 && joints.every((joint) => !JOINT_SIGNS[joint.shape].turns);
 }
 
-function isBall(index) {
-  return isSpatial() && picture.joints.some((joint) => joint.point === index && joint.shape === "ball");
+// Whether the mark of a point is filled, as a ball in its socket.
+function isFilled(index) {
+  return isSpatial() && picture.joints.some((joint) => joint.point === index && JOINT_SIGNS[joint.shape].filled);
 }
