@@ -6,6 +6,7 @@
 //! scale.
 
 mod accuracy;
+mod atomic_file;
 mod builder;
 mod cam_profile;
 mod check;
@@ -13,21 +14,22 @@ mod colour;
 mod compare;
 mod csv;
 mod cyclogram;
+mod downsample;
 mod drawing;
 mod error;
 mod figures;
 mod frame;
-mod gaps;
-mod hues;
+mod glyphs;
 mod index;
 mod joint_signs;
 mod json;
-mod letters;
 mod machine;
+mod missing;
 mod mistake;
 mod output_file;
 mod outputs;
 mod page;
+mod palette;
 mod panels;
 mod plot;
 mod plots;
@@ -40,12 +42,12 @@ mod summary;
 mod svg;
 mod tables;
 mod tags;
-mod thin;
 mod units;
-mod whole;
 mod write;
 
 pub use accuracy::BandKind;
+#[doc(hidden)]
+pub use atomic_file::AtomicFile;
 pub use builder::Report;
 pub use compare::{Aim, Compared, Comparison};
 pub use csv::CsvStyle;
@@ -55,5 +57,3 @@ pub use index::Index;
 pub use mistake::Mistake;
 pub use plot::Plot;
 pub use row::SummaryRow;
-#[doc(hidden)]
-pub use whole::Whole;

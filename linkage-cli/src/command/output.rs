@@ -6,7 +6,7 @@ use std::iter::successors;
 use std::path::{Path, PathBuf};
 use std::process;
 
-use linkage_runtime::report::Whole;
+use linkage_runtime::report::AtomicFile;
 
 use super::replaced::refuse_mechanism;
 use crate::failure::Failure;
@@ -64,7 +64,7 @@ fn extend(file: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -
 
 /// Puts a file in the place of what is there.
 fn replace(file: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    let mut out = BufWriter::new(Whole::new(file)?);
+    let mut out = BufWriter::new(AtomicFile::new(file)?);
     content(&mut out)?;
     out.into_inner()
         .map_err(io::IntoInnerError::into_error)?

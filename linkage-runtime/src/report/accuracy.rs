@@ -60,7 +60,7 @@ impl Sensitive<'_> {
     /// Half the width of the band at each position.
     pub(super) fn half(&self, kind: BandKind) -> Vec<f64> {
         let rows = 0..self.table.rows;
-        rows.map(|row| kind.sum(self.at(row).map(|(_, effect)| effect)))
+        rows.map(|row| kind.sum(self.effects_at(row).map(|(_, effect)| effect)))
             .collect()
     }
 
@@ -69,19 +69,21 @@ impl Sensitive<'_> {
         let half = self.half(BandKind::WorstCase);
         let finite = half.iter().enumerate().filter(|(_, x)| x.is_finite());
         let (row, &worst) = finite.max_by(|a, b| a.1.total_cmp(b.1))?;
-        let sizes = self.at(row).map(|(name, effect)| (name, effect.abs()));
+        let sizes = self
+            .effects_at(row)
+            .map(|(name, effect)| (name, effect.abs()));
         let mut contributions: Vec<_> = sizes.filter(|(_, size)| *size > 0.0).collect();
         contributions.sort_by(|a, b| b.1.total_cmp(&a.1));
         Some(Worst {
             at: positions[row],
             worst,
-            statistical: BandKind::Statistical.sum(self.at(row).map(|(_, effect)| effect)),
+            statistical: BandKind::Statistical.sum(self.effects_at(row).map(|(_, effect)| effect)),
             contributions,
         })
     }
 
     /// Sensitivity times tolerance of each parameter.
-    pub(super) fn at(&self, row: usize) -> impl Iterator<Item = (&'static str, f64)> {
+    pub(super) fn effects_at(&self, row: usize) -> impl Iterator<Item = (&'static str, f64)> {
         let effects = self.effects.iter();
         effects.map(move |(parameter, e)| (parameter.name, e[row] * parameter.tolerance))
     }
@@ -120,7 +122,7 @@ pub(super) fn sensitive(report: &Report) -> Vec<Sensitive<'_>> {
 
 /// What a sensitivity is one of: the quantity's name, otherwise its own without the parameter.
 fn quantity(table: &Saved, column: &'static Column) -> Cow<'static, str> {
-    if let Some(name) = table.of(column) {
+    if let Some(name) = table.base_name(column) {
         return Cow::Borrowed(name);
     }
     match (column.name.rfind('['), column.name.rfind(']')) {

@@ -8,13 +8,13 @@ use super::builder::Report;
 use super::error::ReportError;
 use super::shown::{drawn_names, point_named};
 use super::tables::Saved;
-use super::{letters, machine, rates, shown, tables};
+use super::{glyphs, machine, rates, shown, tables};
 use crate::Meaning;
 
 /// Returns all mistakes of a report as an error.
 pub(super) fn check(report: &Report) -> Result<(), ReportError> {
     let mut mistakes = Vec::new();
-    letters::check_words(report, &mut mistakes);
+    glyphs::check_words(report, &mut mistakes);
     check_tables(report, &mut mistakes);
     check_picture(report, &mut mistakes);
     check_parameters(report, &mut mistakes);
@@ -187,7 +187,7 @@ fn check_speed(report: &Report, mistakes: &mut Vec<Mistake>) {
             {
                 mistakes.push(Mistake::Velocity {
                     column: column.name.to_string(),
-                    of: table.of(column).map(|name| std::format!("`{name}`")),
+                    of: table.base_name(column).map(|name| std::format!("`{name}`")),
                 });
             }
         }

@@ -12,7 +12,7 @@ use std::vec::Vec;
 
 use super::CsvStyle;
 use super::error::ReportError;
-use super::letters::control;
+use super::glyphs::control;
 use super::output_file;
 use crate::cyclogram::{Cyclogram, Organ};
 

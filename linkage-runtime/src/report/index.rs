@@ -10,7 +10,7 @@ use std::vec::Vec;
 use super::builder::Report;
 use super::error::{ReportError, failed};
 use super::frame::escaped;
-use super::letters::control;
+use super::glyphs::control;
 use super::{output_file, shown};
 
 const FRAME: &str = include_str!("page/index.html");

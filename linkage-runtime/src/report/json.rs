@@ -11,11 +11,11 @@ use std::vec::Vec;
 use super::accuracy::BandKind;
 use super::builder::Report;
 use super::error::ReportError;
-use super::hues::{Hues, Style};
+use super::palette::{Palette, Style};
 use super::rates::True;
 use super::shown::Shown;
 use super::tables::Saved;
-use super::{accuracy, check, gaps, hues, machine, rates, shown, summary, thin};
+use super::{accuracy, check, downsample, machine, missing, palette, rates, shown, summary};
 use crate::{Column, GuideOn, GuideShape, Meaning, Operations, PointKind, Structure};
 use series::Series;
 
@@ -28,12 +28,12 @@ pub(super) fn report_json(report: &Report) -> Result<String, ReportError> {
 /// What the page has: rows that it does not show are left out.
 pub(super) fn page_json(report: &Report) -> Result<String, ReportError> {
     check::check(report)?;
-    Ok(report_value(report, thin::page_rows(report).as_deref()).to_string())
+    Ok(report_value(report, downsample::page_rows(report).as_deref()).to_string())
 }
 
 fn report_value(report: &Report, rows: Option<&[usize]>) -> Value {
-    let series = Series::of(report, rows);
-    let hues = hues::hues(report);
+    let series = Series::new(report, rows);
+    let hues = palette::palette(report);
     let (bands, accuracy) = tolerance_values(report, &series);
     let tables = report.tables.iter().enumerate();
     let mut value = json!({
@@ -44,7 +44,7 @@ fn report_value(report: &Report, rows: Option<&[usize]>) -> Value {
             "name": report.input.name,
             "unit": report.input.unit,
             "values": series.picked(&report.positions),
-            "periodic": gaps::is_periodic(report),
+            "periodic": missing::is_periodic(report),
         },
         "thinned": rows.map(|rows| json!({ "rows": rows.len(), "of": report.positions.len() })),
         "tables": list(tables, |(index, table)| table_value(report, &series, &hues, index, table)),
@@ -69,7 +69,7 @@ fn report_value(report: &Report, rows: Option<&[usize]>) -> Value {
             "at": row.at,
         })),
         "facts": list(&report.facts, |f| json!({ "name": f.name, "text": f.text })),
-        "gaps": list(gaps::gaps(report), |gap| json!({ "from": gap.from, "to": gap.to })),
+        "gaps": list(missing::gaps(report), |gap| json!({ "from": gap.from, "to": gap.to })),
         "live": (!report.programs.is_empty()).then(|| live::live_value(report)),
     });
     if let Some(cyclogram) = &report.cyclogram {
@@ -81,7 +81,7 @@ fn report_value(report: &Report, rows: Option<&[usize]>) -> Value {
 fn table_value(
     report: &Report,
     series: &Series<'_>,
-    hues: &Hues,
+    hues: &Palette,
     index: usize,
     table: &Saved,
 ) -> Value {
@@ -101,7 +101,7 @@ fn column_value(report: &Report, table: &Saved, column: &Column, values: Value) 
         "meaning": meaning(column.meaning),
         "values": values,
     });
-    if let Some(of) = table.of(column) {
+    if let Some(of) = table.base_name(column) {
         value["of"] = json!(of);
     }
     match column.meaning {
@@ -147,7 +147,7 @@ fn tolerance_values(report: &Report, series: &Series<'_>) -> (Vec<Value>, Vec<Va
     (bands, accuracy)
 }
 
-fn picture_value(report: &Report, series: &Series<'_>, hues: &Hues, shown: &Shown<'_>) -> Value {
+fn picture_value(report: &Report, series: &Series<'_>, hues: &Palette, shown: &Shown<'_>) -> Value {
     let picture = shown.picture;
     let points = picture.points.iter().enumerate();
     let directions = picture.directions.iter().enumerate();
@@ -244,7 +244,7 @@ fn true_value(series: &Series<'_>, rate: &True) -> Value {
 }
 
 /// With the number of its colour and of its dashes among those of curves.
-fn coloured(mut column: Value, hues: &Hues, name: &str) -> Value {
+fn coloured(mut column: Value, hues: &Palette, name: &str) -> Value {
     if let Some(Style { hue, dash }) = hues.style(name) {
         column["colour"] = json!(hue);
         column["dash"] = json!(dash);

@@ -1,6 +1,6 @@
 //! What does not fit together in a report.
 
-mod words;
+mod message;
 
 use std::string::String;
 use std::vec::Vec;

@@ -4,8 +4,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::vec::Vec;
 
+use super::atomic_file::AtomicFile;
 use super::error::{ReportError, failed};
-use super::whole::Whole;
 
 /// Writes a picture by the ending of its name.
 pub(super) fn picture(path: &Path, svg: &str) -> Result<PathBuf, ReportError> {
@@ -30,8 +30,8 @@ pub(super) fn file(path: &Path, content: impl AsRef<[u8]>) -> Result<PathBuf, Re
 }
 
 /// A file with its content, not yet in its place.
-pub(super) fn complete(path: &Path, content: impl AsRef<[u8]>) -> Result<Whole, ReportError> {
-    let mut whole = Whole::new(path).map_err(failed(path))?;
+pub(super) fn complete(path: &Path, content: impl AsRef<[u8]>) -> Result<AtomicFile, ReportError> {
+    let mut whole = AtomicFile::new(path).map_err(failed(path))?;
     let written = whole.write_all(content.as_ref());
     written.map_err(failed(path))?;
     Ok(whole)

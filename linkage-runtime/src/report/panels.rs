@@ -2,7 +2,7 @@
 
 use std::vec::Vec;
 
-use super::hues::Hues;
+use super::palette::Palette;
 use super::plot::Plot;
 
 /// Curves in one panel.
@@ -41,7 +41,7 @@ impl<'a> Shared<'a> {
 /// A plot of columns, those of one unit and about one size together; `None` if there are none.
 pub(super) fn panels<'a>(
     plot: Plot,
-    hues: &Hues,
+    hues: &Palette,
     columns: impl Iterator<Item = Named<'a>>,
 ) -> Option<Plot> {
     let mut panels: Vec<Shared<'a>> = Vec::new();
@@ -100,7 +100,7 @@ mod tests {
     /// The titles of the panels.
     fn titles(columns: &[Named<'_>]) -> Vec<String> {
         let plot = Plot::new("s", "mm", &[0.0, 1.0]);
-        let svg = panels(plot, &Hues::default(), columns.iter().copied())
+        let svg = panels(plot, &Palette::default(), columns.iter().copied())
             .unwrap()
             .svg()
             .unwrap();
@@ -153,7 +153,7 @@ mod tests {
         assert!(
             panels(
                 Plot::new("s", "mm", &values),
-                &Hues::default(),
+                &Palette::default(),
                 [].into_iter()
             )
             .is_none()

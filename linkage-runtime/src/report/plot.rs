@@ -3,8 +3,8 @@
 mod axes;
 mod builder;
 mod curve;
-mod gaps;
 mod legend;
+mod missing;
 mod mistakes;
 mod output;
 mod panel;

@@ -14,12 +14,12 @@ use super::rates::True;
 use super::tables::Saved;
 use super::units::{per_second, titled};
 use super::{BandKind, Mistake};
-use super::{accuracy, check, hues, rates};
+use super::{accuracy, check, palette, rates};
 use crate::words::rounded;
 use crate::{Column, Meaning};
 
 /// A column as it is asked for.
-struct Found<'a> {
+struct FoundColumn<'a> {
     name: &'static str,
     unit: Cow<'a, str>,
     values: Cow<'a, [f64]>,
@@ -60,7 +60,7 @@ pub(super) fn plot_errors(report: &Report) -> Result<Option<Plot>, ReportError> 
     if sensitive.is_empty() {
         return Ok(None);
     }
-    let hues = hues::hues(report);
+    let hues = palette::palette(report);
     let mut plot = empty_plot(report).title(format!("{}: errors by tolerances", report.title));
     for quantities in sensitive.chunks(TOGETHER / 2) {
         for quantity in quantities {
@@ -83,7 +83,7 @@ pub(super) fn plot_errors(report: &Report) -> Result<Option<Plot>, ReportError> 
 pub(super) fn all_plots(report: &Report) -> Result<Vec<(String, Plot)>, ReportError> {
     let rates = rates::true_rates(report);
     let sensitive = accuracy::sensitive(report);
-    let hues = hues::hues(report);
+    let hues = palette::palette(report);
     let mut plots = Vec::new();
     for table in &report.tables {
         let function = table.heading.function;
@@ -120,7 +120,7 @@ fn empty_plot(report: &Report) -> Plot {
     Plot::new(report.input.name, report.input.unit, &report.positions).title(report.title.as_str())
 }
 
-fn with_column(report: &Report, plot: Plot, found: &Found<'_>) -> Plot {
+fn with_column(report: &Report, plot: Plot, found: &FoundColumn<'_>) -> Plot {
     let name = match found.column {
         Some((table, _)) if plot.has_curve(found.name, &found.unit) => {
             Cow::Owned(format!("{}.{}", table.heading.function, found.name))
@@ -128,7 +128,7 @@ fn with_column(report: &Report, plot: Plot, found: &Found<'_>) -> Plot {
         _ => Cow::Borrowed(found.name),
     };
     let plot = plot.curve(&name, &found.unit, &found.values);
-    let mut plot = plot.styled(hues::hues(report).style(found.name));
+    let mut plot = plot.styled(palette::palette(report).style(found.name));
     let sensitive = accuracy::sensitive(report);
     let about = sensitive.iter().filter(|sensitive| {
         let of = sensitive.column.map(|index| (sensitive.table, index));
@@ -145,7 +145,7 @@ fn with_column(report: &Report, plot: Plot, found: &Found<'_>) -> Plot {
     plot
 }
 
-fn find_column<'a>(report: &'a Report, rates: &'a [True], name: &str) -> Option<Found<'a>> {
+fn find_column<'a>(report: &'a Report, rates: &'a [True], name: &str) -> Option<FoundColumn<'a>> {
     let named = |function: &str, column: &Column, unit: &str| {
         let titled = titled(column.name, unit);
         let rest = name
@@ -169,7 +169,7 @@ fn find_column<'a>(report: &'a Report, rates: &'a [True], name: &str) -> Option<
         sensitive.iter().any(is_it)
     };
     let given = columns.min_by_key(|(table, index, ..)| !is_banded(table, *index));
-    let given = given.map(|(table, index, column, values)| Found {
+    let given = given.map(|(table, index, column, values)| FoundColumn {
         name: column.name,
         unit: Cow::Borrowed(column.unit),
         values: Cow::Borrowed(values),
@@ -179,7 +179,7 @@ fn find_column<'a>(report: &'a Report, rates: &'a [True], name: &str) -> Option<
         .iter()
         .filter(|rate| named(rate.table, rate.column, &rate.unit));
     given.or_else(|| {
-        rates.next().map(|rate| Found {
+        rates.next().map(|rate| FoundColumn {
             name: rate.column.name,
             unit: Cow::Borrowed(&rate.unit),
             values: Cow::Borrowed(&rate.values),

@@ -61,7 +61,7 @@ fn true_rate(
         table: table.heading.function,
         column,
         order,
-        of: table.of(column),
+        of: table.base_name(column),
         unit: true_unit(report, table, column, order),
         values,
     })
@@ -85,7 +85,7 @@ pub(super) fn first_derivative<'a>(
     table: &Saved,
     column: &Column,
 ) -> Option<&'a [f64]> {
-    let of = table.of(column)?;
+    let of = table.base_name(column)?;
     let here = report
         .tables
         .iter()
@@ -95,7 +95,7 @@ pub(super) fn first_derivative<'a>(
             .columns()
             .find(|(other, _)| {
                 matches!(other.meaning, Meaning::Rate { order: 1, .. })
-                    && table.of(other) == Some(of)
+                    && table.base_name(other) == Some(of)
             })
             .map(|(_, values)| values)
     })

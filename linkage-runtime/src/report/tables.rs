@@ -31,7 +31,7 @@ impl Saved {
     }
 
     /// The name of the column that another one is a derivative of.
-    pub(super) fn of(&self, column: &Column) -> Option<&'static str> {
+    pub(super) fn base_name(&self, column: &Column) -> Option<&'static str> {
         let of = match column.meaning {
             Meaning::Rate { of, .. } | Meaning::Sensitivity { of, .. } => of,
             Meaning::Value | Meaning::Margin | Meaning::Picture => None,

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::vec::Vec;
 
-use super::Whole;
+use super::AtomicFile;
 use super::builder::Report;
 use super::cyclogram::bars;
 use super::drawing::Drawing;
@@ -69,7 +69,7 @@ pub(super) fn write_report(
         }
         written.push((path, whole));
     }
-    let put = |(path, whole): (&PathBuf, Whole)| {
+    let put = |(path, whole): (&PathBuf, AtomicFile)| {
         whole.put().map_err(failed(path))?;
         Ok(path.clone())
     };

@@ -6,7 +6,7 @@ use std::vec::Vec;
 use super::{Compared, Comparison};
 use crate::report::Mistake;
 use crate::report::error::ReportError;
-use crate::report::letters::control;
+use crate::report::glyphs::control;
 use crate::report::{check, plots};
 
 impl Comparison<'_> {

@@ -116,7 +116,12 @@ pub(super) fn vectors(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>, r
         svg.group(group, |svg| {
             svg.add(Element::line(from, to).stroke(colour, 0.6));
             head(svg, from, to, colour);
-            let size = vector.at(row).iter().map(|x| x * x).sum::<f64>().sqrt();
+            let size = vector
+                .value_at(row)
+                .iter()
+                .map(|x| x * x)
+                .sum::<f64>()
+                .sqrt();
             let words = format!("{} = {} {}", vector.name, rounded(size), vector.unit);
             let way = [0, 1].map(|k| (to[k] - from[k]) / length);
             let at = [to[0] + 1.6 * way[0], to[1] + 1.6 * way[1] + 1.1];

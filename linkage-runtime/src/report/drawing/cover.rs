@@ -42,7 +42,7 @@ pub(super) fn covered(drawing: &Drawing<'_>, sheet: &Sheet<'_>, row: usize) -> V
             all.push(Taken::new(&[[x, y]], JOINT + THIN));
             if point.kind == PointKind::Ground {
                 let [height, half] = FOOT;
-                all.push(Taken::of([
+                all.push(Taken::from_area([
                     x - 1.6 * half - THIN,
                     y,
                     x + 1.6 * half,

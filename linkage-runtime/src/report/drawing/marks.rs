@@ -116,7 +116,7 @@ pub(super) fn ellipses(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>, 
     };
     for &point in &drawing.traces {
         let name = drawing.shown.picture.points[point].name;
-        let Some(scatter) = Scatter::of(point, name, &sensitive) else {
+        let Some(scatter) = Scatter::new(point, name, &sensitive) else {
             continue;
         };
         for row in [row]

@@ -7,7 +7,7 @@ use super::options::Drawing;
 use super::picture;
 use crate::report::Mistake;
 use crate::report::error::ReportError;
-use crate::report::gaps;
+use crate::report::missing;
 use crate::report::svg::Svg;
 
 /// A cycle has about so many positions; between them all points move straight. Half way a link that turns once is shorter by a thousandth of
@@ -36,7 +36,7 @@ pub(super) fn film(drawing: &Drawing<'_>, seconds: f64) -> Result<String, Report
 /// The rows that are drawn: equally far from each other, but for the last one.
 fn key_rows(drawing: &Drawing<'_>) -> Vec<usize> {
     let last = drawing.report.positions.len() - 1;
-    if gaps::is_periodic(drawing.report) {
+    if missing::is_periodic(drawing.report) {
         return (0..last).step_by(last.div_ceil(KEYS)).collect();
     }
     let there = (0..last).step_by(last.div_ceil(KEYS / 2));

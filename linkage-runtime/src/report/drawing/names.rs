@@ -31,7 +31,7 @@ const CROSSING: f64 = 8.0;
 const EDGE: f64 = 1.0;
 
 /// Where a name may be.
-struct Place {
+struct Placement {
     area: Area,
     /// From the rim of its joint to the name, if that is farther away.
     leader: Option<[[f64; 2]; 2]>,
@@ -104,9 +104,9 @@ fn limits(drawing: &Drawing<'_>, sheet: &Sheet<'_>) -> Area {
 
 impl Scene {
     /// The cheapest of the places that are free; if none is, the one with the most room.
-    fn best(&self, at: [f64; 2], half: [f64; 2]) -> Place {
-        let mut best: Option<Place> = None;
-        let mut widest: Option<(f64, Place)> = None;
+    fn best(&self, at: [f64; 2], half: [f64; 2]) -> Placement {
+        let mut best: Option<Placement> = None;
+        let mut widest: Option<(f64, Placement)> = None;
         for ring in RINGS {
             if best.as_ref().is_some_and(|best| best.price <= ring) {
                 break;
@@ -125,7 +125,7 @@ impl Scene {
             .unwrap_or_else(|| self.candidate(at, half, 0.0, 0))
     }
 
-    fn candidate(&self, at: [f64; 2], half: [f64; 2], ring: f64, way: usize) -> Place {
+    fn candidate(&self, at: [f64; 2], half: [f64; 2], ring: f64, way: usize) -> Placement {
         // To both sides in turn, so that earlier ways are nearer to the first.
         let side = if way.is_multiple_of(2) { -1.0 } else { 1.0 };
         let steps = side * way.div_ceil(2) as f64;
@@ -136,7 +136,7 @@ impl Scene {
         let leader = (ring > BESIDE).then(|| leader(at, area));
         let price =
             ring + TURNED * way as f64 + leader.map_or(0.0, |line| self.crossings(at, line));
-        Place {
+        Placement {
             area,
             leader,
             price,
@@ -144,8 +144,8 @@ impl Scene {
     }
 
     /// How far a name is from everything; negative beyond the edges of the sheet.
-    fn room(&self, place: &Place) -> f64 {
-        let Place { area, leader, .. } = place;
+    fn room(&self, place: &Placement) -> f64 {
+        let Placement { area, leader, .. } = place;
         let inside = [
             area[0] - self.limits[0],
             area[1] - self.limits[1],
@@ -157,7 +157,10 @@ impl Scene {
         let inside = if inside < 0.0 { inside } else { f64::INFINITY };
         let shapes = self.taken.iter().chain(&self.leaders);
         let shapes = shapes.map(|shape| shape.room(*area));
-        let names = self.names.iter().map(|name| Taken::of(*name).room(*area));
+        let names = self
+            .names
+            .iter()
+            .map(|name| Taken::from_area(*name).room(*area));
         let line = leader.map(|[from, to]| Taken::new(&[from, to], 0.0));
         let through = line
             .iter()

@@ -11,10 +11,10 @@ use crate::Meaning;
 use crate::report::Mistake;
 use crate::report::builder::Report;
 use crate::report::error::ReportError;
-use crate::report::hues::Hues;
+use crate::report::palette::Palette;
 use crate::report::shown::{Shown, drawn_names, point_named};
 use crate::report::tables::Saved;
-use crate::report::{check, hues, shown, tables};
+use crate::report::{check, palette, shown, tables};
 
 /// A drawing of a mechanism at one position, to scale, as a picture: links as bars, links of three and more points as
 /// plates, pivots and guides of the frame hatched, sliders, cylinders, gears as pitch circles, arrows at what the inputs move, the paths of
@@ -27,7 +27,7 @@ pub struct Drawing<'a> {
     pub(super) report: &'a Report,
     pub(super) shown: Shown<'a>,
     pub(super) traces: Vec<usize>,
-    pub(super) hues: Hues,
+    pub(super) hues: Palette,
     pub(super) position: Option<f64>,
     pub(super) ghosts: usize,
     pub(super) scale: Option<f64>,
@@ -56,7 +56,7 @@ impl<'a> Drawing<'a> {
             report,
             shown,
             traces: shown::traced_points(report, shown.picture),
-            hues: hues::hues(report),
+            hues: palette::palette(report),
             position: None,
             ghosts: 0,
             scale: None,

@@ -20,7 +20,7 @@ impl Taken {
         Self { places, half }
     }
 
-    pub(super) fn of([left, top, right, bottom]: Area) -> Self {
+    pub(super) fn from_area([left, top, right, bottom]: Area) -> Self {
         let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
         Self::new(&corners, 0.0)
     }
@@ -106,7 +106,7 @@ mod tests {
         // A box that lies wholly within.
         let around = [[-9.0, -9.0], [9.0, -9.0], [0.0, 20.0]];
         assert_eq!(Taken::new(&around, 0.25).room(area), -0.25);
-        assert_eq!(Taken::of([5.0, 0.0, 6.0, 1.0]).room(area), 1.0);
+        assert_eq!(Taken::from_area([5.0, 0.0, 6.0, 1.0]).room(area), 1.0);
     }
 
     #[test]

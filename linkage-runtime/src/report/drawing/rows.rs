@@ -7,7 +7,7 @@ use super::options::Drawing;
 use super::scatter::Scatter;
 use crate::report::Mistake;
 use crate::report::error::ReportError;
-use crate::report::{accuracy, gaps};
+use crate::report::{accuracy, missing};
 
 /// The row of the position that is shown, if nothing was asked for that is not there.
 pub(super) fn possible_row(drawing: &Drawing<'_>) -> Result<usize, ReportError> {
@@ -47,7 +47,7 @@ pub(super) fn shown_row(drawing: &Drawing<'_>) -> Result<usize, Mistake> {
 /// So many rows, at all ends of equal parts of the range; the last one repeats the first where the range closes.
 pub(super) fn even_rows(drawing: &Drawing<'_>, count: usize) -> Vec<usize> {
     let last = drawing.report.positions.len() - 1;
-    let parts = match gaps::is_periodic(drawing.report) {
+    let parts = match missing::is_periodic(drawing.report) {
         true => count.max(1),
         false => count.saturating_sub(1).max(1),
     };
@@ -64,7 +64,7 @@ pub(super) fn without_tolerances(drawing: &Drawing<'_>) -> Option<Mistake> {
         .map(|&k| drawing.shown.picture.points[k].name)
         .collect();
     let mut points = drawing.traces.iter().zip(&names);
-    let any = points.any(|(&point, name)| Scatter::of(point, name, &sensitive).is_some());
+    let any = points.any(|(&point, name)| Scatter::new(point, name, &sensitive).is_some());
     (!any).then(|| Mistake::Unknown {
         kind: "traced point with sensitivities and tolerances",
         name: names.join(", "),

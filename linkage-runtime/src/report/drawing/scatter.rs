@@ -16,7 +16,7 @@ pub(super) struct Scatter<'a> {
 
 impl<'a> Scatter<'a> {
     /// `None` if no component of the point has sensitivities.
-    pub(super) fn of(point: usize, name: &str, sensitive: &'a [Sensitive<'a>]) -> Option<Self> {
+    pub(super) fn new(point: usize, name: &str, sensitive: &'a [Sensitive<'a>]) -> Option<Self> {
         let component = |axis: &&str| {
             let name = format!("{name}.{axis}");
             sensitive.iter().find(|own| own.name == name)
@@ -30,7 +30,7 @@ impl<'a> Scatter<'a> {
     pub(super) fn effects(&self, row: usize) -> Vec<[f64; 3]> {
         let mut all: Vec<(&str, [f64; 3])> = Vec::new();
         for (axis, own) in self.components.iter().enumerate() {
-            for (name, effect) in own.iter().flat_map(|own| own.at(row)) {
+            for (name, effect) in own.iter().flat_map(|own| own.effects_at(row)) {
                 match all.iter_mut().find(|(known, _)| *known == name) {
                     Some((_, effects)) => effects[axis] = effect,
                     None => {

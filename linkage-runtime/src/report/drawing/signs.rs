@@ -81,7 +81,7 @@ pub(super) fn sign_covers(drawing: &Drawing<'_>, sheet: &Sheet<'_>, row: usize) 
     }
     for (at, words) in wheels::ratios(drawing, sheet, row) {
         let half = 0.5 * 1.9 * words.chars().count() as f64;
-        all.push(Taken::of([
+        all.push(Taken::from_area([
             at[0] - half,
             at[1] - 2.4,
             at[0] + half,

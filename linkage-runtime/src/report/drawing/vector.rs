@@ -22,7 +22,7 @@ pub(super) struct Vector<'a> {
 }
 
 impl Vector<'_> {
-    pub(super) fn at(&self, row: usize) -> [f64; 3] {
+    pub(super) fn value_at(&self, row: usize) -> [f64; 3] {
         let mut value = [0.0; 3];
         for (to, component) in value.iter_mut().zip(&self.components) {
             *to = component[row];
@@ -32,7 +32,7 @@ impl Vector<'_> {
 
     /// From the point to where the arrow ends.
     pub(super) fn step(&self, row: usize) -> [f64; 3] {
-        self.at(row).map(|x| self.length * x)
+        self.value_at(row).map(|x| self.length * x)
     }
 }
 

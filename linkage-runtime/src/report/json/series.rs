@@ -19,7 +19,7 @@ pub(super) struct Series<'a> {
 
 impl<'a> Series<'a> {
     /// The first column with its numbers has them, others refer to it.
-    pub(super) fn of(report: &'a Report, rows: Option<&'a [usize]>) -> Self {
+    pub(super) fn new(report: &'a Report, rows: Option<&'a [usize]>) -> Self {
         let mut series = Self {
             report,
             rows,

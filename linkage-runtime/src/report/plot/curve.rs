@@ -4,7 +4,7 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use crate::report::accuracy::BandKind;
-use crate::report::hues::Style;
+use crate::report::palette::Style;
 
 /// Numbers as they are shown.
 #[derive(Clone, Debug)]

@@ -3,7 +3,7 @@
 use std::string::String;
 
 use super::super::colour::Colour;
-use super::super::hues::Style;
+use super::super::palette::Style;
 use super::super::svg::{Element, Svg};
 use super::stroke::{dashed, shade};
 use crate::report::BandKind;

@@ -4,7 +4,7 @@ use std::vec::Vec;
 
 use super::builder::Plot;
 use crate::report::Mistake;
-use crate::report::letters::control;
+use crate::report::glyphs::control;
 
 /// What was found when something was added, and what shows when all is there.
 pub(super) fn all_mistakes(plot: &Plot) -> Vec<Mistake> {

@@ -6,8 +6,8 @@ use super::super::colour::Colour;
 use super::super::svg::{Element, Svg};
 use super::axes::Axis;
 use super::curve::{Band, Curve};
-use super::gaps::{Rows, hatching, pieces};
 use super::legend::Entry;
+use super::missing::{Rows, hatching, pieces};
 use super::stroke::{dashed, shade};
 
 /// Left end of panels: the place for numbers and title.

@@ -7,7 +7,7 @@ use super::axes::Axis;
 use super::builder::Plot;
 use super::legend::Entry;
 use super::panel::{Frame, Panel};
-use super::{gaps, legend, panel};
+use super::{legend, missing, panel};
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
 
@@ -18,7 +18,7 @@ pub(super) fn drawn(plot: &Plot) -> String {
     let panels = panels(plot);
     let legends: Vec<Vec<Entry<'_>>> = panels.iter().map(Panel::legend).collect();
     let beside = legends.iter().map(|l| legend::width(l)).fold(0.0, f64::max);
-    let notes = gaps::gap_notes(plot);
+    let notes = missing::gap_notes(plot);
     // As wide and as high as the legend needs it.
     let total = plot.width.max(panel::LEFT + NARROWEST + beside + 24.0);
     let lines = legends.iter().map(Vec::len).max().unwrap_or(0);
@@ -61,7 +61,7 @@ fn panels(plot: &Plot) -> Vec<Panel<'_>> {
             None => panels.push(Panel {
                 abscissa: &plot.abscissa.values,
                 curves: Vec::from([curve]),
-                gaps: gaps::gaps(plot),
+                gaps: missing::gaps(plot),
             }),
         }
     }

@@ -1,7 +1,7 @@
 //! Lines and bands on paper.
 
 use crate::report::accuracy::BandKind;
-use crate::report::hues::Style;
+use crate::report::palette::Style;
 use crate::report::svg::Element;
 
 /// The line of a curve.

@@ -10,13 +10,13 @@ use crate::{Column, Meaning, PointKind};
 
 /// Colours of quantities by their names; components of a vector have that of the vector.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Hues {
-    of: BTreeMap<&'static str, Given>,
+pub(super) struct Palette {
+    of: BTreeMap<&'static str, Assigned>,
 }
 
 /// What a quantity has got.
 #[derive(Clone, Copy, Debug)]
-struct Given {
+struct Assigned {
     hue: usize,
     /// How many quantities of its unit were there before.
     rank: usize,
@@ -49,11 +49,11 @@ impl Style {
     }
 }
 
-impl Hues {
+impl Palette {
     /// What the curve of a column looks like.
     pub(super) fn style(&self, column: &str) -> Option<Style> {
         let (quantity, component) = components(column);
-        let Given { hue, rank } = *self.of.get(quantity)?;
+        let Assigned { hue, rank } = *self.of.get(quantity)?;
         let dash = (rank + component) % DASHES;
         Some(Style { hue, dash })
     }
@@ -75,8 +75,8 @@ fn components(column: &str) -> (&str, usize) {
 }
 
 /// The colours of all quantities: those of the functions first, then points of the picture.
-pub(super) fn hues(report: &Report) -> Hues {
-    let mut hues = Giving::default();
+pub(super) fn palette(report: &Report) -> Palette {
+    let mut hues = Assignment::default();
     let columns = report.tables.iter().flat_map(|table| table.heading.columns);
     let (own, others): (Vec<&Column>, Vec<&Column>) =
         columns.partition(|column| match column.meaning {
@@ -99,20 +99,20 @@ pub(super) fn hues(report: &Report) -> Hues {
     for column in others {
         hues.give(components(column.name).0, column.unit);
     }
-    Hues { of: hues.of }
+    Palette { of: hues.of }
 }
 
 /// Colours while they are given.
 #[derive(Default)]
-struct Giving {
-    of: BTreeMap<&'static str, Given>,
+struct Assignment {
+    of: BTreeMap<&'static str, Assigned>,
     /// How often a unit has each colour.
     units: BTreeMap<&'static str, [usize; CURVES]>,
 }
 
-impl Giving {
+impl Assignment {
     /// A colour that is rare in its unit, whose quantities meet in a panel, then one that is rare at all.
-    fn give(&mut self, name: &'static str, unit: &'static str) -> Given {
+    fn give(&mut self, name: &'static str, unit: &'static str) -> Assigned {
         if let Some(given) = self.of.get(name) {
             return *given;
         }
@@ -120,7 +120,7 @@ impl Giving {
         let everywhere: [usize; CURVES] = core::array::from_fn(there);
         let own = self.units.entry(unit).or_default();
         let rarest = (0..CURVES).min_by_key(|hue| (own[*hue], everywhere[*hue]));
-        let given = Given {
+        let given = Assigned {
             hue: rarest.unwrap_or(0),
             rank: own.iter().sum(),
         };

@@ -4,7 +4,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-mod beside;
+mod temporary;
 
 /// A file that is written next to its place, under a hidden name. [`put`](Self::put) replaces in one step the file that
 /// is in the place: a reader, or a program that ends early, finds the old file or the new one. A file that is not put
@@ -13,7 +13,7 @@ mod beside;
 /// The command `linkage` writes its results with it, too.
 #[doc(hidden)]
 #[derive(Debug)]
-pub struct Whole {
+pub struct AtomicFile {
     /// `None` once it is closed.
     file: Option<File>,
     /// The target of a link.
@@ -21,7 +21,7 @@ pub struct Whole {
     beside: PathBuf,
 }
 
-impl Whole {
+impl AtomicFile {
     /// Opens an empty file in the folder of its place, with the mode of the file that it will replace. The name is
     /// unpredictable, and a file of that name is never opened if something has it already.
     ///
@@ -41,13 +41,13 @@ impl Whole {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
             _ => Path::new("."),
         };
-        beside::sweep_once(folder);
+        temporary::sweep_once(folder);
         let mut options = OpenOptions::new();
         options.write(true).create_new(true);
         if replaced.is_some() {
             private(&mut options);
         }
-        let (file, beside) = beside::held(folder, &options)?;
+        let (file, beside) = temporary::held(folder, &options)?;
         let permissions = replaced.map(|replaced| replaced.permissions());
         let changed = permissions.map_or(Ok(()), |own| file.set_permissions(own));
         let whole = Self {
@@ -73,7 +73,7 @@ impl Whole {
     }
 }
 
-impl Write for Whole {
+impl Write for AtomicFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let file = self.file.as_mut();
         file.map_or(Err(io::ErrorKind::BrokenPipe.into()), |own| {
@@ -86,7 +86,7 @@ impl Write for Whole {
     }
 }
 
-impl Drop for Whole {
+impl Drop for AtomicFile {
     fn drop(&mut self) {
         // After `put` there is none, and one that cannot be removed can only be left.
         let _ = fs::remove_file(&self.beside);
