@@ -17,9 +17,9 @@ mod condition;
 mod contradiction;
 mod cycle;
 mod declared;
+mod designs;
 mod error;
 pub mod exact;
-mod found;
 mod identify;
 mod least_squares;
 mod limits;
@@ -51,8 +51,8 @@ pub use cycle::{
     Demand, Dwell, ErrorOf, Figure, Fit, Highest, Lowest, Motion, Own, Peak, Piece, Pieces, Place,
     RootMeanSquare, Stroke, TimeRatio, Verdict,
 };
+pub use designs::{DesignSearch, FoundDesign};
 pub use error::{DesignError, Refusals};
-pub use found::{Found, Search};
 pub use identify::{
     Identification, Identified, Measured, Readings, Remedy, Residual, Undetermined, Unknown,
 };

@@ -1,11 +1,11 @@
 //! A seed gives the same designs, however many threads there are.
 
 use super::{FourBar, FourBarAssembly, FourBarDesign, LENGTHS, evenly, points, problem};
-use linkage::design::{Design, DesignError, Progress, Relation, Search, Targets, Wish};
+use linkage::design::{Design, DesignError, DesignSearch, Progress, Relation, Targets, Wish};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-type Found = Search<FourBar, FourBarAssembly>;
+type Found = DesignSearch<FourBar, FourBarAssembly>;
 
 fn small<'a>() -> FourBarDesign<'a> {
     problem().want(moved()).starts(256)

@@ -4,7 +4,7 @@
 
 use super::{FourBar, FourBarAssembly, FourBarDesign, LENGTHS, evenly, problem_of_nothing};
 use linkage::Dimensions;
-use linkage::design::{DesignError, Found, Relation, Targets};
+use linkage::design::{DesignError, FoundDesign, Relation, Targets};
 use linkage_random::Random;
 use std::f64::consts::TAU;
 
@@ -143,7 +143,7 @@ impl Posed {
             .fold(design, |design, name| design.vary(name, 2.0, 200.0))
     }
 
-    fn look(&self, found: &Found<FourBar, FourBarAssembly>) {
+    fn look(&self, found: &FoundDesign<FourBar, FourBarAssembly>) {
         let m = found.mechanism;
         assert!(m.crank * m.rocker > self.product * (1.0 - 1e-5), "{m:?}");
         assert!(m.coupler - m.rocker < 8.0 + 1e-6, "{m:?}");

@@ -86,7 +86,7 @@ where
         self
     }
 
-    /// The most designs that are listed, 100 without it; [`Search::left_out`](super::Search::left_out) tells of how many optima more there
+    /// The most designs that are listed, 100 without it; [`DesignSearch::left_out`](super::DesignSearch::left_out) tells of how many optima more there
     /// are.
     #[must_use]
     pub fn listed(mut self, designs: usize) -> Self {

@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::Found;
+use super::FoundDesign;
 use super::normal::Normal;
 use super::optimum::Optimum;
 use super::problem::Evaluator;
@@ -32,7 +32,7 @@ where
         seed: u64,
         starts: usize,
         end: &End<'_>,
-    ) -> Option<Found<M, A>> {
+    ) -> Option<FoundDesign<M, A>> {
         let mut evaluator = Evaluator::new(self.problem);
         feasible.extend(self.declared(&mut evaluator, starts));
         feasible.retain(|own| self.is_of_catalogues(&own.x));

@@ -1,7 +1,7 @@
 //! What is wrong with a design problem, and why nothing is found.
 
+mod message;
 mod refusals;
-mod words;
 
 use alloc::boxed::Box;
 use alloc::string::String;

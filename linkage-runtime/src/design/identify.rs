@@ -1,8 +1,8 @@
 //! Dimensions from measured positions: estimates, how good they are, and what the readings cannot tell.
 
+mod check;
 mod determined;
 mod directions;
-mod error;
 mod fit;
 mod identified;
 mod named;
@@ -13,9 +13,9 @@ mod run;
 mod scale;
 mod settled;
 mod setup;
-mod words;
+mod undetermined;
 
 pub use identified::{Identified, Residual, Unknown};
 pub use reading::{Measured, Readings};
 pub use setup::Identification;
-pub use words::{Remedy, Undetermined};
+pub use undetermined::{Remedy, Undetermined};

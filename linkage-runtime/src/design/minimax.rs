@@ -26,7 +26,7 @@ use walk::{End, Walk};
 
 /// Where a search ended.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Found {
+pub(crate) struct Minimum {
     pub(crate) x: Vec<f64>,
     pub(crate) groups: Groups,
     /// Steps, those that were taken back among them.
@@ -46,7 +46,7 @@ pub(crate) fn minimise(
     search: &Search,
     mut evaluate: impl FnMut(&[f64]) -> Option<Groups>,
     stopped: impl Fn() -> bool,
-) -> Option<Found> {
+) -> Option<Minimum> {
     let here = evaluate(start)?;
     let mut walk = Walk::new((start, here), limits, search, evaluate);
     let (mut rounds, mut end) = (0, None);
@@ -54,7 +54,7 @@ pub(crate) fn minimise(
         rounds += 1;
         end = walk.round();
     }
-    Some(Found {
+    Some(Minimum {
         x: walk.x,
         groups: walk.here,
         rounds,

@@ -3,7 +3,7 @@
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
-use super::Found;
+use super::FoundDesign;
 use super::builder::CircuitsOf;
 use super::catalogue::rounded;
 use super::certificate::{Interrupted, Interruption};
@@ -53,7 +53,7 @@ pub(super) struct Rounded {
 
 /// Optima that were looked at over the whole range.
 pub(super) struct Certified<M, A> {
-    pub(super) designs: Vec<Found<M, A>>,
+    pub(super) designs: Vec<FoundDesign<M, A>>,
     pub(super) not_whole: usize,
     /// The one with the least sum that is not whole.
     pub(super) nearest: Option<Interrupted>,
@@ -83,7 +83,7 @@ impl<M, A> Default for Certified<M, A> {
 
 impl<M, A> Certified<M, A> {
     /// Adds a design that is better than all others, in a list of so many.
-    pub(super) fn add(&mut self, better: Option<Found<M, A>>, listed: usize) {
+    pub(super) fn add(&mut self, better: Option<FoundDesign<M, A>>, listed: usize) {
         if let Some(better) = better.filter(|_| listed > 0) {
             self.designs.insert(0, better);
             self.left_out += self.designs.len().saturating_sub(listed);
@@ -175,7 +175,7 @@ where
         &self,
         evaluator: &mut Evaluator<'_, M, A, N>,
         optimum: &Optimum,
-    ) -> Result<Found<M, A>, Refused> {
+    ) -> Result<FoundDesign<M, A>, Refused> {
         let wrapped = self.problem.wrapped(optimum);
         match self.verified(evaluator, &wrapped) {
             // A relation between angles need not be the same after a turn of one of them.
@@ -213,7 +213,7 @@ where
         &self,
         evaluator: &mut Evaluator<'_, M, A, N>,
         optimum: &Optimum,
-    ) -> Result<Found<M, A>, Refused> {
+    ) -> Result<FoundDesign<M, A>, Refused> {
         let problem = self.problem;
         let assembly = &self.assemblies[optimum.assembly];
         let branch = certify_optimum(problem, evaluator, assembly, optimum, self.circuits)
@@ -245,7 +245,7 @@ where
         let active: Vec<(usize, f64)> = (0..problem.varied.len())
             .filter_map(|j| Some((j, bound(j)?)))
             .collect();
-        Ok(Found {
+        Ok(FoundDesign {
             mechanism: problem.mechanism(&optimum.x),
             sum: normal.sum,
             wishes: problem.wishes.iter().map(|wish| wish.title()).collect(),

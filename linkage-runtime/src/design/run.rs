@@ -10,7 +10,7 @@ use super::results::Results;
 use super::rounds::in_rounds;
 use super::search::{BLOCK, Block, block, distinct};
 use super::settings::{End, Report};
-use super::{DesignError, Refusals, Search};
+use super::{DesignError, DesignSearch, Refusals};
 use crate::Dimensions;
 
 impl<'a, M, A, const N: usize> Design<'a, M, A, N>
@@ -30,7 +30,7 @@ where
     ///
     /// All mistakes of the problem at once; `NotFound` if no start led to a mechanism that runs through its whole range, `Ended` if the search
     /// was ended before one did.
-    pub fn run(mut self) -> Result<Search<M, A>, DesignError> {
+    pub fn run(mut self) -> Result<DesignSearch<M, A>, DesignError> {
         let mut progress = self.settings.progress.take();
         let end = self.settings.end();
         let problem = self.problem()?;
@@ -88,7 +88,7 @@ where
                 false => DesignError::NotFound(refusals),
             });
         }
-        Ok(Search {
+        Ok(DesignSearch {
             designs: certified.designs,
             starts,
             refused: tally.refused,

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::reading::Row;
+use super::reading::ReadingRow;
 
 /// What readings say of the parameters, each in terms of its range: near the estimate, to first order.
 #[derive(Clone, Debug)]
@@ -28,7 +28,7 @@ pub(super) struct Determined {
 }
 
 impl Determined {
-    pub(super) fn new(rows: &[Row], ranges: &[f64], estimated: bool) -> Self {
+    pub(super) fn new(rows: &[ReadingRow], ranges: &[f64], estimated: bool) -> Self {
         let n = ranges.len();
         // At least as many rows as parameters: what no reading determines has a direction, too.
         let m = rows.len().max(n);

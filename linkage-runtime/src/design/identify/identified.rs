@@ -4,8 +4,8 @@ use alloc::vec::Vec;
 
 use super::determined::Determined;
 use super::named::Named;
-use super::reading::Row;
-use super::words::Undetermined;
+use super::reading::ReadingRow;
+use super::undetermined::Undetermined;
 use crate::tolerance::student;
 use crate::{Dimensions, Parameter};
 
@@ -107,7 +107,7 @@ impl<M, const N: usize> Identified<M, N> {
 pub(super) fn identified<M, const N: usize>(
     mechanism: M,
     named: &Named,
-    rows: &[Row],
+    rows: &[ReadingRow],
     found: &Determined,
     undetermined: Vec<Undetermined>,
     converged: bool,
@@ -152,7 +152,7 @@ where
     }
 }
 
-fn residuals(rows: &[Row], found: &Determined, converged: bool) -> Vec<Residual> {
+fn residuals(rows: &[ReadingRow], found: &Determined, converged: bool) -> Vec<Residual> {
     /// A reading that keeps less of its own error than this determines something alone.
     const ALONE: f64 = 1e-9;
     let deviation = found.deviation();
@@ -165,7 +165,7 @@ fn residuals(rows: &[Row], found: &Determined, converged: bool) -> Vec<Residual>
         true => student::outside(outside, freedom - 1.0),
         false => student::outside(outside, f64::INFINITY),
     };
-    let residual = |(i, row): (usize, &Row)| {
+    let residual = |(i, row): (usize, &ReadingRow)| {
         let kept = 1.0 - found.leverage(i);
         let standardised = match converged && kept > ALONE {
             true => row.difference / (row.deviation * deviation * kept.sqrt()),

@@ -96,7 +96,7 @@ pub struct Readings<M, A, C, F, const N: usize> {
 
 /// One number at one position.
 #[derive(Clone, Debug)]
-pub(super) struct Row {
+pub(super) struct ReadingRow {
     pub(super) number: &'static str,
     pub(super) unit: &'static str,
     pub(super) input_name: &'static str,
@@ -118,9 +118,9 @@ pub(super) trait Source<M, A> {
     fn quantity(&self) -> &str;
     /// What else the function has with derivatives by all unknown parameters, at the same inputs, as if each number had a standard deviation
     /// of 1.
-    fn beside(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<Row>;
+    fn beside(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<ReadingRow>;
     /// All rows of a mechanism, missing readings left out.
-    fn rows(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<Row>;
+    fn rows(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<ReadingRow>;
 }
 
 impl<M, A, C, F, const N: usize> Source<M, A> for Readings<M, A, C, F, N>
@@ -190,7 +190,7 @@ where
         &self.measured.quantity
     }
 
-    fn rows(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<Row> {
+    fn rows(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<ReadingRow> {
         let columns = self.columns(assembly, mechanism);
         let quantity = core::slice::from_ref(&self.measured.quantity);
         let numbers = Numbers::all(columns.heading(), quantity);
@@ -199,7 +199,7 @@ where
         rows.flatten().collect()
     }
 
-    fn beside(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<Row> {
+    fn beside(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<ReadingRow> {
         let columns = self.columns(assembly, mechanism);
         let numbers = Numbers::beside(columns.heading(), &self.measured.quantity, unknown);
         let rows = numbers
@@ -231,7 +231,7 @@ where
         number: &Number,
         read: Option<usize>,
         unknown: &[usize],
-    ) -> Vec<Row> {
+    ) -> Vec<ReadingRow> {
         let own = &self.measured;
         let Heading {
             columns: all,
@@ -262,7 +262,7 @@ where
             };
             let deviations = own.deviations.get(position).or(own.deviations.first());
             let deviation = read.and_then(|k| Some(deviations?[k]));
-            rows.push(Row {
+            rows.push(ReadingRow {
                 number: heading.name,
                 unit: heading.unit,
                 input_name: arguments.first().copied().unwrap_or("input"),

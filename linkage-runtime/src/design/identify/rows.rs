@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::reading::{Row, Sources};
+use super::reading::{ReadingRow, Sources};
 use super::setup::Identification;
 use crate::Dimensions;
 
@@ -22,7 +22,7 @@ pub(super) fn rows<M: Dimensions<N> + Copy, A, const N: usize>(
     identification: &Identification<'_, M, A, N>,
     x: &[f64],
     unknown: &[usize],
-) -> Vec<Row> {
+) -> Vec<ReadingRow> {
     let mechanism = mechanism(identification, x, unknown);
     let mut rows = rows_of(identification, &identification.sources, &mechanism, unknown);
     let parameters = M::PARAMETERS;
@@ -33,7 +33,7 @@ pub(super) fn rows<M: Dimensions<N> + Copy, A, const N: usize>(
         let Some(place) = place else { continue };
         let mut slopes = alloc::vec![0.0; unknown.len()];
         slopes[place] = 1.0;
-        rows.push(Row {
+        rows.push(ReadingRow {
             number: parameters[unknown[place]].name,
             unit: parameters[unknown[place]].unit,
             input_name: "",
@@ -52,7 +52,7 @@ pub(super) fn rows_of<M: Dimensions<N> + Copy, A, const N: usize>(
     sources: &Sources<'_, M, A>,
     mechanism: &M,
     unknown: &[usize],
-) -> Vec<Row> {
+) -> Vec<ReadingRow> {
     let rows = sources
         .iter()
         .map(|source| source.rows(&identification.assembly, mechanism, unknown));

@@ -5,9 +5,9 @@ use alloc::vec::Vec;
 use super::determined::Determined;
 use super::identified::{self, Identified};
 use super::named::Named;
-use super::reading::Row;
+use super::reading::ReadingRow;
 use super::setup::Identification;
-use super::{error, fit, rows, scale, settled, words};
+use super::{check, fit, rows, scale, settled, undetermined};
 use crate::Dimensions;
 use crate::design::error::DesignError;
 
@@ -25,13 +25,13 @@ where
     /// All that is wrong with what was given, together; `StartOpen` if the mechanism does not assemble at an input,
     /// `Unsettled` if no least sum of squares is found.
     pub fn run(&self) -> Result<Identified<M, N>, DesignError> {
-        let (unknown, limits) = error::check(self)?;
+        let (unknown, limits) = check::check(self)?;
         let mut start: Vec<f64> = unknown
             .iter()
             .map(|&index| self.start.values()[index])
             .collect();
         limits.clamp(&mut start);
-        error::must_assemble(self, &start, &unknown)?;
+        check::must_assemble(self, &start, &unknown)?;
         let ranges = scale::ranges(self, &limits, &start, &unknown);
         let x = fit::descend(self, &limits, &start, &ranges, &unknown)?;
         let rows = rows::rows(self, &x, &unknown);
@@ -63,9 +63,10 @@ where
             ranges,
             limits,
         };
-        let mut offers: Vec<Row> = rows::rows_of(self, &self.offers, &mechanism, &named.places);
+        let mut offers: Vec<ReadingRow> =
+            rows::rows_of(self, &self.offers, &mechanism, &named.places);
         offers.extend(scale::unread_rows(self, &mechanism, &named.places, &rows));
-        let undetermined = words::undetermined(&named, &found, &offers);
+        let undetermined = undetermined::undetermined(&named, &found, &offers);
         Ok(identified::identified(
             mechanism,
             &named,

@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::reading::Row;
+use super::reading::ReadingRow;
 use super::setup::Identification;
 use crate::Dimensions;
 use crate::design::limits::Limits;
@@ -13,8 +13,8 @@ pub(super) fn unread_rows<M: Dimensions<N> + Copy, A, const N: usize>(
     identification: &Identification<'_, M, A, N>,
     mechanism: &M,
     unknown: &[usize],
-    rows: &[Row],
-) -> Vec<Row> {
+    rows: &[ReadingRow],
+) -> Vec<ReadingRow> {
     let deviation = |is: &dyn Fn(&str) -> bool| {
         let own = rows
             .iter()
@@ -34,10 +34,10 @@ pub(super) fn unread_rows<M: Dimensions<N> + Copy, A, const N: usize>(
     let sources = identification.sources.iter().chain(&identification.offers);
     let all =
         sources.flat_map(|source| source.beside(&identification.assembly, mechanism, unknown));
-    let read = |row: &Row| rows.iter().any(|own| own.number == row.number);
+    let read = |row: &ReadingRow| rows.iter().any(|own| own.number == row.number);
     let others = all.filter(|row| !read(row)).filter_map(|row| {
         let deviation = exactness(row.unit).filter(|own| own.is_normal())?;
-        Some(Row { deviation, ..row })
+        Some(ReadingRow { deviation, ..row })
     });
     others.collect()
 }

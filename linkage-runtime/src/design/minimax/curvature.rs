@@ -39,7 +39,7 @@ impl Curvature {
         }
     }
 
-    pub(super) fn at(&self, i: usize, j: usize) -> f64 {
+    pub(super) fn entry(&self, i: usize, j: usize) -> f64 {
         let place = i * self.reach.len() + j;
         self.matrix[place] + self.known[place]
     }

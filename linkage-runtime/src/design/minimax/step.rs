@@ -114,7 +114,7 @@ fn costs(
     for i in 0..n {
         for j in 0..=i {
             gram[i * all + j] = match curvature {
-                Some(curvature) => curvature.at(i, j),
+                Some(curvature) => curvature.entry(i, j),
                 None => f64::from(i == j),
             };
         }

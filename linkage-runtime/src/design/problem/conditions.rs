@@ -19,7 +19,7 @@ const ACTIVE: f64 = 1e-6;
 const MOST: f64 = 1e3;
 
 /// A row of a condition in a mechanism.
-struct Row {
+struct ConditionRow {
     /// The number of its wish.
     wish: usize,
     value: f64,
@@ -39,7 +39,7 @@ impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
         // A value that is no number holds nothing.
         let broken = rows.filter(|row| row.value.is_nan() || row.value < -HOLDS * row.size);
         let mut found: Vec<Violation> = Vec::new();
-        for Row { wish, value, size } in broken {
+        for ConditionRow { wish, value, size } in broken {
             let (by, part) = (-value, -value / size);
             match found.last_mut().filter(|last| last.wish == wish) {
                 Some(last) if last.part >= part => {}
@@ -60,7 +60,7 @@ impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
     }
 
     /// The rows of all conditions.
-    fn conditions(&self, at: &Normal) -> impl Iterator<Item = Row> {
+    fn conditions(&self, at: &Normal) -> impl Iterator<Item = ConditionRow> {
         let widths = self.widths();
         let wishes = self.wishes.iter().enumerate();
         let conditions = wishes.filter(|(_, wish)| wish.is_condition());
@@ -69,7 +69,7 @@ impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
         rows.map(move |((wish, (value, slopes)), own)| {
             let change: f64 = slopes.iter().zip(&widths).map(|(s, w)| (s * w).abs()).sum();
             let (value, size) = (*value, change.min(MOST * own));
-            Row { wish, value, size }
+            ConditionRow { wish, value, size }
         })
     }
 }

@@ -10,7 +10,7 @@ use crate::{Dimensions, Parameter};
 
 /// A local optimum that holds all that must hold.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Found<M, A> {
+pub struct FoundDesign<M, A> {
     /// Its dimensions.
     pub mechanism: M,
     /// Assembled on the circuit that runs through the whole range.
@@ -49,9 +49,9 @@ pub struct Found<M, A> {
 
 /// What a search found.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Search<M, A> {
+pub struct DesignSearch<M, A> {
     /// All distinct local optima, the least sum first.
-    pub designs: Vec<Found<M, A>>,
+    pub designs: Vec<FoundDesign<M, A>>,
     /// Starts that were tried.
     pub starts: usize,
     /// Starts that relations refuse.
@@ -77,15 +77,15 @@ pub struct Search<M, A> {
     pub variables: usize,
 }
 
-impl<M, A> Search<M, A> {
+impl<M, A> DesignSearch<M, A> {
     /// The design with the least sum.
     #[must_use]
-    pub fn best(&self) -> &Found<M, A> {
+    pub fn best(&self) -> &FoundDesign<M, A> {
         &self.designs[0]
     }
 }
 
-impl<M, A> Found<M, A> {
+impl<M, A> FoundDesign<M, A> {
     /// The parameters with the design's dimensions.
     #[must_use]
     pub fn parameters<const N: usize>(&self) -> [Parameter; N]
@@ -97,7 +97,7 @@ impl<M, A> Found<M, A> {
 }
 
 /// The figures in a few lines: by how much it misses each wish at most, and which bounds are in the way.
-impl<M, A> fmt::Display for Found<M, A> {
+impl<M, A> fmt::Display for FoundDesign<M, A> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
@@ -138,7 +138,7 @@ impl<M, A> fmt::Display for Found<M, A> {
 }
 
 /// The figures in a few lines, then a line for each design.
-impl<M, A> fmt::Display for Search<M, A> {
+impl<M, A> fmt::Display for DesignSearch<M, A> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let freedom = match self.residuals > self.variables {
             true => "more than can be met exactly: the least sum of squares is found",

@@ -10,7 +10,7 @@ use nalgebra::DVector;
 use super::determined::Determined;
 use super::directions::candidates;
 use super::named::Named;
-use super::reading::Row;
+use super::reading::ReadingRow;
 use crate::words::rounded;
 
 /// A combination of parameters that the readings do not determine: it stays as near as can be to where the fit began.
@@ -46,7 +46,11 @@ const APART: f64 = 0.05;
 
 /// All combinations that are not determined, those that change nothing first; of each kind the simplest first: single
 /// parameters, a common scale, rotation or shift, pairs, and what is left.
-pub(super) fn undetermined(named: &Named, found: &Determined, offers: &[Row]) -> Vec<Undetermined> {
+pub(super) fn undetermined(
+    named: &Named,
+    found: &Determined,
+    offers: &[ReadingRow],
+) -> Vec<Undetermined> {
     let mut taken: Vec<DVector<f64>> = Vec::new();
     let mut told: Vec<Undetermined> = Vec::new();
     for exactly in [true, false] {
@@ -85,12 +89,18 @@ pub(super) fn undetermined(named: &Named, found: &Determined, offers: &[Row]) ->
                 continue;
             }
             taken.push(&rest / rest.norm());
-            told.push(tell(named, found, &direction, candidate.pattern, offers));
+            told.push(describe(
+                named,
+                found,
+                &direction,
+                candidate.pattern,
+                offers,
+            ));
         }
         // Combinations that are too much alike leave some untold: what is left beside them.
         while told.len() < all {
             let direction = left_over(found, &open, &taken);
-            told.push(tell(named, found, &direction, None, offers));
+            told.push(describe(named, found, &direction, None, offers));
             taken.push(direction);
         }
     }
@@ -113,12 +123,12 @@ fn left_over(found: &Determined, open: &[usize], taken: &[DVector<f64>]) -> DVec
     )
 }
 
-fn tell(
+fn describe(
     named: &Named,
     found: &Determined,
     direction: &DVector<f64>,
     pattern: Option<&'static str>,
-    offers: &[Row],
+    offers: &[ReadingRow],
 ) -> Undetermined {
     let change = (&found.jacobian * direction).norm();
     let exactly = found.is_nothing(change);
@@ -190,7 +200,7 @@ fn remedies(
     named: &Named,
     found: &Determined,
     direction: &DVector<f64>,
-    offers: &[Row],
+    offers: &[ReadingRow],
 ) -> Vec<Remedy> {
     let mut best: Vec<Remedy> = Vec::new();
     for row in offers {
