@@ -10,9 +10,9 @@ pub(crate) fn look_alike(name: &str, other: &str) -> bool {
 
 /// `U+0430 instead of U+0061`: the letters that one of two names has and the other one has not.
 pub(crate) fn letters(name: &str, other: &str) -> String {
-    let foreign = |own: &str, other: &str| {
+    let foreign = |word: &str, other: &str| {
         let mut letters: Vec<String> = Vec::new();
-        for letter in own.chars().filter(|letter| !other.contains(*letter)) {
+        for letter in word.chars().filter(|letter| !other.contains(*letter)) {
             let letter = format!("U+{:04X}", u32::from(letter));
             if !letters.contains(&letter) {
                 letters.push(letter);

@@ -37,7 +37,10 @@ impl Mechanism {
     pub fn new(checked: &Checked) -> Option<Self> {
         let unit = checked.unit.clone()?;
         let name = forever(checked.name.as_deref().unwrap_or_default());
-        let gap_units = unit.groups.iter().map(|own| forever(own.gap_unit.as_str()));
+        let gap_units = unit
+            .groups
+            .iter()
+            .map(|group| forever(group.gap_unit.as_str()));
         Some(Self {
             name,
             inputs: describe::inputs(&unit),
@@ -63,7 +66,7 @@ impl Mechanism {
         parameters[place].tolerance = tolerance;
         self.parameters = forever(parameters);
         let parameters = self.unit.parameters.iter_mut();
-        let mut scalars = parameters.flat_map(|own| &mut own.scalars);
+        let mut scalars = parameters.flat_map(|parameter| &mut parameter.scalars);
         if let Some(scalar) = scalars.nth(place) {
             scalar.tolerance = tolerance;
         }
@@ -78,8 +81,8 @@ impl Mechanism {
 
     /// The groups whose assembly is followed from the estimates, as numbers in `structure`.
     pub(crate) fn followed(&self) -> impl Iterator<Item = usize> {
-        let followed = self.unit.coupled.iter().filter(|own| own.followed);
-        followed.map(|own| own.group)
+        let followed = self.unit.coupled.iter().filter(|coupled| coupled.followed);
+        followed.map(|followed| followed.group)
     }
 
     /// The modes that the start estimates choose.
@@ -98,8 +101,8 @@ impl Mechanism {
         match place.checked_sub(self.inputs.len()) {
             None => (self.inputs[place].name, self.inputs[place].unit),
             Some(number) => {
-                let own = &self.unit.arguments[number];
-                (plain(&own.name), &own.unit)
+                let argument = &self.unit.arguments[number];
+                (plain(&argument.name), &argument.unit)
             }
         }
     }

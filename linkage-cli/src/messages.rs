@@ -34,7 +34,7 @@ pub(crate) fn drawn(
     found: &Found,
     message: &Message,
 ) -> String {
-    let [first, last] = [message.span.first, message.span.last].map(|own| own.byte_range());
+    let [first, last] = [message.span.first, message.span.last].map(|span| span.byte_range());
     // Only what was made up by the compiler begins and ends with the text.
     let span = match (first.start, last.end) {
         (0, 0) => found.place.clone(),

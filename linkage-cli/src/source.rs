@@ -146,7 +146,9 @@ fn no_tokens(name: &str, text: &str, error: &LexError) -> String {
     let start = error.span().byte_range().start;
     let found = text.get(start..).and_then(|rest| rest.chars().next());
     let title = match found {
-        Some(own) if !own.is_ascii() => format!("the character `{own}` means nothing here"),
+        Some(letter) if !letter.is_ascii() => {
+            format!("the character `{letter}` means nothing here")
+        }
         _ => {
             "this cannot be read: a bracket has no partner, or a text or comment no end".to_owned()
         }

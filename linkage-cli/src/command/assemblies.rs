@@ -61,7 +61,7 @@ pub(super) fn run(options: &AtInputs) -> Result<(), Failure> {
                 false => format!("modes {modes}: "),
             };
             let unknowns = assembly.unknowns(&at).into_iter();
-            let unknowns: Vec<String> = unknowns.map(|own| own.to_string()).collect();
+            let unknowns: Vec<String> = unknowns.map(|unknown| unknown.to_string()).collect();
             let _ = writeln!(text, "{}  {modes}{}", index + 1, unknowns.join(", "));
         }
         for meeting in meeting(&mechanism, &all, &at) {
@@ -83,7 +83,7 @@ const ASIDE: f64 = 1e-3;
 
 /// A line for each pair of assemblies that are one at these inputs.
 fn meeting(mechanism: &Mechanism, all: &[Assembly], at: &[f64]) -> Vec<String> {
-    let numbers: Vec<Vec<f64>> = all.iter().map(|own| own.places(at)).collect();
+    let numbers: Vec<Vec<f64>> = all.iter().map(|assembly| assembly.places(at)).collect();
     let same = |a: &[f64], b: &[f64]| {
         let size = a
             .iter()
@@ -97,7 +97,7 @@ fn meeting(mechanism: &Mechanism, all: &[Assembly], at: &[f64]) -> Vec<String> {
                 Some((low, high)) if input.unit != "rad" => ASIDE * (high - low),
                 _ => ASIDE,
             };
-            let closes = |x: f64| assembly.places(&[x]).iter().all(|own| own.is_finite());
+            let closes = |x: f64| assembly.places(&[x]).iter().all(|place| place.is_finite());
             Some(closes(at[0] - step) && closes(at[0] + step))
         }
         _ => None,
@@ -170,12 +170,12 @@ fn inputs(mechanism: &Mechanism, given: &[String]) -> Result<Vec<f64>, Failure> 
     let mut at = mechanism.reference();
     for given in given {
         let (name, text) = parts("--at", given)?;
-        let Some(index) = mechanism.inputs.iter().position(|own| own.name == name) else {
+        let Some(index) = mechanism.inputs.iter().position(|input| input.name == name) else {
             return Err(Failure::Told(format!(
                 "{} has no input `{}`; it has {}",
                 mechanism.name,
                 shortened(name),
-                known_names(name, mechanism.inputs.iter().map(|own| own.name))
+                known_names(name, mechanism.inputs.iter().map(|input| input.name))
             )));
         };
         at[index] = number(mechanism, name, text, mechanism.inputs[index].unit)?;

@@ -23,7 +23,7 @@ pub(super) fn run(files: &[PathBuf], given: &Dimensions) -> Result<(), Failure> 
     let mut sound = true;
     for file in files {
         match one(file, given) {
-            Ok(own) => sound &= own,
+            Ok(is_sound) => sound &= is_sound,
             Err(failure) => {
                 eprintln!("{failure}");
                 sound = false;
@@ -54,11 +54,11 @@ fn one(file: &Path, given: &Dimensions) -> Result<bool, Failure> {
         given.known_to_any(&all)?;
     }
     for mechanism in &all {
-        let own = given.known_to(mechanism);
-        let dimensions = own.of(mechanism)?;
+        let dimensions_known = given.known_to(mechanism);
+        let dimensions = dimensions_known.of(mechanism)?;
         print(&known(mechanism, &dimensions))?;
-        if own.are_given() {
-            sound &= works(mechanism, &dimensions, &own)?;
+        if dimensions_known.are_given() {
+            sound &= works(mechanism, &dimensions, &dimensions_known)?;
         }
     }
     Ok(sound)
@@ -68,7 +68,7 @@ fn one(file: &Path, given: &Dimensions) -> Result<bool, Failure> {
 fn works(mechanism: &Mechanism, dimensions: &[f64], given: &Dimensions) -> Result<bool, Failure> {
     let report = mechanism.assemble(dimensions)?.check_range();
     // Without a range, the compiler warns.
-    let is_declared = report.input.is_some_and(|own| own.range.is_some());
+    let is_declared = report.input.is_some_and(|input| input.range.is_some());
     let level = match is_declared {
         true => Level::ERROR,
         false => Level::WARNING,

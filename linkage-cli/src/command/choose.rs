@@ -35,8 +35,8 @@ impl Chosen {
         let Some(name) = &self.mechanism else {
             return Ok(all);
         };
-        let names: Vec<&'static str> = all.iter().map(|own| own.name).collect();
-        all.retain(|own| own.name == name);
+        let names: Vec<&'static str> = all.iter().map(|mechanism| mechanism.name).collect();
+        all.retain(|mechanism| mechanism.name == name);
         match all.is_empty() {
             true => Err(Failure::Told(format!(
                 "there is no mechanism `{}` in `{}`; there is {}",
@@ -50,14 +50,20 @@ impl Chosen {
 
     /// The mechanism with a function of this name, and the function's number.
     pub(super) fn with_function(&self, name: &str) -> Result<(Mechanism, usize), Failure> {
-        let number = |own: &Mechanism| own.headings.iter().position(|own| own.function == name);
+        let number = |mechanism: &Mechanism| {
+            mechanism
+                .headings
+                .iter()
+                .position(|heading| heading.function == name)
+        };
         let all = self.all()?;
         let functions: Vec<&str> = all
             .iter()
-            .flat_map(|own| own.headings.iter().map(|own| own.function))
+            .flat_map(|mechanism| mechanism.headings.iter().map(|heading| heading.function))
             .collect();
-        let (mut with, _): (Vec<_>, Vec<_>) =
-            all.into_iter().partition(|own| number(own).is_some());
+        let (mut with, _): (Vec<_>, Vec<_>) = all
+            .into_iter()
+            .partition(|mechanism| number(mechanism).is_some());
         match &with[..] {
             [] => Err(Failure::Told(format!(
                 "there is no function `{}` in `{}`; there is {}",
@@ -79,7 +85,7 @@ impl Chosen {
     fn ambiguous(&self, what: &str, several: &[Mechanism]) -> Failure {
         Failure::Told(format!(
             "{what} {} in `{}`: choose one by `--mechanism NAME`",
-            listed(several.iter().map(|own| own.name)),
+            listed(several.iter().map(|mechanism| mechanism.name)),
             self.file.display()
         ))
     }

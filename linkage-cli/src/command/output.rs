@@ -85,12 +85,12 @@ fn descriptor(path: &Path) -> Option<Descriptor> {
         let target = fs::read_link(path).ok()?;
         Some(path.parent()?.join(target))
     };
-    let own = Path::new("/proc").join(process::id().to_string());
+    let process = Path::new("/proc").join(process::id().to_string());
     let way = successors(Some(path.to_path_buf()), next).take(MOST_LINKS);
     let mut found = way.filter_map(|path| {
         let folder = fs::canonicalize(path.parent()?).ok()?;
         let of_processes = folder.starts_with("/proc") && folder.ends_with("fd");
-        let is_own = folder == Path::new("/dev/fd") || folder.starts_with(&own);
+        let is_own = folder == Path::new("/dev/fd") || folder.starts_with(&process);
         let number = path.file_name()?;
         match is_own {
             true if number == "1" => Some(Descriptor::StandardOutput),

@@ -126,14 +126,17 @@ fn told(error: ReportError) -> Failure {
 
 /// The mechanisms with an input.
 fn moving(all: Vec<Mechanism>) -> Result<Vec<Mechanism>, Failure> {
-    let (moving, still): (Vec<_>, Vec<_>) = all.into_iter().partition(|own| !own.inputs.is_empty());
-    let text = |own: &Mechanism| format!("{} has no input: nothing of it moves", own.name);
+    let (moving, still): (Vec<_>, Vec<_>) = all
+        .into_iter()
+        .partition(|mechanism| !mechanism.inputs.is_empty());
+    let text =
+        |mechanism: &Mechanism| format!("{} has no input: nothing of it moves", mechanism.name);
     match (&moving[..], &still[..]) {
         ([], [first, ..]) => Err(Failure::Told(text(first))),
         _ => {
             still
                 .iter()
-                .for_each(|own| eprintln!("note: {}", text(own)));
+                .for_each(|still| eprintln!("note: {}", text(still)));
             Ok(moving)
         }
     }
@@ -144,7 +147,10 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
     let input = &mechanism.inputs[0];
     let assembly = range::assembled(&options.dimensions, mechanism)?;
     let positions = positions(mechanism, input, [None; 2], options.steps)?;
-    let columns = mechanism.headings.iter().map(|own| own.columns.len());
+    let columns = mechanism
+        .headings
+        .iter()
+        .map(|heading| heading.columns.len());
     let positions = positions.held(columns.sum(), BYTES)?;
     let mut report = Report::new(mechanism.name, input, &positions)
         .about(first_paragraph(&mechanism.unit.documentation))
@@ -162,18 +168,28 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
     let mut drawn = false;
     for (function, heading) in mechanism.headings.iter().enumerate() {
         let again = drawn && heading.picture.is_some();
-        let place = heading.arguments.iter().position(|own| *own == input.name);
-        let own = arguments(
+        let place = heading
+            .arguments
+            .iter()
+            .position(|argument| *argument == input.name);
+        let arguments_given = arguments(
             mechanism,
             function,
             &given(mechanism, function, &options.at),
         )?;
-        let why = match (again, place, own.complete()) {
-            (false, Some(place), Ok(own)) => {
+        let why = match (again, place, arguments_given.complete()) {
+            (false, Some(place), Ok(arguments_given)) => {
                 drawn |= heading.picture.is_some();
-                let rows = Rows::new(mechanism, &assembly, function, &own, place, &positions);
+                let rows = Rows::new(
+                    mechanism,
+                    &assembly,
+                    function,
+                    &arguments_given,
+                    place,
+                    &positions,
+                );
                 report = report.table(&rows);
-                let beside = heading.arguments.iter().zip(&own);
+                let beside = heading.arguments.iter().zip(&arguments_given);
                 for (&name, &value) in beside.filter(|(name, _)| **name != input.name) {
                     report = report.at(name, value);
                 }
@@ -192,7 +208,10 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
 
 /// Whether some function takes each of the given arguments.
 fn known(mechanism: &Mechanism, all: &[String]) -> Result<(), Failure> {
-    let takes = mechanism.headings.iter().flat_map(|own| own.arguments);
+    let takes = mechanism
+        .headings
+        .iter()
+        .flat_map(|heading| heading.arguments);
     let takes: BTreeSet<&str> = takes.copied().collect();
     for given in all {
         let (name, _) = parts("--at", given)?;
@@ -211,11 +230,11 @@ fn known(mechanism: &Mechanism, all: &[String]) -> Result<(), Failure> {
 /// The given arguments that a function takes: others may be for other functions.
 fn given(mechanism: &Mechanism, function: usize, all: &[String]) -> Vec<String> {
     let takes = mechanism.headings[function].arguments;
-    let own = all.iter().filter(|given| {
+    let known = all.iter().filter(|given| {
         let name = given.split_once('=').map_or("", |pair| pair.0.trim());
         takes.contains(&name)
     });
-    own.cloned().collect()
+    known.cloned().collect()
 }
 
 fn first_paragraph(text: &str) -> String {
@@ -227,7 +246,7 @@ fn first_paragraph(text: &str) -> String {
 /// A number that later versions exceed.
 fn milliseconds() -> u64 {
     let since = SystemTime::now().duration_since(UNIX_EPOCH);
-    since.map_or(0, |own| own.as_millis() as u64)
+    since.map_or(0, |since| since.as_millis() as u64)
 }
 
 /// Shows a page by the system's way of opening files.

@@ -36,8 +36,11 @@ pub(super) fn rendered(level: &Level, given: &Dimensions, report: &RangeReport) 
         Some(why) => format!("note: {}: {why}\n", report.mechanism),
         None => String::new(),
     };
-    for own in report.messages() {
-        let title = format!("{}: {}\nhelp: {}", report.mechanism, own.fact, own.help);
+    for message in report.messages() {
+        let title = format!(
+            "{}: {}\nhelp: {}",
+            report.mechanism, message.fact, message.help
+        );
         let snippet = Snippet::source(&options)
             .path("command line")
             .annotation(AnnotationKind::Primary.span(0..options.len()));

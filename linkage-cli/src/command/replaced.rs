@@ -54,7 +54,11 @@ fn refused(output: &Path, why: &str) -> Failure {
 
 fn has_ending(path: &Path, endings: &[&str]) -> bool {
     let ending = path.extension().and_then(|ending| ending.to_str());
-    ending.is_some_and(|own| endings.iter().any(|other| own.eq_ignore_ascii_case(other)))
+    ending.is_some_and(|ending| {
+        endings
+            .iter()
+            .any(|other| ending.eq_ignore_ascii_case(other))
+    })
 }
 
 /// Whether two names are of one file, be it over links.
@@ -65,7 +69,7 @@ fn is_same(a: &Path, b: &Path) -> bool {
     let same = same || {
         use std::os::unix::fs::MetadataExt;
         let number = |path: &Path| fs::metadata(path).ok().map(|data| (data.dev(), data.ino()));
-        number(a).is_some_and(|own| number(b) == Some(own))
+        number(a).is_some_and(|first| number(b) == Some(first))
     };
     same
 }
@@ -107,7 +111,7 @@ fn has_items(body: TokenStream) -> bool {
             TokenTree::Ident(word) if begins => {
                 ["unit", "param", "input", "unknown", "loop", "part"]
                     .iter()
-                    .any(|own| word == own)
+                    .any(|reserved| word == reserved)
             }
             _ => false,
         };

@@ -92,7 +92,11 @@ pub(super) fn arguments(
         .collect();
     for given in given {
         let (name, text) = parts("--at", given)?;
-        let Some(index) = heading.arguments.iter().position(|own| *own == name) else {
+        let Some(index) = heading
+            .arguments
+            .iter()
+            .position(|argument| *argument == name)
+        else {
             return Err(Failure::Told(format!(
                 "`{}` does not take `{}`; it takes {}",
                 heading.function,
@@ -178,7 +182,7 @@ impl Positions {
     /// One after the other.
     pub(super) fn iter(self) -> impl Iterator<Item = f64> {
         let Self { input, count } = self;
-        (0..count).map(move |index| input.map_or(f64::NAN, |own| own.position(index, count)))
+        (0..count).map(move |index| input.map_or(f64::NAN, |input| input.position(index, count)))
     }
 
     /// All of them, unless they and what is computed at each of them do not fit into the memory.

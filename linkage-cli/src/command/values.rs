@@ -25,15 +25,15 @@ impl Dimensions {
 
     /// The options as they are written.
     pub(super) fn options(&self) -> String {
-        let options: Vec<String> = self.set.iter().map(|own| format!("--set {own}")).collect();
+        let options: Vec<String> = self.set.iter().map(|set| format!("--set {set}")).collect();
         options.join(" ")
     }
 
     /// Those of the options whose dimension a mechanism has.
     pub(super) fn known_to(&self, mechanism: &Mechanism) -> Self {
         let known = |given: &&String| {
-            let own = parts("--set", given);
-            own.is_ok_and(|(name, _)| places(mechanism, name).is_ok())
+            let setting = parts("--set", given);
+            setting.is_ok_and(|(name, _)| places(mechanism, name).is_ok())
         };
         Self {
             set: self.set.iter().filter(known).cloned().collect(),
@@ -44,9 +44,9 @@ impl Dimensions {
     pub(super) fn known_to_any(&self, all: &[Mechanism]) -> Result<(), Failure> {
         for given in &self.set {
             let (name, _) = parts("--set", given)?;
-            let mut found = all.iter().map(|own| places(own, name));
+            let mut found = all.iter().map(|mechanism| places(mechanism, name));
             if let Some(Err(unknown)) = found.next()
-                && found.all(|own| own.is_err())
+                && found.all(|found| found.is_err())
             {
                 return Err(unknown);
             }
@@ -90,14 +90,14 @@ impl Dimensions {
 
 /// The scalars of a parameter, or one of them: `pivot`, `pivot.x`.
 fn places(mechanism: &Mechanism, name: &str) -> Result<Vec<usize>, Failure> {
-    let component = |own: &str| COMPONENTS.contains(&own);
-    let whole = |own: &str| {
-        let last = own.rsplit_once('.');
-        own == name || last.is_some_and(|(of, last)| of == name && component(last))
+    let component = |axis: &str| COMPONENTS.contains(&axis);
+    let whole = |full: &str| {
+        let last = full.rsplit_once('.');
+        full == name || last.is_some_and(|(of, last)| of == name && component(last))
     };
     let all = mechanism.parameters.iter().enumerate();
     let found: Vec<usize> = all
-        .filter(|(_, own)| whole(own.name))
+        .filter(|(_, parameter)| whole(parameter.name))
         .map(|(place, _)| place)
         .collect();
     if !found.is_empty() {
@@ -105,9 +105,9 @@ fn places(mechanism: &Mechanism, name: &str) -> Result<Vec<usize>, Failure> {
     }
     // Of a machine, the dimensions of the part that is meant.
     let part = name.rsplit_once('.').map_or(name, |(part, _)| part);
-    let names = mechanism.parameters.iter().map(|own| own.name);
-    let of_part = |own: &&str| {
-        own.strip_prefix(part)
+    let names = mechanism.parameters.iter().map(|parameter| parameter.name);
+    let of_part = |full: &&str| {
+        full.strip_prefix(part)
             .is_some_and(|rest| rest.starts_with('.'))
     };
     let of_part: Vec<&str> = names.clone().filter(of_part).collect();
@@ -197,20 +197,20 @@ fn quantity(
     }
     let pairs = found.iter().zip(units);
     pairs
-        .map(
-            |(own, &unit)| match own.unit == unit || own.nominal == 0.0 && own.tolerance == 0.0 {
+        .map(|(scalar, &unit)| {
+            match scalar.unit == unit || scalar.nominal == 0.0 && scalar.tolerance == 0.0 {
                 true => Ok(Number {
-                    value: own.nominal,
-                    tolerance: is_tolerated.then_some(own.tolerance),
+                    value: scalar.nominal,
+                    tolerance: is_tolerated.then_some(scalar.tolerance),
                 }),
                 false => Err(wrong(&format!(
                     "this is {}, `{}` is {}",
-                    in_words(&own.unit),
+                    in_words(&scalar.unit),
                     shortened(name),
                     in_words(unit)
                 ))),
-            },
-        )
+            }
+        })
         .collect()
 }
 
@@ -219,11 +219,15 @@ fn name_within(mechanism: &Mechanism, tokens: TokenStream) -> Option<String> {
     tokens.into_iter().find_map(|token| match token {
         TokenTree::Ident(word) => {
             let word = word.to_string();
-            let parameters = mechanism.parameters.iter().map(|own| own.name);
-            let inputs = mechanism.inputs.iter().map(|own| own.name);
-            let unknowns = mechanism.unit.unknowns.iter().map(|own| own.name.as_str());
+            let parameters = mechanism.parameters.iter().map(|parameter| parameter.name);
+            let inputs = mechanism.inputs.iter().map(|input| input.name);
+            let unknowns = mechanism
+                .unit
+                .unknowns
+                .iter()
+                .map(|unknown| unknown.name.as_str());
             let mut names = parameters.chain(inputs).chain(unknowns);
-            names.any(|own| own == word).then_some(word)
+            names.any(|name| name == word).then_some(word)
         }
         TokenTree::Group(group) => name_within(mechanism, group.stream()),
         TokenTree::Punct(_) | TokenTree::Literal(_) => None,

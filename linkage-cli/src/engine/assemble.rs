@@ -72,15 +72,15 @@ impl Assembly<'_> {
         let numbers = self.survey(inputs);
         let mut next = numbers[1 + unit.groups.len()..].iter().copied();
         let estimate = |surveyed: &Surveyed| {
-            let own: Vec<f64> = next.by_ref().take(surveyed.numbers).collect();
+            let numbers: Vec<f64> = next.by_ref().take(surveyed.numbers).collect();
             let unknown = &unit.unknowns[surveyed.unknown];
             Estimate {
                 name: forever(unknown.name.as_str()),
                 unit: forever(unknown.unit.as_str()),
                 angle: surveyed.angle,
-                numbers: match own[..] {
+                numbers: match numbers[..] {
                     [cosine, sine] if surveyed.angle => vec![Scalar::atan2(sine, cosine)],
-                    _ => own,
+                    _ => numbers,
                 },
             }
         };
@@ -293,7 +293,7 @@ impl Mechanism {
 
     fn finite(&self, dimensions: &[f64]) -> Result<(), AssemblyError> {
         let groups = self.unit.groups.iter();
-        let needed: Vec<usize> = groups.flat_map(|own| own.parameters.clone()).collect();
+        let needed: Vec<usize> = groups.flat_map(|group| group.parameters.clone()).collect();
         finite(self.name, self.parameters, &needed, dimensions)
     }
 }

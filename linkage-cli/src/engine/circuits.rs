@@ -32,16 +32,16 @@ impl Mechanism {
         let ([input], false) = (&self.unit.inputs[..], self.unit.groups.is_empty()) else {
             return None;
         };
-        let unknowns = self.unit.surveyed.iter().map(|own| {
-            let unknown = &self.unit.unknowns[own.unknown];
+        let unknowns = self.unit.surveyed.iter().map(|surveyed| {
+            let unknown = &self.unit.unknowns[surveyed.unknown];
             SurveyedUnknown {
                 name: forever(unknown.name.as_str()),
-                unit: match own.angle {
+                unit: match surveyed.angle {
                     true => "",
                     false => forever(unknown.unit.as_str()),
                 },
-                angle: own.angle,
-                numbers: own.numbers,
+                angle: surveyed.angle,
+                numbers: surveyed.numbers,
             }
         });
         let searched = Searched {

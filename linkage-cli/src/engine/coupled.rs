@@ -62,9 +62,9 @@ impl<'m> Programs<'m> {
     }
 
     /// The states of all groups where this one's inputs are `own`.
-    fn place(&mut self, own: &[f64]) -> Vec<Vec<f64>> {
+    fn place(&mut self, inputs: &[f64]) -> Vec<Vec<f64>> {
         let group = &self.mechanism.groups[self.number];
-        for (input, x) in group.inputs.iter().zip(own) {
+        for (input, x) in group.inputs.iter().zip(inputs) {
             self.at[input.index] = *x;
         }
         let states = States {
@@ -75,8 +75,8 @@ impl<'m> Programs<'m> {
         states.by_build()
     }
 
-    fn place_with(&mut self, own: &[f64], state: &[f64]) -> Vec<Vec<f64>> {
-        let mut states = self.place(own);
+    fn place_with(&mut self, inputs: &[f64], state: &[f64]) -> Vec<Vec<f64>> {
+        let mut states = self.place(inputs);
         states[self.number][..state.len()].copy_from_slice(state);
         states
     }
@@ -94,8 +94,8 @@ impl<'m> Programs<'m> {
 }
 
 impl Correction for Programs<'_> {
-    fn correct(&mut self, own: &[f64], state: &mut [f64]) -> Step {
-        let states = self.place_with(own, state);
+    fn correct(&mut self, inputs: &[f64], state: &mut [f64]) -> Step {
+        let states = self.place_with(inputs, state);
         let numbers = self.numbers(&states);
         let program = &self.mechanism.unit.coupled[self.number].correct;
         stepped(state, &by_build(program, |source| numbers.load(source)))
@@ -103,8 +103,8 @@ impl Correction for Programs<'_> {
 }
 
 impl Residuals for Programs<'_> {
-    fn residuals(&mut self, own: &[f64], state: &[Enclosure]) -> Vec<Enclosure> {
-        let states = self.place(own);
+    fn residuals(&mut self, inputs: &[f64], state: &[Enclosure]) -> Vec<Enclosure> {
+        let states = self.place(inputs);
         let numbers = self.numbers(&states);
         let program = &self.mechanism.unit.coupled[self.number].residuals;
         over_states(program, |source| match source {
@@ -115,29 +115,29 @@ impl Residuals for Programs<'_> {
 }
 
 impl CoupledPrograms for Programs<'_> {
-    fn system(&mut self, own: &[f64]) -> Vec<[f64; 2]> {
-        let states = self.place(own);
+    fn system(&mut self, inputs: &[f64]) -> Vec<[f64; 2]> {
+        let states = self.place(inputs);
         let numbers = self.numbers(&states);
         let program = &self.mechanism.unit.coupled[self.number].system;
         pairs(&by_build(program, |source| numbers.load(source)))
     }
 
-    fn estimate(&mut self, own: &[f64]) -> Vec<f64> {
-        let states = self.place(own);
+    fn estimate(&mut self, inputs: &[f64]) -> Vec<f64> {
+        let states = self.place(inputs);
         let numbers = self.numbers(&states);
         let program = &self.mechanism.unit.coupled[self.number].estimate;
         by_build(program, |source| numbers.load(source))
     }
 
-    fn missed(&mut self, own: &[f64], state: &[f64]) -> Vec<f64> {
-        let states = self.place_with(own, state);
+    fn missed(&mut self, inputs: &[f64], state: &[f64]) -> Vec<f64> {
+        let states = self.place_with(inputs, state);
         let numbers = self.numbers(&states);
         let program = &self.mechanism.unit.coupled[self.number].missed;
         by_build(program, |source| numbers.load(source))
     }
 
-    fn placed(&mut self, own: &[f64], state: &[f64]) -> Vec<[f64; 2]> {
-        let states = self.place_with(own, state);
+    fn placed(&mut self, inputs: &[f64], state: &[f64]) -> Vec<[f64; 2]> {
+        let states = self.place_with(inputs, state);
         let numbers = self.numbers(&states);
         let group = &self.mechanism.unit.coupled[self.number];
         let angles = group.unknowns.iter().map(|unknown| unknown.angle);

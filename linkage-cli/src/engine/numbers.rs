@@ -62,13 +62,13 @@ impl Single<f64, Vec<Vec<f64>>, 0> for States<'_> {
     fn at<const FUSED: bool>(&self, []: [f64; 0]) -> Vec<Vec<f64>> {
         let mut states = Vec::with_capacity(self.starts.len());
         for (group, start) in self.mechanism.unit.coupled.iter().zip(self.starts) {
-            let own: Vec<f64> = group
+            let inputs: Vec<f64> = group
                 .inputs
                 .iter()
                 .map(|&input| self.inputs[input])
                 .collect();
             let mut state = vec![f64::NAN; group.size];
-            let floor = start.look_up::<FUSED>(&own, &mut state);
+            let floor = start.look_up::<FUSED>(&inputs, &mut state);
             state.push(floor);
             states.push(state);
         }

@@ -13,7 +13,7 @@ impl Assembly<'_> {
     pub fn check_range(&self) -> RangeReport {
         let mechanism = self.mechanism();
         let groups = mechanism.unit.groups.iter();
-        let slacks: Vec<_> = groups.map(|own| own.slack).collect();
+        let slacks: Vec<_> = groups.map(|group| group.slack).collect();
         let ranged = Ranged {
             mechanism: mechanism.name,
             inputs: mechanism.inputs,

@@ -37,7 +37,7 @@ impl Winding<'_> {
         let bearings = pairs(&bearings);
         let mut phases = &bearings[..];
         for (index, angle) in self.mechanism.angles.iter().enumerate().take(count) {
-            let (own, rest) = phases.split_at(angle.phases.len());
+            let (angle_phases, rest) = phases.split_at(angle.phases.len());
             phases = rest;
             let prepared = self.prepare(&revolutions);
             let direction = |x: &Vec<f64>| {
@@ -51,7 +51,7 @@ impl Winding<'_> {
                 let all = by_build(&unit.directions, |source| numbers.load(source));
                 [all[2 * index], all[2 * index + 1]]
             };
-            let found = wind_one(angle, own, &start.to_vec(), direction);
+            let found = wind_one(angle, angle_phases, &start.to_vec(), direction);
             let (centre, windings) = found.ok_or(angle.unknown)?;
             revolutions.centres[index] = centre;
             revolutions.windings[index] = windings;

@@ -39,8 +39,12 @@ impl Numbers {
         let others = (0..columns.len())
             .filter(|&k| !belongs(&columns[k], quantity) && columns[k].meaning == Meaning::Value);
         let known = |number: &Number| {
-            let by =
-                |parameter: &usize| number.sensitivities.iter().any(|(own, _)| own == parameter);
+            let by = |parameter: &usize| {
+                number
+                    .sensitivities
+                    .iter()
+                    .any(|(known, _)| known == parameter)
+            };
             parameters.iter().all(by)
         };
         Self(others.map(|k| number(columns, k)).filter(known).collect())
@@ -75,7 +79,7 @@ impl Numbers {
                     number
                         .sensitivities
                         .iter()
-                        .any(|(own, _)| own == *parameter)
+                        .any(|(known, _)| known == *parameter)
                 };
                 !numbers.iter().all(has)
             };

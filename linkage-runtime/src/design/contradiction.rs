@@ -25,13 +25,13 @@ pub(crate) fn consistent(
     }
     let possible = |limits: &Limits| limits.nearest(&middle).is_some();
     let mut least = limits.clone();
-    let mut own: Vec<usize> = (0..limits.relations.len()).collect();
-    for k in (0..own.len()).rev() {
+    let mut needed: Vec<usize> = (0..limits.relations.len()).collect();
+    for k in (0..needed.len()).rev() {
         let mut without = least.clone();
         without.relations.remove(k);
         if !possible(&without) {
             least = without;
-            own.remove(k);
+            needed.remove(k);
         }
     }
     let mut told: Vec<String> = Vec::new();
@@ -60,7 +60,10 @@ pub(crate) fn consistent(
     }
     Err(DesignError::Contradiction {
         missed: missed(&least, &middle),
-        relations: own.into_iter().map(|k| relations[k].described()).collect(),
+        relations: needed
+            .into_iter()
+            .map(|k| relations[k].described())
+            .collect(),
         bounds: told,
     })
 }

@@ -35,25 +35,25 @@ where
     ) -> Option<FoundDesign<M, A>> {
         let mut evaluator = Evaluator::new(self.problem);
         feasible.extend(self.declared(&mut evaluator, starts));
-        feasible.retain(|own| self.is_of_catalogues(&own.x));
+        feasible.retain(|feasible| self.is_of_catalogues(&feasible.x));
         feasible.sort_by(|a, b| a.sum.total_cmp(&b.sum));
         let mut scale = None;
-        feasible.retain(|own| match best {
-            Some(best) if best > own.sum => {
+        feasible.retain(|feasible| match best {
+            Some(best) if best > feasible.sum => {
                 let scale = scale.get_or_insert_with(|| self.scale(&mut evaluator, seed));
-                best - own.sum > SAME * best + ZERO * *scale
+                best - feasible.sum > SAME * best + ZERO * *scale
             }
             Some(_) => false,
             None => true,
         });
         feasible.truncate(LOOKED_AT);
-        for own in &feasible {
-            let Ok(found) = self.found(&mut evaluator, own) else {
+        for optimum in &feasible {
+            let Ok(found) = self.found(&mut evaluator, optimum) else {
                 continue;
             };
-            let mode = (&self.assemblies[own.assembly], self.steps);
+            let mode = (&self.assemblies[optimum.assembly], self.steps);
             let (problem, limits) = (self.problem, &self.problem.limits);
-            let near = search::refine(own, limits, problem, &mut evaluator, mode);
+            let near = search::refine(optimum, limits, problem, &mut evaluator, mode);
             let near = self.rounded(near.into_iter().collect(), end).optima;
             let mut near = near.iter().map(|near| self.found(&mut evaluator, near));
             return match near.next() {
@@ -70,7 +70,7 @@ where
         let x = problem.declared();
         let known = x.len() == problem.varied.len() && problem.limits.hold(&x);
         let assemblies = self.assemblies.iter().enumerate().filter(|_| known);
-        let own = assemblies.filter_map(|(assembly, modes)| {
+        let optima = assemblies.filter_map(|(assembly, modes)| {
             let mut normal = Normal::new(x.len());
             evaluator.evaluate(modes, core::iter::once(&x[..]));
             evaluator.normal(0, &mut normal);
@@ -84,7 +84,7 @@ where
                 zero: false,
             })
         });
-        own.collect()
+        optima.collect()
     }
 
     fn is_of_catalogues(&self, x: &[f64]) -> bool {

@@ -17,11 +17,15 @@ pub(crate) fn certify_optimum<M: Dimensions<N> + Copy, A, const N: usize>(
 ) -> Result<Branch<A>, Interruption> {
     let place = || core::iter::once(&optimum.x[..]);
     evaluator.evaluate(assembly, place());
-    let own = values(problem, evaluator);
+    let expected = values(problem, evaluator);
     let sizes = sizes(problem, evaluator);
     certify(circuits(&problem.mechanism(&optimum.x)), |branch| {
         evaluator.evaluate(&branch.assembly, place());
-        alike(&own, &values(problem, evaluator), sizes.iter().copied())
+        alike(
+            &expected,
+            &values(problem, evaluator),
+            sizes.iter().copied(),
+        )
     })
 }
 

@@ -167,8 +167,8 @@ impl Quadratic {
                     && face.value(&self.d).abs() <= 1e-9 * self.scale(face);
             }
             let step = full.min(partial);
-            for (own, dual) in self.multipliers.iter_mut().zip(&duals) {
-                *own -= step * dual;
+            for (multiplier, dual) in self.multipliers.iter_mut().zip(&duals) {
+                *multiplier -= step * dual;
             }
             multiplier += step;
             if full.is_finite() {

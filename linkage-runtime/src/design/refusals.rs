@@ -73,9 +73,9 @@ impl Tally {
             (&mut self.relations, &other.relations),
             (&mut self.conditions, &other.conditions),
         ];
-        for (own, others) in pairs {
+        for (counts, others) in pairs {
             let others = others.iter().enumerate();
-            others.for_each(|(k, &more)| count(own, k, more));
+            others.for_each(|(k, &more)| count(counts, k, more));
         }
     }
 
@@ -92,7 +92,7 @@ impl Tally {
         };
         let missed = self
             .nearest
-            .and_then(|own| Some((conditions.get(own.wish)?.clone(), own.by)));
+            .and_then(|nearest| Some((conditions.get(nearest.wish)?.clone(), nearest.by)));
         Refusals {
             missed,
             starts,

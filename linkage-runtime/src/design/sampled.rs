@@ -154,8 +154,10 @@ where
         let columns = C::default();
         let heading = columns.heading();
         let numbers = Numbers::all(heading, quantities);
-        let column = numbers.iter().nth(k).map(|own| &heading.columns[own.value]);
-        let (name, unit) = column.map_or((self.called(), ""), |own| (own.name.into(), own.unit));
+        let column = numbers.iter().nth(k).map(|nth| &heading.columns[nth.value]);
+        let (name, unit) = column.map_or((self.called(), ""), |column| {
+            (column.name.into(), column.unit)
+        });
         let (by, unit) = match unit {
             "rad" => ((value / weights[k]).to_degrees().abs(), "deg"),
             unit => ((value / weights[k]).abs(), unit),

@@ -121,7 +121,7 @@ pub(crate) fn block<M: Dimensions<N> + Copy, A, const N: usize>(
                     });
                 } else if !matches!(fates[*start], Fate::Ended) {
                     block.tally.missed(&broken);
-                    fates[*start] = Fate::Broken(broken.iter().map(|own| own.wish).collect());
+                    fates[*start] = Fate::Broken(broken.iter().map(|broken| broken.wish).collect());
                 }
                 false
             });

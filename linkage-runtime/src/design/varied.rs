@@ -91,10 +91,10 @@ impl Freedom {
         part: f64,
         mechanism: &M,
     ) {
-        let own = M::PARAMETERS
+        let index = M::PARAMETERS
             .iter()
             .position(|parameter| parameter.name == name);
-        let value = own.map_or(f64::NAN, |index| mechanism.values()[index]);
+        let value = index.map_or(f64::NAN, |index| mechanism.values()[index]);
         let room = part * value.abs();
         self.vary(name, value - room, value + room);
     }
@@ -122,7 +122,7 @@ impl Freedom {
         let (mut places, mut errors): (Vec<(usize, f64, f64)>, _) = (Vec::new(), Vec::new());
         for (name, low, high) in &self.bounds {
             let (name, low, high) = (name.clone(), *low, *high);
-            let Some(index) = known.iter().position(|own| *own == name) else {
+            let Some(index) = known.iter().position(|known| *known == name) else {
                 let known = known.clone();
                 errors.push(DesignError::NoParameter { name, known });
                 continue;
@@ -158,8 +158,8 @@ impl Freedom {
             });
         }
         let catalogues = self.catalogues.iter().filter_map(|(name, values)| {
-            let index = known.iter().position(|own| own == name)?;
-            let place = indices.iter().position(|own| *own == index)?;
+            let index = known.iter().position(|known| known == name)?;
+            let place = indices.iter().position(|known| *known == index)?;
             Some((place, values.clone()))
         });
         Varied {
@@ -210,14 +210,14 @@ fn linear(
         equality: relation.equality,
     };
     for (name, factor) in &relation.terms {
-        let Some(index) = known.iter().position(|own| own == name) else {
+        let Some(index) = known.iter().position(|known| known == name) else {
             errors.push(DesignError::NoParameter {
                 name: name.clone(),
                 known: known.to_vec(),
             });
             continue;
         };
-        match varied.iter().position(|own| *own == index) {
+        match varied.iter().position(|varied| *varied == index) {
             Some(place) => linear.terms.push((place, *factor)),
             None => linear.most -= factor * values[index],
         }

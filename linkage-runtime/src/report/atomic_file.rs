@@ -49,7 +49,7 @@ impl AtomicFile {
         }
         let (file, beside) = temporary::held(folder, &options)?;
         let permissions = replaced.map(|replaced| replaced.permissions());
-        let changed = permissions.map_or(Ok(()), |own| file.set_permissions(own));
+        let changed = permissions.map_or(Ok(()), |permission| file.set_permissions(permission));
         let whole = Self {
             file: Some(file),
             place,
@@ -76,8 +76,8 @@ impl AtomicFile {
 impl Write for AtomicFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let file = self.file.as_mut();
-        file.map_or(Err(io::ErrorKind::BrokenPipe.into()), |own| {
-            own.write(bytes)
+        file.map_or(Err(io::ErrorKind::BrokenPipe.into()), |file| {
+            file.write(bytes)
         })
     }
 

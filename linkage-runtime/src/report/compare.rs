@@ -136,8 +136,9 @@ impl<'a> Compared<'a> {
             };
             (name, row.value, row.unit)
         };
-        let own = self.figures.iter().cloned();
-        own.chain(summary::summary_rows(self.report))
+        let figures = self.figures.iter().cloned();
+        figures
+            .chain(summary::summary_rows(self.report))
             .map(named)
             .collect()
     }

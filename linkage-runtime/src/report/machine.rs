@@ -45,8 +45,8 @@ pub(super) fn check_cyclogram(report: &Report, mistakes: &mut Vec<Mistake>) {
     let Some(cyclogram) = &report.cyclogram else {
         return;
     };
-    if let Err(ReportError::Mistakes(own)) = cyclogram.svg() {
-        mistakes.extend(own);
+    if let Err(ReportError::Mistakes(found)) = cyclogram.svg() {
+        mistakes.extend(found);
     }
     if report.input.unit != ANGLE {
         mistakes.push(Mistake::NoShaft {
@@ -80,7 +80,7 @@ pub(super) fn link_hues(report: &Report) -> usize {
     let organs = report
         .cyclogram
         .iter()
-        .flat_map(|own| organ_hues(report, own));
+        .flat_map(|cyclogram| organ_hues(report, cyclogram));
     organs.fold(parts, usize::max) + 1
 }
 

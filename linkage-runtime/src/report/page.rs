@@ -123,7 +123,7 @@ fn engine_script(report: &Report) -> String {
     if report.programs.is_empty() {
         return String::new();
     }
-    let programs = report.programs.iter().map(|own| own.description);
+    let programs = report.programs.iter().map(|program| program.description);
     let programs = programs.collect::<std::vec::Vec<_>>().join(",\n");
     let engine = ENGINE.join("\n");
     std::format!(
@@ -134,7 +134,7 @@ fn engine_script(report: &Report) -> String {
 /// Nothing comes from elsewhere, but for the version that an open page asks for.
 fn content_policy(report: &Report) -> String {
     let follow = match report.version {
-        Some(_) => " 'report' file:",
+        Some(_) => " 'self' file:",
         None => "",
     };
     std::format!(
@@ -174,9 +174,9 @@ mod tests {
     #[test]
     fn what_computes_is_small() {
         let all = [&ENGINE.join("\n"), OTHERS, &LIVE.join("\n"), LIVE_STYLE];
-        let size: usize = all.iter().map(|own| bare(own).len()).sum();
+        let size: usize = all.iter().map(|script| bare(script).len()).sum();
         assert!(size < 75_000, "{size} bytes");
-        let [cycle, overlaps] = LIVE_CYCLE.map(|own| bare(own).len());
+        let [cycle, overlaps] = LIVE_CYCLE.map(|script| bare(script).len());
         assert!(cycle < 6_500, "{cycle} bytes");
         assert!(overlaps < 1_200, "{overlaps} bytes");
     }
@@ -191,7 +191,7 @@ mod tests {
             .chain(&MODULE)
             .chain(&LIVE_CYCLE)
             .chain([&OTHERS]);
-        for line in all.flat_map(|own| own.lines()) {
+        for line in all.flat_map(|script| script.lines()) {
             let is_comment = line.trim_start().starts_with("//");
             assert!(is_comment || line.matches('`').count() % 2 == 0, "{line}");
         }
@@ -202,7 +202,7 @@ mod tests {
     fn scripts_share_no_names() {
         let mut names = BTreeSet::new();
         let all = SCRIPTS.iter().chain(&LIVE).chain(&LIVE_CYCLE);
-        for line in all.flat_map(|own| own.lines()) {
+        for line in all.flat_map(|script| script.lines()) {
             let mut words = line.split(|c: char| !(c.is_alphanumeric() || c == '_'));
             if let Some("function" | "const" | "let") = words.next() {
                 let name = words.next().unwrap_or_default();

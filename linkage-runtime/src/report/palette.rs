@@ -78,12 +78,12 @@ fn components(column: &str) -> (&str, usize) {
 pub(super) fn palette(report: &Report) -> Palette {
     let mut hues = Assignment::default();
     let columns = report.tables.iter().flat_map(|table| table.heading.columns);
-    let (own, others): (Vec<&Column>, Vec<&Column>) =
+    let (coloured, others): (Vec<&Column>, Vec<&Column>) =
         columns.partition(|column| match column.meaning {
             Meaning::Value | Meaning::Rate { .. } | Meaning::Margin => true,
             Meaning::Sensitivity { .. } | Meaning::Picture => false,
         });
-    for column in own {
+    for column in coloured {
         hues.give(components(column.name).0, column.unit);
     }
     if let Some(shown) = shown::find_picture(report) {
@@ -118,13 +118,13 @@ impl Assignment {
         }
         let there = |hue: usize| self.units.values().map(|unit| unit[hue]).sum::<usize>();
         let everywhere: [usize; CURVES] = core::array::from_fn(there);
-        let own = self.units.entry(unit).or_default();
-        let rarest = (0..CURVES).min_by_key(|hue| (own[*hue], everywhere[*hue]));
+        let counts = self.units.entry(unit).or_default();
+        let rarest = (0..CURVES).min_by_key(|hue| (counts[*hue], everywhere[*hue]));
         let given = Assigned {
             hue: rarest.unwrap_or(0),
-            rank: own.iter().sum(),
+            rank: counts.iter().sum(),
         };
-        own[given.hue] += 1;
+        counts[given.hue] += 1;
         self.of.insert(name, given);
         given
     }

@@ -212,14 +212,18 @@ pub(super) fn known_columns(report: &Report) -> Vec<String> {
 
 /// The plot with bands about the quantities that the function has sensitivities of, too.
 fn banded(plot: Plot, table: &Saved, sensitive: &[Sensitive<'_>]) -> Plot {
-    let own = |about: &&Sensitive<'_>| about.column.is_some() && core::ptr::eq(about.table, table);
-    sensitive.iter().filter(own).fold(plot, |plot, about| {
-        [BandKind::WorstCase, BandKind::Statistical]
-            .into_iter()
-            .fold(plot, |plot, kind| {
-                plot.band(&about.name, kind, &about.half(kind))
-            })
-    })
+    let is_of_table =
+        |about: &&Sensitive<'_>| about.column.is_some() && core::ptr::eq(about.table, table);
+    sensitive
+        .iter()
+        .filter(is_of_table)
+        .fold(plot, |plot, about| {
+            [BandKind::WorstCase, BandKind::Statistical]
+                .into_iter()
+                .fold(plot, |plot, kind| {
+                    plot.band(&about.name, kind, &about.half(kind))
+                })
+        })
 }
 
 /// Whether a column is in the plots that are made unasked: sensitivities are too many, and points of the picture are in the

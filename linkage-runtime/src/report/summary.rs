@@ -94,7 +94,7 @@ pub(super) fn summary_rows(report: &Report) -> Vec<SummaryRow> {
     let of_courses = report
         .figures
         .iter()
-        .flat_map(|own| course_rows(report, own));
+        .flat_map(|figure| course_rows(report, figure));
     of_courses.chain(report.summary.iter().cloned()).collect()
 }
 
@@ -159,12 +159,12 @@ fn course_rows(report: &Report, figures: &Figures) -> Vec<SummaryRow> {
 
 /// The unit of a derivative by the input.
 fn derivative_unit(report: &Report, unit: &str, order: u32) -> String {
-    let own = if unit.is_empty() { "1" } else { unit };
+    let numerator = if unit.is_empty() { "1" } else { unit };
     match (order, report.input.unit) {
         (0, _) => unit.to_owned(),
         (_, "") => unit.to_owned(),
-        (1, input) => format!("{own}/{input}"),
-        (_, input) => format!("{own}/{input}^{order}"),
+        (1, input) => format!("{numerator}/{input}"),
+        (_, input) => format!("{numerator}/{input}^{order}"),
     }
 }
 

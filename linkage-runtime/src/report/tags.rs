@@ -86,7 +86,7 @@ impl Tags {
         tags.number(40, 0.0).put(0, "ENDTAB");
         tags.put(0, "TABLE").put(2, "LAYER");
         tags.put(70, layers.len());
-        for (name, colour) in layers.iter().map(|own| own.named()) {
+        for (name, colour) in layers.iter().map(|layer| layer.named()) {
             tags.put(0, "LAYER").put(2, name).put(70, 0);
             tags.put(62, colour).put(6, "CONTINUOUS");
         }

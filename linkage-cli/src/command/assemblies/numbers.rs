@@ -30,9 +30,9 @@ pub(super) fn numbers(
             let there = (low..=high)
                 .contains(&at[0])
                 .then(|| branch.assembly.unknowns(&at))?;
-            let place = listed.iter().position(|own| {
-                let own = own.as_ref();
-                own.is_some_and(|own| is_same(own, &there))
+            let place = listed.iter().position(|states| {
+                let states = states.as_ref();
+                states.is_some_and(|states| is_same(states, &there))
             })?;
             listed[place] = None;
             Some(place + 1)
@@ -49,8 +49,9 @@ pub(super) fn numbers(
 
 /// Whether all unknowns are in the same places.
 fn is_same(a: &[Estimate], b: &[Estimate]) -> bool {
-    let numbers = |own: &Estimate| own.numbers.iter().map(|x| x.abs()).fold(0.0, f64::max);
-    let lengths = a.iter().filter(|own| !own.angle);
+    let numbers =
+        |estimate: &Estimate| estimate.numbers.iter().map(|x| x.abs()).fold(0.0, f64::max);
+    let lengths = a.iter().filter(|a| !a.angle);
     let size = lengths.map(numbers).fold(0.0, f64::max);
     a.iter().zip(b).all(|(a, b)| {
         a.numbers

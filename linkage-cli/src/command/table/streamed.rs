@@ -44,7 +44,7 @@ impl<'a> Streamed<'a> {
     ) -> Self {
         let input = along.running.map(|(_, input)| (input.name, input.unit));
         let results = mechanism.headings[function].columns.iter();
-        let results = results.map(|own| (own.name, own.unit));
+        let results = results.map(|result| (result.name, result.unit));
         let columns = input.into_iter().chain(results).map(|(name, unit)| {
             let in_degrees = in_degrees && unit == "rad";
             Column {
@@ -112,7 +112,7 @@ impl<'a> Streamed<'a> {
         self.columns_in_json(out)?;
         let parameters = self.mechanism.parameters.iter().zip(dimensions);
         let parameters: Vec<Value> = parameters
-            .map(|(own, value)| json!({ "name": own.name, "unit": own.unit, "value": value }))
+            .map(|(parameter, value)| json!({ "name": parameter.name, "unit": parameter.unit, "value": value }))
             .collect();
         let [parameters, function, name] = [
             json!(parameters),
@@ -184,9 +184,9 @@ impl Column<'_> {
 
 /// Nothing before the first number, a comma before all others.
 fn take_first(separator: &mut &'static str) -> &'static str {
-    let own = take(separator);
+    let mark = take(separator);
     *separator = ",";
-    own
+    mark
 }
 
 /// A number with all digits; `null` if it is not finite.

@@ -70,7 +70,7 @@ where
     let effects = tolerances.effects(&sensitivities);
     let text = effects.to_string();
     let lines: Vec<&str> = text.lines().collect();
-    let own = lines.len() - (N - parameters.len());
+    let count = lines.len() - (N - parameters.len());
     Ok(Figures {
         worst: effects.worst_modulus(),
         statistical: effects.root_sum_square_modulus(),
@@ -78,6 +78,6 @@ where
             .iter()
             .map(|part| part.modulus)
             .collect(),
-        text: lines[..own].join("\n") + "\n",
+        text: lines[..count].join("\n") + "\n",
     })
 }

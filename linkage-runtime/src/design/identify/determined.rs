@@ -48,7 +48,7 @@ impl Determined {
         // Both were asked for.
         let empty = || DMatrix::zeros(0, 0);
         let (u, v) = (svd.u.unwrap_or_else(empty), svd.v_t.unwrap_or_else(empty));
-        let mut own = Self {
+        let mut determined = Self {
             left: DMatrix::from_fn(m, n, |i, k| u[(i, order[k])]),
             directions: DMatrix::from_fn(n, n, |k, j| v[(order[k], j)]),
             singular: order.iter().map(|&k| svd.singular_values[k]).collect(),
@@ -59,8 +59,12 @@ impl Determined {
             jacobian,
             differences,
         };
-        own.rank = own.singular.iter().filter(|&&s| s >= own.needed()).count();
-        own
+        determined.rank = determined
+            .singular
+            .iter()
+            .filter(|&&s| s >= determined.needed())
+            .count();
+        determined
     }
 
     /// What is not determined changes the readings by less than this over its range: one standard deviation, as the

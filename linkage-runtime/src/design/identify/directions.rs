@@ -100,12 +100,12 @@ fn with_angles(named: &Named, found: &Determined, direction: DVector<f64>) -> DV
     let change = &found.jacobian * &direction;
     let svd = columns.svd(true, true);
     let rounding = found.needed().min(svd.singular_values.max());
-    let Ok(own) = svd.solve(&change, rounding * 1e-6) else {
+    let Ok(changes) = svd.solve(&change, rounding * 1e-6) else {
         return direction;
     };
     let mut all = direction;
-    for (&j, own) in angles.iter().zip(own.iter()) {
-        all[j] -= own;
+    for (&j, changes) in angles.iter().zip(changes.iter()) {
+        all[j] -= changes;
     }
     all
 }

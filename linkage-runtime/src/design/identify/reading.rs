@@ -130,40 +130,40 @@ where
     C: Table + Default,
 {
     fn check(&self, parameters: &[Parameter], unknown: &[usize]) -> Vec<DesignError> {
-        let own = &self.measured;
-        let names = [own.quantity.clone()];
+        let measured = &self.measured;
+        let names = [measured.quantity.clone()];
         let mut errors = Vec::new();
         let count = |what, expected, found| DesignError::Count {
             what,
-            wish: own.quantity.clone(),
+            wish: measured.quantity.clone(),
             expected,
             found,
         };
-        if own.inputs.is_empty() {
+        if measured.inputs.is_empty() {
             errors.push(DesignError::Nothing {
                 what: "no inputs; name them with `at`",
-                wish: own.quantity.clone(),
+                wish: measured.quantity.clone(),
             });
         }
-        if let Some(&number) = own.inputs.iter().find(|input| !input.is_finite()) {
-            let wish = own.quantity.clone();
+        if let Some(&number) = measured.inputs.iter().find(|input| !input.is_finite()) {
+            let wish = measured.quantity.clone();
             errors.push(DesignError::NotFinite { wish, number });
         }
-        if let Some(values) = &own.values
-            && values.len() != own.inputs.len()
+        if let Some(values) = &measured.values
+            && values.len() != measured.inputs.len()
         {
-            errors.push(count("inputs", values.len(), own.inputs.len()));
+            errors.push(count("inputs", values.len(), measured.inputs.len()));
         }
-        if own.deviations.len() > 1 && own.deviations.len() != own.inputs.len() {
+        if measured.deviations.len() > 1 && measured.deviations.len() != measured.inputs.len() {
             errors.push(count(
                 "rows of deviations",
-                own.inputs.len(),
-                own.deviations.len(),
+                measured.inputs.len(),
+                measured.deviations.len(),
             ));
         }
         let is_wrong = |deviation: &&f64| !(**deviation > 0.0 && deviation.is_finite());
-        if let Some(&deviation) = own.deviations.iter().flatten().find(is_wrong) {
-            let quantity = own.quantity.clone();
+        if let Some(&deviation) = measured.deviations.iter().flatten().find(is_wrong) {
+            let quantity = measured.quantity.clone();
             errors.push(DesignError::Deviation {
                 quantity,
                 deviation,
@@ -173,7 +173,7 @@ where
         match Numbers::find(columns.heading(), &names, false, parameters, unknown) {
             Err(more) => errors.extend(more),
             Ok(numbers) => {
-                let rows = own.values.iter().flatten().chain(&own.deviations);
+                let rows = measured.values.iter().flatten().chain(&measured.deviations);
                 if let Some(row) = rows.into_iter().find(|row| row.len() != numbers.len()) {
                     errors.push(count("numbers at a position", numbers.len(), row.len()));
                 }
@@ -232,7 +232,7 @@ where
         read: Option<usize>,
         unknown: &[usize],
     ) -> Vec<ReadingRow> {
-        let own = &self.measured;
+        let measured = &self.measured;
         let Heading {
             columns: all,
             arguments,
@@ -241,13 +241,16 @@ where
         let heading = &all[number.value];
         // Parameters that the list of sensitivities leaves out are no unknowns: the check has seen to it.
         let places = unknown.iter().filter_map(|index| {
-            let own = number.sensitivities.iter().find(|(own, _)| own == index);
-            own.map(|&(_, column)| column)
+            let sensitivity = number
+                .sensitivities
+                .iter()
+                .find(|(sensitivity, _)| sensitivity == index);
+            sensitivity.map(|&(_, column)| column)
         });
         let places: Vec<usize> = places.collect();
         let mut rows = Vec::new();
-        for (position, &input) in own.inputs.iter().enumerate() {
-            let values = read.and_then(|k| Some((k, own.values.as_ref()?)));
+        for (position, &input) in measured.inputs.iter().enumerate() {
+            let values = read.and_then(|k| Some((k, measured.values.as_ref()?)));
             let reading = values.map(|(k, values)| values[position][k]);
             if reading.is_some_and(f64::is_nan) {
                 continue;
@@ -260,7 +263,10 @@ where
             } else {
                 0.0
             };
-            let deviations = own.deviations.get(position).or(own.deviations.first());
+            let deviations = measured
+                .deviations
+                .get(position)
+                .or(measured.deviations.first());
             let deviation = read.and_then(|k| Some(deviations?[k]));
             rows.push(ReadingRow {
                 number: heading.name,

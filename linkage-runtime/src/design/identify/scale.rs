@@ -16,16 +16,16 @@ pub(super) fn unread_rows<M: Dimensions<N> + Copy, A, const N: usize>(
     rows: &[ReadingRow],
 ) -> Vec<ReadingRow> {
     let deviation = |is: &dyn Fn(&str) -> bool| {
-        let own = rows
+        let deviations = rows
             .iter()
             .filter(|row| is(row.unit))
             .map(|row| row.deviation);
-        own.min_by(f64::total_cmp)
+        deviations.min_by(f64::total_cmp)
     };
     let largest = largest_length(identification);
     let exactness = |unit: &str| {
-        let own = deviation(&|other| other == unit);
-        own.or_else(|| match unit {
+        let known = deviation(&|other| other == unit);
+        known.or_else(|| match unit {
             "rad" => Some(deviation(&is_length)? / largest),
             unit if is_length(unit) => Some(deviation(&|other| other == "rad")? * largest),
             _ => None,
@@ -34,9 +34,9 @@ pub(super) fn unread_rows<M: Dimensions<N> + Copy, A, const N: usize>(
     let sources = identification.sources.iter().chain(&identification.offers);
     let all =
         sources.flat_map(|source| source.beside(&identification.assembly, mechanism, unknown));
-    let read = |row: &ReadingRow| rows.iter().any(|own| own.number == row.number);
+    let read = |row: &ReadingRow| rows.iter().any(|other| other.number == row.number);
     let others = all.filter(|row| !read(row)).filter_map(|row| {
-        let deviation = exactness(row.unit).filter(|own| own.is_normal())?;
+        let deviation = exactness(row.unit).filter(|exactness| exactness.is_normal())?;
         Some(ReadingRow { deviation, ..row })
     });
     others.collect()

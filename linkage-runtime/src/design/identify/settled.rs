@@ -79,8 +79,8 @@ impl Determined {
             return Step { step, length: 0.0 };
         }
         let rows = self.jacobian.nrows();
-        let own = DMatrix::from_fn(rows, free.len(), |i, k| self.jacobian[(i, free[k])]);
-        let svd = own.svd(true, true);
+        let columns = DMatrix::from_fn(rows, free.len(), |i, k| self.jacobian[(i, free[k])]);
+        let svd = columns.svd(true, true);
         let (Some(left), Some(directions)) = (svd.u, svd.v_t) else {
             return Step {
                 step,

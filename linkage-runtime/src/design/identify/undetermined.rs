@@ -64,7 +64,7 @@ pub(super) fn undetermined(
             // What is not determined by itself need not move with others.
             let alone = |name: &str| {
                 told.iter()
-                    .any(|own| matches!(own.parts[..], [(one, _)] if one == name))
+                    .any(|told| matches!(told.parts[..], [(one, _)] if one == name))
             };
             for (j, parameter) in named.parameters.iter().enumerate() {
                 if alone(parameter.name) {
@@ -82,9 +82,9 @@ pub(super) fn undetermined(
             } else {
                 change < found.needed()
             };
-            let rest = taken
-                .iter()
-                .fold(direction.clone(), |rest, own| &rest - own * own.dot(&rest));
+            let rest = taken.iter().fold(direction.clone(), |rest, taken| {
+                &rest - taken * taken.dot(&rest)
+            });
             if !is_open || rest.norm() < APART {
                 continue;
             }
@@ -110,10 +110,10 @@ pub(super) fn undetermined(
 /// The direction that has most beside those that were taken.
 fn left_over(found: &Determined, open: &[usize], taken: &[DVector<f64>]) -> DVector<f64> {
     let rest = |&k: &usize| {
-        let own = found.directions.row(k).transpose();
+        let row = found.directions.row(k).transpose();
         taken
             .iter()
-            .fold(own, |rest, own| &rest - own * own.dot(&rest))
+            .fold(row, |rest, row| &rest - row * row.dot(&rest))
     };
     let rests = open.iter().map(rest);
     let most = rests.max_by(|a, b| a.norm().total_cmp(&b.norm()));
@@ -219,8 +219,8 @@ fn remedies(
             input: row.input,
             change,
         };
-        match best.iter_mut().find(|own| own.quantity == row.number) {
-            Some(own) if own.change < change => *own = remedy,
+        match best.iter_mut().find(|best| best.quantity == row.number) {
+            Some(known) if known.change < change => *known = remedy,
             Some(_) => {}
             None => best.push(remedy),
         }

@@ -66,9 +66,9 @@ impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
         let conditions = wishes.filter(|(_, wish)| wish.is_condition());
         let owners = conditions.flat_map(|(k, wish)| (0..wish.rows()).map(move |_| k));
         let rows = owners.zip(&at.conditions).zip(&self.sizes);
-        rows.map(move |((wish, (value, slopes)), own)| {
+        rows.map(move |((wish, (value, slopes)), size_of_row)| {
             let change: f64 = slopes.iter().zip(&widths).map(|(s, w)| (s * w).abs()).sum();
-            let (value, size) = (*value, change.min(MOST * own));
+            let (value, size) = (*value, change.min(MOST * size_of_row));
             ConditionRow { wish, value, size }
         })
     }

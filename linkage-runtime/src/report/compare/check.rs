@@ -36,8 +36,8 @@ impl Comparison<'_> {
         mistakes: &mut Vec<Mistake>,
     ) -> Result<(), ReportError> {
         match check::check(design.report) {
-            Err(ReportError::Mistakes(own)) => {
-                mistakes.extend(own);
+            Err(ReportError::Mistakes(found)) => {
+                mistakes.extend(found);
                 return Ok(());
             }
             other => other?,
@@ -107,11 +107,11 @@ impl Comparison<'_> {
 fn other_unit(
     name: String,
     design: &Compared<'_>,
-    own: String,
+    unit: String,
     first: Option<String>,
 ) -> Option<Mistake> {
-    let first = first.filter(|first| *first != own)?;
-    let (design, units) = (design.name.clone(), [own, first]);
+    let first = first.filter(|first| *first != unit)?;
+    let (design, units) = (design.name.clone(), [unit, first]);
     Some(Mistake::OtherUnit {
         name,
         design,

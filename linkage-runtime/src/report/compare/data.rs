@@ -116,9 +116,9 @@ impl Comparison<'_> {
             .iter()
             .flat_map(|design| &design.report.dimensions)
         {
-            let own = (dimension.parameter.name, dimension.parameter.unit);
-            if !all.contains(&own) {
-                all.push(own);
+            let column = (dimension.parameter.name, dimension.parameter.unit);
+            if !all.contains(&column) {
+                all.push(column);
             }
         }
         let row = |&(name, unit): &(&str, &str)| {
@@ -126,9 +126,12 @@ impl Comparison<'_> {
                 .designs
                 .iter()
                 .map(|design| {
-                    let mut own = design.report.dimensions.iter();
-                    own.find(|own| own.parameter.name == name && own.parameter.unit == unit)
-                        .map(|own| own.value)
+                    let mut dimensions = design.report.dimensions.iter();
+                    dimensions
+                        .find(|dimension| {
+                            dimension.parameter.name == name && dimension.parameter.unit == unit
+                        })
+                        .map(|dimension| dimension.value)
                 })
                 .collect();
             let differ = values.iter().any(|value| *value != values[0]);
@@ -162,7 +165,8 @@ impl Comparison<'_> {
 
 fn figure(design: &Compared<'_>, name: &str) -> Option<f64> {
     let mut all = design.all_figures().into_iter();
-    all.find(|(own, ..)| own == name).map(|(_, value, _)| value)
+    all.find(|(figure, ..)| figure == name)
+        .map(|(_, value, _)| value)
 }
 
 fn curve(design: &Compared<'_>, name: &str, rows: &[usize]) -> Option<Vec<f64>> {

@@ -9,12 +9,12 @@ pub(super) fn front(values: &[Vec<f64>]) -> Vec<bool> {
         let pairs = || a.iter().zip(b);
         pairs().all(|(a, b)| a <= b) && pairs().any(|(a, b)| a < b)
     };
-    let is_whole = |own: &[f64]| own.iter().all(|x| x.is_finite());
-    let best = |own: &Vec<f64>| {
-        is_whole(own)
+    let is_whole = |figures: &[f64]| figures.iter().all(|x| x.is_finite());
+    let best = |figures: &Vec<f64>| {
+        is_whole(figures)
             && !values
                 .iter()
-                .any(|other| is_whole(other) && beats(other, own))
+                .any(|other| is_whole(other) && beats(other, figures))
     };
     values.iter().map(best).collect()
 }

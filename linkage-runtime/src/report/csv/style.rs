@@ -69,7 +69,8 @@ impl CsvStyle {
     #[must_use]
     pub fn mistake(&self) -> Option<Mistake> {
         let (separator, decimal) = (&self.separator, self.decimal);
-        let in_numbers = |own: char| own.is_ascii_alphanumeric() || "+-\"\r\n".contains(own);
+        let in_numbers =
+            |letter: char| letter.is_ascii_alphanumeric() || "+-\"\r\n".contains(letter);
         let wrong = separator.is_empty()
             || separator.contains(decimal)
             || separator.contains(in_numbers)

@@ -26,7 +26,7 @@ pub(super) fn order_csv(cyclogram: &Cyclogram, style: &CsvStyle) -> Result<Strin
     for [before, moment] in pairs(cyclogram) {
         let number = |x: f64| style.number(shown(x)).into();
         let shift = moment.organ.shift(moment.index).unwrap_or(f64::NAN);
-        let [what, follows] = [moment, before].map(|own| own.to_string());
+        let [what, follows] = [moment, before].map(|moment| moment.to_string());
         text.push_str(&style.line([
             number(moment.event.at),
             number(shift),
@@ -43,7 +43,7 @@ pub(super) fn order_value(cyclogram: &Cyclogram) -> Vec<Value> {
         cyclogram
             .organs
             .iter()
-            .position(|own| core::ptr::eq(own, organ))
+            .position(|other| core::ptr::eq(other, organ))
     };
     let moment = |[before, moment]: [Moment<'_>; 2]| {
         json!({

@@ -41,14 +41,14 @@ pub(super) fn overlaps_csv(cyclogram: &Cyclogram, style: &CsvStyle) -> Result<St
 }
 
 pub(super) fn value(overlaps: &Overlaps<'_>) -> Vec<Value> {
-    let overlap = |own: &Overlap| {
+    let overlap = |overlap: &Overlap| {
         json!({
-            "organs": own.organs,
-            "motions": own.motions.map(word),
-            "bands": own.motions.map(index),
-            "from": own.interval.from,
-            "to": own.interval.to,
-            "range": own.interval.range,
+            "organs": overlap.organs,
+            "motions": overlap.motions.map(word),
+            "bands": overlap.motions.map(index),
+            "from": overlap.interval.from,
+            "to": overlap.interval.to,
+            "range": overlap.interval.range,
         })
     };
     overlaps.all().iter().map(overlap).collect()

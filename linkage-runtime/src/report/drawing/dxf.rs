@@ -71,8 +71,8 @@ fn bounds(drawing: &Drawing<'_>, row: usize) -> [[f64; 3]; 2] {
 /// The layer of what one part has alone; of anything else that of its kind.
 fn layer(drawing: &Drawing<'_>, kind: Layer, has: impl Fn(&PicturePart) -> bool) -> Layer {
     let parts = drawing.shown.picture.parts.iter().enumerate();
-    let mut own = parts.filter(|(_, part)| has(part));
-    match (own.next(), own.next()) {
+    let mut owners = parts.filter(|(_, part)| has(part));
+    match (owners.next(), owners.next()) {
         (Some((index, part)), None) => Layer::Part(part.name, index),
         _ => kind,
     }

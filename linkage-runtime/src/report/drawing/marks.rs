@@ -57,7 +57,7 @@ fn measured(drawing: &Drawing<'_>, sheet: &Sheet<'_>, row: usize) -> Vec<Measure
 pub(super) fn marks(drawing: &Drawing<'_>, sheet: &Sheet<'_>, row: usize) -> Vec<[[f64; 2]; 2]> {
     let lines = measured(drawing, sheet, row)
         .into_iter()
-        .map(|own| own.line);
+        .map(|measured| measured.line);
     let vectors = drawing.vectors.iter().filter_map(|vector| {
         let from = sheet.point(vector.point, row)?;
         Some([from, sheet.beside(vector.point, vector.step(row), row)?])
@@ -67,14 +67,14 @@ pub(super) fn marks(drawing: &Drawing<'_>, sheet: &Sheet<'_>, row: usize) -> Vec
 
 /// Lengths of bars with their names.
 pub(super) fn dimension_lines(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
-    for own in measured(drawing, sheet, row) {
+    for bar in measured(drawing, sheet, row) {
         let Measured {
             name,
             ends,
             way,
             length,
             line: [start, end],
-        } = own;
+        } = bar;
         let group = Element::new("g").class("dimension").set("data-name", name);
         svg.group(group, |svg| {
             for at in ends {
@@ -129,7 +129,7 @@ pub(super) fn ellipses(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>, 
             let effects = scatter.effects(row);
             let effects = effects
                 .into_iter()
-                .map(|own| sheet.step(own.map(|x| enlarged * x)));
+                .map(|effect| sheet.step(effect.map(|x| enlarged * x)));
             let Some([half, other, turn]) = ellipse(effects) else {
                 continue;
             };

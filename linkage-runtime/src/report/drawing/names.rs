@@ -168,8 +168,8 @@ impl Scene {
         shapes.chain(names).chain(through).fold(inside, f64::min)
     }
 
-    fn crossings(&self, own: [f64; 2], line: [[f64; 2]; 2]) -> f64 {
-        let others = self.joints.iter().filter(|at| **at != own);
+    fn crossings(&self, joint: [f64; 2], line: [[f64; 2]; 2]) -> f64 {
+        let others = self.joints.iter().filter(|at| **at != joint);
         let joints = others.filter(|at| super::geometry::distance(**at, line) < JOINT);
         let lines = self.leaders.iter().filter(|other| other.crosses(line));
         CROSSING * (joints.count() + lines.count()) as f64

@@ -82,7 +82,7 @@ pub(super) fn ghost(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>, row
 /// Blocks along their guides.
 pub(super) fn sliders(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
     let guides = drawing.shown.picture.guides.iter();
-    for guide in guides.filter(|own| own.shape == GuideShape::Slot) {
+    for guide in guides.filter(|guide| guide.shape == GuideShape::Slot) {
         let at = sheet.point(guide.slider, row);
         let direction = sheet.direction(guide.direction, row);
         if let (Some(at), Some(direction)) = (at, direction) {

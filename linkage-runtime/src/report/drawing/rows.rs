@@ -68,6 +68,9 @@ pub(super) fn without_tolerances(drawing: &Drawing<'_>) -> Option<Mistake> {
     (!any).then(|| Mistake::Unknown {
         kind: "traced point with sensitivities and tolerances",
         name: names.join(", "),
-        known: sensitive.iter().map(|own| own.name.to_string()).collect(),
+        known: sensitive
+            .iter()
+            .map(|sensitive| sensitive.name.to_string())
+            .collect(),
     })
 }

@@ -19,7 +19,7 @@ impl<'a> Scatter<'a> {
     pub(super) fn new(point: usize, name: &str, sensitive: &'a [Sensitive<'a>]) -> Option<Self> {
         let component = |axis: &&str| {
             let name = format!("{name}.{axis}");
-            sensitive.iter().find(|own| own.name == name)
+            sensitive.iter().find(|sensitive| sensitive.name == name)
         };
         let components: Vec<_> = COMPONENTS.iter().map(component).collect();
         let is_known = components.iter().any(Option::is_some);
@@ -29,8 +29,11 @@ impl<'a> Scatter<'a> {
     /// What each dimension does, as a vector.
     pub(super) fn effects(&self, row: usize) -> Vec<[f64; 3]> {
         let mut all: Vec<(&str, [f64; 3])> = Vec::new();
-        for (axis, own) in self.components.iter().enumerate() {
-            for (name, effect) in own.iter().flat_map(|own| own.effects_at(row)) {
+        for (axis, sensitive) in self.components.iter().enumerate() {
+            for (name, effect) in sensitive
+                .iter()
+                .flat_map(|sensitive| sensitive.effects_at(row))
+            {
                 match all.iter_mut().find(|(known, _)| *known == name) {
                     Some((_, effects)) => effects[axis] = effect,
                     None => {

@@ -134,20 +134,20 @@ pub(super) fn cylinder_cover(
 pub(super) fn is_filled(drawing: &Drawing<'_>, point: usize) -> bool {
     let picture = drawing.shown.picture;
     let mut joints = picture.joints.iter();
-    picture.dimension == 3 && joints.any(|own| own.point == point && sign(own.shape).filled)
+    picture.dimension == 3 && joints.any(|joint| joint.point == point && sign(joint.shape).filled)
 }
 
 /// Whether something slides in a point, and nothing turns.
 pub(super) fn only_slides(drawing: &Drawing<'_>, point: usize) -> bool {
     let joints = drawing.shown.picture.joints.iter();
-    let mut here = joints.filter(|own| own.point == point).peekable();
-    here.peek().is_some() && here.all(|own| !sign(own.shape).turns)
+    let mut here = joints.filter(|joint| joint.point == point).peekable();
+    here.peek().is_some() && here.all(|here| !sign(here.shape).turns)
 }
 
 /// Cylinders: a barrel from the one end, a piston rod from the other.
 pub(super) fn cylinders(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
     let guides = drawing.shown.picture.guides.iter().enumerate();
-    for (index, guide) in guides.filter(|(_, own)| own.shape == GuideShape::Cylinder) {
+    for (index, guide) in guides.filter(|(_, guide)| guide.shape == GuideShape::Cylinder) {
         let barrel = barrel(drawing, guide);
         let foot = sheet.point(guide.origin, row);
         let mouth = sheet.along(guide.origin, guide.direction, barrel, row);

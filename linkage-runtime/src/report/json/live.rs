@@ -12,8 +12,8 @@ pub(super) fn live_value(report: &Report) -> Value {
         .collect();
     let modes = report.modes.iter().map(|mode| mode.sign());
     let mut tables = report.tables.iter().enumerate();
-    let picture = tables.find_map(|(table, own)| {
-        let first = own.heading.picture?.first;
+    let picture = tables.find_map(|(table, saved)| {
+        let first = saved.heading.picture?.first;
         Some(json!({ "table": table, "first": first }))
     });
     json!({ "given": given, "modes": modes.collect::<std::vec::Vec<f64>>(), "picture": picture })

@@ -17,13 +17,13 @@ impl Svg {
         let first = frames.first()?;
         if frames
             .iter()
-            .any(|own| own.marks.len() != first.marks.len())
+            .any(|frame| frame.marks.len() != first.marks.len())
         {
             return None;
         }
         let mut text = first.head();
         for (place, mark) in first.marks.iter().enumerate() {
-            let run = frames.iter().map(|own| own.marks[place].element(mark));
+            let run = frames.iter().map(|frame| frame.marks[place].element(mark));
             let run: Vec<Option<&Element>> = run.collect::<Option<_>>()?;
             let moves = match run.into_iter().collect::<Option<Vec<_>>>() {
                 Some(run) => moves(&run, seconds)?,
@@ -40,10 +40,12 @@ impl Mark {
     /// The element of a mark that is of the same kind as another, `Some(None)` if this kind has none.
     fn element(&self, like: &Self) -> Option<Option<&Element>> {
         match (self, like) {
-            (Self::Alone(own), Self::Alone(_)) | (Self::Begin(own), Self::Begin(_)) => {
-                Some(Some(own))
+            (Self::Alone(element), Self::Alone(_)) | (Self::Begin(element), Self::Begin(_)) => {
+                Some(Some(element))
             }
-            (Self::Words(own, words), Self::Words(_, other)) if words == other => Some(Some(own)),
+            (Self::Words(element, words), Self::Words(_, other)) if words == other => {
+                Some(Some(element))
+            }
             (Self::End(tag), Self::End(other)) if tag == other => Some(None),
             _ => None,
         }
@@ -67,10 +69,10 @@ impl Mark {
 /// What moves an element: nothing for attributes that stay. `None` if the elements are not alike.
 fn moves(run: &[&Element], seconds: f64) -> Option<String> {
     let first = run.first()?;
-    let alike = |own: &&Element| {
-        let names = own.attributes.iter().map(|(name, _)| name);
-        own.tag == first.tag
-            && own.classes == first.classes
+    let alike = |element: &&Element| {
+        let names = element.attributes.iter().map(|(name, _)| name);
+        element.tag == first.tag
+            && element.classes == first.classes
             && names.eq(first.attributes.iter().map(|(name, _)| name))
     };
     if !run.iter().all(alike) {
@@ -78,8 +80,8 @@ fn moves(run: &[&Element], seconds: f64) -> Option<String> {
     }
     let mut moves = String::new();
     for (place, (name, value)) in first.attributes.iter().enumerate() {
-        let run = run.iter().map(|own| own.attributes[place].1.as_str());
-        if run.clone().all(|own| own == value) {
+        let run = run.iter().map(|run| run.attributes[place].1.as_str());
+        if run.clone().all(|run| run == value) {
             continue;
         }
         let values: Vec<String> = run
@@ -88,7 +90,7 @@ fn moves(run: &[&Element], seconds: f64) -> Option<String> {
             .collect::<Option<_>>()?;
         // Between lists of different lengths there is no way.
         let count = |values: &String| values.split([' ', ',']).count();
-        if values.iter().any(|own| count(own) != count(&values[0])) {
+        if values.iter().any(|value| count(value) != count(&values[0])) {
             return None;
         }
         moves.push_str(&format!(
