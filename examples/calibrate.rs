@@ -109,7 +109,7 @@ fn points(seed: u64) -> Result<Vec<[f64; 2]>, Box<dyn Error>> {
 }
 
 fn from_points(read: Vec<[f64; 2]>) -> Result<Identified<FourBar, COUNT>, Box<dyn Error>> {
-    let measured = Measured::of("tracer", read)
+    let measured = Measured::new("tracer", read)
         .at(inputs())
         .deviations([POINT; 2]);
     let identification = identification()?;
@@ -125,7 +125,7 @@ fn from_angles() -> Result<Identified<FourBar, COUNT>, Box<dyn Error>> {
         .into_iter()
         .map(|phi| [real.rocker(phi).psi + ANGLE * error(&mut random)]);
     let read: Vec<[f64; 1]> = read.collect();
-    let measured = Measured::of("psi", read).at(inputs()).deviations([ANGLE]);
+    let measured = Measured::new("psi", read).at(inputs()).deviations([ANGLE]);
     let offer = Measured::offer("tracer")
         .at(inputs())
         .deviations([POINT; 2]);

@@ -18,7 +18,7 @@ fn moved() -> impl Wish<FourBar, FourBarAssembly> {
         .iter()
         .map(|[x, y]| [x + 3.0 * y.sin(), *y])
         .collect();
-    Targets::of("tracer", moved).computed_by(FourBarAssembly::path_sweep_sets_into)
+    Targets::new("tracer", moved).computed_by(FourBarAssembly::path_sweep_sets_into)
 }
 
 #[test]

@@ -40,7 +40,7 @@ pub(super) struct AtInputs {
 pub(super) fn run(options: &AtInputs) -> Result<(), Failure> {
     let AtInputs { options, at } = options;
     for mechanism in options.chosen.all()? {
-        let dimensions = options.dimensions.of(&mechanism)?;
+        let dimensions = options.dimensions.resolve(&mechanism)?;
         let at = inputs(&mechanism, at)?;
         let all = mechanism.assemblies(&dimensions, &at)?;
         let pairs = mechanism.inputs.iter().zip(&at);
@@ -142,7 +142,7 @@ pub(super) fn circuits(options: &Options) -> Result<(), Failure> {
     let mut without = Vec::new();
     let mut some = false;
     for mechanism in options.chosen.all()? {
-        let dimensions = options.dimensions.of(&mechanism)?;
+        let dimensions = options.dimensions.resolve(&mechanism)?;
         let name = mechanism.name;
         match mechanism.circuits(&dimensions) {
             Some(found) => {

@@ -55,7 +55,7 @@ fn one(file: &Path, given: &Dimensions) -> Result<bool, Failure> {
     }
     for mechanism in &all {
         let dimensions_known = given.known_to(mechanism);
-        let dimensions = dimensions_known.of(mechanism)?;
+        let dimensions = dimensions_known.resolve(mechanism)?;
         print(&known(mechanism, &dimensions))?;
         if dimensions_known.are_given() {
             sound &= works(mechanism, &dimensions, &dimensions_known)?;

@@ -37,7 +37,7 @@ pub(super) struct Along {
 
 impl Course {
     /// The arguments of a function over as many positions.
-    pub(super) fn of(
+    pub(super) fn resolve(
         &self,
         mechanism: &Mechanism,
         function: usize,

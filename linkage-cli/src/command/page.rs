@@ -105,22 +105,22 @@ fn write(options: &Options, folder: &Path) -> Result<(), Failure> {
         .collect::<Result<_, _>>()?;
     match &reports[..] {
         [only] => {
-            only.write(folder).map_err(told)?;
+            only.write(folder).map_err(failure_of_report)?;
         }
         several => {
             let title = options.chosen.file().file_stem().unwrap_or_default();
             let mut index = Index::new(title.to_string_lossy());
             for (report, mechanism) in several.iter().zip(&all) {
-                report.write(folder.join(mechanism.name)).map_err(told)?;
+                report.write(folder.join(mechanism.name)).map_err(failure_of_report)?;
                 index = index.report(mechanism.name, report);
             }
-            index.write(folder).map_err(told)?;
+            index.write(folder).map_err(failure_of_report)?;
         }
     }
     print(&format!("{}\n", folder.join("index.html").display()))
 }
 
-fn told(error: ReportError) -> Failure {
+fn failure_of_report(error: ReportError) -> Failure {
     Failure::Told(error.to_string())
 }
 
@@ -191,7 +191,7 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
                 report = report.table(&rows);
                 let beside = heading.arguments.iter().zip(&arguments_given);
                 for (&name, &value) in beside.filter(|(name, _)| **name != input.name) {
-                    report = report.at(name, value);
+                    report = report.argument(name, value);
                 }
                 continue;
             }

@@ -15,7 +15,7 @@ pub(super) fn assembled<'m>(
     given: &Dimensions,
     mechanism: &'m Mechanism,
 ) -> Result<Assembly<'m>, Failure> {
-    let assembly = mechanism.assemble(&given.of(mechanism)?)?;
+    let assembly = mechanism.assemble(&given.resolve(mechanism)?)?;
     if given.are_given() {
         eprint!(
             "{}",

@@ -56,7 +56,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let style = options.style();
     let (mechanism, function) = options.chosen.with_function(&options.function)?;
     let assembly = range::assembled(&options.dimensions, &mechanism)?;
-    let along = options.course.of(&mechanism, function, options.steps)?;
+    let along = options.course.resolve(&mechanism, function, options.steps)?;
     let mut table = Streamed::new(&mechanism, &assembly, function, &along, options.degrees);
     let input = options.chosen.file();
     put(options.output.as_deref(), input, |out| match options.json {

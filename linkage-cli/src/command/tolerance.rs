@@ -104,7 +104,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         given,
         running,
         positions,
-    } = options.course.of(&mechanism, function, options.steps)?;
+    } = options.course.resolve(&mechanism, function, options.steps)?;
     let columns = mechanism.headings[function].columns.len();
     let positions = positions.held(columns, BYTES)?;
     let row = |x: Option<f64>| {

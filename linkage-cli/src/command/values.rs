@@ -55,7 +55,7 @@ impl Dimensions {
     }
 
     /// All dimensions of the mechanism, in the order of its parameters.
-    pub(super) fn of(&self, mechanism: &Mechanism) -> Result<Vec<f64>, Failure> {
+    pub(super) fn resolve(&self, mechanism: &Mechanism) -> Result<Vec<f64>, Failure> {
         let mut values = mechanism.dimensions();
         for (place, number) in self.numbers(mechanism)? {
             values[place] = number.value;

@@ -44,9 +44,9 @@ pub struct Targets {
 }
 
 impl Targets {
-    /// The numbers of a quantity at each position, such as `Targets::of("tracer", [[20.0, 20.0], [20.0, 25.0]])`.
+    /// The numbers of a quantity at each position, such as `Targets::new("tracer", [[20.0, 20.0], [20.0, 25.0]])`.
     #[must_use]
-    pub fn of<const K: usize>(quantity: &str, targets: impl IntoIterator<Item = [f64; K]>) -> Self {
+    pub fn new<const K: usize>(quantity: &str, targets: impl IntoIterator<Item = [f64; K]>) -> Self {
         Self::of_all([quantity], targets)
     }
 

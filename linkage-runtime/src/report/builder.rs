@@ -189,7 +189,7 @@ impl Report {
     /// An argument beside the input that functions of tables were called with, the same at all positions: without it, the page cannot compute
     /// these.
     #[must_use]
-    pub fn at(mut self, argument: impl Into<String>, value: f64) -> Self {
+    pub fn argument(mut self, argument: impl Into<String>, value: f64) -> Self {
         self.given.push((argument.into(), value));
         self
     }

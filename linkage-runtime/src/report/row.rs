@@ -36,7 +36,7 @@ impl SummaryRow {
 
     /// The same, with the input at which it occurs.
     #[must_use]
-    pub fn at(mut self, input: f64) -> Self {
+    pub fn at_input(mut self, input: f64) -> Self {
         self.at = Some(input);
         self
     }

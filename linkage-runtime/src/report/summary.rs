@@ -50,7 +50,7 @@ impl Report {
         let angle = angle.into();
         let [least, greatest] = course.transmission_angle();
         let row = |what: &str, angle: &str, found: crate::summary::Transmission| {
-            SummaryRow::new(angle, what, found.angle, "rad").at(found.at)
+            SummaryRow::new(angle, what, found.angle, "rad").at_input(found.at)
         };
         let rows = [
             row("smallest transmission angle", &angle, least),
@@ -73,8 +73,8 @@ impl Report {
             SummaryRow::new(quantity.as_str(), what, value, unit)
         };
         let rows = [
-            row("dwell, from", interval.from, input).at(interval.from),
-            row("dwell, to", interval.to, input).at(interval.to),
+            row("dwell, from", interval.from, input).at_input(interval.from),
+            row("dwell, to", interval.to, input).at_input(interval.to),
             row("dwell, range", interval.range, input),
             row("dwell, band", dwell.highest - dwell.lowest, &unit),
             row("dwell, ripple", dwell.ripple, &unit),
@@ -85,7 +85,7 @@ impl Report {
     /// The smallest margin over the range.
     #[must_use]
     pub fn margin(self, least: &Least) -> Self {
-        self.summary([SummaryRow::new("margin", "smallest", least.value, "").at(least.at)])
+        self.summary([SummaryRow::new("margin", "smallest", least.value, "").at_input(least.at)])
     }
 }
 
@@ -116,7 +116,7 @@ fn course_rows(report: &Report, figures: &Figures) -> Vec<SummaryRow> {
                 let what = format!("{what}{name}");
                 let value = factor * extreme.value;
                 rows.push(
-                    SummaryRow::new(figures.quantity.as_str(), what, value, unit).at(extreme.at),
+                    SummaryRow::new(figures.quantity.as_str(), what, value, unit).at_input(extreme.at),
                 );
             }
         };

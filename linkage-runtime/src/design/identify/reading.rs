@@ -11,7 +11,7 @@ use crate::design::DesignError;
 use crate::design::columns::{Number, Numbers};
 use crate::{Dimensions, Heading, Parameter, Table};
 
-/// A quantity at positions of the input, with readings or without: `Measured::of("tracer", values)` was measured,
+/// A quantity at positions of the input, with readings or without: `Measured::new("tracer", values)` was measured,
 /// `Measured::offer("psi")` could be.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
@@ -26,7 +26,7 @@ pub struct Measured {
 impl Measured {
     /// Readings of all numbers of a quantity at each position; NaN where one is missing.
     #[must_use]
-    pub fn of<const K: usize>(quantity: &str, values: impl IntoIterator<Item = [f64; K]>) -> Self {
+    pub fn new<const K: usize>(quantity: &str, values: impl IntoIterator<Item = [f64; K]>) -> Self {
         Self {
             values: Some(values.into_iter().map(|row| row.to_vec()).collect()),
             ..Self::offer(quantity)
