@@ -5,8 +5,6 @@ const DEAD = 2e-12;
 const END = 1e-9;
 const AT_END = 1e-6;
 const SAMPLES = 256;
-const DIP_SHARE = 0.618;
-const DIP_SECTIONS = 50;
 
 // A sentence for each group that has some; null where there is none.
 function changePointWords() {
@@ -39,18 +37,10 @@ function touches(number, group) {
   const places = all.flatMap((here, k) => {
     const [before, after] = [all[Math.max(k - 1, 0)], all[Math.min(k + 1, SAMPLES)]];
     if (!(before >= here && after >= here && before + after > 2 * here && here > -dead)) return [];
-    const place = lowest(slack, at(k - 1), at(k + 1));
+    const [from, to] = goldenSections(at(k - 1), at(k + 1), (a, b) => slack(a) <= slack(b));
+    const place = (from + to) / 2;
     if (!(Math.abs(slack(Math.min(Math.max(place, low + inside), high - inside))) < dead)) return [];
     return [[low, high].find((end) => Math.abs(place - end) < AT_END * (high - low)) ?? place];
   });
   return places.filter((place, k) => k === 0 || place - places[k - 1] > (high - low) / SAMPLES);
-}
-
-function lowest(depth, low, high) {
-  for (let k = 0; k < DIP_SECTIONS; k += 1) {
-    const [left, right] = [high - DIP_SHARE * (high - low), low + DIP_SHARE * (high - low)];
-    if (depth(left) <= depth(right)) high = right;
-    else low = left;
-  }
-  return (low + high) / 2;
 }
