@@ -64,7 +64,8 @@ enum Command {
     Js(js::Options),
 }
 
-/// Does what the arguments of the process say: exit status 0, 1 for bad input, 2 for wrong usage.
+/// Runs the command in the arguments of the process: exit status 0, 1 for bad input, 2 for wrong
+/// usage.
 #[must_use]
 pub fn run() -> ExitCode {
     let parsed = Arguments::try_parse();

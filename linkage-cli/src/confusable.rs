@@ -2,8 +2,8 @@
 
 use unicode_security::confusable_detection::skeleton;
 
-/// Whether two names look alike and are different. Letters of ASCII that look alike, as `l` and `1`, are known to
-/// everybody.
+/// Returns true for names that look alike and are different. Letters of ASCII that look alike, as
+/// `l` and `1`, are known to everybody.
 pub(crate) fn look_alike(name: &str, other: &str) -> bool {
     name != other && !(name.is_ascii() && other.is_ascii()) && skeleton(name).eq(skeleton(other))
 }

@@ -9,14 +9,14 @@ use linkage_runtime::AssemblyError;
 
 use crate::confusable::{letters, look_alike};
 
-/// What is told before the command ends with exit status 1.
+/// The last message of a command with exit status 1.
 #[derive(Clone, Debug)]
 pub enum Failure {
-    /// What is wrong.
+    /// A message.
     Told(String),
     /// The same with the source under it.
     Rendered(String),
-    /// Everything has been told already.
+    /// Everything has been printed already.
     Silent,
 }
 

@@ -1,5 +1,5 @@
-//! A mechanism as the runtime's types describe it. These are made for generated code and hold constants, so what describes a mechanism
-//! lives as long as the process.
+//! A mechanism in the types of the runtime. These are made for generated code and hold constants,
+//! so the description of a mechanism lives as long as the process.
 
 mod describe;
 pub(crate) mod forever;
@@ -11,20 +11,20 @@ use linkage_runtime::{AssemblyMode, Heading, Input, Parameter, Structure};
 
 use forever::forever;
 
-/// A mechanism without a mistake: its programs, and what they are about.
+/// A mechanism without a mistake: its programs and their description.
 #[derive(Clone, Debug)]
 pub struct Mechanism {
-    /// As its struct is called.
+    /// The name of its struct.
     pub name: &'static str,
     /// Its programs.
     pub unit: Unit,
-    /// As the constant `INPUTS` of the macro's struct.
+    /// The constant `INPUTS` of the macro's struct.
     pub inputs: &'static [Input],
-    /// As the constant `PARAMETERS`.
+    /// The constant `PARAMETERS`.
     pub parameters: &'static [Parameter],
-    /// As the constant `STRUCTURE`.
+    /// The constant `STRUCTURE`.
     pub structure: &'static Structure,
-    /// What the columns of each function are.
+    /// The columns of each function.
     pub headings: Vec<&'static Heading>,
     pub(crate) gap_units: Vec<&'static str>,
     pub(crate) groups: &'static [CoupledGroup],
@@ -32,7 +32,7 @@ pub struct Mechanism {
 }
 
 impl Mechanism {
-    /// What was checked; `None` if it has mistakes.
+    /// Describes a checked mechanism; `None` if it has mistakes.
     #[must_use]
     pub fn new(checked: &Checked) -> Option<Self> {
         let unit = checked.unit.clone()?;

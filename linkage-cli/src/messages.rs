@@ -5,8 +5,8 @@ use linkage_compiler::{Checked, Message};
 
 use crate::source::{Found, Source};
 
-/// All messages about a mechanism, one after the other, a blank line behind each; with colours for a terminal. Warnings are told if there
-/// is no mistake.
+/// All messages about a mechanism, one after the other, a blank line behind each; with colours for
+/// a terminal. Warnings are printed if there is no mistake.
 #[must_use]
 pub fn rendered(source: &Source, found: &Found, checked: &Checked, coloured: bool) -> String {
     let (level, messages) = match checked.messages.is_empty() {

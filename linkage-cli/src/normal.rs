@@ -1,4 +1,4 @@
-//! Names in one normal form, that of rustc: what is typed in two ways and looks the same is one name.
+//! Names in one normal form, that of rustc: two spellings that look the same are one name.
 
 use std::convert::Infallible;
 

@@ -18,12 +18,14 @@ pub struct Source {
     calls: Vec<Found>,
 }
 
-/// Mechanisms of a file that may have each other as parts: those of a call of the macro, or all of a file that is not Rust.
+/// Mechanisms of a file that may have each other as parts: those of a call of the macro, or all of
+/// a file that is not Rust.
 #[derive(Clone, Debug)]
 pub struct Found {
-    /// As the compiler takes it.
+    /// Tokens for the compiler.
     pub tokens: TokenStream,
-    /// Where messages stand that are about no token: the call of the macro in a Rust file, else the beginning.
+    /// The place of messages about no token: the call of the macro in a Rust file, else the
+    /// beginning.
     pub place: Range<usize>,
 }
 
@@ -32,8 +34,8 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// If it cannot be read, has a bracket without partner or the like or too many within each other, or is a Rust file without a
-    /// mechanism.
+    /// If it cannot be read, has a bracket without partner or the like or too many within each
+    /// other, or is a Rust file without a mechanism.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let text = fs::read_to_string(path);
         let text = text.map_err(|error| Failure::file("read", path, &error))?;
@@ -83,13 +85,13 @@ impl Source {
         })
     }
 
-    /// What messages call it.
+    /// Returns the name in messages.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// What stands in it.
+    /// Returns the text.
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text
@@ -105,8 +107,8 @@ impl Source {
 /// Brackets within brackets: who reads them needs room for each. rustc stops at the same number.
 const DEEPEST: usize = 128;
 
-/// What stands between the brackets of all calls of `mechanism!`, within functions and modules, too. An error where brackets are nested too
-/// deep.
+/// Collects the tokens between the brackets of all calls of `mechanism!`, within functions and
+/// modules, too. It is an error if brackets are nested too deep.
 fn collect(tokens: TokenStream, depth: usize, calls: &mut Vec<Found>) -> Result<(), ()> {
     if depth > DEEPEST {
         return Err(());

@@ -1,11 +1,13 @@
-//! From requirements to dimensions: which dimensions fulfil wishes best, by least squares on exact derivatives from many starts.
+//! Dimensions for requirements: the dimensions that meet the wishes best, by least squares on exact
+//! derivatives from many starts.
 //!
-//! A [`Design`] says which parameters may vary within which bounds, what is wanted ([`Targets`]), and what must hold
-//! ([`Relation`]s, and always: assembled over the whole range on one circuit). Its [`run`](Design::run) descends from
-//! quasi-random starts in all assembly modes, in lanes over mechanisms and with feature `rayon` on all threads, and lists all
-//! distinct local optima.
+//! A [`Design`] has the parameters that may vary with their bounds, the goals ([`Targets`]), and
+//! the conditions ([`Relation`]s, and always: assembled over the whole range on one circuit). Its
+//! [`run`](Design::run) descends from quasi-random starts in all assembly modes, in lanes over
+//! mechanisms and with feature `rayon` on all threads, and lists all distinct local optima.
 //!
-//! A [`CycleDesign`] makes the largest or smallest value over a whole cycle best, from a mechanism that is there: a longest
+//! A [`CycleDesign`] makes the largest or smallest value over a whole cycle best, from a mechanism
+//! that is there: a longest
 //! [`Dwell`], a least [`Peak`] of a torque, with limits for other [`Figure`]s.
 
 mod builder;

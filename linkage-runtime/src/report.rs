@@ -1,8 +1,9 @@
-//! What a mechanism does, for people: plots, drawings, data, an interactive page.
+//! Reports for people: plots, drawings, data, an interactive page.
 //!
-//! A [`Report`] collects what there is about a mechanism over its range: sweeps as [`Table`](crate::Table)s, structure,
-//! dimensions with their tolerances, a summary. It [writes](Report::write) all of it as a folder, or one thing at a time:
-//! [`html`](Report::html), [`json`](Report::json), [`csv`](Report::csv), a [`Plot`] of some columns, a [`Drawing`] to
+//! A [`Report`] collects the data of a mechanism over its range: sweeps as
+//! [`Table`](crate::Table)s, structure, dimensions with their tolerances, a summary. It
+//! [writes](Report::write) all of it as a folder, or one item at a time: [`html`](Report::html),
+//! [`json`](Report::json), [`csv`](Report::csv), a [`Plot`] of some columns, a [`Drawing`] to
 //! scale.
 
 mod accuracy;

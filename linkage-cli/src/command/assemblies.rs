@@ -75,10 +75,12 @@ pub(super) fn run(options: &AtInputs) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Two assemblies are one here if their unknowns differ by less, compared with the largest: at a dead point a place is known to half of its digits.
+/// Two assemblies are one here if their unknowns differ by less, compared with the largest: at a
+/// dead point a place is known to half of its digits.
 const SAME: f64 = 1e-6;
 
-/// So far aside, in radians or as a part of the range, two assemblies that meet in a change point exist on both sides.
+/// At this distance, in radians or as a part of the range, two assemblies that meet in a change
+/// point exist on both sides.
 const ASIDE: f64 = 1e-3;
 
 /// A line for each pair of assemblies that are one at these inputs.
@@ -123,7 +125,7 @@ fn meeting(mechanism: &Mechanism, all: &[Assembly], at: &[f64]) -> Vec<String> {
     lines
 }
 
-/// Which groups may have other assemblies than those that are found, in words.
+/// Returns the note about groups that may have other assemblies than those that are found.
 pub(super) fn not_listed(mechanism: &Mechanism) -> Option<String> {
     let followed = mechanism.followed();
     let numbers: Vec<String> = followed.map(|group| (group + 1).to_string()).collect();

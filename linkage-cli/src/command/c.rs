@@ -44,7 +44,8 @@ impl Scalar {
     }
 }
 
-/// Writes a header and a source for each mechanism; none of them if one cannot be printed. Names that C has otherwise are reported.
+/// Writes a header and a source for each mechanism; none of them if one cannot be printed. Names
+/// that C has otherwise are reported.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let mut mechanisms = options.chosen.all()?;
     options.dimensions.known_to_any(&mechanisms)?;

@@ -1,4 +1,4 @@
-//! `linkage check`: all messages, then what there is to know of a mechanism.
+//! `linkage check`: all messages, then the known facts about a mechanism.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -18,7 +18,8 @@ use crate::mechanism::Mechanism;
 use crate::messages::rendered;
 use crate::source::Source;
 
-/// Checks files; mistakes go to the standard error, what is known of mechanisms without one to the standard output.
+/// Checks files. Mistakes go to the standard error, facts about mechanisms without one to the
+/// standard output.
 pub(super) fn run(files: &[PathBuf], given: &Dimensions) -> Result<(), Failure> {
     let mut sound = true;
     for file in files {
@@ -64,7 +65,7 @@ fn one(file: &Path, given: &Dimensions) -> Result<bool, Failure> {
     Ok(sound)
 }
 
-/// Whether a mechanism closes with other dimensions, and runs through its range.
+/// Returns true if a mechanism closes with other dimensions and runs through its range.
 fn works(mechanism: &Mechanism, dimensions: &[f64], given: &Dimensions) -> Result<bool, Failure> {
     let report = mechanism.assemble(dimensions)?.check_range();
     // Without a range, the compiler warns.

@@ -29,7 +29,7 @@ impl Chosen {
         &self.file
     }
 
-    /// All mechanisms that are meant; mistakes in any of the file are told.
+    /// All mechanisms that are meant; mistakes in any of the file are reported.
     pub(super) fn all(&self) -> Result<Vec<Mechanism>, Failure> {
         let mut all = read(&self.file)?;
         let Some(name) = &self.mechanism else {

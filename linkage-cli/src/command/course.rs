@@ -1,4 +1,5 @@
-//! What runs from one position to the next, and what stands still meanwhile: options that several commands have.
+//! The input that runs from one position to the next, and the constant ones: options that several
+//! commands have.
 
 use clap::Args;
 use linkage_runtime::Input;
@@ -20,7 +21,8 @@ pub(super) struct Course {
     /// The input that runs from one position to the next; the first one of the function by default
     #[arg(long, value_name = "INPUT", value_parser = normal)]
     over: Option<String>,
-    /// Another argument of the function, as `omega=20rad/s`; inputs stand at their reference by default
+    /// Another argument of the function, as `omega=20rad/s`; inputs stand at their reference by
+    /// default
     #[arg(long = "at", value_name = "NAME=VALUE", value_parser = normal)]
     at: Vec<String>,
 }
@@ -31,7 +33,7 @@ pub(super) struct Along {
     pub(super) given: Vec<f64>,
     /// The place and the input that runs; `None` for a function without inputs.
     pub(super) running: Option<(usize, &'static Input)>,
-    /// What it runs through.
+    /// The positions that it runs through.
     pub(super) positions: Positions,
 }
 

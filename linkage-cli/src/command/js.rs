@@ -21,7 +21,8 @@ pub(super) struct Options {
     output: PathBuf,
 }
 
-/// Writes a module and its types for each mechanism; none of them if two would have one name. Names that JavaScript has otherwise are reported.
+/// Writes a module and its types for each mechanism; none of them if two would have one name. Names
+/// that JavaScript has otherwise are reported.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let folder = &options.output;
     refuse_mechanism(folder, options.chosen.file())?;

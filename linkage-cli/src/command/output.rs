@@ -1,4 +1,4 @@
-//! Where results go.
+//! Output of results.
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, BufWriter, Write};
@@ -30,10 +30,11 @@ fn printed(content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(),
     }
 }
 
-/// Writes to a file, or prints without one. Mechanisms are never replaced, be it the one that is read or another.
+/// Writes to a file, or prints without one. Mechanisms are never replaced, neither the one that is
+/// read nor another.
 ///
-/// A file is replaced as a whole when its content is complete. Devices, pipes and open files like `/dev/stdout` are
-/// written to and stay what they are.
+/// A file is replaced as a whole when its content is complete. Devices, pipes and open files like
+/// `/dev/stdout` are written to and not replaced.
 pub(super) fn put(
     file: Option<&Path>,
     input: &Path,
@@ -55,14 +56,14 @@ pub(super) fn put(
     written.map_err(|error| Failure::file("write", file, &error))
 }
 
-/// Writes to what is there.
+/// Writes to an existing target.
 fn extend(file: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let mut out = BufWriter::new(OpenOptions::new().append(true).open(file)?);
     content(&mut out)?;
     out.flush()
 }
 
-/// Puts a file in the place of what is there.
+/// Replaces a file.
 fn replace(file: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let mut out = BufWriter::new(AtomicFile::new(file)?);
     content(&mut out)?;
@@ -74,7 +75,7 @@ fn replace(file: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) 
 /// A file that a process has open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Descriptor {
-    /// Of this process.
+    /// The open files of this process.
     StandardOutput,
     Other,
 }

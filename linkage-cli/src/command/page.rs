@@ -48,10 +48,10 @@ pub(super) struct Options {
     open: bool,
 }
 
-/// What is held for each number, about: the number, and its texts in the page and in all files.
+/// Bytes for each number, about: the number, and its texts in the page and in all files.
 const BYTES: usize = 100;
 
-/// How often a watched file is looked at.
+/// Interval between checks of a watched file.
 const LOOK_EVERY: Duration = Duration::from_millis(200);
 
 /// Writes the page, again and again if the file is watched.
@@ -79,7 +79,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     loop {
         sleep(LOOK_EVERY);
         let now = changed(file);
-        // A file that an editor is just writing anew is not there for a moment.
+        // A file that an editor is just rewriting is not there for a moment.
         if now.is_some() && now != seen {
             seen = now;
             tell(write(options, &folder));
@@ -111,7 +111,9 @@ fn write(options: &Options, folder: &Path) -> Result<(), Failure> {
             let title = options.chosen.file().file_stem().unwrap_or_default();
             let mut index = Index::new(title.to_string_lossy());
             for (report, mechanism) in several.iter().zip(&all) {
-                report.write(folder.join(mechanism.name)).map_err(failure_of_report)?;
+                report
+                    .write(folder.join(mechanism.name))
+                    .map_err(failure_of_report)?;
                 index = index.report(mechanism.name, report);
             }
             index.write(folder).map_err(failure_of_report)?;
@@ -206,7 +208,7 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
     Ok(report)
 }
 
-/// Whether some function takes each of the given arguments.
+/// Checks that some function takes each of the given arguments.
 fn known(mechanism: &Mechanism, all: &[String]) -> Result<(), Failure> {
     let takes = mechanism
         .headings

@@ -1,4 +1,5 @@
-//! What dimensions of the command line do to the declared range: messages of the compiler's kind, with the options under them.
+//! Effects of dimensions of the command line on the declared range: messages of the compiler's
+//! kind, with the options under them.
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use linkage_runtime::RangeReport;
@@ -9,8 +10,8 @@ use crate::engine::Assembly;
 use crate::failure::Failure;
 use crate::mechanism::Mechanism;
 
-/// Assembles a mechanism with other dimensions than those of the file, and warns of change points, dead points and gaps in the range. The
-/// compiler has checked the dimensions of the file.
+/// Assembles a mechanism with other dimensions than those of the file, and warns of change points,
+/// dead points and gaps in the range. The compiler has checked the dimensions of the file.
 pub(super) fn assembled<'m>(
     given: &Dimensions,
     mechanism: &'m Mechanism,

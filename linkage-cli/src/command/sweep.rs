@@ -31,7 +31,8 @@ impl Table for Rows {
 }
 
 impl Rows {
-    /// Evaluates a function where the argument at `place` runs through `positions`, the others staying as they are.
+    /// Evaluates a function where the argument at `place` runs through `positions`, the others
+    /// staying as they are.
     pub(super) fn new(
         mechanism: &Mechanism,
         assembly: &Assembly<'_>,
@@ -78,7 +79,8 @@ impl Given {
     }
 }
 
-/// The arguments of a function: inputs at their references, unless `given` says another value; what is no input must be given.
+/// The arguments of a function: inputs at their references, unless `given` has another value.
+/// Arguments that are no inputs must be given.
 pub(super) fn arguments(
     mechanism: &Mechanism,
     function: usize,
@@ -124,7 +126,8 @@ pub(super) fn all_arguments(
     all.map_err(|why| Failure::Told(format!("`{name}` cannot be evaluated: {why}")))
 }
 
-/// The input that runs: the one of this name, else the first one of the function. `None` for a function without inputs.
+/// The input that runs: the one of this name, else the first one of the function. `None` for a
+/// function without inputs.
 pub(super) fn running(
     mechanism: &Mechanism,
     function: usize,
@@ -150,7 +153,7 @@ pub(super) fn running(
     }
 }
 
-/// Whether the arguments that are given stay as they are.
+/// Returns true if the given arguments stay constant.
 pub(super) fn still(running: &Input, given: &[String]) -> Result<(), Failure> {
     for given in given {
         let (name, _) = parts("--at", given)?;
@@ -171,7 +174,7 @@ pub(super) struct Positions {
 }
 
 impl Positions {
-    /// Of a function without inputs.
+    /// The row of a function without inputs.
     pub(super) fn none() -> Self {
         Self {
             input: None,
@@ -185,7 +188,7 @@ impl Positions {
         (0..count).map(move |index| input.map_or(f64::NAN, |input| input.position(index, count)))
     }
 
-    /// All of them, unless they and what is computed at each of them do not fit into the memory.
+    /// Returns all positions, unless they and their results do not fit into the memory.
     pub(super) fn held(self, columns: usize, bytes: usize) -> Result<Vec<f64>, Failure> {
         let held = Held {
             rows: self.count,

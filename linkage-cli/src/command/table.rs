@@ -56,7 +56,9 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let style = options.style();
     let (mechanism, function) = options.chosen.with_function(&options.function)?;
     let assembly = range::assembled(&options.dimensions, &mechanism)?;
-    let along = options.course.resolve(&mechanism, function, options.steps)?;
+    let along = options
+        .course
+        .resolve(&mechanism, function, options.steps)?;
     let mut table = Streamed::new(&mechanism, &assembly, function, &along, options.degrees);
     let input = options.chosen.file();
     put(options.output.as_deref(), input, |out| match options.json {
@@ -73,7 +75,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
 }
 
 impl Options {
-    /// Returns the mistake of a style whose cells cannot be told apart.
+    /// Returns the mistake of a style whose cells are ambiguous.
     pub(super) fn mistake(&self) -> Option<Mistake> {
         self.style().mistake().filter(|_| !self.json)
     }

@@ -2,7 +2,7 @@
 
 use std::io::{self, IsTerminal};
 
-/// Whether messages are coloured.
+/// Returns true if messages are coloured.
 pub(super) fn is_coloured() -> bool {
     io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|word| word.is_empty())
 }

@@ -1,4 +1,4 @@
-//! `linkage tolerance`: what the tolerances of the declaration do to the results of a function.
+//! `linkage tolerance`: effects of the tolerances of the declaration on the results of a function.
 
 mod aligned;
 mod effects;
@@ -40,7 +40,7 @@ pub(super) struct Options {
     dimensions: Dimensions,
 }
 
-/// What is held for each number, about: the number, and its text in the table.
+/// Bytes for each number, about: the number, and its text in the table.
 const BYTES: usize = 120;
 
 /// A quantity with its derivatives by parameters.
@@ -51,13 +51,13 @@ struct Sensitive {
     parameters: Vec<usize>,
     /// For each of them, the columns of the components.
     columns: Vec<Vec<usize>>,
-    /// How many parameters more have been asked for, which change nothing.
+    /// The number of further parameters that change nothing.
     idle: usize,
 }
 
 impl Sensitive {
-    /// Without the parameters that change nothing at any position, as those of the other parts of a machine. All of them
-    /// if none changes anything.
+    /// Without the parameters that change nothing at any position, as those of the other parts of a
+    /// machine. All of them if none changes anything.
     fn acting(mut self, rows: &[Vec<f64>]) -> Self {
         let acts = |columns: &Vec<usize>| {
             let mut numbers = rows
@@ -78,7 +78,7 @@ impl Sensitive {
     }
 }
 
-/// Prints the errors over the range, and at the worst position what each parameter contributes.
+/// Prints the errors over the range, and the contributions of all parameters at the worst position.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let (mut mechanism, function) = options.chosen.with_function(&options.function)?;
     options.dimensions.tolerate(&mut mechanism)?;
@@ -104,7 +104,9 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         given,
         running,
         positions,
-    } = options.course.resolve(&mechanism, function, options.steps)?;
+    } = options
+        .course
+        .resolve(&mechanism, function, options.steps)?;
     let columns = mechanism.headings[function].columns.len();
     let positions = positions.held(columns, BYTES)?;
     let row = |x: Option<f64>| {
@@ -233,7 +235,8 @@ impl Position<'_> {
     }
 }
 
-/// The fields of a function that are arrays over parameters; where an entry is no number or vector, each number of it by itself.
+/// The fields of a function that are arrays over parameters; where an entry is no number or vector,
+/// each number of it by itself.
 fn sensitive(mechanism: &Mechanism, function: usize) -> Vec<Sensitive> {
     let compiled = &mechanism.unit.functions[function];
     let mut first = 0;

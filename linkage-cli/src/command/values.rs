@@ -12,13 +12,14 @@ use crate::normal::normal;
 /// Dimensions other than those of the file.
 #[derive(Debug, Args)]
 pub(super) struct Dimensions {
-    /// A dimension, as `crank=51mm`, `crank='51mm +- 0.1mm'` or `pivot=(140mm, 0mm)`; may be given several times
+    /// A dimension, as `crank=51mm`, `crank='51mm +- 0.1mm'` or `pivot=(140mm, 0mm)`; may be given
+    /// several times
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = normal)]
     set: Vec<String>,
 }
 
 impl Dimensions {
-    /// Whether there are other dimensions than those of the file.
+    /// Returns true if there are other dimensions than those of the file.
     pub(super) fn are_given(&self) -> bool {
         !self.set.is_empty()
     }
@@ -149,7 +150,7 @@ pub(super) fn number(
 #[derive(Clone, Copy)]
 struct Number {
     value: f64,
-    /// If one is written.
+    /// The unit, if one is written.
     tolerance: Option<f64>,
 }
 
@@ -234,7 +235,7 @@ fn name_within(mechanism: &Mechanism, tokens: TokenStream) -> Option<String> {
     })
 }
 
-/// What is said of a value that cannot be.
+/// Returns the message for an impossible value.
 fn wrong(name: &str, text: &str) -> impl Fn(&str) -> Failure {
     let given = format!("{name}={text}");
     let given = shortened(&given).into_owned();

@@ -65,7 +65,7 @@ impl Assembly<'_> {
         }
     }
 
-    /// Where the unknowns are at these inputs.
+    /// Returns the values of the unknowns at these inputs.
     #[must_use]
     pub fn unknowns(&self, inputs: &[f64]) -> Vec<Estimate> {
         let unit = &self.mechanism.unit;
@@ -87,7 +87,8 @@ impl Assembly<'_> {
         unit.surveyed.iter().map(estimate).collect()
     }
 
-    /// What tells assemblies apart at these inputs: cosine and sine, or length, of every unknown.
+    /// Returns the numbers that distinguish assemblies at these inputs: cosine and sine, or length,
+    /// of every unknown.
     #[must_use]
     pub fn places(&self, inputs: &[f64]) -> Vec<f64> {
         self.survey(inputs)
@@ -101,7 +102,7 @@ impl Assembly<'_> {
         by_build(&self.mechanism.unit.survey, |source| numbers.load(source))
     }
 
-    /// By how much each group misses closing at these inputs.
+    /// Returns the closure error of each group at these inputs.
     pub(super) fn gaps(&self, inputs: &[f64]) -> Vec<f64> {
         let states = self.states(inputs).by_build();
         let numbers = self.numbers(inputs, &states);
@@ -112,7 +113,7 @@ impl Assembly<'_> {
         self.mechanism
     }
 
-    /// Whether all groups close at these inputs.
+    /// Returns true if all groups close at these inputs.
     fn close(&self, inputs: &[f64]) -> Result<(), AssemblyError> {
         let gaps = self.gaps(inputs);
         let Mechanism {
@@ -124,7 +125,7 @@ impl Assembly<'_> {
         close(name, structure.groups, gap_units, &gaps)
     }
 
-    /// Where the states of coupled groups come from.
+    /// The origin of the states of coupled groups.
     fn states<'a>(&'a self, inputs: &'a [f64]) -> States<'a> {
         States {
             mechanism: self.mechanism,
@@ -208,7 +209,8 @@ impl Mechanism {
         }
     }
 
-    /// What is prepared of the coupled groups, for the wanted assemblies; of a mechanism without any one list of none.
+    /// Prepares the coupled groups for the wanted assemblies; for a mechanism without any, returns
+    /// one list of none.
     fn starts(
         &self,
         dimensions: &[f64],

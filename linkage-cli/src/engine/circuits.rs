@@ -1,4 +1,4 @@
-//! Which assemblies run through the range of the input.
+//! Assemblies that run through the range of the input.
 
 use linkage_runtime::generated::{
     Chosen, CoupledGroup, Levels, Searched, SurveyedUnknown, circuits,
@@ -20,7 +20,8 @@ struct Search<'m> {
 }
 
 impl Mechanism {
-    /// Every assembly over the range of the input; `None` for a mechanism without groups or with another number of inputs than one.
+    /// Every assembly over the range of the input; `None` for a mechanism without groups or with
+    /// another number of inputs than one.
     ///
     /// # Errors
     ///

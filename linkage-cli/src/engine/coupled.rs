@@ -12,7 +12,7 @@ use super::revolutions::Revolutions;
 use super::winding::Winding;
 use crate::mechanism::Mechanism;
 
-/// A group, and what is prepared of those before it.
+/// A group, and the prepared numbers of the groups before it.
 pub(crate) struct Programs<'m> {
     mechanism: &'m Mechanism,
     number: usize,

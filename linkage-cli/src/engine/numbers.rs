@@ -1,4 +1,4 @@
-//! Where programs find what they load.
+//! Numbers that programs load.
 
 use linkage_runtime::generated::{Single, Start, inlined, single};
 use linkage_runtime::{AssemblyMode, Scalar};
@@ -16,12 +16,12 @@ pub(super) struct Numbers<'a> {
     pub(super) prepared: &'a [f64],
     /// Inputs, then the arguments behind them.
     pub(super) inputs: &'a [f64],
-    /// Of each coupled group, the state and its floor.
+    /// The state of each coupled group, with its floor.
     pub(super) states: &'a [Vec<f64>],
 }
 
 impl Numbers<'_> {
-    /// What a program loads.
+    /// Returns the number of a source.
     pub(super) fn load(&self, source: Source) -> f64 {
         match source {
             Source::Parameter(index) => self.dimensions[index],

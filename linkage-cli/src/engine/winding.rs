@@ -18,8 +18,8 @@ pub(super) struct Winding<'a> {
 }
 
 impl Winding<'_> {
-    /// The revolutions of the first `count` angles, from the reference or, where it does not assemble there, from `at`; or the name of the first
-    /// one that cannot be followed.
+    /// The revolutions of the first `count` angles, from the reference or, where it does not
+    /// assemble there, from `at`; or the name of the first one that cannot be followed.
     pub(super) fn wind(self, count: usize, at: &[f64]) -> Result<Revolutions, &'static str> {
         let reference = self.mechanism.reference();
         match self.wind_from(count, &reference) {

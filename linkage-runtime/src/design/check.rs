@@ -1,4 +1,4 @@
-//! What is wrong with a design problem, all at once.
+//! Checks of a design problem, all at once.
 
 use alloc::string::ToString;
 use alloc::vec::Vec;

@@ -1,4 +1,4 @@
-//! Which columns of a generated function are a quantity's numbers and their derivatives.
+//! Columns of a generated function that are a quantity's numbers and their derivatives.
 
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -15,7 +15,7 @@ pub(crate) struct Number {
     pub(crate) rate: Option<usize>,
     /// Parameters, and the columns of the derivatives by them.
     pub(crate) sensitivities: Vec<(usize, usize)>,
-    /// Whether it counts modulo whole turns.
+    /// True if it counts modulo whole turns.
     pub(crate) angle: bool,
 }
 
@@ -24,7 +24,7 @@ pub(crate) struct Number {
 pub(crate) struct Numbers(Vec<Number>);
 
 impl Numbers {
-    /// The numbers of these quantities, with what derivatives the function has.
+    /// Returns the numbers of these quantities, with the derivatives that the function has.
     pub(crate) fn all(heading: &Heading, quantities: &[String]) -> Self {
         let columns = heading.columns;
         let places = quantities
@@ -50,7 +50,7 @@ impl Numbers {
         Self(others.map(|k| number(columns, k)).filter(known).collect())
     }
 
-    /// The same, or what is missing.
+    /// Returns the same numbers, or the missing columns.
     pub(crate) fn find(
         heading: &Heading,
         quantities: &[String],
@@ -111,7 +111,7 @@ impl Numbers {
     }
 }
 
-/// Whether a column is a number of the field.
+/// Returns true for a column that is a number of the field.
 fn belongs(column: &Column, field: &str) -> bool {
     let Some(rest) = column.name.strip_prefix(field) else {
         return false;

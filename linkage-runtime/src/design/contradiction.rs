@@ -1,4 +1,4 @@
-//! Which of some relations and bounds contradict each other, and by how much.
+//! Relations and bounds that contradict each other, and the size of the contradiction.
 
 use alloc::format;
 use alloc::string::String;
@@ -11,8 +11,8 @@ use crate::words::rounded;
 /// Halvings of the amount by which a relation is missed: to some ten digits.
 const HALVINGS: usize = 34;
 
-/// `Ok` if the relations leave anything within the bounds of the variables, whose names these are; else a smallest set that does not:
-/// without any of its relations and bounds the others can hold.
+/// `Ok` if the relations leave anything within the bounds of the variables, whose names these are;
+/// else a smallest set that does not: without any of its relations and bounds the others can hold.
 pub(crate) fn consistent(
     relations: &[Relation],
     limits: &Limits,
@@ -68,7 +68,7 @@ pub(crate) fn consistent(
     })
 }
 
-/// By how much the last relation is missed at least where the others hold.
+/// Returns the least miss of the last relation where the others hold.
 fn missed(limits: &Limits, middle: &[f64]) -> f64 {
     let mut others = limits.clone();
     let Some(last) = others.relations.pop() else {

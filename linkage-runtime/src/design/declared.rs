@@ -1,4 +1,5 @@
-//! A search is never worse than what it begins with, if that is a result at all.
+//! The declared mechanism as a candidate: a search is never worse than its start, if that is a
+//! result at all.
 
 use alloc::vec::Vec;
 
@@ -23,8 +24,9 @@ where
     M: Dimensions<N> + Copy + Send + Sync,
     A: Clone + Send + Sync,
 {
-    /// What is better than the best design: the optimum next to the declared mechanism, that mechanism itself, or a start that holds all
-    /// conditions. `None` if nothing is, as it should be.
+    /// Returns a design that is better than the best one: the optimum next to the declared
+    /// mechanism, that mechanism itself, or a start that holds all conditions. `None` if there is
+    /// none, as it should be.
     pub(super) fn better(
         &self,
         best: Option<f64>,
@@ -64,7 +66,8 @@ where
         None
     }
 
-    /// The declared mechanism in each assembly, if it holds all that must hold; with free inputs its sum is not known.
+    /// The declared mechanism in each assembly, if it holds all that must hold; with free inputs
+    /// its sum is not known.
     fn declared(&self, evaluator: &mut Evaluator<'_, M, A, N>, start: usize) -> Vec<Optimum> {
         let problem = self.problem;
         let x = problem.declared();

@@ -1,4 +1,5 @@
-//! Dimensions from measured positions: estimates, how good they are, and what the readings cannot tell.
+//! Dimensions from measured positions: estimates, their errors, and combinations that the readings
+//! do not determine.
 
 mod check;
 mod determined;

@@ -1,14 +1,17 @@
-//! The least of a largest value: sequential quadratic programming with a trust region, for functions that are maxima of smooth ones.
+//! The least of a largest value: sequential quadratic programming with a trust region, for
+//! functions that are maxima of smooth ones.
 //!
-//! The objective and every condition is a *group*: the largest of some rows, each smooth. Which rows there are may change from place to place, as
-//! extremes of a cycle come and go, as long as their largest value is continuous. A step is the minimum of the linearised groups and of
-//! a curvature gathered on the way, within a box. Where the largest values follow a curve on which several rows are equal, such a step leaves it
-//! by the square of its length; so a second, shortest step leads back to the conditions, with the derivatives at the place that
-//! was reached.
+//! The objective and every condition is a *group*: the largest of some rows, each smooth. Which
+//! rows there are may change from place to place, as extremes of a cycle come and go, as long as
+//! their largest value is continuous. A step is the minimum of the linearised groups and of a
+//! curvature gathered on the way, within a box. Where the largest values follow a curve on which
+//! several rows are equal, such a step leaves it by the square of its length; so a second, shortest
+//! step leads back to the conditions, with the derivatives at the place that was reached.
 //!
-//! Sources: R. Fletcher, "Practical methods of optimization", 2nd edition 1987, sections 12.4 (the exact penalty function and its trust region) and
-//! 14.4 (second steps); K. Madsen, "An algorithm for minimax solution of overdetermined systems of non-linear equations", J. Inst. Maths
-//! Applics 16 (1975).
+//! Sources: R. Fletcher, "Practical methods of optimization", 2nd edition 1987, sections 12.4 (the
+//! exact penalty function and its trust region) and 14.4 (second steps); K. Madsen, "An algorithm
+//! for minimax solution of overdetermined systems of non-linear equations", J. Inst. Maths Applics
+//! 16 (1975).
 
 mod curvature;
 mod rows;
@@ -24,7 +27,7 @@ pub(crate) use rows::{Groups, Key, Row, Search, largest};
 use super::limits::Limits;
 use walk::{End, Walk};
 
-/// Where a search ended.
+/// The end of a search.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Minimum {
     pub(crate) x: Vec<f64>,
@@ -33,13 +36,15 @@ pub(crate) struct Minimum {
     pub(crate) rounds: usize,
     /// Evaluations of the groups.
     pub(crate) evaluations: usize,
-    /// Whether the first-order conditions hold.
+    /// True if the first-order conditions hold.
     pub(crate) converged: bool,
 }
 
-/// Searches for the least objective that keeps all conditions, from a place within the limits. `None` if the groups have no value there.
+/// Searches for the least objective that keeps all conditions, from a place within the limits.
+/// `None` if the groups have no value there.
 ///
-/// `evaluate` gives the groups, or `None` where there are none; `stopped` ends the search between two steps.
+/// `evaluate` gives the groups, or `None` where there are none; `stopped` ends the search between
+/// two steps.
 pub(crate) fn minimise(
     start: &[f64],
     limits: &Limits,

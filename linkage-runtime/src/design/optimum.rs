@@ -10,15 +10,15 @@ pub(crate) struct Optimum {
     /// The variables.
     pub(crate) x: Vec<f64>,
     pub(crate) sum: f64,
-    /// Which of the assemblies.
+    /// The index of the assembly.
     pub(crate) assembly: usize,
     /// The start that led here.
     pub(crate) start: usize,
-    /// How many starts did.
+    /// The number of starts that led here.
     pub(crate) hits: usize,
-    /// Whether no step makes the sum smaller.
+    /// True if no step makes the sum smaller.
     pub(crate) converged: bool,
-    /// Whether the sum is zero but for rounding.
+    /// True if the sum is zero except for rounding.
     pub(crate) zero: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Which assembly a least sum of squares is of: that whose rows are the same.
+//! The assembly of a least sum of squares: the one with the same rows.
 
 use alloc::vec::Vec;
 
@@ -39,7 +39,7 @@ fn values<M: Dimensions<N> + Copy, A, const N: usize>(
         .collect()
 }
 
-/// What the bounds' widths do to each row.
+/// Returns the effect of the bounds' widths on each row.
 fn sizes<M: Dimensions<N> + Copy, A, const N: usize>(
     problem: &Problem<'_, M, A, N>,
     evaluator: &Evaluator<'_, M, A, N>,

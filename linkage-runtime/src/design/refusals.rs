@@ -1,4 +1,4 @@
-//! What refused the starts of a search, in numbers.
+//! Counts of refused starts.
 
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -18,7 +18,7 @@ pub(crate) struct Tally {
     nearest: Option<Violation>,
 }
 
-/// What became of a start in the modes of all assemblies, the best last.
+/// The fate of a start in the modes of all assemblies, the best last.
 #[derive(Clone, Debug, Default)]
 pub(crate) enum Fate {
     /// It does not assemble.

@@ -1,4 +1,5 @@
-//! From local optima to designs: rounded to values of catalogues, then certified over the whole range, on all threads.
+//! Designs from local optima: rounded to values of catalogues, then certified over the whole range,
+//! on all threads.
 
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -18,7 +19,7 @@ use super::settings::End;
 use super::varied::Freedom;
 use crate::Dimensions;
 
-/// What designs are made from.
+/// The inputs of designs.
 pub(super) struct Results<'d, M, A, const N: usize> {
     pub(super) problem: &'d Problem<'d, M, A, N>,
     pub(super) assemblies: &'d [A],
@@ -47,7 +48,7 @@ pub(super) struct Rounded {
     pub(super) optima: Vec<Optimum>,
     /// Optima near which no values hold all conditions.
     pub(super) no_values: usize,
-    /// Whether it was ended before all combinations that might be better were looked at.
+    /// True if it ended before all combinations that might be better were tried.
     pub(super) ended: bool,
 }
 
@@ -57,13 +58,14 @@ pub(super) struct Certified<M, A> {
     pub(super) not_whole: usize,
     /// The one with the least sum that is not whole.
     pub(super) nearest: Option<Interrupted>,
-    /// Optima that violate what must hold in the assembly that would be returned.
+    /// Optima that violate a condition or relation in the assembly that would be returned.
     pub(super) unverified: usize,
-    /// The one with the least sum that does: what it misses most, and by how much.
+    /// The one of these with the least sum: its worst condition or relation, and the size of the
+    /// violation.
     pub(super) violated: Option<(String, f64)>,
     /// Optima that were not looked at.
     pub(super) left_out: usize,
-    /// Whether this is because the search was to end.
+    /// True if this is because the search was to end.
     pub(super) ended: bool,
 }
 
@@ -130,8 +132,8 @@ where
         }
     }
 
-    /// The first optima that run through the whole range, as many as are listed. When the search is to end those that are being looked at
-    /// are the last ones.
+    /// The first optima that run through the whole range, as many as are listed. When the search is
+    /// to end those that are being looked at are the last ones.
     pub(super) fn certified(&self, optima: &[Optimum], end: &End<'_>) -> Certified<M, A> {
         let mut certified = Certified::default();
         let mut seen = 0;
@@ -170,7 +172,8 @@ where
         certified
     }
 
-    /// The design of an optimum, with directions within their bounds where relations and conditions allow it.
+    /// The design of an optimum, with directions within their bounds where relations and conditions
+    /// allow it.
     pub(super) fn found(
         &self,
         evaluator: &mut Evaluator<'_, M, A, N>,
@@ -186,7 +189,7 @@ where
         }
     }
 
-    /// Whether bounds, relations and conditions hold; otherwise what is missed most.
+    /// Checks bounds, relations and conditions. The error has the one that is missed most.
     fn must_hold(&self, x: &[f64], at: &Normal) -> Result<(), Refused> {
         let problem = self.problem;
         let limits = &problem.limits;
@@ -208,7 +211,8 @@ where
         }
     }
 
-    /// The design, if it is there over the whole range and holds all that must hold: computed from its assembly, without the descent.
+    /// The design, if it is there over the whole range and holds all that must hold: computed from
+    /// its assembly, without the descent.
     fn verified(
         &self,
         evaluator: &mut Evaluator<'_, M, A, N>,

@@ -11,7 +11,8 @@ use super::refusals::{Fate, Tally};
 use super::starts;
 use crate::Dimensions;
 
-/// Starts of a block, which are evaluated side by side: enough for lanes, and few enough that their numbers stay in the cache.
+/// Starts of a block, which are evaluated side by side: enough for lanes, and few enough that their
+/// numbers stay in the cache.
 pub(crate) const BLOCK: usize = 32;
 
 /// The optimum within narrower limits, from this one.
@@ -37,11 +38,12 @@ pub(crate) fn refine<M: Dimensions<N> + Copy, A, const N: usize>(
     })
 }
 
-/// What a block of starts gave.
+/// The results of a block of starts.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Block {
     pub(crate) optima: Vec<Optimum>,
-    /// Starts that hold all conditions, where descents end at nothing that holds them and has a smaller sum.
+    /// Starts that hold all conditions, where descents end at nothing that holds them and has a
+    /// smaller sum.
     pub(crate) feasible: Vec<Optimum>,
     pub(crate) tally: Tally,
     pub(crate) evaluations: usize,
@@ -131,12 +133,14 @@ pub(crate) fn block<M: Dimensions<N> + Copy, A, const N: usize>(
     block
 }
 
-/// Optima whose variables differ by less than this part of the bounds' widths are one: descents stop that near.
+/// Optima whose variables differ by less than this part of the bounds' widths are one: descents
+/// stop that near.
 const SAME: f64 = 1e-4;
 /// Neither are two optima with sums that differ by more than this part.
 const SAME_SUM: f64 = 1e-6;
 
-/// The distinct ones, the least first; of equal ones that of the first start. A variable with a period counts without whole ones.
+/// The distinct ones, the least first; of equal ones that of the first start. A variable with a
+/// period counts without whole ones.
 pub(crate) fn distinct(
     mut optima: Vec<Optimum>,
     widths: &[f64],

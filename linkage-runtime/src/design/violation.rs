@@ -5,7 +5,7 @@
 pub(crate) struct Violation {
     /// The number of its wish.
     pub(crate) wish: usize,
-    /// By how much it is violated.
+    /// The size of the violation.
     pub(crate) by: f64,
     /// The same as a part of its size.
     pub(crate) part: f64,

@@ -1,4 +1,4 @@
-//! What the tolerances do: bands about quantities, and where the error is largest.
+//! Effects of tolerances: bands about quantities, and the largest errors.
 
 use std::borrow::Cow;
 use std::string::{String, ToString};
@@ -9,13 +9,13 @@ use super::tables::Saved;
 use super::units::numerator;
 use crate::{Column, Meaning, Parameter};
 
-/// How errors add up.
+/// The sum of errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum BandKind {
     /// The sizes of all effects: no larger error is possible, to first order.
     WorstCase,
-    /// The root of the sum of squares: three standard deviations, if tolerances are three standard deviations of
-    /// independent errors.
+    /// The root of the sum of squares: three standard deviations, if tolerances are three standard
+    /// deviations of independent errors.
     Statistical,
 }
 
@@ -47,7 +47,7 @@ pub(super) struct Sensitive<'a> {
     effects: Vec<(Parameter, &'a [f64])>,
 }
 
-/// Where the error of a quantity is largest.
+/// The position of the largest error of a quantity.
 pub(super) struct Worst {
     pub(super) at: f64,
     pub(super) worst: f64,
@@ -89,8 +89,8 @@ impl Sensitive<'_> {
     }
 }
 
-/// Quantities with sensitivities, in the order of their first one. None without dimensions, or if no parameter that
-/// they depend on has a tolerance.
+/// Quantities with sensitivities, in the order of their first one. None without dimensions, or if
+/// no parameter that they depend on has a tolerance.
 pub(super) fn sensitive(report: &Report) -> Vec<Sensitive<'_>> {
     let mut all: Vec<Sensitive<'_>> = Vec::new();
     for table in &report.tables {
@@ -120,7 +120,8 @@ pub(super) fn sensitive(report: &Report) -> Vec<Sensitive<'_>> {
     all
 }
 
-/// What a sensitivity is one of: the quantity's name, otherwise its own without the parameter.
+/// Returns the quantity of a sensitivity: its name, or that of the sensitivity without the
+/// parameter.
 fn quantity(table: &Saved, column: &'static Column) -> Cow<'static, str> {
     if let Some(name) = table.base_name(column) {
         return Cow::Borrowed(name);

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 
 mod temporary;
 
-/// A file that is written next to its place, under a hidden name. [`put`](Self::put) replaces in one step the file that
-/// is in the place: a reader, or a program that ends early, finds the old file or the new one. A file that is not put
-/// into its place is removed.
+/// A file that is written next to its place, under a hidden name. [`put`](Self::put) replaces in
+/// one step the file that is in the place: a reader, or a program that ends early, finds the old
+/// file or the new one. A file that is not put into its place is removed.
 ///
 /// The command `linkage` writes its results with it, too.
 #[doc(hidden)]
@@ -22,8 +22,9 @@ pub struct AtomicFile {
 }
 
 impl AtomicFile {
-    /// Opens an empty file in the folder of its place, with the mode of the file that it will replace. The name is
-    /// unpredictable, and a file of that name is never opened if something has it already.
+    /// Opens an empty file in the folder of its place, with the mode of the file that it will
+    /// replace. The name is unpredictable, and a file of that name is never opened if something has
+    /// it already.
     ///
     /// Files that earlier programs left there, and that no program holds any more, are removed.
     ///
@@ -58,7 +59,8 @@ impl AtomicFile {
         changed.map(|()| whole)
     }
 
-    /// Closes it. It gives its lock back, which keeps it from sweeps where processes cannot be looked up.
+    /// Closes it. It gives its lock back, which keeps it from sweeps where processes cannot be
+    /// looked up.
     pub(super) fn close(&mut self) {
         self.file = None;
     }

@@ -28,8 +28,9 @@ impl Outline {
         f64::max(high[0] - low[0], high[1] - low[1])
     }
 
-    /// A picture of the profile with its pitch curve and centre, where a unit of length is a millimetre on paper. All points have all of
-    /// their digits, with y upwards in the coordinates that [`Cam`](crate::cam::Cam) has.
+    /// A picture of the profile with its pitch curve and centre, where a unit of length is a
+    /// millimetre on paper. All points have all of their digits, with y upwards in the coordinates
+    /// that [`Cam`](crate::cam::Cam) has.
     pub fn svg(&self) -> String {
         let [low, high] = self.bounds();
         let size = self.size();
@@ -58,8 +59,9 @@ impl Outline {
         )
     }
 
-    /// The profile as DXF (release 12) for the machine that cuts it, in the unit of its lengths, every number with all of its digits: closed
-    /// polylines on the layers `profile` and `pitch`, a point at the centre on `axes`.
+    /// The profile as DXF (release 12) for the machine that cuts it, in the unit of its lengths,
+    /// every number with all of its digits: closed polylines on the layers `profile` and `pitch`, a
+    /// point at the centre on `axes`.
     pub fn dxf(&self) -> String {
         let [low, high] = self.bounds().map(|[x, y]| [x, y, 0.0]);
         let layers = &[Layer::Profile, Layer::Pitch, Layer::Axes];

@@ -1,4 +1,4 @@
-//! Whether the parts of a report fit together.
+//! Checks that the parts of a report fit together.
 
 use std::string::{String, ToString};
 use std::vec::Vec;
@@ -68,7 +68,8 @@ fn check_positions(report: &Report, mistakes: &mut Vec<Mistake>) {
     }
 }
 
-/// The first position that does not go on as those before it do: neither an axis nor a player could tell it from an earlier one.
+/// The first position that does not go on as those before it do: neither an axis nor a player could
+/// tell it from an earlier one.
 fn turning_position(report: &Report) -> Option<Mistake> {
     let mut steps = report.positions.windows(2);
     let rises = steps
@@ -79,7 +80,7 @@ fn turning_position(report: &Report) -> Option<Mistake> {
         false => pair[1] < pair[0],
     };
     let mut pairs = report.positions.windows(2).enumerate();
-    // What is no number is told by itself.
+    // A number that is not finite is reported by itself.
     let (row, pair) =
         pairs.find(|(_, pair)| pair.iter().all(|x| x.is_finite()) && !goes_on(pair))?;
     Some(Mistake::Turning {

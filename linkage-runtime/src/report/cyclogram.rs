@@ -17,8 +17,8 @@ use super::output_file;
 use crate::cyclogram::{Cyclogram, Organ};
 
 impl Cyclogram {
-    /// The intervals of all organs as CSV, organ by organ: what it does, in which band, from which angle to which,
-    /// for how long, and by how much tolerances shift the beginning and the end, if they were given.
+    /// Returns the intervals of all organs as CSV, organ by organ: the motion, the band, the angles
+    /// of both ends, the length, and the shifts of both ends by tolerances, if they were given.
     ///
     /// # Errors
     ///
@@ -27,15 +27,16 @@ impl Cyclogram {
         intervals::intervals_csv(self, style)
     }
 
-    /// All of it as JSON, angles in radians: each organ with its limits, bands, intervals and events, these with
-    /// their sensitivities and shifts; the order of all events, each with the one that it follows; and the overlaps.
+    /// All of it as JSON, angles in radians: each organ with its limits, bands, intervals and
+    /// events, these with their sensitivities and shifts; the order of all events, each with the
+    /// one that it follows; and the overlaps.
     #[must_use]
     pub fn json(&self) -> String {
         intervals::value(self).to_string()
     }
 
-    /// The events of all organs as CSV, in order of the angle: where, by how much tolerances shift it, if they were given, what happens,
-    /// and how long after what other event.
+    /// Returns the events of all organs as CSV, in order of the angle: the angle, its shift by
+    /// tolerances, if they were given, the event, and the angle since the event before it.
     ///
     /// # Errors
     ///
@@ -44,8 +45,8 @@ impl Cyclogram {
         order::order_csv(self, style)
     }
 
-    /// The [overlaps](Self::overlaps) as CSV: which organ, what it does, in which band; the same of the other one; from
-    /// which angle to which, for how long.
+    /// Returns the [overlaps](Self::overlaps) as CSV: organ, motion and band of both, the angles of
+    /// both ends, and the length.
     ///
     /// # Errors
     ///
@@ -54,8 +55,9 @@ impl Cyclogram {
         overlaps::overlaps_csv(self, style)
     }
 
-    /// The diagram of bars: a row for each organ, with the line on which it rises and falls, bars where it dwells,
-    /// and the angles of its events. It follows the reader's choice of a light or dark ground.
+    /// The diagram of bars: a row for each organ, with the line on which it rises and falls, bars
+    /// where it dwells, and the angles of its events. It follows the reader's choice of a light or
+    /// dark ground.
     ///
     /// # Errors
     ///

@@ -7,12 +7,12 @@ use super::BandKind;
 use super::builder::Report;
 use super::{accuracy, rates};
 
-/// A page has no more rows. The limit is ours: a screen is a few thousand pixels wide, and browsers draw tens of thousands of corners of
-/// each curve at every change.
+/// A page has no more rows. The limit is ours: a screen is a few thousand pixels wide, and browsers
+/// draw tens of thousands of corners of each curve at every change.
 const MOST: usize = 20_000;
 
-/// The rows that a page has, `None` for all: the first and the last one, those with the extremes of what is shown, both sides of every
-/// edge of a gap, and others at even distances.
+/// Returns the rows that a page has, `None` for all: the first and the last one, the rows of the
+/// extremes of all columns, both sides of every edge of a gap, and others at even distances.
 pub(super) fn page_rows(report: &Report) -> Option<Vec<usize>> {
     let count = report.positions.len();
     if count <= MOST {

@@ -5,12 +5,12 @@ use std::vec::Vec;
 
 use crate::summary::{Course, Extremes, TimeRatio};
 
-/// What is shown of the course of a quantity.
+/// The figures of the course of a quantity.
 #[derive(Clone, Debug)]
 pub(super) struct Figures {
     pub(super) quantity: String,
     pub(super) unit: String,
-    /// Of the quantity and of its first and second derivative, as far as they are known.
+    /// Extremes of the quantity and of its first and second derivative, if they are known.
     pub(super) extremes: Vec<Extremes>,
     pub(super) time: Option<TimeRatio>,
     /// Inputs at which gaps begin or end.
@@ -38,14 +38,14 @@ impl Figures {
         }
     }
 
-    /// Whether an input lies at the border of a gap, or so near that rounding rules there.
+    /// Returns true for an input at the border of a gap, or so near that rounding decides.
     pub(super) fn is_beside_a_gap(&self, at: f64) -> bool {
         let near = |border: &f64| (border - at).abs() <= NEAR * self.width;
         self.borders.iter().any(near)
     }
 }
 
-/// Where a course is interrupted; the ends of its range are no interruption.
+/// Returns the inputs at which a course is interrupted. The ends of its range are no interruption.
 fn borders<const N: usize, F: Fn(f64) -> [f64; N]>(course: &Course<N, F>) -> Vec<f64> {
     if !course.has_gaps() {
         return Vec::new();
@@ -56,5 +56,5 @@ fn borders<const N: usize, F: Fn(f64) -> [f64; N]>(course: &Course<N, F>) -> Vec
     ends.filter(|&end| end != low && end != high).collect()
 }
 
-/// As a share of the range.
+/// The distance of inputs at a border, as a share of the range.
 const NEAR: f64 = 1e-6;

@@ -8,7 +8,8 @@ use super::Mistake;
 use super::builder::Report;
 use super::summary;
 
-/// What words have that cannot be shown: neither XML nor HTML has control characters. Line ends and tabs are spaces there.
+/// Returns the first character that neither XML nor HTML can show, such as a control character.
+/// Line ends and tabs are spaces there.
 pub(super) fn control(what: &str, words: &str) -> Option<Mistake> {
     let is_shown = |c: char| matches!(c, '\t' | '\n' | '\r') || !c.is_control();
     let is_character = |c: char| u32::from(c) & 0xFFFE != 0xFFFE;

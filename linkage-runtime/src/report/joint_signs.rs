@@ -11,11 +11,11 @@ pub(super) struct JointSign {
     pub(super) name: &'static str,
     /// The class in drawings; `None` for a joint without a sign, whose block is drawn.
     pub(super) class: Option<&'static str>,
-    /// Whether the joint turns.
+    /// True for a joint that turns.
     pub(super) turns: bool,
-    /// Whether a ring surrounds the mark of the point.
+    /// True for a ring around the mark of the point.
     pub(super) ring: bool,
-    /// Whether the mark of the point is filled.
+    /// True for a filled mark of the point.
     pub(super) filled: bool,
     /// The directions of the bars.
     pub(super) directions: Directions,

@@ -1,4 +1,4 @@
-//! The report as JSON: what the page reads.
+//! The report as JSON, the input of the page.
 
 mod live;
 mod series;
@@ -25,7 +25,7 @@ pub(super) fn report_json(report: &Report) -> Result<String, ReportError> {
     Ok(report_value(report, None).to_string())
 }
 
-/// What the page has: rows that it does not show are left out.
+/// Returns the JSON of the page, without the rows that it does not show.
 pub(super) fn page_json(report: &Report) -> Result<String, ReportError> {
     check::check(report)?;
     Ok(report_value(report, downsample::page_rows(report).as_deref()).to_string())

@@ -19,8 +19,8 @@ const ANGLE: &str = "rad";
 const FILE: &str = "cyclogram";
 
 impl Shown<'_> {
-    /// Which of the colours of links a link has: that of its part, links of the machine itself that behind all parts. Without parts each
-    /// has one of the listed ones, which begin again.
+    /// Returns the number of the colour of a link: that of its part, and the one after all parts
+    /// for links of the machine itself. Without parts the colours of the list are used in turn.
     pub(super) fn link_hue(&self, link: usize) -> usize {
         let parts = self.picture.parts;
         let of = parts.iter().position(|part| part.links.contains(&link));
@@ -60,8 +60,8 @@ pub(super) fn check_cyclogram(report: &Report, mistakes: &mut Vec<Mistake>) {
     }
 }
 
-/// Of each organ, which of the colours of links it has: that of the part whose name it bears, as `hook` or `hook.tip`, others those behind all
-/// parts.
+/// Returns the number of the colour of each organ: that of the part in its name, as in `hook` or
+/// `hook.tip`, and the ones after all parts for others.
 pub(super) fn organ_hues(report: &Report, cyclogram: &Cyclogram) -> Vec<usize> {
     let parts = shown::find_picture(report).map_or(&[][..], |shown| shown.picture.parts);
     let part = |organ: &Organ| {
@@ -74,7 +74,8 @@ pub(super) fn organ_hues(report: &Report, cyclogram: &Cyclogram) -> Vec<usize> {
     hues.map(Option::unwrap_or_default).collect()
 }
 
-/// How many colours of links the page has: of parts, of what the machine itself adds, of organs.
+/// Returns the number of colours of links that the page needs: for parts, for links of the machine
+/// itself, for organs.
 pub(super) fn link_hues(report: &Report) -> usize {
     let parts = shown::find_picture(report).map_or(0, |shown| shown.picture.parts.len());
     let organs = report

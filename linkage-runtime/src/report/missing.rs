@@ -1,4 +1,4 @@
-//! Where the range has gaps, and whether it closes.
+//! Gaps of the range, and periodic reports.
 
 use core::f64::consts::TAU;
 use std::vec::Vec;
@@ -6,8 +6,8 @@ use std::vec::Vec;
 use super::builder::Report;
 use crate::{Column, Meaning};
 
-/// A cycle closes if its ends differ by less: in turns, and in units of the largest value. Positions and quantities are known
-/// better than this and are never so near by chance.
+/// A cycle closes if its ends differ by less: in turns, and in units of the largest value.
+/// Positions and quantities are known better than this and are never so near by chance.
 const CLOSED: f64 = 1e-9;
 
 /// Input values between which some number is not finite.
@@ -34,7 +34,8 @@ pub(super) fn gaps(report: &Report) -> Vec<Gap> {
     gaps
 }
 
-/// Whether the positions are whole turns after which all quantities are as they were, angles apart from whole turns.
+/// Returns true if the positions are whole turns after which all quantities are as before, angles
+/// except for whole turns.
 pub(super) fn is_periodic(report: &Report) -> bool {
     let (Some(first), Some(last)) = (report.positions.first(), report.positions.last()) else {
         return false;

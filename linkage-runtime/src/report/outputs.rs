@@ -11,7 +11,7 @@ use super::plot::Plot;
 use super::{check, csv, json, page, plots, write};
 
 impl Report {
-    /// Whether everything fits together; everything that writes asks first.
+    /// Checks that all parts fit together. Every output calls it first.
     ///
     /// # Errors
     ///
@@ -20,9 +20,10 @@ impl Report {
         check::check(self)
     }
 
-    /// Everything as JSON: numbers with the digits that they have, in the units beside them, angles in radians. A number
-    /// that is not finite is `null`. Numbers stand there once: where a column has those of an earlier one, as points of the picture do,
-    /// there is `{"table": 0, "column": 3}` in their place.
+    /// Everything as JSON: numbers with the digits that they have, in the units beside them, angles
+    /// in radians. A number that is not finite is `null`. Numbers stand there once: where a column
+    /// has those of an earlier one, as points of the picture do, there is `{"table": 0, "column":
+    /// 3}` in their place.
     ///
     /// # Errors
     ///
@@ -31,10 +32,12 @@ impl Report {
         json::report_json(self)
     }
 
-    /// The table of a function: the input, its columns, then the true velocities and accelerations that follow from them.
+    /// The table of a function: the input, its columns, then the true velocities and accelerations
+    /// that follow from them.
     ///
-    /// The first line has names and units, `phi [rad],p.x [mm],v.x [mm/rad]`. Numbers have the digits that it takes to
-    /// read them back exactly, unless [`csv_style`](Self::csv_style) says something else; a number that is not finite is an empty cell.
+    /// The first line has names and units, `phi [rad],p.x [mm],v.x [mm/rad]`. Numbers have the
+    /// digits that it takes to read them back exactly, unless [`csv_style`](Self::csv_style) says
+    /// something else; a number that is not finite is an empty cell.
     ///
     /// # Errors
     ///
@@ -52,10 +55,12 @@ impl Report {
         page::page_html(self)
     }
 
-    /// A plot of columns against the input. Quantities that the report has sensitivities of get bands of their tolerances.
+    /// A plot of columns against the input. Quantities that the report has sensitivities of get
+    /// bands of their tolerances.
     ///
-    /// A column is named as in the program, `p10.x`. Where that is not enough, the function stands in front,
-    /// `motion.p10.x`, or the unit behind, as in the head of a CSV file: `v.x [mm/s]` is the true velocity.
+    /// A column is named as in the program, `p10.x`. Where that is not enough, the function stands
+    /// in front, `motion.p10.x`, or the unit behind, as in the head of a CSV file: `v.x [mm/s]` is
+    /// the true velocity.
     ///
     /// # Errors
     ///
@@ -67,8 +72,9 @@ impl Report {
         plots::plot_columns(self, columns)
     }
 
-    /// A plot of what tolerances do to each quantity with sensitivities: worst case and statistical error against the
-    /// input. `None` if there are no sensitivities, dimensions or tolerances.
+    /// Plots the effect of tolerances on each quantity with sensitivities: worst case and
+    /// statistical error against the input. `None` if there are no sensitivities, dimensions or
+    /// tolerances.
     ///
     /// # Errors
     ///
@@ -88,21 +94,22 @@ impl Report {
 
     /// Writes everything into a folder, which is made if it is not there, and returns the files:
     ///
-    /// | file | what |
+    /// | file | content |
     /// |---|---|
     /// | `index.html` | the interactive page |
     /// | `data.json` | all data |
     /// | `FUNCTION.csv` | each table |
     /// | `cyclogram.svg`, `cyclogram.csv` | the [cyclogram](Self::cyclogram), if there is one |
-    /// | `cyclogram-order.csv`, `cyclogram-overlaps.csv` | its events in their order, and what two organs do at once |
+    /// | `cyclogram-order.csv`, `cyclogram-overlaps.csv` | its events in their order, and the simultaneous motions of two organs |
     /// | `drawing.svg` | the mechanism to scale, if a table has a picture |
     /// | `drawing.dxf` | the same, true to size, for programs that construct |
     /// | `plots/FUNCTION.svg`, `plots/FUNCTION-true.svg` | each function's values and derivatives; true velocities and accelerations |
     /// | `version.js` | which [version](Self::version) it is, if that was said |
     /// | `plots/errors-by-tolerances.svg` | errors over the range, if there are sensitivities and tolerances |
     ///
-    /// Files of an earlier report are replaced when all files are complete: where one cannot be written, as on a full disk, the earlier
-    /// report stays as it is. Files that it had and this one has not stay, too.
+    /// Files of an earlier report are replaced when all files are complete: where one cannot be
+    /// written, as on a full disk, the earlier report stays as it is. Files that it had and this
+    /// one has not stay, too.
     ///
     /// # Errors
     ///

@@ -65,7 +65,7 @@ const SCRIPTS: [&str; 40] = [
 
 const START: usize = SCRIPTS.len() - 1;
 
-/// Of a page that computes: they stand before the last one of the others.
+/// Styles and scripts of a page that computes, before the last script.
 const LIVE_STYLE: &str = include_str!("page/live/live.css");
 const LIVE: [&str; 15] = [
     include_str!("page/live/model.js"),
@@ -85,13 +85,13 @@ const LIVE: [&str; 15] = [
     include_str!("page/live/controls.js"),
 ];
 
-/// Of a page that computes a cyclogram, behind those.
+/// Scripts of a page that computes a cyclogram, after those.
 const LIVE_CYCLE: [&str; 2] = [
     include_str!("page/live/cycle.js"),
     include_str!("page/live/overlaps.js"),
 ];
 
-/// Of a page that is written anew while it is open.
+/// Script of a page that follows the versions of its report.
 const FOLLOW: &str = include_str!("page/follow.js");
 
 /// Returns the interactive page.
@@ -131,7 +131,7 @@ fn engine_script(report: &Report) -> String {
     )
 }
 
-/// Nothing comes from elsewhere, but for the version that an open page asks for.
+/// Nothing comes from elsewhere, except for the version that an open page asks for.
 fn content_policy(report: &Report) -> String {
     let follow = match report.version {
         Some(_) => " 'self' file:",
@@ -168,9 +168,10 @@ mod tests {
     use crate::javascript::MODULE;
     use std::collections::BTreeSet;
 
-    /// What a page takes to compute, beside the programs, which are 78,000 bytes for the largest mechanism of the gallery: the two may have 150 KiB, 153,600 bytes.
-    /// A machine of four of them with all sensitivities, the example `knitting_machine`, has 166,000 bytes of programs.
-    /// Only a page with a cyclogram has what computes that.
+    /// The code with which a page computes, besides the programs, which are 78,000 bytes for the
+    /// largest mechanism of the gallery. Both together may have 150 KiB, 153,600 bytes. A machine
+    /// of four of them with all sensitivities, the example `knitting_machine`, has 166,000 bytes of
+    /// programs. Only a page with a cyclogram has the code for it.
     #[test]
     fn what_computes_is_small() {
         let all = [&ENGINE.join("\n"), OTHERS, &LIVE.join("\n"), LIVE_STYLE];

@@ -1,4 +1,5 @@
-//! One colour for one quantity: in plots and legends, along the path of its point, on paper and on the page.
+//! One colour for one quantity: in plots and legends, along the path of its point, on paper and on
+//! the page.
 
 use std::collections::BTreeMap;
 use std::vec::Vec;
@@ -14,20 +15,20 @@ pub(super) struct Palette {
     of: BTreeMap<&'static str, Assigned>,
 }
 
-/// What a quantity has got.
+/// The colour that a quantity has been assigned.
 #[derive(Clone, Copy, Debug)]
 struct Assigned {
     hue: usize,
-    /// How many quantities of its unit were there before.
+    /// The number of earlier quantities of the same unit.
     rank: usize,
 }
 
-/// How a curve looks.
+/// The look of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Style {
-    /// Which of the colours of curves.
+    /// The number of the colour among those of curves.
     pub(super) hue: usize,
-    /// Which of the ways of being dashed.
+    /// The number of the dash pattern.
     pub(super) dash: usize,
 }
 
@@ -35,8 +36,8 @@ pub(super) struct Style {
 pub(super) const DASHES: usize = 4;
 
 impl Style {
-    /// Of one of several curves about which nothing is known but their order: with the colours, 28 that can be told apart, and four
-    /// without any colour.
+    /// Returns the style of a curve that is known by its order only. With the colours, 28 curves
+    /// can be distinguished, and four without any colour.
     pub(super) const fn numbered(index: usize) -> Self {
         Self {
             hue: index,
@@ -50,7 +51,7 @@ impl Style {
 }
 
 impl Palette {
-    /// What the curve of a column looks like.
+    /// Returns the style of the curve of a column.
     pub(super) fn style(&self, column: &str) -> Option<Style> {
         let (quantity, component) = components(column);
         let Assigned { hue, rank } = *self.of.get(quantity)?;
@@ -106,12 +107,13 @@ pub(super) fn palette(report: &Report) -> Palette {
 #[derive(Default)]
 struct Assignment {
     of: BTreeMap<&'static str, Assigned>,
-    /// How often a unit has each colour.
+    /// The number of uses of each colour in a unit.
     units: BTreeMap<&'static str, [usize; CURVES]>,
 }
 
 impl Assignment {
-    /// A colour that is rare in its unit, whose quantities meet in a panel, then one that is rare at all.
+    /// A colour that is rare in its unit, whose quantities meet in a panel, then one that is rare
+    /// at all.
     fn give(&mut self, name: &'static str, unit: &'static str) -> Assigned {
         if let Some(given) = self.of.get(name) {
             return *given;

@@ -1,4 +1,4 @@
-//! Which columns share a panel in the plots that are made unasked.
+//! Grouping of columns into panels in the plots that a report makes by itself.
 
 use std::vec::Vec;
 
@@ -7,7 +7,8 @@ use super::plot::Plot;
 
 /// Curves in one panel.
 pub(super) const TOGETHER: usize = 6;
-/// A panel is at most this much higher than the stroke of its largest curve: with more, all would be flat.
+/// A panel is at most this much higher than the stroke of its largest curve: with more, all would
+/// be flat.
 const FLATTEST: f64 = 2.5;
 
 /// Name, unit and values of a column.

@@ -78,8 +78,8 @@ pub(super) fn plot_errors(report: &Report) -> Result<Option<Plot>, ReportError> 
     Ok(Some(plot))
 }
 
-/// The plots that belong to a report, with their names: values and derivatives of each function, true velocities and
-/// accelerations, errors by tolerances.
+/// The plots that belong to a report, with their names: values and derivatives of each function,
+/// true velocities and accelerations, errors by tolerances.
 pub(super) fn all_plots(report: &Report) -> Result<Vec<(String, Plot)>, ReportError> {
     let rates = rates::true_rates(report);
     let sensitive = accuracy::sensitive(report);
@@ -226,8 +226,8 @@ fn banded(plot: Plot, table: &Saved, sensitive: &[Sensitive<'_>]) -> Plot {
         })
 }
 
-/// Whether a column is in the plots that are made unasked: sensitivities are too many, and points of the picture are in the
-/// drawing.
+/// Returns true for a column in the plots that a report makes by itself. Sensitivities are too
+/// many, and points of the picture are in the drawing.
 fn is_plotted(column: &Column) -> bool {
     match column.meaning {
         Meaning::Value | Meaning::Rate { .. } | Meaning::Margin => true,

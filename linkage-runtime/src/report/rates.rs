@@ -78,8 +78,8 @@ fn true_unit(report: &Report, table: &Saved, column: &Column, order: u32) -> Str
     per_second(&numerator(column.unit, &per), order)
 }
 
-/// The first derivative of the quantity of which a column is the second one: in the same table, or in another one that
-/// has the quantity under the same name.
+/// The first derivative of the quantity of which a column is the second one: in the same table, or
+/// in another one that has the quantity under the same name.
 pub(super) fn first_derivative<'a>(
     report: &'a Report,
     table: &Saved,

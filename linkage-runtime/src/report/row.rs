@@ -1,4 +1,4 @@
-//! A figure and what it is about.
+//! A figure and its quantity.
 
 use std::string::String;
 
@@ -7,7 +7,7 @@ use std::string::String;
 pub struct SummaryRow {
     /// The quantity that it is about, such as `p10.x`.
     pub quantity: String,
-    /// What it is: `stroke`, `highest`, `smallest transmission angle`.
+    /// The kind of figure: `stroke`, `highest`, `smallest transmission angle`.
     pub what: String,
     /// Its value.
     pub value: f64,

@@ -52,7 +52,8 @@ impl<'a> Shown<'a> {
             .all(f64::is_finite)
     }
 
-    /// The shortest and the longest way of a guide's slider from its origin over the range; 0 where nothing is finite.
+    /// The shortest and the longest way of a guide's slider from its origin over the range; 0 where
+    /// nothing is finite.
     pub(super) fn travel(&self, guide: &Guide) -> [f64; 2] {
         let rows = 0..self.rows();
         let ways = rows.map(|row| {
@@ -69,8 +70,8 @@ impl<'a> Shown<'a> {
         if low > high { [0.0; 2] } else { [low, high] }
     }
 
-    /// Where a guide's line begins and ends, as ways from its origin: as far as the slider goes, and on to the origin where
-    /// the line is a link's that has it.
+    /// Returns the ends of a guide's line, as distances from its origin: the range of the slider,
+    /// extended to the origin where the line belongs to a link that has it.
     pub(super) fn rail(&self, guide: &Guide) -> [f64; 2] {
         let [low, high] = self.travel(guide);
         let links = self.picture.links;
@@ -99,14 +100,14 @@ pub(super) fn find_picture(report: &Report) -> Option<Shown<'_>> {
     })
 }
 
-/// The notes, and what there is to say of the picture.
+/// Returns the notes of the report and those of the picture.
 pub(super) fn all_notes(report: &Report) -> Vec<String> {
     let shown = find_picture(report);
     let missing = shown.map_or_else(Vec::new, |shown| told_of_missing(shown.picture));
     report.notes.iter().cloned().chain(missing).collect()
 }
 
-/// Whether there is a picture, and a position at which all of it can be drawn.
+/// Returns true if there is a picture, and a position at which all of it can be drawn.
 pub(super) fn is_drawable(report: &Report) -> bool {
     find_picture(report).is_some_and(|shown| (0..shown.rows()).any(|row| shown.is_assembled(row)))
 }
@@ -131,7 +132,7 @@ pub(super) fn traced_points(report: &Report, picture: &Picture) -> Vec<usize> {
     }
 }
 
-/// What is said of loops that are not drawn, and of points that no link carries.
+/// Returns the notes about loops that are not drawn, and about points that no link carries.
 pub(super) fn told_of_missing(picture: &Picture) -> Vec<String> {
     let undrawn = told_of_undrawn_loops(picture);
     undrawn

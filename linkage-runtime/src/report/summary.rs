@@ -25,9 +25,10 @@ impl Report {
         self
     }
 
-    /// Limits, stroke, extreme velocities and accelerations and the time ratio of a quantity, from its [`Course`] over the
-    /// range. `unit` is the unit of the quantity. With a [`speed`](Self::speed), also the true velocities and, for a
-    /// constant speed, accelerations. Extreme derivatives at the border of a gap are left out.
+    /// Limits, stroke, extreme velocities and accelerations and the time ratio of a quantity, from
+    /// its [`Course`] over the range. `unit` is the unit of the quantity. With a
+    /// [`speed`](Self::speed), also the true velocities and, for a constant speed, accelerations.
+    /// Extreme derivatives at the border of a gap are left out.
     #[must_use]
     pub fn course<const N: usize, F: Fn(f64) -> [f64; N]>(
         mut self,
@@ -59,7 +60,8 @@ impl Report {
         self.summary(rows)
     }
 
-    /// A dwell of a quantity: where it begins and ends, how long it lasts, and how much the quantity moves to and fro.
+    /// A dwell of a quantity: where it begins and ends, how long it lasts, and how much the
+    /// quantity moves to and fro.
     #[must_use]
     pub fn dwell(
         self,
@@ -116,7 +118,8 @@ fn course_rows(report: &Report, figures: &Figures) -> Vec<SummaryRow> {
                 let what = format!("{what}{name}");
                 let value = factor * extreme.value;
                 rows.push(
-                    SummaryRow::new(figures.quantity.as_str(), what, value, unit).at_input(extreme.at),
+                    SummaryRow::new(figures.quantity.as_str(), what, value, unit)
+                        .at_input(extreme.at),
                 );
             }
         };

@@ -1,13 +1,14 @@
-//! Groups of DXF: a number that says what is meant, and a value, on a line each.
+//! Groups of DXF: a number with the kind of the value, and the value, on a line each.
 //!
-//! Written here: the crate that reads and writes DXF rounds to twelve decimals and puts the time and a random number into every file, so
-//! that reports that are the same would differ, and brings decoders of images.
+//! Written here: the crate that reads and writes DXF rounds to twelve decimals and puts the time
+//! and a random number into every file, so that reports that are the same would differ, and brings
+//! decoders of images.
 
 use core::fmt::{Display, Write};
 use std::format;
 use std::string::String;
 
-/// Where an entity belongs to.
+/// The layer of an entity.
 #[derive(Clone, Copy)]
 pub(super) enum Layer {
     Links,
@@ -25,7 +26,7 @@ pub(super) enum Layer {
 
 /// The numbers of its strong colours begin with 10, and are ten apart.
 const HUES: usize = 24;
-/// From one part to the next: neighbours differ much, and all hues have their turn.
+/// Step from one part to the next: neighbours differ much, and all hues have their turn.
 const NEXT_HUE: usize = 7;
 
 impl Layer {

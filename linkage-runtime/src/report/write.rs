@@ -54,7 +54,7 @@ pub(super) fn write_report(
     for (name, plot) in plots::all_plots(report)? {
         files.push((folder.join(format!("plots/{name}.svg")), plot.svg()?));
     }
-    // Put in its place last: who loads the page anew then finds the new one.
+    // Put in its place last: who reloads the page then finds the new one.
     if let Some(version) = report.version {
         let text = format!("linkageVersion({version});\n");
         files.push((folder.join("version.js"), text));

@@ -1,15 +1,17 @@
-//! Numbers of assemblies: those of the list at the reference input, wherever else assemblies are listed.
+//! Numbers of assemblies: those of the list at the reference input, wherever else assemblies are
+//! listed.
 
 use linkage_runtime::{Circuits, Estimate};
 
 use crate::engine::Assembly;
 use crate::mechanism::Mechanism;
 
-/// How near an assembly is to itself, computed in two ways; a share of the size of the mechanism.
+/// Distance of an assembly computed in two ways from itself, at most; a share of the size of the
+/// mechanism.
 const SAME: f64 = 1e-6;
 
-/// For each assembly over the range, its number in the list at the reference input; the next ones for those that do not
-/// reach it.
+/// For each assembly over the range, its number in the list at the reference input; the next ones
+/// for those that do not reach it.
 pub(super) fn numbers(
     mechanism: &Mechanism,
     dimensions: &[f64],
@@ -47,7 +49,7 @@ pub(super) fn numbers(
     numbered.collect()
 }
 
-/// Whether all unknowns are in the same places.
+/// Returns true if all unknowns are in the same places.
 fn is_same(a: &[Estimate], b: &[Estimate]) -> bool {
     let numbers =
         |estimate: &Estimate| estimate.numbers.iter().map(|x| x.abs()).fold(0.0, f64::max);

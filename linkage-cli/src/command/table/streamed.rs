@@ -11,7 +11,8 @@ use super::super::course::Along;
 use crate::engine::Assembly;
 use crate::mechanism::Mechanism;
 
-/// How many numbers of a table in JSON are held, where column stands after column: those of 361 positions always.
+/// Numbers of a table in JSON that are held, where column follows column: those of 361 positions
+/// always.
 const HELD: usize = 1 << 18;
 
 /// A column with its name and unit.
@@ -125,8 +126,8 @@ impl<'a> Streamed<'a> {
         )
     }
 
-    /// All columns. The rows are computed as often as needed: each time the next column is written meanwhile, and as many
-    /// after it as can be held.
+    /// All columns. The rows are computed as often as needed: each time the next column is written
+    /// meanwhile, and as many after it as can be held.
     fn columns_in_json(&mut self, out: &mut dyn Write) -> io::Result<()> {
         let count = self.columns.len();
         let rows = self.along.positions.count;

@@ -6,7 +6,7 @@ use core::fmt;
 use super::Refusals;
 use crate::words::rounded;
 
-/// One sentence, without what refused none.
+/// One sentence, without causes that refused no start.
 impl fmt::Display for Refusals {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(

@@ -1,4 +1,4 @@
-//! What is wrong with what was given.
+//! Checks of the inputs of an identification.
 
 use alloc::string::ToString;
 use alloc::vec::Vec;

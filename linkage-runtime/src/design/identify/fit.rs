@@ -11,15 +11,16 @@ use crate::design::least_squares::{State, minimise};
 use crate::design::limits::Limits;
 use crate::design::normal::Normal;
 
-/// The most evaluations of a fit: a hundred times what one near its start takes.
+/// The most evaluations of a fit: a hundred times those of a fit that begins near its end.
 const STEPS: usize = 1000;
-/// What a change of all parameters over their ranges counts, in standard deviations of readings, while the sum of
-/// squares is made least: it keeps what readings do not determine near its start. It is taken out again afterwards.
+/// The weight of a change of all parameters over their ranges, in standard deviations of readings,
+/// during the descent. It keeps combinations that readings do not determine near their start, and
+/// is taken out again afterwards.
 const HOLD: f64 = 0.1;
 /// The most steps without it: one takes out all but the curvature.
 pub(super) const POLISH: usize = 3;
 
-/// The least sum of squares, with a hold on what readings do not determine.
+/// Returns the least sum of squares, with a hold on combinations that readings do not determine.
 pub(super) fn descend<M: Dimensions<N> + Copy, A, const N: usize>(
     identification: &Identification<'_, M, A, N>,
     limits: &Limits,
@@ -47,7 +48,8 @@ pub(super) fn descend<M: Dimensions<N> + Copy, A, const N: usize>(
     }
 }
 
-/// Without the hold on what is determined; what is at a bound stays there, and so does all the rest then.
+/// Removes the hold from determined combinations. Parameters at a bound stay there, and then all
+/// others stay, too.
 pub(super) fn polished<M: Dimensions<N> + Copy, A, const N: usize>(
     identification: &Identification<'_, M, A, N>,
     limits: &Limits,
@@ -68,7 +70,8 @@ pub(super) fn polished<M: Dimensions<N> + Copy, A, const N: usize>(
             break;
         }
         let there = Determined::new(&rows, ranges, rows::estimates_deviations(identification));
-        // The same number of combinations is determined, and the sum of squares grows by rounding at most.
+        // The same number of combinations is determined, and the sum of squares grows by rounding
+        // at most.
         if there.rank != found.rank || there.sum > found.sum * (1.0 + 1e-9) {
             break;
         }

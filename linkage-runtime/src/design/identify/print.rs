@@ -8,10 +8,11 @@ use super::Identified;
 use super::identified::pairs;
 use crate::words::rounded;
 
-/// Correlations above this size are printed: the one parameter alone would be known more than twice as well.
+/// Correlations above this size are printed: the one parameter alone would be known more than twice
+/// as well.
 const STRONG: f64 = 0.9;
 
-/// Estimates with standard errors, what is not determined, strong correlations, outliers.
+/// Estimates with standard errors, undetermined combinations, strong correlations, outliers.
 impl<M, const N: usize> fmt::Display for Identified<M, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let width = self

@@ -1,4 +1,4 @@
-//! What was measured, or could be: quantities of a generated function at inputs.
+//! Readings that exist or are possible: quantities of a generated function at inputs.
 
 use alloc::boxed::Box;
 use alloc::string::{String, ToString};
@@ -11,15 +11,15 @@ use crate::design::DesignError;
 use crate::design::columns::{Number, Numbers};
 use crate::{Dimensions, Heading, Parameter, Table};
 
-/// A quantity at positions of the input, with readings or without: `Measured::new("tracer", values)` was measured,
-/// `Measured::offer("psi")` could be.
+/// A quantity at positions of the input, with readings or without: `Measured::new("tracer",
+/// values)` was measured, `Measured::offer("psi")` could be.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
     quantity: String,
-    /// By position; `None` if nothing was read.
+    /// Readings by position; `None` if nothing was read.
     values: Option<Vec<Vec<f64>>>,
     inputs: Vec<f64>,
-    /// By position, or one row for all.
+    /// Standard deviations by position, or one row for all.
     deviations: Vec<Vec<f64>>,
 }
 
@@ -51,16 +51,18 @@ impl Measured {
         self
     }
 
-    /// The standard deviation of each number of the quantity, the same at all positions, in its unit.
+    /// The standard deviation of each number of the quantity, the same at all positions, in its
+    /// unit.
     ///
-    /// Without deviations all readings are taken to be as good as each other, and how good is found from their scatter.
+    /// Without deviations all readings are taken to be as good as each other, and how good is found
+    /// from their scatter.
     #[must_use]
     pub fn deviations<const K: usize>(mut self, deviations: [f64; K]) -> Self {
         self.deviations = vec![deviations.to_vec()];
         self
     }
 
-    /// As [`deviations`](Self::deviations), for each position.
+    /// Sets standard deviations as [`deviations`](Self::deviations) does, for each position.
     #[must_use]
     pub fn deviations_each<const K: usize>(
         mut self,
@@ -70,8 +72,8 @@ impl Measured {
         self
     }
 
-    /// The quantity and its sensitivities are in the columns of this function, a `_sweep_sets_into` method such as
-    /// `FourBarAssembly::path_sweep_sets_into`.
+    /// The quantity and its sensitivities are in the columns of this function, a `_sweep_sets_into`
+    /// method such as `FourBarAssembly::path_sweep_sets_into`.
     #[must_use]
     pub fn computed_by<M, A, C, F, const N: usize>(self, function: F) -> Readings<M, A, C, F, N>
     where
@@ -101,7 +103,7 @@ pub(super) struct ReadingRow {
     pub(super) unit: &'static str,
     pub(super) input_name: &'static str,
     pub(super) input: f64,
-    /// What was read; NaN if nothing was.
+    /// The reading, NaN if there is none.
     pub(super) reading: f64,
     /// The value minus the reading, without whole turns of an angle.
     pub(super) difference: f64,
@@ -110,14 +112,14 @@ pub(super) struct ReadingRow {
     pub(super) slopes: Vec<f64>,
 }
 
-/// What rows come from.
+/// A source of rows.
 pub(super) trait Source<M, A> {
     fn check(&self, parameters: &[Parameter], unknown: &[usize]) -> Vec<DesignError>;
-    /// Whether standard deviations are given.
+    /// Returns true if standard deviations are given.
     fn has_deviations(&self) -> bool;
     fn quantity(&self) -> &str;
-    /// What else the function has with derivatives by all unknown parameters, at the same inputs, as if each number had a standard deviation
-    /// of 1.
+    /// Returns the other numbers of the function with derivatives with respect to all unknown
+    /// parameters, at the same inputs, as if each number had a standard deviation of 1.
     fn beside(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<ReadingRow>;
     /// All rows of a mechanism, missing readings left out.
     fn rows(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<ReadingRow>;
@@ -239,7 +241,8 @@ where
             ..
         } = columns.heading();
         let heading = &all[number.value];
-        // Parameters that the list of sensitivities leaves out are no unknowns: the check has seen to it.
+        // Parameters that the list of sensitivities leaves out are no unknowns: the check has seen
+        // to it.
         let places = unknown.iter().filter_map(|index| {
             let sensitivity = number
                 .sensitivities

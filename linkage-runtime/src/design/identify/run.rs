@@ -15,15 +15,16 @@ impl<M, A, const N: usize> Identification<'_, M, A, N>
 where
     M: Dimensions<N> + Copy,
 {
-    /// The estimate, with all that can be told of it.
+    /// Returns the estimate with its errors.
     ///
-    /// It is verified without the descent: its sum of squares is not larger than that of the start, and it has standard errors where
-    /// no step within the bounds makes the sum smaller; see [`converged`](Identified::converged).
+    /// It is verified without the descent: its sum of squares is not larger than that of the start,
+    /// and it has standard errors where no step within the bounds makes the sum smaller; see
+    /// [`converged`](Identified::converged).
     ///
     /// # Errors
     ///
-    /// All that is wrong with what was given, together; `StartOpen` if the mechanism does not assemble at an input,
-    /// `Unsettled` if no least sum of squares is found.
+    /// All that is wrong with what was given, together; `StartOpen` if the mechanism does not
+    /// assemble at an input, `Unsettled` if no least sum of squares is found.
     pub fn run(&self) -> Result<Identified<M, N>, DesignError> {
         let (unknown, limits) = check::check(self)?;
         let mut start: Vec<f64> = unknown

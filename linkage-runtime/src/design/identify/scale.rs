@@ -1,4 +1,4 @@
-//! By how much parameters may be off, and how exactly other quantities would be read.
+//! Scales of errors: of parameters, and of quantities that were not read.
 
 use alloc::vec::Vec;
 
@@ -7,8 +7,9 @@ use super::setup::Identification;
 use crate::Dimensions;
 use crate::design::limits::Limits;
 
-/// What the functions in use have beside what was read, as if it were read as exactly: numbers of the same unit, and lengths and angles by
-/// the largest length. Of other units nobody can say.
+/// Returns the rows of the other quantities of the functions in use, as if they were read as
+/// exactly: numbers of the same unit, and lengths and angles by the largest length. Quantities of
+/// other units are left out.
 pub(super) fn unread_rows<M: Dimensions<N> + Copy, A, const N: usize>(
     identification: &Identification<'_, M, A, N>,
     mechanism: &M,
@@ -51,8 +52,9 @@ fn largest_length<M: Dimensions<N> + Copy, A, const N: usize>(
     lengths.fold(0.0, |most, (_, value)| most.max(value.abs()))
 }
 
-/// By how much each parameter may be off: between its bounds, or by its own size; by the largest length where a
-/// length is 0 or nearly, by one radian for an angle, and by 1 for a number that is 0.
+/// Returns the possible error of each parameter: the distance of its bounds, or its own size. It is
+/// the largest length where a length is 0 or nearly, one radian for an angle, and 1 for a number
+/// that is 0.
 pub(super) fn ranges<M: Dimensions<N> + Copy, A, const N: usize>(
     identification: &Identification<'_, M, A, N>,
     limits: &Limits,
@@ -76,7 +78,7 @@ pub(super) fn ranges<M: Dimensions<N> + Copy, A, const N: usize>(
     (0..start.len()).map(range).collect()
 }
 
-/// Whether a unit is one of lengths, as far as parameters have others: angles and numbers.
+/// Returns true for a unit of lengths; parameters without it are angles and numbers.
 fn is_length(unit: &str) -> bool {
     !unit.is_empty() && unit != "rad" && !unit.contains(['/', '*', '^'])
 }

@@ -1,7 +1,8 @@
-//! Whether an estimate is where the sum of squares is least.
+//! Checks that an estimate is where the sum of squares is least.
 //!
-//! A descent also ends where the mechanism falls apart: beside a flat triangle no step leads on, derivatives grow without
-//! limit, and standard errors from them are as small as one likes. So an estimate is looked at without the descent.
+//! A descent also ends where the mechanism falls apart: at a flat triangle no step leads on,
+//! derivatives grow without limit, and standard errors from them become arbitrarily small.
+//! Therefore an estimate is checked without the descent.
 
 use alloc::vec::Vec;
 
@@ -24,7 +25,8 @@ struct Step {
     length: f64,
 }
 
-/// Whether no step within the bounds makes the sum of squares smaller; such steps are made before it is denied.
+/// Returns true if no step within the bounds makes the sum of squares smaller. Such steps are made
+/// before it returns false.
 pub(super) fn settle<M: Dimensions<N> + Copy, A, const N: usize>(
     identification: &Identification<'_, M, A, N>,
     limits: &Limits,
@@ -65,7 +67,8 @@ impl Determined {
         length <= SETTLED * self.deviation() || self.is_nothing(length)
     }
 
-    /// The step of all parameters but those that are at a bound with the sum of squares falling beyond it.
+    /// The step of all parameters but those that are at a bound with the sum of squares falling
+    /// beyond it.
     fn within(&self, limits: &Limits, x: &[f64]) -> Step {
         let n = x.len();
         let slope = |j: usize| self.jacobian.column(j).dot(&self.differences);

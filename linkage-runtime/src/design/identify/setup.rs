@@ -9,10 +9,12 @@ use super::reading::{Direct, Readings, Sources};
 use crate::design::varied::Freedom;
 use crate::{Dimensions, Table};
 
-/// An identification: dimensions of a mechanism that exists, from readings of its positions, by least squares.
+/// An identification: dimensions of a mechanism that exists, from readings of its positions, by
+/// least squares.
 ///
-/// It begins with dimensions that are nearly right, and stays in their assembly. Sums of squares are of differences
-/// over standard deviations, so that for normally distributed errors the estimate is the most likely one.
+/// It begins with dimensions that are nearly right, and stays in their assembly. Sums of squares
+/// are of differences over standard deviations, so that for normally distributed errors the
+/// estimate is the most likely one.
 pub struct Identification<'a, M, A, const N: usize> {
     pub(super) start: M,
     pub(super) assembly: A,
@@ -28,8 +30,8 @@ impl<'a, M, A, const N: usize> Identification<'a, M, A, N>
 where
     M: Dimensions<N> + Copy,
 {
-    /// From these dimensions, in this assembly of them; all parameters are taken to be right unless they are
-    /// [`unknown`](Self::unknown).
+    /// Starts from these dimensions, in this assembly of them. All parameters are taken to be right
+    /// unless they are [`unknown`](Self::unknown).
     #[must_use]
     pub fn new(start: M, assembly: A) -> Self {
         Self {
@@ -59,7 +61,7 @@ where
         self
     }
 
-    /// What was measured. There may be several quantities.
+    /// Adds readings. There may be several quantities.
     #[must_use]
     pub fn measured<C, F>(mut self, readings: Readings<M, A, C, F, N>) -> Self
     where
@@ -72,8 +74,8 @@ where
         self
     }
 
-    /// What could be measured, too: [`Measured::offer`]. Of these is told which would determine what the readings do
-    /// not.
+    /// Adds possible readings: [`Measured::offer`]. The result lists those that would determine the
+    /// undetermined combinations.
     #[must_use]
     pub fn offered<C, F>(mut self, readings: Readings<M, A, C, F, N>) -> Self
     where

@@ -1,4 +1,4 @@
-//! What readings do not determine, in words, and what would.
+//! Combinations that readings do not determine, as text, and readings that would.
 
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -13,22 +13,23 @@ use super::named::Named;
 use super::reading::ReadingRow;
 use crate::words::rounded;
 
-/// A combination of parameters that the readings do not determine: it stays as near as can be to where the fit began.
+/// A combination of parameters that the readings do not determine: it stays as near as can be to
+/// where the fit began.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Undetermined {
     /// The parameters, and by how much they change together.
     pub parts: Vec<(&'static str, f64)>,
-    /// Whether it changes no reading at all; otherwise it changes them, over its whole range, by less than one standard
-    /// deviation.
+    /// True if it changes no reading at all. Otherwise it changes them, over its whole range, by
+    /// less than one standard deviation.
     pub exactly: bool,
-    /// What it is.
+    /// Its description.
     pub words: String,
-    /// Which quantities would determine it, the best first: those that were offered, and all others of the functions in use, at the inputs at
-    /// which these were read.
+    /// Quantities that would determine it, the best first: those that were offered, and all others
+    /// of the functions in use, at the inputs at which these were read.
     pub remedies: Vec<Remedy>,
 }
 
-/// What would determine a combination.
+/// A quantity that would determine a combination.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Remedy {
     /// The quantity.
@@ -37,15 +38,16 @@ pub struct Remedy {
     pub input_name: &'static str,
     /// The offered input at which it tells most.
     pub input: f64,
-    /// By how many standard deviations it changes there, when the combination changes over its range.
+    /// Its change there, in standard deviations, when the combination changes over its range.
     pub change: f64,
 }
 
 /// Directions that differ by less than this sine are one.
 const APART: f64 = 0.05;
 
-/// All combinations that are not determined, those that change nothing first; of each kind the simplest first: single
-/// parameters, a common scale, rotation or shift, pairs, and what is left.
+/// Returns all combinations that are not determined, those that change nothing first. Within both
+/// kinds the simplest come first: single parameters, a common scale, rotation or shift, pairs, and
+/// the rest.
 pub(super) fn undetermined(
     named: &Named,
     found: &Determined,

@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-/// Which row it is, so that it is known again at another place.
+/// The identity of a row, with which it is found at another place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Key {
     /// The one with this number.
@@ -27,7 +27,8 @@ pub(crate) struct Groups {
     pub(crate) objective: Vec<Row>,
     /// None of them may be above zero; 1 is a violation that matters.
     pub(crate) conditions: Vec<Vec<Row>>,
-    /// Rows of whose squares the objective is the sum, if it is one: most of its curvature is known from them.
+    /// Rows of whose squares the objective is the sum, if it is one: most of its curvature is known
+    /// from them.
     pub(crate) squares: Vec<Row>,
 }
 
@@ -36,17 +37,17 @@ impl Groups {
         largest(&self.objective)
     }
 
-    /// By how much each condition is violated.
+    /// Returns the violation of each condition.
     pub(crate) fn excesses(&self) -> impl Iterator<Item = f64> {
         self.conditions.iter().map(|rows| largest(rows).max(0.0))
     }
 
-    /// By how much the worst condition is violated.
+    /// Returns the violation of the worst condition.
     pub(crate) fn excess(&self) -> f64 {
         self.excesses().fold(0.0, f64::max)
     }
 
-    /// What all violations cost at a price of 1.
+    /// Returns the cost of all violations at a price of 1.
     pub(super) fn missed(&self) -> f64 {
         self.excesses().map(cost).sum()
     }
@@ -63,19 +64,21 @@ pub(crate) fn largest(rows: &[Row]) -> f64 {
         .fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// What a violation costs at a price of 1. The square keeps the quadratic programs strictly convex; the slope at zero makes it exact.
+/// Returns the cost of a violation at a price of 1. The square keeps the quadratic programs
+/// strictly convex; the slope at zero makes it exact.
 pub(super) fn cost(excess: f64) -> f64 {
     excess + 0.5 * excess * excess
 }
 
-/// How a search begins and ends.
+/// The settings of a search.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Search {
-    /// How far each variable may go in the first step. They are measured by it.
+    /// The length of the first step in each variable. Variables are measured by it.
     pub(crate) reach: Vec<f64>,
-    /// Where steps promise less than this the search ends, if the first-order conditions hold.
+    /// The search ends where steps promise less than this, if the first-order conditions hold.
     pub(crate) precision: f64,
-    /// They hold where no step as long as the first one makes the objective, and what violations cost, smaller by more than this, to first order.
+    /// They hold where no step as long as the first one makes the objective and the cost of
+    /// violations smaller by more than this, to first order.
     pub(crate) slope: f64,
     /// A violation that is none.
     pub(crate) tolerance: f64,

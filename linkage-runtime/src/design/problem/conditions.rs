@@ -1,4 +1,4 @@
-//! Which conditions do not hold, by how much, and which are in the way.
+//! Conditions that do not hold, with the size of the violation, and conditions in the way.
 
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -8,14 +8,16 @@ use super::super::violation::Violation;
 use super::Problem;
 use crate::Dimensions;
 
-/// A condition that is violated by less than this part of its size holds: the last step met it to second order.
+/// A condition that is violated by less than this part of its size holds: the last step met it to
+/// second order.
 const HOLDS: f64 = 1e-9;
 
 /// One that has less to spare than this part of it is in the way: descents end that near to it.
 const ACTIVE: f64 = 1e-6;
 
-/// What the bounds' widths do to a condition counts as its size up to this many times the size of its own numbers. So no condition
-/// holds that is violated by more than a millionth of these.
+/// The effect of the bounds' widths on a condition counts as its size up to this many times the
+/// size of its own numbers. So no condition holds that is violated by more than a millionth of
+/// these.
 const MOST: f64 = 1e3;
 
 /// A row of a condition in a mechanism.
@@ -23,12 +25,12 @@ struct ConditionRow {
     /// The number of its wish.
     wish: usize,
     value: f64,
-    /// What its value is compared with.
+    /// The size with which its value is compared.
     size: f64,
 }
 
 impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
-    /// Whether all conditions hold.
+    /// Returns true if all conditions hold.
     pub(crate) fn meets(&self, at: &Normal) -> bool {
         self.violations(at).is_empty()
     }

@@ -1,4 +1,4 @@
-//! Whether designs can be compared.
+//! Contradictions between the designs of a comparison.
 
 use std::string::{String, ToString};
 use std::vec::Vec;
@@ -161,7 +161,8 @@ mod tests {
         assert_eq!(nothing, "a comparison without a design; add some");
     }
 
-    /// Words end neither the page's script nor its title, and a design without a picture is no obstacle.
+    /// Words end neither the page's script nor its title, and a design without a picture is no
+    /// obstacle.
     #[test]
     fn words_are_no_markup() {
         let report = report(3);

@@ -1,4 +1,4 @@
-//! What the page of a comparison has.
+//! The data of the page of a comparison.
 
 use serde_json::{Value, json};
 use std::string::{String, ToString};
@@ -10,14 +10,15 @@ use super::{Compared, Comparison};
 use crate::Meaning;
 use crate::report::{plots, shown};
 
-/// A page has no more positions of each design: two for each degree of a turn that a drawing of some hundred pixels
-/// shows would be no better.
+/// A page has no more positions of each design: two for each degree of a turn that a drawing of
+/// some hundred pixels shows would be no better.
 const MOST: usize = 361;
-/// Curves are rounded to this part of their range, or a little less: finer than a screen shows them.
+/// Curves are rounded to this part of their range, or a little less: finer than a screen shows
+/// them.
 const STEPS: f64 = 100_000.0;
 
 impl Comparison<'_> {
-    /// Everything as JSON; what is not finite is `null`.
+    /// Returns everything as JSON. A number that is not finite is `null`.
     pub(super) fn value(&self) -> Value {
         let rows = self.rows();
         let first = self.designs.first().map(|design| design.report);

@@ -10,7 +10,7 @@ use crate::report::shown;
 use crate::report::shown::Shown;
 use crate::{GuideOn, PointKind};
 
-/// How many steps the whole of a drawing has: finer than a screen shows them.
+/// The number of steps across a drawing, finer than a screen shows them.
 const STEPS: f64 = 10_000.0;
 
 /// Places in the plane of the page, over the rows that are shown.
@@ -31,7 +31,7 @@ impl<'a> Drawn<'a> {
         })
     }
 
-    /// The lowest and highest place of what is drawn, each way, over these rows.
+    /// Returns the limits of all drawn points over these rows, in both directions.
     pub(super) fn extent(&self, rows: &[usize]) -> [[f64; 2]; 2] {
         let mut extent = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
         let mut hold = |place: [f64; 2]| {
@@ -46,8 +46,8 @@ impl<'a> Drawn<'a> {
         extent
     }
 
-    /// Points with their places, links, guides of the frame and paths; indices are those of the points here. Places are
-    /// rounded to a step of the drawing.
+    /// Points with their places, links, guides of the frame and paths; indices are those of the
+    /// points here. Places are rounded to a step of the drawing.
     pub(super) fn value(&self, rows: &[usize], size: f64) -> Value {
         let step = 10f64.powf((size / STEPS).log10().floor());
         // By a whole number, which decimals are read back from as they were.
@@ -100,7 +100,7 @@ impl<'a> Drawn<'a> {
         })
     }
 
-    /// What links join and paths follow.
+    /// Returns the points that links join and paths follow.
     fn points(&self) -> Vec<usize> {
         let picture = self.shown.picture;
         let of_links = picture

@@ -1,4 +1,4 @@
-//! The order of the events of all organs, and what each of them follows.
+//! The order of the events of all organs, each with the event before it.
 
 use serde_json::{Value, json};
 use std::string::{String, ToString};

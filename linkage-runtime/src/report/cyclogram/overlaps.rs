@@ -1,4 +1,4 @@
-//! What two organs do at once.
+//! Simultaneous motions of two organs.
 
 use serde_json::{Value, json};
 use std::string::String;

@@ -21,7 +21,7 @@ pub(super) const fn index(motion: Motion) -> Option<usize> {
     }
 }
 
-/// The band of a dwell in words.
+/// The band of a dwell as text.
 pub(super) fn band(organ: &Organ, motion: Motion) -> String {
     index(motion).map_or_else(String::new, |band| organ.bands()[band].to_string())
 }

@@ -1,4 +1,4 @@
-//! Arrows: what inputs move, vectors at points.
+//! Arrows: motions of inputs, vectors at points.
 
 use std::format;
 use std::vec::Vec;
@@ -13,7 +13,8 @@ use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
 use crate::words::rounded;
 
-/// Radius of the arrow about a driven pivot, and where on its circle it begins and ends, seen from the link.
+/// Radius of the arrow about a driven pivot, and where on its circle it begins and ends, seen from
+/// the link.
 const RADIUS: f64 = 6.5;
 const ARC: [f64; 2] = [0.35, 1.75];
 /// Pieces of that arc.
@@ -68,7 +69,7 @@ fn push(
     Some(Vec::from(ends))
 }
 
-/// The lines of arrows at what the inputs move, the way it goes when they grow.
+/// Returns the lines of arrows at driven links, in the sense of growing inputs.
 pub(super) fn drive_lines(
     drawing: &Drawing<'_>,
     sheet: &Sheet<'_>,

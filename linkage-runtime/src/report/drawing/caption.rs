@@ -16,21 +16,21 @@ use crate::words::rounded;
 pub(super) const SIGN: f64 = 7.0;
 const SEEN: f64 = 0.4;
 
-/// What the words below the drawing take of the sheet.
+/// Height of the words below the drawing.
 pub(super) const FOOT: f64 = 11.0;
-/// Where the title ends, and lines of notes below it.
+/// Height of the title, and of a line of notes below it.
 const TITLE: f64 = 10.5;
 const NOTE: f64 = 4.5;
 
 /// The scale bar is about this long on paper.
 const LENGTH: f64 = 30.0;
 
-/// Where title and notes end.
+/// Returns the height of title and notes.
 pub(super) fn title_end(drawing: &Drawing<'_>) -> f64 {
     TITLE + NOTE * notes(drawing).len() as f64
 }
 
-/// What is to be said of the mechanism below the title.
+/// Returns the notes about the mechanism below the title.
 fn notes(drawing: &Drawing<'_>) -> Vec<String> {
     let rows = 0..drawing.report.positions.len();
     let missing = rows.filter(|row| !drawing.shown.is_assembled(*row)).count();
@@ -129,7 +129,7 @@ pub(super) fn sign_at(width: f64) -> [f64; 2] {
     [width - 16.0, 16.0]
 }
 
-/// Where the axes of space point.
+/// Draws the directions of the axes of space.
 fn axis_sign(svg: &mut Svg, at: [f64; 2], axes: [[f64; 2]; 3]) {
     svg.group(Element::new("g").class("axes"), |svg| {
         for (name, [x, y]) in ["x", "y", "z"].into_iter().zip(axes) {

@@ -1,4 +1,4 @@
-//! What names keep clear of.
+//! Areas that names keep clear of.
 
 use std::vec::Vec;
 
@@ -12,7 +12,8 @@ use super::sizes::{BEYOND, BLOCK, FOOT, JOINT, OUTLINE};
 use super::{arrows, marks, parts, signs};
 use crate::{Guide, GuideOn, GuideShape, PointKind};
 
-/// From the middle of a frame's guide to that of its hatching, and half the width of that.
+/// Distance from the middle of a frame's guide to that of its hatching, and half the width of the
+/// hatching.
 const HATCHED: [f64; 2] = [BLOCK[1] + 0.7, 0.9];
 /// Half the width of thin lines, and of lines with heads of arrows.
 const THIN: f64 = 0.25;

@@ -13,8 +13,8 @@ use crate::report::tags::{Layer, Tags};
 use crate::words::rounded;
 use crate::{GuideShape, PicturePart, PointKind};
 
-/// Shares of the mechanism's size, the diagonal of the box about all places of its points: the radius of joints, half the length of
-/// axes, the height of letters.
+/// Shares of the mechanism's size, the diagonal of the box about all places of its points: the
+/// radius of joints, half the length of axes, the height of letters.
 const JOINT: f64 = 0.006;
 const AXIS: f64 = 0.1;
 const LETTER: f64 = 0.014;
@@ -68,7 +68,7 @@ fn bounds(drawing: &Drawing<'_>, row: usize) -> [[f64; 3]; 2] {
     })
 }
 
-/// The layer of what one part has alone; of anything else that of its kind.
+/// Returns the layer of an item that belongs to one part alone, or the layer of its kind.
 fn layer(drawing: &Drawing<'_>, kind: Layer, has: impl Fn(&PicturePart) -> bool) -> Layer {
     let parts = drawing.shown.picture.parts.iter().enumerate();
     let mut owners = parts.filter(|(_, part)| has(part));

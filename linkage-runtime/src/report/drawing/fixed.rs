@@ -1,4 +1,4 @@
-//! What does not move: pivots, guides of the frame, axes, paths.
+//! Fixed parts: pivots, guides of the frame, axes, paths.
 
 use super::geometry::moved;
 use super::options::Drawing;
@@ -12,7 +12,7 @@ use crate::{Axis, Guide, GuideOn, PointKind};
 const HATCH: [f64; 2] = [1.5, 2.0];
 /// Half the length of an axis.
 const AXIS: f64 = 9.0;
-/// A direction is vertical, but for rounding, if it goes less to the side.
+/// A direction is vertical, except for rounding, if it goes less to the side.
 const VERTICAL: f64 = 1e-9;
 
 /// A line with hatching beside it, and the slider's way above.
@@ -141,7 +141,7 @@ fn hatched(svg: &mut Svg, from: [f64; 2], to: [f64; 2], direction: [f64; 2]) {
     });
 }
 
-/// A line's direction, turned so that what is to its right is below it on paper.
+/// Returns a line's direction, turned so that its right side is below it on paper.
 pub(super) fn rightwards(direction: Option<[f64; 2]>) -> Option<[f64; 2]> {
     let [x, y] = direction?;
     let turned = x < -VERTICAL || (x.abs() <= VERTICAL && y > 0.0);

@@ -7,7 +7,8 @@ use super::sizes::LETTER_WIDTH;
 
 /// Height of a line.
 pub(super) const LINE: f64 = 5.0;
-/// Between the edges of the sheet and the entries; width and height of a swatch; between it and its name, and to the next swatch.
+/// Between the edges of the sheet and the entries; width and height of a swatch; between it and its
+/// name, and to the next swatch.
 pub(super) const LEFT: f64 = 6.0;
 pub(super) const SWATCH: [f64; 2] = [6.0, 2.4];
 pub(super) const APART: [f64; 2] = [1.8, 6.0];
@@ -20,7 +21,7 @@ pub(super) struct Entry {
     pub(super) name: &'static str,
 }
 
-/// What the legend takes of a sheet of this width.
+/// Returns the height of the legend on a sheet of this width.
 pub(super) fn height(drawing: &Drawing<'_>, width: f64) -> f64 {
     let last = entries(drawing, width).pop();
     last.map_or(0.0, |entry| LINE * (entry.line + 1) as f64)

@@ -1,4 +1,4 @@
-//! What can be asked for beside the mechanism: dimension lines, positions at equal steps of the input, ellipses of tolerance.
+//! Optional marks: dimension lines, positions at equal steps of the input, ellipses of tolerance.
 
 use std::format;
 use std::vec::Vec;
@@ -30,7 +30,8 @@ struct Measured {
     line: [[f64; 2]; 2],
 }
 
-/// Bars with room for a dimension line, from left to right, so that words stand upright. In space they would be foreshortened.
+/// Bars with room for a dimension line, from left to right, so that words stand upright. In space
+/// they would be foreshortened.
 fn measured(drawing: &Drawing<'_>, sheet: &Sheet<'_>, row: usize) -> Vec<Measured> {
     let picture = drawing.shown.picture;
     let shown = drawing.dimensions && picture.dimension == 2;
@@ -53,7 +54,7 @@ fn measured(drawing: &Drawing<'_>, sheet: &Sheet<'_>, row: usize) -> Vec<Measure
     bars.collect()
 }
 
-/// What names should keep away from: dimension lines and vectors.
+/// Returns the lines that names should keep away from: dimension lines and vectors.
 pub(super) fn marks(drawing: &Drawing<'_>, sheet: &Sheet<'_>, row: usize) -> Vec<[[f64; 2]; 2]> {
     let lines = measured(drawing, sheet, row)
         .into_iter()
@@ -108,7 +109,8 @@ pub(super) fn even_points(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_
     }
 }
 
-/// Ellipses of three standard deviations at traced points, enlarged: at the position that is shown, and at those on the paths.
+/// Ellipses of three standard deviations at traced points, enlarged: at the position that is shown,
+/// and at those on the paths.
 pub(super) fn ellipses(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
     let sensitive = accuracy::sensitive(drawing.report);
     let Some(enlarged) = drawing.enlarged else {

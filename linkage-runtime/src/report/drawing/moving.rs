@@ -10,8 +10,9 @@ use crate::report::error::ReportError;
 use crate::report::missing;
 use crate::report::svg::Svg;
 
-/// A cycle has about so many positions; between them all points move straight. Half way a link that turns once is shorter by a thousandth of
-/// its length (the cosine of 3 degrees), one that turns four times by two percent: nobody sees it, and each position is written out.
+/// A cycle has about so many positions; between them all points move straight. Half way a link that
+/// turns once is shorter by a thousandth of its length (the cosine of 3 degrees), one that turns
+/// four times by two percent: nobody sees it, and each position is written out.
 const KEYS: usize = 60;
 
 /// The drawing that moves.
@@ -33,7 +34,7 @@ pub(super) fn film(drawing: &Drawing<'_>, seconds: f64) -> Result<String, Report
     Svg::film(frames.collect(), seconds).ok_or_else(changes)
 }
 
-/// The rows that are drawn: equally far from each other, but for the last one.
+/// The rows that are drawn: equally far from each other, except for the last one.
 fn key_rows(drawing: &Drawing<'_>) -> Vec<usize> {
     let last = drawing.report.positions.len() - 1;
     if missing::is_periodic(drawing.report) {

@@ -1,5 +1,5 @@
-//! Names of points: each where nothing is below it, beside its point if there is room, otherwise at the end of a thin line. The page
-//! places them by the same rule.
+//! Names of points: each where nothing is below it, beside its point if there is room, otherwise at
+//! the end of a thin line. The page places them by the same rule.
 
 use core::f64::consts::{FRAC_PI_4, TAU};
 
@@ -14,37 +14,38 @@ use crate::PointKind;
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
 
-/// Between a name and what it keeps clear of, and between a joint and its name.
+/// Distance between a name and other shapes, and between a joint and its name.
 const CLEAR: f64 = 0.5;
 const APART: f64 = 0.8;
 /// Up to here a name seems to belong to its point without a line.
 const BESIDE: f64 = 2.2;
-/// How far away a name may be.
+/// Distances of names from their points.
 const RINGS: [f64; 11] = [0.0, 1.1, 2.2, 5.3, 8.8, 12.8, 17.6, 23.5, 30.0, 38.0, 48.0];
 /// Ways from the point, evenly spread; names are to the upper right unless something is there.
 const WAYS: usize = 16;
 const FIRST_WAY: f64 = -FRAC_PI_4;
-/// What the next way costs in millimetres of distance, and what a line to a name costs if it crosses a joint or another line.
+/// The price of the next direction in millimetres of distance, and the price of a line to a name
+/// that crosses a joint or another line.
 const TURNED: f64 = 0.27;
 const CROSSING: f64 = 8.0;
 /// Around all words.
 const EDGE: f64 = 1.0;
 
-/// Where a name may be.
+/// A candidate area for a name.
 struct Placement {
     area: Area,
-    /// From the rim of its joint to the name, if that is farther away.
+    /// The line from the rim of its joint to the name, if that is farther away.
     leader: Option<[[f64; 2]; 2]>,
     price: f64,
 }
 
-/// What names have been placed beside so far.
+/// The shapes and the names that have been placed so far.
 struct Scene {
     taken: Vec<Taken>,
     names: Vec<Area>,
     leaders: Vec<Taken>,
     joints: Vec<[f64; 2]>,
-    /// What words and title leave of the sheet.
+    /// The part of the sheet between caption and title.
     limits: Area,
 }
 
@@ -143,7 +144,7 @@ impl Scene {
         }
     }
 
-    /// How far a name is from everything; negative beyond the edges of the sheet.
+    /// Returns the distance of a name from everything else, negative beyond the edges of the sheet.
     fn room(&self, place: &Placement) -> f64 {
         let Placement { area, leader, .. } = place;
         let inside = [
@@ -176,7 +177,7 @@ impl Scene {
     }
 }
 
-/// How far along a way the middle of a box is when the box is so far from where the way begins.
+/// Returns the distance along a direction at which the middle of a box is this far from its start.
 fn away(apart: f64, [wide, high]: [f64; 2], way: [f64; 2]) -> f64 {
     let [c, s] = way.map(f64::abs);
     // Beside, above or below, otherwise with a corner.
@@ -190,7 +191,7 @@ fn away(apart: f64, [wide, high]: [f64; 2], way: [f64; 2]) -> f64 {
     middle + (middle * middle - wide * wide - high * high + apart * apart).sqrt()
 }
 
-/// From the rim of a joint to the nearest place of a box.
+/// Returns the line from the rim of a joint to the nearest place of a box.
 fn leader(at: [f64; 2], [left, top, right, bottom]: Area) -> [[f64; 2]; 2] {
     let end = [at[0].clamp(left, right), at[1].clamp(top, bottom)];
     let length = (end[0] - at[0]).hypot(end[1] - at[1]);

@@ -1,4 +1,4 @@
-//! What a drawing shows beside the mechanism.
+//! Contents and options of a drawing.
 
 use std::format;
 use std::string::{String, ToString};
@@ -16,12 +16,14 @@ use crate::report::shown::{Shown, drawn_names, point_named};
 use crate::report::tables::Saved;
 use crate::report::{check, palette, shown, tables};
 
-/// A drawing of a mechanism at one position, to scale, as a picture: links as bars, links of three and more points as
-/// plates, pivots and guides of the frame hatched, sliders, cylinders, gears as pitch circles, arrows at what the inputs move, the paths of
-/// points over the whole range, further positions as ghosts, a scale bar. What no link carries is a dashed circle.
+/// A drawing of a mechanism at one position, to scale, as a picture: links as bars, links of three
+/// and more points as plates, pivots and guides of the frame hatched, sliders, cylinders, gears as
+/// pitch circles, arrows at driven links, the paths of points over the whole range, further
+/// positions as ghosts, a scale bar. A point that no link carries is a dashed circle.
 ///
-/// A mechanism in space is seen along a given direction, from far away; lengths across it are to scale. Its joints have signs: a
-/// sleeve for a pin, a ball, a cross for a universal joint, a long sleeve for a cylindrical one.
+/// A mechanism in space is seen along a given direction, from far away; lengths across it are to
+/// scale. Its joints have signs: a sleeve for a pin, a ball, a cross for a universal joint, a long
+/// sleeve for a cylindrical one.
 #[derive(Clone, Debug)]
 pub struct Drawing<'a> {
     pub(super) report: &'a Report,
@@ -35,9 +37,9 @@ pub struct Drawing<'a> {
     pub(super) dimensions: bool,
     pub(super) ticks: usize,
     pub(super) vectors: Vec<Vector<'a>>,
-    /// How much larger than they are ellipses of tolerance are drawn, if they are.
+    /// The enlargement of ellipses of tolerance, if they are drawn.
     pub(super) enlarged: Option<f64>,
-    /// How long a cycle takes, if it moves.
+    /// The duration of a cycle, if the drawing moves.
     pub(super) seconds: Option<f64>,
     pub(super) view: View,
     pub(super) mistakes: Vec<Mistake>,
@@ -73,8 +75,8 @@ impl<'a> Drawing<'a> {
         })
     }
 
-    /// Shows the position of the report that is nearest to this input, in its unit. Without it: nearest to the input's
-    /// reference, among those that can be assembled.
+    /// Shows the position of the report that is nearest to this input, in its unit. Without it:
+    /// nearest to the input's reference, among those that can be assembled.
     #[must_use]
     pub fn position(mut self, input: f64) -> Self {
         self.position = Some(input);
@@ -104,8 +106,8 @@ impl<'a> Drawing<'a> {
         self
     }
 
-    /// The scale: 1 is the true size when the picture is printed, 0.5 half of it. Without it, the largest round scale at
-    /// which the drawing fits onto a sheet.
+    /// The scale: 1 is the true size when the picture is printed, 0.5 half of it. Without it, the
+    /// largest round scale at which the drawing fits onto a sheet.
     #[must_use]
     pub fn scale(mut self, scale: f64) -> Self {
         if scale > 0.0 && scale.is_finite() {
@@ -116,26 +118,28 @@ impl<'a> Drawing<'a> {
         self
     }
 
-    /// Whether points have their names beside them; they do unless it is turned off.
+    /// Turns the names of points on or off. They are on by default.
     #[must_use]
     pub fn names(mut self, shown: bool) -> Self {
         self.names = shown;
         self
     }
 
-    /// The direction from which a mechanism in space is seen: the angle about z, from x, and that above the plane of x and
-    /// y, both in radians. It changes nothing in the plane.
+    /// The direction from which a mechanism in space is seen: the angle about z, from x, and that
+    /// above the plane of x and y, both in radians. It changes nothing in the plane.
     #[must_use]
     pub fn view(mut self, azimuth: f64, elevation: f64) -> Self {
         self.view = self.view.from(azimuth, elevation);
         self
     }
 
-    /// Lets the mechanism run over the range of the report, again and again, in so many seconds: onward where it begins anew as it ended, else there and
-    /// back. Any browser shows it, a reader of a page beside the text, too; where SVG does not move, it stands at the first position.
+    /// Lets the mechanism run over the range of the report, again and again, in so many seconds:
+    /// onward where it begins again as it ended, else there and back. Any browser shows it, a reader
+    /// of a page beside the text, too; where SVG does not move, it stands at the first position.
     ///
-    /// It shows links, joints, guides, paths and ghosts. Names, dimensions, vectors, ellipses and the arrows of inputs belong to one position and are
-    /// left out. It is for mechanisms of the plane, a limit of ours: the page of a report moves those in space.
+    /// It shows links, joints, guides, paths and ghosts. Names, dimensions, vectors, ellipses and
+    /// the arrows of inputs belong to one position and are left out. It is for mechanisms of the
+    /// plane: the page of a report moves those in space.
     #[must_use]
     pub fn moving(mut self, seconds: f64) -> Self {
         let planar = self.shown.picture.dimension == 2;
@@ -148,22 +152,25 @@ impl<'a> Drawing<'a> {
         self
     }
 
-    /// Shows the lengths of bars on dimension lines, with their names. Links in space have none: they are foreshortened.
+    /// Shows the lengths of bars on dimension lines, with their names. Links in space have none:
+    /// they are foreshortened.
     #[must_use]
     pub fn dimensions(mut self, shown: bool) -> Self {
         self.dimensions = shown;
         self
     }
 
-    /// Marks this many points on each path, at equal steps of the input: at equal times, if it runs evenly.
+    /// Marks this many points on each path, at equal steps of the input: at equal times, if it runs
+    /// evenly.
     #[must_use]
     pub fn ticks(mut self, count: usize) -> Self {
         self.ticks = count;
         self
     }
 
-    /// An arrow at a point: a velocity, an acceleration, a force, by the name of a quantity of the report's tables, whose
-    /// components are `v.x` and `v.y`. A unit of the quantity is drawn as long as `length` units of the mechanism.
+    /// An arrow at a point: a velocity, an acceleration, a force, by the name of a quantity of the
+    /// report's tables, whose components are `v.x` and `v.y`. A unit of the quantity is drawn as
+    /// long as `length` units of the mechanism.
     #[must_use]
     pub fn vector(mut self, point: &str, quantity: &str, length: f64) -> Self {
         let picture = self.shown.picture;
@@ -201,8 +208,8 @@ impl<'a> Drawing<'a> {
         self
     }
 
-    /// Draws what tolerances do to traced points, so many times enlarged: ellipses of three standard deviations, from sensitivities
-    /// of quantities that are called as the points.
+    /// Draws the effects of tolerances on traced points, enlarged by this factor: ellipses of three
+    /// standard deviations, from sensitivities of quantities that have the names of the points.
     #[must_use]
     pub fn tolerances(mut self, enlarged: f64) -> Self {
         if !enlarged.is_finite() {
@@ -215,7 +222,7 @@ impl<'a> Drawing<'a> {
         self
     }
 
-    /// The colour of what belongs to a point: that of its curves in plots.
+    /// Returns the colour of everything that belongs to a point: that of its curves in plots.
     pub(super) fn point_hue(&self, point: usize) -> usize {
         let name = self.shown.picture.points[point].name;
         self.hues.named(name).unwrap_or(point)

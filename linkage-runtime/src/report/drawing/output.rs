@@ -23,10 +23,12 @@ impl Drawing<'_> {
         }
     }
 
-    /// The drawing as DXF (release 12, which every such program reads), in the mechanism's unit of length: links, joints, paths, guides,
-    /// gears, axes and names on a layer each, links, guides and joints of a part of a machine on the layer `part_` with
-    /// its name, at the drawing's position, every number with all of its digits. In the plane links of three
-    /// points and more are their outline; a mechanism in space is not projected, and its links are lines between their points.
+    /// The drawing as DXF (release 12, which every such program reads), in the mechanism's unit of
+    /// length: links, joints, paths, guides, gears, axes and names on a layer each, links, guides
+    /// and joints of a part of a machine on the layer `part_` with its name, at the drawing's
+    /// position, every number with all of its digits. In the plane links of three points and more
+    /// are their outline; a mechanism in space is not projected, and its links are lines between
+    /// their points.
     ///
     /// # Errors
     ///
@@ -35,7 +37,8 @@ impl Drawing<'_> {
         dxf::drawing_dxf(self)
     }
 
-    /// Writes the drawing, by the ending of the file's name, as SVG, [DXF](Self::dxf) or (with feature `png`) PNG.
+    /// Writes the drawing, by the ending of the file's name, as SVG, [DXF](Self::dxf) or (with
+    /// feature `png`) PNG.
     ///
     /// # Errors
     ///

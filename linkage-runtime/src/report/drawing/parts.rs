@@ -1,4 +1,4 @@
-//! What moves: links, sliders, joints, ghosts.
+//! Moving parts: links, sliders, joints, ghosts.
 
 use std::vec::Vec;
 
@@ -16,7 +16,7 @@ const BAR: f64 = 2.4;
 const RAIL: f64 = 1.3;
 /// Radius of a point of a block that nothing turns on.
 const DOT: f64 = 0.55;
-/// Radius of what nothing carries.
+/// Radius of a point that no link carries.
 const LOOSE: f64 = 1.5;
 
 /// A body on paper: a link with all its points, or the rail of a guide.
@@ -28,8 +28,8 @@ pub(super) struct Body<'a> {
     nearness: f64,
 }
 
-/// Bars, plates and rails, the farthest first. Plates have the corners that they have at the row `form`, so that all drawings of
-/// one that moves have the same.
+/// Bars, plates and rails, the farthest first. Plates have the corners that they have at the row
+/// `form`, so that all drawings of one that moves have the same.
 pub(super) fn links(
     drawing: &Drawing<'_>,
     svg: &mut Svg,

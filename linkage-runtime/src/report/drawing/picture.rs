@@ -47,7 +47,7 @@ pub(super) fn picture_at(drawing: &Drawing<'_>, row: usize, form: usize) -> Svg 
     svg
 }
 
-/// What says something of this position: words and arrows, which would jump about if it moved.
+/// Draws the words and arrows of this position, which would jump if the drawing moved.
 fn of_one_position(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
     arrows::drives(drawing, svg, sheet, row);
     marks::dimension_lines(drawing, svg, sheet, row);

@@ -10,7 +10,7 @@ const BELT: f64 = 0.6;
 /// Two wheels, in units of the mechanism.
 pub(in crate::report) struct PitchCircles {
     pub(in crate::report) radii: [f64; 2],
-    /// By how much the second turns when the first turns once.
+    /// The turns of the second wheel for one turn of the first.
     pub(in crate::report) ratio: f64,
 }
 

@@ -44,7 +44,8 @@ pub(super) fn shown_row(drawing: &Drawing<'_>) -> Result<usize, Mistake> {
         })
 }
 
-/// So many rows, at all ends of equal parts of the range; the last one repeats the first where the range closes.
+/// Returns this many rows, at all ends of equal parts of the range. The last one repeats the first
+/// where the range closes.
 pub(super) fn even_rows(drawing: &Drawing<'_>, count: usize) -> Vec<usize> {
     let last = drawing.report.positions.len() - 1;
     let parts = match missing::is_periodic(drawing.report) {

@@ -8,7 +8,8 @@ use crate::report::accuracy::Sensitive;
 /// Components of points and their quantities.
 pub(super) const COMPONENTS: [&str; 3] = ["x", "y", "z"];
 
-/// What tolerances do to a traced point: by component and dimension, its sensitivities times tolerances.
+/// The effects of tolerances on a traced point: by component and dimension, its sensitivities times
+/// tolerances.
 pub(super) struct Scatter<'a> {
     pub(super) point: usize,
     components: Vec<Option<&'a Sensitive<'a>>>,
@@ -26,7 +27,7 @@ impl<'a> Scatter<'a> {
         is_known.then_some(Self { point, components })
     }
 
-    /// What each dimension does, as a vector.
+    /// Returns the effect of each dimension as a vector.
     pub(super) fn effects(&self, row: usize) -> Vec<[f64; 3]> {
         let mut all: Vec<(&str, [f64; 3])> = Vec::new();
         for (axis, sensitive) in self.components.iter().enumerate() {
@@ -48,7 +49,8 @@ impl<'a> Scatter<'a> {
     }
 }
 
-/// Half axes of the ellipse of independent errors, the larger first, and the angle of that one on paper.
+/// Half axes of the ellipse of independent errors, the larger first, and the angle of that one on
+/// paper.
 pub(super) fn ellipse(effects: impl Iterator<Item = [f64; 2]>) -> Option<[f64; 3]> {
     let [xx, xy, yy] = effects.fold([0.0; 3], |[xx, xy, yy], [x, y]| {
         [xx + x * x, xy + x * y, yy + y * y]

@@ -1,4 +1,4 @@
-//! From the mechanism to the paper.
+//! The map from the mechanism to the paper.
 
 use std::vec::Vec;
 
@@ -11,18 +11,19 @@ use super::view::View;
 use crate::PointKind;
 use crate::report::shown::Shown;
 
-/// Around the mechanism, in millimetres: place for symbols; to the left and right also for names up to a length.
+/// Around the mechanism, in millimetres: place for symbols; to the left and right also for names up
+/// to a length.
 const MARGIN: f64 = 13.0;
 const LONGEST: f64 = 34.0;
 /// Above and below: title and caption.
 const HEAD: f64 = 11.0;
 const FOOT: f64 = 12.0;
-/// The least width, for the caption, and what a letter of the title adds.
+/// The least width, for the caption, and the width of a letter of the title.
 const NARROWEST: f64 = 110.0;
 const LETTER: f64 = 2.8;
 /// The mechanism is not drawn larger than this without being asked for.
 const LARGEST: [f64; 2] = [160.0, 180.0];
-/// A direction that is shorter on paper points at the reader but for rounding.
+/// A direction that is shorter on paper points at the reader except for rounding.
 const VISIBLE: f64 = 1e-6;
 
 /// The paper, in millimetres, and where the mechanism is on it.
@@ -35,7 +36,7 @@ pub(super) struct Sheet<'a> {
     pub(super) scale: f64,
     pub(super) size: [f64; 2],
     corner: [f64; 2],
-    /// What is left free at the left, to centre a narrow drawing.
+    /// The free width at the left that centres a narrow drawing.
     shift: f64,
     /// Above the mechanism.
     top: f64,
@@ -131,8 +132,8 @@ impl<'a> Sheet<'a> {
     }
 }
 
-/// The ends of everything that moves or stands, to the right and up, over the whole range: the drawing of any position
-/// has the same frame.
+/// The ends of everything that moves or stands, to the right and up, over the whole range: the
+/// drawing of any position has the same frame.
 fn limits(drawing: &Drawing<'_>, view: &View) -> [[f64; 2]; 2] {
     let shown = &drawing.shown;
     let mut limits = [[f64::INFINITY, f64::NEG_INFINITY]; 2];

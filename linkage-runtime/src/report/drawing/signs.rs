@@ -22,7 +22,8 @@ const CROSS: f64 = 1.9 * SOCKET;
 /// Half the height of a barrel, and the width of a piston rod.
 const BARREL: f64 = 2.1;
 const ROD: f64 = 1.3;
-/// How much of a cylinder's shortest length is barrel, and how much of the longest at least.
+/// The length of the barrel as a share of the cylinder's shortest length, and at least this share
+/// of the longest.
 const SHARE: [f64; 2] = [0.85, 0.3];
 /// Width of outlines.
 const OUTLINE: f64 = 0.35;
@@ -55,7 +56,7 @@ pub(super) fn joint_signs(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_
     }
 }
 
-/// What joints in space, axes and the numbers of gears cover.
+/// Returns the areas of joints in space, axes and the numbers of gears.
 pub(super) fn sign_covers(drawing: &Drawing<'_>, sheet: &Sheet<'_>, row: usize) -> Vec<Taken> {
     let picture = drawing.shown.picture;
     let mut all = Vec::new();
@@ -130,14 +131,14 @@ pub(super) fn cylinder_cover(
     Vec::from([rod, Taken::new(&[foot, mouth], BARREL + OUTLINE)])
 }
 
-/// Whether the mark of a point is filled, as a ball in its socket.
+/// Returns true for a filled mark of a point, as a ball in its socket.
 pub(super) fn is_filled(drawing: &Drawing<'_>, point: usize) -> bool {
     let picture = drawing.shown.picture;
     let mut joints = picture.joints.iter();
     picture.dimension == 3 && joints.any(|joint| joint.point == point && sign(joint.shape).filled)
 }
 
-/// Whether something slides in a point, and nothing turns.
+/// Returns true if all joints in a point slide and none turns.
 pub(super) fn only_slides(drawing: &Drawing<'_>, point: usize) -> bool {
     let joints = drawing.shown.picture.joints.iter();
     let mut here = joints.filter(|joint| joint.point == point).peekable();

@@ -1,6 +1,6 @@
 //! Sizes of symbols and letters on paper, in millimetres.
 
-/// How far guides go on beyond the slider, on paper.
+/// Length of guides beyond the slider, on paper.
 pub(super) const BEYOND: f64 = 8.0;
 /// Half the length and half the height of a slider.
 pub(super) const BLOCK: [f64; 2] = [4.0, 2.3];

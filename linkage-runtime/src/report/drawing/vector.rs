@@ -30,7 +30,7 @@ impl Vector<'_> {
         value
     }
 
-    /// From the point to where the arrow ends.
+    /// Returns the step from the point to the end of the arrow.
     pub(super) fn step(&self, row: usize) -> [f64; 3] {
         self.value_at(row).map(|x| self.length * x)
     }

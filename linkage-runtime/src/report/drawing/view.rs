@@ -35,7 +35,7 @@ impl View {
         [product(self.right), product(self.up)]
     }
 
-    /// How near to the reader something is.
+    /// Returns the coordinate towards the reader.
     pub(super) fn nearness(&self, v: [f64; 3]) -> f64 {
         let ([a, b, c], [d, e, f]) = (self.right, self.up);
         (b * f - c * e) * v[0] + (c * d - a * f) * v[1] + (a * e - b * d) * v[2]

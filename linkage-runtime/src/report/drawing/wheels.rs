@@ -12,7 +12,7 @@ use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
 use crate::words::rounded;
 
-/// From where wheels touch to the middle of their ratio, which stands in the larger one.
+/// Distance from the contact of wheels to the middle of their ratio, which is in the larger one.
 const ASIDE: f64 = 8.5;
 
 pub(super) fn wheels(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {

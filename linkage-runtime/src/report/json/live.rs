@@ -1,4 +1,4 @@
-//! What the page needs to compute: beside the programs, which are part of its script.
+//! Data with which the page computes, besides the programs, which are part of its script.
 
 use serde_json::{Map, Value, json};
 

@@ -1,4 +1,4 @@
-//! What a picture shows beside links and points: how joints move, gears, what inputs move.
+//! Joints, gears and driven links of a picture.
 
 use serde_json::{Value, json};
 use std::vec::Vec;

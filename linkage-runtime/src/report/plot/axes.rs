@@ -27,7 +27,7 @@ impl Axis {
         Self { scale, title }
     }
 
-    /// An axis for all these numbers, with the names of what it shows.
+    /// Returns an axis for all these numbers, titled with the names of the curves.
     pub(super) fn ordinate(
         names: &[&str],
         unit: &str,

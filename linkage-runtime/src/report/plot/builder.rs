@@ -10,9 +10,9 @@ use crate::report::palette::Style;
 
 /// Curves over a common abscissa, as a picture.
 ///
-/// Curves of one unit share a panel; panels stand below each other. Angles are given in radians and shown in degrees. A
-/// curve has a gap where its values are not finite; the gaps are shaded and named below the plot. The picture follows the
-/// reader's choice of a light or dark ground.
+/// Curves of one unit share a panel; panels stand below each other. Angles are given in radians and
+/// shown in degrees. A curve has a gap where its values are not finite; the gaps are shaded and
+/// named below the plot. The picture follows the reader's choice of a light or dark ground.
 ///
 /// ```
 /// use linkage_runtime::report::Plot;
@@ -61,8 +61,8 @@ impl Plot {
         self
     }
 
-    /// Width of the plot and height of each panel, in pixels; 960 and 200 if nothing else is asked for. Not less than 320 and 80, and
-    /// more where the legend needs it.
+    /// Width of the plot and height of each panel, in pixels; 960 and 200 if nothing else is asked
+    /// for. Not less than 320 and 80, and more where the legend needs it.
     #[must_use]
     pub fn size(mut self, width: f64, height: f64) -> Self {
         (self.width, self.height) = (width.max(320.0), height.max(80.0));
@@ -126,7 +126,7 @@ impl Plot {
         self
     }
 
-    /// Whether there is a curve of this name and unit.
+    /// Returns true if there is a curve of this name and unit.
     pub(in crate::report) fn has_curve(&self, name: &str, unit: &str) -> bool {
         let sought = Quantity::new(name, unit, &[]);
         let mut curves = self.curves.iter().map(|curve| &curve.quantity);

@@ -11,7 +11,7 @@ use crate::report::palette::Style;
 pub(super) struct Quantity {
     pub(super) name: String,
     pub(super) unit: String,
-    /// Whether they were given in radians.
+    /// True for values that were given in radians.
     pub(super) from_radians: bool,
     pub(super) values: Vec<f64>,
 }
@@ -21,7 +21,7 @@ pub(super) struct Curve {
     pub(super) section: usize,
     pub(super) quantity: Quantity,
     pub(super) bands: Vec<Band>,
-    /// As the report has it; otherwise it follows from the order.
+    /// The style in the report. Without one it follows from the order.
     pub(super) style: Option<Style>,
     pub(super) thin: bool,
 }

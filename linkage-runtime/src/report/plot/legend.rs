@@ -16,7 +16,7 @@ const CHARACTER: f64 = 7.2;
 /// A line of the legend.
 pub(super) struct Entry<'a> {
     pub(super) name: &'a str,
-    /// Of its curve.
+    /// The style of its curve.
     pub(super) style: Style,
     pub(super) width: f64,
     /// `None` for the curve itself.

@@ -1,4 +1,4 @@
-//! Where curves have no values.
+//! Gaps of curves.
 
 use std::format;
 use std::string::String;
@@ -30,7 +30,7 @@ pub(super) fn gaps(plot: &Plot) -> Vec<Rows> {
     gaps
 }
 
-/// The gaps in words.
+/// The gaps as text.
 pub(super) fn gap_notes(plot: &Plot) -> Vec<String> {
     let gaps = gaps(plot);
     if gaps.is_empty() {
@@ -57,7 +57,8 @@ pub(super) fn gap_notes(plot: &Plot) -> Vec<String> {
 /// Between the strokes of hatching, along an axis.
 const SPACING: f64 = 9.0;
 
-/// `d` of strokes that fill a rectangle between two corners. They belong to the whole plane, so that those of neighbours meet.
+/// `d` of strokes that fill a rectangle between two corners. They belong to the whole plane, so
+/// that those of neighbours meet.
 pub(super) fn hatching([left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> String {
     let first = ((left + top) / SPACING).ceil() as i64;
     let last = ((right + bottom) / SPACING).floor() as i64;

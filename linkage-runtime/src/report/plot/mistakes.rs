@@ -1,4 +1,4 @@
-//! What does not fit together in a plot.
+//! Contradictions within a plot.
 
 use std::vec::Vec;
 
@@ -6,7 +6,7 @@ use super::builder::Plot;
 use crate::report::Mistake;
 use crate::report::glyphs::control;
 
-/// What was found when something was added, and what shows when all is there.
+/// Returns the mistakes that were found when items were added, and those of the whole plot.
 pub(super) fn all_mistakes(plot: &Plot) -> Vec<Mistake> {
     let mut mistakes = plot.mistakes.clone();
     if plot.curves.is_empty() {

@@ -22,7 +22,7 @@ pub(super) struct Panel<'a> {
     pub(super) gaps: Vec<Rows>,
 }
 
-/// Where a panel stands.
+/// The area of a panel.
 #[derive(Clone, Copy)]
 pub(super) struct Frame {
     pub(super) left: f64,
@@ -31,7 +31,7 @@ pub(super) struct Frame {
     pub(super) bottom: f64,
 }
 
-/// From numbers to places in a frame.
+/// The map from numbers to places in a frame.
 struct Places<'a> {
     frame: Frame,
     x: &'a Axis,
@@ -54,7 +54,8 @@ impl Panel<'_> {
         first.section == curve.section && first.quantity.unit == curve.quantity.unit
     }
 
-    /// What is not clear from the title alone: curves if there are several, and bands.
+    /// Returns the entries that the title does not make clear: curves if there are several, and
+    /// bands.
     pub(super) fn legend(&self) -> Vec<Entry<'_>> {
         let mut entries = Vec::new();
         let several = self.curves.len() > 1 || !self.curves[0].bands.is_empty();

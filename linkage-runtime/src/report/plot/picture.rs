@@ -68,7 +68,7 @@ fn panels(plot: &Plot) -> Vec<Panel<'_>> {
     panels
 }
 
-/// What the picture is, for those who do not see it.
+/// Returns the description of the picture for screen readers.
 fn described(plot: &Plot) -> String {
     let names = plot.curves.iter().map(|c| c.quantity.name.as_str());
     let names = names.collect::<Vec<_>>().join(", ");

@@ -14,7 +14,7 @@ pub(super) fn dashed(line: Element, style: Style) -> Element {
     }
 }
 
-/// How opaque a band is.
+/// Returns the opacity of a band.
 pub(super) const fn shade(kind: BandKind) -> f64 {
     match kind {
         BandKind::WorstCase => 0.18,

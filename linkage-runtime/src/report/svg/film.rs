@@ -6,13 +6,14 @@ use std::vec::Vec;
 
 use super::{Element, Mark, Svg};
 
-/// Numbers that move are told to so many parts of a unit, a hundredth of a millimetre on paper: every position is written
-/// out, and finer steps are not seen.
+/// Numbers that move are rounded to so many parts of a unit, a hundredth of a millimetre on paper:
+/// every position is written out, and finer steps are not seen.
 const PARTS: f64 = 100.0;
 
 impl Svg {
-    /// The first of these drawings, in which all that differs runs through the others, back to the first, and again, in so
-    /// many seconds. `None` if they do not consist of the same things, or differ in more than numbers.
+    /// The first of these drawings, in which all that differs runs through the others, back to the
+    /// first, and again, in so many seconds. `None` if they do not consist of the same things, or
+    /// differ in more than numbers.
     pub(in crate::report) fn film(frames: Vec<Self>, seconds: f64) -> Option<String> {
         let first = frames.first()?;
         if frames
@@ -37,7 +38,8 @@ impl Svg {
 }
 
 impl Mark {
-    /// The element of a mark that is of the same kind as another, `Some(None)` if this kind has none.
+    /// The element of a mark that is of the same kind as another, `Some(None)` if this kind has
+    /// none.
     fn element(&self, like: &Self) -> Option<Option<&Element>> {
         match (self, like) {
             (Self::Alone(element), Self::Alone(_)) | (Self::Begin(element), Self::Begin(_)) => {
@@ -51,7 +53,7 @@ impl Mark {
         }
     }
 
-    /// As it is written with what moves it.
+    /// Writes the piece with the elements that animate it.
     fn moved(&self, moves: &str) -> String {
         match self {
             Self::Alone(element) if moves.is_empty() => format!("{}/>\n", element.start()),
@@ -66,7 +68,8 @@ impl Mark {
     }
 }
 
-/// What moves an element: nothing for attributes that stay. `None` if the elements are not alike.
+/// Returns the animations of an element, none for attributes that stay. `None` if the elements are
+/// not alike.
 fn moves(run: &[&Element], seconds: f64) -> Option<String> {
     let first = run.first()?;
     let alike = |element: &&Element| {
