@@ -31,31 +31,29 @@
 
 mod arithmetic;
 mod assemble;
-mod checks;
 mod clash;
 mod comment;
 mod coupled;
+mod error;
+mod evaluator;
 mod header;
-mod helper;
-mod instruction;
 mod names;
+mod operations;
+mod preprocessor;
 mod range;
 mod real;
-mod refusal;
-mod renamed;
-mod shape;
 mod source;
+mod states;
 mod surface;
 mod template;
 mod winding;
+mod writer;
 
-use std::error::Error;
-use std::fmt::{self, Display, Formatter};
+use linkage_compiler::ir::{CompiledMechanism, Coupled};
 
-use linkage_compiler::unit::{Coupled, Unit};
-
+pub use error::Refused;
 pub use real::Real;
-pub use renamed::Renamed;
+pub use surface::Renamed;
 
 /// A mechanism as C.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -70,20 +68,6 @@ pub struct Sources {
     pub renamed: Vec<Renamed>,
 }
 
-/// Why a mechanism is not printed.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Refused {
-    message: String,
-}
-
-impl Display for Refused {
-    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        f.write_str(&self.message)
-    }
-}
-
-impl Error for Refused {}
-
 /// Prints a mechanism that is called `name` in its declaration.
 ///
 /// Names of C are those of the user, in small letters at the beginning: `favorit_needle` of the function `needle` of `Favorit`. A name that
@@ -92,7 +76,7 @@ impl Error for Refused {}
 /// # Errors
 ///
 /// For what exported C cannot do, which is a limit of ours: the message says what.
-pub fn sources(name: &str, unit: &Unit, real: Real) -> Result<Sources, Refused> {
+pub fn sources(name: &str, unit: &CompiledMechanism, real: Real) -> Result<Sources, Refused> {
     exported(name, unit, real).map(|(sources, _)| sources)
 }
 
@@ -101,7 +85,10 @@ pub fn sources(name: &str, unit: &Unit, real: Real) -> Result<Sources, Refused> 
 /// # Errors
 ///
 /// Those of [`sources`], and for two mechanisms that would have a name of C in common, as `SliderCrank` and `Slider_Crank`.
-pub fn all_sources(mechanisms: &[(&str, &Unit)], real: Real) -> Result<Vec<Sources>, Refused> {
+pub fn all_sources(
+    mechanisms: &[(&str, &CompiledMechanism)],
+    real: Real,
+) -> Result<Vec<Sources>, Refused> {
     let exported = mechanisms
         .iter()
         .map(|(name, unit)| exported(name, unit, real));
@@ -113,7 +100,11 @@ pub fn all_sources(mechanisms: &[(&str, &Unit)], real: Real) -> Result<Vec<Sourc
 }
 
 /// The files of a mechanism, and the names that they give to other files.
-fn exported(name: &str, unit: &Unit, real: Real) -> Result<(Sources, Vec<String>), Refused> {
+fn exported(
+    name: &str,
+    unit: &CompiledMechanism,
+    real: Real,
+) -> Result<(Sources, Vec<String>), Refused> {
     let mut coupled = unit.coupled.iter();
     let without = |own: &&Coupled| own.inputs.is_empty() || own.start.is_none();
     if let Some(own) = coupled.find(without) {
@@ -126,7 +117,7 @@ fn exported(name: &str, unit: &Unit, real: Real) -> Result<(Sources, Vec<String>
             ),
         });
     }
-    let surface = surface::Surface::new(name, unit, real);
+    let surface = surface::surface(name, unit, real);
     let names = surface.names();
     let sources = Sources {
         header: header::header(&surface),

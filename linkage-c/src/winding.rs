@@ -2,13 +2,11 @@
 
 use std::fmt::Write;
 
-use linkage_compiler::unit::Unit;
+use linkage_compiler::ir::CompiledMechanism;
 
-use crate::helper::Helper;
-use crate::refusal::Why;
-use crate::source::{Writer, used, written};
-use crate::surface::Surface;
+use crate::surface::{Surface, Why};
 use crate::template::fill;
+use crate::writer::{Writer, used, written};
 
 /// The type of the turns of all angles; nothing if no angle counts them.
 pub(crate) fn turns_type(surface: &Surface) -> String {
@@ -39,14 +37,7 @@ pub(crate) fn items(writer: &mut Writer) {
         "Cosine and sine, of some length, of each angle whose turns are counted.",
     );
     bearings(writer);
-    for helper in [
-        Helper::Nan,
-        Helper::Infinite,
-        Helper::Whole,
-        Helper::Hypot,
-        Helper::Atan2,
-        Helper::AngleNear,
-    ] {
+    for helper in ["nan", "infinite", "whole", "hypot", "atan2", "angle_near"] {
         writer.printer.helpers.need(helper);
     }
     let text = tables(surface);
@@ -144,7 +135,10 @@ fn tables(surface: &Surface) -> String {
 }
 
 /// Where the entries of each angle begin, and the end of all.
-fn firsts(unit: &Unit, count: impl Fn(usize) -> usize) -> impl Iterator<Item = String> {
+fn firsts(
+    unit: &CompiledMechanism,
+    count: impl Fn(usize) -> usize,
+) -> impl Iterator<Item = String> {
     let mut first = 0;
     let mut firsts = vec![0];
     for angle in 0..unit.angles.len() {

@@ -5,7 +5,7 @@ mod describe;
 pub(crate) mod forever;
 
 use linkage_compiler::Checked;
-use linkage_compiler::unit::{Unit, plain};
+use linkage_compiler::ir::{CompiledMechanism, plain};
 use linkage_runtime::generated::{Angle, CoupledGroup};
 use linkage_runtime::{AssemblyMode, Heading, Input, Parameter, Structure};
 
@@ -17,7 +17,7 @@ pub struct Mechanism {
     /// The name of its struct.
     pub name: &'static str,
     /// Its programs.
-    pub unit: Unit,
+    pub unit: CompiledMechanism,
     /// The constant `INPUTS` of the macro's struct.
     pub inputs: &'static [Input],
     /// The constant `PARAMETERS`.

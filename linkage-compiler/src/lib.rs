@@ -1,8 +1,8 @@
 //! The compiler behind `linkage::mechanism!`: tokens in, tokens out.
 //!
 //! The phases, each in a folder of its own: `syntax` parses, `model` resolves names and checks dimensions, `structure`
-//! finds the Assur groups, `formulate` expresses every unknown, `lower` makes programs of expressions, `close` runs them to check
-//! assembly and range, `request` puts the programs of all functions into one [`mod@unit`], `emit` prints that. `algebra` is what the
+//! finds the Assur groups, `solve` expresses every unknown, `lower` makes programs of expressions, `assembly` runs them to check
+//! assembly and range, `outputs` puts the programs of all functions into one [`mod@ir`], `emit` prints that. `algebra` is what the
 //! middle phases share; `forces` and `picture` make expressions of what functions ask for.
 //!
 //! [`compile`] is the macro. Without Rust at the end, [`check`] gives a mechanism's programs, or messages with their places; [`check_all`] gives those of all
@@ -51,36 +51,37 @@
 //! ```
 
 mod algebra;
-mod analyse;
-mod call;
-mod close;
+mod assembly;
 mod diagnostic;
+mod driver;
 mod emit;
 mod forces;
-mod formulate;
-mod freedoms;
+pub mod ir;
 mod lower;
+mod message_format;
+mod mobility;
 mod model;
+mod observer;
 mod oracle;
+mod outputs;
+mod part_order;
 mod picture;
-mod request;
+mod pipeline;
+mod solve;
 mod structure;
 mod syntax;
 pub mod trace;
-pub mod unit;
 mod vector;
-mod watch;
-mod words;
 
 use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
 use quote::quote;
 
-use call::Call;
-use unit::Unit;
+use driver::Driver;
+use ir::CompiledMechanism;
 
-pub use call::Checked;
 pub use diagnostic::text::{short_words, shortened};
 pub use diagnostic::{Message, SourceSpan};
+pub use driver::Checked;
 #[doc(inline)]
 pub use linkage_core::range_check::length_as_written;
 pub use oracle::Oracle;
@@ -88,15 +89,18 @@ pub use oracle::Oracle;
 /// Compiles the macro's input: the path of the facade in brackets, then one or several mechanisms. Mistakes become `compile_error!`s
 /// beside a skeleton of the generated items. A mechanism that is drawn gets its programs as a text, too, which `printed` makes of its name and its unit:
 /// reports compute with it.
-pub fn compile(input: TokenStream, printed: impl Fn(&str, &Unit) -> String) -> TokenStream {
+pub fn compile(
+    input: TokenStream,
+    printed: impl Fn(&str, &CompiledMechanism) -> String,
+) -> TokenStream {
     let (krate, body) = split_crate_path(input);
-    Call::new(body, &mut ()).emitted(&krate, &printed)
+    Driver::run(body, &mut ()).emitted(&krate, &printed)
 }
 
 /// Analyses a mechanism, the macro's input without the path of the facade. Of several it answers for the last, which may have the others as
 /// parts, with the messages of all; [`check_all`] answers for each.
 pub fn check(body: TokenStream) -> Checked {
-    Call::new(body, &mut ()).last()
+    Driver::run(body, &mut ()).last()
 }
 
 /// Analyses all mechanisms of a call, in the order in which they are written; at least one is answered for.
@@ -119,7 +123,7 @@ pub fn check(body: TokenStream) -> Checked {
 /// assert_eq!(names, ["left.radius"]);
 /// ```
 pub fn check_all(body: TokenStream) -> Vec<Checked> {
-    Call::new(body, &mut ()).checked()
+    Driver::run(body, &mut ()).checked()
 }
 
 /// Reads a value that is given apart from a mechanism, as on a command line: that of a parameter of this name, with its

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 
-use linkage_compiler::unit::Unit;
-use linkage_runtime::javascript::{ENGINE, MODULE};
+use linkage_compiler::ir::CompiledMechanism;
+use linkage_runtime::javascript::module_engine;
 
 use crate::{description, names, types};
 
@@ -38,8 +38,8 @@ impl Error for Clash {}
 /// Prints a mechanism that is called `title` in its declaration.
 ///
 /// The module exports the mechanism by [`Module::name`], and `AssemblyError`, which its `assemble` throws.
-pub fn module(title: &str, unit: &Unit) -> Module {
-    let engine = [&ENGINE[..], &MODULE].concat().join("\n");
+pub fn module(title: &str, unit: &CompiledMechanism) -> Module {
+    let engine = module_engine();
     let description = description(title, unit);
     let name = names::exported(title);
     let renamed = match name == title {
@@ -66,7 +66,7 @@ pub fn module(title: &str, unit: &Unit) -> Module {
 /// # Errors
 ///
 /// For two whose names are one, or are one where a file system takes large and small letters for the same: `SliderCrank` and `SLIDERCRANK`.
-pub fn modules(mechanisms: &[(&str, &Unit)]) -> Result<Vec<Module>, Clash> {
+pub fn modules(mechanisms: &[(&str, &CompiledMechanism)]) -> Result<Vec<Module>, Clash> {
     let modules = mechanisms.iter().map(|(title, unit)| module(title, unit));
     let modules: Vec<Module> = modules.collect();
     let mut owners: BTreeMap<String, (&str, &str)> = BTreeMap::new();

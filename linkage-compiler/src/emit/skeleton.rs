@@ -10,14 +10,14 @@ use quote::format_ident;
 
 use super::outline::{self, Component, Field, Function, Input, Outline, Parameter, params, plain};
 use super::{
-    assembly, circuits, columns, dimensions, evaluator, follower, guess::Guess, home, mechanism,
-    picture, range_check, structure, sweeps, table, way,
+    assembly, circuits, columns, dimensions, evaluator, follower, guess::Guess, mechanism, picture,
+    range_check, result_module, structure, sweeps, table, way,
 };
+use crate::ir::Picture;
 use crate::model::{
     ASSEMBLY, COLUMNS, COMPONENTS, Mechanism, MotionWord, Shape, Sweep, TYPE_PARAMETER,
 };
 use crate::syntax::{ExprKind, FunctionDef, Item, MechanismDef, Word};
-use crate::unit::Picture;
 
 /// All public items with `unimplemented!()` bodies; `mechanism` gives better types where it is known.
 pub(crate) fn skeleton(
@@ -50,7 +50,9 @@ pub(crate) fn skeleton(
     for function in &outline.functions {
         let types = evaluator::result(&outline, function);
         let columns = columns::items(&outline, function);
-        items.extend(home::with_imports(&outline, function, &types, &columns));
+        items.extend(result_module::with_imports(
+            &outline, function, &types, &columns,
+        ));
         items.extend(evaluator::method(&outline, function));
         items.extend(sweeps::items(&outline, function));
         items.extend(table::items(&outline, function, &[]));
@@ -79,7 +81,7 @@ fn sketch<'a>(
         .filter(|param| seen.first(&param.name))
         .map(|param| {
             let known = mechanism.and_then(|m| m.parameters.iter().find(|p| param.name == p.name));
-            let shape = known.map_or_else(|| guess.parameter(param), |p| Shape::of(&p.ty));
+            let shape = known.map_or_else(|| guess.parameter(param), |p| Shape::from_type(&p.ty));
             let components = components(&param.name, &shape);
             Parameter {
                 name: param.name.clone(),
@@ -128,7 +130,7 @@ fn parameters_of_parts<'a>(own: &[Parameter], mechanism: Option<&Mechanism>) -> 
     let of_parts = all.filter(|parameter| parameter.name.contains('.'));
     let fields = of_parts.map(|parameter| {
         let (name, attributes) = outline::of_part(&parameter.name, &parameter.documentation);
-        let shape = Shape::of(&parameter.ty);
+        let shape = Shape::from_type(&parameter.ty);
         Parameter {
             components: components(&name, &shape),
             name,
@@ -160,7 +162,7 @@ fn sketch_function<'a>(
             let known = known.filter(|q| !q.is_picture());
             let shape = known.map_or_else(
                 || guess.shape(&quantity.value, drives),
-                |q| Shape::of(&q.value.ty),
+                |q| Shape::from_type(&q.value.ty),
             );
             outline::field(quantity, shape, String::new())
         })

@@ -1,9 +1,10 @@
 //! The picture with names for everything, without what is not needed.
 
+use crate::picture::drives;
 use linkage_symbolic::Vn;
 use linkage_symbolic::unordered::Map;
 
-use crate::unit::{Guide, GuideOn, GuideShape, Link, Picture, Point, PointKind};
+use crate::ir::{Guide, GuideOn, GuideShape, Link, Picture, Point, PointKind};
 
 use super::Found;
 use super::by_point::{Meeting, Names};
@@ -11,8 +12,8 @@ use super::chains::Sketch;
 use super::guides::Guides;
 use super::joints::Turning;
 use super::links::Links;
-use super::owners::Owners;
-use super::seen::Seen;
+use super::ownership::Owners;
+use super::samples::Seen;
 
 pub(super) fn named<'m>(
     sketch: &Sketch<'_, 'm>,
@@ -108,10 +109,10 @@ pub(super) fn named<'m>(
         declared: declared.collect(),
     };
     picture.joints = turning.joints(&picture);
-    picture.drives = sketch.drives(&picture, &place);
+    picture.drives = drives::drives(sketch, &picture, &place);
     let own: Vec<usize> = kept.iter().map(|(point, _)| *point).collect();
     picture.parts = owners.parts(&picture, links, &own);
-    picture.gears = sketch.gears(&picture, &place, seen);
+    picture.gears = drives::gears(sketch, &picture, &place, seen);
     let vectors = kept.iter().map(|(point, _)| sketch.points[*point].at);
     Found {
         vectors: vectors.chain(directions).collect(),

@@ -10,7 +10,6 @@
 //! over others it has slopes, and four steps are made.
 
 mod cell;
-mod certificate;
 mod estimate;
 mod follow;
 mod grid;
@@ -26,7 +25,7 @@ mod table;
 mod turning;
 mod walk;
 
-pub use certificate::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE};
+pub use crate::certificate::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE};
 pub use estimate::{Astray, from_estimate, turned};
 pub use grid::{Grid, GridLookup, LeftOut, Terms};
 pub use layout::{Axis, CellLayout, GridLayout, NodeLayout, TableLayout};

@@ -7,7 +7,7 @@ use super::colour::page_rules;
 use super::error::ReportError;
 use super::frame::Framed;
 use super::{joint_signs, json, machine, shown};
-use crate::javascript::{ENGINE, OTHERS};
+use crate::javascript::{OTHERS, engine, with_constants};
 
 const BODY: &str = include_str!("page/page.html");
 const STYLES: [&str; 7] = [
@@ -125,7 +125,7 @@ fn engine_script(report: &Report) -> String {
     }
     let programs = report.programs.iter().map(|program| program.description);
     let programs = programs.collect::<std::vec::Vec<_>>().join(",\n");
-    let engine = ENGINE.join("\n");
+    let engine = engine();
     std::format!(
         "const engine = (() => {{\n{engine}\n{OTHERS}\nreturn {{ assembled, evaluate, gapsAt, solutionsAt, standing, AssemblyError, programs: [{programs}] }};\n}})();\n"
     )
@@ -147,7 +147,8 @@ fn live_script(report: &Report) -> String {
         true => String::from("\n"),
         false => {
             let cycle = report.cyclogram.as_ref().map(|_| LIVE_CYCLE.join("\n"));
-            std::format!("\n{}\n{}\n", LIVE.join("\n"), cycle.unwrap_or_default())
+            let live = with_constants(&LIVE.join("\n"));
+            std::format!("\n{live}\n{}\n", cycle.unwrap_or_default())
         }
     }
 }
@@ -165,7 +166,7 @@ fn page_styles(report: &Report) -> String {
 mod tests {
     use super::super::frame::bare;
     use super::*;
-    use crate::javascript::MODULE;
+    use crate::javascript::{ENGINE, MODULE};
     use std::collections::BTreeSet;
 
     /// The code with which a page computes, besides the programs, which are 78,000 bytes for the

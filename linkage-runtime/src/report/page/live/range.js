@@ -1,9 +1,9 @@
 // Change points in the range of the input: rows have values on both sides, and the mechanism may go on in another assembly.
 
 // The criterion of the compiler for a slack that only touches zero, at samples of a degree or two and at dips between them.
-const DEAD = 2e-12;
-const END = 1e-9;
-const AT_END = 1e-6;
+const DEAD = CORE.DEAD;
+const END = CORE.END;
+const AT_END = CORE.AT_END;
 const SAMPLES = 256;
 
 // A sentence for each group that has some; null where there is none.

@@ -1,0 +1,130 @@
+//! Following angles whose values are used over the ranges of the inputs.
+
+use crate::algebra::constant_ratio;
+use std::f64::consts::PI;
+
+use linkage_core::numeric::winding::{Centre, follow};
+use linkage_symbolic::program::Ternary;
+
+use crate::algebra::{Algebra, Nominal};
+
+use super::machine::Machine;
+use super::ranges::Grid;
+
+/// An angle this near to half a turn from its guide cannot be told from one on the other side.
+const LIMIT: f64 = 0.98 * PI;
+
+/// An angle that strays over the range of an input, by their numbers.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Unfollowed {
+    pub(super) angle: usize,
+    pub(super) input: usize,
+}
+
+/// Finds centres and windings of angles whose values are used; each comes with the output of its cosine. Returns the first
+/// that cannot be followed.
+pub(super) fn follow_angles(
+    algebra: &Algebra,
+    nominal: &Nominal,
+    machine: &mut Machine,
+    angles: &[(usize, usize)],
+) -> Option<Unfollowed> {
+    let values = Vec::new();
+    let mut numbers = Numbers {
+        nominal,
+        machine,
+        values,
+    };
+    angles
+        .iter()
+        .find_map(|&(angle, output)| numbers.follow(algebra, angle, output))
+}
+
+/// The mechanism on numbers.
+struct Numbers<'a> {
+    nominal: &'a Nominal,
+    machine: &'a mut Machine,
+    values: Vec<f64>,
+}
+
+impl Numbers<'_> {
+    /// Finds centre and windings of an angle, unless it cannot be followed.
+    fn follow(&mut self, algebra: &Algebra, angle: usize, output: usize) -> Option<Unfollowed> {
+        let inputs = self.nominal.inputs.len();
+        let estimate = algebra.names.angles[angle].estimate(self.nominal);
+        let here = self.angle(output, &self.nominal.inputs.clone(), estimate);
+        let mut centre = Centre::new(here);
+        for input in 0..inputs {
+            let (low, high) = followed_range(algebra, self.nominal, input);
+            let at = self.nominal.inputs[input];
+            if low == high {
+                continue;
+            }
+            let rates = constant_ratio::candidate_rates(algebra, input);
+            let mut position = self.nominal.inputs.clone();
+            let found = follow(low, high, at, here, &rates, |x| {
+                position[input] = x;
+                self.direction(output, &position)
+            });
+            let Some(winding) = found else {
+                return Some(Unfollowed { angle, input });
+            };
+            centre.add(winding, at);
+            self.machine.windings.insert((angle, input), winding.turns);
+        }
+        self.machine.centres.insert(angle, centre.value());
+        let declared = self.nominal.ranges.iter().flatten().count();
+        let strays = declared > 1 && !self.stays_near_its_guide(angle, output);
+        strays.then(|| Unfollowed {
+            angle,
+            input: inputs - 1,
+        })
+    }
+
+    fn direction(&mut self, output: usize, inputs: &[f64]) -> [f64; 2] {
+        self.machine.run(&mut self.values, inputs);
+        [output, output + 1].map(|k| self.machine.output(&self.values, k))
+    }
+
+    /// The angle at given inputs that is nearest to `guide`.
+    fn angle(&mut self, output: usize, inputs: &[f64], guide: f64) -> f64 {
+        let [cos, sin] = self.direction(output, inputs);
+        Ternary::AngleNear.apply([sin, cos, guide])
+    }
+
+    /// With several inputs: the angle, followed from neighbour to neighbour over a grid, is the one nearest to its guide.
+    fn stays_near_its_guide(&mut self, angle: usize, output: usize) -> bool {
+        let all: Vec<usize> = (0..self.nominal.inputs.len()).collect();
+        let grid = Grid::new(self.nominal, &all);
+        let mut followed = Vec::with_capacity(grid.count);
+        for position in 0..grid.count {
+            let inputs = grid.inputs(self.nominal, position);
+            let windings = &self.machine.windings;
+            let turned = inputs
+                .iter()
+                .enumerate()
+                .map(|(input, x)| windings.get(&(angle, input)).copied().unwrap_or(0.0) * x);
+            let guide = self.machine.centres[&angle] + turned.sum::<f64>();
+            let near = grid
+                .before(position)
+                .map_or(guide, |before| followed[before]);
+            let value = self.angle(output, &inputs, near);
+            if (value - guide).abs() > LIMIT {
+                return false;
+            }
+            followed.push(if value.is_nan() { near } else { value });
+        }
+        true
+    }
+}
+
+/// The range over which an angle is followed along an input: the declared one, else a turn about the reference for an
+/// angle, only the reference for a length.
+pub(crate) fn followed_range(algebra: &Algebra, nominal: &Nominal, input: usize) -> (f64, f64) {
+    let reference = nominal.inputs[input];
+    let half = match algebra.mechanism.inputs[input].dimension.half_lengths {
+        0 => PI,
+        _ => 0.0,
+    };
+    nominal.ranges[input].unwrap_or((reference - half, reference + half))
+}

@@ -1,0 +1,77 @@
+//! Parameters that nothing is written with.
+
+use std::collections::BTreeSet;
+
+use crate::algebra::Nominal;
+use crate::diagnostic::Reporter;
+use crate::model::{Expr, ExprKind, Mechanism, Name, Parameter, Variable};
+
+use crate::message_format::MessageFormat;
+
+/// Warns of parameters that neither loops nor bodies nor functions mention. One whose name begins with `_`, or with
+/// `#[allow(unused)]`, is meant to be so.
+pub(crate) fn warn_of_unused(mechanism: &Mechanism, nominal: &Nominal, reporter: &mut Reporter) {
+    if mechanism.evaluators.is_empty() {
+        // It has just been begun.
+        return;
+    }
+    let used = mentioned(mechanism);
+    let parameters = mechanism.parameters.iter().enumerate();
+    for (_, own) in parameters.filter(|(index, own)| {
+        !used.contains(index) && !own.name.starts_with('_') && !own.may_be_unused
+    }) {
+        let Parameter {
+            name,
+            ty,
+            first_scalar,
+            tolerances,
+            ..
+        } = own;
+        let values = &nominal.parameters[first_scalar.0..][..tolerances.len()];
+        let value = MessageFormat::new(mechanism).value(ty, values);
+        let fact =
+            format!("the parameter `{name} = {value}` is used by no loop, no body and no function");
+        let help = "remove it, or write `#[allow(unused)]` above it if it is to be a field only";
+        reporter.warning_with_help(own.origin, fact, help);
+    }
+}
+
+/// The parameters that something is written with or differentiated by.
+fn mentioned(mechanism: &Mechanism) -> BTreeSet<usize> {
+    let mut found = BTreeSet::new();
+    for part in expressions(mechanism).into_iter().flat_map(Expr::parts) {
+        match &part.kind {
+            ExprKind::Name(Name::Parameter(index)) => {
+                found.insert(*index);
+            }
+            ExprKind::Derivative(_, variables) => {
+                found.extend(variables.iter().filter_map(|variable| match variable {
+                    Variable::Parameter(scalar) => {
+                        Some(mechanism.scalar_parameters[scalar.0].parameter)
+                    }
+                    Variable::Input(_) => None,
+                }));
+            }
+            // Only names mention parameters, and a sensitivity may be by all of them.
+            _ => {}
+        }
+    }
+    found
+}
+
+/// All that a mechanism is written with, beside the numbers of its declarations.
+fn expressions(mechanism: &Mechanism) -> Vec<&Expr> {
+    let mut all = mechanism.expressions_of_mechanics();
+    all.extend(
+        mechanism
+            .unknowns
+            .iter()
+            .filter_map(|own| own.estimate.as_ref()),
+    );
+    all.extend(mechanism.lets.iter().map(|own| &own.value));
+    let loops = mechanism.loops.iter().chain(&mechanism.redundant);
+    all.extend(loops.flat_map(|own| [&own.left, &own.right]));
+    let quantities = mechanism.evaluators.iter().flat_map(|own| &own.quantities);
+    all.extend(quantities.map(|own| &own.value));
+    all
+}
