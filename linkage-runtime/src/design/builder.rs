@@ -9,7 +9,9 @@ use super::condition::Condition;
 use super::settings::{Progress, Settings, settings_methods};
 use super::varied::{Freedom, freedom_methods};
 use super::{DesignError, Relation, Wish};
-use crate::{AssemblyError, Circuits, Dimensions};
+use crate::circuits::Circuits;
+use crate::dimensions::Dimensions;
+use crate::error::AssemblyError;
 
 /// Starts, unless the design says otherwise.
 const STARTS: usize = 1024;

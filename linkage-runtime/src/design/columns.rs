@@ -4,7 +4,9 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
 use super::DesignError;
-use crate::{Column, Heading, Meaning, Parameter};
+use crate::data::Parameter;
+use crate::table::{Column, Heading};
+use linkage_core::Meaning;
 
 /// One number of a quantity.
 #[derive(Clone, Debug, PartialEq)]

@@ -9,7 +9,7 @@ use linkage_core::Cycle;
 use super::DesignError;
 use super::cycle::{self, Chosen, Conditions, CycleWish, Piece, Place};
 use super::wish::{Candidates, Evaluate, Rows, Wish};
-use crate::Parameter;
+use crate::data::Parameter;
 
 /// A number of the dimensions that must not be negative.
 pub(crate) struct Condition<F> {

@@ -10,7 +10,7 @@ use super::problem::Evaluator;
 use super::results::Results;
 use super::search;
 use super::settings::End;
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
 /// Sums that differ by less than this part are equal, as those of optima that are one.
 const SAME: f64 = 1e-6;

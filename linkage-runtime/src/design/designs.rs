@@ -5,8 +5,9 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt;
 
+use crate::data::Parameter;
+use crate::dimensions::Dimensions;
 use crate::words::rounded;
-use crate::{Dimensions, Parameter};
 
 /// A local optimum that holds all that must hold.
 #[derive(Clone, Debug, PartialEq)]

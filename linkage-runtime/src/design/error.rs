@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 use std::time::Duration;
 
 use super::certificate::{Interrupted, Interruption};
-use crate::AssemblyError;
+use crate::error::AssemblyError;
 
 /// Why a design problem cannot be solved.
 #[derive(Clone, Debug, PartialEq)]

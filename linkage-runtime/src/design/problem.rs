@@ -14,7 +14,7 @@ use super::limits::{Limits, Linear};
 use super::normal::Normal;
 use super::optimum::Optimum;
 use super::wish::{Candidates, Evaluate, Free, Rows, Wish};
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
 /// Positive bounds with a larger ratio say nothing of the size: starts then have every order of
 /// size alike.

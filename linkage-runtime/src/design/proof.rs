@@ -5,7 +5,9 @@ use alloc::vec::Vec;
 use super::certificate::{Interruption, alike, certify};
 use super::optimum::Optimum;
 use super::problem::{Evaluator, Problem};
-use crate::{AssemblyError, Branch, Circuits, Dimensions};
+use crate::circuits::{Branch, Circuits};
+use crate::dimensions::Dimensions;
+use crate::error::AssemblyError;
 
 /// The assembly of an optimum over the whole range, or why there is none.
 pub(crate) fn certify_optimum<M: Dimensions<N> + Copy, A, const N: usize>(

@@ -17,7 +17,7 @@ use super::proof::certify_optimum;
 use super::search::{distinct, refine};
 use super::settings::End;
 use super::varied::Freedom;
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
 /// The inputs of designs.
 pub(super) struct Results<'d, M, A, const N: usize> {

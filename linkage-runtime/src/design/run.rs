@@ -11,7 +11,7 @@ use super::rounds::in_rounds;
 use super::search::{BLOCK, Block, block, distinct};
 use super::settings::{End, Report};
 use super::{DesignError, DesignSearch, Refusals};
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
 impl<'a, M, A, const N: usize> Design<'a, M, A, N>
 where

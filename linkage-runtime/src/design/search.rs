@@ -9,7 +9,7 @@ use super::optimum::Optimum;
 use super::problem::{Evaluator, Problem};
 use super::refusals::{Fate, Tally};
 use super::starts;
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
 /// Starts of a block, which are evaluated side by side: enough for lanes, and few enough that their
 /// numbers stay in the cache.

@@ -6,7 +6,8 @@ use alloc::vec::Vec;
 
 use super::limits::{Limits, Linear};
 use super::{DesignError, Relation, contradiction};
-use crate::{Dimensions, Parameter};
+use crate::data::Parameter;
+use crate::dimensions::Dimensions;
 
 /// The parameters that vary, by name.
 #[derive(Clone, Debug, Default, PartialEq)]

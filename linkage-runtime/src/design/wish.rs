@@ -8,7 +8,7 @@ use alloc::vec::Vec;
 use linkage_core::Cycle;
 
 use super::DesignError;
-use crate::Parameter;
+use crate::data::Parameter;
 use crate::words::rounded;
 
 /// Something that is wanted of a mechanism: rows of residuals, whose sum of squares is made least,

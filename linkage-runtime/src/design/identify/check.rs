@@ -5,9 +5,9 @@ use alloc::vec::Vec;
 
 use super::rows;
 use super::setup::Identification;
-use crate::Dimensions;
 use crate::design::DesignError;
 use crate::design::limits::Limits;
+use crate::dimensions::Dimensions;
 
 /// The places of the unknown parameters and their limits, or all that is wrong.
 pub(super) fn check<M: Dimensions<N> + Copy, A, const N: usize>(

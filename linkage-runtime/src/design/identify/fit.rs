@@ -5,11 +5,11 @@ use alloc::vec::Vec;
 use super::determined::Determined;
 use super::rows;
 use super::setup::Identification;
-use crate::Dimensions;
 use crate::design::error::DesignError;
 use crate::design::least_squares::{State, minimise};
 use crate::design::limits::Limits;
 use crate::design::normal::Normal;
+use crate::dimensions::Dimensions;
 
 /// The most evaluations of a fit: a hundred times those of a fit that begins near its end.
 const STEPS: usize = 1000;

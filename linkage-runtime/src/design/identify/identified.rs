@@ -6,8 +6,9 @@ use super::determined::Determined;
 use super::named::Named;
 use super::reading::ReadingRow;
 use super::undetermined::Undetermined;
+use crate::data::Parameter;
+use crate::dimensions::Dimensions;
 use crate::tolerance::student;
-use crate::{Dimensions, Parameter};
 
 /// Readings are marked as outliers if one as far off is among as many good ones with this
 /// probability.

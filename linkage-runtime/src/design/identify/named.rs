@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use crate::Parameter;
+use crate::data::Parameter;
 use crate::design::limits::Limits;
 
 /// The unknown parameters.

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use super::reading::{ReadingRow, Sources};
 use super::setup::Identification;
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
 pub(super) fn mechanism<M: Dimensions<N> + Copy, A, const N: usize>(
     identification: &Identification<'_, M, A, N>,

@@ -8,8 +8,8 @@ use super::named::Named;
 use super::reading::ReadingRow;
 use super::setup::Identification;
 use super::{check, fit, rows, scale, settled, undetermined};
-use crate::Dimensions;
 use crate::design::error::DesignError;
+use crate::dimensions::Dimensions;
 
 impl<M, A, const N: usize> Identification<'_, M, A, N>
 where

@@ -4,8 +4,8 @@ use alloc::vec::Vec;
 
 use super::reading::ReadingRow;
 use super::setup::Identification;
-use crate::Dimensions;
 use crate::design::limits::Limits;
+use crate::dimensions::Dimensions;
 
 /// Returns the rows of the other quantities of the functions in use, as if they were read as
 /// exactly: numbers of the same unit, and lengths and angles by the largest length. Quantities of

@@ -11,8 +11,8 @@ use nalgebra::DMatrix;
 use super::determined::Determined;
 use super::setup::Identification;
 use super::{fit, rows};
-use crate::Dimensions;
 use crate::design::limits::Limits;
+use crate::dimensions::Dimensions;
 
 /// An estimate is settled that is off by less than this part of its standard errors.
 const SETTLED: f64 = 1e-3;

@@ -7,7 +7,8 @@ use core::marker::PhantomData;
 
 use super::reading::{Direct, Readings, Sources};
 use crate::design::varied::Freedom;
-use crate::{Dimensions, Table};
+use crate::dimensions::Dimensions;
+use crate::table::Table;
 
 /// An identification: dimensions of a mechanism that exists, from readings of its positions, by
 /// least squares.

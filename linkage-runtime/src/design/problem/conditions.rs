@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use super::super::normal::Normal;
 use super::super::violation::Violation;
 use super::Problem;
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
 /// A condition that is violated by less than this part of its size holds: the last step met it to
 /// second order.

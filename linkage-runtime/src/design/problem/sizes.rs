@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 
 use super::super::starts;
 use super::{Evaluator, Problem};
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
 /// Starts at which conditions are looked at.
 const PLACES: usize = 32;
