@@ -47,4 +47,4 @@ pub use engine::Assembly;
 pub use failure::Failure;
 pub use mechanism::Mechanism;
 pub use messages::rendered;
-pub use source::{Found, Source};
+pub use source::{MechanismCall, Source};

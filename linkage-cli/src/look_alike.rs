@@ -9,10 +9,10 @@ use unicode_security::confusable_detection::skeleton;
 
 use crate::confusable::{letters, look_alike};
 use crate::messages::{drawn, renderer};
-use crate::source::{Found, Source};
+use crate::source::{MechanismCall, Source};
 
 /// A warning for each name that looks like an earlier one, a blank line after each.
-pub(crate) fn look_alikes(source: &Source, found: &Found, coloured: bool) -> String {
+pub(crate) fn look_alikes(source: &Source, found: &MechanismCall, coloured: bool) -> String {
     let mut names = BTreeMap::new();
     collect(found.tokens.clone(), &mut names);
     if names.keys().all(|name| name.is_ascii()) {

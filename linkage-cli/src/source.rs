@@ -15,13 +15,13 @@ use crate::normal::normalised;
 pub struct Source {
     name: String,
     text: String,
-    calls: Vec<Found>,
+    calls: Vec<MechanismCall>,
 }
 
 /// Mechanisms of a file that may have each other as parts: those of a call of the macro, or all of
 /// a file that is not Rust.
 #[derive(Clone, Debug)]
-pub struct Found {
+pub struct MechanismCall {
     /// Tokens for the compiler.
     pub tokens: TokenStream,
     /// The place of messages about no token: the call of the macro in a Rust file, else the
@@ -68,12 +68,12 @@ impl Source {
             }
             (true, false) => {
                 let place = 0..0;
-                vec![Found { tokens, place }]
+                vec![MechanismCall { tokens, place }]
             }
             (false, _) => calls,
         };
         // Not before it is known how deep brackets are.
-        let normal = |found: Found| Found {
+        let normal = |found: MechanismCall| MechanismCall {
             tokens: normalised(found.tokens),
             place: found.place,
         };
@@ -99,7 +99,7 @@ impl Source {
 
     /// The mechanisms in it, call by call.
     #[must_use]
-    pub fn calls(&self) -> &[Found] {
+    pub fn calls(&self) -> &[MechanismCall] {
         &self.calls
     }
 }
@@ -109,7 +109,7 @@ const DEEPEST: usize = 128;
 
 /// Collects the tokens between the brackets of all calls of `mechanism!`, within functions and
 /// modules, too. It is an error if brackets are nested too deep.
-fn collect(tokens: TokenStream, depth: usize, calls: &mut Vec<Found>) -> Result<(), ()> {
+fn collect(tokens: TokenStream, depth: usize, calls: &mut Vec<MechanismCall>) -> Result<(), ()> {
     if depth > DEEPEST {
         return Err(());
     }
@@ -125,7 +125,7 @@ fn collect(tokens: TokenStream, depth: usize, calls: &mut Vec<Found>) -> Result<
                 let start = word.span().byte_range().start;
                 // What is in it is looked at for its depth alone.
                 collect(group.stream(), depth + 1, &mut Vec::new())?;
-                calls.push(Found {
+                calls.push(MechanismCall {
                     tokens: group.stream(),
                     place: start..group.span_close().byte_range().end,
                 });

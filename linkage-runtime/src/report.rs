@@ -36,9 +36,9 @@ mod plot;
 mod plots;
 #[cfg(feature = "png")]
 mod png;
+mod positioned_picture;
 mod rates;
 mod row;
-mod shown;
 mod summary;
 mod svg;
 mod tables;

@@ -23,7 +23,7 @@ fn points() -> [[f64; 2]; 7] {
 }
 
 fn path() -> Targets {
-    Targets::new("point", points()).at(INPUTS)
+    Targets::new("point", points()).at_inputs(INPUTS)
 }
 
 /// The sum of the squares of all distances at given inputs, and the largest difference of a coordinate.
@@ -171,7 +171,7 @@ fn least_squares_agree() -> Result<(), DesignError> {
 /// What is wrong with targets is told as by least squares.
 #[test]
 fn mistakes_are_told_together() {
-    let wrong = Targets::new("trace", [[1.0, 2.0]]).at([0.1]);
+    let wrong = Targets::new("trace", [[1.0, 2.0]]).at_inputs([0.1]);
     let run = design()
         .vary("crnk", 1.0, 2.0)
         .want(Fit::within(computed!(wrong), 1.0))

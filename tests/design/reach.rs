@@ -94,7 +94,7 @@ fn a_target_out_of_reach() {
 }
 
 fn refused(relations: Vec<Relation>) -> DesignError {
-    let wish = Targets::new("tracer", points(&[0.2])).at([0.2]);
+    let wish = Targets::new("tracer", points(&[0.2])).at_inputs([0.2]);
     let design = Design::new(
         FourBar::default(),
         FourBar::assemble,

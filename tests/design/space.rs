@@ -54,7 +54,7 @@ fn poses_are_found_again() {
     });
     let wish = Targets::of_all(["tip", "along", "upward"], poses)
         .weights([1.0, 1.0, 1.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0])
-        .at(inputs)
+        .at_inputs(inputs)
         .computed_by(CarrierAssembly::pose_sweep_sets_into);
     let design = Design::new(
         nominal,

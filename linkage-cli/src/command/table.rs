@@ -8,9 +8,9 @@ use clap::{Args, value_parser};
 use linkage_runtime::report::{CsvStyle, Mistake};
 
 use super::choose::Chosen;
-use super::course::Course;
 use super::output::put;
 use super::range;
+use super::running_input::RunningInput;
 use super::values::Dimensions;
 use crate::failure::Failure;
 use crate::normal::normal;
@@ -25,7 +25,7 @@ pub(super) struct Options {
     #[arg(value_parser = normal)]
     function: String,
     #[command(flatten)]
-    course: Course,
+    course: RunningInput,
     /// How many positions, both ends included
     #[arg(long, default_value_t = 361, value_name = "COUNT", value_parser = value_parser!(u32).range(1..))]
     steps: u32,

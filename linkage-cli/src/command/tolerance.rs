@@ -12,9 +12,9 @@ use linkage_runtime::report::CsvStyle;
 use linkage_runtime::tolerance::largest;
 
 use super::choose::Chosen;
-use super::course::{Along, Course};
 use super::output::print;
 use super::range;
+use super::running_input::{Along, RunningInput};
 use super::values::Dimensions;
 use crate::engine::Assembly;
 use crate::failure::Failure;
@@ -32,7 +32,7 @@ pub(super) struct Options {
     #[arg(value_parser = normal)]
     function: String,
     #[command(flatten)]
-    course: Course,
+    course: RunningInput,
     /// How many positions, both ends included
     #[arg(long, default_value_t = 37, value_name = "COUNT", value_parser = value_parser!(u32).range(2..))]
     steps: u32,

@@ -13,7 +13,7 @@ use crate::mechanism::Mechanism;
 use crate::mechanism::forever::forever;
 
 /// A mechanism with one input, as the runtime searches it.
-struct Search<'m> {
+struct CircuitSearch<'m> {
     mechanism: &'m Mechanism,
     dimensions: &'m [f64],
     searched: Searched,
@@ -54,7 +54,7 @@ impl Mechanism {
             modes: self.modes().len(),
             coupled: self.groups.len(),
         };
-        let search = Search {
+        let search = CircuitSearch {
             mechanism: self,
             dimensions,
             searched,
@@ -63,7 +63,7 @@ impl Mechanism {
     }
 }
 
-impl<'m> Levels for Search<'m> {
+impl<'m> Levels for CircuitSearch<'m> {
     type Assembly = Assembly<'m>;
     type Survey = Vec<f64>;
     type Programs = Programs<'m>;

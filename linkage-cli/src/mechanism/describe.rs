@@ -1,6 +1,6 @@
 //! The runtime's descriptions of a unit, as generated code has them as constants.
 
-use linkage_compiler::ir::{Coupled, Function, Meaning, Picture, Shown, CompiledMechanism, plain};
+use linkage_compiler::ir::{CompiledMechanism, Coupled, Function, Meaning, Picture, Shown, plain};
 use linkage_runtime::generated::{
     Along, Angle, CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown, Range, Term,
 };

@@ -81,7 +81,7 @@ impl Targets {
 
     /// At these inputs, one for each position.
     #[must_use]
-    pub fn at(self, inputs: impl IntoIterator<Item = f64>) -> Self {
+    pub fn at_inputs(self, inputs: impl IntoIterator<Item = f64>) -> Self {
         self.timing(Timing::Given(inputs.into_iter().collect()))
     }
 

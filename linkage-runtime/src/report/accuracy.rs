@@ -7,7 +7,9 @@ use std::vec::Vec;
 use super::builder::Report;
 use super::tables::Saved;
 use super::units::numerator;
-use crate::{Column, Meaning, Parameter};
+use crate::data::Parameter;
+use crate::table::Column;
+use linkage_core::Meaning;
 
 /// The sum of errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -8,7 +8,11 @@ use super::csv::CsvStyle;
 use super::figures::Figures;
 use super::tables::Saved;
 use crate::cyclogram::Cyclogram;
-use crate::{AssemblyMode, Dimensions, Input, Parameter, Programs, Structure, Table};
+use crate::data::{AssemblyMode, Input, Parameter};
+use crate::dimensions::Dimensions;
+use crate::javascript::Programs;
+use crate::structure::Structure;
+use crate::table::Table;
 
 /// A report about a mechanism over its range.
 ///

@@ -6,10 +6,10 @@ use std::vec::Vec;
 use super::Mistake;
 use super::builder::Report;
 use super::error::ReportError;
-use super::shown::{drawn_names, point_named};
+use super::positioned_picture::{drawn_names, point_named};
 use super::tables::Saved;
-use super::{glyphs, machine, rates, shown, tables};
-use crate::Meaning;
+use super::{glyphs, machine, positioned_picture, rates, tables};
+use linkage_core::Meaning;
 
 /// Returns all mistakes of a report as an error.
 pub(super) fn check(report: &Report) -> Result<(), ReportError> {
@@ -97,7 +97,7 @@ fn check_picture(report: &Report, mistakes: &mut Vec<Mistake>) {
     if functions.len() > 1 {
         mistakes.push(Mistake::Pictures { functions });
     }
-    let Some(shown) = shown::find_picture(report) else {
+    let Some(shown) = positioned_picture::find_picture(report) else {
         if let Some(name) = report.traces.first() {
             mistakes.push(Mistake::NoPicture {
                 wanted: std::format!("the path of `{name}`"),

@@ -11,7 +11,7 @@ use super::builder::Report;
 use super::error::{ReportError, failed};
 use super::frame::escaped;
 use super::glyphs::control;
-use super::{output_file, shown};
+use super::{output_file, positioned_picture};
 
 const FRAME: &str = include_str!("page/index.html");
 
@@ -59,7 +59,7 @@ impl Index {
             folder: folder.into(),
             title: report.title.clone(),
             about: report.about.clone(),
-            drawn: shown::is_drawable(report),
+            drawn: positioned_picture::is_drawable(report),
         });
         self
     }

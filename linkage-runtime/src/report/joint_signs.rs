@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 use std::string::String;
 
-use crate::{JointShape, PictureJoint};
+use linkage_core::{JointShape, PictureJoint};
 
 /// The name and the sign of a kind of joint.
 pub(super) struct JointSign {

@@ -12,11 +12,16 @@ use super::accuracy::BandKind;
 use super::builder::Report;
 use super::error::ReportError;
 use super::palette::{Palette, Style};
+use super::positioned_picture::PositionedPicture;
 use super::rates::True;
-use super::shown::Shown;
 use super::tables::Saved;
-use super::{accuracy, check, downsample, machine, missing, palette, rates, shown, summary};
-use crate::{Column, GuideOn, GuideShape, Meaning, Operations, PointKind, Structure};
+use super::{
+    accuracy, check, downsample, machine, missing, palette, positioned_picture, rates, summary,
+};
+use crate::data::Operations;
+use crate::structure::Structure;
+use crate::table::Column;
+use linkage_core::{GuideOn, GuideShape, Meaning, PointKind};
 use series::Series;
 
 /// Returns the whole report as JSON.
@@ -39,7 +44,7 @@ fn report_value(report: &Report, rows: Option<&[usize]>) -> Value {
     let mut value = json!({
         "title": report.title,
         "about": report.about,
-        "notes": shown::all_notes(report),
+        "notes": positioned_picture::all_notes(report),
         "input": {
             "name": report.input.name,
             "unit": report.input.unit,
@@ -52,7 +57,7 @@ fn report_value(report: &Report, rows: Option<&[usize]>) -> Value {
         "accuracy": accuracy,
         "speed": report.speed.map(|s| json!({ "omega": s.omega, "epsilon": s.epsilon })),
         "true": list(rates::true_rates(report), |rate| coloured(true_value(&series, &rate), &hues, rate.column.name)),
-        "picture": shown::find_picture(report).map(|shown| picture_value(report, &series, &hues, &shown)),
+        "picture": positioned_picture::find_picture(report).map(|shown| picture_value(report, &series, &hues, &shown)),
         "structure": report.structure.map(|structure| structure_value(report, &structure)),
         "dimensions": list(&report.dimensions, |d| json!({
             "name": d.parameter.name,
@@ -147,7 +152,12 @@ fn tolerance_values(report: &Report, series: &Series<'_>) -> (Vec<Value>, Vec<Va
     (bands, accuracy)
 }
 
-fn picture_value(report: &Report, series: &Series<'_>, hues: &Palette, shown: &Shown<'_>) -> Value {
+fn picture_value(
+    report: &Report,
+    series: &Series<'_>,
+    hues: &Palette,
+    shown: &PositionedPicture<'_>,
+) -> Value {
     let picture = shown.picture;
     let points = picture.points.iter().enumerate();
     let directions = picture.directions.iter().enumerate();
@@ -189,7 +199,7 @@ fn picture_value(report: &Report, series: &Series<'_>, hues: &Palette, shown: &S
         "axes": list(picture.axes, |axis| {
             json!({ "point": axis.point, "direction": axis.direction })
         }),
-        "traces": shown::traced_points(report, picture),
+        "traces": positioned_picture::traced_points(report, picture),
     });
     signs::add(&mut value, shown);
     if let Some(view) = report.view {

@@ -9,8 +9,8 @@ use super::builder::Report;
 use super::colour::LINKS;
 use super::cyclogram::intervals;
 use super::error::ReportError;
-use super::shown::Shown;
-use super::{shown, tables};
+use super::positioned_picture::PositionedPicture;
+use super::{positioned_picture, tables};
 use crate::cyclogram::{Cyclogram, Organ};
 
 /// The unit of a shaft's angle.
@@ -18,7 +18,7 @@ const ANGLE: &str = "rad";
 /// The name of the cyclogram's files.
 const FILE: &str = "cyclogram";
 
-impl Shown<'_> {
+impl PositionedPicture<'_> {
     /// Returns the number of the colour of a link: that of its part, and the one after all parts
     /// for links of the machine itself. Without parts the colours of the list are used in turn.
     pub(super) fn link_hue(&self, link: usize) -> usize {
@@ -63,7 +63,8 @@ pub(super) fn check_cyclogram(report: &Report, mistakes: &mut Vec<Mistake>) {
 /// Returns the number of the colour of each organ: that of the part in its name, as in `hook` or
 /// `hook.tip`, and the ones after all parts for others.
 pub(super) fn organ_hues(report: &Report, cyclogram: &Cyclogram) -> Vec<usize> {
-    let parts = shown::find_picture(report).map_or(&[][..], |shown| shown.picture.parts);
+    let parts =
+        positioned_picture::find_picture(report).map_or(&[][..], |shown| shown.picture.parts);
     let part = |organ: &Organ| {
         let name = organ.name().split('.').next();
         parts.iter().position(|part| Some(part.name) == name)
@@ -77,7 +78,8 @@ pub(super) fn organ_hues(report: &Report, cyclogram: &Cyclogram) -> Vec<usize> {
 /// Returns the number of colours of links that the page needs: for parts, for links of the machine
 /// itself, for organs.
 pub(super) fn link_hues(report: &Report) -> usize {
-    let parts = shown::find_picture(report).map_or(0, |shown| shown.picture.parts.len());
+    let parts =
+        positioned_picture::find_picture(report).map_or(0, |shown| shown.picture.parts.len());
     let organs = report
         .cyclogram
         .iter()

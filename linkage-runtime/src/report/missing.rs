@@ -4,7 +4,8 @@ use core::f64::consts::TAU;
 use std::vec::Vec;
 
 use super::builder::Report;
-use crate::{Column, Meaning};
+use crate::table::Column;
+use linkage_core::Meaning;
 
 /// A cycle closes if its ends differ by less: in turns, and in units of the largest value.
 /// Positions and quantities are known better than this and are never so near by chance.

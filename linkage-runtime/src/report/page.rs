@@ -6,7 +6,7 @@ use super::builder::Report;
 use super::colour::page_rules;
 use super::error::ReportError;
 use super::frame::Framed;
-use super::{joint_signs, json, machine, shown};
+use super::{joint_signs, json, machine, positioned_picture};
 use crate::javascript::{OTHERS, engine, with_constants};
 
 const BODY: &str = include_str!("page/page.html");
@@ -100,7 +100,8 @@ pub(super) fn page_html(report: &Report) -> Result<String, ReportError> {
         Some(version) => std::format!("{FOLLOW}\nfollow({version});\n"),
         None => String::new(),
     };
-    let joints = shown::find_picture(report).map_or(&[][..], |shown| shown.picture.joints);
+    let joints =
+        positioned_picture::find_picture(report).map_or(&[][..], |shown| shown.picture.joints);
     let script = engine_script(report)
         + &joint_signs::page_constant(joints)
         + &SCRIPTS[..START].join("\n")

@@ -6,8 +6,9 @@ use std::vec::Vec;
 
 use super::builder::Report;
 use super::colour::{CURVES, Colour};
-use super::shown;
-use crate::{Column, Meaning, PointKind};
+use super::positioned_picture;
+use crate::table::Column;
+use linkage_core::{Meaning, PointKind};
 
 /// Colours of quantities by their names; components of a vector have that of the vector.
 #[derive(Clone, Debug, Default)]
@@ -87,7 +88,7 @@ pub(super) fn palette(report: &Report) -> Palette {
     for column in coloured {
         hues.give(components(column.name).0, column.unit);
     }
-    if let Some(shown) = shown::find_picture(report) {
+    if let Some(shown) = positioned_picture::find_picture(report) {
         for (index, point) in shown.picture.points.iter().enumerate() {
             if point.kind != PointKind::Construction {
                 let given = hues.give(point.name, shown.unit);

@@ -15,8 +15,9 @@ use super::tables::Saved;
 use super::units::{per_second, titled};
 use super::{BandKind, Mistake};
 use super::{accuracy, check, palette, rates};
+use crate::table::Column;
 use crate::words::rounded;
-use crate::{Column, Meaning};
+use linkage_core::Meaning;
 
 /// A column as it is asked for.
 struct FoundColumn<'a> {

@@ -5,18 +5,19 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::builder::Report;
-use crate::{Column, Guide, GuideOn, Picture, PicturePoint, PointKind};
+use crate::table::Column;
+use linkage_core::{Guide, GuideOn, Picture, PicturePoint, PointKind};
 
 /// The picture of a report, with the places of its points.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Shown<'a> {
+pub(super) struct PositionedPicture<'a> {
     pub(super) picture: &'static Picture,
     columns: &'a [Vec<f64>],
     pub(super) unit: &'static str,
     named: &'static [Column],
 }
 
-impl<'a> Shown<'a> {
+impl<'a> PositionedPicture<'a> {
     pub(super) fn rows(&self) -> usize {
         self.columns.first().map_or(0, Vec::len)
     }
@@ -88,10 +89,10 @@ impl<'a> Shown<'a> {
     }
 }
 
-pub(super) fn find_picture(report: &Report) -> Option<Shown<'_>> {
+pub(super) fn find_picture(report: &Report) -> Option<PositionedPicture<'_>> {
     report.tables.iter().find_map(|table| {
         let columns = table.heading.picture?;
-        Some(Shown {
+        Some(PositionedPicture {
             picture: columns.picture,
             columns: &table.values[columns.first..],
             unit: table.heading.columns.get(columns.first)?.unit,

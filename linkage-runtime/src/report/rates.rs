@@ -6,8 +6,9 @@ use std::vec::Vec;
 use super::builder::Report;
 use super::tables::Saved;
 use super::units::{numerator, per_second};
-use crate::{Column, Meaning};
-use crate::{true_acceleration, true_velocity};
+use crate::motion::{true_acceleration, true_velocity};
+use crate::table::Column;
+use linkage_core::Meaning;
 
 /// A derivative by time.
 pub(super) struct True {

@@ -3,7 +3,8 @@
 use std::string::String;
 use std::vec::Vec;
 
-use crate::{Column, Heading, Meaning, Table};
+use crate::table::{Column, Heading, Table};
+use linkage_core::Meaning;
 
 /// A table as the report keeps it.
 #[derive(Clone, Debug)]

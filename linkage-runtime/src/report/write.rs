@@ -10,7 +10,7 @@ use super::builder::Report;
 use super::cyclogram::bars;
 use super::drawing::Drawing;
 use super::error::{ReportError, failed};
-use super::{csv, json, machine, output_file, page, plots, shown, tables};
+use super::{csv, json, machine, output_file, page, plots, positioned_picture, tables};
 
 /// Further positions in the drawing.
 const GHOSTS: usize = 8;
@@ -34,7 +34,7 @@ pub(super) fn write_report(
             csv::table_csv(report, &function)?,
         ));
     }
-    if shown::is_drawable(report) {
+    if positioned_picture::is_drawable(report) {
         let drawing = Drawing::new(report)?.ghosts(GHOSTS);
         files.push((folder.join("drawing.svg"), drawing.svg()?));
         files.push((folder.join("drawing.dxf"), drawing.dxf()?));

@@ -7,7 +7,7 @@ use std::mem::take;
 use linkage_runtime::report::CsvStyle;
 use serde_json::{Value, json};
 
-use super::super::course::Along;
+use super::super::running_input::Along;
 use crate::engine::Assembly;
 use crate::mechanism::Mechanism;
 

@@ -7,9 +7,11 @@ use alloc::vec::Vec;
 use core::f64::consts::TAU;
 use core::marker::PhantomData;
 
+use crate::data::Parameter;
 use crate::design::DesignError;
 use crate::design::columns::{Number, Numbers};
-use crate::{Dimensions, Heading, Parameter, Table};
+use crate::dimensions::Dimensions;
+use crate::table::{Heading, Table};
 
 /// A quantity at positions of the input, with readings or without: `Measured::new("tracer",
 /// values)` was measured, `Measured::offer("psi")` could be.

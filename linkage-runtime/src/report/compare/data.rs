@@ -7,8 +7,8 @@ use std::vec::Vec;
 use super::front::front;
 use super::picture::Drawn;
 use super::{Compared, Comparison};
-use crate::Meaning;
-use crate::report::{plots, shown};
+use crate::report::{plots, positioned_picture};
+use linkage_core::Meaning;
 
 /// A page has no more positions of each design: two for each degree of a turn that a drawing of
 /// some hundred pixels shows would be no better.
@@ -50,7 +50,7 @@ impl Comparison<'_> {
             "about": self.about,
             "input": input,
             "extent": extent,
-            "unit": first.and_then(|report| shown::find_picture(report)).map(|shown| shown.unit),
+            "unit": first.and_then(|report| positioned_picture::find_picture(report)).map(|shown| shown.unit),
             "designs": designs.collect::<Vec<_>>(),
             "curves": self.columns().iter().filter_map(|name| {
                 let (_, unit, _) = first.and_then(|report| plots::find_series(report, name))?;

@@ -6,23 +6,23 @@ use std::vec::Vec;
 
 use crate::report::builder::Report;
 use crate::report::drawing::View;
-use crate::report::shown;
-use crate::report::shown::Shown;
-use crate::{GuideOn, PointKind};
+use crate::report::positioned_picture;
+use crate::report::positioned_picture::PositionedPicture;
+use linkage_core::{GuideOn, PointKind};
 
 /// The number of steps across a drawing, finer than a screen shows them.
 const STEPS: f64 = 10_000.0;
 
 /// Places in the plane of the page, over the rows that are shown.
 pub(super) struct Drawn<'a> {
-    shown: Shown<'a>,
+    shown: PositionedPicture<'a>,
     report: &'a Report,
     view: View,
 }
 
 impl<'a> Drawn<'a> {
     pub(super) fn new(report: &'a Report) -> Option<Self> {
-        let shown = shown::find_picture(report)?;
+        let shown = positioned_picture::find_picture(report)?;
         let view = View::new(shown.picture.dimension);
         Some(Self {
             shown,
@@ -91,7 +91,7 @@ impl<'a> Drawn<'a> {
             .rails(rows)
             .into_iter()
             .map(|ends| ends.map(|place| place.map(rounded)));
-        let traces = shown::traced_points(self.report, self.shown.picture);
+        let traces = positioned_picture::traced_points(self.report, self.shown.picture);
         json!({
             "points": all.collect::<Vec<_>>(),
             "links": links.collect::<Vec<_>>(),
@@ -108,7 +108,7 @@ impl<'a> Drawn<'a> {
             .iter()
             .flat_map(|link| link.points.iter().copied());
         let sliders = picture.guides.iter().map(|guide| guide.slider);
-        let traced = shown::traced_points(self.report, picture);
+        let traced = positioned_picture::traced_points(self.report, picture);
         let mut all: Vec<usize> = of_links.chain(sliders).chain(traced).collect();
         all.sort_unstable();
         all.dedup();

@@ -8,7 +8,7 @@ use super::options::Drawing;
 use super::sheet::Sheet;
 use super::vector::head;
 use crate::report::colour::Colour;
-use crate::report::shown::told_of_missing;
+use crate::report::positioned_picture::told_of_missing;
 use crate::report::svg::{Element, Svg};
 use crate::words::rounded;
 

@@ -10,7 +10,7 @@ use super::room::Taken;
 use super::sheet::Sheet;
 use super::sizes::{BEYOND, BLOCK, FOOT, JOINT, OUTLINE};
 use super::{arrows, marks, parts, signs};
-use crate::{Guide, GuideOn, GuideShape, PointKind};
+use linkage_core::{Guide, GuideOn, GuideShape, PointKind};
 
 /// Distance from the middle of a frame's guide to that of its hatching, and half the width of the
 /// hatching.

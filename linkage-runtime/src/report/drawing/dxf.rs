@@ -11,7 +11,7 @@ use super::rows;
 use crate::report::error::ReportError;
 use crate::report::tags::{Layer, Tags};
 use crate::words::rounded;
-use crate::{GuideShape, PicturePart, PointKind};
+use linkage_core::{GuideShape, PicturePart, PointKind};
 
 /// Shares of the mechanism's size, the diagonal of the box about all places of its points: the
 /// radius of joints, half the length of axes, the height of letters.

@@ -6,7 +6,7 @@ use super::sheet::Sheet;
 use super::sizes::{BEYOND, BLOCK, FOOT};
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
-use crate::{Axis, Guide, GuideOn, PointKind};
+use linkage_core::{Axis, Guide, GuideOn, PointKind};
 
 /// Distance and length of hatching.
 const HATCH: [f64; 2] = [1.5, 2.0];

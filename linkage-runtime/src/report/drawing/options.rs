@@ -7,14 +7,14 @@ use std::vec::Vec;
 use super::scatter::COMPONENTS;
 use super::vector::Vector;
 use super::view::View;
-use crate::Meaning;
 use crate::report::Mistake;
 use crate::report::builder::Report;
 use crate::report::error::ReportError;
 use crate::report::palette::Palette;
-use crate::report::shown::{Shown, drawn_names, point_named};
+use crate::report::positioned_picture::{PositionedPicture, drawn_names, point_named};
 use crate::report::tables::Saved;
-use crate::report::{check, palette, shown, tables};
+use crate::report::{check, palette, positioned_picture, tables};
+use linkage_core::Meaning;
 
 /// A drawing of a mechanism at one position, to scale, as a picture: links as bars, links of three
 /// and more points as plates, pivots and guides of the frame hatched, sliders, cylinders, gears as
@@ -27,7 +27,7 @@ use crate::report::{check, palette, shown, tables};
 #[derive(Clone, Debug)]
 pub struct Drawing<'a> {
     pub(super) report: &'a Report,
-    pub(super) shown: Shown<'a>,
+    pub(super) shown: PositionedPicture<'a>,
     pub(super) traces: Vec<usize>,
     pub(super) hues: Palette,
     pub(super) position: Option<f64>,
@@ -49,7 +49,7 @@ impl<'a> Drawing<'a> {
     /// Returns a drawing of the mechanism with the default options.
     pub(in crate::report) fn new(report: &'a Report) -> Result<Self, ReportError> {
         check::check(report)?;
-        let shown = shown::find_picture(report).ok_or_else(|| Mistake::NoPicture {
+        let shown = positioned_picture::find_picture(report).ok_or_else(|| Mistake::NoPicture {
             wanted: String::from("a drawing"),
             functions: tables::function_names(&report.tables),
         })?;
@@ -57,7 +57,7 @@ impl<'a> Drawing<'a> {
         Ok(Self {
             report,
             shown,
-            traces: shown::traced_points(report, shown.picture),
+            traces: positioned_picture::traced_points(report, shown.picture),
             hues: palette::palette(report),
             position: None,
             ghosts: 0,

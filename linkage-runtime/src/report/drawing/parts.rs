@@ -9,7 +9,7 @@ use super::signs;
 use super::sizes::{BEYOND, BLOCK, JOINT, OUTLINE};
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
-use crate::{GuideOn, GuideShape, PointKind};
+use linkage_core::{GuideOn, GuideShape, PointKind};
 
 /// Width of a bar, and of a link's rail.
 const BAR: f64 = 2.4;

@@ -1,8 +1,8 @@
 //! Radii of gears, from the motion of their links.
 
 use super::geometry::wrapped;
-use crate::Gear;
-use crate::report::shown::Shown;
+use crate::report::positioned_picture::PositionedPicture;
+use linkage_core::Gear;
 
 /// The radii of a belt's wheels together, as a share of the distance of their centres.
 const BELT: f64 = 0.6;
@@ -16,7 +16,7 @@ pub(in crate::report) struct PitchCircles {
 
 impl PitchCircles {
     /// `None` where one of the links never turns, or nothing is finite.
-    pub(in crate::report) fn new(shown: &Shown<'_>, gear: &Gear) -> Option<Self> {
+    pub(in crate::report) fn new(shown: &PositionedPicture<'_>, gear: &Gear) -> Option<Self> {
         let angle = |wheel: usize, row: usize| {
             let from = shown.place(gear.centres[wheel], row);
             let to = shown.place(gear.ends[wheel], row);

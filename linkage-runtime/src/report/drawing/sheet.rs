@@ -8,8 +8,8 @@ use super::options::Drawing;
 use super::pitch_circles::PitchCircles;
 use super::sizes::LETTER_WIDTH;
 use super::view::View;
-use crate::PointKind;
-use crate::report::shown::Shown;
+use crate::report::positioned_picture::PositionedPicture;
+use linkage_core::PointKind;
 
 /// Around the mechanism, in millimetres: place for symbols; to the left and right also for names up
 /// to a length.
@@ -28,7 +28,7 @@ const VISIBLE: f64 = 1e-6;
 
 /// The paper, in millimetres, and where the mechanism is on it.
 pub(super) struct Sheet<'a> {
-    shown: Shown<'a>,
+    shown: PositionedPicture<'a>,
     view: View,
     /// Millimetres on paper for a unit of the mechanism.
     pub(super) factor: f64,

@@ -3,19 +3,19 @@
 use serde_json::{Value, json};
 use std::vec::Vec;
 
-use crate::DriveOn;
 use crate::report::drawing::PitchCircles;
 use crate::report::joint_signs::sign;
-use crate::report::shown::Shown;
+use crate::report::positioned_picture::PositionedPicture;
+use linkage_core::DriveOn;
 
 /// Adds it to the picture.
-pub(super) fn add(picture: &mut Value, shown: &Shown<'_>) {
+pub(super) fn add(picture: &mut Value, shown: &PositionedPicture<'_>) {
     picture["joints"] = joints(shown);
     picture["gears"] = gears(shown);
     picture["drives"] = drives(shown);
 }
 
-fn joints(shown: &Shown<'_>) -> Value {
+fn joints(shown: &PositionedPicture<'_>) -> Value {
     let joints = shown.picture.joints.iter();
     let joint = |joint: &crate::PictureJoint| {
         json!({
@@ -27,7 +27,7 @@ fn joints(shown: &Shown<'_>) -> Value {
 }
 
 /// Those whose wheels have a size.
-fn gears(shown: &Shown<'_>) -> Value {
+fn gears(shown: &PositionedPicture<'_>) -> Value {
     let gears = shown.picture.gears.iter();
     let gears = gears.filter_map(|gear| {
         let wheels = PitchCircles::new(shown, gear)?;
@@ -36,7 +36,7 @@ fn gears(shown: &Shown<'_>) -> Value {
     gears.collect::<Vec<_>>().into()
 }
 
-fn drives(shown: &Shown<'_>) -> Value {
+fn drives(shown: &PositionedPicture<'_>) -> Value {
     let drives = shown.picture.drives.iter().map(|drive| match drive.on {
         DriveOn::Turn(points) => json!({ "turn": points }),
         DriveOn::Slide(guide) => json!({ "slide": guide }),
