@@ -48,7 +48,7 @@ impl Measured {
 
     /// The inputs, one for each position, which are taken to be exact.
     #[must_use]
-    pub fn at(mut self, inputs: impl IntoIterator<Item = f64>) -> Self {
+    pub fn at_inputs(mut self, inputs: impl IntoIterator<Item = f64>) -> Self {
         self.inputs = inputs.into_iter().collect();
         self
     }
