@@ -1,4 +1,5 @@
-// Signs beside links and points, as drawings on paper have them: gears, arrows at what inputs move, joints in space.
+// Signs next to links and points, as drawings on paper have them: gears, arrows at driven links,
+// joints in space.
 
 // Radius of the arrow about a driven pivot; where on its circle it begins and ends, seen from the link; its pieces.
 const DRIVE = { radius: 25, from: 0.35, to: 1.75, pieces: 12, push: 19, beside: 17 };
@@ -6,7 +7,8 @@ const HEAD = { length: 9, half: 3.6 };
 // Half the length and half the height of bars; the radius of a ring.
 const BARS = { sleeve: [11, 5], "long sleeve": [19, 5], line: [15, 0] };
 const RING = 8.5;
-// From where wheels touch to the middle of their ratio, which stands in the larger one, and half its width.
+// Distance from the contact of wheels to the middle of their ratio, which is in the larger one, and
+// half its width.
 const RATIO = { aside: 32, half: 24 };
 
 function signParts() {
@@ -38,7 +40,7 @@ function gearPart({ centres, radii, ratio }) {
   };
 }
 
-// By how much the second wheel turns when the first turns once.
+// The turns of the second wheel for one turn of the first.
 function ratioPart({ centres, radii, ratio }) {
   const node = shape("text", { class: "ratio", "text-anchor": "middle" }, `1 : ${short(ratio)}`);
   return {
@@ -127,7 +129,8 @@ function driveLine(guide, row) {
   return [-1, 1].map((end) => [x + end * DRIVE.push * c + DRIVE.beside * s, y + end * DRIVE.push * s - DRIVE.beside * c]);
 }
 
-// By how much something changes to the next row, or from the one before; rows of a falling input tell the other way.
+// The change of a value to the next row, or from the one before. Rows of a falling input have the
+// other sign.
 function growth(row, value, wrapped) {
   const [from, to] = row + 1 < rowCount ? [row, row + 1] : [Math.max(0, row - 1), row];
   const [before, after] = [value(from), value(to)];
@@ -135,7 +138,8 @@ function growth(row, value, wrapped) {
   return wrapped(after - before) * (span() < 0 ? -1 : 1);
 }
 
-// What is around the mark of a joint in space; nothing in the plane, where all joints are pins and blocks.
+// The signs around the mark of a joint in space; none in the plane, where all joints are pins and
+// blocks.
 function jointSigns(index) {
   const joints = isSpatial() ? picture.joints.filter((joint) => joint.point === index) : [];
   return joints.filter((joint) => JOINT_SIGNS[joint.shape].drawn).map((joint) => jointSign(joint));
@@ -168,13 +172,13 @@ function waysOf({ point, shape: kind }, row) {
   return directions === "first axis" || directions === "guide" ? found.slice(0, 1) : directions === "all axes" ? found : [];
 }
 
-// Whether something slides in a point, and nothing turns.
+// Returns true if all joints in a point slide and none turns.
 function onlySlides(index) {
   const joints = picture.joints.filter((joint) => joint.point === index);
   return joints.length > 0 && joints.every((joint) => !JOINT_SIGNS[joint.shape].turns);
 }
 
-// Whether the mark of a point is filled, as a ball in its socket.
+// Returns true for a filled mark of a point, as a ball in its socket.
 function isFilled(index) {
   return isSpatial() && picture.joints.some((joint) => joint.point === index && JOINT_SIGNS[joint.shape].filled);
 }

@@ -70,13 +70,13 @@ function endSign(stops, k) {
   return Math.sign(stops[k].value - beside.value);
 }
 
-// As far as the quantity stays in the band that the limit closes.
+// The interval in which the quantity stays in the band that the limit closes.
 function aroundLimit(course, stops, { u, value, sign }, band) {
   const bounds = sign > 0 ? [value - band, value] : [value, value + band];
   return [-1, 1].map((way) => leaves(course, stops, u, way, bounds));
 }
 
-// Where the quantity leaves the bounds on the way from `u`.
+// The place where the quantity leaves the bounds in one direction from `u`.
 function leaves(course, stops, u, way, [low, high]) {
   const slack = SLACK * Math.max(Math.abs(low), Math.abs(high));
   const isIn = (value) => value >= low - slack && value <= high + slack;

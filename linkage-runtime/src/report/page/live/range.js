@@ -19,7 +19,7 @@ function changePointWords() {
   return told.length === 0 ? null : told.join(" ");
 }
 
-// Where a slack touches zero in the rows' range.
+// The places in the rows' range where a slack touches zero.
 function touches(number, group) {
   const own = live.assemblies[number];
   const out = new Float64Array(own.unit.groups.length);
