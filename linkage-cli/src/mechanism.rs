@@ -61,13 +61,13 @@ impl Mechanism {
     }
 
     /// Another tolerance of a dimension, by its place among the parameters.
-    pub(crate) fn set_tolerance(&mut self, place: usize, tolerance: f64) {
+    pub(crate) fn set_tolerance(&mut self, index: usize, tolerance: f64) {
         let mut parameters = self.parameters.to_vec();
-        parameters[place].tolerance = tolerance;
+        parameters[index].tolerance = tolerance;
         self.parameters = forever(parameters);
         let parameters = self.unit.parameters.iter_mut();
         let mut scalars = parameters.flat_map(|parameter| &mut parameter.scalars);
-        if let Some(scalar) = scalars.nth(place) {
+        if let Some(scalar) = scalars.nth(index) {
             scalar.tolerance = tolerance;
         }
     }
@@ -97,9 +97,9 @@ impl Mechanism {
     }
 
     /// Name and unit of an argument of functions, by its place among inputs and arguments.
-    pub(crate) fn argument(&self, place: usize) -> (&str, &str) {
-        match place.checked_sub(self.inputs.len()) {
-            None => (self.inputs[place].name, self.inputs[place].unit),
+    pub(crate) fn argument(&self, index: usize) -> (&str, &str) {
+        match index.checked_sub(self.inputs.len()) {
+            None => (self.inputs[index].name, self.inputs[index].unit),
             Some(number) => {
                 let argument = &self.unit.arguments[number];
                 (plain(&argument.name), &argument.unit)

@@ -26,7 +26,7 @@ pub struct MechanismCall {
     pub tokens: TokenStream,
     /// The place of messages about no token: the call of the macro in a Rust file, else the
     /// beginning.
-    pub place: Range<usize>,
+    pub range: Range<usize>,
 }
 
 impl Source {
@@ -67,15 +67,15 @@ impl Source {
                 return Err(Failure::Told(text));
             }
             (true, false) => {
-                let place = 0..0;
-                vec![MechanismCall { tokens, place }]
+                let range = 0..0;
+                vec![MechanismCall { tokens, range }]
             }
             (false, _) => calls,
         };
         // Not before it is known how deep brackets are.
         let normal = |found: MechanismCall| MechanismCall {
             tokens: normalised(found.tokens),
-            place: found.place,
+            range: found.range,
         };
         let calls = calls.into_iter().map(normal).collect();
         Ok(Self {
@@ -127,7 +127,7 @@ fn collect(tokens: TokenStream, depth: usize, calls: &mut Vec<MechanismCall>) ->
                 collect(group.stream(), depth + 1, &mut Vec::new())?;
                 calls.push(MechanismCall {
                     tokens: group.stream(),
-                    place: start..group.span_close().byte_range().end,
+                    range: start..group.span_close().byte_range().end,
                 });
             }
             // What a macro is made of is no mechanism yet.

@@ -170,7 +170,7 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
     let mut drawn = false;
     for (function, heading) in mechanism.headings.iter().enumerate() {
         let again = drawn && heading.picture.is_some();
-        let place = heading
+        let argument_index = heading
             .arguments
             .iter()
             .position(|argument| *argument == input.name);
@@ -179,15 +179,15 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
             function,
             &given(mechanism, function, &options.at),
         )?;
-        let why = match (again, place, arguments_given.complete()) {
-            (false, Some(place), Ok(arguments_given)) => {
+        let why = match (again, argument_index, arguments_given.complete()) {
+            (false, Some(argument_index), Ok(arguments_given)) => {
                 drawn |= heading.picture.is_some();
                 let rows = Rows::new(
                     mechanism,
                     &assembly,
                     function,
                     &arguments_given,
-                    place,
+                    argument_index,
                     &positions,
                 );
                 report = report.table(&rows);

@@ -88,7 +88,7 @@ fn holds_mechanism(path: &Path) -> bool {
     };
     // Of a file that is not Rust, all of it is taken for a call.
     let mut calls = source.calls().iter();
-    calls.any(|found| !found.place.is_empty() || has_mechanism(&found.tokens))
+    calls.any(|found| !found.range.is_empty() || has_mechanism(&found.tokens))
 }
 
 /// `struct NAME { unit mm; ... }`

@@ -38,14 +38,14 @@ impl Rows {
         assembly: &Assembly<'_>,
         function: usize,
         arguments: &[f64],
-        place: usize,
+        argument_index: usize,
         positions: &[f64],
     ) -> Self {
         let heading = mechanism.headings[function];
         let mut columns = vec![Vec::with_capacity(positions.len()); heading.columns.len()];
         let mut arguments = arguments.to_vec();
         for &x in positions {
-            arguments[place] = x;
+            arguments[argument_index] = x;
             let row = assembly.call(function, &arguments);
             for (column, number) in columns.iter_mut().zip(row) {
                 column.push(number);
@@ -90,7 +90,12 @@ pub(super) fn arguments(
     let places = &mechanism.unit.functions[function].arguments;
     let mut values: Vec<Option<f64>> = places
         .iter()
-        .map(|&place| mechanism.inputs.get(place).map(|input| input.reference))
+        .map(|&argument_index| {
+            mechanism
+                .inputs
+                .get(argument_index)
+                .map(|input| input.reference)
+        })
         .collect();
     for given in given {
         let (name, text) = parts("--at", given)?;
@@ -134,10 +139,13 @@ pub(super) fn running(
     name: Option<&str>,
 ) -> Result<Option<(usize, &'static Input)>, Failure> {
     let places = &mechanism.unit.functions[function].arguments;
-    let mut inputs = places.iter().enumerate().filter_map(|(index, &place)| {
-        let input: Option<&'static Input> = mechanism.inputs.get(place);
-        Some((index, input?))
-    });
+    let mut inputs = places
+        .iter()
+        .enumerate()
+        .filter_map(|(index, &argument_index)| {
+            let input: Option<&'static Input> = mechanism.inputs.get(argument_index);
+            Some((index, input?))
+        });
     let Some(name) = name else {
         return Ok(inputs.next());
     };

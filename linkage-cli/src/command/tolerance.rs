@@ -111,8 +111,8 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let positions = positions.held(columns, BYTES)?;
     let row = |x: Option<f64>| {
         let mut arguments = given.clone();
-        if let (Some((place, _)), Some(x)) = (running, x) {
-            arguments[place] = x;
+        if let (Some((argument_index, _)), Some(x)) = (running, x) {
+            arguments[argument_index] = x;
         }
         assembly.call(function, &arguments)
     };
@@ -130,7 +130,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
             sensitive: &sensitive,
         };
         print(&match running {
-            Some((place, input)) => at.over(place, input, &positions)?,
+            Some((argument_index, input)) => at.over(argument_index, input, &positions)?,
             None => format!("{}\n{}\n", at.title(), at.figures(&given)?.text),
         })?;
     }
@@ -183,10 +183,15 @@ impl Position<'_> {
     }
 
     /// The errors at positions, then all figures where the worst case is largest.
-    fn over(&self, place: usize, input: &Input, positions: &[f64]) -> Result<String, Failure> {
+    fn over(
+        &self,
+        argument_index: usize,
+        input: &Input,
+        positions: &[f64],
+    ) -> Result<String, Failure> {
         let at = |x: f64| {
             let mut arguments = self.given.to_vec();
-            arguments[place] = x;
+            arguments[argument_index] = x;
             self.figures(&arguments)
         };
         let style = CsvStyle::default().digits(6);
@@ -229,8 +234,8 @@ impl Position<'_> {
         let worst = worst.map_err(|error| Failure::Told(error.to_string()))?;
         // The place of a largest value is as accurate as the root of roundoff.
         let is_zero = worst.at.abs() < 1e-7 * (high - low);
-        let place = super::assemblies::placed(input, if is_zero { 0.0 } else { worst.at });
-        let _ = writeln!(text, "\nworst at {place}\n{}", at(worst.at)?.text);
+        let argument_index = super::assemblies::placed(input, if is_zero { 0.0 } else { worst.at });
+        let _ = writeln!(text, "\nworst at {argument_index}\n{}", at(worst.at)?.text);
         Ok(text)
     }
 }

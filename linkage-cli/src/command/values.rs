@@ -58,17 +58,17 @@ impl Dimensions {
     /// All dimensions of the mechanism, in the order of its parameters.
     pub(super) fn resolve(&self, mechanism: &Mechanism) -> Result<Vec<f64>, Failure> {
         let mut values = mechanism.dimensions();
-        for (place, number) in self.numbers(mechanism)? {
-            values[place] = number.value;
+        for (parameter_index, number) in self.numbers(mechanism)? {
+            values[parameter_index] = number.value;
         }
         Ok(values)
     }
 
     /// Gives the mechanism the tolerances that stand with the dimensions, as `crank=40mm +- 0.1mm`.
     pub(super) fn tolerate(&self, mechanism: &mut Mechanism) -> Result<(), Failure> {
-        for (place, number) in self.numbers(mechanism)? {
+        for (parameter_index, number) in self.numbers(mechanism)? {
             if let Some(tolerance) = number.tolerance {
-                mechanism.set_tolerance(place, tolerance);
+                mechanism.set_tolerance(parameter_index, tolerance);
             }
         }
         Ok(())
@@ -80,7 +80,9 @@ impl Dimensions {
         for given in &self.set {
             let (name, text) = parts("--set", given)?;
             let places = places(mechanism, name)?;
-            let units = places.iter().map(|&place| mechanism.parameters[place].unit);
+            let units = places
+                .iter()
+                .map(|&parameter_index| mechanism.parameters[parameter_index].unit);
             let units: Vec<&str> = units.collect();
             let numbers = quantity(mechanism, name, text, &units)?;
             all.extend(places.into_iter().zip(numbers));
@@ -99,7 +101,7 @@ fn places(mechanism: &Mechanism, name: &str) -> Result<Vec<usize>, Failure> {
     let all = mechanism.parameters.iter().enumerate();
     let found: Vec<usize> = all
         .filter(|(_, parameter)| whole(parameter.name))
-        .map(|(place, _)| place)
+        .map(|(parameter_index, _)| parameter_index)
         .collect();
     if !found.is_empty() {
         return Ok(found);

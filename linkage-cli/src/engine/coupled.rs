@@ -62,7 +62,7 @@ impl<'m> Programs<'m> {
     }
 
     /// The states of all groups where this one's inputs are `own`.
-    fn place(&mut self, inputs: &[f64]) -> Vec<Vec<f64>> {
+    fn states_at(&mut self, inputs: &[f64]) -> Vec<Vec<f64>> {
         let group = &self.mechanism.groups[self.number];
         for (input, x) in group.inputs.iter().zip(inputs) {
             self.at[input.index] = *x;
@@ -75,8 +75,8 @@ impl<'m> Programs<'m> {
         states.by_build()
     }
 
-    fn place_with(&mut self, inputs: &[f64], state: &[f64]) -> Vec<Vec<f64>> {
-        let mut states = self.place(inputs);
+    fn states_with(&mut self, inputs: &[f64], state: &[f64]) -> Vec<Vec<f64>> {
+        let mut states = self.states_at(inputs);
         states[self.number][..state.len()].copy_from_slice(state);
         states
     }
@@ -95,7 +95,7 @@ impl<'m> Programs<'m> {
 
 impl Correction for Programs<'_> {
     fn correct(&mut self, inputs: &[f64], state: &mut [f64]) -> Step {
-        let states = self.place_with(inputs, state);
+        let states = self.states_with(inputs, state);
         let numbers = self.numbers(&states);
         let program = &self.mechanism.unit.coupled[self.number].correct;
         stepped(state, &by_build(program, |source| numbers.load(source)))
@@ -104,7 +104,7 @@ impl Correction for Programs<'_> {
 
 impl Residuals for Programs<'_> {
     fn residuals(&mut self, inputs: &[f64], state: &[Enclosure]) -> Vec<Enclosure> {
-        let states = self.place(inputs);
+        let states = self.states_at(inputs);
         let numbers = self.numbers(&states);
         let program = &self.mechanism.unit.coupled[self.number].residuals;
         over_states(program, |source| match source {
@@ -116,28 +116,28 @@ impl Residuals for Programs<'_> {
 
 impl CoupledPrograms for Programs<'_> {
     fn system(&mut self, inputs: &[f64]) -> Vec<[f64; 2]> {
-        let states = self.place(inputs);
+        let states = self.states_at(inputs);
         let numbers = self.numbers(&states);
         let program = &self.mechanism.unit.coupled[self.number].system;
         pairs(&by_build(program, |source| numbers.load(source)))
     }
 
     fn estimate(&mut self, inputs: &[f64]) -> Vec<f64> {
-        let states = self.place(inputs);
+        let states = self.states_at(inputs);
         let numbers = self.numbers(&states);
         let program = &self.mechanism.unit.coupled[self.number].estimate;
         by_build(program, |source| numbers.load(source))
     }
 
     fn missed(&mut self, inputs: &[f64], state: &[f64]) -> Vec<f64> {
-        let states = self.place_with(inputs, state);
+        let states = self.states_with(inputs, state);
         let numbers = self.numbers(&states);
         let program = &self.mechanism.unit.coupled[self.number].missed;
         by_build(program, |source| numbers.load(source))
     }
 
     fn placed(&mut self, inputs: &[f64], state: &[f64]) -> Vec<[f64; 2]> {
-        let states = self.place_with(inputs, state);
+        let states = self.states_with(inputs, state);
         let numbers = self.numbers(&states);
         let group = &self.mechanism.unit.coupled[self.number];
         let angles = group.unknowns.iter().map(|unknown| unknown.angle);

@@ -34,7 +34,7 @@ pub(crate) fn consistent(
             needed.remove(k);
         }
     }
-    let mut told: Vec<String> = Vec::new();
+    let mut bound_texts: Vec<String> = Vec::new();
     for (j, name) in names.iter().enumerate() {
         for upper in [false, true] {
             let none = if upper {
@@ -54,7 +54,7 @@ pub(crate) fn consistent(
             if possible(&least) {
                 side(&mut least, bound);
                 let words = if upper { "at most" } else { "at least" };
-                told.push(format!("`{name}` {words} {}", rounded(bound)));
+                bound_texts.push(format!("`{name}` {words} {}", rounded(bound)));
             }
         }
     }
@@ -64,7 +64,7 @@ pub(crate) fn consistent(
             .into_iter()
             .map(|k| relations[k].described())
             .collect(),
-        bounds: told,
+        bounds: bound_texts,
     })
 }
 
@@ -74,10 +74,10 @@ fn missed(limits: &Limits, middle: &[f64]) -> f64 {
     let Some(last) = others.relations.pop() else {
         return 0.0;
     };
-    let Some(place) = others.nearest(middle) else {
+    let Some(nearest_point) = others.nearest(middle) else {
         return 0.0;
     };
-    let slack = last.slack(&place);
+    let slack = last.slack(&nearest_point);
     let (mut broken, mut held) = (0.0, 1.0);
     for _ in 0..HALVINGS {
         let share = 0.5 * (broken + held);
@@ -86,7 +86,7 @@ fn missed(limits: &Limits, middle: &[f64]) -> f64 {
             most: last.most - share * slack,
             ..last.clone()
         });
-        match moved.nearest(&place) {
+        match moved.nearest(&nearest_point) {
             Some(_) => held = share,
             None => broken = share,
         }

@@ -17,7 +17,7 @@ pub struct AtomicFile {
     /// `None` once it is closed.
     file: Option<File>,
     /// The target of a link.
-    place: PathBuf,
+    target: PathBuf,
     beside: PathBuf,
 }
 
@@ -32,13 +32,13 @@ impl AtomicFile {
     ///
     /// If the place is a folder, or the file cannot be made.
     pub fn new(path: &Path) -> io::Result<Self> {
-        let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-        let replaced = fs::metadata(&place).ok();
+        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+        let replaced = fs::metadata(&target).ok();
         // A rename would report it, but when other files are in their places already.
         if replaced.as_ref().is_some_and(fs::Metadata::is_dir) {
             return Err(io::ErrorKind::IsADirectory.into());
         }
-        let folder = match place.parent() {
+        let folder = match target.parent() {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
             _ => Path::new("."),
         };
@@ -53,7 +53,7 @@ impl AtomicFile {
         let changed = permissions.map_or(Ok(()), |permission| file.set_permissions(permission));
         let whole = Self {
             file: Some(file),
-            place,
+            target,
             beside,
         };
         changed.map(|()| whole)
@@ -71,7 +71,7 @@ impl AtomicFile {
     ///
     /// If the system refuses it; the place has the old file then.
     pub fn put(self) -> io::Result<()> {
-        fs::rename(&self.beside, &self.place)
+        fs::rename(&self.beside, &self.target)
     }
 }
 

@@ -38,7 +38,7 @@ impl<'a> PositionedPicture<'a> {
         self.point(self.picture.points.len() + index)
     }
 
-    pub(super) fn place(&self, point: usize, row: usize) -> [f64; 3] {
+    pub(super) fn point_at(&self, point: usize, row: usize) -> [f64; 3] {
         components(self.point(point), row)
     }
 
@@ -49,7 +49,7 @@ impl<'a> PositionedPicture<'a> {
     pub(super) fn is_assembled(&self, row: usize) -> bool {
         let points = 0..self.picture.points.len();
         points
-            .flat_map(|point| self.place(point, row))
+            .flat_map(|point| self.point_at(point, row))
             .all(f64::is_finite)
     }
 
@@ -58,7 +58,10 @@ impl<'a> PositionedPicture<'a> {
     pub(super) fn travel(&self, guide: &Guide) -> [f64; 2] {
         let rows = 0..self.rows();
         let ways = rows.map(|row| {
-            let (from, to) = (self.place(guide.origin, row), self.place(guide.slider, row));
+            let (from, to) = (
+                self.point_at(guide.origin, row),
+                self.point_at(guide.slider, row),
+            );
             let direction = self.way(guide.direction, row);
             (0..3)
                 .map(|k| (to[k] - from[k]) * direction[k])

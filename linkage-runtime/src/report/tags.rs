@@ -76,8 +76,8 @@ impl Tags {
         };
         tags.section("HEADER");
         tags.variable("$ACADVER").put(1, "AC1009");
-        tags.variable("$EXTMIN").place(0, low);
-        tags.variable("$EXTMAX").place(0, high);
+        tags.variable("$EXTMIN").coordinates(0, low);
+        tags.variable("$EXTMAX").coordinates(0, high);
         tags.variable("$PDMODE").put(70, 32);
         tags.variable("$PDSIZE").number(40, 2.0 * radius);
         tags.put(0, "ENDSEC").section("TABLES");
@@ -101,15 +101,17 @@ impl Tags {
     }
 
     pub(super) fn point(&mut self, layer: Layer, at: [f64; 3]) {
-        self.entity("POINT", layer).place(0, at);
+        self.entity("POINT", layer).coordinates(0, at);
     }
 
     pub(super) fn line(&mut self, layer: Layer, from: [f64; 3], to: [f64; 3]) {
-        self.entity("LINE", layer).place(0, from).place(1, to);
+        self.entity("LINE", layer)
+            .coordinates(0, from)
+            .coordinates(1, to);
     }
 
     pub(super) fn circle(&mut self, layer: Layer, centre: [f64; 3], radius: f64) {
-        self.entity("CIRCLE", layer).place(0, centre);
+        self.entity("CIRCLE", layer).coordinates(0, centre);
         self.number(40, radius);
     }
 
@@ -122,16 +124,16 @@ impl Tags {
     ) {
         let [closed, spatial] = [closed, spatial].map(u8::from);
         self.entity("POLYLINE", layer).put(66, 1);
-        self.place(0, [0.0; 3]).put(70, closed + 8 * spatial);
+        self.coordinates(0, [0.0; 3]).put(70, closed + 8 * spatial);
         for place in places {
-            self.entity("VERTEX", layer).place(0, place);
+            self.entity("VERTEX", layer).coordinates(0, place);
             self.put(70, 32 * spatial);
         }
         self.entity("SEQEND", layer);
     }
 
     pub(super) fn text(&mut self, layer: Layer, at: [f64; 3], height: f64, words: &str) {
-        self.entity("TEXT", layer).place(0, at);
+        self.entity("TEXT", layer).coordinates(0, at);
         self.number(40, height).put(1, ascii(words));
     }
 
@@ -148,7 +150,7 @@ impl Tags {
     }
 
     /// Three components, of the first or of a further place of an entity.
-    fn place(&mut self, which: u8, place: [f64; 3]) -> &mut Self {
+    fn coordinates(&mut self, which: u8, place: [f64; 3]) -> &mut Self {
         for (axis, component) in [10, 20, 30].into_iter().zip(place) {
             self.number(axis + which, component);
         }

@@ -32,12 +32,12 @@ pub(super) fn numbers(
             let there = (low..=high)
                 .contains(&at[0])
                 .then(|| branch.assembly.unknowns(&at))?;
-            let place = listed.iter().position(|states| {
+            let index = listed.iter().position(|states| {
                 let states = states.as_ref();
                 states.is_some_and(|states| is_same(states, &there))
             })?;
-            listed[place] = None;
-            Some(place + 1)
+            listed[index] = None;
+            Some(index + 1)
         })
         .collect();
     let numbered = found.into_iter().map(|number| {

@@ -54,19 +54,20 @@ pub(super) fn undetermined(
     offers: &[ReadingRow],
 ) -> Vec<Undetermined> {
     let mut taken: Vec<DVector<f64>> = Vec::new();
-    let mut told: Vec<Undetermined> = Vec::new();
+    let mut combinations: Vec<Undetermined> = Vec::new();
     for exactly in [true, false] {
         let is_it = |k: &usize| found.is_nothing(found.singular[*k]) == exactly;
         let open: Vec<usize> = (found.rank..found.singular.len()).filter(is_it).collect();
-        let all = told.len() + open.len();
+        let all = combinations.len() + open.len();
         for mut candidate in candidates(named, found, &open) {
-            if told.len() == all {
+            if combinations.len() == all {
                 break;
             }
             // What is not determined by itself need not move with others.
             let alone = |name: &str| {
-                told.iter()
-                    .any(|told| matches!(told.parts[..], [(one, _)] if one == name))
+                combinations
+                    .iter()
+                    .any(|combinations| matches!(combinations.parts[..], [(one, _)] if one == name))
             };
             for (j, parameter) in named.parameters.iter().enumerate() {
                 if alone(parameter.name) {
@@ -91,7 +92,7 @@ pub(super) fn undetermined(
                 continue;
             }
             taken.push(&rest / rest.norm());
-            told.push(describe(
+            combinations.push(describe(
                 named,
                 found,
                 &direction,
@@ -100,13 +101,13 @@ pub(super) fn undetermined(
             ));
         }
         // Combinations that are too much alike leave some untold: what is left beside them.
-        while told.len() < all {
+        while combinations.len() < all {
             let direction = left_over(found, &open, &taken);
-            told.push(describe(named, found, &direction, None, offers));
+            combinations.push(describe(named, found, &direction, None, offers));
             taken.push(direction);
         }
     }
-    told
+    combinations
 }
 
 /// The direction that has most beside those that were taken.

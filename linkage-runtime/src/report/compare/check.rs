@@ -143,10 +143,10 @@ mod tests {
             .design(Compared::new("a", &b).figure("force", 1.0, "kN"))
             .curves(["psi"])
             .front([Aim::least("dwell")]);
-        let told = comparison.html().unwrap_err().to_string();
-        let told: Vec<&str> = told.lines().collect();
+        let message = comparison.html().unwrap_err().to_string();
+        let message: Vec<&str> = message.lines().collect();
         assert_eq!(
-            told,
+            message,
             [
                 "no column `psi`; there is nothing",
                 "two designs are called `a`; give one of them another name",

@@ -40,7 +40,8 @@ impl<'a> Drawn<'a> {
             }
         };
         for point in self.points() {
-            rows.iter().for_each(|&row| hold(self.place(point, row)));
+            rows.iter()
+                .for_each(|&row| hold(self.on_screen(point, row)));
         }
         self.rails(rows).into_iter().flatten().for_each(hold);
         extent
@@ -64,7 +65,7 @@ impl<'a> Drawn<'a> {
         let coordinate = |point: usize, k: usize| -> Value {
             let all: Vec<f64> = rows
                 .iter()
-                .map(|&row| rounded(self.place(point, row)[k]))
+                .map(|&row| rounded(self.on_screen(point, row)[k]))
                 .collect();
             match all.iter().all(|x| *x == all[0]) {
                 true => json!(all[0]),
@@ -122,7 +123,7 @@ impl<'a> Drawn<'a> {
         let ends = fixed.filter_map(|guide| {
             let row = *rows.iter().find(|&&row| self.shown.is_assembled(row))?;
             let (from, way) = (
-                self.shown.place(guide.origin, row),
+                self.shown.point_at(guide.origin, row),
                 self.shown.way(guide.direction, row),
             );
             let at = |t: f64| {
@@ -134,7 +135,7 @@ impl<'a> Drawn<'a> {
         ends.collect()
     }
 
-    fn place(&self, point: usize, row: usize) -> [f64; 2] {
-        self.view.project(self.shown.place(point, row))
+    fn on_screen(&self, point: usize, row: usize) -> [f64; 2] {
+        self.view.project(self.shown.point_at(point, row))
     }
 }

@@ -216,9 +216,9 @@ mod tests {
             let mistake = style(separator, decimal).mistake();
             assert!(mistake.is_some(), "{separator:?} {decimal:?}");
         }
-        let told = style(",", ',').mistake().unwrap().to_string();
+        let message = style(",", ',').mistake().unwrap().to_string();
         assert_eq!(
-            told,
+            message,
             "columns with \",\" between them and numbers with ',' for the decimal point cannot be told apart when they are read; \
              take \";\" and ',', or \",\" and '.'"
         );

@@ -63,7 +63,7 @@ pub(super) fn caption(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>, r
 
 fn described(drawing: &Drawing<'_>, sheet: &Sheet<'_>, row: usize) -> String {
     let input = &drawing.report.input;
-    let told = |row: usize| {
+    let input_text = |row: usize| {
         let at = drawing.report.positions[row];
         rounded(match input.unit {
             "rad" => at.to_degrees(),
@@ -80,10 +80,10 @@ fn described(drawing: &Drawing<'_>, sheet: &Sheet<'_>, row: usize) -> String {
     let at = match drawing.seconds {
         Some(_) => format!(
             "from {} to {}",
-            told(0),
-            told(drawing.report.positions.len() - 1)
+            input_text(0),
+            input_text(drawing.report.positions.len() - 1)
         ),
-        None => format!("= {}", told(row)),
+        None => format!("= {}", input_text(row)),
     };
     let position = format!("{} {at} {unit}{enlarged}", input.name);
     if sheet.axes().is_some() {

@@ -54,7 +54,7 @@ fn bounds(drawing: &Drawing<'_>, row: usize) -> [[f64; 3]; 2] {
     let points = drawing.shown.picture.points.iter().enumerate();
     let drawn = points.filter(|(_, point)| point.kind != PointKind::Construction);
     let places = drawn.flat_map(|(index, _)| {
-        (0..drawing.shown.rows()).map(move |row| drawing.shown.place(index, row))
+        (0..drawing.shown.rows()).map(move |row| drawing.shown.point_at(index, row))
     });
     let gears = circles(drawing, row).into_iter();
     let gears = gears.flat_map(|([x, y, z], radius)| [-radius, radius].map(|r| [x + r, y + r, z]));
@@ -85,7 +85,7 @@ fn solid_links(drawing: &Drawing<'_>, tags: &mut Tags, row: usize) {
         let places = link
             .points
             .iter()
-            .map(|point| drawing.shown.place(*point, row));
+            .map(|point| drawing.shown.point_at(*point, row));
         let places: Vec<_> = places.collect();
         match places.as_slice() {
             [a, b] => tags.line(layer, *a, *b),
@@ -109,9 +109,9 @@ fn solid_links(drawing: &Drawing<'_>, tags: &mut Tags, row: usize) {
 fn straight_guides(drawing: &Drawing<'_>, tags: &mut Tags, row: usize, radius: f64) {
     for (index, guide) in drawing.shown.picture.guides.iter().enumerate() {
         let layer = layer(drawing, Layer::Guides, |part| part.guides.contains(&index));
-        let origin = drawing.shown.place(guide.origin, row);
+        let origin = drawing.shown.point_at(guide.origin, row);
         let direction = drawing.shown.way(guide.direction, row);
-        let slider = drawing.shown.place(guide.slider, row);
+        let slider = drawing.shown.point_at(guide.slider, row);
         if guide.shape == GuideShape::Cylinder {
             tags.line(layer, origin, slider);
             continue;
@@ -139,7 +139,9 @@ fn circles(drawing: &Drawing<'_>, row: usize) -> Vec<([f64; 3], f64)> {
     let gears = picture.gears.iter().filter(|_| picture.dimension == 2);
     let gears = gears.filter_map(|gear| Some((gear, PitchCircles::new(&drawing.shown, gear)?)));
     let circles = gears.flat_map(|(gear, wheels)| {
-        let centres = gear.centres.map(|centre| drawing.shown.place(centre, row));
+        let centres = gear
+            .centres
+            .map(|centre| drawing.shown.point_at(centre, row));
         centres.into_iter().zip(wheels.radii)
     });
     circles.collect()
@@ -147,7 +149,7 @@ fn circles(drawing: &Drawing<'_>, row: usize) -> Vec<([f64; 3], f64)> {
 
 fn axis_lines(drawing: &Drawing<'_>, tags: &mut Tags, row: usize, half: f64) {
     for axis in drawing.shown.picture.axes {
-        let point = drawing.shown.place(axis.point, row);
+        let point = drawing.shown.point_at(axis.point, row);
         let direction = drawing.shown.way(axis.direction, row);
         if !is_known(direction) {
             continue;
@@ -162,7 +164,7 @@ fn traced_paths(drawing: &Drawing<'_>, tags: &mut Tags) {
     let spatial = drawing.shown.picture.dimension == 3;
     for &point in &drawing.traces {
         let rows = 0..drawing.shown.rows();
-        let places: Vec<_> = rows.map(|row| drawing.shown.place(point, row)).collect();
+        let places: Vec<_> = rows.map(|row| drawing.shown.point_at(point, row)).collect();
         let pieces = places.split(|place| !is_known(*place));
         for piece in pieces.filter(|piece| piece.len() > 1) {
             tags.polyline(Layer::Paths, false, spatial, piece.iter().copied());
@@ -174,7 +176,7 @@ fn traced_paths(drawing: &Drawing<'_>, tags: &mut Tags) {
 fn marked_points(drawing: &Drawing<'_>, tags: &mut Tags, row: usize, size: f64) {
     let picture = drawing.shown.picture;
     for (index, point) in picture.points.iter().enumerate() {
-        let place = drawing.shown.place(index, row);
+        let place = drawing.shown.point_at(index, row);
         let turns = match point.kind {
             PointKind::Construction => continue,
             PointKind::Ground | PointKind::Joint => picture.dimension == 2,

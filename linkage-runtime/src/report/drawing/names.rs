@@ -66,14 +66,14 @@ pub(super) fn point_names(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_
             0.5 * LETTER_WIDTH * point.name.chars().count() as f64,
             0.5 * LETTER_SIZE,
         ];
-        let place = scene.best(at, half);
-        scene.names.push(place.area);
-        if let Some([from, to]) = place.leader {
+        let placement = scene.best(at, half);
+        scene.names.push(placement.area);
+        if let Some([from, to]) = placement.leader {
             scene.leaders.push(Taken::new(&[from, to], 0.0));
             let line = Element::line(from, to).class("leader");
             svg.add(line.stroke(Colour::Muted, 0.2));
         }
-        let [left, top, right, bottom] = place.area;
+        let [left, top, right, bottom] = placement.area;
         // Letters stand on a line a good third of their size below the middle.
         let middle = [
             0.5 * (left + right),
@@ -113,16 +113,20 @@ impl Scene {
                 break;
             }
             for way in 0..WAYS {
-                let place = self.candidate(at, half, ring, way);
-                let room = self.room(&place);
-                if room >= CLEAR && best.as_ref().is_none_or(|best| place.price < best.price) {
-                    best = Some(place);
+                let placement = self.candidate(at, half, ring, way);
+                let room = self.room(&placement);
+                if room >= CLEAR
+                    && best
+                        .as_ref()
+                        .is_none_or(|best| placement.price < best.price)
+                {
+                    best = Some(placement);
                 } else if widest.as_ref().is_none_or(|(most, _)| room > *most) {
-                    widest = Some((room, place));
+                    widest = Some((room, placement));
                 }
             }
         }
-        best.or(widest.map(|(_, place)| place))
+        best.or(widest.map(|(_, placement)| placement))
             .unwrap_or_else(|| self.candidate(at, half, 0.0, 0))
     }
 
@@ -145,8 +149,8 @@ impl Scene {
     }
 
     /// Returns the distance of a name from everything else, negative beyond the edges of the sheet.
-    fn room(&self, place: &Placement) -> f64 {
-        let Placement { area, leader, .. } = place;
+    fn room(&self, placement: &Placement) -> f64 {
+        let Placement { area, leader, .. } = placement;
         let inside = [
             area[0] - self.limits[0],
             area[1] - self.limits[1],

@@ -147,7 +147,7 @@ pub(super) fn bodies(
             let near: f64 = link.points.iter().map(|p| sheet.nearness(*p, row)).sum();
             bodies.push(Body {
                 name: link.name,
-                corners: corners.map(|place| points[place]).collect(),
+                corners: corners.map(|corner| points[corner]).collect(),
                 width: BAR,
                 colour: Colour::Link(drawing.shown.link_hue(index)),
                 nearness: near / link.points.len() as f64,

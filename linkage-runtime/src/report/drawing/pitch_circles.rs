@@ -18,8 +18,8 @@ impl PitchCircles {
     /// `None` where one of the links never turns, or nothing is finite.
     pub(in crate::report) fn new(shown: &PositionedPicture<'_>, gear: &Gear) -> Option<Self> {
         let angle = |wheel: usize, row: usize| {
-            let from = shown.place(gear.centres[wheel], row);
-            let to = shown.place(gear.ends[wheel], row);
+            let from = shown.point_at(gear.centres[wheel], row);
+            let to = shown.point_at(gear.ends[wheel], row);
             (to[1] - from[1]).atan2(to[0] - from[0])
         };
         // Best in the sense of least squares; steps are far less than half a turn.
@@ -33,7 +33,7 @@ impl PitchCircles {
         }
         let ratio = product / square;
         let row = (0..shown.rows()).find(|row| shown.is_assembled(*row))?;
-        let [from, to] = gear.centres.map(|centre| shown.place(centre, row));
+        let [from, to] = gear.centres.map(|centre| shown.point_at(centre, row));
         let apart = (to[0] - from[0]).hypot(to[1] - from[1]);
         let share = ratio.abs() / (1.0 + ratio.abs());
         let both = if ratio < 0.0 { apart } else { BELT * apart };

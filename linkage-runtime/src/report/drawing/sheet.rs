@@ -71,7 +71,7 @@ impl<'a> Sheet<'a> {
 
     /// A point on paper; `None` where it is not finite.
     pub(super) fn point(&self, index: usize, row: usize) -> Option<[f64; 2]> {
-        self.place(self.shown.place(index, row))
+        self.on_paper(self.shown.point_at(index, row))
     }
 
     /// A point and the point that lies by `distance` along a direction from it.
@@ -83,10 +83,10 @@ impl<'a> Sheet<'a> {
         row: usize,
     ) -> Option<[f64; 2]> {
         let (origin, direction) = (
-            self.shown.place(origin, row),
+            self.shown.point_at(origin, row),
             self.shown.way(direction, row),
         );
-        self.place(along(origin, direction, distance))
+        self.on_paper(along(origin, direction, distance))
     }
 
     /// A direction on paper, of length one; `None` if it points at the reader.
@@ -98,7 +98,7 @@ impl<'a> Sheet<'a> {
 
     /// The end of a step from a point.
     pub(super) fn beside(&self, point: usize, step: [f64; 3], row: usize) -> Option<[f64; 2]> {
-        self.place(along(self.shown.place(point, row), step, 1.0))
+        self.on_paper(along(self.shown.point_at(point, row), step, 1.0))
     }
 
     /// A step on paper.
@@ -119,10 +119,10 @@ impl<'a> Sheet<'a> {
     }
 
     pub(super) fn nearness(&self, index: usize, row: usize) -> f64 {
-        self.view.nearness(self.shown.place(index, row))
+        self.view.nearness(self.shown.point_at(index, row))
     }
 
-    fn place(&self, v: [f64; 3]) -> Option<[f64; 2]> {
+    fn on_paper(&self, v: [f64; 3]) -> Option<[f64; 2]> {
         let [x, y] = self.view.project(v);
         let (x, y) = (
             (x - self.corner[0]) * self.factor,
@@ -152,21 +152,25 @@ fn limits(drawing: &Drawing<'_>, view: &View) -> [[f64; 2]; 2] {
     for row in 0..shown.rows() {
         for (index, point) in shown.picture.points.iter().enumerate() {
             if point.kind != PointKind::Construction {
-                take(shown.place(index, row));
+                take(shown.point_at(index, row));
             }
         }
         for vector in &drawing.vectors {
-            take(along(shown.place(vector.point, row), vector.step(row), 1.0));
+            take(along(
+                shown.point_at(vector.point, row),
+                vector.step(row),
+                1.0,
+            ));
         }
         for (gear, wheels) in &gears {
             for (centre, radius) in gear.centres.iter().zip(wheels.radii) {
-                let [x, y, z] = shown.place(*centre, row);
+                let [x, y, z] = shown.point_at(*centre, row);
                 take([x - radius, y - radius, z]);
                 take([x + radius, y + radius, z]);
             }
         }
         for (guide, rail) in &rails {
-            let origin = shown.place(guide.origin, row);
+            let origin = shown.point_at(guide.origin, row);
             let way = shown.way(guide.direction, row);
             for end in *rail {
                 take(along(origin, way, end));

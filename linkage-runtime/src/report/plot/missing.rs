@@ -37,10 +37,10 @@ pub(super) fn gap_notes(plot: &Plot) -> Vec<String> {
         return Vec::new();
     }
     let axis = &plot.abscissa;
-    let place = |row: usize| rounded(axis.values[row]);
+    let value = |row: usize| rounded(axis.values[row]);
     let stretch = |&(first, last): &Rows| match first == last {
-        true => format!("{}", place(first)),
-        false => format!("{} to {}", place(first), place(last)),
+        true => format!("{}", value(first)),
+        false => format!("{} to {}", value(first), value(last)),
     };
     let mut stretches: Vec<String> = gaps.iter().take(LISTED).map(stretch).collect();
     if gaps.len() > LISTED {
