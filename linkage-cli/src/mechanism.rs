@@ -6,7 +6,7 @@ pub(crate) mod forever;
 
 use linkage_compiler::Checked;
 use linkage_compiler::ir::{CompiledMechanism, plain};
-use linkage_runtime::generated::{Angle, CoupledGroup};
+use linkage_runtime::support::{Angle, CoupledGroup};
 use linkage_runtime::{AssemblyMode, Heading, Input, Parameter, Structure};
 
 use forever::forever;

@@ -1,7 +1,9 @@
 //! Closing the loops, and evaluating functions.
 
 use linkage_compiler::ir::Surveyed;
-use linkage_runtime::generated::{Start, Which, assemblies, close, explained, finite, starts_of};
+use linkage_runtime::support::{
+    InitialState, Which, assemblies, close, explained, finite, initial_states_of,
+};
 use linkage_runtime::{AssemblyError, AssemblyMode, Estimate, Scalar};
 
 use super::coupled::Programs;
@@ -18,7 +20,7 @@ pub struct Assembly<'m> {
     mechanism: &'m Mechanism,
     dimensions: Vec<f64>,
     modes: Vec<AssemblyMode>,
-    starts: Vec<Start>,
+    starts: Vec<InitialState>,
     revolutions: Revolutions,
     prepared: Vec<f64>,
 }
@@ -217,9 +219,9 @@ impl Mechanism {
         modes: &[AssemblyMode],
         at: &[f64],
         wanted: Which<'_>,
-    ) -> Result<Vec<Vec<Start>>, AssemblyError> {
-        let nothing = vec![Start::Nothing; self.groups.len()];
-        let found = starts_of(
+    ) -> Result<Vec<Vec<InitialState>>, AssemblyError> {
+        let nothing = vec![InitialState::Nothing; self.groups.len()];
+        let found = initial_states_of(
             self.groups,
             nothing.clone(),
             at,
@@ -244,7 +246,7 @@ impl Mechanism {
         dimensions: &[f64],
         modes: Vec<AssemblyMode>,
         at: &[f64],
-        starts: Vec<Start>,
+        starts: Vec<InitialState>,
     ) -> Result<Assembly<'_>, AssemblyError> {
         let turning = Winding {
             mechanism: self,
@@ -274,7 +276,7 @@ impl Mechanism {
         dimensions: &[f64],
         modes: Vec<AssemblyMode>,
         revolutions: Revolutions,
-        starts: Vec<Start>,
+        starts: Vec<InitialState>,
     ) -> Assembly<'_> {
         let turning = Winding {
             mechanism: self,

@@ -7,7 +7,7 @@ use core::fmt;
 
 use crate::data::Parameter;
 use crate::dimensions::Dimensions;
-use crate::words::rounded;
+use crate::format::rounded;
 
 /// A local optimum that holds all that must hold.
 #[derive(Clone, Debug, PartialEq)]

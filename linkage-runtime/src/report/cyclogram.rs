@@ -14,7 +14,7 @@ use super::CsvStyle;
 use super::error::ReportError;
 use super::glyphs::control;
 use super::output_file;
-use crate::cyclogram::{Cyclogram, Organ};
+use crate::cyclogram::{Cyclogram, Member};
 
 impl Cyclogram {
     /// Returns the intervals of all organs as CSV, organ by organ: the motion, the band, the angles
@@ -63,7 +63,7 @@ impl Cyclogram {
     ///
     /// [`ReportError::Mistakes`] if names have control characters.
     pub fn svg(&self) -> Result<String, ReportError> {
-        let names: Vec<_> = self.organs.iter().map(Organ::name).collect();
+        let names: Vec<_> = self.members.iter().map(Member::name).collect();
         let mistakes: Vec<_> = names
             .iter()
             .filter_map(|name| control("the name of an organ", name))

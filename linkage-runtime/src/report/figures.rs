@@ -3,7 +3,7 @@
 use std::string::String;
 use std::vec::Vec;
 
-use crate::summary::{Course, Extremes, TimeRatio};
+use crate::summary::{Curve, Extremes, TimeRatio};
 
 /// The figures of the course of a quantity.
 #[derive(Clone, Debug)]
@@ -24,7 +24,7 @@ impl Figures {
     pub(super) fn new<const N: usize, F: Fn(f64) -> [f64; N]>(
         quantity: String,
         unit: String,
-        course: &Course<N, F>,
+        course: &Curve<N, F>,
     ) -> Self {
         Self {
             quantity,
@@ -46,7 +46,7 @@ impl Figures {
 }
 
 /// Returns the inputs at which a course is interrupted. The ends of its range are no interruption.
-fn borders<const N: usize, F: Fn(f64) -> [f64; N]>(course: &Course<N, F>) -> Vec<f64> {
+fn borders<const N: usize, F: Fn(f64) -> [f64; N]>(course: &Curve<N, F>) -> Vec<f64> {
     if !course.has_gaps() {
         return Vec::new();
     }

@@ -11,7 +11,7 @@ use super::cyclogram::intervals;
 use super::error::ReportError;
 use super::positioned_picture::PositionedPicture;
 use super::{positioned_picture, tables};
-use crate::cyclogram::{Cyclogram, Organ};
+use crate::cyclogram::{Cyclogram, Member};
 
 /// The unit of a shaft's angle.
 const ANGLE: &str = "rad";
@@ -65,12 +65,12 @@ pub(super) fn check_cyclogram(report: &Report, mistakes: &mut Vec<Mistake>) {
 pub(super) fn organ_hues(report: &Report, cyclogram: &Cyclogram) -> Vec<usize> {
     let parts =
         positioned_picture::find_picture(report).map_or(&[][..], |shown| shown.picture.parts);
-    let part = |organ: &Organ| {
+    let part = |organ: &Member| {
         let name = organ.name().split('.').next();
         parts.iter().position(|part| Some(part.name) == name)
     };
     let mut others = parts.len()..;
-    let organs = cyclogram.organs().iter();
+    let organs = cyclogram.members().iter();
     let hues = organs.map(|organ| part(organ).or_else(|| others.next()));
     hues.map(Option::unwrap_or_default).collect()
 }

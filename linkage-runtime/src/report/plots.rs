@@ -15,8 +15,8 @@ use super::tables::Saved;
 use super::units::{per_second, titled};
 use super::{BandKind, Mistake};
 use super::{accuracy, check, palette, rates};
+use crate::format::rounded;
 use crate::table::Column;
-use crate::words::rounded;
 use linkage_core::Meaning;
 
 /// A column as it is asked for.

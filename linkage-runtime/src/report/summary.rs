@@ -9,7 +9,7 @@ use super::SummaryRow;
 use super::builder::Report;
 use super::figures::Figures;
 use super::units::per_second;
-use crate::summary::{Course, Dwell, Least};
+use crate::summary::{Curve, Dwell, Minimum};
 
 const NAMES: [[&str; 2]; 3] = [
     ["lowest", "highest"],
@@ -26,7 +26,7 @@ impl Report {
     }
 
     /// Limits, stroke, extreme velocities and accelerations and the time ratio of a quantity, from
-    /// its [`Course`] over the range. `unit` is the unit of the quantity. With a
+    /// its [`Curve`] over the range. `unit` is the unit of the quantity. With a
     /// [`speed`](Self::speed), also the true velocities and, for a constant speed, accelerations.
     /// Extreme derivatives at the border of a gap are left out.
     #[must_use]
@@ -34,7 +34,7 @@ impl Report {
         mut self,
         quantity: impl Into<String>,
         unit: impl Into<String>,
-        course: &Course<N, F>,
+        course: &Curve<N, F>,
     ) -> Self {
         let figures = Figures::new(quantity.into(), unit.into(), course);
         self.figures.push(figures);
@@ -46,7 +46,7 @@ impl Report {
     pub fn transmission<const N: usize, F: Fn(f64) -> [f64; N]>(
         self,
         angle: impl Into<String>,
-        course: &Course<N, F>,
+        course: &Curve<N, F>,
     ) -> Self {
         let angle = angle.into();
         let [least, greatest] = course.transmission_angle();
@@ -86,7 +86,7 @@ impl Report {
 
     /// The smallest margin over the range.
     #[must_use]
-    pub fn margin(self, least: &Least) -> Self {
+    pub fn margin(self, least: &Minimum) -> Self {
         self.summary([SummaryRow::new("margin", "smallest", least.value, "").at_input(least.at)])
     }
 }
@@ -198,7 +198,7 @@ mod tests {
 
     #[test]
     fn courses_become_rows() {
-        let course = Course::of((0.0, core::f64::consts::TAU), 90, yoke).expect("a course");
+        let course = Curve::new((0.0, core::f64::consts::TAU), 90, yoke).expect("a course");
         let rows = summary_rows(&report().speed(-10.0, 0.0).course("y", "mm", &course));
         let quarter = core::f64::consts::FRAC_PI_2;
         assert_eq!(value(&rows, "stroke"), (80.0, "mm".to_owned(), None));
@@ -225,7 +225,7 @@ mod tests {
                 0.25 / (2.0 - x).powf(1.5),
             ]
         };
-        let course = Course::of((0.0, 3.0), 90, reach).expect("a course");
+        let course = Curve::new((0.0, 3.0), 90, reach).expect("a course");
         let rows = summary_rows(&report().course("y", "mm", &course));
         assert_eq!(value(&rows, "lowest").0, -core::f64::consts::SQRT_2);
         assert!(rows.iter().all(|row| row.what != "greatest velocity"));
@@ -233,7 +233,7 @@ mod tests {
 
     #[test]
     fn accelerations_at_a_changing_speed_are_left_out() {
-        let course = Course::of((0.0, core::f64::consts::TAU), 90, yoke).expect("a course");
+        let course = Curve::new((0.0, core::f64::consts::TAU), 90, yoke).expect("a course");
         let rows = summary_rows(&report().course("y", "mm", &course).speed(10.0, 1.0));
         assert_eq!(value(&rows, "true greatest velocity").0, 400.0);
         assert!(

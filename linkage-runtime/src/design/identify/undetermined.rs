@@ -11,7 +11,7 @@ use super::determined::Determined;
 use super::directions::candidates;
 use super::named::Named;
 use super::reading::ReadingRow;
-use crate::words::rounded;
+use crate::format::rounded;
 
 /// A combination of parameters that the readings do not determine: it stays as near as can be to
 /// where the fit began.

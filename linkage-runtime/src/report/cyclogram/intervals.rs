@@ -6,7 +6,7 @@ use std::vec::Vec;
 
 use super::text::{band, checked, index, word};
 use super::{order, overlaps};
-use crate::cyclogram::{Band, Cyclogram, Organ};
+use crate::cyclogram::{Band, Cyclogram, Member};
 use crate::report::csv::CsvStyle;
 use crate::report::error::ReportError;
 use crate::report::units::titled;
@@ -23,7 +23,7 @@ pub(super) fn intervals_csv(
     let words = ["organ", "motion", "band"].map(String::from);
     let titles = words.iter().chain(&angles);
     let mut text = style.line(titles.map(|title| style.word(title)));
-    for organ in &cyclogram.organs {
+    for organ in &cyclogram.members {
         let count = organ.events().len();
         for (index, (motion, interval)) in organ.intervals().enumerate() {
             let band = band(organ, motion);
@@ -43,13 +43,13 @@ pub(in crate::report) fn value(cyclogram: &Cyclogram) -> Value {
     json!({
         "from": cyclogram.range.0,
         "to": cyclogram.range.1,
-        "organs": cyclogram.organs.iter().map(organ_value).collect::<Vec<_>>(),
+        "organs": cyclogram.members.iter().map(organ_value).collect::<Vec<_>>(),
         "order": order::order_value(cyclogram),
         "overlaps": overlaps::value(&cyclogram.overlaps()),
     })
 }
 
-fn organ_value(organ: &Organ) -> Value {
+fn organ_value(organ: &Member) -> Value {
     let intervals = organ.intervals().map(|(motion, interval)| {
         json!({
             "motion": word(motion),

@@ -5,7 +5,7 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::text::checked;
-use crate::cyclogram::{Cyclogram, Moment, Organ};
+use crate::cyclogram::{Cyclogram, Member, Moment};
 use crate::report::csv::CsvStyle;
 use crate::report::error::ReportError;
 use crate::report::units::titled;
@@ -25,7 +25,7 @@ pub(super) fn order_csv(cyclogram: &Cyclogram, style: &CsvStyle) -> Result<Strin
     let mut text = style.line(titles.map(|title| style.word(title)));
     for [before, moment] in pairs(cyclogram) {
         let number = |x: f64| style.number(shown(x)).into();
-        let shift = moment.organ.shift(moment.index).unwrap_or(f64::NAN);
+        let shift = moment.member.shift(moment.index).unwrap_or(f64::NAN);
         let [what, follows] = [moment, before].map(|moment| moment.to_string());
         text.push_str(&style.line([
             number(moment.event.at),
@@ -39,19 +39,19 @@ pub(super) fn order_csv(cyclogram: &Cyclogram, style: &CsvStyle) -> Result<Strin
 }
 
 pub(super) fn order_value(cyclogram: &Cyclogram) -> Vec<Value> {
-    let index = |organ: &Organ| {
+    let index = |organ: &Member| {
         cyclogram
-            .organs
+            .members
             .iter()
             .position(|other| core::ptr::eq(other, organ))
     };
     let moment = |[before, moment]: [Moment<'_>; 2]| {
         json!({
-            "organ": index(moment.organ),
+            "organ": index(moment.member),
             "event": moment.index,
             "at": moment.event.at,
             "after": moment.after,
-            "follows": { "organ": index(before.organ), "event": before.index },
+            "follows": { "organ": index(before.member), "event": before.index },
         })
     };
     pairs(cyclogram).map(moment).collect()

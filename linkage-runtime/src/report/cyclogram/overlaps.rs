@@ -27,9 +27,10 @@ pub(super) fn overlaps_csv(cyclogram: &Cyclogram, style: &CsvStyle) -> Result<St
     let titles = words.iter().chain(&angles);
     let mut text = style.line(titles.map(|title| style.word(title)));
     for overlap in cyclogram.overlaps().all() {
-        let bands = [0, 1].map(|k| band(&cyclogram.organs[overlap.organs[k]], overlap.motions[k]));
+        let bands =
+            [0, 1].map(|k| band(&cyclogram.members[overlap.members[k]], overlap.motions[k]));
         let words = [0, 1].map(|k| {
-            let organ = &cyclogram.organs[overlap.organs[k]];
+            let organ = &cyclogram.members[overlap.members[k]];
             [organ.name(), word(overlap.motions[k]), &bands[k]].map(|word| style.word(word))
         });
         let interval = &overlap.interval;
@@ -43,7 +44,7 @@ pub(super) fn overlaps_csv(cyclogram: &Cyclogram, style: &CsvStyle) -> Result<St
 pub(super) fn value(overlaps: &Overlaps<'_>) -> Vec<Value> {
     let overlap = |overlap: &Overlap| {
         json!({
-            "organs": overlap.organs,
+            "organs": overlap.members,
             "motions": overlap.motions.map(word),
             "bands": overlap.motions.map(index),
             "from": overlap.interval.from,

@@ -2,7 +2,7 @@
 
 use std::string::{String, ToString};
 
-use crate::cyclogram::{Motion, Organ};
+use crate::cyclogram::{Member, Motion};
 use crate::report::csv::CsvStyle;
 use crate::report::error::ReportError;
 
@@ -22,7 +22,7 @@ pub(super) const fn index(motion: Motion) -> Option<usize> {
 }
 
 /// The band of a dwell as text.
-pub(super) fn band(organ: &Organ, motion: Motion) -> String {
+pub(super) fn band(organ: &Member, motion: Motion) -> String {
     index(motion).map_or_else(String::new, |band| organ.bands()[band].to_string())
 }
 
