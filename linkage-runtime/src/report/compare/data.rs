@@ -50,7 +50,7 @@ impl Comparison<'_> {
             "about": self.about,
             "input": input,
             "extent": extent,
-            "unit": first.and_then(|report| positioned_picture::find_picture(report)).map(|shown| shown.unit),
+            "unit": first.and_then(positioned_picture::find_picture).map(|shown| shown.unit),
             "designs": designs.collect::<Vec<_>>(),
             "curves": self.columns().iter().filter_map(|name| {
                 let (_, unit, _) = first.and_then(|report| plots::find_series(report, name))?;
