@@ -75,8 +75,8 @@ where
         self
     }
 
-    /// Adds possible readings: [`Measured::offer`]. The result lists those that would determine the
-    /// undetermined combinations.
+    /// Adds possible readings: [`Measured::offer`](super::Measured::offer). The result lists those
+    /// that would determine the undetermined combinations.
     #[must_use]
     pub fn offered<C, F>(mut self, readings: Readings<M, A, C, F, N>) -> Self
     where
