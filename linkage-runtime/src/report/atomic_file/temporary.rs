@@ -1,4 +1,4 @@
-//! Names of files that are not complete yet, and what is left of programs that ended early.
+//! Names of incomplete files, and remains of programs that ended early.
 
 use std::collections::BTreeSet;
 use std::format;
@@ -13,7 +13,8 @@ use std::sync::{Mutex, PoisonError};
 /// A name is taken once in 2^64 times; more than a few are a mistake of the file system.
 const TRIES: usize = 16;
 
-/// A new file in a folder. The lock on it lasts as long as the file is open and says that a program still writes it.
+/// A new file in a folder. The lock on it lasts as long as the file is open and says that a program
+/// still writes it.
 pub(super) fn held(folder: &Path, options: &OpenOptions) -> io::Result<(File, PathBuf)> {
     let mut refused = io::Error::from(io::ErrorKind::AlreadyExists);
     for _ in 0..TRIES {
@@ -35,13 +36,14 @@ pub(super) fn held(folder: &Path, options: &OpenOptions) -> io::Result<(File, Pa
     Err(refused)
 }
 
-/// `.linkage-PROCESS-RANDOM.part`. The hasher's keys come from the system's source of random numbers.
+/// `.linkage-PROCESS-RANDOM.part`. The hasher's keys come from the system's source of random
+/// numbers.
 fn name() -> String {
     let random = RandomState::new().build_hasher().finish();
     format!(".linkage-{}-{random:016x}.part", process::id())
 }
 
-/// Whether [`name`] makes such names.
+/// Returns true for a name that [`name`] could make.
 fn is_name(name: &str) -> bool {
     let inner = name.strip_prefix(".linkage-");
     let inner = inner.and_then(|rest| rest.strip_suffix(".part"));
@@ -64,8 +66,8 @@ pub(super) fn sweep_once(folder: &Path) {
     }
 }
 
-/// Removes the files of programs that ended before they put them into their places. Nothing depends on it: what cannot
-/// be looked at or removed stays.
+/// Removes the files of programs that ended before they put them into their places. Nothing depends
+/// on it: files that cannot be read or removed stay.
 pub(super) fn sweep(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else {
         return;
@@ -79,13 +81,14 @@ pub(super) fn sweep(folder: &Path) {
     }
 }
 
-/// Whether the process of a name is known to run.
+/// Returns true if the process of a name is known to run.
 fn runs(name: &str) -> bool {
     let process = name.split('-').nth(1);
     process.is_some_and(|process| Path::new("/proc").join(process).exists())
 }
 
-/// Removes a file unless a program still holds it. The system gives back the locks of a process that ends.
+/// Removes a file unless a program still holds it. The system gives back the locks of a process
+/// that ends.
 fn remove_left(path: &Path) {
     let Ok(file) = OpenOptions::new().read(true).write(true).open(path) else {
         return;

@@ -100,10 +100,10 @@ impl fmt::Display for Mistake {
             Self::OtherUnit {
                 name,
                 design,
-                units: [own, first],
+                units: [unit, first],
             } => write!(
                 f,
-                "`{name}` of `{design}` is in {own:?}, that of the first design in {first:?}; give all in one unit"
+                "`{name}` of `{design}` is in {unit:?}, that of the first design in {first:?}; give all in one unit"
             ),
             Self::Aims { count } => write!(
                 f,

@@ -5,39 +5,22 @@ use linkage_runtime::support::{InitialState, pairs, wind_one};
 
 use super::numbers::{Numbers, States};
 use super::operations::{by_build, by_machine};
+use super::revolutions::Revolutions;
 use crate::mechanism::Mechanism;
-
-/// The centre of each angle, and the turns it makes for each turn of each input.
-#[derive(Clone, Debug)]
-pub(crate) struct Turns {
-    pub(super) centres: Vec<f64>,
-    pub(super) windings: Vec<Vec<f64>>,
-}
-
-impl Turns {
-    /// Centres at the start estimates, no winding.
-    pub(super) fn at_estimates(mechanism: &Mechanism) -> Self {
-        let angles = &mechanism.angles;
-        Self {
-            centres: angles.iter().map(|angle| angle.estimate).collect(),
-            windings: vec![vec![0.0; mechanism.inputs.len()]; angles.len()],
-        }
-    }
-}
 
 /// A mechanism in some modes, whose angles are to be followed.
 #[derive(Clone, Copy)]
-pub(super) struct Turning<'a> {
+pub(super) struct Winding<'a> {
     pub(super) mechanism: &'a Mechanism,
     pub(super) dimensions: &'a [f64],
     pub(super) modes: &'a [AssemblyMode],
     pub(super) starts: &'a [InitialState],
 }
 
-impl Turning<'_> {
-    /// The turns of the first `count` angles, from the reference or, where it does not assemble there, from `at`; or the name of the first
-    /// one that cannot be followed.
-    pub(super) fn wind(self, count: usize, at: &[f64]) -> Result<Turns, &'static str> {
+impl Winding<'_> {
+    /// The revolutions of the first `count` angles, from the reference or, where it does not
+    /// assemble there, from `at`; or the name of the first one that cannot be followed.
+    pub(super) fn wind(self, count: usize, at: &[f64]) -> Result<Revolutions, &'static str> {
         let reference = self.mechanism.reference();
         match self.wind_from(count, &reference) {
             Err(_) if at != reference => self.wind_from(count, at),
@@ -45,18 +28,18 @@ impl Turning<'_> {
         }
     }
 
-    fn wind_from(self, count: usize, start: &[f64]) -> Result<Turns, &'static str> {
+    fn wind_from(self, count: usize, start: &[f64]) -> Result<Revolutions, &'static str> {
         let unit = &self.mechanism.unit;
-        let mut turns = Turns::at_estimates(self.mechanism);
+        let mut revolutions = Revolutions::at_estimates(self.mechanism);
         let bearings = by_build(&unit.bearings, |source| {
-            self.numbers(&turns, &[], start, &[]).load(source)
+            self.numbers(&revolutions, &[], start, &[]).load(source)
         });
         let bearings = pairs(&bearings);
         let mut phases = &bearings[..];
         for (index, angle) in self.mechanism.angles.iter().enumerate().take(count) {
-            let (own, rest) = phases.split_at(angle.phases.len());
+            let (angle_phases, rest) = phases.split_at(angle.phases.len());
             phases = rest;
-            let prepared = self.prepare(&turns);
+            let prepared = self.prepare(&revolutions);
             let direction = |x: &Vec<f64>| {
                 let states = States {
                     mechanism: self.mechanism,
@@ -64,27 +47,27 @@ impl Turning<'_> {
                     inputs: x,
                 };
                 let states = states.by_build();
-                let numbers = self.numbers(&turns, &prepared, x, &states);
+                let numbers = self.numbers(&revolutions, &prepared, x, &states);
                 let all = by_build(&unit.directions, |source| numbers.load(source));
                 [all[2 * index], all[2 * index + 1]]
             };
-            let found = wind_one(angle, own, &start.to_vec(), direction);
+            let found = wind_one(angle, angle_phases, &start.to_vec(), direction);
             let (centre, windings) = found.ok_or(angle.unknown)?;
-            turns.centres[index] = centre;
-            turns.windings[index] = windings;
+            revolutions.centres[index] = centre;
+            revolutions.windings[index] = windings;
         }
-        Ok(turns)
+        Ok(revolutions)
     }
 
     /// All prepared slots.
-    pub(super) fn prepare(self, turns: &Turns) -> Vec<f64> {
-        let numbers = self.numbers(turns, &[], &[], &[]);
+    pub(super) fn prepare(self, revolutions: &Revolutions) -> Vec<f64> {
+        let numbers = self.numbers(revolutions, &[], &[], &[]);
         by_machine(&self.mechanism.unit.prepare, |source| numbers.load(source))
     }
 
     fn numbers<'b>(
         &'b self,
-        turns: &'b Turns,
+        revolutions: &'b Revolutions,
         prepared: &'b [f64],
         inputs: &'b [f64],
         states: &'b [Vec<f64>],
@@ -92,7 +75,7 @@ impl Turning<'_> {
         Numbers {
             dimensions: self.dimensions,
             modes: self.modes,
-            turns,
+            revolutions,
             prepared,
             inputs,
             states,

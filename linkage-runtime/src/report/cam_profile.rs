@@ -1,10 +1,10 @@
-//! Profiles as files: SVG and DXF, true to size.
+//! Profiles of plate cams as SVG and DXF, true to size.
 
 use std::format;
 use std::string::String;
 
-use super::outline::Outline;
-use crate::report::tags::{Layer, Tags};
+use super::tags::{Layer, Tags};
+use crate::cam::Outline;
 
 /// Around the profile, and the width of its line, in shares of its size.
 const MARGIN: f64 = 0.05;
@@ -15,8 +15,8 @@ const CENTRE: f64 = 0.03;
 impl Outline {
     /// The least and the largest coordinates of profile, pitch curve and centre.
     fn bounds(&self) -> [[f64; 2]; 2] {
-        let points = self.points.iter().chain(&self.pitch);
-        points.fold([[0.0; 2]; 2], |[low, high], point| {
+        let all = self.points.iter().chain(&self.pitch);
+        all.fold([[0.0; 2]; 2], |[low, high], point| {
             let with =
                 |end: [f64; 2], least: fn(f64, f64) -> f64| [0, 1].map(|k| least(end[k], point[k]));
             [with(low, f64::min), with(high, f64::max)]
@@ -30,7 +30,7 @@ impl Outline {
 
     /// A picture of the profile with its pitch curve and centre, where a unit of length is a
     /// millimetre on paper. All points have all of their digits, with y upwards in the coordinates
-    /// that [`Cam`](super::Cam) has.
+    /// that [`Cam`](crate::cam::Cam) has.
     pub fn svg(&self) -> String {
         let [low, high] = self.bounds();
         let size = self.size();

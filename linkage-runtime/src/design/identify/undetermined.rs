@@ -1,4 +1,4 @@
-//! What readings do not determine, in words, and what would.
+//! Combinations that readings do not determine, as text, and readings that would.
 
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -9,27 +9,27 @@ use nalgebra::DVector;
 
 use super::determined::Determined;
 use super::directions::candidates;
-use super::reading::Row;
-use crate::Parameter;
-use crate::design::limits::Limits;
+use super::named::Named;
+use super::reading::ReadingRow;
 use crate::format::rounded;
 
-/// A combination of parameters that the readings do not determine: it stays as near as can be to where the fit began.
+/// A combination of parameters that the readings do not determine: it stays as near as can be to
+/// where the fit began.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Undetermined {
     /// The parameters, and by how much they change together.
     pub parts: Vec<(&'static str, f64)>,
-    /// Whether it changes no reading at all; otherwise it changes them, over its whole range, by less than one standard
-    /// deviation.
+    /// True if it changes no reading at all. Otherwise it changes them, over its whole range, by
+    /// less than one standard deviation.
     pub exactly: bool,
-    /// What it is.
+    /// Its description.
     pub words: String,
-    /// Which quantities would determine it, the best first: those that were offered, and all others of the functions in use, at the inputs at
-    /// which these were read.
+    /// Quantities that would determine it, the best first: those that were offered, and all others
+    /// of the functions in use, at the inputs at which these were read.
     pub remedies: Vec<Remedy>,
 }
 
-/// What would determine a combination.
+/// A quantity that would determine a combination.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Remedy {
     /// The quantity.
@@ -38,41 +38,36 @@ pub struct Remedy {
     pub input_name: &'static str,
     /// The offered input at which it tells most.
     pub input: f64,
-    /// By how many standard deviations it changes there, when the combination changes over its range.
+    /// Its change there, in standard deviations, when the combination changes over its range.
     pub change: f64,
-}
-
-/// The unknown parameters.
-pub(super) struct Named {
-    pub(super) parameters: Vec<Parameter>,
-    /// Their places in `PARAMETERS`.
-    pub(super) places: Vec<usize>,
-    pub(super) starts: Vec<f64>,
-    pub(super) values: Vec<f64>,
-    pub(super) ranges: Vec<f64>,
-    pub(super) limits: Limits,
 }
 
 /// Directions that differ by less than this sine are one.
 const APART: f64 = 0.05;
 
-/// All combinations that are not determined, those that change nothing first; of each kind the simplest first: single
-/// parameters, a common scale, rotation or shift, pairs, and what is left.
-pub(super) fn undetermined(named: &Named, found: &Determined, offers: &[Row]) -> Vec<Undetermined> {
+/// Returns all combinations that are not determined, those that change nothing first. Within both
+/// kinds the simplest come first: single parameters, a common scale, rotation or shift, pairs, and
+/// the rest.
+pub(super) fn undetermined(
+    named: &Named,
+    found: &Determined,
+    offers: &[ReadingRow],
+) -> Vec<Undetermined> {
     let mut taken: Vec<DVector<f64>> = Vec::new();
-    let mut told: Vec<Undetermined> = Vec::new();
+    let mut combinations: Vec<Undetermined> = Vec::new();
     for exactly in [true, false] {
         let is_it = |k: &usize| found.is_nothing(found.singular[*k]) == exactly;
         let open: Vec<usize> = (found.rank..found.singular.len()).filter(is_it).collect();
-        let all = told.len() + open.len();
+        let all = combinations.len() + open.len();
         for mut candidate in candidates(named, found, &open) {
-            if told.len() == all {
+            if combinations.len() == all {
                 break;
             }
             // What is not determined by itself need not move with others.
             let alone = |name: &str| {
-                told.iter()
-                    .any(|own| matches!(own.parts[..], [(one, _)] if one == name))
+                combinations
+                    .iter()
+                    .any(|combinations| matches!(combinations.parts[..], [(one, _)] if one == name))
             };
             for (j, parameter) in named.parameters.iter().enumerate() {
                 if alone(parameter.name) {
@@ -90,32 +85,38 @@ pub(super) fn undetermined(named: &Named, found: &Determined, offers: &[Row]) ->
             } else {
                 change < found.needed()
             };
-            let rest = taken
-                .iter()
-                .fold(direction.clone(), |rest, own| &rest - own * own.dot(&rest));
+            let rest = taken.iter().fold(direction.clone(), |rest, taken| {
+                &rest - taken * taken.dot(&rest)
+            });
             if !is_open || rest.norm() < APART {
                 continue;
             }
             taken.push(&rest / rest.norm());
-            told.push(tell(named, found, &direction, candidate.pattern, offers));
+            combinations.push(describe(
+                named,
+                found,
+                &direction,
+                candidate.pattern,
+                offers,
+            ));
         }
         // Combinations that are too much alike leave some untold: what is left beside them.
-        while told.len() < all {
+        while combinations.len() < all {
             let direction = left_over(found, &open, &taken);
-            told.push(tell(named, found, &direction, None, offers));
+            combinations.push(describe(named, found, &direction, None, offers));
             taken.push(direction);
         }
     }
-    told
+    combinations
 }
 
 /// The direction that has most beside those that were taken.
 fn left_over(found: &Determined, open: &[usize], taken: &[DVector<f64>]) -> DVector<f64> {
     let rest = |&k: &usize| {
-        let own = found.directions.row(k).transpose();
+        let row = found.directions.row(k).transpose();
         taken
             .iter()
-            .fold(own, |rest, own| &rest - own * own.dot(&rest))
+            .fold(row, |rest, row| &rest - row * row.dot(&rest))
     };
     let rests = open.iter().map(rest);
     let most = rests.max_by(|a, b| a.norm().total_cmp(&b.norm()));
@@ -125,12 +126,12 @@ fn left_over(found: &Determined, open: &[usize], taken: &[DVector<f64>]) -> DVec
     )
 }
 
-fn tell(
+fn describe(
     named: &Named,
     found: &Determined,
     direction: &DVector<f64>,
     pattern: Option<&'static str>,
-    offers: &[Row],
+    offers: &[ReadingRow],
 ) -> Undetermined {
     let change = (&found.jacobian * direction).norm();
     let exactly = found.is_nothing(change);
@@ -202,7 +203,7 @@ fn remedies(
     named: &Named,
     found: &Determined,
     direction: &DVector<f64>,
-    offers: &[Row],
+    offers: &[ReadingRow],
 ) -> Vec<Remedy> {
     let mut best: Vec<Remedy> = Vec::new();
     for row in offers {
@@ -221,8 +222,8 @@ fn remedies(
             input: row.input,
             change,
         };
-        match best.iter_mut().find(|own| own.quantity == row.number) {
-            Some(own) if own.change < change => *own = remedy,
+        match best.iter_mut().find(|best| best.quantity == row.number) {
+            Some(known) if known.change < change => *known = remedy,
             Some(_) => {}
             None => best.push(remedy),
         }

@@ -1,4 +1,5 @@
-//! What runs from one position to the next, and what stands still meanwhile: options that several commands have.
+//! The input that runs from one position to the next, and the constant ones: options that several
+//! commands have.
 
 use clap::Args;
 use linkage_runtime::Input;
@@ -10,7 +11,7 @@ use crate::normal::normal;
 
 /// Options for the arguments of a function.
 #[derive(Debug, Args)]
-pub(super) struct Curve {
+pub(super) struct RunningInput {
     /// First value of the input, with its unit; the lower end of its range by default
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     from: Option<String>,
@@ -20,7 +21,8 @@ pub(super) struct Curve {
     /// The input that runs from one position to the next; the first one of the function by default
     #[arg(long, value_name = "INPUT", value_parser = normal)]
     over: Option<String>,
-    /// Another argument of the function, as `omega=20rad/s`; inputs stand at their reference by default
+    /// Another argument of the function, as `omega=20rad/s`; inputs stand at their reference by
+    /// default
     #[arg(long = "at", value_name = "NAME=VALUE", value_parser = normal)]
     at: Vec<String>,
 }
@@ -31,13 +33,13 @@ pub(super) struct Along {
     pub(super) given: Vec<f64>,
     /// The place and the input that runs; `None` for a function without inputs.
     pub(super) running: Option<(usize, &'static Input)>,
-    /// What it runs through.
+    /// The positions that it runs through.
     pub(super) positions: Positions,
 }
 
-impl Curve {
+impl RunningInput {
     /// The arguments of a function over as many positions.
-    pub(super) fn of(
+    pub(super) fn resolve(
         &self,
         mechanism: &Mechanism,
         function: usize,

@@ -4,19 +4,20 @@ use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use super::Report;
-use crate::{Column, Guide, GuideOn, Picture, PicturePoint, PointKind};
+use super::builder::Report;
+use crate::table::Column;
+use linkage_core::{Guide, GuideOn, Picture, PicturePoint, PointKind};
 
 /// The picture of a report, with the places of its points.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Shown<'a> {
+pub(super) struct PositionedPicture<'a> {
     pub(super) picture: &'static Picture,
     columns: &'a [Vec<f64>],
     pub(super) unit: &'static str,
     named: &'static [Column],
 }
 
-impl<'a> Shown<'a> {
+impl<'a> PositionedPicture<'a> {
     pub(super) fn rows(&self) -> usize {
         self.columns.first().map_or(0, Vec::len)
     }
@@ -37,7 +38,7 @@ impl<'a> Shown<'a> {
         self.point(self.picture.points.len() + index)
     }
 
-    pub(super) fn place(&self, point: usize, row: usize) -> [f64; 3] {
+    pub(super) fn point_at(&self, point: usize, row: usize) -> [f64; 3] {
         components(self.point(point), row)
     }
 
@@ -48,15 +49,19 @@ impl<'a> Shown<'a> {
     pub(super) fn is_assembled(&self, row: usize) -> bool {
         let points = 0..self.picture.points.len();
         points
-            .flat_map(|point| self.place(point, row))
+            .flat_map(|point| self.point_at(point, row))
             .all(f64::is_finite)
     }
 
-    /// The shortest and the longest way of a guide's slider from its origin over the range; 0 where nothing is finite.
+    /// The shortest and the longest way of a guide's slider from its origin over the range; 0 where
+    /// nothing is finite.
     pub(super) fn travel(&self, guide: &Guide) -> [f64; 2] {
         let rows = 0..self.rows();
         let ways = rows.map(|row| {
-            let (from, to) = (self.place(guide.origin, row), self.place(guide.slider, row));
+            let (from, to) = (
+                self.point_at(guide.origin, row),
+                self.point_at(guide.slider, row),
+            );
             let direction = self.way(guide.direction, row);
             (0..3)
                 .map(|k| (to[k] - from[k]) * direction[k])
@@ -69,8 +74,8 @@ impl<'a> Shown<'a> {
         if low > high { [0.0; 2] } else { [low, high] }
     }
 
-    /// Where a guide's line begins and ends, as ways from its origin: as far as the slider goes, and on to the origin where
-    /// the line is a link's that has it.
+    /// Returns the ends of a guide's line, as distances from its origin: the range of the slider,
+    /// extended to the origin where the line belongs to a link that has it.
     pub(super) fn rail(&self, guide: &Guide) -> [f64; 2] {
         let [low, high] = self.travel(guide);
         let links = self.picture.links;
@@ -87,54 +92,51 @@ impl<'a> Shown<'a> {
     }
 }
 
-impl Report {
-    pub(super) fn shown(&self) -> Option<Shown<'_>> {
-        self.tables.iter().find_map(|table| {
-            let columns = table.heading.picture?;
-            Some(Shown {
-                picture: columns.picture,
-                columns: &table.values[columns.first..],
-                unit: table.heading.columns.get(columns.first)?.unit,
-                named: table.heading.columns.get(columns.first..)?,
-            })
+pub(super) fn find_picture(report: &Report) -> Option<PositionedPicture<'_>> {
+    report.tables.iter().find_map(|table| {
+        let columns = table.heading.picture?;
+        Some(PositionedPicture {
+            picture: columns.picture,
+            columns: &table.values[columns.first..],
+            unit: table.heading.columns.get(columns.first)?.unit,
+            named: table.heading.columns.get(columns.first..)?,
         })
-    }
+    })
+}
 
-    /// The notes, and what there is to say of the picture.
-    pub(super) fn told(&self) -> Vec<String> {
-        let shown = self.shown();
-        let missing = shown.map_or_else(Vec::new, |shown| told_of_missing(shown.picture));
-        self.notes.iter().cloned().chain(missing).collect()
-    }
+/// Returns the notes of the report and those of the picture.
+pub(super) fn all_notes(report: &Report) -> Vec<String> {
+    let shown = find_picture(report);
+    let missing = shown.map_or_else(Vec::new, |shown| told_of_missing(shown.picture));
+    report.notes.iter().cloned().chain(missing).collect()
+}
 
-    /// Whether there is a picture, and a position at which all of it can be drawn.
-    pub(super) fn is_drawable(&self) -> bool {
-        self.shown()
-            .is_some_and(|shown| (0..shown.rows()).any(|row| shown.is_assembled(row)))
-    }
+/// Returns true if there is a picture, and a position at which all of it can be drawn.
+pub(super) fn is_drawable(report: &Report) -> bool {
+    find_picture(report).is_some_and(|shown| (0..shown.rows()).any(|row| shown.is_assembled(row)))
+}
 
-    /// Indices of the points whose paths are drawn: those that were asked for, otherwise tips.
-    pub(super) fn traced(&self, picture: &Picture) -> Vec<usize> {
-        let tips = || {
-            let points = picture.points.iter().enumerate();
-            points.filter(|(_, point)| point.kind == PointKind::Tip)
-        };
-        match self.traces.as_slice() {
-            [] => tips().map(|(index, _)| index).collect(),
-            names => {
-                let mut found = Vec::new();
-                for index in names.iter().filter_map(|name| point_named(picture, name)) {
-                    if !found.contains(&index) {
-                        found.push(index);
-                    }
+/// Indices of the points whose paths are drawn: those that were asked for, otherwise tips.
+pub(super) fn traced_points(report: &Report, picture: &Picture) -> Vec<usize> {
+    let tips = || {
+        let points = picture.points.iter().enumerate();
+        points.filter(|(_, point)| point.kind == PointKind::Tip)
+    };
+    match report.traces.as_slice() {
+        [] => tips().map(|(index, _)| index).collect(),
+        names => {
+            let mut found = Vec::new();
+            for index in names.iter().filter_map(|name| point_named(picture, name)) {
+                if !found.contains(&index) {
+                    found.push(index);
                 }
-                found
             }
+            found
         }
     }
 }
 
-/// What is said of loops that are not drawn, and of points that no link carries.
+/// Returns the notes about loops that are not drawn, and about points that no link carries.
 pub(super) fn told_of_missing(picture: &Picture) -> Vec<String> {
     let undrawn = told_of_undrawn_loops(picture);
     undrawn

@@ -5,23 +5,24 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt;
 
+use crate::data::Parameter;
+use crate::dimensions::Dimensions;
 use crate::format::rounded;
-use crate::{Dimensions, Parameter};
 
 /// A local optimum that holds all that must hold.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Found<M, A> {
+pub struct FoundDesign<M, A> {
     /// Its dimensions.
     pub mechanism: M,
     /// Assembled on the circuit that runs through the whole range.
     pub assembly: A,
     /// The sum of the squares of all weighted residuals.
     pub sum: f64,
-    /// What messages call the wishes.
+    /// The titles of the wishes in messages.
     pub wishes: Vec<String>,
     /// The rows of each wish: weighted residuals, or the values of a condition.
     pub residuals: Vec<Vec<f64>>,
-    /// By how much each wish is missed where it is missed most, in words; of a condition nothing.
+    /// The largest miss of each wish, as text; `None` for a condition.
     pub farthest: Vec<Option<String>>,
     /// The free inputs of each wish, in their order.
     pub inputs: Vec<Vec<f64>>,
@@ -31,27 +32,31 @@ pub struct Found<M, A> {
     pub margin_at: f64,
     /// Names of the parameters that are at a bound, with the bound.
     pub at_bound: Vec<(&'static str, f64)>,
-    /// Gradient of half the sum by the parameters that are at a bound, in the same order: how much is to be gained beyond it.
+    /// Gradient of half the sum by the parameters that are at a bound, in the same order: how much
+    /// is to be gained beyond it.
     pub bound_slopes: Vec<f64>,
     /// The units of the parameters that are at a bound, in the same order.
     pub bound_units: Vec<&'static str>,
-    /// The linear relations that are in the way, in words: those that are not equalities and would be broken beyond.
+    /// The linear relations that are in the way, as text: those that are not equalities and would
+    /// be broken beyond.
     pub active_relations: Vec<String>,
     /// The conditions that are in the way, by their titles.
     pub active_conditions: Vec<String>,
-    /// Whether it is a local optimum; `false` where the descent had used up its steps, or led to nothing better that holds what must hold.
+    /// True for a local optimum; `false` where the descent had used up its steps, or led to nothing
+    /// better that meets all conditions.
     pub converged: bool,
-    /// The start that led here; that after the last one is the declared mechanism, where no start leads to a smaller sum.
+    /// The start that led here; that after the last one is the declared mechanism, where no start
+    /// leads to a smaller sum.
     pub start: usize,
-    /// How many starts led here.
+    /// The number of starts that led here.
     pub hits: usize,
 }
 
-/// What a search found.
+/// The result of a search.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Search<M, A> {
+pub struct DesignSearch<M, A> {
     /// All distinct local optima, the least sum first.
-    pub designs: Vec<Found<M, A>>,
+    pub designs: Vec<FoundDesign<M, A>>,
     /// Starts that were tried.
     pub starts: usize,
     /// Starts that relations refuse.
@@ -60,16 +65,19 @@ pub struct Search<M, A> {
     pub open: usize,
     /// Starts that end where a condition does not hold.
     pub broken: usize,
-    /// Distinct optima that were refused since they do not run through the whole range on one circuit.
+    /// Distinct optima that were refused since they do not run through the whole range on one
+    /// circuit.
     pub not_whole: usize,
-    /// Distinct optima that violate a condition or a relation in the assembly that would be returned.
+    /// Distinct optima that violate a condition or a relation in the assembly that would be
+    /// returned.
     pub unverified: usize,
-    /// Distinct optima that are not listed, although some of them may run through the range: the list was full, or the search was to end. Their
-    /// sums are not less than those of the designs.
+    /// Distinct optima that are not listed, although some of them may run through the range: the
+    /// list was full, or the search was to end. Their sums are not less than those of the designs.
     pub left_out: usize,
     /// Evaluations of mechanisms with derivatives.
     pub evaluations: usize,
-    /// Whether time limit or cancellation ended it before all starts were done, or before all optima were looked at.
+    /// True if time limit or cancellation ended it before all starts were done, or before all
+    /// optima were checked.
     pub ended_early: bool,
     /// Residuals and variables: with more variables than residuals a design is one of many.
     pub residuals: usize,
@@ -77,15 +85,15 @@ pub struct Search<M, A> {
     pub variables: usize,
 }
 
-impl<M, A> Search<M, A> {
+impl<M, A> DesignSearch<M, A> {
     /// The design with the least sum.
     #[must_use]
-    pub fn best(&self) -> &Found<M, A> {
+    pub fn best(&self) -> &FoundDesign<M, A> {
         &self.designs[0]
     }
 }
 
-impl<M, A> Found<M, A> {
+impl<M, A> FoundDesign<M, A> {
     /// The parameters with the design's dimensions.
     #[must_use]
     pub fn parameters<const N: usize>(&self) -> [Parameter; N]
@@ -96,8 +104,9 @@ impl<M, A> Found<M, A> {
     }
 }
 
-/// The figures in a few lines: by how much it misses each wish at most, and which bounds are in the way.
-impl<M, A> fmt::Display for Found<M, A> {
+/// The figures in a few lines: by how much it misses each wish at most, and which bounds are in the
+/// way.
+impl<M, A> fmt::Display for FoundDesign<M, A> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
@@ -138,7 +147,7 @@ impl<M, A> fmt::Display for Found<M, A> {
 }
 
 /// The figures in a few lines, then a line for each design.
-impl<M, A> fmt::Display for Search<M, A> {
+impl<M, A> fmt::Display for DesignSearch<M, A> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let freedom = match self.residuals > self.variables {
             true => "more than can be met exactly: the least sum of squares is found",

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use std::string::String;
 use std::vec::Vec;
 
-use super::Whole;
-use super::beside::sweep;
+use super::AtomicFile;
+use super::temporary::sweep;
 
 /// An empty folder.
 fn folder(name: &str) -> PathBuf {
@@ -36,7 +36,7 @@ fn a_sweep_takes_what_was_left_and_nothing_else() {
         fs::write(folder.join(name), "half").expect("it is written");
     }
     fs::create_dir(folder.join(inner)).expect("a folder of such a name");
-    let mut whole = Whole::new(&folder.join("t.csv")).expect("it is made");
+    let mut whole = AtomicFile::new(&folder.join("t.csv")).expect("it is made");
     whole.write_all(b"1").expect("it is written");
     // Files that are being written stay, of this process or of another one.
     sweep(&folder);
@@ -50,7 +50,7 @@ fn a_sweep_takes_what_was_left_and_nothing_else() {
 fn what_is_not_put_into_its_place_is_removed() {
     let folder = folder("dropped");
     fs::write(folder.join("t.csv"), "old").expect("it is written");
-    let mut whole = Whole::new(&folder.join("t.csv")).expect("it is made");
+    let mut whole = AtomicFile::new(&folder.join("t.csv")).expect("it is made");
     whole.write_all(b"new").expect("it is written");
     drop(whole);
     assert_eq!(names(&folder), ["t.csv"]);
@@ -68,7 +68,7 @@ fn the_mode_of_the_old_file_stays() {
         let path = folder.join(format!("{mode:o}"));
         fs::write(&path, "old").expect("it is written");
         fs::set_permissions(&path, fs::Permissions::from_mode(mode)).expect("it is ours");
-        let mut whole = Whole::new(&path).expect("it is made");
+        let mut whole = AtomicFile::new(&path).expect("it is made");
         whole.write_all(b"new").expect("it is written");
         whole.put().expect("it is put there");
         let data = fs::metadata(&path).expect("it is there");

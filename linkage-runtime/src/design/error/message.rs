@@ -1,4 +1,4 @@
-//! Errors in words.
+//! Errors as text.
 
 use alloc::string::String;
 use alloc::vec::Vec;
