@@ -125,7 +125,9 @@ fn from_angles() -> Result<Identified<FourBar, COUNT>, Box<dyn Error>> {
         .into_iter()
         .map(|phi| [real.rocker(phi).psi + ANGLE * error(&mut random)]);
     let read: Vec<[f64; 1]> = read.collect();
-    let measured = Measured::new("psi", read).at_inputs(inputs()).deviations([ANGLE]);
+    let measured = Measured::new("psi", read)
+        .at_inputs(inputs())
+        .deviations([ANGLE]);
     let offer = Measured::offer("tracer")
         .at_inputs(inputs())
         .deviations([POINT; 2]);

@@ -144,7 +144,9 @@ fn of_the_velocity_of_a_point() {
         .iter()
         .map(|&phi| assembly.going(phi).v.into())
         .collect();
-    let wish = Targets::new("v", velocities).at_inputs(inputs).computed_by(going);
+    let wish = Targets::new("v", velocities)
+        .at_inputs(inputs)
+        .computed_by(going);
     let design = ["crank", "rocker", "arm.x", "arm.y"]
         .into_iter()
         .fold(super::problem_of_nothing(), |design, name| {

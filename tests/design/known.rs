@@ -85,7 +85,9 @@ fn several_wishes_together() {
     let linkage = FourBar::default().assemble().expect("it assembles");
     let speeds = [0.6, 2.0, 4.0].map(|phi| [linkage.speed(phi).v]);
     let pose = linkage.pose(1.3);
-    let speed = Targets::new("v", speeds).weights([30.0]).at_inputs([0.6, 2.0, 4.0]);
+    let speed = Targets::new("v", speeds)
+        .weights([30.0])
+        .at_inputs([0.6, 2.0, 4.0]);
     let pose = Targets::of_all(
         ["tracer", "theta"],
         [[pose.tracer.x, pose.tracer.y, pose.theta]],

@@ -129,7 +129,8 @@ impl Posed {
             (slopes[FourBar::INDEX_CRANK], slopes[FourBar::INDEX_ROCKER]) = (m.rocker, m.crank);
             (m.crank * m.rocker - product, slopes)
         };
-        let wish = Targets::new("tracer", self.points.iter().copied()).at_inputs(self.inputs.clone());
+        let wish =
+            Targets::new("tracer", self.points.iter().copied()).at_inputs(self.inputs.clone());
         let design = problem_of_nothing()
             .hold(Relation::crank_turns(LENGTHS, 0.0))
             .hold(Relation::at_most([("coupler", 1.0), ("rocker", -1.0)], 8.0))
@@ -204,7 +205,11 @@ fn a_declared_mechanism_that_violates_a_condition_is_no_result() {
     let run = problem_of_nothing()
         .vary("crank", 14.0, 16.0)
         .hold_that("nothing", none)
-        .want(Targets::new("tracer", points).at_inputs(inputs).computed_by(PATH))
+        .want(
+            Targets::new("tracer", points)
+                .at_inputs(inputs)
+                .computed_by(PATH),
+        )
         .starts(4)
         .run();
     let Err(DesignError::NotFound(refusals)) = run else {

@@ -104,7 +104,9 @@ fn numbers_of_the_case_are_told() -> Outcome {
     );
 
     let at = inputs(12);
-    let read = Measured::new("b", points(&at)?).at_inputs(at).deviations([0.01; 2]);
+    let read = Measured::new("b", points(&at)?)
+        .at_inputs(at)
+        .deviations([0.01; 2]);
     let found = drawn()?
         .vary("crank", 50.2, 50.2)
         .unknown(["coupler", "rocker"])

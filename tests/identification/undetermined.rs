@@ -26,7 +26,9 @@ fn what_cannot_be_told_apart_is_named() -> Outcome {
     let angles = Measured::new("reading", angles)
         .at_inputs(at.clone())
         .deviations([1e-4]);
-    let point = Measured::offer("b").at_inputs(at.clone()).deviations([0.01; 2]);
+    let point = Measured::offer("b")
+        .at_inputs(at.clone())
+        .deviations([0.01; 2]);
     let all = || FourBar::PARAMETERS.iter().map(|parameter| parameter.name);
     let words = told(
         &drawn()?
@@ -63,7 +65,9 @@ fn what_cannot_be_told_apart_is_named() -> Outcome {
     let read = Measured::new("b", points(&at)?)
         .at_inputs(at.clone())
         .deviations([0.01; 2]);
-    let encoder = Measured::offer("reading").at_inputs([0.5]).deviations([1e-4]);
+    let encoder = Measured::offer("reading")
+        .at_inputs([0.5])
+        .deviations([1e-4]);
     let words = told(
         &drawn()?
             .unknown(all())

@@ -41,7 +41,9 @@ fn beside_a_flat_triangle_there_are_no_standard_errors() -> Outcome {
         pivot[0] + c * ahead + s * aside,
         pivot[1] + s * ahead - c * aside,
     ]];
-    let measured = Measured::new("b", read).at_inputs([phi]).deviations([0.01; 2]);
+    let measured = Measured::new("b", read)
+        .at_inputs([phi])
+        .deviations([0.01; 2]);
     let run = drawn()?
         .unknown(["crank"])
         .measured(measured.computed_by(FourBarAssembly::path_sweep_sets_into))

@@ -58,7 +58,13 @@ fn main() {
     fs::write(out.join("mechanisms.rs"), text).expect("it can be written");
 }
 
-fn entry(ending: &str, path: &Path, number: usize, source: &Source, found: &MechanismCall) -> Entry {
+fn entry(
+    ending: &str,
+    path: &Path,
+    number: usize,
+    source: &Source,
+    found: &MechanismCall,
+) -> Entry {
     let checked = check(found.tokens.clone());
     let tokens: Vec<_> = found.tokens.clone().into_iter().collect();
     let first = tokens.first().expect("a token").span().byte_range().start;
