@@ -1,8 +1,9 @@
 //! Where two circles meet: the numbers behind RRR, and behind RSSR seen along the rocker's axis.
 
+use crate::algebra::Algebra;
+use crate::solve::definitions;
+use crate::solve::group_context::GroupContext;
 use linkage_symbolic::{Ex, V2};
-
-use super::Solver;
 
 /// Two circles as their radii enter: squares, scaled.
 pub(super) struct Squares<'m> {
@@ -69,11 +70,12 @@ fn invertible(x: Ex) -> Ex {
 /// keeps it accurate in needle triangles; `|r1^2 - r2^2|` selects that one without a choice. Computed are `w n1`, `w n2`, `h` and
 /// `w C/L2`.
 pub(super) fn circles<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
     c: V2<'m>,
     squares: &Squares<'m>,
 ) -> Circles<'m> {
-    let w = solver.mode_sign();
+    let w = definitions::mode_sign(algebra, group);
     let size = squares.imbalance.abs();
 
     let m = squares.half_scale2 * c.square(); // L2/2, scaled

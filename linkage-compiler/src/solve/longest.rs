@@ -1,17 +1,18 @@
 //! How long a vector of the plane can become when all that turns in it turns: what a margin is measured by.
 
+use crate::algebra::Algebra;
 use crate::algebra::parts;
 use crate::solve::contour;
+use crate::solve::group_context::GroupContext;
 use linkage_symbolic::{Ex, V2};
-
-use super::Solver;
 
 /// The margin of a group whose determinant is `h = sqrt(vector.vector - level^2)`: over the largest value that it has for these lengths. Where
 /// nothing moves, and where it is not known how far (in space), over the vector's length.
 ///
 /// `h` is scaled, the others are not.
 pub(super) fn root_margin<'m>(
-    solver: &Solver<'_, 'm>,
+    algebra: &Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
     h: Ex<'m>,
     vector: V2<'m>,
     level: Ex<'m>,
@@ -20,9 +21,13 @@ pub(super) fn root_margin<'m>(
     // What leads to a point in several ways bounds it in each of them; the shortest way is the same however the vector is written.
     let ways = match vector.is_fixed() {
         true => Vec::new(),
-        false => contour::ways_to(solver, contour::without_explicit(solver, vector)),
+        false => contour::ways_to(
+            algebra,
+            group.earlier,
+            contour::without_explicit(algebra, group.earlier, vector),
+        ),
     };
-    let lengths = ways.into_iter().filter_map(|way| longest(solver, way));
+    let lengths = ways.into_iter().filter_map(|way| longest(algebra, way));
     let Some(longest) = lengths.reduce(|least, length| least.min(length)) else {
         return h / (scale * vector).length();
     };
@@ -36,8 +41,8 @@ pub(super) fn root_margin<'m>(
 }
 
 /// The sum of the lengths of a vector's parts, if they can all point the same way: each turns, and keeps its length.
-fn longest<'m>(solver: &Solver<'_, 'm>, vector: V2<'m>) -> Option<Ex<'m>> {
-    let parts = parts::parts(solver.algebra, vector);
+fn longest<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Option<Ex<'m>> {
+    let parts = parts::parts(algebra, vector);
     let mut turning = parts.turning.iter().map(|(_, part)| part);
     let rigid = turning.all(|part| part.is_rotor() && part.arm().is_fixed());
     let arms = parts.turning.iter().map(|(_, part)| part.arm().length());

@@ -1,10 +1,11 @@
 //! What the closed forms of the plane share: gaps, guards, terms of their equations.
 
+use crate::algebra::Algebra;
+use crate::solve::definitions;
+use crate::solve::group_context::GroupContext;
 use linkage_symbolic::{Ex, V2};
 
 use crate::algebra::{Link, Solution, Term};
-
-use super::Solver;
 
 /// A value that is NaN where the root `h` is, also where `h` drops out of its formula: a guide along an axis leaves
 /// the other component of a link free of the root, but not of the assembly. Whether `h` stays is known only
@@ -73,14 +74,15 @@ pub(super) fn known_term<'m>(known: &[Ex<'m>]) -> Term<'m> {
 
 /// Records a group of two equations. The determinant's closed value is `determinant`.
 pub(super) fn push_pair<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
     terms: Vec<Term<'m>>,
     columns: [V2<'m>; 2],
     determinant: Ex<'m>,
 ) {
     let product = columns[0].cross(columns[1]);
-    let determinant = solver.alias("det", determinant, product);
-    solver.push_solution(Solution {
+    let determinant = definitions::alias(algebra, group, "det", determinant, product);
+    algebra.solutions.groups.push(Solution {
         terms,
         jacobian: columns.map(|column| column.0.to_vec()).to_vec(),
         determinant,
@@ -93,14 +95,14 @@ pub(super) fn push_pair<'m>(
 
 /// Records that the link `vector`, which is `z unit`, turns with an unknown of the group of two equations that was recorded last.
 pub(super) fn links_turn<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     position: usize,
     z: V2<'m>,
     unit: V2<'m>,
     vector: V2<'m>,
     across: Ex<'m>,
 ) {
-    let group = solver.algebra.solutions.groups.last_mut();
+    let group = algebra.solutions.groups.last_mut();
     let group = group.expect("the group that is solved");
     group.links[position] = Some(Link {
         vector,
@@ -113,11 +115,11 @@ pub(super) fn links_turn<'m>(
 
 /// Records a group of one equation with one unknown.
 pub(super) fn push_single<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     terms: Vec<Term<'m>>,
     determinant: Ex<'m>,
 ) {
-    solver.push_solution(Solution {
+    algebra.solutions.groups.push(Solution {
         terms,
         jacobian: vec![vec![determinant]],
         determinant,

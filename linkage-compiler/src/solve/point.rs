@@ -1,54 +1,30 @@
 //! A point at given distances from known points and on known planes, a direction at given angles to known directions.
 
 mod differentiate;
+mod geometry;
 
+use crate::algebra::Algebra;
+use crate::solve::closed::{Closed, GapIn};
+use crate::solve::definitions;
+use crate::solve::group_context::GroupContext;
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
 use crate::structure::{Plane, Sphere};
 
+use geometry::{Ball, Level, PointOnSpheres};
+
 use super::plane::{defined_gap, gap, guarded};
-use super::{Closed, GapIn, Solver};
 
 /// About what a vector's length is of the sum of its components, which needs no root: it is 0.58 to 1.
 const SUM_OF_COMPONENTS: f64 = 0.625;
-
-/// A sphere `|f (p - centre)| = radius`, with its own numbers.
-struct Ball<'m> {
-    centre: V3<'m>,
-    /// As a distance from the centre, and scaled.
-    radius: Ex<'m>,
-    scaled: Ex<'m>,
-    /// From the first sphere's centre, scaled.
-    apart: V3<'m>,
-}
-
-/// A plane `normal . (p - centre of the first sphere) = offset`, scaled; the normal is that of the user of length 1, or the
-/// distance of two centres.
-struct Level<'m> {
-    normal: V3<'m>,
-    offset: Ex<'m>,
-    /// What the offset's rounding is measured by.
-    size: Ex<'m>,
-    /// What the normal's length is measured by in the margin.
-    largest: Ex<'m>,
-}
-
-/// Where a point lies.
-struct Place<'m> {
-    /// From the first sphere's centre, scaled.
-    arm: V3<'m>,
-    /// What lengths are multiplied by.
-    scale: Ex<'m>,
-    /// Scaled, 0 at the dead point.
-    h: Ex<'m>,
-}
 
 /// The difference of two spheres is a plane, so there are two planes `u.y = a`, `v.y = b` and a sphere. Their line goes along
 /// `n = u x v`; its foot is `t x n / n.n` with `t = a v - b u`, at the distance `|t|/|n|`, and the root is
 /// `h = sqrt(r^2 - t.t/n.n)`. Lengths are scaled by a power of two, so that products of many do not
 /// overflow.
 pub(super) fn point<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
     coordinates: &[(SymbolId, usize)],
     spheres: &[Sphere<'m>],
     planes: &[Plane<'m>],
@@ -62,12 +38,12 @@ pub(super) fn point<'m>(
     let mut levels: Vec<Level> = Vec::new();
     levels.extend(balls[1..].iter().map(|ball| radical_plane(base, ball)));
     levels.extend(planes.iter().map(|plane| level(base, plane, scale)));
-    levels.extend(missing.map(|component| level(base, &axis(solver, component), scale)));
+    levels.extend(missing.map(|component| level(base, &axis(algebra, component), scale)));
     let [first, second] = &levels[..] else {
         unreachable!("three conditions: a sphere and two planes");
     };
 
-    let w = solver.mode_sign();
+    let w = definitions::mode_sign(algebra, group);
     let normal = first.normal.cross(second.normal);
     let sine2 = normal.square();
     let sine = normal.length();
@@ -90,10 +66,18 @@ pub(super) fn point<'m>(
 
     for (position, &(symbol, component)) in coordinates.iter().enumerate() {
         let value = base.centre[component] + arm[component] / scale;
-        solver.define_length(symbol, guarded(value, h), position);
+        definitions::define_length(algebra, group, symbol, guarded(value, h), position);
     }
-    let place = Place { arm, scale, h };
-    differentiate::push_point(solver, &coordinates, planes, &balls, &place, volume);
+    let solution = PointOnSpheres { arm, scale, h };
+    differentiate::push_point(
+        algebra,
+        group,
+        &coordinates,
+        planes,
+        &balls,
+        &solution,
+        volume,
+    );
 
     let mut margin = h / radius * sine;
     for level in &levels {
@@ -101,24 +85,24 @@ pub(super) fn point<'m>(
     }
     let miss = distance2.sqrt() / scale - base.radius;
     let gap = gap(q, noise, miss);
-    let (words, method) = words(spheres.len());
+    let (kind, method) = kind_and_method(spheres.len());
     Closed {
-        kind: words.into(),
+        kind: kind.into(),
         class: 0,
         order: 0,
         method,
         two_modes: true,
         margin,
         slack: q / radius2,
-        slack_scale: solver.algebra.one(),
+        slack_scale: algebra.one(),
         gap: defined_gap(gap, sine2),
         gap_in: GapIn::Unknown,
     }
 }
 
 /// The plane in which a component is 0.
-fn axis<'m>(solver: &Solver<'_, 'm>, component: usize) -> Plane<'m> {
-    let (zero, one) = (solver.algebra.zero(), solver.algebra.one());
+fn axis<'m>(algebra: &Algebra<'m>, component: usize) -> Plane<'m> {
+    let (zero, one) = (algebra.zero(), algebra.one());
     let mut normal = Vector([zero; 3]);
     normal.0[component] = one;
     Plane {
@@ -188,7 +172,8 @@ fn level<'m>(base: &Ball<'m>, plane: &Plane<'m>, scale: Ex<'m>) -> Level<'m> {
     }
 }
 
-fn words(spheres: usize) -> (&'static str, &'static str) {
+/// The names of the kind and of the method, by the number of spheres.
+fn kind_and_method(spheres: usize) -> (&'static str, &'static str) {
     match spheres {
         1 => (
             "one distance, two planes",

@@ -1,16 +1,21 @@
 //! PRP and RPP: two slides along known directions, a linear group.
 
+use crate::algebra::Algebra;
+use crate::solve::closed::{Closed, GapIn};
+use crate::solve::definitions;
+use crate::solve::group_context::GroupContext;
 use crate::solve::plane;
+use crate::solve::unknowns;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
 use crate::algebra::Term;
 
 use super::plane::{known_term, linear_gap, where_finite};
-use super::{Closed, GapIn, Solver};
 
 /// `s1 G1 + s2 G2 = C` by Cramer's rule.
-pub(super) fn two_slides<'m>(
-    solver: &mut Solver<'_, 'm>,
+pub(super) fn prp<'m>(
+    algebra: &mut Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
     slides: [SymbolId; 2],
     guides: [V2<'m>; 2],
     known: V2<'m>,
@@ -21,14 +26,14 @@ pub(super) fn two_slides<'m>(
     let mut terms = Vec::new();
     for position in 0..2 {
         let value = numerators[position] / determinant;
-        solver.define_length(slides[position], value, position);
+        definitions::define_length(algebra, group, slides[position], value, position);
         terms.push(Term {
             coefficient: guides[position].0.to_vec(),
-            factor: solver.unknown(slides[position]),
+            factor: unknowns::unknown(algebra, slides[position]),
         });
     }
     terms.push(known_term(&known.0));
-    plane::push_pair(solver, terms, guides, determinant);
+    plane::push_pair(algebra, group, terms, guides, determinant);
 
     let slack = determinant / largest_determinant(guides);
     Closed {
@@ -40,7 +45,7 @@ pub(super) fn two_slides<'m>(
         two_modes: false,
         margin: slack.abs(),
         slack: where_finite(slack, &known.0),
-        slack_scale: solver.algebra.one(),
+        slack_scale: algebra.one(),
         gap: where_finite(linear_gap(determinant), &known.0),
         gap_in: GapIn::Loop,
     }

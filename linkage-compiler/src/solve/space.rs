@@ -1,11 +1,10 @@
 //! What closed forms in space share.
 
+use crate::algebra::Algebra;
 use linkage_symbolic::program::{Binary, Unary};
 use linkage_symbolic::{Ex, Node, V3, Vector, agree_within};
 
 use crate::algebra::{Rod, Term};
-
-use super::Solver;
 
 /// The terms `K.V - l l` of `(V.V - l^2)/2`, where `V` is the link's vector: what is known before the group enters by its
 /// derivative times these factors.
@@ -20,8 +19,8 @@ pub(super) fn distance_terms<'m>(link: V3<'m>, known: V3<'m>, length: Ex<'m>) ->
 }
 
 /// Records the rod of the group that was recorded last.
-pub(super) fn rod<'m>(solver: &mut Solver<'_, 'm>, rod: Rod<'m>) {
-    let group = solver.algebra.solutions.groups.last_mut();
+pub(super) fn rod<'m>(algebra: &mut Algebra<'m>, rod: Rod<'m>) {
+    let group = algebra.solutions.groups.last_mut();
     group.expect("the group that is solved").rod = Some(rod);
 }
 

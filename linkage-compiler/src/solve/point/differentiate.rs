@@ -1,14 +1,17 @@
 //! What differentiation needs of a point on spheres and planes.
 
+use crate::algebra::Algebra;
 use crate::algebra::elimination;
+use crate::solve::definitions;
+use crate::solve::group_context::GroupContext;
+use crate::solve::unknowns;
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
 use crate::algebra::{CoreRow, Elimination, Solution, Term};
-use crate::solve::Solver;
 use crate::solve::plane::guarded;
 use crate::structure::Plane;
 
-use super::{Ball, Place};
+use super::geometry::{Ball, PointOnSpheres};
 
 /// Coefficients and factors of one equation.
 type Row<'m> = Vec<(Ex<'m>, Ex<'m>)>;
@@ -18,25 +21,26 @@ type Row<'m> = Vec<(Ex<'m>, Ex<'m>)>;
 /// The equations are the first sphere's and how the others differ from it: three nearly equal rows would cancel. They are
 /// multiplied by the scale, so that the matrix consists of scaled lengths.
 pub(super) fn push_point<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
     coordinates: &[(SymbolId, usize)],
     planes: &[Plane<'m>],
     balls: &[Ball<'m>],
-    place: &Place<'m>,
+    solution: &PointOnSpheres<'m>,
     volume: Ex<'m>,
 ) {
     let count = coordinates.len();
-    let (zero, one) = (solver.algebra.zero(), solver.algebra.one());
+    let (zero, one) = (algebra.zero(), algebra.one());
     let symbols = coordinates
         .iter()
-        .map(|(symbol, _)| solver.unknown(*symbol));
+        .map(|(symbol, _)| unknowns::unknown(algebra, *symbol));
     let point: Vec<Ex> = symbols.collect();
     let first = Vector([0, 1, 2].map(|k| {
-        let value = guarded(place.arm[k], place.h);
+        let value = guarded(solution.arm[k], solution.h);
         let moved = coordinates.iter().zip(&point).find(|((_, c), _)| *c == k);
         let moved = moved.map_or(zero, |(_, &p)| p);
-        let equal = place.scale * (moved - balls[0].centre[k]);
-        solver.alias("leg", value, equal)
+        let equal = solution.scale * (moved - balls[0].centre[k]);
+        definitions::alias(algebra, group, "leg", value, equal)
     }));
     let mut rows = vec![(sphere_terms(first, &balls[0]), first, one)];
     for ball in &balls[1..] {
@@ -81,9 +85,9 @@ pub(super) fn push_point<'m>(
         Some(1) => -volume,
         _ => volume,
     };
-    let product = elimination::determinant(solver.algebra, &matrix);
-    let determinant = solver.alias("det", value, product);
-    solver.push_solution(Solution {
+    let product = elimination::determinant(algebra, &matrix);
+    let determinant = definitions::alias(algebra, group, "det", value, product);
+    algebra.solutions.groups.push(Solution {
         terms,
         jacobian,
         determinant,

@@ -1,9 +1,9 @@
 //! The unknowns of loops of the plane as joints and bodies.
 
+use crate::algebra::Algebra;
 use crate::algebra::partial;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector, agree};
 
-use crate::solve::Solver;
 use crate::structure::Core;
 
 use super::super::equations::Equations;
@@ -25,19 +25,19 @@ pub(super) struct Parts<'m> {
 }
 
 /// The unknowns of a core and those that are private to loops.
-pub(super) fn parts<'m>(solver: &mut Solver<'_, 'm>, equations: &Equations<'_, 'm>) -> Parts<'m> {
+pub(super) fn parts<'m>(algebra: &mut Algebra<'m>, equations: &Equations<'_, 'm>) -> Parts<'m> {
     let form = equations.form;
     let loops = form.blocks.len();
     let private = (0..loops).filter(|&own| form.blocks[own].private.is_some());
     let mut parts = Parts {
-        joints: private.map(|own| unit(solver, own, loops)).collect(),
-        size: solver.algebra.one(),
+        joints: private.map(|own| unit(algebra, own, loops)).collect(),
+        size: algebra.one(),
         bodies: Vec::new(),
     };
-    let columns = absolute_columns(solver, equations);
+    let columns = absolute_columns(algebra, equations);
     let shares: Vec<_> = columns
         .iter()
-        .map(|column| shares_of(solver, column))
+        .map(|column| shares_of(algebra, column))
         .collect();
     for (own, column) in columns.into_iter().enumerate() {
         match &shares[own] {
@@ -52,8 +52,8 @@ pub(super) fn parts<'m>(solver: &mut Solver<'_, 'm>, equations: &Equations<'_, '
 }
 
 /// Shares of a joint that is in one loop alone.
-pub(super) fn unit<'m>(solver: &Solver<'_, 'm>, own: usize, loops: usize) -> Shares<'m> {
-    let (zero, one) = (solver.algebra.zero(), solver.algebra.one());
+pub(super) fn unit<'m>(algebra: &Algebra<'m>, own: usize, loops: usize) -> Shares<'m> {
+    let (zero, one) = (algebra.zero(), algebra.one());
     (0..loops)
         .map(|k| if k == own { one } else { zero })
         .collect()
@@ -62,21 +62,21 @@ pub(super) fn unit<'m>(solver: &Solver<'_, 'm>, own: usize, loops: usize) -> Sha
 /// The columns of the core, as if no angle were measured from another: of two angles that turn with each other, the column of the one
 /// measured from is without that of the other.
 fn absolute_columns<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equations: &Equations<'_, 'm>,
 ) -> Vec<Column<'m>> {
     let core = &equations.form.core;
     let mut columns: Vec<Column> = (0..core.len())
-        .map(|own| column(solver, equations, own))
+        .map(|own| column(algebra, equations, own))
         .collect();
     let angles: Vec<usize> = (0..core.len())
         .filter(|&own| matches!(core[own], Core::Angle(_)))
         .collect();
     for &relative in &angles {
         let variable = equations.variables[relative];
-        let bend = slope_of(solver, &columns[relative], variable);
+        let bend = slope_of(algebra, &columns[relative], variable);
         for &base in angles.iter().filter(|&&base| base != relative) {
-            let shared = slope_of(solver, &columns[base], variable);
+            let shared = slope_of(algebra, &columns[base], variable);
             if shared.iter().all(|v| v.is_zero()) {
                 continue;
             }
@@ -96,34 +96,26 @@ fn absolute_columns<'m>(
 }
 
 /// The derivative of every loop by an unknown of the core, scaled as its column is.
-fn column<'m>(
-    solver: &mut Solver<'_, 'm>,
-    equations: &Equations<'_, 'm>,
-    own: usize,
-) -> Column<'m> {
+fn column<'m>(algebra: &mut Algebra<'m>, equations: &Equations<'_, 'm>, own: usize) -> Column<'m> {
     let (core, variable) = (equations.form.core[own], equations.variables[own]);
     let column = equations.form.blocks.iter().map(|block| {
         let rows = Vector([block.rows[0], block.rows[1]]);
-        let slope = rows.map(|x| partial::partial(solver.algebra, x, variable));
+        let slope = rows.map(|x| partial::partial(algebra, x, variable));
         equations.column_scale(block, core) * slope
     });
     column.collect()
 }
 
-fn slope_of<'m>(
-    solver: &mut Solver<'_, 'm>,
-    column: &Column<'m>,
-    variable: SymbolId,
-) -> Column<'m> {
+fn slope_of<'m>(algebra: &mut Algebra<'m>, column: &Column<'m>, variable: SymbolId) -> Column<'m> {
     let slopes = column.iter();
     slopes
-        .map(|v| v.map(|x| partial::partial(solver.algebra, x, variable)))
+        .map(|v| v.map(|x| partial::partial(algebra, x, variable)))
         .collect()
 }
 
 /// Length and shares of a column that has one direction in all of its loops.
-fn shares_of<'m>(solver: &Solver<'_, 'm>, column: &Column<'m>) -> Option<(Ex<'m>, Shares<'m>)> {
-    let (zero, one) = (solver.algebra.zero(), solver.algebra.one());
+fn shares_of<'m>(algebra: &Algebra<'m>, column: &Column<'m>) -> Option<(Ex<'m>, Shares<'m>)> {
+    let (zero, one) = (algebra.zero(), algebra.one());
     let nothing = Vector([zero; 2]);
     let first = *column.iter().find(|&&v| !same(v, nothing))?;
     let shares = column.iter().map(|&v| match v {

@@ -5,30 +5,19 @@
 //! derivatives by the nine components of its directions are not needed. What keeps the directions perpendicular and of length 1 is no equation of a
 //! step: they are made so where it begins, and turned.
 
+use crate::algebra::Algebra;
 use crate::algebra::nominal;
 use crate::algebra::partial;
-use crate::solve::iterated::turns;
-use linkage_symbolic::{Ex, V3, Vector};
+use crate::solve::coupled::rotation_variation;
+use crate::solve::group_context::GroupContext;
+use linkage_symbolic::{Ex, V3};
 
-use crate::algebra::{Bodies, Body, Order, Scheme};
-use crate::solve::Solver;
+use crate::algebra::{Bodies, Order, Scheme};
 use crate::structure::Core;
 
-use super::equations::{Equations, Place};
-use super::state::Part;
-use super::turns::{of_square, same};
-
-/// The system that a step solves.
-pub(super) struct Large<'m> {
-    /// How that of all unknowns is solved, for derivatives.
-    pub(super) scheme: Scheme<'m>,
-    pub(super) residuals: Vec<Ex<'m>>,
-    /// Their derivatives by the freedoms.
-    pub(super) matrix: Vec<Vec<Ex<'m>>>,
-    pub(super) order: Order,
-    /// The determinant of the core over that of this matrix.
-    pub(super) share: Ex<'m>,
-}
+use super::equations::{BlockAtRow, Equations};
+use super::large_system::LargeSystem;
+use super::rotation_variation::{of_square, same};
 
 /// A row of a step.
 struct Row<'m> {
@@ -38,76 +27,26 @@ struct Row<'m> {
     factor: Ex<'m>,
 }
 
-impl<'m> Large<'m> {
-    fn bodies(&self) -> &[Body<'m>] {
-        &self.scheme.bodies.all
-    }
-
-    /// Makes the directions of bodies perpendicular and of length 1, but for the square of what they miss, which is returned.
-    pub(super) fn straighten(&self, start: &mut [Part<'m>]) -> Vec<Ex<'m>> {
-        let mut missed = Vec::new();
-        for body in self.bodies() {
-            let [u, w] = axes(body, start);
-            let [p, q] = [u, w].map(|axis| 0.5 * (axis.square() - 1.0));
-            let half = 0.5 * u.dot(w);
-            let straight = [u - (p * u + half * w), w - (q * w + half * u)];
-            for (columns, axis) in body.columns.iter().zip(straight) {
-                for (&column, x) in columns.iter().zip(axis.components()) {
-                    start[column] = start[column].with(x);
-                }
-            }
-            missed.extend([p, q, 2.0 * half]);
-        }
-        missed
-    }
-
-    /// The corrections of all unknowns from those of the freedoms: bodies turn to second order.
-    pub(super) fn corrections(&self, start: &[Part<'m>], freedoms: &[Ex<'m>]) -> Vec<Ex<'m>> {
-        let mut all = freedoms.to_vec();
-        all.resize(start.len(), freedoms[0]);
-        let others = &self.scheme.bodies.columns;
-        for (&column, &own) in others.iter().zip(freedoms) {
-            all[column] = own;
-        }
-        let turns = freedoms[others.len()..].as_chunks::<3>().0;
-        for (body, &turn) in self.bodies().iter().zip(turns) {
-            let turn = Vector(turn);
-            let half = turn.map(|x| 0.5 * x);
-            for (columns, axis) in body.columns.iter().zip(axes(body, start)) {
-                let way = turn.cross(axis + half.cross(axis));
-                for (&column, x) in columns.iter().zip(way.components()) {
-                    all[column] = x;
-                }
-            }
-        }
-        all
-    }
-}
-
-/// The directions of a body in a state.
-fn axes<'m>(body: &Body<'m>, state: &[Part<'m>]) -> [V3<'m>; 2] {
-    body.columns
-        .map(|columns| Vector(columns.map(|column| state[column].number())))
-}
-
 /// What the steps of a large core solve, and how its derivatives are found.
-pub(super) fn large<'m>(solver: &mut Solver<'_, 'm>, equations: &Equations<'_, 'm>) -> Large<'m> {
-    let graph = solver.algebra.graph;
+pub(super) fn large_system<'m>(
+    algebra: &mut Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
+    equations: &Equations<'_, 'm>,
+) -> LargeSystem<'m> {
+    let graph = algebra.graph;
     let unknowns = equations.form.core.iter().map(|core| match *core {
         Core::Angle(_) => None,
         Core::Length { symbol, .. } => Some(graph.ex(graph.symbol_node(symbol))),
     });
     let bodies = Bodies::of(&equations.matrix, &unknowns.collect::<Vec<_>>());
-    let freedoms = turns::freedoms(solver, equations, &bodies);
-    let order = pivot_order(solver, &freedoms);
-    let rows = rows_of_step(solver, equations, &bodies, &freedoms);
-    let share = rows
-        .iter()
-        .fold(solver.algebra.one(), |all, own| all * own.factor);
+    let freedoms = rotation_variation::freedoms(equations, &bodies);
+    let order = pivot_order(algebra, group, &freedoms);
+    let rows = rows_of_step(algebra, equations, &bodies, &freedoms);
+    let share = rows.iter().fold(algebra.one(), |all, own| all * own.factor);
     let matrix: Vec<Vec<Ex>> = rows.iter().map(|row| row.entries.clone()).collect();
-    Large {
+    LargeSystem {
         residuals: rows.iter().map(|row| row.residual).collect(),
-        order: pivot_order(solver, &matrix),
+        order: pivot_order(algebra, group, &matrix),
         matrix,
         share: bodies.sign() / share,
         scheme: Scheme {
@@ -119,8 +58,12 @@ pub(super) fn large<'m>(solver: &mut Solver<'_, 'm>, equations: &Equations<'_, '
 }
 
 /// The order in which a matrix is eliminated, from what it is where the unknowns are estimated.
-fn pivot_order<'m>(solver: &Solver<'_, 'm>, matrix: &[Vec<Ex<'m>>]) -> Order {
-    let values = nominal::at_estimates(solver.algebra, solver.nominal, &matrix.concat());
+fn pivot_order<'m>(
+    algebra: &Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
+    matrix: &[Vec<Ex<'m>>],
+) -> Order {
+    let values = nominal::at_estimates(algebra, group.nominal, &matrix.concat());
     let values: Vec<Vec<f64>> = values.chunks(matrix.len()).map(<[_]>::to_vec).collect();
     let zero: Vec<Vec<bool>> = matrix
         .iter()
@@ -131,7 +74,7 @@ fn pivot_order<'m>(solver: &Solver<'_, 'm>, matrix: &[Vec<Ex<'m>>]) -> Order {
 
 /// `freedoms` are those of the core.
 fn rows_of_step<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equations: &Equations<'_, 'm>,
     bodies: &Bodies<'m>,
     freedoms: &[Vec<Ex<'m>>],
@@ -139,16 +82,16 @@ fn rows_of_step<'m>(
     let mut freedoms = freedoms.iter();
     let mut rows = Vec::new();
     let mut number = 0;
-    for place in equations.places() {
-        let own = equations.count(place);
+    for loop_rows in equations.blocks_with_rows() {
+        let own = equations.count(loop_rows);
         for row in number..number + own {
             if bodies.rows.contains(&row) {
                 let by_freedoms = freedoms.next().expect("a row for each of the core");
-                let of_link = row_of_link(solver, equations, bodies, place);
+                let of_link = row_of_link(algebra, equations, bodies, loop_rows);
                 rows.push(of_link.unwrap_or_else(|| Row {
                     residual: equations.residuals[row],
                     entries: by_freedoms.clone(),
-                    factor: solver.algebra.one(),
+                    factor: algebra.one(),
                 }));
             }
         }
@@ -160,12 +103,12 @@ fn rows_of_step<'m>(
 /// `(V.V - l^2)/2` of a link that ends on bodies, scaled. The equation of the core is this over the length, less a multiple of another
 /// one: neither changes steps.
 fn row_of_link<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equations: &Equations<'_, 'm>,
     bodies: &Bodies<'m>,
-    place: Place<'_, 'm>,
+    loop_rows: BlockAtRow<'_, 'm>,
 ) -> Option<Row<'m>> {
-    let block = place.block;
+    let block = loop_rows.block;
     let link = block.distance.as_ref()?;
     if bodies.all.is_empty() || !block.is_length() {
         return None;
@@ -177,7 +120,7 @@ fn row_of_link<'m>(
         .map(|(&variable, &core)| {
             let scale = equations.column_scale(block, core);
             link.vector
-                .map(|x| scale * partial::partial(solver.algebra, x, variable))
+                .map(|x| scale * partial::partial(algebra, x, variable))
         })
         .collect();
     let by_unknowns: Vec<Ex> = slopes.iter().map(|slope| vector.dot(*slope)).collect();

@@ -1,34 +1,13 @@
-//! Coupled groups: a fixed number of Newton steps from a prepared state near the solution.
-//!
-//! A private link `V = -(the rest of its loop)` keeps its length: `(r^2 - V.V)/2 = 0`, whose derivative by another unknown is
-//! `V . column`. A private slide leaves `guide x rest = 0`. The steps work with unit vectors, one division each, and neither root nor
-//! arc function.
+//! The states that are prepared for a coupled group, and the meanings of its unknowns.
 
-mod differentiate;
-mod equations;
-mod large;
-mod largest;
-mod laurent;
-mod newton;
-mod state;
-mod system;
-mod turns;
-
-use crate::algebra::bodies;
-use crate::algebra::dependence;
-use crate::algebra::elimination;
 use linkage_core::numeric::continuation::Terms;
-use linkage_symbolic::{Ex, Graph, NodeId, SymbolId, Vn, substitute};
+use linkage_symbolic::{Ex, Graph, substitute};
 
 use crate::algebra::{Algebra, Nominal};
-use crate::structure::{Core, Coupled};
+use crate::structure::Core;
 
-use super::plane::linear_gap;
-use super::{Closed, GapIn, Solver};
-
-use newton::Plan;
-use state::Part;
-use system::System;
+use super::state::Meaning;
+use super::system::System;
 
 /// What is prepared for a coupled group and how it is used.
 #[derive(Clone, Debug)]
@@ -46,15 +25,15 @@ pub(crate) struct Prepared<'m> {
     /// One step: the new state, the square of the correction, the determinant.
     pub(crate) step: Vec<Ex<'m>>,
     /// What the equations of the core miss by.
-    equations: Vec<Ex<'m>>,
+    pub(super) equations: Vec<Ex<'m>>,
     /// The sum of the lengths of its links.
     pub(crate) reach: Ex<'m>,
     /// What lengths are multiplied by in states.
-    scale: Ex<'m>,
-    core: Vec<Core>,
-    raw: Vec<Meaning<'m>>,
-    called: Vec<Meaning<'m>>,
-    beside: Vec<Meaning<'m>>,
+    pub(super) scale: Ex<'m>,
+    pub(super) core: Vec<Core>,
+    pub(super) raw: Vec<Meaning<'m>>,
+    pub(super) called: Vec<Meaning<'m>>,
+    pub(super) beside: Vec<Meaning<'m>>,
 }
 
 /// Which of its meanings an unknown of a core has.
@@ -66,13 +45,6 @@ pub(crate) enum Version {
     Called,
     /// After the steps that other dimensions need.
     Beside,
-}
-
-/// What a symbol of an unknown of the core stands for.
-#[derive(Clone, Copy, Debug)]
-struct Meaning<'m> {
-    symbol: SymbolId,
-    value: Ex<'m>,
 }
 
 /// Where a number of a state is estimated.
@@ -187,85 +159,4 @@ impl<'m> Prepared<'m> {
             graph.define(meaning.symbol, meaning.value.id());
         }
     }
-}
-
-/// Newton steps for the core, from which the private unknowns follow.
-pub(super) fn coupled<'m>(solver: &mut Solver<'_, 'm>, form: &Coupled<'m>) -> Closed<'m> {
-    state::declare_core(solver, &form.core);
-    let equations = equations::core_equations(solver, form);
-    let system = System::new(solver.algebra, &equations);
-
-    let rows: Vec<Ex> = form.blocks.iter().flat_map(|b| b.rows.clone()).collect();
-    let inputs = dependence::inputs_below(solver.algebra, &rows);
-    let looked_up = state::prepared_state(solver, &form.core);
-    let size = looked_up.iter().flat_map(|part| part.numbers()).count();
-    let floor = state::prepared_number(solver, size);
-    let in_cells = match inputs.len() {
-        2 => solver.in_cells,
-        _ => Terms::Slopes,
-    };
-    let plans = Plan::of(inputs.len(), in_cells);
-    let state = plans[1].start(&looked_up);
-    let first = newton::step(solver, &equations, &state);
-    let next = first.corrected(&first.corrections);
-    let numbers = next.into_iter().flat_map(Part::numbers);
-    let step = numbers.chain([first.size2, first.determinant]).collect();
-
-    let [called, beside] =
-        plans.map(|plan| newton::solution(solver, &equations, &state, floor, plan));
-    let unit = equations.unit;
-    let meanings = [&looked_up, &called, &beside].map(|state| state::meanings(solver, state, unit));
-    state::define_core(solver, &called, unit);
-
-    let determinant = match &equations.large {
-        Some(large) => {
-            let nothing = vec![solver.algebra.zero(); equations.matrix.len()];
-            let solved =
-                bodies::solve_by_scheme(solver.algebra, &large.scheme, &equations.matrix, &nothing);
-            solved.determinant
-        }
-        None => elimination::determinant(solver.algebra, &equations.matrix),
-    };
-    let determinant = solver.alias("det", determinant, determinant);
-    differentiate::push_coupled(solver, &equations, determinant);
-
-    let slack = determinant / largest::largest_core_determinant(solver, &equations);
-    let margin = slack.abs();
-    let gap = linear_gap(determinant);
-    let [raw, called, beside] = meanings;
-    let prepared = Prepared {
-        number: solver.number,
-        inputs,
-        size,
-        in_cells,
-        system,
-        step,
-        equations: equations.residuals,
-        reach: equations.reach,
-        scale: equations.scale,
-        core: form.core.clone(),
-        raw,
-        called,
-        beside,
-    };
-    let method = prepared.method();
-    solver.prepared = Some(prepared);
-    Closed {
-        kind: form.kind.clone().into(),
-        class: form.class,
-        order: form.order,
-        method,
-        two_modes: false,
-        margin,
-        slack,
-        slack_scale: margin,
-        gap,
-        gap_in: GapIn::Loop,
-    }
-}
-
-/// One component for each row of a loop, as a vector.
-fn vector<'m>(rows: &[Ex<'m>]) -> Vn<'m> {
-    let ids: Vec<NodeId> = rows.iter().map(|x| x.id()).collect();
-    rows[0].graph().components(&ids)
 }

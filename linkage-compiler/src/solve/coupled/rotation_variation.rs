@@ -7,7 +7,6 @@
 use linkage_symbolic::{Ex, SymbolId, V3, Vector, agree, substitute};
 
 use crate::algebra::{Bodies, Body, Carried, coordinates, directions};
-use crate::solve::Solver;
 use crate::structure::Block;
 
 use super::equations::Equations;
@@ -19,13 +18,9 @@ struct Parts<'m> {
 }
 
 /// The rows of the matrix that are no equations of bodies, by the freedoms.
-pub(super) fn freedoms<'m>(
-    _solver: &Solver<'_, 'm>,
-    equations: &Equations<'_, 'm>,
-    bodies: &Bodies<'m>,
-) -> Vec<Vec<Ex<'m>>> {
-    let places = equations.places();
-    let blocks = places.flat_map(|place| vec![place.block; equations.count(place)]);
+pub(super) fn freedoms<'m>(equations: &Equations<'_, 'm>, bodies: &Bodies<'m>) -> Vec<Vec<Ex<'m>>> {
+    let places = equations.blocks_with_rows();
+    let blocks = places.flat_map(|loop_rows| vec![loop_rows.block; equations.count(loop_rows)]);
     let blocks: Vec<&Block> = blocks.collect();
     let rows = bodies.rows.iter().map(|&row| {
         let entries = &equations.matrix[row];

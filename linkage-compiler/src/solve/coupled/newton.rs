@@ -1,8 +1,9 @@
 //! Newton steps of a core, from a state to the next, and what a solution must stand.
 
+use crate::algebra::Algebra;
 use crate::algebra::elimination;
 use crate::algebra::pivots;
-use crate::solve::iterated::state;
+use crate::solve::coupled::state;
 use linkage_core::numeric::continuation::{
     ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE, Terms,
 };
@@ -10,10 +11,9 @@ use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, substitute};
 
 use crate::algebra::InOrder;
-use crate::solve::Solver;
 
 use super::equations::Equations;
-use super::state::Part;
+use super::state::StatePart;
 
 /// Steps of the inverse root before the one that each step begins with, for unit vectors that were extrapolated in a cell of a grid. They
 /// bring a length that is off by a quarter to rounding; a length that is off by more than the correction would make the
@@ -67,10 +67,10 @@ impl Plan {
     }
 
     /// The state that steps begin with, from the one that was looked up.
-    pub(super) fn start<'m>(&self, looked_up: &[Part<'m>]) -> Vec<Part<'m>> {
+    pub(super) fn start<'m>(&self, looked_up: &[StatePart<'m>]) -> Vec<StatePart<'m>> {
         let mut state = looked_up.to_vec();
         for _ in 0..self.lengths {
-            state = state.into_iter().map(Part::unit_length).collect();
+            state = state.into_iter().map(StatePart::unit_length).collect();
         }
         state
     }
@@ -79,7 +79,7 @@ impl Plan {
 /// A step from a state.
 pub(super) struct Step<'m> {
     /// The state with unit vectors of length 1, as the corrections apply to it.
-    start: Vec<Part<'m>>,
+    start: Vec<StatePart<'m>>,
     pub(super) corrections: Vec<Ex<'m>>,
     /// The sum of the squares of the corrections; of a body, of its turns and of what its directions missed.
     pub(super) size2: Ex<'m>,
@@ -88,7 +88,7 @@ pub(super) struct Step<'m> {
 
 impl<'m> Step<'m> {
     /// The next state, by these corrections.
-    pub(super) fn corrected(&self, corrections: &[Ex<'m>]) -> Vec<Part<'m>> {
+    pub(super) fn corrected(&self, corrections: &[Ex<'m>]) -> Vec<StatePart<'m>> {
         let parts = self.start.iter().zip(corrections);
         parts.map(|(part, &own)| part.corrected(own)).collect()
     }
@@ -96,16 +96,16 @@ impl<'m> Step<'m> {
 
 /// The correction of a state.
 pub(super) fn step<'m>(
-    solver: &Solver<'_, 'm>,
+    algebra: &Algebra<'m>,
     equations: &Equations<'_, 'm>,
-    state: &[Part<'m>],
+    state: &[StatePart<'m>],
 ) -> Step<'m> {
-    let mut start: Vec<Part> = state.iter().map(|part| part.unit_length()).collect();
+    let mut start: Vec<StatePart> = state.iter().map(|part| part.unit_length()).collect();
     let missed = match &equations.large {
         Some(large) => large.straighten(&mut start),
         None => Vec::new(),
     };
-    let meanings = state::meanings(solver, &start, equations.unit).into_iter();
+    let meanings = state::meanings(algebra, &start, equations.unit).into_iter();
     let here = meanings.map(|own| (own.symbol, own.value)).collect();
     let (residuals, matrix) = match &equations.large {
         Some(large) => (&large.residuals, &large.matrix),
@@ -119,8 +119,7 @@ pub(super) fn step<'m>(
 
     let (freedoms, determinant): (Vec<Ex>, Ex) = match &equations.large {
         Some(large) => {
-            let solved =
-                pivots::solve_once_in_order(solver.algebra, &large.order, &matrix, residuals);
+            let solved = pivots::solve_once_in_order(algebra, &large.order, &matrix, residuals);
             let InOrder {
                 solution,
                 determinant,
@@ -129,12 +128,12 @@ pub(super) fn step<'m>(
             (freedoms, large.share * determinant)
         }
         None => {
-            let (numerators, determinant) = elimination::cramer(solver.algebra, &matrix, residuals);
+            let (numerators, determinant) = elimination::cramer(algebra, &matrix, residuals);
             let corrections = numerators.into_iter().map(|own| -(own / determinant));
             (corrections.collect(), determinant)
         }
     };
-    let algebra = &solver.algebra;
+    let algebra = algebra;
     Step {
         size2: elimination::product_sum(algebra, &freedoms, &freedoms)
             + elimination::product_sum(algebra, &missed, &missed),
@@ -151,18 +150,18 @@ pub(super) fn step<'m>(
 /// smaller than the one before, and the determinant keeps its sign and, from a table, half of its size. `floor` is half of its
 /// least value near the state.
 pub(super) fn solution<'m>(
-    solver: &Solver<'_, 'm>,
+    algebra: &Algebra<'m>,
     equations: &Equations<'_, 'm>,
-    state: &[Part<'m>],
+    state: &[StatePart<'m>],
     floor: Ex<'m>,
     plan: Plan,
-) -> Vec<Part<'m>> {
-    let tiny = solver.algebra.source(Source::Limit).square();
+) -> Vec<StatePart<'m>> {
+    let tiny = algebra.source(Source::Limit).square();
     let mut state = state.to_vec();
     let mut guard: Option<Ex> = None;
     let mut before: Option<Ex> = None;
     for index in 0..plan.steps {
-        let step = step(solver, equations, &state);
+        let step = step(algebra, equations, &state);
         let last = index + 1 == plan.steps;
         let sound = match plan.half {
             true => step.determinant * floor - floor.square(),
