@@ -1,16 +1,17 @@
 //! Which motions are driven, where what they depend on does not tell: as many equations are needed as there are unknowns.
 
-use super::Mechanics;
-use super::system::{Equation, System};
+use crate::forces::context::Mechanics;
+use crate::forces::equations;
 use crate::forces::motion;
-use crate::forces::system;
+use crate::forces::system::Equation;
+use crate::forces::system::System;
 
 /// A motion that the loops make steady may be driven, too: the length of a leg to a point that is an unknown. As long as motions
 /// lack a reaction, such ones are taken for driven.
 pub(super) fn drive_steady<'m>(mechanics: &mut Mechanics<'_, 'm>, system: &mut System<'m>) {
     for (body, slides) in mechanics.forces.steady.clone() {
         let is_this = |equation: &Equation| {
-            let way = equation.way();
+            let way = equation.motion();
             way.is_some_and(|way| (way.body, way.slides) == (body, slides))
         };
         let place = system.equations.iter().position(is_this);
@@ -39,7 +40,7 @@ pub(super) fn release_held<'m>(mechanics: &mut Mechanics<'_, 'm>, system: &mut S
     while system.lacks_equations() && system.driven.len() > motion::drives(mechanics) {
         let Some(way) = candidates.pop() else { return };
         let before = system.clone();
-        system::add(mechanics, system, Equation::Motion(way));
+        equations::add(mechanics, system, Equation::Motion(way));
         system.order();
         match system.found() > before.found() {
             true => system.driven.retain(|own| *own != way),

@@ -1,15 +1,15 @@
 //! Do the ends of springs and dampers stay apart?
 
-use crate::forces::geometry;
-use crate::forces::positions;
-use linkage_symbolic::Vn;
-
 use crate::diagnostic::Reporter;
-use crate::model::{Between, Element, ElementKind};
-
-use super::Mechanics;
-use super::positions::{Positions, size};
-use super::print::element_word;
+use crate::forces::context::Mechanics;
+use crate::forces::geometry;
+use crate::forces::names;
+use crate::forces::positions;
+use crate::forces::positions::Positions;
+use crate::model::Between;
+use crate::model::Element;
+use crate::model::ElementKind;
+use linkage_symbolic::Vn;
 
 /// A length below this share of the mechanism's has no direction: so far apart rounding may leave two points at one place.
 const NOTHING: f64 = 1e-9;
@@ -24,7 +24,7 @@ pub(super) fn check_lengths(
     let spans = spans(mechanics);
     for position in positions.iter() {
         for &(element, between) in &spans {
-            let length = size(&positions::vector(position, between));
+            let length = positions::size(&positions::vector(position, between));
             if length > NOTHING * positions::longest(position) || length.is_nan() {
                 continue;
             }
@@ -33,8 +33,8 @@ pub(super) fn check_lengths(
                     format!(
                         "the ends of the {} meet: {}it has no direction\n\
                          help: check its points; what turns in a joint is written `{0} VALUE on JOINT`",
-                        element_word(element.kind),
-                        positions::words(position, mechanism)
+                        names::element_name(element.kind),
+                        positions::described(position, mechanism)
                     ),
                 );
             return;

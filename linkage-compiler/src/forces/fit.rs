@@ -1,19 +1,24 @@
 //! Do bodies and joints fit the motion? Velocities compared on numbers.
 
+use crate::diagnostic::OriginId;
+use crate::diagnostic::Reporter;
+use crate::forces::context::Mechanics;
 use crate::forces::geometry;
+use crate::forces::geometry::AllowedTurns;
 use crate::forces::motion;
+use crate::forces::names;
 use crate::forces::positions;
-use linkage_symbolic::Vn;
-
-use crate::diagnostic::{OriginId, Reporter};
+use crate::forces::positions::EQUAL;
+use crate::forces::positions::Position;
+use crate::forces::positions::Positions;
+use crate::forces::positions::SLOW;
+use crate::forces::speeds::By;
 use crate::message_format::numbers;
-use crate::model::{Between, ElementKind, Expr, Mechanism};
-
-use super::Mechanics;
-use super::geometry::{Turns, slides_along, turns_of};
-use super::motion::By;
-use super::positions::{EQUAL, Position, Positions, SLOW, size};
-use super::print::{body_name, joint_name};
+use crate::model::Between;
+use crate::model::ElementKind;
+use crate::model::Expr;
+use crate::model::Mechanism;
+use linkage_symbolic::Vn;
 
 /// Two velocities that must be equal.
 struct Pair<'m> {
@@ -99,7 +104,7 @@ fn pair_of_points<'m>(mechanics: &mut Mechanics<'_, 'm>, joint: usize, input: us
         input,
         first: motion::velocity_of(mechanics, Some(declared.body), point, by),
         second: motion::velocity_of(mechanics, declared.on, point, by),
-        except: direction.filter(|_| slides_along(declared.kind)),
+        except: direction.filter(|_| geometry::slides_along(declared.kind)),
         what: What::Joint(joint),
     }
 }
@@ -111,10 +116,10 @@ fn pair_of_turns<'m>(
     input: usize,
 ) -> Option<Pair<'m>> {
     let declared = &mechanics.algebra.mechanism.joints[joint];
-    let except = match turns_of(declared.kind) {
-        Turns::Not => None,
-        Turns::AboutAxis => Some(mechanics.forces.geometry.directions[joint]?),
-        Turns::Freely => return None,
+    let except = match geometry::turns_of(declared.kind) {
+        AllowedTurns::Not => None,
+        AllowedTurns::AboutAxis => Some(mechanics.forces.geometry.directions[joint]?),
+        AllowedTurns::Freely => return None,
     };
     let by = By::Input(input);
     Some(Pair {
@@ -141,10 +146,10 @@ impl Pair<'_> {
             What::Turns(_) => 1.0,
             What::Joint(_) | What::Point(_) => positions::longest(position),
         };
-        let scale = size(&first) + size(&second) + SLOW * unit;
+        let scale = positions::size(&first) + positions::size(&second) + SLOW * unit;
         // Where the mechanism does not close there is nothing to compare.
-        (size(&apart) > EQUAL * scale).then(|| {
-            let at = positions::words(position, mechanism);
+        (positions::size(&apart) > EQUAL * scale).then(|| {
+            let at = positions::described(position, mechanism);
             self.message(mechanism, &at, [&first, &second].map(|v| vector_words(v)))
         })
     }
@@ -181,7 +186,7 @@ impl Pair<'_> {
                     }
                     None => "write a point that stays, or name the body that it belongs to",
                 };
-                let body = body_name(mechanism, body);
+                let body = names::body_name(mechanism, body);
                 format!(
                     "{what} leaves {body}: {at}its point moves by {a} per unit of `{by}`, as a point of {body} by {b}\n\
                      help: {help}"
@@ -204,9 +209,9 @@ impl What {
 fn joint_names(mechanism: &Mechanism, joint: usize) -> [String; 3] {
     let declared = &mechanism.joints[joint];
     [
-        joint_name(mechanism, joint),
-        body_name(mechanism, Some(declared.body)),
-        body_name(mechanism, declared.on),
+        names::joint_name(mechanism, joint),
+        names::body_name(mechanism, Some(declared.body)),
+        names::body_name(mechanism, declared.on),
     ]
 }
 

@@ -4,39 +4,18 @@
 //! unknown here. Gears tie the turns of several bodies, by couples that are unknowns of their own.
 
 use crate::algebra::partial;
+use crate::forces::context::Mechanics;
+use crate::forces::elimination;
+use crate::forces::geometry;
+use crate::forces::geometry::AllowedTurns;
+use crate::forces::joint_motion::JointMotion;
+use crate::forces::joint_motion::Motions;
+use crate::forces::joint_motion::Tie;
 use crate::forces::motion;
-use linkage_symbolic::{Ex, Vector, Vn};
-
+use crate::forces::speeds::By;
 use crate::model::Variable;
-
-use super::Mechanics;
-use super::elimination::combination;
-use super::geometry::{Turns, slides_along, turns_of};
-use super::motion::By;
-
-/// A way in which a body moves in its own joint.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Way<'m> {
-    pub(super) body: usize,
-    /// Along a guide; else a turn.
-    pub(super) slides: bool,
-    /// Unit vector; in the plane a turn has the component 1.
-    pub(super) direction: Vn<'m>,
-}
-
-/// Turns that gears tie: their couples on bodies, in proportion, which the frame takes up.
-#[derive(Clone, Debug)]
-pub(super) struct Tie {
-    pub(super) couples: Vec<(usize, f64)>,
-}
-
-/// All motions of the tree's joints.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Motions<'m> {
-    pub(super) free: Vec<Way<'m>>,
-    pub(super) driven: Vec<Way<'m>>,
-    pub(super) ties: Vec<Tie>,
-}
+use linkage_symbolic::Ex;
+use linkage_symbolic::Vector;
 
 /// Rates of turns that differ by less are equal. They are ratios of gears, numbers near 1 that rounding alone changes.
 const RATIO: f64 = 1e-9;
@@ -72,7 +51,7 @@ pub(super) fn motions<'m>(mechanics: &mut Mechanics<'_, 'm>, held: usize) -> Mot
 /// joints are no case for gears.
 fn ties<'m>(
     mechanics: &mut Mechanics<'_, 'm>,
-    free: &[Way<'m>],
+    free: &[JointMotion<'m>],
     count: usize,
     unknowns: &[By],
 ) -> Vec<Tie> {
@@ -89,7 +68,7 @@ fn ties<'m>(
             continue;
         };
         let known: Vec<&[f64]> = basis.iter().map(|(_, rates)| &rates[..]).collect();
-        let Some(shares) = combination(&known, &rates, RATIO) else {
+        let Some(shares) = elimination::combination(&known, &rates, RATIO) else {
             basis.push((way.body, rates));
             continue;
         };
@@ -107,7 +86,7 @@ fn alike(mechanics: &Mechanics<'_, '_>) -> Vec<usize> {
     let frame = mechanics.forces.tree.parent.len();
     let mut alike: Vec<usize> = (0..=frame).collect();
     for joint in &mechanics.algebra.mechanism.joints {
-        if turns_of(joint.kind) == Turns::Not {
+        if geometry::turns_of(joint.kind) == AllowedTurns::Not {
             let [own, other] = [joint.body, joint.on.unwrap_or(frame)].map(|k| alike[k]);
             for number in alike.iter_mut().filter(|number| **number == other) {
                 *number = own;
@@ -140,27 +119,27 @@ pub(super) fn tie_rate<'m>(mechanics: &mut Mechanics<'_, 'm>, tie: &Tie, input: 
 }
 
 /// The ways in which a body's own joint lets it move.
-pub(super) fn ways<'m>(mechanics: &Mechanics<'_, 'm>, body: usize) -> Vec<Way<'m>> {
+pub(super) fn ways<'m>(mechanics: &Mechanics<'_, 'm>, body: usize) -> Vec<JointMotion<'m>> {
     let joint = mechanics.algebra.mechanism.bodies[body].joint;
     let kind = mechanics.algebra.mechanism.joints[joint].kind;
     let geometry = &mechanics.forces.geometry;
     let direction = geometry.directions[joint];
-    let way = |slides, direction| Way {
+    let way = |slides, direction| JointMotion {
         body,
         slides,
         direction,
     };
     let mut ways = Vec::new();
-    if slides_along(kind) {
+    if geometry::slides_along(kind) {
         ways.extend(direction.map(|guide| way(true, guide)));
     }
-    match turns_of(kind) {
-        Turns::Not => {}
-        Turns::AboutAxis => {
+    match geometry::turns_of(kind) {
+        AllowedTurns::Not => {}
+        AllowedTurns::AboutAxis => {
             let in_plane = Vector([mechanics.algebra.one()]).into();
             ways.push(way(false, direction.unwrap_or(in_plane)));
         }
-        Turns::Freely => {
+        AllowedTurns::Freely => {
             let axes = geometry.units(mechanics.graph()).into_iter();
             ways.extend(axes.map(|axis| way(false, axis)));
         }
@@ -171,7 +150,7 @@ pub(super) fn ways<'m>(mechanics: &Mechanics<'_, 'm>, body: usize) -> Vec<Way<'m
 /// How fast a body moves in its own joint.
 pub(super) fn relative_rate<'m>(
     mechanics: &mut Mechanics<'_, 'm>,
-    way: &Way<'m>,
+    way: &JointMotion<'m>,
     by: By,
 ) -> Ex<'m> {
     let on = mechanics.forces.tree.parent[way.body];

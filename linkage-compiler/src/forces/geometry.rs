@@ -1,16 +1,20 @@
 //! The declared points, axes and angles as expressions.
 
+use crate::algebra::Algebra;
+use crate::algebra::Scalar;
+use crate::algebra::Translate;
+use crate::algebra::Value;
 use crate::algebra::translate;
-use linkage_symbolic::{Graph, Vector, Vn};
-
-use crate::algebra::{Algebra, Scalar, Translate, Value};
-use crate::model::{Expr, JointKind};
-
-use super::tree::Tree;
+use crate::forces::tree::Tree;
+use crate::model::Expr;
+use crate::model::JointKind;
+use linkage_symbolic::Graph;
+use linkage_symbolic::Vector;
+use linkage_symbolic::Vn;
 
 /// What a body turns with.
 #[derive(Clone, Debug)]
-pub(super) enum Turning<'m> {
+pub(super) enum BodyTurn<'m> {
     /// As the body that it hangs on.
     Along,
     /// In the plane.
@@ -29,7 +33,7 @@ pub(super) struct Geometry<'m> {
     pub(super) dimensions: usize,
     /// By body: the points of their own joints.
     pub(super) origins: Vec<Vn<'m>>,
-    pub(super) turning: Vec<Turning<'m>>,
+    pub(super) turning: Vec<BodyTurn<'m>>,
     /// By joint.
     pub(super) points: Vec<Vn<'m>>,
     /// By joint: unit vectors along guides and axes.
@@ -49,18 +53,18 @@ impl<'m> Geometry<'m> {
         let directions: Vec<Option<Vn>> = joints
             .map(|joint| joint.direction.as_ref().map(|way| unit_of(algebra, way)))
             .collect();
-        let mut turning = vec![Turning::Along; mechanism.bodies.len()];
+        let mut turning = vec![BodyTurn::Along; mechanism.bodies.len()];
         for &body in &tree.order {
             let own = &mechanism.bodies[body];
             let Some(turns) = &own.turns else { continue };
             turning[body] = match algebra.translate(turns) {
                 Value::Array(parts) => {
-                    Turning::Frame([1, 2, 3].map(|axis| translate::vector(algebra, &parts[axis])))
+                    BodyTurn::Frame([1, 2, 3].map(|axis| translate::vector(algebra, &parts[axis])))
                 }
-                Value::Vector(along) => Turning::Rod(along),
+                Value::Vector(along) => BodyTurn::Rod(along),
                 Value::Scalar(angle) => match directions[own.joint] {
-                    Some(axis) if dimensions == 3 => Turning::About(angle, axis),
-                    _ => Turning::Angle(angle),
+                    Some(axis) if dimensions == 3 => BodyTurn::About(angle, axis),
+                    _ => BodyTurn::Angle(angle),
                 },
             };
         }
@@ -100,16 +104,16 @@ impl<'m> Geometry<'m> {
     /// The vector along a slender rod.
     pub(super) fn rod(&self, body: usize) -> Option<Vn<'m>> {
         match self.turning[body] {
-            Turning::Rod(along) => Some(along),
-            Turning::Along | Turning::Angle(_) | Turning::About(..) | Turning::Frame(_) => None,
+            BodyTurn::Rod(along) => Some(along),
+            BodyTurn::Along | BodyTurn::Angle(_) | BodyTurn::About(..) | BodyTurn::Frame(_) => None,
         }
     }
 
     /// The axis about which a body turns with an angle in space.
     pub(super) fn axis(&self, body: usize) -> Option<Vn<'m>> {
         match self.turning[body] {
-            Turning::About(_, axis) => Some(axis),
-            Turning::Along | Turning::Angle(_) | Turning::Frame(_) | Turning::Rod(_) => None,
+            BodyTurn::About(_, axis) => Some(axis),
+            BodyTurn::Along | BodyTurn::Angle(_) | BodyTurn::Frame(_) | BodyTurn::Rod(_) => None,
         }
     }
 
@@ -122,7 +126,7 @@ impl<'m> Geometry<'m> {
     ) -> Scalar<'m> {
         let mut next = body;
         while let Some(body) = next {
-            if let Turning::Angle(angle) = &self.turning[body] {
+            if let BodyTurn::Angle(angle) = &self.turning[body] {
                 return angle.clone();
             }
             next = tree.parent[body];
@@ -151,7 +155,7 @@ fn unit_of<'m>(algebra: &mut Algebra<'m>, expr: &Expr) -> Vn<'m> {
 
 /// What of its body's turning a joint allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Turns {
+pub(super) enum AllowedTurns {
     Not,
     /// About the joint's axis; in the plane that is every turn.
     AboutAxis,
@@ -159,11 +163,11 @@ pub(super) enum Turns {
 }
 
 /// How a joint lets its body turn.
-pub(super) fn turns_of(kind: JointKind) -> Turns {
+pub(super) fn turns_of(kind: JointKind) -> AllowedTurns {
     match kind {
-        JointKind::Slide | JointKind::Fixed => Turns::Not,
-        JointKind::Pin | JointKind::Cylinder => Turns::AboutAxis,
-        JointKind::Ball => Turns::Freely,
+        JointKind::Slide | JointKind::Fixed => AllowedTurns::Not,
+        JointKind::Pin | JointKind::Cylinder => AllowedTurns::AboutAxis,
+        JointKind::Ball => AllowedTurns::Freely,
     }
 }
 

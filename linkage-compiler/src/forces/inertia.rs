@@ -2,16 +2,17 @@
 //!
 //! A body with a frame is looked at in its own axes, where its inertia does not change and nothing is turned to and fro.
 
-use crate::forces::geometry;
-use crate::forces::loads;
-use crate::forces::motion;
-use linkage_symbolic::{Ex, Vector, Vn};
-
 use crate::algebra::Translate;
-use crate::model::{Expr, Inertia};
-
-use super::Mechanics;
-use super::geometry::Turning;
+use crate::forces::context::Mechanics;
+use crate::forces::geometry;
+use crate::forces::geometry::BodyTurn;
+use crate::forces::masses;
+use crate::forces::motion;
+use crate::model::Expr;
+use crate::model::Inertia;
+use linkage_symbolic::Ex;
+use linkage_symbolic::Vector;
+use linkage_symbolic::Vn;
 
 /// How a body turns: the angular velocity and its gain, in the body's own axes if it has any.
 struct Turned<'m> {
@@ -51,9 +52,9 @@ pub(super) fn twice_turning_energy<'m>(mechanics: &mut Mechanics<'_, 'm>, body: 
 /// How a body turns at the speeds that are listed.
 fn turned<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Turned<'m> {
     match mechanics.forces.geometry.turning[body] {
-        Turning::Frame(axes) => turned_in_axes(mechanics, axes),
-        Turning::Rod(along) => turned_rod(mechanics, body, along),
-        Turning::Along | Turning::Angle(_) | Turning::About(..) => Turned {
+        BodyTurn::Frame(axes) => turned_in_axes(mechanics, axes),
+        BodyTurn::Rod(along) => turned_rod(mechanics, body, along),
+        BodyTurn::Along | BodyTurn::Angle(_) | BodyTurn::About(..) => Turned {
             gain: motion::angular_acceleration(mechanics, body),
             velocity: motion::angular_velocity(mechanics, body),
             axes: None,
@@ -143,7 +144,7 @@ fn points_about<'m>(
 ) -> Vn<'m> {
     let about = geometry::vector_of(mechanics.algebra, about);
     let mut sum = mechanics.zero_turn();
-    for (mass, point) in loads::masses(mechanics, body) {
+    for (mass, point) in masses::masses(mechanics, body) {
         let arm = point - about;
         let arm = match turned.axes {
             Some(axes) => Vector(axes.map(|axis| axis.dot(arm))).into(),

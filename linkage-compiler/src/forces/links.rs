@@ -1,21 +1,13 @@
 //! Links that one cut joint holds at their other end: their own moment gives the part of that joint's reaction across them.
 
+use crate::forces::context::Mechanics;
+use crate::forces::cut_joints;
 use crate::forces::freedom;
-use crate::forces::wrench;
-use linkage_symbolic::{Vector, Vn};
-
+use crate::forces::system::Axial;
+use crate::forces::system::Equation;
+use crate::forces::system::System;
 use crate::model::JointKind;
-
-use super::Mechanics;
-use super::system::{Equation, System};
-use super::wrench::Wrench;
-
-/// A cut joint whose reaction is open only along a link.
-#[derive(Clone, Debug)]
-pub(super) struct Axial {
-    pub(super) joint: usize,
-    pub(super) link: usize,
-}
+use linkage_symbolic::Vn;
 
 /// Links of large blocks that one cut joint holds, and all rods.
 pub(super) fn links(mechanics: &Mechanics<'_, '_>, system: &System) -> Vec<Axial> {
@@ -62,10 +54,10 @@ fn is_link(
         hangs(declared.body) || declared.on.is_some_and(hangs)
     };
     let mut cut = tree.closing.iter().filter(|other| cuts(other));
-    let mut moves = system.equations.iter().filter_map(Equation::way);
+    let mut moves = system.equations.iter().filter_map(Equation::motion);
     own.kind == kind
         && cut.all(|&other| other == joint)
-        && wrench::joins(mechanics, joint, body) != 0
+        && cut_joints::joins(mechanics, joint, body) != 0
         && !moves.any(|way| way.body != body && hangs(way.body))
         && !(0..mechanism.bodies.len()).any(|other| hangs(other) && system.ties(other))
 }
@@ -73,24 +65,4 @@ fn is_link(
 /// From a link's origin to the cut joint at its other end.
 pub(super) fn link_vector<'m>(mechanics: &Mechanics<'_, 'm>, axial: &Axial) -> Vn<'m> {
     mechanics.arm(axial.link, mechanics.forces.geometry.points[axial.joint])
-}
-
-/// The part of a reaction that holds a link against its own loads: `-M perp(V) / V^2`, in space `(V x M) / V^2`.
-pub(super) fn across_link<'m>(mechanics: &mut Mechanics<'_, 'm>, axial: &Axial) -> Wrench<'m> {
-    // Without the reaction itself.
-    let loads = wrench::wrench(mechanics, axial.link, &[axial.joint], &[]);
-    let v = link_vector(mechanics, axial);
-    let square = v.square();
-    let across = match mechanics.forces.geometry.is_plane() {
-        true => loads.moment.at(0) * Vn::from(Vector([v.at(1), -v.at(0)])),
-        false => v.moment_of(loads.moment),
-    };
-    let force = across / square;
-    Wrench {
-        force: match wrench::joins(mechanics, axial.joint, axial.link) < 0 {
-            true => -force,
-            false => force,
-        },
-        ..wrench::zero_wrench(mechanics)
-    }
 }

@@ -1,44 +1,49 @@
 //! What acts on each body: inertia forces and weight, applied loads, springs and dampers.
 
+use crate::algebra::Translate;
 use crate::algebra::scalar;
+use crate::forces::body_loads::BodyLoads;
+use crate::forces::body_loads::Loads;
+use crate::forces::body_loads::PointForce;
+use crate::forces::context;
+use crate::forces::context::Case;
+use crate::forces::context::Mechanics;
 use crate::forces::geometry;
+use crate::forces::geometry::BodyTurn;
 use crate::forces::inertia;
+use crate::forces::masses;
 use crate::forces::motion;
-use crate::forces::wrench;
+use crate::forces::wrench::Wrench;
+use crate::model::Between;
+use crate::model::Element;
+use crate::model::ElementKind;
+use crate::model::Expr;
+use linkage_symbolic::Ex;
+use linkage_symbolic::Vector;
+use linkage_symbolic::Vn;
+use linkage_symbolic::unordered::Map;
 use std::rc::Rc;
 
-use linkage_symbolic::{Ex, Vector, Vn};
-
-use crate::algebra::Translate;
-use crate::model::{Between, Element, ElementKind, Expr};
-
-use super::Mechanics;
-use super::geometry::{Turning, slides_along};
-use super::wrench::Wrench;
-
-/// By body: forces at points, and couples.
-#[derive(Clone, Debug)]
-pub(super) struct Loads<'m> {
-    pub(super) bodies: Vec<BodyLoads<'m>>,
-}
-
-#[derive(Clone, Debug, Default)]
-pub(super) struct BodyLoads<'m> {
-    pub(super) forces: Vec<PointForce<'m>>,
-    pub(super) couples: Vec<Vn<'m>>,
-}
-
-#[derive(Clone, Debug)]
-pub(super) struct PointForce<'m> {
-    pub(super) point: Vn<'m>,
-    pub(super) force: Vn<'m>,
-    /// Of inertia and weight: the mass that has its centre there. Its expression moves with the body.
-    pub(super) mass: Option<Ex<'m>>,
+/// The forces at the speeds that are listed, the loads at least.
+pub(super) fn case<'c, 'm>(mechanics: &'c mut Mechanics<'_, 'm>) -> &'c mut Case<'m> {
+    if !mechanics.forces.cases.contains_key(&mechanics.speeds) {
+        let case = Case {
+            loads: Rc::new(all_loads(mechanics)),
+            wrenches: Map::new(),
+            solved: Map::new(),
+        };
+        mechanics
+            .forces
+            .cases
+            .insert(mechanics.speeds.clone(), case);
+    }
+    let case = mechanics.forces.cases.get_mut(&mechanics.speeds);
+    case.expect("just made")
 }
 
 /// The loads at the speeds that are listed.
 pub(super) fn loads<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Rc<Loads<'m>> {
-    mechanics.case().loads.clone()
+    case(mechanics).loads.clone()
 }
 
 /// The same, found anew.
@@ -77,8 +82,8 @@ fn load_vector<'m>(mechanics: &mut Mechanics<'_, 'm>, value: &Expr, is_force: bo
 /// `m (g - a)` at each mass of a body, and what its turning takes.
 fn inertia_and_weight<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> BodyLoads<'m> {
     let mut loads = BodyLoads::default();
-    let gravity = gravity(mechanics);
-    for (mass, point) in masses(mechanics, body) {
+    let gravity = masses::gravity(mechanics);
+    for (mass, point) in masses::masses(mechanics, body) {
         let zero = mechanics.graph().zeros(point.len());
         let gravity = gravity.unwrap_or(zero);
         // A mass times the square of a speed is one factor for all components.
@@ -99,23 +104,6 @@ fn inertia_and_weight<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Bod
         loads.couples.extend(couple.map(|couple| -couple));
     }
     loads
-}
-
-/// The field of gravity, if there is one.
-pub(super) fn gravity<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Option<Vn<'m>> {
-    let gravity = mechanics.algebra.mechanism.gravity.as_ref()?;
-    Some(geometry::vector_of(mechanics.algebra, gravity))
-}
-
-/// A body's masses and where they are.
-pub(super) fn masses<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Vec<(Ex<'m>, Vn<'m>)> {
-    let masses = mechanics.algebra.mechanism.bodies[body].masses.iter();
-    masses
-        .map(|(mass, at)| {
-            let mass = mechanics.algebra.translate_number(mass);
-            (mass, geometry::vector_of(mechanics.algebra, at))
-        })
-        .collect()
 }
 
 /// A spring or damper on both of its bodies; a damper needs speeds.
@@ -192,7 +180,7 @@ fn joint_element<'m>(
         }
     };
     let strength = -(rate * place);
-    let mut wrench = wrench::zero_wrench(mechanics);
+    let mut wrench = context::zero_wrench(mechanics);
     match mechanics.forces.geometry.directions[joint] {
         Some(guide) if acts_along_guide(mechanics, joint) => wrench.force = strength * guide,
         Some(axis) => wrench.moment = strength * axis,
@@ -203,7 +191,7 @@ fn joint_element<'m>(
 
 /// Whether what acts in a joint acts along its guide, and not on its angle.
 fn acts_along_guide(mechanics: &Mechanics<'_, '_>, joint: usize) -> bool {
-    slides_along(mechanics.algebra.mechanism.joints[joint].kind)
+    geometry::slides_along(mechanics.algebra.mechanism.joints[joint].kind)
 }
 
 /// How far a joint has turned (its body against the one that it hangs on), or slid from that one's origin.
@@ -215,7 +203,7 @@ pub(super) fn joint_coordinate<'m>(mechanics: &Mechanics<'_, 'm>, joint: usize) 
         let point = geometry.points[joint];
         return guide.dot(on.map_or(point, |on| mechanics.arm(on, point)));
     }
-    if let Turning::About(angle, _) = &geometry.turning[body] {
+    if let BodyTurn::About(angle, _) = &geometry.turning[body] {
         return scalar::value_of(mechanics.algebra, angle);
     }
     let [own, other] = [Some(body), on]
@@ -242,21 +230,5 @@ fn joint_speed<'m>(mechanics: &mut Mechanics<'_, 'm>, joint: usize) -> Ex<'m> {
     match mechanics.forces.geometry.directions[joint] {
         Some(way) => way.dot(relative),
         None => relative.at(0),
-    }
-}
-
-impl<'m> Loads<'m> {
-    /// A force at a point, or a couple.
-    fn add(&mut self, body: Option<usize>, point: Option<Vn<'m>>, value: Vn<'m>) {
-        let Some(body) = body else { return };
-        let loads = &mut self.bodies[body];
-        match point {
-            None => loads.couples.push(value),
-            Some(point) => loads.forces.push(PointForce {
-                point,
-                force: value,
-                mass: None,
-            }),
-        }
     }
 }

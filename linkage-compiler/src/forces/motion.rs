@@ -1,55 +1,16 @@
 //! How points and bodies move: by each input or unknown, and in time at given speeds.
 
+use crate::algebra::Direction;
 use crate::algebra::adjoint;
 use crate::algebra::partial;
 use crate::algebra::scalar;
-use linkage_symbolic::unordered::Map;
-
-use linkage_symbolic::{Ex, SymbolId, Vector, Vn};
-
-use crate::algebra::Direction;
-use crate::model::{Mechanism, Variable};
-
-use super::Mechanics;
-use super::geometry::Turning;
-
-/// The speeds and accelerations that a function lists, as places among inputs and arguments, by drive.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
-pub(super) struct Speeds {
-    speeds: Vec<Option<usize>>,
-    accelerations: Vec<Option<usize>>,
-}
-
-/// What derivatives are by.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum By {
-    /// An input, which moves the unknowns, too.
-    Input(usize),
-    /// An unknown or input that changes alone.
-    Alone(SymbolId),
-}
-
-/// Angular velocities of bodies, made when they are asked for.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Motion<'m> {
-    turns: Map<(usize, By), Vn<'m>>,
-}
-
-impl Speeds {
-    /// Those among the arguments that a function lists.
-    pub(super) fn listed(mechanism: &Mechanism, listed: &[usize]) -> Self {
-        let drives = mechanism.inputs.len();
-        let place = |argument: Option<usize>| {
-            let place = argument.map(|argument| drives + argument);
-            place.filter(|place| listed.contains(place))
-        };
-        let inputs = mechanism.inputs.iter();
-        Self {
-            speeds: inputs.clone().map(|input| place(input.speed)).collect(),
-            accelerations: inputs.map(|input| place(input.acceleration)).collect(),
-        }
-    }
-}
+use crate::forces::context::Mechanics;
+use crate::forces::geometry::BodyTurn;
+use crate::forces::speeds::By;
+use crate::model::Variable;
+use linkage_symbolic::Ex;
+use linkage_symbolic::Vector;
+use linkage_symbolic::Vn;
 
 /// How many inputs there are.
 pub(super) fn drives(mechanics: &Mechanics<'_, '_>) -> usize {
@@ -96,17 +57,17 @@ pub(super) fn turn<'m>(mechanics: &mut Mechanics<'_, 'm>, body: Option<usize>, b
     }
     let on = mechanics.forces.tree.parent[body];
     let turn = match mechanics.forces.geometry.turning[body].clone() {
-        Turning::Along => turn(mechanics, on, by),
-        Turning::Angle(angle) => {
+        BodyTurn::Along => turn(mechanics, on, by),
+        BodyTurn::Angle(angle) => {
             let angle = scalar::value_of(mechanics.algebra, &angle);
             Vector([slope(mechanics, angle, by)]).into()
         }
-        Turning::About(angle, axis) => {
+        BodyTurn::About(angle, axis) => {
             let angle = scalar::value_of(mechanics.algebra, &angle);
             let own = slope(mechanics, angle, by) * axis;
             turn(mechanics, on, by) + own
         }
-        Turning::Frame(axes) => {
+        BodyTurn::Frame(axes) => {
             // (y' . z) x + (z' . x) y + (x' . y) z
             (0..3).fold(mechanics.zero_turn(), |sum, k| {
                 let [x, y, z] = [k, k + 1, k + 2].map(|k| axes[k % 3]);
@@ -114,7 +75,7 @@ pub(super) fn turn<'m>(mechanics: &mut Mechanics<'_, 'm>, body: Option<usize>, b
             })
         }
         // V x V' / V^2
-        Turning::Rod(v) => v.moment_of(moved(mechanics, v, by)) / v.square(),
+        BodyTurn::Rod(v) => v.moment_of(moved(mechanics, v, by)) / v.square(),
     };
     mechanics.forces.motion.turns.insert((body, by), turn);
     turn

@@ -1,11 +1,14 @@
 //! The positions at which bodies and joints are looked at on numbers.
 
-use linkage_symbolic::{Ex, Vn};
-
 use crate::algebra::Nominal;
-use crate::assembly::{ALTERATIONS, Reference, altered, places};
+use crate::assembly::ALTERATIONS;
+use crate::assembly::Reference;
+use crate::assembly::altered;
+use crate::assembly::places;
 use crate::message_format::MessageFormat;
 use crate::model::Mechanism;
+use linkage_symbolic::Ex;
+use linkage_symbolic::Vn;
 
 /// Velocities that differ by a smaller share are equal: derivatives are rounded far less than this, and what is
 /// written wrongly is wrong by far more.
@@ -101,7 +104,7 @@ pub(super) fn longest(position: Position<'_>) -> f64 {
 }
 
 /// `at phi = 30deg `; nothing without inputs.
-pub(super) fn words(position: Position<'_>, mechanism: &Mechanism) -> String {
+pub(super) fn described(position: Position<'_>, mechanism: &Mechanism) -> String {
     let all: Vec<usize> = (0..position.inputs.len()).collect();
     match all.is_empty() {
         true => String::new(),

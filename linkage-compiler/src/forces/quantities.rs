@@ -1,23 +1,26 @@
 //! What functions ask for.
 
+use crate::algebra::Translate;
+use crate::algebra::Value;
+use crate::forces::assemble;
+use crate::forces::context::Mechanics;
+use crate::forces::equilibrium;
 use crate::forces::freedom;
 use crate::forces::geometry;
+use crate::forces::geometry::AllowedTurns;
 use crate::forces::inertia;
 use crate::forces::loads;
+use crate::forces::masses;
 use crate::forces::motion;
-use crate::forces::reactions;
-use crate::forces::system;
-use crate::forces::wrench;
-use linkage_symbolic::{Ex, Vn};
-
-use crate::algebra::{Translate, Value};
-use crate::model::{Between, Element, ElementKind, MechanicalQuantity as Quantity};
-
-use super::Mechanics;
-use super::geometry::{Turns, slides_along, turns_of};
-use super::motion::By;
-use super::system::Unknown;
-use super::wrench::Wrench;
+use crate::forces::speeds::By;
+use crate::forces::system::Unknown;
+use crate::forces::wrench::Wrench;
+use crate::model::Between;
+use crate::model::Element;
+use crate::model::ElementKind;
+use crate::model::MechanicalQuantity as Quantity;
+use linkage_symbolic::Ex;
+use linkage_symbolic::Vn;
 
 pub(crate) fn quantity<'m>(mechanics: &mut Mechanics<'_, 'm>, quantity: &Quantity) -> Value<'m> {
     match quantity {
@@ -41,26 +44,26 @@ pub(crate) fn quantity<'m>(mechanics: &mut Mechanics<'_, 'm>, quantity: &Quantit
 /// What a joint transmits to its body: without what a drive does in its motion.
 fn reaction<'m>(mechanics: &mut Mechanics<'_, 'm>, joint: usize) -> Wrench<'m> {
     if mechanics.forces.tree.closing.contains(&joint) {
-        return reactions::closing_wrench(mechanics, joint, &[]);
+        return equilibrium::closing_wrench(mechanics, joint, &[]);
     }
     let declared = &mechanics.algebra.mechanism.joints[joint];
     let (body, kind) = (declared.body, declared.kind);
-    let mut reaction = -wrench::wrench(mechanics, body, &[], &[]);
+    let mut reaction = -equilibrium::wrench(mechanics, body, &[], &[]);
     let Some(direction) = mechanics.forces.geometry.directions[joint] else {
         return reaction;
     };
     // Where nothing drives it, equilibrium leaves nothing along the guide or about the axis.
-    if slides_along(kind) && is_driven(mechanics, body, true) {
+    if geometry::slides_along(kind) && is_driven(mechanics, body, true) {
         reaction.force = reaction.force.across(direction);
     }
-    if turns_of(kind) == Turns::AboutAxis && is_driven(mechanics, body, false) {
+    if geometry::turns_of(kind) == AllowedTurns::AboutAxis && is_driven(mechanics, body, false) {
         reaction.moment = reaction.moment.across(direction);
     }
     reaction
 }
 
 fn is_driven(mechanics: &mut Mechanics<'_, '_>, body: usize, slides: bool) -> bool {
-    let system = system::system(mechanics);
+    let system = assemble::system(mechanics);
     let mut driven = system.driven.iter();
     driven.any(|way| way.body == body && way.slides == slides)
 }
@@ -75,12 +78,12 @@ fn drive<'m>(mechanics: &mut Mechanics<'_, 'm>, input: usize) -> Ex<'m> {
 
 /// What holds the driven joints against all that is beyond them. Little work where reactions are asked for.
 fn drive_of_joints<'m>(mechanics: &mut Mechanics<'_, 'm>, input: usize) -> Ex<'m> {
-    let system = system::system(mechanics);
+    let system = assemble::system(mechanics);
     let mut sum = mechanics.algebra.zero();
     for way in &system.driven {
         let rate = freedom::relative_rate(mechanics, way, By::Input(input));
         if !rate.is_zero() {
-            sum -= rate * wrench::wrench(mechanics, way.body, &[], &[]).along(way);
+            sum -= rate * equilibrium::wrench(mechanics, way.body, &[], &[]).along(way);
         }
     }
     // Gears that run on a driven shaft load it.
@@ -88,7 +91,7 @@ fn drive_of_joints<'m>(mechanics: &mut Mechanics<'_, 'm>, input: usize) -> Ex<'m
         let Unknown::Tie(tie) = unknown else { continue };
         let rate = freedom::tie_rate(mechanics, tie, input);
         if !rate.is_zero() {
-            sum += rate * reactions::solved(mechanics, index);
+            sum += rate * equilibrium::solved(mechanics, index);
         }
     }
     sum
@@ -127,7 +130,7 @@ fn power<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Ex<'m> {
 fn kinetic_energy<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Ex<'m> {
     let mut twice = mechanics.algebra.zero();
     for body in 0..mechanics.algebra.mechanism.bodies.len() {
-        for (mass, point) in loads::masses(mechanics, body) {
+        for (mass, point) in masses::masses(mechanics, body) {
             twice += mass * motion::point_velocity(mechanics, point).square();
         }
         twice += inertia::twice_turning_energy(mechanics, body);
@@ -138,9 +141,9 @@ fn kinetic_energy<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Ex<'m> {
 /// Of the weights, zero at the origin, and of springs, zero without force: `1/2 sum c (l - l_0)^2 - sum m g . p`.
 fn potential_energy<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Ex<'m> {
     let mut sum = mechanics.algebra.zero();
-    if let Some(gravity) = loads::gravity(mechanics) {
+    if let Some(gravity) = masses::gravity(mechanics) {
         for body in 0..mechanics.algebra.mechanism.bodies.len() {
-            for (mass, point) in loads::masses(mechanics, body) {
+            for (mass, point) in masses::masses(mechanics, body) {
                 sum -= mass * gravity.dot(point);
             }
         }
@@ -176,7 +179,7 @@ fn spring_energy<'m>(mechanics: &mut Mechanics<'_, 'm>, spring: &Element) -> Ex<
 fn shaking_force<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Vn<'m> {
     let mut sum = mechanics.zero_vector();
     for body in 0..mechanics.algebra.mechanism.bodies.len() {
-        for (mass, point) in loads::masses(mechanics, body) {
+        for (mass, point) in masses::masses(mechanics, body) {
             sum = sum - mass * motion::point_acceleration(mechanics, point);
         }
     }
@@ -187,7 +190,7 @@ fn shaking_force<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Vn<'m> {
 fn shaking_moment<'m>(mechanics: &mut Mechanics<'_, 'm>, about: Vn<'m>) -> Vn<'m> {
     let mut sum = mechanics.zero_turn();
     for body in 0..mechanics.algebra.mechanism.bodies.len() {
-        for (mass, point) in loads::masses(mechanics, body) {
+        for (mass, point) in masses::masses(mechanics, body) {
             let force = mass * motion::point_acceleration(mechanics, point);
             sum = sum - (point - about).moment_of(force);
         }

@@ -2,39 +2,17 @@
 //! with their reciprocals. Loops may be written in any way, so which they are is found by numbers, with other
 //! dimensions and in other assemblies, too.
 
-use crate::algebra::elimination;
-use linkage_symbolic::unordered::Map;
-
-use linkage_symbolic::{Ex, NodeId, Vn};
-
 use crate::algebra::Nominal;
-
-use super::Mechanics;
-use super::positions::Positions;
-use super::system::System;
-
-/// What is computed by the closed forms.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Closed<'m> {
-    /// By body, and the point that the arm leads to.
-    arms: Map<(usize, Vec<NodeId>), Vn<'m>>,
-    /// By the equations that are solved together.
-    determinants: Map<Vec<usize>, Ex<'m>>,
-}
+use crate::algebra::elimination;
+use crate::forces::context::Mechanics;
+use crate::forces::positions::Positions;
+use crate::forces::system::System;
+use linkage_symbolic::Ex;
+use linkage_symbolic::Vn;
 
 /// Numbers that differ by a smaller share of the largest are equal: far above rounding, far below what altered
 /// dimensions change.
-const EQUAL: f64 = 1e-9;
-
-impl<'m> Closed<'m> {
-    pub(super) fn arm(&self, body: usize, point: Vn<'m>) -> Option<Vn<'m>> {
-        self.arms.get(&(body, point.ids().to_vec())).copied()
-    }
-
-    pub(super) fn determinant(&self, block: &[usize]) -> Option<Ex<'m>> {
-        self.determinants.get(block).copied()
-    }
-}
+pub(super) const EQUAL: f64 = 1e-9;
 
 /// Finds the arms from the joints of bodies to others that are links.
 pub(super) fn find_links(
@@ -66,13 +44,13 @@ pub(super) fn find_links(
         });
         if let Some(arm) = found {
             let key = (body, point.ids().to_vec());
-            mechanics.forces.closed.arms.insert(key, arm);
+            mechanics.forces.loop_values.arms.insert(key, arm);
         }
     }
 }
 
 /// The bodies with points that arms from their own joints lead to.
-fn ends_of_arms<'m>(mechanics: &Mechanics<'_, 'm>) -> Vec<(usize, Vn<'m>)> {
+pub(super) fn ends_of_arms<'m>(mechanics: &Mechanics<'_, 'm>) -> Vec<(usize, Vn<'m>)> {
     let (tree, geometry) = (&mechanics.forces.tree, &mechanics.forces.geometry);
     let cut = tree.closing.iter().flat_map(|&joint| {
         let declared = &mechanics.algebra.mechanism.joints[joint];
@@ -117,14 +95,14 @@ pub(super) fn find_determinants<'m>(
             })
         });
         if let Some(determinant) = found {
-            let all = &mut mechanics.forces.closed.determinants;
+            let all = &mut mechanics.forces.loop_values.determinants;
             all.insert((*block).clone(), determinant);
         }
     }
 }
 
 /// Whether two numbers are equal at all positions, or opposite: 1 or -1.
-fn sign(numbers: &[Vec<f64>], a: usize, b: usize) -> Option<f64> {
+pub(super) fn sign(numbers: &[Vec<f64>], a: usize, b: usize) -> Option<f64> {
     let largest = numbers.iter().map(|own| own[b].abs()).fold(0.0, f64::max);
     let is = |sign: f64| {
         let mut all = numbers.iter();

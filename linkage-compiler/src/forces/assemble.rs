@@ -1,0 +1,130 @@
+//! The system of reactions, assembled from joints and free motions.
+//!
+//! A link that only a cut joint holds at its other end leaves one number of that joint's reaction open, the force along the link
+//! (`links`).
+
+use crate::forces::context::Mechanics;
+use crate::forces::drives;
+use crate::forces::equations;
+use crate::forces::freedom;
+use crate::forces::geometry;
+use crate::forces::geometry::AllowedTurns;
+use crate::forces::joint_motion::Motions;
+use crate::forces::links;
+use crate::forces::system::Axial;
+use crate::forces::system::Component;
+use crate::forces::system::Equation;
+use crate::forces::system::System;
+use crate::forces::system::Unknown;
+use linkage_symbolic::Vector;
+use std::rc::Rc;
+
+/// The system, made when it is first asked for.
+pub(super) fn system<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Rc<System<'m>> {
+    if let Some(known) = &mechanics.forces.system {
+        return known.clone();
+    }
+    let plain = assembled(mechanics, Vec::new());
+    let links = links::links(mechanics, &plain);
+    let system = match links.is_empty() {
+        true => plain,
+        false => assembled(mechanics, links),
+    };
+    let system = Rc::new(system);
+    mechanics.forces.system = Some(system.clone());
+    system
+}
+
+/// The system in which some links leave one number open.
+pub(super) fn assembled<'m>(mechanics: &mut Mechanics<'_, 'm>, axial: Vec<Axial>) -> System<'m> {
+    let (components, released) = reactions(mechanics, &axial);
+    let held = components.len() - released.len() + axial.len();
+    let Motions { free, driven, ties } = freedom::motions(mechanics, held);
+    let mut unknowns: Vec<Unknown> = components.into_iter().map(Unknown::Reaction).collect();
+    unknowns.extend(ties.into_iter().map(Unknown::Tie));
+    unknowns.extend(spins(mechanics, &axial));
+    let mut system = System {
+        unknowns,
+        driven,
+        axial,
+        ..System::default()
+    };
+    for component in released {
+        equations::add(mechanics, &mut system, Equation::Released(component));
+    }
+    for way in free {
+        if system.axial.iter().all(|own| own.link != way.body) {
+            equations::add(mechanics, &mut system, Equation::Motion(way));
+        }
+    }
+    system.order();
+    drives::drive_steady(mechanics, &mut system);
+    drives::release_held(mechanics, &mut system);
+    system
+}
+
+/// Rods that may turn about themselves.
+pub(super) fn spins<'m>(mechanics: &Mechanics<'_, 'm>, axial: &[Axial]) -> Vec<Unknown<'m>> {
+    let mechanism = mechanics.algebra.mechanism;
+    let rods = (0..mechanism.bodies.len()).filter(|&body| {
+        let kind = mechanism.joints[mechanism.bodies[body].joint].kind;
+        geometry::turns_of(kind) == AllowedTurns::Freely && axial.iter().all(|own| own.link != body)
+    });
+    let rods = rods.filter_map(|rod| {
+        let along = mechanics.forces.geometry.rod(rod)?;
+        Some(Unknown::Spin { rod, along })
+    });
+    rods.collect()
+}
+
+/// The components of the cut joints' reactions, and equations for those that are none.
+pub(super) fn reactions<'m>(
+    mechanics: &Mechanics<'_, 'm>,
+    axial: &[Axial],
+) -> (Vec<Component<'m>>, Vec<Component<'m>>) {
+    let geometry = &mechanics.forces.geometry;
+    let plane = geometry.is_plane();
+    let (mut unknowns, mut equations) = (Vec::new(), Vec::new());
+    for &joint in &mechanics.forces.tree.closing {
+        let component = |is_moment| {
+            move |direction| Component {
+                joint,
+                is_moment,
+                direction,
+            }
+        };
+        let [force, moment] = [false, true].map(component);
+        if let Some(own) = axial.iter().find(|own| own.joint == joint) {
+            unknowns.push(force(links::link_vector(mechanics, own)));
+            continue;
+        }
+        let units = || geometry.units(mechanics.graph()).into_iter();
+        let direction = geometry.directions[joint];
+        match direction {
+            Some(guide) if plane => {
+                let normal = Vector([-guide.at(1), guide.at(0)]);
+                unknowns.push(force(normal.into()));
+            }
+            _ => unknowns.extend(units().map(force)),
+        }
+        let kind = mechanics.algebra.mechanism.joints[joint].kind;
+        match geometry::turns_of(kind) {
+            AllowedTurns::Freely => {}
+            AllowedTurns::AboutAxis if plane => {}
+            AllowedTurns::Not if plane => {
+                unknowns.push(moment(Vector([mechanics.algebra.one()]).into()))
+            }
+            AllowedTurns::AboutAxis | AllowedTurns::Not => unknowns.extend(units().map(moment)),
+        }
+        let Some(direction) = direction.filter(|_| !plane) else {
+            continue;
+        };
+        if geometry::slides_along(kind) {
+            equations.push(force(direction));
+        }
+        if geometry::turns_of(kind) == AllowedTurns::AboutAxis {
+            equations.push(moment(direction));
+        }
+    }
+    (unknowns, equations)
+}

@@ -1,0 +1,25 @@
+//! Values that the loops' closed forms have already: arms of bodies and determinants.
+
+use linkage_symbolic::Ex;
+use linkage_symbolic::NodeId;
+use linkage_symbolic::Vn;
+use linkage_symbolic::unordered::Map;
+
+/// What is computed by the closed forms.
+#[derive(Clone, Debug, Default)]
+pub(super) struct LoopValues<'m> {
+    /// By body, and the point that the arm leads to.
+    pub(super) arms: Map<(usize, Vec<NodeId>), Vn<'m>>,
+    /// By the equations that are solved together.
+    pub(super) determinants: Map<Vec<usize>, Ex<'m>>,
+}
+
+impl<'m> LoopValues<'m> {
+    pub(super) fn arm(&self, body: usize, point: Vn<'m>) -> Option<Vn<'m>> {
+        self.arms.get(&(body, point.ids().to_vec())).copied()
+    }
+
+    pub(super) fn determinant(&self, block: &[usize]) -> Option<Ex<'m>> {
+        self.determinants.get(block).copied()
+    }
+}
