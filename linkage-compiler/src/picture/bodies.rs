@@ -1,11 +1,13 @@
 //! What bodies and joints say of links.
 
 use crate::model::Joint;
+use crate::picture::chains;
+use crate::picture::marks::Line;
+use crate::picture::marks::Shape;
+use crate::picture::marks::Title;
 use crate::picture::parts;
+use crate::picture::sketch::Sketch;
 use crate::picture::titles;
-
-use super::chains::Sketch;
-use super::marks::{Line, Shape, Title};
 
 /// The joints of each body are points of it.
 pub(super) fn look_at_bodies(sketch: &mut Sketch<'_, '_>) {
@@ -13,7 +15,7 @@ pub(super) fn look_at_bodies(sketch: &mut Sketch<'_, '_>) {
     let points: Vec<Option<usize>> = mechanism
         .joints
         .iter()
-        .map(|joint| sketch.point_of(&joint.at))
+        .map(|joint| chains::point_of(sketch, &joint.at))
         .collect();
     for (joint, point) in mechanism.joints.iter().zip(&points) {
         if let (Some(text), Some(point)) = (&joint.name, point) {

@@ -1,15 +1,16 @@
 //! Links that the user lists must be rigid, and move.
 
+use crate::diagnostic::OriginId;
+use crate::diagnostic::Reporter;
 use crate::diagnostic::text::list;
-use crate::diagnostic::{OriginId, Reporter};
-use crate::ir::{Picture, PointKind};
+use crate::ir::Picture;
+use crate::ir::PointKind;
 use crate::message_format::numbers;
+use crate::picture::marks::Asked;
+use crate::picture::samples::Samples;
+use crate::picture::sketch::Sketch;
 
-use super::chains::Sketch;
-use super::marks::Asked;
-use super::samples::Seen;
-
-pub(super) fn check_lists(sketch: &Sketch, seen: &Seen, reporter: &mut Reporter) {
+pub(super) fn check_lists(sketch: &Sketch, seen: &Samples, reporter: &mut Reporter) {
     for asked in &sketch.asked {
         let first = seen.same[asked.points[0]];
         if asked.points.iter().all(|&point| seen.same[point] == first) {
@@ -68,7 +69,7 @@ pub(super) fn warn_of_loose_points(picture: &Picture, origin: OriginId, reporter
 }
 
 /// Two points of a list whose distance changes, with the numbers.
-fn stretched(sketch: &Sketch, seen: &Seen, asked: &Asked) -> Option<String> {
+fn stretched(sketch: &Sketch, seen: &Samples, asked: &Asked) -> Option<String> {
     let name = |place: usize| {
         let title = sketch.points[asked.points[place]].name.as_ref();
         title.map_or_else(

@@ -1,20 +1,25 @@
-//! What inputs move, and wheels whose angles belong together.
-
-use std::collections::BTreeSet;
-
-use linkage_symbolic::program::Source;
-use linkage_symbolic::unordered::{Map, Set};
-use linkage_symbolic::{SymbolId, Vn};
+//! Links that inputs move, and wheels whose angles belong together.
 
 use crate::algebra::Bound;
-use crate::ir::{Drive, DriveOn, Gear, Part, Picture};
-use crate::model::{Dimension, Expr, Loop, Name};
-
-use super::by_point::ByPoint;
-use super::chains::Sketch;
-use super::marks::{Segment, Shape};
-use super::open_loop::relates_angles;
-use super::samples::Seen;
+use crate::ir::Drive;
+use crate::ir::DriveOn;
+use crate::ir::Gear;
+use crate::ir::Part;
+use crate::ir::Picture;
+use crate::model::Loop;
+use crate::model::Name;
+use crate::picture::by_point::ByPoint;
+use crate::picture::marks::Segment;
+use crate::picture::marks::Shape;
+use crate::picture::open_loop;
+use crate::picture::samples::Samples;
+use crate::picture::sketch::Sketch;
+use linkage_symbolic::SymbolId;
+use linkage_symbolic::Vn;
+use linkage_symbolic::program::Source;
+use linkage_symbolic::unordered::Map;
+use linkage_symbolic::unordered::Set;
+use std::collections::BTreeSet;
 
 /// A link that turns about a point of the frame by one angle alone.
 struct Wheel {
@@ -22,18 +27,6 @@ struct Wheel {
     end: usize,
     segment: (usize, usize),
     angle: BTreeSet<SymbolId>,
-}
-
-/// The input that is a length in an expression.
-pub(super) fn driving(sketch: &Sketch<'_, '_>, expr: &Expr) -> Option<usize> {
-    let mechanism = sketch.algebra.mechanism;
-    expr.parts().find_map(|part| match part.as_name()? {
-        Name::Input(input) => {
-            let is_length = mechanism.inputs[input].dimension.fits(Dimension::LENGTH);
-            is_length.then_some(input)
-        }
-        name => driving(sketch, mechanism.value_of(name)?),
-    })
 }
 
 /// For each input a link that it turns, or the guide that is called after it. Points are those of the picture, `place` tells
@@ -81,12 +74,12 @@ pub(super) fn gears(
     sketch: &Sketch<'_, '_>,
     picture: &Picture,
     place: &dyn Fn(usize) -> Option<usize>,
-    seen: &Seen,
+    seen: &Samples,
 ) -> Vec<Gear> {
     let wheels = wheels(sketch, picture, place, seen);
     let loops = sketch.algebra.mechanism.loops.iter();
     let relations: Vec<BTreeSet<SymbolId>> = loops
-        .filter(|own| relates_angles(own))
+        .filter(|own| open_loop::relates_angles(own))
         .map(|own| related(sketch, own))
         .collect();
     let belong = |a: &Wheel, b: &Wheel| {
@@ -117,7 +110,7 @@ fn wheels(
     sketch: &Sketch<'_, '_>,
     picture: &Picture,
     place: &dyn Fn(usize) -> Option<usize>,
-    seen: &Seen,
+    seen: &Samples,
 ) -> Vec<Wheel> {
     let links = &ByPoint::of_lists(picture.links.iter().map(|link| &link.points));
     let mut wheels: Vec<Wheel> = Vec::new();
@@ -193,7 +186,10 @@ fn ends(
     place: &dyn Fn(usize) -> Option<usize>,
 ) -> Option<[usize; 2]> {
     let (from, to) = (place(segment.from)?, place(segment.to)?);
-    let mut links = links.of(from).iter().map(|&link| &picture.links[link]);
+    let mut links = links
+        .at_point(from)
+        .iter()
+        .map(|&link| &picture.links[link]);
     links
         .any(|link| link.points.contains(&to))
         .then_some([from, to])

@@ -1,98 +1,13 @@
-//! Parts of a machine that stand elsewhere: where the coordinates that they are written in are in the drawing.
+//! The coordinates in which names, loops and placed parts are written.
 
-use crate::algebra::calls;
-use crate::algebra::translate;
-use linkage_symbolic::{Ex, NodeId, Vector, Vn};
-
-use crate::algebra::{Algebra, Translate, Value};
-use crate::model::{Expr, Function, Name, Placed};
-
-use super::chains::Sketch;
-use super::marks::Shape;
-use super::point_or_vector::{Moves, Roles};
-
-/// Coordinates within others, by their numbers among the placed parts, the innermost first; none are the drawing's.
-pub(super) type Frames = Vec<usize>;
-
-/// Where a placed part stands in what is around it.
-#[derive(Clone, Debug)]
-pub(super) struct Pose<'m> {
-    place: Option<Place<'m>>,
-    turned: Option<Value<'m>>,
-    moves: Moves,
-}
-
-#[derive(Clone, Debug)]
-enum Place<'m> {
-    Point(Vn<'m>),
-    /// Of space: its value, and its axes.
-    Frame(Value<'m>, [Vn<'m>; 3]),
-}
-
-impl<'m> Pose<'m> {
-    pub(super) fn of(placed: &Placed, algebra: &mut Algebra<'m>, roles: &Roles) -> Self {
-        let both = placed.at.iter().chain(&placed.turned);
-        let moves = both.map(|own| roles.moves(own)).max();
-        let place = placed.at.as_ref().map(|at| match algebra.translate(at) {
-            Value::Array(parts) => {
-                let axes = [1, 2, 3].map(|axis| translate::vector(algebra, &parts[axis]));
-                Place::Frame(Value::Array(parts), axes)
-            }
-            value => Place::Point(translate::vector(algebra, &value)),
-        });
-        Self {
-            place,
-            turned: placed.turned.as_ref().map(|own| algebra.translate(own)),
-            moves: moves.unwrap_or(Moves::Not),
-        }
-    }
-
-    fn point(&self, own: Vn<'m>, algebra: &mut Algebra<'m>) -> Vn<'m> {
-        match &self.place {
-            None => self.way(own, algebra),
-            Some(Place::Point(at)) => at.resized(own.len()) + self.way(own, algebra),
-            Some(Place::Frame(frame, _)) => {
-                let seen = calls::call(algebra, Function::PointIn, vec![frame.clone(), own.into()]);
-                translate::vector(algebra, &seen)
-            }
-        }
-    }
-
-    /// A step or a direction.
-    fn way(&self, own: Vn<'m>, algebra: &mut Algebra<'m>) -> Vn<'m> {
-        match (&self.turned, &self.place) {
-            (Some(angle), _) => {
-                let turned =
-                    calls::call(algebra, Function::Rotate, vec![own.into(), angle.clone()]);
-                let turned = translate::vector(algebra, &turned);
-                // In a picture of space it turns about z.
-                let third = own.iter().skip(2);
-                let components: Vec<NodeId> = turned.iter().chain(third).map(Ex::id).collect();
-                algebra.graph.components(&components)
-            }
-            (None, Some(Place::Frame(_, axes))) => {
-                let component = |k: usize| {
-                    let axes = axes.map(|axis| axis.at(k));
-                    own.dot(Vector(axes).into()).id()
-                };
-                algebra.graph.components(&[0, 1, 2].map(component))
-            }
-            (None, _) => own,
-        }
-    }
-}
-
-/// Looks at something that is written in other coordinates.
-pub(super) fn within<'m, T>(
-    sketch: &mut Sketch<'_, 'm>,
-    frames: Frames,
-    look: impl FnOnce(&mut Sketch<'_, 'm>) -> T,
-) -> T {
-    let before = std::mem::replace(&mut sketch.frames, frames);
-    let found = look(sketch);
-    sketch.frames = before;
-    found
-}
+use crate::model::Expr;
+use crate::model::Name;
+use crate::model::Placed;
+use crate::picture::marks::Shape;
+use crate::picture::point_or_vector::Moves;
+use crate::picture::pose::Frames;
+use crate::picture::sketch;
+use crate::picture::sketch::Sketch;
 
 /// A point of a part that stands elsewhere, the coordinates that it is written in, and how.
 pub(super) fn elsewhere<'m>(sketch: &Sketch<'_, 'm>, expr: &'m Expr) -> Option<(Frames, &'m Expr)> {
@@ -127,18 +42,6 @@ fn frames_around(sketch: &Sketch<'_, '_>, has: impl Fn(&Placed) -> bool) -> Fram
     frames
 }
 
-/// Where a point of the present coordinates is in the drawing.
-pub(super) fn seen_point<'m>(sketch: &mut Sketch<'_, 'm>, own: Vn<'m>) -> Vn<'m> {
-    let poses = sketch.frames.iter().map(|&frame| &sketch.poses[frame]);
-    poses.fold(own, |own, pose| pose.point(own, sketch.algebra))
-}
-
-/// Where a step or a direction of the present coordinates leads in the drawing.
-pub(super) fn seen_way<'m>(sketch: &mut Sketch<'_, 'm>, own: Vn<'m>) -> Vn<'m> {
-    let poses = sketch.frames.iter().map(|&frame| &sketch.poses[frame]);
-    poses.fold(own, |own, pose| pose.way(own, sketch.algebra))
-}
-
 /// What does not move in coordinates that do is a point of what carries them.
 pub(super) fn carried(sketch: &mut Sketch<'_, '_>, point: usize) {
     let moves = |&frame: &usize| sketch.poses[frame].moves != Moves::Not;
@@ -146,7 +49,7 @@ pub(super) fn carried(sketch: &mut Sketch<'_, '_>, point: usize) {
         return;
     };
     let around = sketch.frames[moving..].to_vec();
-    let origin = within(sketch, around, |sketch| {
+    let origin = sketch::within(sketch, around, |sketch| {
         let zero = sketch.algebra.graph.zeros(sketch.dimension);
         sketch.point(zero)
     });

@@ -1,23 +1,18 @@
 //! Lines along which points slide.
 
-use crate::algebra::calls;
-use crate::algebra::dependence;
-use crate::algebra::translate;
-use crate::picture::drives;
-use crate::picture::frames;
-use crate::picture::parts;
-use linkage_symbolic::{Ex, NodeId, Vn};
-
-use crate::algebra::Translate;
-use crate::model::{BinaryOp, Expr, ExprKind, Function, Type};
-
-use super::chains::Sketch;
-use super::links::{Links, is_rigid};
-use super::marks::{Line, Segment, Shape};
-use super::open_loop::Track;
-use super::parts::Slide;
-use super::samples::Seen;
 use crate::ir::GuideOn;
+use crate::picture::directions;
+use crate::picture::links;
+use crate::picture::links::Links;
+use crate::picture::marks::Line;
+use crate::picture::marks::Segment;
+use crate::picture::marks::Shape;
+use crate::picture::marks::Slide;
+use crate::picture::samples::Samples;
+use crate::picture::sketch;
+use crate::picture::sketch::Sketch;
+use crate::picture::track::Track;
+use linkage_symbolic::Vn;
 
 /// Unit vectors whose product misses 1 by less point along one line: 4e-5 radians, far above rounding, far below any angle that is meant.
 const PARALLEL: f64 = 1e-9;
@@ -51,11 +46,11 @@ struct Candidate<'m> {
 }
 
 impl<'m> Guides<'m> {
-    pub(super) fn find(sketch: &mut Sketch<'_, 'm>, seen: &mut Seen, links: &Links) -> Self {
+    pub(super) fn find(sketch: &mut Sketch<'_, 'm>, seen: &mut Samples, links: &Links) -> Self {
         let mut candidates = Vec::new();
         for segment in sketch.segments.clone() {
             let (from, to) = (seen.same[segment.from], seen.same[segment.to]);
-            if from != to && !is_rigid(&segment, seen) {
+            if from != to && !links::is_rigid(&segment, seen) {
                 candidates.extend(slide(sketch, &segment, seen));
             }
         }
@@ -80,7 +75,7 @@ impl<'m> Guides<'m> {
     }
 
     /// Adds a guide unless it is known.
-    fn add(&mut self, candidate: Candidate<'m>, along: &Track, seen: &Seen, links: &Links) {
+    fn add(&mut self, candidate: Candidate<'m>, along: &Track, seen: &Samples, links: &Links) {
         let (origin, slider) = (seen.same[candidate.origin], seen.same[candidate.slider]);
         if along.iter().flatten().any(|x| !x.is_finite()) {
             return;
@@ -130,13 +125,13 @@ impl<'m> Guides<'m> {
 fn slide<'m>(
     sketch: &mut Sketch<'_, 'm>,
     segment: &Segment<'m>,
-    seen: &Seen,
+    seen: &Samples,
 ) -> Option<Candidate<'m>> {
     let (mut origin, mut slider) = (segment.from, segment.to);
     let from = sketch.points[segment.from].at;
     let (sign, slide) = match segment.shape {
         Shape::Term(sign, term) => {
-            let slide = direction_of(sketch, term)?;
+            let slide = directions::direction_of(sketch, term)?;
             (sign, seen_slide(sketch, slide, segment))
         }
         Shape::Part(sign, slide) => (sign, seen_slide(sketch, slide?, segment)),
@@ -184,84 +179,11 @@ fn slide<'m>(
 
 /// In the drawing.
 fn seen_slide<'m>(sketch: &mut Sketch<'_, 'm>, own: Slide<'m>, segment: &Segment<'m>) -> Slide<'m> {
-    frames::within(sketch, segment.frames.clone(), |sketch| Slide {
-        offset: own.offset.map(|offset| frames::seen_way(sketch, offset)),
-        along: frames::seen_way(sketch, own.along),
+    sketch::within(sketch, segment.frames.clone(), |sketch| Slide {
+        offset: own.offset.map(|offset| sketch::seen_way(sketch, offset)),
+        along: sketch::seen_way(sketch, own.along),
         input: own.input,
     })
-}
-
-/// Along which unit vector a term changes its length, and what it contains across that.
-pub(super) fn direction_of<'m>(sketch: &mut Sketch<'_, 'm>, term: &'m Expr) -> Option<Slide<'m>> {
-    let input = drives::driving(sketch, term);
-    let straight = |along: Vn<'m>| Slide {
-        offset: None,
-        along,
-        input,
-    };
-    match &term.kind {
-        ExprKind::Call(Function::Polar, arguments) => {
-            let angle = sketch.algebra.translate(&arguments[1]);
-            let unit = calls::call(sketch.algebra, Function::Dir, vec![angle]);
-            // In a picture of space, the plane is that of x and y.
-            let along = translate::vector(sketch.algebra, &unit).resized(sketch.dimension);
-            Some(straight(along))
-        }
-        ExprKind::Binary(BinaryOp::Mul, a, b) => {
-            let vector = if matches!(a.ty, Type::Vector(..)) {
-                a
-            } else {
-                b
-            };
-            Some(straight(sketch.vector(vector).unit()))
-        }
-        ExprKind::Vector(components) => {
-            let (varying, rest) = varying(sketch, components)?;
-            Some(Slide {
-                offset: Some(rest),
-                along: axis_of(sketch, varying),
-                input,
-            })
-        }
-        ExprKind::Call(function @ (Function::Rotate | Function::Turn), arguments) => {
-            let inner = direction_of(sketch, &arguments[0])?;
-            let mut turn = |v| parts::turned_vector(sketch, *function, arguments, v);
-            Some(Slide {
-                offset: inner.offset.map(&mut turn),
-                along: turn(inner.along),
-                input,
-            })
-        }
-        // Of anything else nobody knows along what it changes.
-        _ => None,
-    }
-}
-
-/// The unit vector along a coordinate axis.
-pub(super) fn axis_of<'m>(sketch: &Sketch<'_, 'm>, component: usize) -> Vn<'m> {
-    let graph = sketch.algebra.graph;
-    let mut axis = vec![graph.zero(); sketch.dimension];
-    axis[component] = graph.one();
-    graph.components(&axis)
-}
-
-/// The one component that changes, and the vector without it.
-fn varying<'m>(sketch: &mut Sketch<'_, 'm>, components: &'m [Expr]) -> Option<(usize, Vn<'m>)> {
-    let numbers = components.iter();
-    let numbers: Vec<Ex> = numbers
-        .map(|own| {
-            let value = sketch.algebra.translate(own);
-            translate::number(sketch.algebra, &value)
-        })
-        .collect();
-    let changes = 0..numbers.len();
-    let changes: Vec<usize> = changes
-        .filter(|&k| !dependence::inputs_below(sketch.algebra, &[numbers[k]]).is_empty())
-        .collect();
-    let [varying] = changes[..] else { return None };
-    let mut rest: Vec<NodeId> = numbers.into_iter().map(Ex::id).collect();
-    rest[varying] = sketch.algebra.graph.zero();
-    Some((varying, sketch.algebra.graph.components(&rest)))
 }
 
 /// A guide whose origin is a point that the line goes through, or the one that is nearest to the carrier's point.

@@ -4,11 +4,10 @@
 //! can be, and only those that share a point with a link that has grown have to be compared again: in a long chain each link
 //! meets a few others.
 
-use std::collections::{BTreeMap, BTreeSet};
-
+use crate::picture::raw_link::RawLink;
 use linkage_symbolic::unordered::Set;
-
-use super::links::RawLink;
+use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 pub(super) struct Joining<'m> {
     /// `None` for what has become a part of a link before.

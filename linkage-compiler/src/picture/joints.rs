@@ -1,14 +1,19 @@
 //! What meets in the points of a picture, and how it moves against each other.
 
-use crate::ir::{GuideOn, GuideShape, Joint, JointShape, Member, Picture, PointKind};
+use crate::ir::GuideOn;
+use crate::ir::GuideShape;
+use crate::ir::Joint;
+use crate::ir::JointShape;
+use crate::ir::Member;
+use crate::ir::Picture;
+use crate::ir::PointKind;
 use crate::model::JointKind;
+use crate::picture::by_point::ByPoint;
+use crate::picture::samples::Samples;
+use crate::picture::track::Track;
 
-use super::by_point::ByPoint;
-use super::open_loop::Track;
-use super::samples::Seen;
-
-pub(super) struct Turning<'a, 's> {
-    pub(super) seen: &'s Seen<'a>,
+pub(super) struct JointFinder<'a, 's> {
+    pub(super) seen: &'s Samples<'a>,
     /// By point of the picture: the point that was looked at.
     pub(super) points: Vec<usize>,
     /// By direction of the picture.
@@ -38,7 +43,7 @@ impl Here {
     }
 }
 
-impl Turning<'_, '_> {
+impl JointFinder<'_, '_> {
     pub(super) fn joints(&self, picture: &Picture) -> Vec<Joint> {
         let here = &Here::new(picture);
         let mut joints = Vec::new();
@@ -47,7 +52,7 @@ impl Turning<'_, '_> {
                 continue;
             }
             joints.extend(self.turning(picture, point, here));
-            let sliders = here.sliders.of(point).iter().copied();
+            let sliders = here.sliders.at_point(point).iter().copied();
             joints.extend(sliders.map(|guide| Joint {
                 point,
                 shape: self.declared_at(point).map_or(JointShape::Slide, sliding),
@@ -70,13 +75,13 @@ impl Turning<'_, '_> {
         if picture.points[point].kind == PointKind::Ground {
             between.push(Member::Frame);
         }
-        let links = here.links.of(point).iter();
+        let links = here.links.at_point(point).iter();
         between.extend(links.map(|&link| Member::Link(link)));
-        let rails = here.origins.of(point).iter().copied();
+        let rails = here.origins.at_point(point).iter().copied();
         let rails = rails.filter(|&own| picture.guides[own].on == GuideOn::Itself);
         between.extend(rails.map(Member::Rail));
         let mut ways: Vec<usize> = Vec::new();
-        for &guide in here.sliders.of(point) {
+        for &guide in here.sliders.at_point(point) {
             let own = self.sliding(picture, guide, here);
             let way = picture.guides[guide].direction;
             // Two blocks that keep their angle are one.
@@ -108,12 +113,12 @@ impl Turning<'_, '_> {
             self.seen
                 .carries(self.points[end], self.points[own.slider], way)
         };
-        let mut links = here.links.of(own.slider).iter().copied();
+        let mut links = here.links.at_point(own.slider).iter().copied();
         let link = links.find(|&link| {
             let mut points = picture.links[link].points.iter();
             points.all(|&end| is_carried(end, way))
         });
-        let mut others = here.origins.of(own.slider).iter().copied();
+        let mut others = here.origins.at_point(own.slider).iter().copied();
         let other = others.find(|&other| {
             let other = &picture.guides[other];
             let is_slot = other.on == GuideOn::Itself && other.shape == GuideShape::Slot;
@@ -141,7 +146,7 @@ impl Turning<'_, '_> {
         if let Some(shape) = self.declared_at(point).and_then(turning) {
             return shape;
         }
-        match here.axes.of(point).len() {
+        match here.axes.at_point(point).len() {
             1 => JointShape::Pin,
             2 => JointShape::Universal,
             _ => JointShape::Ball,

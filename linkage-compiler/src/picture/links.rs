@@ -1,50 +1,37 @@
 //! Segments that are written as one link are one.
 
+use crate::picture::joining::Joining;
+use crate::picture::marks::Segment;
+use crate::picture::marks::Shape;
+use crate::picture::ownership::Ownership;
+use crate::picture::raw_link;
+use crate::picture::raw_link::Frame;
+use crate::picture::raw_link::RawLink;
+use crate::picture::rigid_bodies::Welds;
+use crate::picture::samples::Samples;
+use crate::picture::sketch::Sketch;
+use linkage_symbolic::unordered::Map;
+use linkage_symbolic::unordered::Set;
 use std::collections::BTreeSet;
-
-use linkage_symbolic::unordered::{Map, Set};
-
-use super::chains::Sketch;
-use super::joining::Joining;
-use super::marks::{Segment, Shape, Title};
-use super::ownership::Owners;
-use super::rigid_bodies::{Frame, Welds};
-use super::samples::Seen;
 
 pub(super) struct Links<'m> {
     pub(super) all: Vec<RawLink<'m>>,
 }
 
-pub(super) struct RawLink<'m> {
-    /// Points in the order in which they were found, each the first of those that coincide.
-    pub(super) points: Vec<usize>,
-    pub(super) title: Option<Title>,
-    /// Pairs of points that the link is written by, as they are written.
-    pub(super) frames: Vec<Frame<'m>>,
-    /// Whether the user listed it.
-    asked: bool,
-    /// The body that it is.
-    pub(super) body: Option<usize>,
-    /// The unknown frame that says where it is.
-    unknown: Option<usize>,
-    /// The part of a machine that it belongs to.
-    pub(super) part: Option<usize>,
-}
-
 impl<'m> Links<'m> {
-    pub(super) fn find(sketch: &Sketch<'_, 'm>, seen: &Seen, owners: &Owners) -> Self {
+    pub(super) fn find(sketch: &Sketch<'_, 'm>, seen: &Samples, owners: &Ownership) -> Self {
         let mut links = Self { all: Vec::new() };
         let welds = Welds::new(sketch, seen);
         let first = |point: usize| seen.same[point];
         for asked in &sketch.asked {
-            let points = distinct(asked.points.iter().map(|&point| first(point)));
+            let points = raw_link::distinct(asked.points.iter().map(|&point| first(point)));
             let frames = asked.points.windows(2).map(|ends| Frame {
                 from: ends[0],
                 to: ends[1],
                 step: sketch.points[ends[0]].step_to(&sketch.points[ends[1]]),
             });
             links.all.push(RawLink {
-                part: owners.of(None, &points),
+                part: owners.part_of(None, &points),
                 points,
                 title: None,
                 frames: frames.collect(),
@@ -63,7 +50,7 @@ impl<'m> Links<'m> {
                     part: match segment.shape {
                         Shape::Base(carrier) => carrier,
                         Shape::Body(Some(_)) => name.and_then(|name| owners.named(name)),
-                        _ => owners.of(name, &[from, to]),
+                        _ => owners.part_of(name, &[from, to]),
                     },
                     title: segment.title.clone(),
                     frames: vec![Frame {
@@ -93,13 +80,13 @@ impl<'m> Links<'m> {
     }
 
     /// Joins links that have a point in common and are written to turn together, until none is left.
-    fn join(&mut self, seen: &Seen, welds: &Welds) {
+    fn join(&mut self, seen: &Samples, welds: &Welds) {
         let joining = Joining::new(std::mem::take(&mut self.all));
         self.all = joining.joined(|a, b| are_one(a, b, seen, welds));
     }
 
     /// What is computed from points of a link belongs to it.
-    fn take_means(&mut self, sketch: &Sketch, seen: &Seen) {
+    fn take_means(&mut self, sketch: &Sketch, seen: &Samples) {
         let mut at: Map<usize, BTreeSet<usize>> = Map::new();
         for (index, link) in self.all.iter().enumerate() {
             for &point in &link.points {
@@ -126,7 +113,7 @@ impl<'m> Links<'m> {
     }
 
     /// Named points that move with a link belong to it.
-    fn attach(&mut self, sketch: &Sketch, seen: &Seen, owners: &Owners) {
+    fn attach(&mut self, sketch: &Sketch, seen: &Samples, owners: &Ownership) {
         let points = self.all.iter().flat_map(|link| &link.points);
         let mut taken: Set<usize> = points.copied().collect();
         for (index, spot) in sketch.points.iter().enumerate() {
@@ -164,24 +151,9 @@ impl<'m> Links<'m> {
     }
 }
 
-impl<'m> RawLink<'m> {
-    /// Becomes one with another link.
-    pub(super) fn take_in(&mut self, other: Self) {
-        let points = self.points.iter().chain(&other.points).copied();
-        self.points = distinct(points);
-        self.frames.extend(other.frames);
-        self.asked |= other.asked;
-        self.body = self.body.or(other.body);
-        self.unknown = self.unknown.or(other.unknown);
-        self.part = self.part.or(other.part);
-        let titles = [self.title.take(), other.title].into_iter().flatten();
-        self.title = titles.min_by_key(|title| title.rank);
-    }
-}
-
 /// Whether the ends of a segment are held by what it says of itself: a term has its length, whatever the unknowns are; distances and bodies are
 /// what loops say.
-pub(super) fn is_rigid(segment: &Segment, seen: &Seen) -> bool {
+pub(super) fn is_rigid(segment: &Segment, seen: &Samples) -> bool {
     let (from, to) = (segment.from, segment.to);
     let written = match segment.shape {
         Shape::Term(..) | Shape::Part(..) => seen.free().follows(&seen.stretching(from, to), &[]),
@@ -190,7 +162,7 @@ pub(super) fn is_rigid(segment: &Segment, seen: &Seen) -> bool {
     written && seen.keep_distance(from, to)
 }
 
-fn are_one(a: &RawLink, b: &RawLink, seen: &Seen, welds: &Welds) -> bool {
+fn are_one(a: &RawLink, b: &RawLink, seen: &Samples, welds: &Welds) -> bool {
     let shared: Vec<usize> = a
         .points
         .iter()
@@ -214,15 +186,4 @@ fn are_one(a: &RawLink, b: &RawLink, seen: &Seen, welds: &Welds) -> bool {
         || a.unknown.is_some() && a.unknown == b.unknown
         || welds.join(&a.frames, &b.frames, &a.points)
         || welds.join(&b.frames, &a.frames, &b.points)
-}
-
-/// Each point once.
-fn distinct(points: impl Iterator<Item = usize>) -> Vec<usize> {
-    let mut all = Vec::new();
-    for point in points {
-        if !all.contains(&point) {
-            all.push(point);
-        }
-    }
-    all
 }

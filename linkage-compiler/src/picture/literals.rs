@@ -1,22 +1,26 @@
 //! Vectors written by their components, `(d + c * cos(psi), c * sin(psi))`: the sum of what does not move, of a point, and of steps, each
 //! with a length of its own.
 
-use crate::algebra::translate;
-use crate::picture::drives;
-use crate::picture::guides;
-use crate::picture::terms;
-use crate::picture::titles;
-use std::collections::BTreeSet;
-
-use linkage_symbolic::{Ex, NodeId, Vn};
-
 use crate::algebra::Translate;
-use crate::model::{BinaryOp, Expr, ExprKind, Name, Type};
-
-use super::chains::Sketch;
-use super::marks::Title;
-use super::parts::{Part, Slide, Turn};
-use super::point_or_vector::Moves;
+use crate::algebra::translate;
+use crate::model::BinaryOp;
+use crate::model::Expr;
+use crate::model::ExprKind;
+use crate::model::Name;
+use crate::model::Type;
+use crate::picture::expressions;
+use crate::picture::marks::Slide;
+use crate::picture::marks::StepPart;
+use crate::picture::marks::Title;
+use crate::picture::marks::Turn;
+use crate::picture::point_or_vector::Moves;
+use crate::picture::sketch;
+use crate::picture::sketch::Sketch;
+use crate::picture::weights;
+use linkage_symbolic::Ex;
+use linkage_symbolic::NodeId;
+use linkage_symbolic::Vn;
+use std::collections::BTreeSet;
 
 /// A product within a component.
 #[derive(Clone)]
@@ -38,7 +42,7 @@ enum Step<'m> {
 /// What a literal consists of.
 pub(super) enum Piece<'m> {
     Point(&'m Expr),
-    Part(Part<'m>),
+    Part(StepPart<'m>),
 }
 
 struct Group<'m> {
@@ -153,7 +157,7 @@ fn step_of_summand<'m>(
         && let ExprKind::Component(point, index) = &factor.kind
         && *index == component
         && summand.sign > 0.0
-        && terms::weight(sketch, point) == Some(1.0)
+        && weights::weight(sketch, point) == Some(1.0)
     {
         return Step::Point(point);
     }
@@ -170,12 +174,12 @@ fn step_of_summand<'m>(
     Step::Long(lengths, number)
 }
 
-fn part<'m>(sketch: &mut Sketch<'_, 'm>, group: &Group<'m>, count: usize) -> Part<'m> {
+fn part<'m>(sketch: &mut Sketch<'_, 'm>, group: &Group<'m>, count: usize) -> StepPart<'m> {
     let all = || group.summands.iter();
     let factors = || all().flat_map(|(_, own)| own.factors.iter().copied());
     let moves = factors().map(|own| sketch.moves(own)).max();
     let rank = 2 + sketch.remoteness;
-    let title = factors().find_map(|own| titles::dimension_in(sketch, own));
+    let title = factors().find_map(|own| expressions::dimension_in(sketch, own));
     let title = title.map(|text| Title { rank, text });
     let at = assembled(sketch, group, count, None);
     let slides = |own: &&Expr| {
@@ -188,7 +192,7 @@ fn part<'m>(sketch: &mut Sketch<'_, 'm>, group: &Group<'m>, count: usize) -> Par
         Slide {
             offset: None,
             along,
-            input: drives::driving(sketch, length),
+            input: expressions::driving(sketch, length),
         }
     });
     let components: BTreeSet<usize> = all().map(|(component, _)| *component).collect();
@@ -196,7 +200,7 @@ fn part<'m>(sketch: &mut Sketch<'_, 'm>, group: &Group<'m>, count: usize) -> Par
     let slide = match (slide, &components[..]) {
         (None, [component]) => Some(Slide {
             offset: None,
-            along: guides::axis_of(sketch, *component),
+            along: sketch::axis_of(sketch, *component),
             input: None,
         }),
         (slide, _) => slide,
@@ -205,12 +209,12 @@ fn part<'m>(sketch: &mut Sketch<'_, 'm>, group: &Group<'m>, count: usize) -> Par
     let turns = match (slide, &third.collect::<Vec<_>>()[..]) {
         // What turns in the plane of two coordinates turns about the third.
         (None, [third]) if sketch.dimension == 3 => vec![Turn {
-            along: guides::axis_of(sketch, *third),
+            along: sketch::axis_of(sketch, *third),
             by: None,
         }],
         _ => Vec::new(),
     };
-    Part {
+    StepPart {
         at,
         title,
         slide,

@@ -1,20 +1,32 @@
-//! What loops, derived names, bodies and joints are made of.
+//! Links in loops, derived names, bodies and joints.
 
+use crate::model::Expr;
+use crate::model::ExprKind;
+use crate::model::Function;
+use crate::model::Let;
+use crate::model::Loop;
+use crate::model::Mechanism;
+use crate::model::Name;
+use crate::model::Type;
 use crate::picture::bodies;
+use crate::picture::chains;
+use crate::picture::expressions;
 use crate::picture::frames;
-use crate::picture::guides;
+use crate::picture::marks::Asked;
+use crate::picture::marks::Shape;
+use crate::picture::marks::Term;
+use crate::picture::marks::Title;
 use crate::picture::parts;
 use crate::picture::planes;
+use crate::picture::sketch;
+use crate::picture::sketch::Sketch;
 use crate::picture::terms;
 use crate::picture::titles;
-use linkage_symbolic::{Ex, NodeId};
+use crate::picture::weights;
+use linkage_symbolic::Ex;
+use linkage_symbolic::NodeId;
 
-use crate::model::{Expr, ExprKind, Function, Let, Loop, Mechanism, Name, Type};
-
-use super::chains::Sketch;
-use super::marks::{Asked, Shape, Term, Title};
-
-/// Names in derived quantities stand behind those in loops, and where no loop uses the quantity behind all others.
+/// UniqueNames in derived quantities stand behind those in loops, and where no loop uses the quantity behind all others.
 const LET: [u8; 2] = [3, 6];
 
 /// All that the program says of points and links.
@@ -22,11 +34,11 @@ pub(super) fn collect(sketch: &mut Sketch<'_, '_>) {
     look_at_lets(sketch);
     look_at_unknowns(sketch);
     for (index, own) in sketch.algebra.mechanism.loops.iter().enumerate() {
-        if is_anywhere(sketch, own) {
+        if expressions::is_anywhere(sketch, own) {
             sketch.undrawn.push(index + 1);
         } else {
             let frames = frames::frames_of_loop(sketch, index);
-            frames::within(sketch, frames, |sketch| look_at_loop(sketch, own));
+            sketch::within(sketch, frames, |sketch| look_at_loop(sketch, own));
         }
     }
     bodies::look_at_bodies(sketch);
@@ -44,13 +56,13 @@ fn look_at_lets(sketch: &mut Sketch<'_, '_>) {
         }
         sketch.remoteness = LET[usize::from(!usage.lets[index])];
         let frames = frames::frames_of(sketch, Name::Let(index));
-        frames::within(sketch, frames, |sketch| look_at_let(sketch, own));
+        sketch::within(sketch, frames, |sketch| look_at_let(sketch, own));
     }
     sketch.remoteness = 0;
 }
 
 fn look_at_let<'m>(sketch: &mut Sketch<'_, 'm>, own: &'m Let) {
-    if let Some(point) = sketch.point_of(&own.value) {
+    if let Some(point) = chains::point_of(sketch, &own.value) {
         let at = sketch.vector(&own.value);
         let named = sketch.point(at);
         for point in [point, named] {
@@ -74,7 +86,7 @@ fn look_at_unknowns(sketch: &mut Sketch<'_, '_>) {
             let numbers: Vec<NodeId> = numbers.map(Ex::id).collect();
             let at = sketch.algebra.graph.components(&numbers);
             let frames = frames::frames_of(sketch, Name::Unknown(index));
-            let point = frames::within(sketch, frames, |sketch| sketch.point(at));
+            let point = sketch::within(sketch, frames, |sketch| sketch.point(at));
             let text = own.name.clone();
             titles::call(sketch, point, Title { rank: 1, text });
             sketch.points[point].wanted = true;
@@ -89,7 +101,7 @@ pub(super) fn add_lists<'m>(sketch: &mut Sketch<'_, 'm>, lists: &'m [Vec<Expr>])
             .iter()
             .map(|expr| {
                 let at = sketch.vector(expr);
-                let found = sketch.point_of(expr);
+                let found = chains::point_of(sketch, expr);
                 let point = sketch.point(at);
                 titles::name(sketch, point, 0, expr);
                 sketch.points[point].wanted = true;
@@ -104,50 +116,25 @@ pub(super) fn add_lists<'m>(sketch: &mut Sketch<'_, 'm>, lists: &'m [Vec<Expr>])
 fn look_at_loop<'m>(sketch: &mut Sketch<'_, 'm>, own: &'m Loop) {
     match own.left.ty {
         Type::Vector(..) => {
-            let is_flat = is_flat(sketch, &own.left) && is_flat(sketch, &own.right);
+            let is_flat =
+                expressions::is_flat(sketch, &own.left) && expressions::is_flat(sketch, &own.right);
             for side in sides(sketch, own) {
-                if let Some(end) = sketch.chain(side) {
+                if let Some(end) = chains::chain(sketch, side) {
                     sketch.points[end].wanted = true;
                     if is_flat {
-                        parts::axis(sketch, end, guides::axis_of(sketch, 2));
+                        parts::axis(sketch, end, sketch::axis_of(sketch, 2));
                     }
                 }
             }
         }
         _ => {
             for (side, other) in [(&own.left, &own.right), (&own.right, &own.left)] {
-                let title = titles::spoken(sketch, other).map(|text| Title { rank: 2, text });
+                let title = expressions::spoken(sketch, other).map(|text| Title { rank: 2, text });
                 look_for_rods(sketch, side, title);
                 planes::look_for_line(sketch, side, other);
             }
         }
     }
-}
-
-/// Whether a loop is one of the plane made of components of vectors of space: it is not known where in space it lies.
-fn is_anywhere(sketch: &Sketch<'_, '_>, own: &Loop) -> bool {
-    let sides = [&own.left, &own.right];
-    let is_vector = matches!(own.left.ty, Type::Vector(..));
-    is_vector
-        && sides.iter().all(|side| is_flat(sketch, side))
-        && sides.iter().any(|side| is_projection(sketch, side))
-}
-
-/// Whether it lies in a plane of a mechanism of space.
-fn is_flat(sketch: &Sketch<'_, '_>, expr: &Expr) -> bool {
-    sketch.dimension == 3 && matches!(expr.ty, Type::Vector(2, _) | Type::Zero(_))
-}
-
-/// Whether a vector of the plane has components of vectors of space: it may lie in any plane.
-pub(super) fn is_projection(sketch: &Sketch<'_, '_>, expr: &Expr) -> bool {
-    expr.parts().any(|part| match &part.kind {
-        ExprKind::Component(vector, _) => matches!(vector.ty, Type::Vector(3, _)),
-        ExprKind::Name(name) => {
-            let value = sketch.algebra.mechanism.value_of(*name);
-            value.is_some_and(|value| is_projection(sketch, value))
-        }
-        _ => false,
-    })
 }
 
 /// The two ways from one point to another that a vector loop consists of, each in the order in which it is written.
@@ -165,7 +152,7 @@ fn sides<'m>(sketch: &mut Sketch<'_, 'm>, own: &'m Loop) -> [Vec<Term<'m>>; 2] {
 /// begin with.
 fn side<'m>(sketch: &Sketch<'_, 'm>, own: Vec<Term<'m>>, moved: Vec<Term<'m>>) -> Vec<Term<'m>> {
     let moved = moved.into_iter().map(|term| Term { sign: 1.0, ..term });
-    let is_start = |term: &Term| terms::weight_of(sketch, term) == 1.0;
+    let is_start = |term: &Term| weights::weight_of(sketch, term) == 1.0;
     let mut all: Vec<Term> = match own.iter().any(is_start) {
         true => own.into_iter().chain(moved).collect(),
         false => moved.chain(own).collect(),
@@ -178,7 +165,10 @@ fn side<'m>(sketch: &Sketch<'_, 'm>, own: Vec<Term<'m>>, moved: Vec<Term<'m>>) -
 fn look_for_rods<'m>(sketch: &mut Sketch<'_, 'm>, expr: &'m Expr, title: Option<Title>) {
     match &expr.kind {
         ExprKind::Call(Function::Distance, ends) => {
-            if let (Some(from), Some(to)) = (sketch.point_of(&ends[0]), sketch.point_of(&ends[1])) {
+            if let (Some(from), Some(to)) = (
+                chains::point_of(sketch, &ends[0]),
+                chains::point_of(sketch, &ends[1]),
+            ) {
                 sketch.segment(from, to, title, Shape::Distance);
             }
         }
@@ -193,7 +183,7 @@ fn look_for_rods<'m>(sketch: &mut Sketch<'_, 'm>, expr: &'m Expr, title: Option<
             if sketch.searched.insert(*index) {
                 let own = &sketch.algebra.mechanism.lets[*index].value;
                 let frames = frames::frames_of(sketch, Name::Let(*index));
-                frames::within(sketch, frames, |sketch| look_for_rods(sketch, own, title));
+                sketch::within(sketch, frames, |sketch| look_for_rods(sketch, own, title));
             }
         }
         _ => {
@@ -212,7 +202,7 @@ fn look_for_rod<'m>(sketch: &mut Sketch<'_, 'm>, vector: &'m Expr, title: Option
     minus.iter_mut().for_each(|term| term.sign = 1.0);
     let weight = |side: &[Term]| {
         side.iter()
-            .map(|term| terms::weight_of(sketch, term))
+            .map(|term| weights::weight_of(sketch, term))
             .sum::<f64>()
     };
     let ends = [weight(&plus), weight(&minus)];
@@ -220,7 +210,7 @@ fn look_for_rod<'m>(sketch: &mut Sketch<'_, 'm>, vector: &'m Expr, title: Option
     if !is_point || ends.iter().any(|weight| ![0.0, 1.0].contains(weight)) {
         return;
     }
-    if let (Some(to), Some(from)) = (sketch.chain(plus), sketch.chain(minus)) {
+    if let (Some(to), Some(from)) = (chains::chain(sketch, plus), chains::chain(sketch, minus)) {
         sketch.segment(from, to, title, Shape::Distance);
     }
 }

@@ -1,12 +1,11 @@
-//! What a sketch consists of: points, what lies between them, and what they are called.
-
-use linkage_symbolic::Vn;
+//! Data of a sketch: points, segments, steps and their names.
 
 use crate::diagnostic::OriginId;
 use crate::model::Expr;
-
-use super::frames::Frames;
-use super::parts::{Part, Slide};
+use crate::picture::point_or_vector::Moves;
+use crate::picture::pose::Frames;
+use linkage_symbolic::Ex;
+use linkage_symbolic::Vn;
 
 /// A point of a chain.
 #[derive(Clone, Debug)]
@@ -90,7 +89,7 @@ pub(super) struct Term<'m> {
     /// The name that it goes by.
     pub(super) name: Option<String>,
     /// If it is only a part of the expression.
-    pub(super) part: Option<Part<'m>>,
+    pub(super) part: Option<StepPart<'m>>,
 }
 
 impl<'m> Spot<'m> {
@@ -101,4 +100,47 @@ impl<'m> Spot<'m> {
             false => other.at - self.at,
         }
     }
+}
+
+/// A step within a term.
+#[derive(Clone, Debug)]
+pub(super) struct StepPart<'m> {
+    pub(super) at: Vn<'m>,
+    pub(super) title: Option<Title>,
+    /// Along which it changes, if its length does.
+    pub(super) slide: Option<Slide<'m>>,
+    pub(super) moves: Moves,
+    /// In space, from outside to inside.
+    pub(super) turns: Vec<Turn<'m>>,
+}
+
+/// What turns a step in space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Turn<'m> {
+    pub(super) along: Vn<'m>,
+    /// The angle, where it is written.
+    pub(super) by: Option<&'m Expr>,
+}
+
+/// How a step changes its length.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Slide<'m> {
+    /// What it contains across that.
+    pub(super) offset: Option<Vn<'m>>,
+    /// A unit vector.
+    pub(super) along: Vn<'m>,
+    /// The input that is its length, or in it.
+    pub(super) input: Option<usize>,
+}
+
+/// `dot(p - q, n) = d` in space: `p` stays on a plane.
+#[derive(Clone, Debug)]
+pub(super) struct Plane<'m> {
+    pub(super) difference: Vn<'m>,
+    /// The coordinates in which both are written.
+    pub(super) frames: Frames,
+    pub(super) normal: Vn<'m>,
+    /// `d`.
+    pub(super) offset: Ex<'m>,
+    pub(super) is_used: bool,
 }

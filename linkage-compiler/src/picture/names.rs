@@ -1,27 +1,32 @@
 //! The picture with names for everything, without what is not needed.
 
+use crate::ir::Guide;
+use crate::ir::GuideOn;
+use crate::ir::GuideShape;
+use crate::ir::Link;
+use crate::ir::Picture;
+use crate::ir::Point;
+use crate::ir::PointKind;
 use crate::picture::drives;
+use crate::picture::found_picture::FoundPicture;
+use crate::picture::guides::Guides;
+use crate::picture::joints::JointFinder;
+use crate::picture::links::Links;
+use crate::picture::meeting::Meeting;
+use crate::picture::ownership::Ownership;
+use crate::picture::samples::Samples;
+use crate::picture::sketch::Sketch;
+use crate::picture::unique_names::UniqueNames;
 use linkage_symbolic::Vn;
 use linkage_symbolic::unordered::Map;
 
-use crate::ir::{Guide, GuideOn, GuideShape, Link, Picture, Point, PointKind};
-
-use super::Found;
-use super::by_point::{Meeting, Names};
-use super::chains::Sketch;
-use super::guides::Guides;
-use super::joints::Turning;
-use super::links::Links;
-use super::ownership::Owners;
-use super::samples::Seen;
-
 pub(super) fn named<'m>(
     sketch: &Sketch<'_, 'm>,
-    seen: &Seen,
+    seen: &Samples,
     links: &Links<'m>,
     guides: &Guides<'m>,
-    owners: &Owners,
-) -> Found<'m> {
+    owners: &Ownership,
+) -> FoundPicture<'m> {
     let axes = sketch.axes.iter().map(|(at, _)| seen.same[*at]);
     let namer = Namer {
         sketch,
@@ -41,7 +46,7 @@ pub(super) fn named<'m>(
         .map(|(place, (own, _))| (*own, place));
     let places: Map<usize, usize> = places.collect();
     let place = |point: usize| places.get(&seen.same[point]).copied();
-    let mut names = Names::default();
+    let mut names = UniqueNames::default();
     let points = kept.iter().map(|&(point, kind)| {
         let name = names.unique(namer.name(point));
         Point { name, kind }
@@ -102,7 +107,7 @@ pub(super) fn named<'m>(
     }
     let declared = sketch.joints.iter();
     let declared = declared.filter_map(|(point, kind)| Some((place(*point)?, *kind)));
-    let turning = Turning {
+    let turning = JointFinder {
         seen,
         points: kept.iter().map(|(point, _)| *point).collect(),
         ways: seen.tracks_of(&directions),
@@ -111,10 +116,10 @@ pub(super) fn named<'m>(
     picture.joints = turning.joints(&picture);
     picture.drives = drives::drives(sketch, &picture, &place);
     let own: Vec<usize> = kept.iter().map(|(point, _)| *point).collect();
-    picture.parts = owners.parts(&picture, links, &own);
+    picture.parts = owners.parts(&picture, &links.all, &own);
     picture.gears = drives::gears(sketch, &picture, &place, seen);
     let vectors = kept.iter().map(|(point, _)| sketch.points[*point].at);
-    Found {
+    FoundPicture {
         vectors: vectors.chain(directions).collect(),
         picture,
     }
@@ -122,7 +127,7 @@ pub(super) fn named<'m>(
 
 struct Namer<'a, 'b, 'm> {
     sketch: &'a Sketch<'b, 'm>,
-    seen: &'a Seen<'a>,
+    seen: &'a Samples<'a>,
     guides: &'a Guides<'m>,
     link_names: Vec<String>,
     meeting: Meeting,
@@ -131,9 +136,9 @@ struct Namer<'a, 'b, 'm> {
 impl Namer<'_, '_, '_> {
     /// What becomes of a point; `None` if nothing needs it.
     fn kind(&self, point: usize) -> Option<PointKind> {
-        let links = self.meeting.links.of(point).len();
-        let slides = !self.meeting.sliders.of(point).is_empty();
-        let guides = self.meeting.origins.of(point);
+        let links = self.meeting.links.at_point(point).len();
+        let slides = !self.meeting.sliders.at_point(point).is_empty();
+        let guides = self.meeting.origins.at_point(point);
         let has_guide = !guides.is_empty();
         let mut guides = guides.iter().map(|&own| &self.guides.all[own]);
         let pivots = guides.any(|guide| guide.on == GuideOn::Itself);
@@ -161,7 +166,7 @@ impl Namer<'_, '_, '_> {
 
     /// Whether it is a point of the frame, or of a guide that is.
     fn is_fixed(&self, point: usize) -> bool {
-        let guides = self.meeting.origins.of(point).iter();
+        let guides = self.meeting.origins.at_point(point).iter();
         let mut guides = guides.map(|&own| &self.guides.all[own]);
         guides.any(|guide| guide.on == GuideOn::Frame) || self.seen.is_fixed(point)
     }
@@ -178,15 +183,15 @@ impl Namer<'_, '_, '_> {
         if let Some(title) = titles.min_by_key(|title| title.rank) {
             return title.text.clone();
         }
-        let here = self.meeting.links.of(point).iter();
+        let here = self.meeting.links.at_point(point).iter();
         let mut parts: Vec<&str> = here.map(|&own| self.link_names[own].as_str()).collect();
         let (fixed, kind) = (self.is_fixed(point), self.kind(point));
         let begins = |index: &&usize| {
             let guide = &self.guides.all[**index];
             guide.on == GuideOn::Itself || kind == Some(PointKind::Construction)
         };
-        let slider = self.meeting.sliders.of(point).first();
-        let begun = self.meeting.origins.of(point).iter().find(begins);
+        let slider = self.meeting.sliders.at_point(point).first();
+        let begun = self.meeting.origins.at_point(point).iter().find(begins);
         if let Some(&guide) = slider.into_iter().chain(begun).min() {
             let guide = &self.guides.all[guide];
             match kind {
@@ -208,7 +213,7 @@ impl Namer<'_, '_, '_> {
 
 /// A link without a name is called by its number.
 fn link_names(links: &Links) -> Vec<String> {
-    let mut names = Names::default();
+    let mut names = UniqueNames::default();
     let each = links.all.iter().enumerate();
     each.map(|(index, link)| {
         let title = link.title.as_ref().map(|title| title.text.clone());

@@ -1,18 +1,25 @@
 //! How points move where nothing closes the loops: each unknown by itself, as its name says. So what is written as one link is told from
 //! what is only held together by others.
 
+use crate::algebra::Algebra;
+use crate::algebra::Bound;
+use crate::algebra::Nominal;
+use crate::algebra::Translate;
 use crate::algebra::translate;
+use crate::assembly::Machine;
+use crate::assembly::Reference;
+use crate::assembly::places;
+use crate::assembly::scattered;
+use crate::model::Dimension;
+use crate::model::Expr;
+use crate::model::ExprKind;
+use crate::model::Loop;
+use crate::picture::track;
+use crate::picture::track::Track;
+use linkage_symbolic::Ex;
+use linkage_symbolic::SymbolId;
+use linkage_symbolic::Vn;
 use linkage_symbolic::unordered::Map;
-use linkage_symbolic::{Ex, SymbolId, Vn};
-
-use crate::algebra::{Algebra, Bound, Nominal, Translate};
-use crate::assembly::{Machine, Reference, places, scattered};
-use crate::model::{Dimension, Expr, ExprKind, Loop};
-
-use super::samples::divided;
-
-/// Vectors at several places or of several motions.
-pub(super) type Track = Vec<Vec<f64>>;
 
 /// Steps of differences, in radians and in shares of the longest length: their error is of the second order, 1e-10, and as large as
 /// that of rounding.
@@ -28,7 +35,7 @@ const NOTHING: f64 = 1e-6;
 /// Motions at each place; more than the rates that one is compared with.
 const MOTIONS: usize = 12;
 
-pub(super) struct Free<'a> {
+pub(super) struct OpenLoop<'a> {
     machine: &'a Machine,
     /// Near the places where the mechanism closes.
     places: Vec<Values>,
@@ -48,7 +55,7 @@ struct Motion {
     sides: [Values; 2],
 }
 
-impl<'a> Free<'a> {
+impl<'a> OpenLoop<'a> {
     pub(super) fn new(algebra: &mut Algebra, reference: &'a Reference, nominal: &Nominal) -> Self {
         let machine = &reference.machine;
         let mechanism = algebra.mechanism;
@@ -64,8 +71,8 @@ impl<'a> Free<'a> {
             .collect();
         let count = MOTIONS + loops.len();
         let places = places(nominal, mechanism, reference.longest).into_iter();
-        let places = places.filter_map(|place| Place::at(algebra, reference, place));
-        let places: Vec<Place> = places.map(|place| place.moved(APART, count)).collect();
+        let places = places.filter_map(|place| OpenState::at_closure(algebra, reference, place));
+        let places: Vec<OpenState> = places.map(|place| place.moved(APART, count)).collect();
         let motions = places.iter().flat_map(|place| {
             (0..count).map(move |number| Motion {
                 sides: [-1.0, 1.0].map(|side| place.moved(side * STEP, number).values()),
@@ -74,7 +81,7 @@ impl<'a> Free<'a> {
         let mut free = Self {
             machine,
             motions: motions.collect(),
-            places: places.iter().map(Place::values).collect(),
+            places: places.iter().map(OpenState::values).collect(),
             count,
             relations: Vec::new(),
         };
@@ -91,7 +98,7 @@ impl<'a> Free<'a> {
             let machine = self.machine;
             machine.evaluate_open(&numbers, inputs, unknowns)
         });
-        divided(&places.chain(self.rates(&numbers)).collect(), vectors)
+        track::divided(&places.chain(self.rates(&numbers)).collect(), vectors)
     }
 
     fn rates(&self, numbers: &[Ex]) -> Track {
@@ -166,15 +173,15 @@ pub(super) struct Rate {
 }
 
 /// Inputs and unknowns where the mechanism closes.
-struct Place {
+struct OpenState {
     inputs: Vec<(f64, f64)>,
     /// Cosine, sine and value.
     angles: Vec<([SymbolId; 3], f64)>,
     lengths: Vec<(SymbolId, f64, f64)>,
 }
 
-impl Place {
-    fn at(algebra: &Algebra, reference: &Reference, inputs: Vec<f64>) -> Option<Self> {
+impl OpenState {
+    fn at_closure(algebra: &Algebra, reference: &Reference, inputs: Vec<f64>) -> Option<Self> {
         let machine = &reference.machine;
         let unit = |dimension: Dimension| match dimension.fits(Dimension::LENGTH) {
             true => reference.longest,

@@ -1,20 +1,20 @@
 //! Which part of a machine points, links and guides belong to: what a part brings along has its name in front.
 
-use crate::ir::{Part, Picture};
+use crate::ir::Part;
+use crate::ir::Picture;
+use crate::picture::raw_link::RawLink;
+use crate::picture::samples::Samples;
+use crate::picture::sketch::Sketch;
 
-use super::chains::Sketch;
-use super::links::Links;
-use super::samples::Seen;
-
-pub(super) struct Owners {
+pub(super) struct Ownership {
     parts: Vec<String>,
     /// Of each point, the parts that have a name for it or for one that coincides; the machine itself is `None`.
     of_points: Vec<Vec<Option<usize>>>,
     fixed: Vec<bool>,
 }
 
-impl Owners {
-    pub(super) fn new(sketch: &Sketch, seen: &Seen) -> Self {
+impl Ownership {
+    pub(super) fn new(sketch: &Sketch, seen: &Samples) -> Self {
         let parts = sketch.algebra.mechanism.parts.iter();
         let parts: Vec<String> = parts.map(|part| part.name.clone()).collect();
         let of_points = (0..seen.same.len()).map(|point| {
@@ -33,7 +33,7 @@ impl Owners {
 
     /// The part that a link or guide is called after. One that is called after what the part is given, as a crank after `radius`, belongs to the
     /// first part that has names for all its moving points that have any.
-    pub(super) fn of(&self, name: Option<&str>, points: &[usize]) -> Option<usize> {
+    pub(super) fn part_of(&self, name: Option<&str>, points: &[usize]) -> Option<usize> {
         if self.parts.is_empty() {
             return None;
         }
@@ -63,13 +63,13 @@ impl Owners {
     }
 
     /// What each part has; `kept` are the points of the picture.
-    pub(super) fn parts(&self, picture: &Picture, links: &Links, kept: &[usize]) -> Vec<Part> {
+    pub(super) fn parts(&self, picture: &Picture, links: &[RawLink], kept: &[usize]) -> Vec<Part> {
         let guides = picture.guides.iter().map(|guide| {
             let points = [guide.origin, guide.slider].map(|point| kept[point]);
-            self.of(Some(&guide.name), &points)
+            self.part_of(Some(&guide.name), &points)
         });
         let of_guides: Vec<_> = guides.collect();
-        let of_links: Vec<_> = links.all.iter().map(|link| link.part).collect();
+        let of_links: Vec<_> = links.iter().map(|link| link.part).collect();
         let parts = self.parts.iter().enumerate().map(|(index, name)| {
             let own = |all: &[Option<usize>]| -> Vec<usize> {
                 let mine = (0..all.len()).filter(|&member| all[member] == Some(index));

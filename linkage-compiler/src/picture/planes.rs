@@ -1,29 +1,20 @@
 //! Lines and planes that are written as scalar products.
 
-use crate::algebra::translate;
-use crate::picture::frames;
-use crate::picture::titles;
-use linkage_symbolic::{Ex, Vector, Vn};
-
 use crate::algebra::Translate;
-use crate::model::{BinaryOp, Expr, ExprKind, Function, Name};
-
-use super::chains::Sketch;
-use super::frames::Frames;
-use super::marks::Line;
-use super::point_or_vector::Moves;
-
-/// `dot(p - q, n) = d` in space: `p` stays on a plane.
-#[derive(Clone, Debug)]
-pub(super) struct Plane<'m> {
-    difference: Vn<'m>,
-    /// The coordinates in which both are written.
-    frames: Frames,
-    normal: Vn<'m>,
-    /// `d`.
-    offset: Ex<'m>,
-    is_used: bool,
-}
+use crate::algebra::translate;
+use crate::model::Expr;
+use crate::model::ExprKind;
+use crate::model::Function;
+use crate::picture::chains;
+use crate::picture::expressions;
+use crate::picture::marks::Line;
+use crate::picture::marks::Plane;
+use crate::picture::point_or_vector::Moves;
+use crate::picture::sketch;
+use crate::picture::sketch::Sketch;
+use linkage_symbolic::Ex;
+use linkage_symbolic::Vector;
+use linkage_symbolic::Vn;
 
 /// `dot(p - q, u) = 0` and `cross(p - q, u) = 0` in the plane: `p` stays on a line. In space two planes do the same.
 pub(super) fn look_for_line<'m>(sketch: &mut Sketch<'_, 'm>, side: &'m Expr, other: &'m Expr) {
@@ -34,10 +25,12 @@ pub(super) fn look_for_line<'m>(sketch: &mut Sketch<'_, 'm>, side: &'m Expr, oth
     };
     let through = matches!(other.kind, ExprKind::Number(0.0));
     for (vector, direction) in [(0, 1), (1, 0)] {
-        let Some((p, q)) = difference(sketch, &arguments[vector]) else {
+        let Some((p, q)) = expressions::difference(sketch, &arguments[vector]) else {
             continue;
         };
-        let (Some(slider), Some(carrier)) = (sketch.point_of(p), sketch.point_of(q)) else {
+        let (Some(slider), Some(carrier)) =
+            (chains::point_of(sketch, p), chains::point_of(sketch, q))
+        else {
             continue;
         };
         if sketch.dimension == 3 {
@@ -51,7 +44,7 @@ pub(super) fn look_for_line<'m>(sketch: &mut Sketch<'_, 'm>, side: &'m Expr, oth
                     offset,
                     is_used: false,
                 };
-                let name = titles::spoken(sketch, &arguments[vector]);
+                let name = expressions::spoken(sketch, &arguments[vector]);
                 meet(sketch, plane, [slider, carrier], name);
             }
         } else if through {
@@ -105,8 +98,8 @@ fn line<'m>(
     name: Option<String>,
 ) {
     let (foot, along) = (
-        frames::seen_way(sketch, foot),
-        frames::seen_way(sketch, along),
+        sketch::seen_way(sketch, foot),
+        sketch::seen_way(sketch, along),
     );
     let own = sketch.points[slider].name.as_ref();
     let own = own.map_or_else(|| "slide".to_owned(), |title| title.text.clone());
@@ -117,18 +110,4 @@ fn line<'m>(
         along,
         name: name.unwrap_or(own),
     });
-}
-
-/// `p` and `q` of a vector that is written as `p - q`.
-pub(super) fn difference<'m>(
-    sketch: &Sketch<'_, 'm>,
-    vector: &'m Expr,
-) -> Option<(&'m Expr, &'m Expr)> {
-    match &vector.kind {
-        ExprKind::Binary(BinaryOp::Sub, p, q) => Some((p, q)),
-        ExprKind::Name(Name::Let(index)) => {
-            difference(sketch, &sketch.algebra.mechanism.lets[*index].value)
-        }
-        _ => None,
-    }
 }

@@ -1,8 +1,14 @@
 //! Is a named vector a point, or a step from one point to another?
 
+use crate::model::BinaryOp;
+use crate::model::Expr;
+use crate::model::ExprKind;
+use crate::model::Function;
+use crate::model::Loop;
+use crate::model::Mechanism;
+use crate::model::Name;
+use crate::model::Type;
 use std::collections::BTreeMap;
-
-use crate::model::{BinaryOp, Expr, ExprKind, Function, Loop, Mechanism, Name, Type};
 
 /// What was seen of each name.
 #[derive(Debug)]
@@ -30,7 +36,7 @@ struct Evidence {
 }
 
 impl<'m> Roles<'m> {
-    pub(super) fn of(mechanism: &'m Mechanism) -> Self {
+    pub(super) fn new(mechanism: &'m Mechanism) -> Self {
         let mut roles = Self {
             mechanism,
             seen: BTreeMap::new(),

@@ -1,21 +1,14 @@
 //! Whether two links are written to turn together: where one of them turns as it is written to, nothing closing the loops, the other one
 //! turns with it.
 
-use linkage_symbolic::{Ex, Vn};
-
-use super::chains::Sketch;
-use super::marks::Spot;
-use super::open_loop::Track;
-use super::samples::{Seen, difference};
-
-/// Two points that a link is written by, the way they are written.
-#[derive(Clone, Debug)]
-pub(super) struct Frame<'m> {
-    pub(super) from: usize,
-    pub(super) to: usize,
-    /// From one to the other.
-    pub(super) step: Vn<'m>,
-}
+use crate::picture::marks::Spot;
+use crate::picture::raw_link::Frame;
+use crate::picture::samples::Samples;
+use crate::picture::sketch::Sketch;
+use crate::picture::track;
+use crate::picture::track::Track;
+use linkage_symbolic::Ex;
+use linkage_symbolic::Vn;
 
 /// A point lies on the line through two others if it is nearer to it than this share of their distance.
 const ON_LINE: f64 = 1e-9;
@@ -23,11 +16,11 @@ const ON_LINE: f64 = 1e-9;
 pub(super) struct Welds<'a, 's, 'm> {
     dimension: usize,
     points: &'s [Spot<'m>],
-    seen: &'s Seen<'a>,
+    seen: &'s Samples<'a>,
 }
 
 impl<'a, 's, 'm> Welds<'a, 's, 'm> {
-    pub(super) fn new(sketch: &'s Sketch<'_, 'm>, seen: &'s Seen<'a>) -> Self {
+    pub(super) fn new(sketch: &'s Sketch<'_, 'm>, seen: &'s Samples<'a>) -> Self {
         Self {
             dimension: sketch.dimension,
             points: &sketch.points,
@@ -69,7 +62,10 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
         if !is_rigid && !self.is_written_with(step, ends) {
             return false;
         }
-        let moved = sum(&base, &difference(seen.course(other), seen.course(shared)));
+        let moved = sum(
+            &base,
+            &track::difference(seen.course(other), seen.course(shared)),
+        );
         let holds = |rate| seen.free().follows(&rate, &[&own]);
         holds(seen.stretching(shared, other))
             && ends

@@ -1,14 +1,19 @@
 //! The points at several positions and with other dimensions: what coincides, what stays, what keeps its distance.
 
-use linkage_symbolic::{Ex, Vn};
-
-use crate::algebra::{Algebra, Nominal};
-use crate::assembly::{Machine, Reference};
-
-use super::cells::Cells;
-use super::marks::Spot;
-use super::open_loop::{Free, Rate, Track};
-use super::views::{View, views};
+use crate::algebra::Algebra;
+use crate::algebra::Nominal;
+use crate::assembly::Machine;
+use crate::assembly::Reference;
+use crate::picture::cells::Cells;
+use crate::picture::marks::Spot;
+use crate::picture::open_loop::OpenLoop;
+use crate::picture::open_loop::Rate;
+use crate::picture::track;
+use crate::picture::track::Track;
+use crate::picture::views;
+use crate::picture::views::View;
+use linkage_symbolic::Ex;
+use linkage_symbolic::Vn;
 
 /// Lengths that differ by a smaller share of the picture's size are equal.
 const EQUAL: f64 = 1e-9;
@@ -17,8 +22,8 @@ const EQUAL: f64 = 1e-9;
 /// these.
 const STEADY: f64 = 1e3 * EQUAL;
 
-pub(super) struct Seen<'a> {
-    free: Free<'a>,
+pub(super) struct Samples<'a> {
+    free: OpenLoop<'a>,
     views: Vec<View>,
     /// By point: its coordinates, view by view.
     tracks: Vec<Track>,
@@ -38,19 +43,19 @@ pub(super) struct Seen<'a> {
     pub(super) size: f64,
 }
 
-impl<'a> Seen<'a> {
+impl<'a> Samples<'a> {
     pub(super) fn new<'m>(
         algebra: &mut Algebra<'m>,
         points: &[Spot<'m>],
         reference: &'a Reference,
         nominal: &Nominal,
     ) -> Self {
-        let (views, open) = views(algebra, reference, nominal);
+        let (views, open) = views::views(algebra, reference, nominal);
         let mut seen = Self {
             views,
             open,
             without_loops: Vec::new(),
-            free: Free::new(algebra, reference, nominal),
+            free: OpenLoop::new(algebra, reference, nominal),
             tracks: Vec::new(),
             courses: Vec::new(),
             same: Vec::new(),
@@ -108,7 +113,7 @@ impl<'a> Seen<'a> {
                 .map(|inputs| view.machine.evaluate(&components, inputs))
                 .collect()
         };
-        divided(&self.views.iter().flat_map(look).collect(), vectors)
+        track::divided(&self.views.iter().flat_map(look).collect(), vectors)
     }
 
     /// Vectors at one place with each of the dimensions that the mechanism does not close with.
@@ -118,7 +123,7 @@ impl<'a> Seen<'a> {
             let place = self.views[0].places.first();
             place.map(|inputs| machine.evaluate(&components, inputs))
         };
-        divided(&self.open.iter().filter_map(look).collect(), vectors)
+        track::divided(&self.open.iter().filter_map(look).collect(), vectors)
     }
 
     /// Where a point is at the places that are looked at with the dimensions as they are written.
@@ -136,7 +141,7 @@ impl<'a> Seen<'a> {
         self.free.stretching([self.course(a), self.course(b)])
     }
 
-    pub(super) fn free(&self) -> &Free<'a> {
+    pub(super) fn free(&self) -> &OpenLoop<'a> {
         &self.free
     }
 
@@ -184,7 +189,8 @@ impl<'a> Seen<'a> {
 
     /// Whether two steps of the plane turn by the same angle from place to place.
     pub(super) fn turn_alike(&self, a: (usize, usize), b: (usize, usize)) -> bool {
-        let [a, b] = [a, b].map(|(from, to)| difference(self.places_of(to), self.places_of(from)));
+        let [a, b] =
+            [a, b].map(|(from, to)| track::difference(self.places_of(to), self.places_of(from)));
         let ratios = a.iter().zip(&b).map(|(a, b)| {
             let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(x, y)| x * y).sum() };
             vec![dot(a, b) / (dot(a, a) * dot(b, b)).sqrt()]
@@ -232,23 +238,6 @@ impl<'a> Seen<'a> {
     fn near(&self, difference: f64) -> bool {
         difference.abs() <= EQUAL * self.size
     }
-}
-
-/// The parts that belong to vectors of lists of all their components.
-pub(super) fn divided(all: &Track, vectors: &[Vn]) -> Vec<Track> {
-    let mut start = 0;
-    let part = vectors.iter().map(|vector| {
-        let own = start..start + vector.len();
-        start = own.end;
-        all.iter().map(|list| list[own.clone()].to_vec()).collect()
-    });
-    part.collect()
-}
-
-pub(super) fn difference(a: &[Vec<f64>], b: &[Vec<f64>]) -> Track {
-    let rows = a.iter().zip(b);
-    rows.map(|(a, b)| a.iter().zip(b).map(|(x, y)| x - y).collect())
-        .collect()
 }
 
 fn distance(a: &[f64], b: &[f64]) -> f64 {

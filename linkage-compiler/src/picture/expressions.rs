@@ -1,0 +1,97 @@
+//! Facts about expressions that depend on the mechanism alone.
+
+use crate::model::BinaryOp;
+use crate::model::Dimension;
+use crate::model::Expr;
+use crate::model::ExprKind;
+use crate::model::Loop;
+use crate::model::Name;
+use crate::model::Type;
+use crate::picture::sketch::Sketch;
+use crate::picture::weights;
+
+/// The input that is a length in an expression.
+pub(super) fn driving(sketch: &Sketch<'_, '_>, expr: &Expr) -> Option<usize> {
+    let mechanism = sketch.algebra.mechanism;
+    expr.parts().find_map(|part| match part.as_name()? {
+        Name::Input(input) => {
+            let is_length = mechanism.inputs[input].dimension.fits(Dimension::LENGTH);
+            is_length.then_some(input)
+        }
+        name => driving(sketch, mechanism.value_of(name)?),
+    })
+}
+
+/// Whether a loop is one of the plane made of components of vectors of space: it is not known where in space it lies.
+pub(super) fn is_anywhere(sketch: &Sketch<'_, '_>, own: &Loop) -> bool {
+    let sides = [&own.left, &own.right];
+    let is_vector = matches!(own.left.ty, Type::Vector(..));
+    is_vector
+        && sides.iter().all(|side| is_flat(sketch, side))
+        && sides.iter().any(|side| is_projection(sketch, side))
+}
+
+/// Whether it lies in a plane of a mechanism of space.
+pub(super) fn is_flat(sketch: &Sketch<'_, '_>, expr: &Expr) -> bool {
+    sketch.dimension == 3 && matches!(expr.ty, Type::Vector(2, _) | Type::Zero(_))
+}
+
+/// Whether a vector of the plane has components of vectors of space: it may lie in any plane.
+pub(super) fn is_projection(sketch: &Sketch<'_, '_>, expr: &Expr) -> bool {
+    expr.parts().any(|part| match &part.kind {
+        ExprKind::Component(vector, _) => matches!(vector.ty, Type::Vector(3, _)),
+        ExprKind::Name(name) => {
+            let value = sketch.algebra.mechanism.value_of(*name);
+            value.is_some_and(|value| is_projection(sketch, value))
+        }
+        _ => false,
+    })
+}
+
+/// `p` and `q` of a vector that is written as `p - q`.
+pub(super) fn difference<'m>(
+    sketch: &Sketch<'_, 'm>,
+    vector: &'m Expr,
+) -> Option<(&'m Expr, &'m Expr)> {
+    match &vector.kind {
+        ExprKind::Binary(BinaryOp::Sub, p, q) => Some((p, q)),
+        ExprKind::Name(Name::Let(index)) => {
+            difference(sketch, &sketch.algebra.mechanism.lets[*index].value)
+        }
+        _ => None,
+    }
+}
+
+/// The names of points in an expression.
+pub(super) fn points_in<'m>(sketch: &Sketch<'_, 'm>, expr: &'m Expr) -> Vec<&'m Expr> {
+    let names = expr.parts().filter(|part| part.as_name().is_some());
+    names
+        .filter(|own| weights::weight(sketch, own) == Some(1.0))
+        .collect()
+}
+
+/// The derived quantity that an unknown frame is, and its name.
+pub(super) fn unknown_frame<'m>(
+    sketch: &Sketch<'_, 'm>,
+    frame: &'m Expr,
+) -> Option<(usize, String)> {
+    let ExprKind::Name(Name::Let(index)) = frame.kind else {
+        return None;
+    };
+    let own = &sketch.algebra.mechanism.lets[index];
+    own.is_unknown_frame.then(|| (index, own.name.clone()))
+}
+
+pub(super) fn spoken(sketch: &Sketch<'_, '_>, expr: &Expr) -> Option<String> {
+    let name = expr.as_name()?;
+    Some(sketch.algebra.mechanism.name(name).to_owned())
+}
+
+/// The first length that is named in an expression.
+pub(super) fn dimension_in(sketch: &Sketch<'_, '_>, expr: &Expr) -> Option<String> {
+    let mut lengths = expr.parts().filter(|own| {
+        let dimension = own.ty.dimension();
+        dimension.is_some_and(|own| own.half_lengths == 2)
+    });
+    lengths.find_map(|own| spoken(sketch, own))
+}

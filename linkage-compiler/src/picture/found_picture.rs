@@ -1,0 +1,11 @@
+//! A picture, and the vectors that its points and directions are.
+
+use crate::ir::Picture;
+use linkage_symbolic::Vn;
+
+/// What is drawn, and the vectors that say where it is: points first, then directions.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct FoundPicture<'m> {
+    pub(crate) picture: Picture,
+    pub(crate) vectors: Vec<Vn<'m>>,
+}

@@ -1,0 +1,27 @@
+//! The links, guides and axes that meet in a point.
+
+use crate::picture::by_point::ByPoint;
+use crate::picture::guides::Guides;
+use crate::picture::links::Links;
+use linkage_symbolic::unordered::Set;
+
+/// What links, guides and axes have at each point.
+pub(super) struct Meeting {
+    pub(super) links: ByPoint,
+    pub(super) sliders: ByPoint,
+    pub(super) origins: ByPoint,
+    pub(super) axes: Set<usize>,
+}
+
+impl Meeting {
+    /// `axes`: the points that have one.
+    pub(super) fn new(links: &Links, guides: &Guides, axes: Set<usize>) -> Self {
+        let all = || guides.all.iter().enumerate();
+        Self {
+            links: ByPoint::of_lists(links.all.iter().map(|link| &link.points)),
+            sliders: ByPoint::new(all().map(|(place, own)| (own.slider, place))),
+            origins: ByPoint::new(all().map(|(place, own)| (own.origin, place))),
+            axes,
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! Positions of the parts of a machine that are placed elsewhere.
+
+use crate::algebra::Algebra;
+use crate::algebra::Translate;
+use crate::algebra::Value;
+use crate::algebra::calls;
+use crate::algebra::translate;
+use crate::model::Function;
+use crate::model::Placed;
+use crate::picture::point_or_vector::Moves;
+use crate::picture::point_or_vector::Roles;
+use linkage_symbolic::Ex;
+use linkage_symbolic::NodeId;
+use linkage_symbolic::Vector;
+use linkage_symbolic::Vn;
+
+/// Coordinates within others, by their numbers among the placed parts, the innermost first; none are the drawing's.
+pub(super) type Frames = Vec<usize>;
+
+/// Where a placed part stands in what is around it.
+#[derive(Clone, Debug)]
+pub(super) struct Pose<'m> {
+    place: Option<Placement<'m>>,
+    turned: Option<Value<'m>>,
+    pub(super) moves: Moves,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum Placement<'m> {
+    Point(Vn<'m>),
+    /// Of space: its value, and its axes.
+    Frame(Value<'m>, [Vn<'m>; 3]),
+}
+
+impl<'m> Pose<'m> {
+    pub(super) fn new(placed: &Placed, algebra: &mut Algebra<'m>, roles: &Roles) -> Self {
+        let both = placed.at.iter().chain(&placed.turned);
+        let moves = both.map(|own| roles.moves(own)).max();
+        let place = placed.at.as_ref().map(|at| match algebra.translate(at) {
+            Value::Array(parts) => {
+                let axes = [1, 2, 3].map(|axis| translate::vector(algebra, &parts[axis]));
+                Placement::Frame(Value::Array(parts), axes)
+            }
+            value => Placement::Point(translate::vector(algebra, &value)),
+        });
+        Self {
+            place,
+            turned: placed.turned.as_ref().map(|own| algebra.translate(own)),
+            moves: moves.unwrap_or(Moves::Not),
+        }
+    }
+
+    pub(super) fn point(&self, own: Vn<'m>, algebra: &mut Algebra<'m>) -> Vn<'m> {
+        match &self.place {
+            None => self.way(own, algebra),
+            Some(Placement::Point(at)) => at.resized(own.len()) + self.way(own, algebra),
+            Some(Placement::Frame(frame, _)) => {
+                let seen = calls::call(algebra, Function::PointIn, vec![frame.clone(), own.into()]);
+                translate::vector(algebra, &seen)
+            }
+        }
+    }
+
+    /// A step or a direction.
+    pub(super) fn way(&self, own: Vn<'m>, algebra: &mut Algebra<'m>) -> Vn<'m> {
+        match (&self.turned, &self.place) {
+            (Some(angle), _) => {
+                let turned =
+                    calls::call(algebra, Function::Rotate, vec![own.into(), angle.clone()]);
+                let turned = translate::vector(algebra, &turned);
+                // In a picture of space it turns about z.
+                let third = own.iter().skip(2);
+                let components: Vec<NodeId> = turned.iter().chain(third).map(Ex::id).collect();
+                algebra.graph.components(&components)
+            }
+            (None, Some(Placement::Frame(_, axes))) => {
+                let component = |k: usize| {
+                    let axes = axes.map(|axis| axis.at(k));
+                    own.dot(Vector(axes).into()).id()
+                };
+                algebra.graph.components(&[0, 1, 2].map(component))
+            }
+            (None, _) => own,
+        }
+    }
+}
