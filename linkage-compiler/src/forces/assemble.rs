@@ -7,8 +7,6 @@ use crate::forces::context::Mechanics;
 use crate::forces::drives;
 use crate::forces::equations;
 use crate::forces::freedom;
-use crate::forces::geometry;
-use crate::forces::geometry::AllowedTurns;
 use crate::forces::joint_motion::Motions;
 use crate::forces::links;
 use crate::forces::system::Axial;
@@ -16,6 +14,7 @@ use crate::forces::system::Component;
 use crate::forces::system::Equation;
 use crate::forces::system::System;
 use crate::forces::system::Unknown;
+use crate::model::Rotation;
 use linkage_symbolic::Vector;
 use std::rc::Rc;
 
@@ -68,7 +67,7 @@ pub(super) fn spins<'m>(mechanics: &Mechanics<'_, 'm>, axial: &[Axial]) -> Vec<U
     let mechanism = mechanics.algebra.mechanism;
     let rods = (0..mechanism.bodies.len()).filter(|&body| {
         let kind = mechanism.joints[mechanism.bodies[body].joint].kind;
-        geometry::turns_of(kind) == AllowedTurns::Freely && axial.iter().all(|own| own.link != body)
+        kind.rotation() == Rotation::Freely && axial.iter().all(|own| own.link != body)
     });
     let rods = rods.filter_map(|rod| {
         let along = mechanics.forces.geometry.rod(rod)?;
@@ -108,21 +107,21 @@ pub(super) fn reactions<'m>(
             _ => unknowns.extend(units().map(force)),
         }
         let kind = mechanics.algebra.mechanism.joints[joint].kind;
-        match geometry::turns_of(kind) {
-            AllowedTurns::Freely => {}
-            AllowedTurns::AboutAxis if plane => {}
-            AllowedTurns::Not if plane => {
+        match kind.rotation() {
+            Rotation::Freely => {}
+            Rotation::AboutAxis if plane => {}
+            Rotation::Not if plane => {
                 unknowns.push(moment(Vector([mechanics.algebra.one()]).into()))
             }
-            AllowedTurns::AboutAxis | AllowedTurns::Not => unknowns.extend(units().map(moment)),
+            Rotation::AboutAxis | Rotation::Not => unknowns.extend(units().map(moment)),
         }
         let Some(direction) = direction.filter(|_| !plane) else {
             continue;
         };
-        if geometry::slides_along(kind) {
+        if kind.slides() {
             equations.push(force(direction));
         }
-        if geometry::turns_of(kind) == AllowedTurns::AboutAxis {
+        if kind.rotation() == Rotation::AboutAxis {
             equations.push(moment(direction));
         }
     }

@@ -2,12 +2,11 @@
 
 use crate::forces::context;
 use crate::forces::context::Mechanics;
-use crate::forces::geometry;
-use crate::forces::geometry::AllowedTurns;
 use crate::forces::loads;
 use crate::forces::masses;
 use crate::forces::motion;
 use crate::forces::wrench::Wrench;
+use crate::model::Rotation;
 use linkage_symbolic::Ex;
 use linkage_symbolic::Vn;
 
@@ -49,8 +48,7 @@ pub(super) fn moment_of_mass<'m>(
     let joint = &mechanism.joints[mechanism.bodies[body].joint];
     let origin = mechanics.forces.geometry.origins[body];
     let rests = joint.on.is_none() && origin.iter().all(|x| x.is_fixed());
-    let is_pin = geometry::turns_of(joint.kind) == AllowedTurns::AboutAxis
-        && !geometry::slides_along(joint.kind);
+    let is_pin = joint.kind.rotation() == Rotation::AboutAxis && !joint.kind.slides();
     if !mechanics.forces.geometry.is_plane() || !is_pin || !rests {
         return None;
     }

@@ -4,7 +4,6 @@ use crate::diagnostic::OriginId;
 use crate::diagnostic::Reporter;
 use crate::forces::context::Mechanics;
 use crate::forces::geometry;
-use crate::forces::geometry::AllowedTurns;
 use crate::forces::motion;
 use crate::forces::names;
 use crate::forces::positions;
@@ -18,6 +17,7 @@ use crate::model::Between;
 use crate::model::ElementKind;
 use crate::model::Expr;
 use crate::model::Mechanism;
+use crate::model::Rotation;
 use linkage_symbolic::Vn;
 
 /// Two velocities that must be equal.
@@ -104,7 +104,7 @@ fn pair_of_points<'m>(mechanics: &mut Mechanics<'_, 'm>, joint: usize, input: us
         input,
         first: motion::velocity_of(mechanics, Some(declared.body), point, by),
         second: motion::velocity_of(mechanics, declared.on, point, by),
-        except: direction.filter(|_| geometry::slides_along(declared.kind)),
+        except: direction.filter(|_| declared.kind.slides()),
         what: What::Joint(joint),
     }
 }
@@ -116,10 +116,10 @@ fn pair_of_turns<'m>(
     input: usize,
 ) -> Option<Pair<'m>> {
     let declared = &mechanics.algebra.mechanism.joints[joint];
-    let except = match geometry::turns_of(declared.kind) {
-        AllowedTurns::Not => None,
-        AllowedTurns::AboutAxis => Some(mechanics.forces.geometry.directions[joint]?),
-        AllowedTurns::Freely => return None,
+    let except = match declared.kind.rotation() {
+        Rotation::Not => None,
+        Rotation::AboutAxis => Some(mechanics.forces.geometry.directions[joint]?),
+        Rotation::Freely => return None,
     };
     let by = By::Input(input);
     Some(Pair {

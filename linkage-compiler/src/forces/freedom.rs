@@ -6,13 +6,12 @@
 use crate::algebra::partial;
 use crate::forces::context::Mechanics;
 use crate::forces::elimination;
-use crate::forces::geometry;
-use crate::forces::geometry::AllowedTurns;
 use crate::forces::joint_motion::JointMotion;
 use crate::forces::joint_motion::Motions;
 use crate::forces::joint_motion::Tie;
 use crate::forces::motion;
 use crate::forces::speeds::By;
+use crate::model::Rotation;
 use crate::model::Variable;
 use linkage_symbolic::Ex;
 use linkage_symbolic::Vector;
@@ -86,7 +85,7 @@ fn alike(mechanics: &Mechanics<'_, '_>) -> Vec<usize> {
     let frame = mechanics.forces.tree.parent.len();
     let mut alike: Vec<usize> = (0..=frame).collect();
     for joint in &mechanics.algebra.mechanism.joints {
-        if geometry::turns_of(joint.kind) == AllowedTurns::Not {
+        if joint.kind.rotation() == Rotation::Not {
             let [own, other] = [joint.body, joint.on.unwrap_or(frame)].map(|k| alike[k]);
             for number in alike.iter_mut().filter(|number| **number == other) {
                 *number = own;
@@ -130,16 +129,16 @@ pub(super) fn ways<'m>(mechanics: &Mechanics<'_, 'm>, body: usize) -> Vec<JointM
         direction,
     };
     let mut ways = Vec::new();
-    if geometry::slides_along(kind) {
+    if kind.slides() {
         ways.extend(direction.map(|guide| way(true, guide)));
     }
-    match geometry::turns_of(kind) {
-        AllowedTurns::Not => {}
-        AllowedTurns::AboutAxis => {
+    match kind.rotation() {
+        Rotation::Not => {}
+        Rotation::AboutAxis => {
             let in_plane = Vector([mechanics.algebra.one()]).into();
             ways.push(way(false, direction.unwrap_or(in_plane)));
         }
-        AllowedTurns::Freely => {
+        Rotation::Freely => {
             let axes = geometry.units(mechanics.graph()).into_iter();
             ways.extend(axes.map(|axis| way(false, axis)));
         }

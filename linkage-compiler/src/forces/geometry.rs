@@ -7,7 +7,6 @@ use crate::algebra::Value;
 use crate::algebra::translate;
 use crate::forces::tree::Tree;
 use crate::model::Expr;
-use crate::model::JointKind;
 use linkage_symbolic::Graph;
 use linkage_symbolic::Vector;
 use linkage_symbolic::Vn;
@@ -150,31 +149,5 @@ fn unit_of<'m>(algebra: &mut Algebra<'m>, expr: &Expr) -> Vn<'m> {
             let vector = Vector([vector.at(0), vector.at(1)]);
             vector.length_and_unit().1.into()
         }
-    }
-}
-
-/// What of its body's turning a joint allows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum AllowedTurns {
-    Not,
-    /// About the joint's axis; in the plane that is every turn.
-    AboutAxis,
-    Freely,
-}
-
-/// How a joint lets its body turn.
-pub(super) fn turns_of(kind: JointKind) -> AllowedTurns {
-    match kind {
-        JointKind::Slide | JointKind::Fixed => AllowedTurns::Not,
-        JointKind::Pin | JointKind::Cylinder => AllowedTurns::AboutAxis,
-        JointKind::Ball => AllowedTurns::Freely,
-    }
-}
-
-/// Whether a joint lets its body slide along its direction.
-pub(super) fn slides_along(kind: JointKind) -> bool {
-    match kind {
-        JointKind::Slide | JointKind::Cylinder => true,
-        JointKind::Pin | JointKind::Ball | JointKind::Fixed => false,
     }
 }

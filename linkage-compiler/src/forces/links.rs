@@ -6,7 +6,6 @@ use crate::forces::freedom;
 use crate::forces::system::Axial;
 use crate::forces::system::Equation;
 use crate::forces::system::System;
-use crate::model::JointKind;
 use linkage_symbolic::Vn;
 
 /// Links of large blocks that one cut joint holds, and all rods.
@@ -15,18 +14,14 @@ pub(super) fn links(mechanics: &Mechanics<'_, '_>, system: &System) -> Vec<Axial
     for &joint in &mechanics.forces.tree.closing {
         let declared = &mechanics.algebra.mechanism.joints[joint];
         let plane = mechanics.forces.geometry.is_plane();
-        let kind = match plane {
-            true => JointKind::Pin,
-            false => JointKind::Ball,
-        };
-        if declared.kind != kind {
+        if !declared.kind.transmits_no_moment(plane) {
             continue;
         }
         let mut links_here = Vec::new();
         for end in [Some(declared.body), declared.on] {
             let tree = &mechanics.forces.tree;
             let up = std::iter::successors(end, |&body| tree.parent[body]);
-            links_here.extend(up.filter(|&body| is_link(mechanics, system, body, joint, kind)));
+            links_here.extend(up.filter(|&body| is_link(mechanics, system, body, joint)));
         }
         let wanted = links_here.into_iter().find(|&body| match plane {
             true => system.in_large_block(joint, body),
@@ -38,13 +33,7 @@ pub(super) fn links(mechanics: &Mechanics<'_, '_>, system: &System) -> Vec<Axial
 }
 
 /// True if a body hangs by a pin (in space a ball joint), and one cut joint holds it and what hangs on it as if it were one body.
-fn is_link(
-    mechanics: &Mechanics<'_, '_>,
-    system: &System,
-    body: usize,
-    joint: usize,
-    kind: JointKind,
-) -> bool {
+fn is_link(mechanics: &Mechanics<'_, '_>, system: &System, body: usize, joint: usize) -> bool {
     let mechanism = mechanics.algebra.mechanism;
     let own = &mechanism.joints[mechanism.bodies[body].joint];
     let tree = &mechanics.forces.tree;
@@ -55,7 +44,8 @@ fn is_link(
     };
     let mut cut = tree.closing.iter().filter(|other| cuts(other));
     let mut moves = system.equations.iter().filter_map(Equation::motion);
-    own.kind == kind
+    own.kind
+        .transmits_no_moment(mechanics.forces.geometry.is_plane())
         && cut.all(|&other| other == joint)
         && cut_joints::joins(mechanics, joint, body) != 0
         && !moves.any(|way| way.body != body && hangs(way.body))

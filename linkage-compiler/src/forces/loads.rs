@@ -191,7 +191,7 @@ fn joint_element<'m>(
 
 /// Whether what acts in a joint acts along its guide, and not on its angle.
 fn acts_along_guide(mechanics: &Mechanics<'_, '_>, joint: usize) -> bool {
-    geometry::slides_along(mechanics.algebra.mechanism.joints[joint].kind)
+    mechanics.algebra.mechanism.joints[joint].kind.slides()
 }
 
 /// How far a joint has turned (its body against the one that it hangs on), or slid from that one's origin.

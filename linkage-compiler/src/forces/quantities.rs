@@ -7,7 +7,6 @@ use crate::forces::context::Mechanics;
 use crate::forces::equilibrium;
 use crate::forces::freedom;
 use crate::forces::geometry;
-use crate::forces::geometry::AllowedTurns;
 use crate::forces::inertia;
 use crate::forces::loads;
 use crate::forces::masses;
@@ -19,6 +18,7 @@ use crate::model::Between;
 use crate::model::Element;
 use crate::model::ElementKind;
 use crate::model::MechanicalQuantity as Quantity;
+use crate::model::Rotation;
 use linkage_symbolic::Ex;
 use linkage_symbolic::Vn;
 
@@ -53,10 +53,10 @@ fn reaction<'m>(mechanics: &mut Mechanics<'_, 'm>, joint: usize) -> Wrench<'m> {
         return reaction;
     };
     // Where nothing drives it, equilibrium leaves nothing along the guide or about the axis.
-    if geometry::slides_along(kind) && is_driven(mechanics, body, true) {
+    if kind.slides() && is_driven(mechanics, body, true) {
         reaction.force = reaction.force.across(direction);
     }
-    if geometry::turns_of(kind) == AllowedTurns::AboutAxis && is_driven(mechanics, body, false) {
+    if kind.rotation() == Rotation::AboutAxis && is_driven(mechanics, body, false) {
         reaction.moment = reaction.moment.across(direction);
     }
     reaction

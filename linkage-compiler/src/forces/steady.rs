@@ -2,14 +2,13 @@
 
 use crate::forces::context::Mechanics;
 use crate::forces::freedom;
-use crate::forces::geometry;
-use crate::forces::geometry::AllowedTurns;
 use crate::forces::joint_motion::JointMotion;
 use crate::forces::motion;
 use crate::forces::positions::EQUAL;
 use crate::forces::positions::Positions;
 use crate::forces::positions::SLOW;
 use crate::forces::speeds::By;
+use crate::model::Rotation;
 use linkage_symbolic::Ex;
 use linkage_symbolic::Vn;
 
@@ -52,7 +51,7 @@ fn record_rate<'m>(
 fn hangs_freely(mechanics: &Mechanics<'_, '_>, body: usize) -> bool {
     let mechanism = mechanics.algebra.mechanism;
     let joint = &mechanism.joints[mechanism.bodies[body].joint];
-    geometry::turns_of(joint.kind) == AllowedTurns::Freely
+    joint.kind.rotation() == Rotation::Freely
 }
 
 /// True if `(V^2)'` is nothing beside `V^2`.

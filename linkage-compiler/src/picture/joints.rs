@@ -53,17 +53,21 @@ impl JointFinder<'_, '_> {
             }
             joints.extend(self.turning(picture, point, here));
             let sliders = here.sliders.at_point(point).iter().copied();
-            joints.extend(sliders.map(|guide| Joint {
-                point,
-                shape: self.declared_at(point).map_or(JointShape::Slide, sliding),
-                between: vec![
-                    self.sliding(picture, guide, here),
-                    match picture.guides[guide].on {
-                        GuideOn::Frame => Member::Frame,
-                        GuideOn::Link(link) => Member::Link(link),
-                        GuideOn::Itself => Member::Rail(guide),
-                    },
-                ],
+            joints.extend(sliders.map(|guide| {
+                Joint {
+                    point,
+                    shape: self
+                        .declared_at(point)
+                        .map_or(JointShape::Slide, JointKind::sliding_sign),
+                    between: vec![
+                        self.sliding(picture, guide, here),
+                        match picture.guides[guide].on {
+                            GuideOn::Frame => Member::Frame,
+                            GuideOn::Link(link) => Member::Link(link),
+                            GuideOn::Itself => Member::Rail(guide),
+                        },
+                    ],
+                }
             }));
         }
         joints
@@ -143,7 +147,7 @@ impl JointFinder<'_, '_> {
         if picture.dimension == 2 {
             return JointShape::Pin;
         }
-        if let Some(shape) = self.declared_at(point).and_then(turning) {
+        if let Some(shape) = self.declared_at(point).and_then(JointKind::turning_sign) {
             return shape;
         }
         match here.axes.at_point(point).len() {
@@ -156,24 +160,6 @@ impl JointFinder<'_, '_> {
     fn declared_at(&self, point: usize) -> Option<JointKind> {
         let mut declared = self.declared.iter();
         declared.find(|(at, _)| *at == point).map(|(_, kind)| *kind)
-    }
-}
-
-/// How the bodies of a declared joint turn.
-fn turning(kind: JointKind) -> Option<JointShape> {
-    match kind {
-        JointKind::Pin => Some(JointShape::Pin),
-        JointKind::Ball => Some(JointShape::Ball),
-        JointKind::Cylinder => Some(JointShape::Cylindrical),
-        JointKind::Slide | JointKind::Fixed => None,
-    }
-}
-
-/// How they slide, where a guide is.
-fn sliding(kind: JointKind) -> JointShape {
-    match kind {
-        JointKind::Cylinder => JointShape::Cylindrical,
-        JointKind::Pin | JointKind::Ball | JointKind::Slide | JointKind::Fixed => JointShape::Slide,
     }
 }
 

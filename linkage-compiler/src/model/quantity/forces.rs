@@ -18,7 +18,7 @@ use crate::model::symbols::values::Values;
 use crate::model::types::{
     Dimension, Expr, ExprKind, MechanicalQuantity, MechanicsWord, Name, Type,
 };
-use crate::syntax::{self, JointKind, Member, Word};
+use crate::syntax::{self, Member, Word};
 
 /// A quantity of the mechanics, in a function of these inputs and arguments.
 pub(in crate::model) fn resolve_mechanics_quantity(
@@ -170,12 +170,7 @@ fn expect_joint_with_moment(
 ) -> Option<usize> {
     let joint = expect_joint(parts, members, sink, MechanicsWord::Moment, arguments, span)?;
     let kind = members.joints[joint];
-    let free = match kind {
-        JointKind::Pin => sink.components == Some(2),
-        // In the plane there is none.
-        JointKind::Ball => sink.components != Some(2),
-        JointKind::Slide | JointKind::Cylinder | JointKind::Fixed => false,
-    };
+    let free = kind.transmits_no_moment(sink.components == Some(2));
     if free {
         let fact = format!("a `{}` takes no moment", kind.word());
         let help = "ask for its `reaction`";
