@@ -25,9 +25,10 @@ pub(super) fn system<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Rc<System<'m>> {
     }
     let plain = assembled(mechanics, Vec::new());
     let links = links::links(mechanics, &plain);
-    let system = match links.is_empty() {
-        true => plain,
-        false => assembled(mechanics, links),
+    let system = if links.is_empty() {
+        plain
+    } else {
+        assembled(mechanics, links)
     };
     let system = Rc::new(system);
     mechanics.forces.system = Some(system.clone());

@@ -91,9 +91,10 @@ fn report_loose(mechanism: &Mechanism, system: &System, reporter: &mut Reporter)
             continue;
         }
         let body = &mechanism.bodies[way.body];
-        let how = match way.slides {
-            true => "sliding along",
-            false => "turning in",
+        let how = if way.slides {
+            "sliding along"
+        } else {
+            "turning in"
         };
         let joint = names::joint_name(mechanism, body.joint);
         reporter.error(

@@ -42,9 +42,10 @@ pub(super) fn release_held<'m>(mechanics: &mut Mechanics<'_, 'm>, system: &mut S
         let before = system.clone();
         equations::add(mechanics, system, Equation::Motion(way));
         system.order();
-        match system.found() > before.found() {
-            true => system.driven.retain(|own| *own != way),
-            false => *system = before,
+        if system.found() > before.found() {
+            system.driven.retain(|own| *own != way)
+        } else {
+            *system = before
         }
     }
 }

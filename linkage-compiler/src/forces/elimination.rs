@@ -32,9 +32,10 @@ impl Rows {
         let count = rows.len();
         let places = (k..count).flat_map(|i| (k..count).map(move |j| (i, j)));
         let largest = places.fold((k, k), |(a, b), (i, j)| {
-            match rows[i][j].abs() > rows[a][b].abs() {
-                true => (i, j),
-                false => (a, b),
+            if rows[i][j].abs() > rows[a][b].abs() {
+                (i, j)
+            } else {
+                (a, b)
             }
         });
         rows.swap(k, largest.0);

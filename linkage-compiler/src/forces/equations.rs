@@ -34,9 +34,10 @@ pub(super) fn coefficient<'m>(
     let zero = mechanics.algebra.zero();
     match (equation, unknown) {
         (Equation::Released(released), Unknown::Reaction(own)) => {
-            match (released.joint, released.is_moment) == (own.joint, own.is_moment) {
-                true => released.direction.dot(own.direction),
-                false => zero,
+            if (released.joint, released.is_moment) == (own.joint, own.is_moment) {
+                released.direction.dot(own.direction)
+            } else {
+                zero
             }
         }
         (Equation::Motion(way), Unknown::Reaction(own)) => {

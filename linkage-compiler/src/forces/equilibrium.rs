@@ -27,15 +27,17 @@ pub(super) fn across_link<'m>(mechanics: &mut Mechanics<'_, 'm>, axial: &Axial) 
     let loads = wrench(mechanics, axial.link, &[axial.joint], &[]);
     let v = links::link_vector(mechanics, axial);
     let square = v.square();
-    let across = match mechanics.forces.geometry.is_plane() {
-        true => loads.moment.at(0) * Vn::from(Vector([v.at(1), -v.at(0)])),
-        false => v.moment_of(loads.moment),
+    let across = if mechanics.forces.geometry.is_plane() {
+        loads.moment.at(0) * Vn::from(Vector([v.at(1), -v.at(0)]))
+    } else {
+        v.moment_of(loads.moment)
     };
     let force = across / square;
     Wrench {
-        force: match cut_joints::joins(mechanics, axial.joint, axial.link) < 0 {
-            true => -force,
-            false => force,
+        force: if cut_joints::joins(mechanics, axial.joint, axial.link) < 0 {
+            -force
+        } else {
+            force
         },
         ..context::zero_wrench(mechanics)
     }
@@ -60,9 +62,10 @@ pub(super) fn closing_wrench<'m>(
             continue;
         }
         let part = solved(mechanics, index) * own.direction;
-        match own.is_moment {
-            true => sum.moment = sum.moment + part,
-            false => sum.force = sum.force + part,
+        if own.is_moment {
+            sum.moment = sum.moment + part
+        } else {
+            sum.force = sum.force + part
         }
     }
     sum
@@ -114,9 +117,10 @@ pub(super) fn known<'m>(
     match &system.equations[equation] {
         Equation::Released(component) => {
             let wrench = closing_wrench(mechanics, component.joint, &open);
-            component.direction.dot(match component.is_moment {
-                true => wrench.moment,
-                false => wrench.force,
+            component.direction.dot(if component.is_moment {
+                wrench.moment
+            } else {
+                wrench.force
             })
         }
         Equation::Motion(way) => wrench(mechanics, way.body, &[], &open).along(way),

@@ -29,9 +29,10 @@ pub(super) fn motions<'m>(mechanics: &mut Mechanics<'_, 'm>, held: usize) -> Mot
                 let rate = relative_rate(mechanics, &way, unknown);
                 mechanics.algebra.vanishes(rate)
             });
-            match is_held {
-                true => motions.driven.push(way),
-                false => motions.free.push(way),
+            if is_held {
+                motions.driven.push(way)
+            } else {
+                motions.free.push(way)
             }
         }
     }
@@ -153,12 +154,11 @@ pub(super) fn relative_rate<'m>(
     by: By,
 ) -> Ex<'m> {
     let on = mechanics.forces.tree.parent[way.body];
-    let relative = match way.slides {
-        true => {
-            let origin = mechanics.forces.geometry.origins[way.body];
-            motion::moved(mechanics, origin, by) - motion::velocity_of(mechanics, on, origin, by)
-        }
-        false => motion::turn(mechanics, Some(way.body), by) - motion::turn(mechanics, on, by),
+    let relative = if way.slides {
+        let origin = mechanics.forces.geometry.origins[way.body];
+        motion::moved(mechanics, origin, by) - motion::velocity_of(mechanics, on, origin, by)
+    } else {
+        motion::turn(mechanics, Some(way.body), by) - motion::turn(mechanics, on, by)
     };
     way.direction.dot(relative)
 }

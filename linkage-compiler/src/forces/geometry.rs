@@ -84,10 +84,7 @@ impl<'m> Geometry<'m> {
 
     /// How many components a turn has.
     pub(super) fn turns(&self) -> usize {
-        match self.is_plane() {
-            true => 1,
-            false => 3,
-        }
+        if self.is_plane() { 1 } else { 3 }
     }
 
     /// Unit vectors along the axes of coordinates.

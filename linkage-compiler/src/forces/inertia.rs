@@ -150,9 +150,10 @@ fn points_about<'m>(
             Some(axes) => Vector(axes.map(|axis| axis.dot(arm))).into(),
             None => arm,
         };
-        let part = match mechanics.forces.geometry.is_plane() {
-            true => arm.square() * turn,
-            false => arm.moment_of(turn.sweeping(arm)),
+        let part = if mechanics.forces.geometry.is_plane() {
+            arm.square() * turn
+        } else {
+            arm.moment_of(turn.sweeping(arm))
         };
         sum = sum + mass * part;
     }

@@ -23,9 +23,12 @@ pub(super) fn links(mechanics: &Mechanics<'_, '_>, system: &System) -> Vec<Axial
             let up = std::iter::successors(end, |&body| tree.parent[body]);
             links_here.extend(up.filter(|&body| is_link(mechanics, system, body, joint)));
         }
-        let wanted = links_here.into_iter().find(|&body| match plane {
-            true => system.in_large_block(joint, body),
-            false => freedom::is_rod(mechanics, body),
+        let wanted = links_here.into_iter().find(|&body| {
+            if plane {
+                system.in_large_block(joint, body)
+            } else {
+                freedom::is_rod(mechanics, body)
+            }
         });
         links.extend(wanted.map(|link| Axial { joint, link }));
     }

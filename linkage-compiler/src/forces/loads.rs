@@ -73,9 +73,10 @@ pub(super) fn all_loads<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Loads<'m> {
 
 /// A force as a vector; a torque as a turn.
 fn load_vector<'m>(mechanics: &mut Mechanics<'_, 'm>, value: &Expr, is_force: bool) -> Vn<'m> {
-    match is_force || !mechanics.forces.geometry.is_plane() {
-        true => geometry::vector_of(mechanics.algebra, value),
-        false => Vector([mechanics.algebra.translate_number(value)]).into(),
+    if is_force || !mechanics.forces.geometry.is_plane() {
+        geometry::vector_of(mechanics.algebra, value)
+    } else {
+        Vector([mechanics.algebra.translate_number(value)]).into()
     }
 }
 
@@ -87,9 +88,10 @@ fn inertia_and_weight<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Bod
         let zero = mechanics.graph().zeros(point.len());
         let gravity = gravity.unwrap_or(zero);
         // A mass times the square of a speed is one factor for all components.
-        let force = match motion::factors_of_gain(mechanics) <= point.len() {
-            true => mass * gravity - motion::point_momentum_gain(mechanics, mass, point),
-            false => mass * (gravity - motion::point_acceleration(mechanics, point)),
+        let force = if motion::factors_of_gain(mechanics) <= point.len() {
+            mass * gravity - motion::point_momentum_gain(mechanics, mass, point)
+        } else {
+            mass * (gravity - motion::point_acceleration(mechanics, point))
         };
         if !force.is_zero() {
             loads.forces.push(PointForce {

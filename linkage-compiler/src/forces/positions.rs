@@ -106,12 +106,13 @@ pub(super) fn longest(position: Position<'_>) -> f64 {
 /// `at phi = 30deg `; nothing without inputs.
 pub(super) fn described(position: Position<'_>, mechanism: &Mechanism) -> String {
     let all: Vec<usize> = (0..position.inputs.len()).collect();
-    match all.is_empty() {
-        true => String::new(),
-        false => format!(
+    if all.is_empty() {
+        String::new()
+    } else {
+        format!(
             "at {} ",
             MessageFormat::new(mechanism).inputs(position.inputs, &all)
-        ),
+        )
     }
 }
 

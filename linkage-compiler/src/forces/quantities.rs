@@ -70,9 +70,10 @@ fn is_driven(mechanics: &mut Mechanics<'_, '_>, body: usize, slides: bool) -> bo
 
 /// The torque or force of a drive.
 fn drive<'m>(mechanics: &mut Mechanics<'_, 'm>, input: usize) -> Ex<'m> {
-    match mechanics.with_reactions {
-        true => drive_of_joints(mechanics, input),
-        false => drive_of_loads(mechanics, input),
+    if mechanics.with_reactions {
+        drive_of_joints(mechanics, input)
+    } else {
+        drive_of_loads(mechanics, input)
     }
 }
 

@@ -34,10 +34,8 @@ impl<'m> Wrench<'m> {
 
     /// What does work in a motion.
     pub(super) fn along(self, way: &JointMotion<'m>) -> Ex<'m> {
-        way.direction.dot(match way.slides {
-            true => self.force,
-            false => self.moment,
-        })
+        way.direction
+            .dot(if way.slides { self.force } else { self.moment })
     }
 }
 

@@ -53,9 +53,10 @@ impl Cells {
     fn cell(&self, track: &Track) -> Option<i64> {
         let at = track.first()?;
         let along: f64 = at.iter().zip(DIRECTION).map(|(x, d)| x * d).sum();
-        let cell = match self.width > 0.0 {
-            true => (along / self.width).floor(),
-            false => 0.0,
+        let cell = if self.width > 0.0 {
+            (along / self.width).floor()
+        } else {
+            0.0
         };
         cell.is_finite().then_some(cell as i64)
     }

@@ -98,9 +98,10 @@ impl JointFinder<'_, '_> {
         let hinged = share_a_line(picture, &between);
         (between.len() > 1).then(|| Joint {
             point,
-            shape: match hinged {
-                true => JointShape::Pin,
-                false => self.shape(picture, point, here),
+            shape: if hinged {
+                JointShape::Pin
+            } else {
+                self.shape(picture, point, here)
             },
             between,
         })

@@ -153,9 +153,10 @@ fn sides<'m>(sketch: &mut Sketch<'_, 'm>, own: &'m Loop) -> [Vec<Term<'m>>; 2] {
 fn side<'m>(sketch: &Sketch<'_, 'm>, own: Vec<Term<'m>>, moved: Vec<Term<'m>>) -> Vec<Term<'m>> {
     let moved = moved.into_iter().map(|term| Term { sign: 1.0, ..term });
     let is_start = |term: &Term| weights::weight_of(sketch, term) == 1.0;
-    let mut all: Vec<Term> = match own.iter().any(is_start) {
-        true => own.into_iter().chain(moved).collect(),
-        false => moved.chain(own).collect(),
+    let mut all: Vec<Term> = if own.iter().any(is_start) {
+        own.into_iter().chain(moved).collect()
+    } else {
+        moved.chain(own).collect()
     };
     all.sort_by_key(|term| !is_start(term));
     all

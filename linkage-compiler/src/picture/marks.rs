@@ -95,9 +95,10 @@ pub(super) struct Term<'m> {
 impl<'m> Spot<'m> {
     /// The vector to another point: as it is written, where both are written in the same coordinates.
     pub(super) fn step_to(&self, other: &Self) -> Vn<'m> {
-        match self.frames == other.frames {
-            true => other.own - self.own,
-            false => other.at - self.at,
+        if self.frames == other.frames {
+            other.own - self.own
+        } else {
+            other.at - self.at
         }
     }
 }

@@ -145,9 +145,10 @@ fn dimension(algebra: &Algebra, lists: &[Vec<Expr>]) -> usize {
         || joints
             .chain(lists.iter().flatten())
             .any(|own| has_vector(own, 3));
-    match in_space || !fixed(2) && lets().any(|own| has_vector(own, 3)) {
-        true => 3,
-        false => 2,
+    if in_space || !fixed(2) && lets().any(|own| has_vector(own, 3)) {
+        3
+    } else {
+        2
     }
 }
 

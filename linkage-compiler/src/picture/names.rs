@@ -83,9 +83,10 @@ pub(super) fn named<'m>(
             direction: picture.directions.len() - 1,
             slider,
             on: guide.on,
-            shape: match guide.is_cylinder {
-                true => GuideShape::Cylinder,
-                false => GuideShape::Slot,
+            shape: if guide.is_cylinder {
+                GuideShape::Cylinder
+            } else {
+                GuideShape::Slot
             },
         });
     }

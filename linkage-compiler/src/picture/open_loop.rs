@@ -183,9 +183,12 @@ struct OpenState {
 impl OpenState {
     fn at_closure(algebra: &Algebra, reference: &Reference, inputs: Vec<f64>) -> Option<Self> {
         let machine = &reference.machine;
-        let unit = |dimension: Dimension| match dimension.fits(Dimension::LENGTH) {
-            true => reference.longest,
-            false => 1.0,
+        let unit = |dimension: Dimension| {
+            if dimension.fits(Dimension::LENGTH) {
+                reference.longest
+            } else {
+                1.0
+            }
         };
         let mut place = Self {
             inputs: Vec::new(),

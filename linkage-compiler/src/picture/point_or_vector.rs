@@ -88,9 +88,10 @@ impl<'m> Roles<'m> {
             let names = own.iter().filter(|(_, term)| self.derived(term).is_some());
             let names: Vec<_> = names.collect();
             for (index, (_, name)) in names.into_iter().enumerate() {
-                match index == 0 && !self.is_difference(name) {
-                    true => self.point(name),
-                    false => self.step(name),
+                if index == 0 && !self.is_difference(name) {
+                    self.point(name)
+                } else {
+                    self.step(name)
                 }
             }
             own.into_iter().for_each(|(_, term)| self.look_inside(term));

@@ -42,9 +42,10 @@ pub(super) fn views(
     let of_part = |part: &MechanismPart| -> Vec<f64> {
         let own = mechanism.scalar_parameters.iter().zip(&nominal.parameters);
         let own = own.zip(altered(0)).map(|((scalar, &value), other)| {
-            match scalar.name.split('.').next() == Some(part.name.as_str()) {
-                true => other,
-                false => value,
+            if scalar.name.split('.').next() == Some(part.name.as_str()) {
+                other
+            } else {
+                value
             }
         });
         own.collect()

@@ -93,9 +93,10 @@ pub(super) fn circles<'m>(
 
     // The mode's sign turns what is known before a call, and the direction; only of radii that change it turns the root.
     let one = w.number(1.0);
-    let [of_feet, of_root] = match squares.imbalance.is_fixed() {
-        true => [w, one],
-        false => [one, w],
+    let [of_feet, of_root] = if squares.imbalance.is_fixed() {
+        [w, one]
+    } else {
+        [one, w]
     };
     let [n1, n2] = {
         let m = (of_feet * squares.half_scale2) * c.square();
@@ -104,9 +105,10 @@ pub(super) fn circles<'m>(
     };
     let inverse = 0.5 * of_feet / m;
     // The root comes last: what does not need it is ready by then, the direction divided by its length, too.
-    let (direction, factor) = match c.is_fixed() {
-        true => (c, inverse),
-        false => (inverse * c, one),
+    let (direction, factor) = if c.is_fixed() {
+        (c, inverse)
+    } else {
+        (inverse * c, one)
     };
     let [a1, a2, b] = [n1 * factor, n2 * factor, h * (factor * of_root)];
     let across = direction.perp();

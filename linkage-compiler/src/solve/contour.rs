@@ -128,9 +128,10 @@ pub(super) fn without_explicit<'m>(
         unreachable!("as many as before");
     };
     let next = Vector([x, y]);
-    match next == vector {
-        true => vector,
-        false => without_explicit(algebra, earlier, multiplied_out(algebra, next)),
+    if next == vector {
+        vector
+    } else {
+        without_explicit(algebra, earlier, multiplied_out(algebra, next))
     }
 }
 
@@ -172,9 +173,10 @@ pub(super) fn ways_to<'m>(
     let behind = contours
         .iter()
         .filter(|contour| contour.is_in(below.iter().copied()));
-    match behind.count() > MOST_LOOPS {
-        true => Vec::new(),
-        false => ways(algebra, vector, &contours),
+    if behind.count() > MOST_LOOPS {
+        Vec::new()
+    } else {
+        ways(algebra, vector, &contours)
     }
 }
 

@@ -46,9 +46,10 @@ impl<'m> Formulation<'m> {
     /// What grids over two inputs know in their cells.
     pub(crate) fn in_cells(&self) -> Terms {
         let mut over_two = self.prepared().filter(|own| own.inputs.len() == 2);
-        match over_two.any(|own| own.in_cells == Terms::Slopes) {
-            true => Terms::Slopes,
-            false => Terms::Polynomials,
+        if over_two.any(|own| own.in_cells == Terms::Slopes) {
+            Terms::Slopes
+        } else {
+            Terms::Polynomials
         }
     }
 

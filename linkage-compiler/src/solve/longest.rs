@@ -19,22 +19,24 @@ pub(super) fn root_margin<'m>(
     scale: Ex<'m>,
 ) -> Ex<'m> {
     // What leads to a point in several ways bounds it in each of them; the shortest way is the same however the vector is written.
-    let ways = match vector.is_fixed() {
-        true => Vec::new(),
-        false => contour::ways_to(
+    let ways = if vector.is_fixed() {
+        Vec::new()
+    } else {
+        contour::ways_to(
             algebra,
             group.earlier,
             contour::without_explicit(algebra, group.earlier, vector),
-        ),
+        )
     };
     let lengths = ways.into_iter().filter_map(|way| longest(algebra, way));
     let Some(longest) = lengths.reduce(|least, length| least.min(length)) else {
         return h / (scale * vector).length();
     };
     let longest = scale * longest;
-    let largest = match level.is_fixed() {
-        true => longest.difference_of_squares(scale * level).sqrt(),
-        false => longest,
+    let largest = if level.is_fixed() {
+        longest.difference_of_squares(scale * level).sqrt()
+    } else {
+        longest
     };
     // Where all is in line both are equal but for rounding.
     (h / largest).min(h.number(1.0))

@@ -59,8 +59,9 @@ fn largest_determinant(guides: [V2; 2]) -> Ex {
         first * second
     });
     let one = along.number(1.0);
-    match along == one || across == one {
-        true => one,
-        false => along.max(across),
+    if along == one || across == one {
+        one
+    } else {
+        along.max(across)
     }
 }

@@ -34,9 +34,10 @@ pub(super) fn linear<'m>(
     // The factor's largest value is not known; a direction's component reaches 1.
     let one = algebra.one();
     let size = a.abs();
-    let (margin, slack, slack_scale) = match a.is_fixed() {
-        true => (one, one, one),
-        false => (size.min(one), a, size),
+    let (margin, slack, slack_scale) = if a.is_fixed() {
+        (one, one, one)
+    } else {
+        (size.min(one), a, size)
     };
     Closed {
         kind: "linear".into(),

@@ -159,8 +159,9 @@ fn written<'m>(block: &Block<'m>, bodies: &[Body<'m>]) -> Vec<Written<'m>> {
 }
 
 fn square_of_guide(guide: V2) -> Ex {
-    match guide.is_unit() {
-        true => guide[0].number(1.0),
-        false => guide.square(),
+    if guide.is_unit() {
+        guide[0].number(1.0)
+    } else {
+        guide.square()
     }
 }

@@ -83,9 +83,10 @@ impl<'f, 'm> Equations<'f, 'm> {
 
     /// What the rows of a loop are multiplied by. Vector loops and distances are lengths; what a scalar loop is, nobody knows.
     pub(super) fn row_scale(&self, block: &Block<'m>) -> Ex<'m> {
-        match block.is_length() {
-            true => self.scale,
-            false => self.one(),
+        if block.is_length() {
+            self.scale
+        } else {
+            self.one()
         }
     }
 
@@ -158,9 +159,10 @@ fn reach<'m>(algebra: &Algebra<'m>, form: &Coupled<'m>) -> Ex<'m> {
         .filter(|link| link.iter().all(|x| x.is_fixed()));
     let zero = algebra.zero();
     let sum = fixed.fold(zero, |sum, link| sum + vector(&link).length());
-    match form.is_large() {
-        true => sum + between_ends(algebra, form),
-        false => sum,
+    if form.is_large() {
+        sum + between_ends(algebra, form)
+    } else {
+        sum
     }
 }
 
@@ -177,9 +179,10 @@ fn between_ends<'m>(algebra: &Algebra<'m>, form: &Coupled<'m>) -> Ex<'m> {
     let nothing = unknowns.map(|symbol| (symbol, zero)).collect();
     driven.fold(zero, |sum, link| {
         let end = substitute(&link.vector.0, &nothing);
-        match end.iter().all(|x| x.is_fixed()) {
-            true => sum + vector(&end).length(),
-            false => sum,
+        if end.iter().all(|x| x.is_fixed()) {
+            sum + vector(&end).length()
+        } else {
+            sum
         }
     })
 }

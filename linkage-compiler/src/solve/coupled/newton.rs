@@ -163,9 +163,10 @@ pub(super) fn solution<'m>(
     for index in 0..plan.steps {
         let step = step(algebra, equations, &state);
         let last = index + 1 == plan.steps;
-        let sound = match plan.half {
-            true => step.determinant * floor - floor.square(),
-            false => step.determinant * floor,
+        let sound = if plan.half {
+            step.determinant * floor - floor.square()
+        } else {
+            step.determinant * floor
         };
         let allowed = match before {
             _ if last => Some(tiny),

@@ -60,9 +60,12 @@ impl<'m> Prepared<'m> {
         let growth = self.reach * self.scale;
         let reach = nominal.evaluate(&[self.reach])[0];
         let all = self.estimated(algebra, nominal).into_iter();
-        let numbers = all.map(|own| match own.length {
-            true => algebra.graph.number(own.value / reach) * growth,
-            false => algebra.graph.number(own.value),
+        let numbers = all.map(|own| {
+            if own.length {
+                algebra.graph.number(own.value / reach) * growth
+            } else {
+                algebra.graph.number(own.value)
+            }
         });
         numbers.collect()
     }

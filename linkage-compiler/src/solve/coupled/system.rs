@@ -63,10 +63,13 @@ fn variable(core: &Core) -> Variable {
             component: None,
             number,
             ..
-        } => match number {
-            true => Variable::Number,
-            false => Variable::Length,
-        },
+        } => {
+            if *number {
+                Variable::Number
+            } else {
+                Variable::Length
+            }
+        }
         Core::Length {
             component: Some(0), ..
         } => Variable::Point,
