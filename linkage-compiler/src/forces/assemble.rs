@@ -1,7 +1,7 @@
 //! The system of reactions, assembled from joints and free motions.
 //!
-//! A link that only a cut joint holds at its other end leaves one number of that joint's reaction open, the force along the link
-//! (`links`).
+//! A link that only a cut joint holds at its other end leaves one number of that joint's reaction
+//! open, the force along the link (`links`).
 
 use crate::forces::context::Mechanics;
 use crate::forces::drives;

@@ -3,7 +3,7 @@
 use linkage_symbolic::Ex;
 use linkage_symbolic::Vn;
 
-/// By body: forces at points, and couples.
+/// For each body: forces at points, and couples.
 #[derive(Clone, Debug)]
 pub(super) struct Loads<'m> {
     pub(super) bodies: Vec<BodyLoads<'m>>,
@@ -19,7 +19,7 @@ pub(super) struct BodyLoads<'m> {
 pub(super) struct PointForce<'m> {
     pub(super) point: Vn<'m>,
     pub(super) force: Vn<'m>,
-    /// Of inertia and weight: the mass that has its centre there. Its expression moves with the body.
+    /// The mass at the point, for inertia and weight. Its expression moves with the body.
     pub(super) mass: Option<Ex<'m>>,
 }
 

@@ -36,8 +36,8 @@ pub(super) fn own_wrench<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> 
     sum
 }
 
-/// The moment of a mass, its inertia and weight, about its body's own joint, if that is a pin of the plane on the
-/// frame: what turns evenly has no moment but that of its weight.
+/// The moment of a mass, its inertia and weight, about its body's own joint, if that is a pin of
+/// the plane on the frame. A body that turns at a constant speed has only the moment of its weight.
 pub(super) fn moment_of_mass<'m>(
     mechanics: &mut Mechanics<'_, 'm>,
     body: usize,

@@ -20,8 +20,8 @@ use crate::forces::system::System;
 use crate::model::EvaluatorDef;
 use crate::model::Mechanism;
 
-/// Reports joints whose bodies move apart, points that leave their bodies, motions that nothing holds and reactions
-/// that nothing tells.
+/// Reports joints whose bodies move apart, points that leave their bodies, motions that nothing
+/// holds and reactions that nothing tells.
 pub(crate) fn check<'m>(
     algebra: &mut Algebra<'m>,
     forces: &mut Forces<'m>,

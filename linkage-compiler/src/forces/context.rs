@@ -16,13 +16,15 @@ use linkage_symbolic::Vn;
 use linkage_symbolic::unordered::Map;
 use std::rc::Rc;
 
-/// All that is known of the mechanics, made when it is asked for; the default for functions that ask for nothing of it.
+/// All that is known of the mechanics, made when it is asked for; the default for functions that
+/// ask for nothing of it.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Forces<'m> {
     pub(super) tree: Tree,
     pub(super) geometry: Geometry<'m>,
     pub(super) motion: Motion<'m>,
-    /// Ways of bodies (which, and whether they slide) whose rates by the inputs are the same at all positions.
+    /// Ways of bodies (which, and whether they slide) whose rates by the inputs are the same at all
+    /// positions.
     pub(super) steady: Vec<(usize, bool)>,
     /// Ways of pins, slides and cylinders in which nothing moves.
     pub(super) still: Vec<(usize, bool)>,
@@ -30,7 +32,7 @@ pub(crate) struct Forces<'m> {
     pub(super) rigid_rods: Vec<usize>,
     pub(super) loop_values: LoopValues<'m>,
     pub(super) system: Option<Rc<System<'m>>>,
-    /// By the speeds and accelerations that functions list.
+    /// The forces for each set of speeds and accelerations that functions list.
     pub(super) cases: Map<Speeds, Case<'m>>,
 }
 
@@ -48,7 +50,7 @@ pub(crate) struct Mechanics<'a, 'm> {
     pub(super) algebra: &'a mut Algebra<'m>,
     pub(super) forces: &'a mut Forces<'m>,
     pub(super) speeds: Speeds,
-    /// Whether reactions are asked for.
+    /// True if reactions are asked for.
     pub(super) with_reactions: bool,
 }
 
@@ -77,8 +79,8 @@ impl<'m> Forces<'m> {
         self.cases = Map::new();
     }
 
-    /// For a function that lists these inputs and arguments: speeds that it does not list are zero. Drives are found from the joints if
-    /// reactions are asked for, too.
+    /// For a function that lists these inputs and arguments: speeds that it does not list are zero.
+    /// Drives are found from the joints if reactions are asked for, too.
     pub(crate) fn in_function<'a>(
         &'a mut self,
         algebra: &'a mut Algebra<'m>,

@@ -2,7 +2,8 @@
 
 use crate::forces::context::Mechanics;
 
-/// 1 if the reaction of a cut joint acts on what hangs on a body, -1 if its opposite does, 0 if neither or both.
+/// Returns 1 if the reaction of a cut joint acts on a body or its descendants, -1 if its opposite
+/// does, and 0 if neither or both do.
 pub(super) fn joins(mechanics: &Mechanics<'_, '_>, joint: usize, body: usize) -> i32 {
     let declared = &mechanics.algebra.mechanism.joints[joint];
     let tree = &mechanics.forces.tree;

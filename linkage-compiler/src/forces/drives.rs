@@ -1,4 +1,5 @@
-//! Which motions are driven, where what they depend on does not tell: as many equations are needed as there are unknowns.
+//! The motions that are driven, if their dependence does not determine it: as many equations are
+//! needed as there are unknowns.
 
 use crate::forces::context::Mechanics;
 use crate::forces::equations;
@@ -6,8 +7,8 @@ use crate::forces::motion;
 use crate::forces::system::Equation;
 use crate::forces::system::System;
 
-/// A motion that the loops make steady may be driven, too: the length of a leg to a point that is an unknown. As long as motions
-/// lack a reaction, such ones are taken for driven.
+/// A motion that the loops make steady may be driven, too: the length of a leg to a point that is
+/// an unknown. As long as motions lack a reaction, such ones are taken for driven.
 pub(super) fn drive_steady<'m>(mechanics: &mut Mechanics<'_, 'm>, system: &mut System<'m>) {
     for (body, slides) in mechanics.forces.steady.clone() {
         let is_this = |equation: &Equation| {
@@ -32,8 +33,9 @@ pub(super) fn drive_steady<'m>(mechanics: &mut Mechanics<'_, 'm>, system: &mut S
     }
 }
 
-/// A motion that depends on inputs alone need not be driven: the block of a Scotch yoke turns against the crank by minus its angle, and the
-/// yoke's slot holds it. As long as a reaction lacks an equation, such motions are taken for held, those farthest from the frame first.
+/// A motion that depends on inputs alone need not be driven: the block of a Scotch yoke turns
+/// against the crank by minus its angle, and the yoke's slot holds it. As long as a reaction lacks
+/// an equation, such motions are taken for held, those farthest from the frame first.
 pub(super) fn release_held<'m>(mechanics: &mut Mechanics<'_, 'm>, system: &mut System<'m>) {
     let mut candidates = system.driven.clone();
     candidates.sort_by_key(|way| (mechanics.forces.tree.depth(way.body), way.body));

@@ -11,10 +11,11 @@ use crate::model::Element;
 use crate::model::ElementKind;
 use linkage_symbolic::Vn;
 
-/// A length below this share of the mechanism's has no direction: so far apart rounding may leave two points at one place.
+/// A length below this share of the mechanism's has no direction: so far apart rounding may leave
+/// two points at one place.
 const NOTHING: f64 = 1e-9;
 
-/// Reports the first spring or damper whose ends meet: in which direction it acts cannot be told.
+/// Reports the first spring or damper whose ends meet, so that its direction is undefined.
 pub(super) fn check_lengths(
     mechanics: &mut Mechanics<'_, '_>,
     positions: &Positions,
@@ -42,8 +43,8 @@ pub(super) fn check_lengths(
     }
 }
 
-/// Springs and dampers between points, and from the end of each to its start. A spring that has no length without force does not
-/// need a direction.
+/// Springs and dampers between points, and from the end of each to its start. A spring that has no
+/// length without force does not need a direction.
 fn spans<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Vec<(&'m Element, Vn<'m>)> {
     let mut spans = Vec::new();
     for element in &mechanics.algebra.mechanism.elements {

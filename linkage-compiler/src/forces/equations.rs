@@ -25,7 +25,7 @@ pub(super) fn add<'m>(
     system.matrix.push(row);
 }
 
-/// How much of an unknown is in an equation.
+/// The coefficient of an unknown in an equation.
 pub(super) fn coefficient<'m>(
     mechanics: &Mechanics<'_, 'm>,
     equation: &Equation<'m>,

@@ -1,6 +1,8 @@
-//! The wrench that the bodies beyond a joint carry, and the reactions of cut joints, which need each other.
+//! The wrench that the bodies beyond a joint carry, and the reactions of cut joints, which need
+//! each other.
 //!
-//! The reactions of cut joints count if one of the two bodies hangs on that body and the other does not.
+//! The reactions of cut joints count if one of the two bodies hangs on that body and the other does
+//! not.
 
 use crate::algebra::elimination;
 use crate::forces::assemble;
@@ -21,7 +23,8 @@ use linkage_symbolic::Ex;
 use linkage_symbolic::Vector;
 use linkage_symbolic::Vn;
 
-/// The part of a reaction that holds a link against its own loads: `-M perp(V) / V^2`, in space `(V x M) / V^2`.
+/// The part of a reaction that holds a link against its own loads: `-M perp(V) / V^2`, in space
+/// `(V x M) / V^2`.
 pub(super) fn across_link<'m>(mechanics: &mut Mechanics<'_, 'm>, axial: &Axial) -> Wrench<'m> {
     // Without the reaction itself.
     let loads = wrench(mechanics, axial.link, &[axial.joint], &[]);
@@ -104,7 +107,7 @@ pub(super) fn solved<'m>(mechanics: &mut Mechanics<'_, 'm>, unknown: usize) -> E
     loads::case(mechanics).solved[&unknown]
 }
 
-/// What an equation says of all that is known before its block is solved.
+/// The part of an equation that is known before its block is solved.
 pub(super) fn known<'m>(
     mechanics: &mut Mechanics<'_, 'm>,
     system: &System<'m>,
@@ -127,8 +130,8 @@ pub(super) fn known<'m>(
     }
 }
 
-/// Of a body and those that hang on it. Cut joints in `inside` join two of them and cancel; the unknowns in `open`
-/// count as 0.
+/// The wrench of a body and its descendants. Cut joints in `inside` join two of them and cancel;
+/// the unknowns in `open` count as 0.
 pub(super) fn wrench<'m>(
     mechanics: &mut Mechanics<'_, 'm>,
     body: usize,
@@ -190,8 +193,8 @@ pub(super) fn wrench<'m>(
     sum
 }
 
-/// Whether equilibrium leaves no moment about a body's own pin in the plane: the reactions of all cut joints
-/// beyond it count, and were found by that.
+/// True if equilibrium leaves no moment about a body's own pin in the plane: the reactions of all
+/// cut joints beyond it count, and were found by that.
 pub(super) fn is_balanced<'m>(
     mechanics: &Mechanics<'_, 'm>,
     system: &System<'m>,

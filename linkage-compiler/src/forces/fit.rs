@@ -30,14 +30,14 @@ struct Pair<'m> {
     what: What,
 }
 
-/// What the velocities are of.
+/// The subject of a pair of velocities.
 #[derive(Clone, Copy)]
 enum What {
-    /// Of a joint's point with its bodies.
+    /// A joint's point with its bodies.
     Joint(usize),
     /// Angular velocities of a joint's bodies.
     Turns(usize),
-    /// Of a point that must stay with a body, and as the body's.
+    /// A point that must stay with a body, and the same point of the body.
     Point(Point),
 }
 
@@ -132,7 +132,7 @@ fn pair_of_turns<'m>(
 }
 
 impl Pair<'_> {
-    /// What is wrong with a pair at a position.
+    /// Describes the difference of a pair at a position.
     fn difference(&self, mechanism: &Mechanism, position: Position) -> Option<String> {
         let [first, second] = [self.first, self.second].map(|v| positions::vector(position, v));
         let mut apart: Vec<f64> = first.iter().zip(&second).map(|(a, b)| a - b).collect();
@@ -224,7 +224,8 @@ fn vector_words(v: &[f64]) -> String {
     }
 }
 
-/// Points that move with a body, the frame included: of masses, of moments of inertia, of the ends of springs and dampers.
+/// Points that move with a body, the frame included: of masses, of moments of inertia, of the ends
+/// of springs and dampers.
 fn carried_points(mechanism: &Mechanism) -> Vec<(Point, &Expr)> {
     let point = |what, body, at: &Expr| Point {
         what,

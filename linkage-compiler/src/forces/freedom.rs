@@ -1,7 +1,8 @@
 //! The motions of the tree's joints that nothing drives: in each, no work may be done.
 //!
-//! A joint is driven if its motion depends on inputs alone: the drive holds it, with a couple (or a force along the guide) that is no
-//! unknown here. Gears tie the turns of several bodies, by couples that are unknowns of their own.
+//! A joint is driven if its motion depends on inputs alone: the drive holds it, with a couple (or a
+//! force along the guide) that is no unknown here. Gears tie the turns of several bodies, by
+//! couples that are unknowns of their own.
 
 use crate::algebra::partial;
 use crate::forces::context::Mechanics;
@@ -16,10 +17,12 @@ use crate::model::Variable;
 use linkage_symbolic::Ex;
 use linkage_symbolic::Vector;
 
-/// Rates of turns that differ by less are equal. They are ratios of gears, numbers near 1 that rounding alone changes.
+/// Rates of turns that differ by less are equal. They are ratios of gears, numbers near 1 that
+/// rounding alone changes.
 const RATIO: f64 = 1e-9;
 
-/// All motions. `held` is how many of them reactions of cut joints can hold in the plane: what is beyond is tied by gears.
+/// All motions. `held` is the number of them that reactions of cut joints can hold in the plane:
+/// the others are tied by gears.
 pub(super) fn motions<'m>(mechanics: &mut Mechanics<'_, 'm>, held: usize) -> Motions<'m> {
     let unknowns = unknown_variables(mechanics);
     let mut motions = Motions::default();
@@ -47,8 +50,8 @@ pub(super) fn motions<'m>(mechanics: &mut Mechanics<'_, 'm>, held: usize) -> Mot
     motions
 }
 
-/// Up to `count` turns that are determined by others, all of them against the frame. Bodies that turn as another because of their
-/// joints are no case for gears.
+/// Up to `count` turns that are determined by others, all of them against the frame. Bodies that
+/// turn as another because of their joints are no case for gears.
 fn ties<'m>(
     mechanics: &mut Mechanics<'_, 'm>,
     free: &[JointMotion<'m>],
@@ -81,7 +84,8 @@ fn ties<'m>(
     ties
 }
 
-/// By body and, last, for the frame: a number that those share which slides and `fixed` joints let turn alike only.
+/// For each body and, last, for the frame: a number that those share which slides and `fixed`
+/// joints let turn alike only.
 fn alike(mechanics: &Mechanics<'_, '_>) -> Vec<usize> {
     let frame = mechanics.forces.tree.parent.len();
     let mut alike: Vec<usize> = (0..=frame).collect();
@@ -96,7 +100,7 @@ fn alike(mechanics: &Mechanics<'_, '_>) -> Vec<usize> {
     alike
 }
 
-/// How fast a body of the plane turns by each unknown, if these are constants.
+/// The rates at which a body of the plane turns with each unknown, if these are constants.
 fn constant_rates(
     mechanics: &mut Mechanics<'_, '_>,
     body: usize,
@@ -109,7 +113,7 @@ fn constant_rates(
     rates.collect()
 }
 
-/// How fast what is tied would come apart by an input if it were not for the unknowns.
+/// The rate at which tied bodies would separate with an input if the unknowns stayed.
 pub(super) fn tie_rate<'m>(mechanics: &mut Mechanics<'_, 'm>, tie: &Tie, input: usize) -> Ex<'m> {
     let input = By::Alone(mechanics.algebra.variable(Variable::Input(input)));
     let couples = tie.couples.iter();
@@ -147,7 +151,7 @@ pub(super) fn ways<'m>(mechanics: &Mechanics<'_, 'm>, body: usize) -> Vec<JointM
     ways
 }
 
-/// How fast a body moves in its own joint.
+/// The rate at which a body moves in its own joint.
 pub(super) fn relative_rate<'m>(
     mechanics: &mut Mechanics<'_, 'm>,
     way: &JointMotion<'m>,

@@ -11,10 +11,10 @@ use linkage_symbolic::Graph;
 use linkage_symbolic::Vector;
 use linkage_symbolic::Vn;
 
-/// What a body turns with.
+/// The rotation of a body.
 #[derive(Clone, Debug)]
 pub(super) enum BodyTurn<'m> {
-    /// As the body that it hangs on.
+    /// The same rotation as its parent.
     Along,
     /// In the plane.
     Angle(Scalar<'m>),
@@ -30,17 +30,17 @@ pub(super) enum BodyTurn<'m> {
 pub(super) struct Geometry<'m> {
     /// 2 in the plane, 3 in space.
     pub(super) dimensions: usize,
-    /// By body: the points of their own joints.
+    /// For each body: the points of their own joints.
     pub(super) origins: Vec<Vn<'m>>,
     pub(super) turning: Vec<BodyTurn<'m>>,
-    /// By joint.
+    /// For each joint.
     pub(super) points: Vec<Vn<'m>>,
-    /// By joint: unit vectors along guides and axes.
+    /// For each joint: unit vectors along guides and axes.
     pub(super) directions: Vec<Option<Vn<'m>>>,
 }
 
 impl<'m> Geometry<'m> {
-    /// What is declared, bodies in the order of the tree.
+    /// The declarations as expressions, bodies in the order of the tree.
     pub(super) fn new(algebra: &mut Algebra<'m>, tree: &Tree) -> Self {
         let mechanism = algebra.mechanism;
         let joints = mechanism.joints.iter();
@@ -82,7 +82,7 @@ impl<'m> Geometry<'m> {
         self.dimensions == 2
     }
 
-    /// How many components a turn has.
+    /// The number of components of a turn.
     pub(super) fn turns(&self) -> usize {
         if self.is_plane() { 1 } else { 3 }
     }

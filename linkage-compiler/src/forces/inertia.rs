@@ -1,6 +1,6 @@
-//! Moments of inertia and what they do when a body turns.
+//! Moments of inertia, and their effects when a body turns.
 //!
-//! A body with a frame is looked at in its own axes, where its inertia does not change and nothing is turned to and fro.
+//! A body with a frame is treated in its own axes, in which its inertia does not change.
 
 use crate::algebra::Translate;
 use crate::forces::context::Mechanics;
@@ -14,14 +14,15 @@ use linkage_symbolic::Ex;
 use linkage_symbolic::Vector;
 use linkage_symbolic::Vn;
 
-/// How a body turns: the angular velocity and its gain, in the body's own axes if it has any.
+/// The rotation of a body: the angular velocity and its rate, in the body's own axes if it has any.
 struct Turned<'m> {
     axes: Option<[Vn<'m>; 3]>,
     velocity: Vn<'m>,
     gain: Vn<'m>,
 }
 
-/// How fast the moment of momentum of a body grows beyond that of its masses as points: `I alpha`, in space `I alpha + omega x I omega`.
+/// The rate of a body's moment of momentum beyond that of its masses as points: `I alpha`, in space
+/// `I alpha + omega x I omega`.
 pub(super) fn inertia_couple<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Option<Vn<'m>> {
     if mechanics.algebra.mechanism.bodies[body].inertias.is_empty() {
         return None;
@@ -49,7 +50,7 @@ pub(super) fn twice_turning_energy<'m>(mechanics: &mut Mechanics<'_, 'm>, body: 
     turned.velocity.dot(momentum)
 }
 
-/// How a body turns at the speeds that are listed.
+/// The rotation of a body at the speeds that are listed.
 fn turned<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Turned<'m> {
     match mechanics.forces.geometry.turning[body] {
         BodyTurn::Frame(axes) => turned_in_axes(mechanics, axes),
@@ -134,7 +135,8 @@ fn inertia_times<'m>(
     sum
 }
 
-/// What the masses as points have about a point, times a turn: `sum m r^2 w`, in space `sum m r x (w x r)`.
+/// The inertia of the masses as points about a point, times a turn: `sum m r^2 w`, in space
+/// `sum m r x (w x r)`.
 fn points_about<'m>(
     mechanics: &mut Mechanics<'_, 'm>,
     body: usize,
@@ -160,7 +162,8 @@ fn points_about<'m>(
     sum
 }
 
-/// In space a scalar is that of a sphere, of a rod across its line, or about the axis of a body that turns about one.
+/// In space a scalar is that of a sphere, of a rod across its line, or about the axis of a body
+/// that turns about one.
 fn scalar_inertia<'m>(
     mechanics: &mut Mechanics<'_, 'm>,
     body: usize,

@@ -1,4 +1,5 @@
-//! Links that one cut joint holds at their other end: their own moment gives the part of that joint's reaction across them.
+//! Links that one cut joint holds at their other end: their own moment gives the part of that
+//! joint's reaction across them.
 
 use crate::forces::context::Mechanics;
 use crate::forces::cut_joints;
@@ -35,7 +36,8 @@ pub(super) fn links(mechanics: &Mechanics<'_, '_>, system: &System) -> Vec<Axial
     links
 }
 
-/// True if a body hangs by a pin (in space a ball joint), and one cut joint holds it and what hangs on it as if it were one body.
+/// True if the own joint of a body transmits no moment, and one cut joint holds the body and its
+/// descendants as if they were one body.
 fn is_link(mechanics: &Mechanics<'_, '_>, system: &System, body: usize, joint: usize) -> bool {
     let mechanism = mechanics.algebra.mechanism;
     let own = &mechanism.joints[mechanism.bodies[body].joint];
@@ -55,7 +57,7 @@ fn is_link(mechanics: &Mechanics<'_, '_>, system: &System, body: usize, joint: u
         && !(0..mechanism.bodies.len()).any(|other| hangs(other) && system.ties(other))
 }
 
-/// From a link's origin to the cut joint at its other end.
+/// The vector from a link's origin to the cut joint at its other end.
 pub(super) fn link_vector<'m>(mechanics: &Mechanics<'_, 'm>, axial: &Axial) -> Vn<'m> {
     mechanics.arm(axial.link, mechanics.forces.geometry.points[axial.joint])
 }

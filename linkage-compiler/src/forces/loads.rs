@@ -1,4 +1,4 @@
-//! What acts on each body: inertia forces and weight, applied loads, springs and dampers.
+//! The loads on each body: inertia forces and weight, applied loads, springs and dampers.
 
 use crate::algebra::Translate;
 use crate::algebra::scalar;
@@ -46,7 +46,7 @@ pub(super) fn loads<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Rc<Loads<'m>> {
     case(mechanics).loads.clone()
 }
 
-/// The same, found anew.
+/// Computes the same again.
 pub(super) fn all_loads<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Loads<'m> {
     let mechanism = mechanics.algebra.mechanism;
     let bodies = mechanism.bodies.len();
@@ -80,7 +80,7 @@ fn load_vector<'m>(mechanics: &mut Mechanics<'_, 'm>, value: &Expr, is_force: bo
     }
 }
 
-/// `m (g - a)` at each mass of a body, and what its turning takes.
+/// Returns `m (g - a)` at each mass of a body, and the couple of its rotation.
 fn inertia_and_weight<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> BodyLoads<'m> {
     let mut loads = BodyLoads::default();
     let gravity = masses::gravity(mechanics);
@@ -191,12 +191,13 @@ fn joint_element<'m>(
     wrench
 }
 
-/// Whether what acts in a joint acts along its guide, and not on its angle.
+/// True if an element in a joint acts along the guide, and not on the angle.
 fn acts_along_guide(mechanics: &Mechanics<'_, '_>, joint: usize) -> bool {
     mechanics.algebra.mechanism.joints[joint].kind.slides()
 }
 
-/// How far a joint has turned (its body against the one that it hangs on), or slid from that one's origin.
+/// The angle by which a joint has turned (its body relative to the parent), or the distance from
+/// the parent's origin.
 pub(super) fn joint_coordinate<'m>(mechanics: &Mechanics<'_, 'm>, joint: usize) -> Ex<'m> {
     let declared = &mechanics.algebra.mechanism.joints[joint];
     let (body, on) = (declared.body, declared.on);
@@ -213,7 +214,7 @@ pub(super) fn joint_coordinate<'m>(mechanics: &Mechanics<'_, 'm>, joint: usize) 
     scalar::value_of(mechanics.algebra, &own.combined(&other, -1.0))
 }
 
-/// How fast that grows.
+/// The rate of that coordinate.
 fn joint_speed<'m>(mechanics: &mut Mechanics<'_, 'm>, joint: usize) -> Ex<'m> {
     let declared = &mechanics.algebra.mechanism.joints[joint];
     let (body, on) = (Some(declared.body), declared.on);

@@ -1,6 +1,6 @@
-//! What the loops' closed forms know already: arms that are links of a loop, determinants that are those of a loop,
-//! with their reciprocals. Loops may be written in any way, so which they are is found by numbers, with other
-//! dimensions and in other assemblies, too.
+//! Values that the loops' closed forms have already: arms that are links of a loop, and
+//! determinants that are those of a loop, with their reciprocals. Loops may be written in any form,
+//! so numbers find the matches, with other dimensions and in other assemblies, too.
 
 use crate::algebra::Nominal;
 use crate::algebra::elimination;
@@ -10,8 +10,8 @@ use crate::forces::system::System;
 use linkage_symbolic::Ex;
 use linkage_symbolic::Vn;
 
-/// Numbers that differ by a smaller share of the largest are equal: far above rounding, far below what altered
-/// dimensions change.
+/// Numbers that differ by a smaller share of the largest are equal: far above rounding, far below
+/// the effect of altered dimensions.
 pub(super) const EQUAL: f64 = 1e-9;
 
 /// Finds the arms from the joints of bodies to others that are links.
@@ -101,7 +101,7 @@ pub(super) fn find_determinants<'m>(
     }
 }
 
-/// Whether two numbers are equal at all positions, or opposite: 1 or -1.
+/// True if two numbers are equal at all positions, or opposite: 1 or -1.
 pub(super) fn sign(numbers: &[Vec<f64>], a: usize, b: usize) -> Option<f64> {
     let largest = numbers.iter().map(|own| own[b].abs()).fold(0.0, f64::max);
     let is = |sign: f64| {

@@ -5,12 +5,12 @@ use linkage_symbolic::NodeId;
 use linkage_symbolic::Vn;
 use linkage_symbolic::unordered::Map;
 
-/// What is computed by the closed forms.
+/// Values that the closed forms compute.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LoopValues<'m> {
-    /// By body, and the point that the arm leads to.
+    /// For each body, and the point that the arm leads to.
     pub(super) arms: Map<(usize, Vec<NodeId>), Vn<'m>>,
-    /// By the equations that are solved together.
+    /// The determinants of blocks of equations.
     pub(super) determinants: Map<Vec<usize>, Ex<'m>>,
 }
 

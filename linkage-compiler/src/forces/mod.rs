@@ -1,9 +1,12 @@
-//! Forces: reactions of joints, driving torques, energies, as expressions of the same graph as the motion.
+//! Forces: reactions of joints, driving torques, energies, as expressions of the same graph as the
+//! motion.
 //!
-//! By virtual work, on the bodies and joints that the user declares and not on the loops, which may be written in any way. Every body
-//! hangs on another by its own joint: that is a tree, and what all bodies beyond a joint carry is what the joint carries. Joints
-//! that close loops are cut; their reactions are found from the motions of the tree's joints, in which no work may be done
-//! (see `system`). These are as many equations, in small groups, as an adjoint of the loops has, and the other reactions are sums.
+//! The method is virtual work on the bodies and joints that the user declares, not on the loops,
+//! which may be written in any form. Every body has one joint to its parent, which makes a tree. A
+//! joint of the tree carries the sum of all loads beyond it. Joints that close loops are cut, and
+//! their reactions are found from the motions of the tree's joints, in which no work may be done
+//! (see `system`). These are as many equations, in small groups, as an adjoint of the loops has.
+//! The other reactions are sums.
 //!
 //! Files by floor, each of which uses files above it in this table only:
 //!
@@ -27,7 +30,8 @@
 //! | `loop_matches` | arms and determinants that the loops' closed forms have already |
 //! | `body_wrench`, `equilibrium` | wrenches beyond joints and the reactions of cut joints |
 //! | `quantities` | the quantities that functions ask for |
-//! | `ends`, `fit`, `steady` | checks on numbers, and facts about the motion that only numbers show |
+//! | `ends`, `fit` | checks on numbers |
+//! | `steady` | facts about the motion that only numbers show |
 //! | `print` | the order in which reactions are found, for golden files |
 //! | `check` | checks whether forces can be found from the declarations |
 

@@ -1,4 +1,5 @@
-//! How points and bodies move: by each input or unknown, and in time at given speeds.
+//! Velocities and accelerations of points and bodies: with respect to inputs or unknowns, and in
+//! time at given speeds.
 
 use crate::algebra::Direction;
 use crate::algebra::adjoint;
@@ -12,7 +13,7 @@ use linkage_symbolic::Ex;
 use linkage_symbolic::Vector;
 use linkage_symbolic::Vn;
 
-/// How many inputs there are.
+/// The number of inputs.
 pub(super) fn drives(mechanics: &Mechanics<'_, '_>) -> usize {
     mechanics.algebra.mechanism.inputs.len()
 }
@@ -26,7 +27,7 @@ fn acceleration<'m>(mechanics: &Mechanics<'_, 'm>, input: usize) -> Option<Ex<'m
     mechanics.speeds.accelerations[input].map(|place| mechanics.algebra.input(place))
 }
 
-/// Whether anything moves in time.
+/// True if anything moves in time.
 pub(super) fn moves(mechanics: &Mechanics<'_, '_>) -> bool {
     factors_of_gain(mechanics) > 0
 }
@@ -109,13 +110,14 @@ pub(super) fn in_time<'m>(
     })
 }
 
-/// How many factors [`gain`](Self::gain) has: accelerations, and products of two speeds.
+/// The number of factors of [`gain`]: accelerations, and products of two speeds.
 pub(super) fn factors_of_gain(mechanics: &Mechanics<'_, '_>) -> usize {
     let of = |all: &[Option<usize>]| all.iter().flatten().count();
     of(&mechanics.speeds.accelerations) + of(&mechanics.speeds.speeds).pow(2)
 }
 
-/// What a quantity, whose derivatives by the inputs are given, gains in speed: `sum q_ij w_i w_j + sum q_i e_i`.
+/// The rate of a velocity, given the quantity's derivatives with respect to the inputs:
+/// `sum q_ij w_i w_j + sum q_i e_i`.
 pub(super) fn gain<'m>(
     mechanics: &mut Mechanics<'_, 'm>,
     count: usize,
@@ -170,7 +172,7 @@ pub(super) fn point_acceleration<'m>(mechanics: &mut Mechanics<'_, 'm>, point: V
     })
 }
 
-/// What a mass at it gains in momentum.
+/// The rate of momentum of a mass at the point.
 pub(super) fn point_momentum_gain<'m>(
     mechanics: &mut Mechanics<'_, 'm>,
     mass: Ex<'m>,
@@ -188,7 +190,7 @@ pub(super) fn angular_velocity<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usiz
     })
 }
 
-/// What it gains.
+/// The angular acceleration of a body.
 pub(super) fn angular_acceleration<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Vn<'m> {
     let count = mechanics.forces.geometry.turns();
     gain(mechanics, count, |mechanics, by| {

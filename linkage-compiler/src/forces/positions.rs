@@ -10,12 +10,12 @@ use crate::model::Mechanism;
 use linkage_symbolic::Ex;
 use linkage_symbolic::Vn;
 
-/// Velocities that differ by a smaller share are equal: derivatives are rounded far less than this, and what is
-/// written wrongly is wrong by far more.
+/// Velocities that differ by a smaller share are equal: the rounding of derivatives is far less,
+/// and wrong declarations differ by far more.
 pub(super) const EQUAL: f64 = 1e-7;
 
-/// Where velocities are compared, smaller ones count as so large: per unit of an input a turn in radians, a shift in
-/// lengths of the mechanism.
+/// The smallest velocity in comparisons: per unit of an input a turn in radians, a shift in lengths
+/// of the mechanism.
 pub(super) const SLOW: f64 = 1e-3;
 
 /// The reference position and a few others.
@@ -48,8 +48,8 @@ impl<'a> Positions<'a> {
         })
     }
 
-    /// Numbers where the mechanism closes, also with other dimensions and in other assemblies, each group in its other
-    /// mode once: what they have in common there is no chance.
+    /// Numbers at positions where the mechanism closes, also with other dimensions and in other
+    /// assemblies, each group in its other mode once. Equality at all of them is no coincidence.
     pub(super) fn numbers_anyhow(
         &self,
         mechanism: &Mechanism,

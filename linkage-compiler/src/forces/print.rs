@@ -1,4 +1,4 @@
-//! How reactions are found, as text.
+//! A description of the method that finds the reactions.
 
 use crate::algebra::Algebra;
 use crate::forces::assemble;
@@ -11,7 +11,8 @@ use crate::forces::system::Unknown;
 use crate::model::Mechanism;
 use std::fmt::Write;
 
-/// What is driven, and which motions find which reactions together; nothing for a mechanism without bodies.
+/// Describes the driven motions, and the blocks of motions that find reactions together; empty for
+/// a mechanism without bodies.
 pub(crate) fn describe(algebra: &mut Algebra) -> String {
     let mechanism = algebra.mechanism;
     let mut text = String::new();

@@ -1,4 +1,4 @@
-//! What functions ask for.
+//! The quantities that functions ask for.
 
 use crate::algebra::Translate;
 use crate::algebra::Value;
@@ -41,7 +41,8 @@ pub(crate) fn quantity<'m>(mechanics: &mut Mechanics<'_, 'm>, quantity: &Quantit
     }
 }
 
-/// What a joint transmits to its body: without what a drive does in its motion.
+/// The force and moment that a joint transmits to its body, without the part of a drive in its
+/// motion.
 fn reaction<'m>(mechanics: &mut Mechanics<'_, 'm>, joint: usize) -> Wrench<'m> {
     if mechanics.forces.tree.closing.contains(&joint) {
         return equilibrium::closing_wrench(mechanics, joint, &[]);
@@ -77,7 +78,8 @@ fn drive<'m>(mechanics: &mut Mechanics<'_, 'm>, input: usize) -> Ex<'m> {
     }
 }
 
-/// What holds the driven joints against all that is beyond them. Little work where reactions are asked for.
+/// The force or torque that holds the driven joints against everything beyond them. It costs little
+/// if reactions are computed anyway.
 fn drive_of_joints<'m>(mechanics: &mut Mechanics<'_, 'm>, input: usize) -> Ex<'m> {
     let system = assemble::system(mechanics);
     let mut sum = mechanics.algebra.zero();
@@ -98,7 +100,8 @@ fn drive_of_joints<'m>(mechanics: &mut Mechanics<'_, 'm>, input: usize) -> Ex<'m
     sum
 }
 
-/// What the loads do when its input moves, with the opposite sign: `-(sum F . p' + sum M . w)`.
+/// The work of the loads per motion of the input, with the opposite sign:
+/// `-(sum F . p' + sum M . w)`.
 fn drive_of_loads<'m>(mechanics: &mut Mechanics<'_, 'm>, input: usize) -> Ex<'m> {
     let input = By::Input(input);
     let loads = loads::loads(mechanics);
@@ -139,7 +142,8 @@ fn kinetic_energy<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Ex<'m> {
     0.5 * twice
 }
 
-/// Of the weights, zero at the origin, and of springs, zero without force: `1/2 sum c (l - l_0)^2 - sum m g . p`.
+/// The potential energy of weights, zero at the origin, and of springs, zero without force:
+/// `1/2 sum c (l - l_0)^2 - sum m g . p`.
 fn potential_energy<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Ex<'m> {
     let mut sum = mechanics.algebra.zero();
     if let Some(gravity) = masses::gravity(mechanics) {
@@ -187,7 +191,8 @@ fn shaking_force<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Vn<'m> {
     sum
 }
 
-/// Minus the rate of the moment of momentum about a fixed point: `-sum (p - o) x m a`, and what the bodies' turning takes.
+/// Minus the rate of the moment of momentum about a fixed point: `-sum (p - o) x m a`, and the
+/// couples of the bodies' rotations.
 fn shaking_moment<'m>(mechanics: &mut Mechanics<'_, 'm>, about: Vn<'m>) -> Vn<'m> {
     let mut sum = mechanics.zero_turn();
     for body in 0..mechanics.algebra.mechanism.bodies.len() {

@@ -1,11 +1,13 @@
-//! Whether equations that are solved together tell their unknowns, by numbers: matching sees only which unknowns an equation contains.
+//! A numerical check that equations which are solved together determine their unknowns. Matching
+//! sees only which unknowns an equation contains.
 
 use crate::forces::elimination;
 use crate::forces::positions::Positions;
 use crate::forces::system::System;
 use linkage_symbolic::Ex;
 
-/// Equations that differ by a smaller share repeat each other: far above what rounding leaves, far below what is left near a dead point.
+/// Equations that differ by a smaller share repeat each other: far above rounding, far below the
+/// difference near a dead point.
 const INDEPENDENT: f64 = 1e-9;
 
 /// True if the equations of a block repeat each other at all positions where the mechanism closes.

@@ -5,14 +5,15 @@ use linkage_symbolic::SymbolId;
 use linkage_symbolic::Vn;
 use linkage_symbolic::unordered::Map;
 
-/// The speeds and accelerations that a function lists, as places among inputs and arguments, by drive.
+/// The speeds and accelerations that a function lists, as places among inputs and arguments, by
+/// drive.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub(super) struct Speeds {
     pub(super) speeds: Vec<Option<usize>>,
     pub(super) accelerations: Vec<Option<usize>>,
 }
 
-/// What derivatives are by.
+/// The variable of a derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum By {
     /// An input, which moves the unknowns, too.

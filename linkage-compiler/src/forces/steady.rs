@@ -1,4 +1,5 @@
-//! What only numbers tell of the motion: joints that move at a steady rate, rods that keep their length.
+//! Facts about the motion that only numbers show: joints that move at a steady rate, rods that keep
+//! their length.
 
 use crate::forces::context::Mechanics;
 use crate::forces::freedom;
@@ -26,7 +27,7 @@ pub(super) fn record_steady_motion(mechanics: &mut Mechanics<'_, '_>, positions:
     }
 }
 
-/// Whether a body moves in its own joint, and at a steady rate.
+/// True if a body moves in its own joint, and at a steady rate.
 fn record_rate<'m>(
     mechanics: &mut Mechanics<'_, 'm>,
     way: &JointMotion<'m>,
@@ -47,7 +48,8 @@ fn record_rate<'m>(
     }
 }
 
-/// True if a body's own joint lets it turn in every way: which of them rest says nothing of the others.
+/// True if a body's own joint lets it turn in every way: which of them rest says nothing of the
+/// others.
 fn hangs_freely(mechanics: &Mechanics<'_, '_>, body: usize) -> bool {
     let mechanism = mechanics.algebra.mechanism;
     let joint = &mechanism.joints[mechanism.bodies[body].joint];

@@ -1,8 +1,9 @@
-//! The reactions of cut joints from the motions of the tree's joints: a linear system, in small groups.
+//! The reactions of cut joints from the motions of the tree's joints: a linear system, in small
+//! groups.
 //!
-//! Each free motion gives an equation: the bodies beyond the joint carry no moment about its axis, no force along its guide. Which
-//! equation finds which reaction is found by matching, as for the loops. Equations of one block are solved by cofactors, without
-//! a choice of pivots.
+//! Each free motion gives an equation: the bodies beyond the joint carry no moment about its axis,
+//! no force along its guide. Which equation finds which reaction is found by matching, as for the
+//! loops. Equations of one block are solved by cofactors, without a choice of pivots.
 
 use crate::forces::joint_motion::JointMotion;
 use crate::forces::joint_motion::Tie;
@@ -24,7 +25,8 @@ pub(super) enum Unknown<'m> {
     Reaction(Component<'m>),
     /// The couple of a tie.
     Tie(Tie),
-    /// A couple along a rod between ball joints. It is zero, and makes one equation too many three for three.
+    /// A couple along a rod between ball joints. It is zero, and makes one equation too many three
+    /// for three.
     Spin {
         rod: usize,
         along: Vn<'m>,
@@ -43,7 +45,7 @@ pub(super) struct Component<'m> {
 pub(super) enum Equation<'m> {
     /// No work in a free motion.
     Motion(JointMotion<'m>),
-    /// What a cut joint does not transmit.
+    /// A component that a cut joint does not transmit.
     Released(Component<'m>),
 }
 
@@ -51,7 +53,7 @@ pub(super) enum Equation<'m> {
 pub(super) struct System<'m> {
     pub(super) unknowns: Vec<Unknown<'m>>,
     pub(super) equations: Vec<Equation<'m>>,
-    /// What drives move.
+    /// The motions of drives.
     pub(super) driven: Vec<JointMotion<'m>>,
     pub(super) axial: Vec<Axial>,
     pub(super) matrix: Vec<Vec<Ex<'m>>>,
@@ -65,7 +67,8 @@ pub(super) struct System<'m> {
 /// Up to this many equations are solved at once: cofactors double with each one more.
 pub(super) const LARGEST_BLOCK: usize = 6;
 
-/// From this size on links are taken out of a block: a dyad, which no link makes smaller, has two equations.
+/// The least size of a block from which links are taken out. A dyad, which no link makes smaller,
+/// has two equations.
 const LARGE: usize = 3;
 
 impl<'m> Equation<'m> {
@@ -97,14 +100,14 @@ impl<'m> System<'m> {
             .collect()
     }
 
-    /// Which equation finds which unknown, and in which order.
+    /// Finds the unknown of each equation, and the order of solution.
     pub(super) fn order(&mut self) {
         let rows = vec![1; self.equations.len()];
         self.matching = matching::maximum(&rows, &self.incidence, self.unknowns.len());
         self.blocks = matching::components(&self.incidence, &self.matching);
     }
 
-    /// How many unknowns have an equation.
+    /// The number of unknowns that have an equation.
     pub(super) fn found(&self) -> usize {
         self.matching.equation_of.iter().flatten().count()
     }
@@ -128,7 +131,8 @@ impl<'m> System<'m> {
         })
     }
 
-    /// True if a reaction is found together with many others, by an equation of the body's own motion.
+    /// True if a reaction is found together with many others, by an equation of the body's own
+    /// motion.
     pub(super) fn in_large_block(&self, joint: usize, body: usize) -> bool {
         let large = self.blocks.iter().filter(|block| block.len() >= LARGE);
         let mut equations = large.flatten().map(|&equation| &self.equations[equation]);

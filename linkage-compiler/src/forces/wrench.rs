@@ -13,7 +13,7 @@ pub(super) struct Wrench<'m> {
     pub(super) moment: Vn<'m>,
 }
 
-/// What a wrench was made of.
+/// The parts that a wrench was made of.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Carried {
     pub(super) body: usize,
@@ -32,7 +32,7 @@ impl<'m> Wrench<'m> {
         }
     }
 
-    /// What does work in a motion.
+    /// The component that does work in a motion.
     pub(super) fn along(self, way: &JointMotion<'m>) -> Ex<'m> {
         way.direction
             .dot(if way.slides { self.force } else { self.moment })

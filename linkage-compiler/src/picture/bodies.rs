@@ -1,4 +1,4 @@
-//! What bodies and joints say of links.
+//! Points and segments of bodies and joints.
 
 use crate::model::Joint;
 use crate::picture::chains;

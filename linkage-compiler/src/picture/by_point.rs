@@ -7,7 +7,7 @@ use linkage_symbolic::unordered::Map;
 pub(super) struct ByPoint(Map<usize, Vec<usize>>);
 
 impl ByPoint {
-    /// Of pairs of a point and a place; places in order.
+    /// Builds the lists from pairs of a point and an index; indices in order.
     pub(super) fn new(pairs: impl IntoIterator<Item = (usize, usize)>) -> Self {
         let mut all: Map<usize, Vec<usize>> = Map::new();
         for (point, place) in pairs {
@@ -16,7 +16,7 @@ impl ByPoint {
         Self(all)
     }
 
-    /// Of lists of points.
+    /// Builds the lists from lists of points.
     pub(super) fn of_lists<'a>(lists: impl IntoIterator<Item = &'a Vec<usize>>) -> Self {
         let lists = lists.into_iter().enumerate();
         Self::new(lists.flat_map(|(place, own)| own.iter().map(move |&point| (point, place))))

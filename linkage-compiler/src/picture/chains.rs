@@ -143,7 +143,7 @@ fn is_vector<'m>(sketch: &Sketch<'_, 'm>, expr: &Expr) -> bool {
     }
 }
 
-/// Where a step leads.
+/// The end of a step.
 fn moved<'m>(from: Vn<'m>, step: Vn<'m>, sign: f64) -> Vn<'m> {
     if sign > 0.0 { from + step } else { from - step }
 }

@@ -18,7 +18,7 @@ use linkage_symbolic::Ex;
 use linkage_symbolic::NodeId;
 use linkage_symbolic::Vn;
 
-/// Along which unit vector a term changes its length, and what it contains across that.
+/// The unit vector along which a term changes its length, and the part of the term across it.
 pub(super) fn direction_of<'m>(sketch: &mut Sketch<'_, 'm>, term: &'m Expr) -> Option<Slide<'m>> {
     let input = expressions::driving(sketch, term);
     let straight = |along: Vn<'m>| Slide {

@@ -29,8 +29,8 @@ struct Wheel {
     angle: BTreeSet<SymbolId>,
 }
 
-/// For each input a link that it turns, or the guide that is called after it. Points are those of the picture, `place` tells
-/// which.
+/// For each input a link that it turns, or the guide that is called after it. Points are those of
+/// the picture, `place` tells which.
 pub(super) fn drives(
     sketch: &Sketch<'_, '_>,
     picture: &Picture,
@@ -69,7 +69,8 @@ pub(super) fn drives(
     drives.collect()
 }
 
-/// Wheels that turn by one angle, or by angles with a relation between them. The first one of several turns the others.
+/// Wheels that turn by one angle, or by angles with a relation between them. The first one of
+/// several turns the others.
 pub(super) fn gears(
     sketch: &Sketch<'_, '_>,
     picture: &Picture,
@@ -138,7 +139,7 @@ fn wheels(
     wheels
 }
 
-/// What a step turns by.
+/// The symbols that turn a step.
 fn turning(sketch: &Sketch<'_, '_>, step: Vn) -> BTreeSet<SymbolId> {
     let graph = sketch.algebra.graph;
     let all = graph.symbols_of(step.ids()).into_iter();
@@ -198,9 +199,9 @@ fn ends(
 /// Wheels that may belong together, by the symbols that they turn by.
 struct Candidates<'a> {
     relations: &'a [BTreeSet<SymbolId>],
-    /// By symbol: the relations that it is in.
+    /// For each symbol: the relations that it is in.
     related: Map<SymbolId, Vec<usize>>,
-    /// By symbol: the wheels that turn by it.
+    /// For each symbol: the wheels that turn by it.
     turning: Map<SymbolId, Vec<usize>>,
 }
 
@@ -236,7 +237,7 @@ impl<'a> Candidates<'a> {
     }
 }
 
-/// Whether each of two points belongs to a part, and none to both.
+/// True if each of two points belongs to a part, and none to both.
 fn are_of_two_parts(picture: &Picture, a: usize, b: usize) -> bool {
     let has = |part: &Part, point: usize| part.points.contains(&point);
     let parts = &picture.parts;

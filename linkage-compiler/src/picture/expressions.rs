@@ -22,7 +22,8 @@ pub(super) fn driving(sketch: &Sketch<'_, '_>, expr: &Expr) -> Option<usize> {
     })
 }
 
-/// Whether a loop is one of the plane made of components of vectors of space: it is not known where in space it lies.
+/// True if a loop is one of the plane made of components of vectors of space: it is not known where
+/// in space it lies.
 pub(super) fn is_anywhere(sketch: &Sketch<'_, '_>, own: &Loop) -> bool {
     let sides = [&own.left, &own.right];
     let is_vector = matches!(own.left.ty, Type::Vector(..));
@@ -31,12 +32,12 @@ pub(super) fn is_anywhere(sketch: &Sketch<'_, '_>, own: &Loop) -> bool {
         && sides.iter().any(|side| is_projection(sketch, side))
 }
 
-/// Whether it lies in a plane of a mechanism of space.
+/// True if it lies in a plane of a mechanism of space.
 pub(super) fn is_flat(sketch: &Sketch<'_, '_>, expr: &Expr) -> bool {
     sketch.dimension == 3 && matches!(expr.ty, Type::Vector(2, _) | Type::Zero(_))
 }
 
-/// Whether a vector of the plane has components of vectors of space: it may lie in any plane.
+/// True if a vector of the plane has components of vectors of space: it may lie in any plane.
 pub(super) fn is_projection(sketch: &Sketch<'_, '_>, expr: &Expr) -> bool {
     expr.parts().any(|part| match &part.kind {
         ExprKind::Component(vector, _) => matches!(vector.ty, Type::Vector(3, _)),

@@ -3,7 +3,7 @@
 use crate::ir::Picture;
 use linkage_symbolic::Vn;
 
-/// What is drawn, and the vectors that say where it is: points first, then directions.
+/// A picture, and the vectors of its parts: points first, then directions.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct FoundPicture<'m> {
     pub(crate) picture: Picture,

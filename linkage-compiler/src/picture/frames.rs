@@ -42,7 +42,7 @@ fn frames_around(sketch: &Sketch<'_, '_>, has: impl Fn(&Placed) -> bool) -> Fram
     frames
 }
 
-/// What does not move in coordinates that do is a point of what carries them.
+/// Draws a point that rests in moving coordinates as a point of their carrier.
 pub(super) fn carried(sketch: &mut Sketch<'_, '_>, point: usize) {
     let moves = |&frame: &usize| sketch.poses[frame].moves != Moves::Not;
     let Some(moving) = sketch.frames.iter().position(moves) else {
@@ -64,7 +64,7 @@ pub(super) fn carried(sketch: &mut Sketch<'_, '_>, point: usize) {
     sketch.segment(origin, point, None, Shape::Base(carrier));
 }
 
-/// Whether a name is that of something in a placed part.
+/// True if a name is that of something in a placed part.
 fn is_in(name: &str, placed: &Placed) -> bool {
     let rest = name.strip_prefix(&placed.path);
     rest.is_some_and(|rest| rest.starts_with('.'))

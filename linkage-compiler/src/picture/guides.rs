@@ -14,7 +14,8 @@ use crate::picture::sketch::Sketch;
 use crate::picture::track::Track;
 use linkage_symbolic::Vn;
 
-/// Unit vectors whose product misses 1 by less point along one line: 4e-5 radians, far above rounding, far below any angle that is meant.
+/// Unit vectors whose product misses 1 by less point along one line: 4e-5 radians, far above
+/// rounding, far below any angle that is meant.
 const PARALLEL: f64 = 1e-9;
 
 pub(super) struct Guides<'m> {
@@ -28,20 +29,20 @@ pub(super) struct RawGuide<'m> {
     pub(super) slider: usize,
     pub(super) along: Vn<'m>,
     pub(super) on: GuideOn,
-    /// A cylinder between two pins: a distance, or what an input pushes.
+    /// A cylinder between two pins: a distance, or a length that an input drives.
     pub(super) is_cylinder: bool,
 }
 
-/// A guide before it is known what carries it.
+/// A guide before its carrier is known.
 struct Candidate<'m> {
     name: String,
     origin: usize,
     slider: usize,
     along: Vn<'m>,
-    /// Whether the program says that it is on the frame.
+    /// True if the program says that it is on the frame.
     on_frame: bool,
     is_distance: bool,
-    /// Whether an input is its length.
+    /// True if an input is its length.
     is_driven: bool,
 }
 
@@ -186,7 +187,8 @@ fn seen_slide<'m>(sketch: &mut Sketch<'_, 'm>, own: Slide<'m>, segment: &Segment
     })
 }
 
-/// A guide whose origin is a point that the line goes through, or the one that is nearest to the carrier's point.
+/// A guide whose origin is a point that the line goes through, or the one that is nearest to the
+/// carrier's point.
 fn candidate<'m>(sketch: &mut Sketch<'_, 'm>, line: Line<'m>) -> Candidate<'m> {
     let base = match line.carrier {
         Some(carrier) => sketch.points[carrier].at,
@@ -214,7 +216,7 @@ fn candidate<'m>(sketch: &mut Sketch<'_, 'm>, line: Line<'m>) -> Candidate<'m> {
     }
 }
 
-/// Whether two unit vectors always point along one line.
+/// True if two unit vectors always point along one line.
 fn parallel(a: &[Vec<f64>], b: &[Vec<f64>]) -> bool {
     a.iter().zip(b).all(|(a, b)| {
         let along: f64 = a.iter().zip(b).map(|(x, y)| x * y).sum();

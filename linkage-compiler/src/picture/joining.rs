@@ -1,8 +1,8 @@
 //! Links that are one link are joined.
 //!
-//! Every link is compared with those before it, in order, as long as two of them are one. Only links that have a point in common
-//! can be, and only those that share a point with a link that has grown have to be compared again: in a long chain each link
-//! meets a few others.
+//! Every link is compared with those before it, in order, as long as two of them are one. Only
+//! links that have a point in common can be, and only those that share a point with a link that has
+//! grown have to be compared again: in a long chain each link meets a few others.
 
 use crate::picture::raw_link::RawLink;
 use linkage_symbolic::unordered::Set;
@@ -10,9 +10,9 @@ use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 
 pub(super) struct Joining<'m> {
-    /// `None` for what has become a part of a link before.
+    /// The links; `None` for a link that has become part of an earlier one.
     links: Vec<Option<RawLink<'m>>>,
-    /// How often each has grown.
+    /// The number of times that each link has grown.
     grown: Vec<usize>,
     /// The links that have a point.
     at: BTreeMap<usize, BTreeSet<usize>>,

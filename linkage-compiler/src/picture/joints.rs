@@ -1,4 +1,4 @@
-//! What meets in the points of a picture, and how it moves against each other.
+//! The joints in the points of a picture: the members that meet there, and their relative motion.
 
 use crate::ir::GuideOn;
 use crate::ir::GuideShape;
@@ -14,15 +14,15 @@ use crate::picture::track::Track;
 
 pub(super) struct JointFinder<'a, 's> {
     pub(super) seen: &'s Samples<'a>,
-    /// By point of the picture: the point that was looked at.
+    /// For each point of the picture: the point that was looked at.
     pub(super) points: Vec<usize>,
-    /// By direction of the picture.
+    /// For each direction of the picture.
     pub(super) ways: Vec<Track>,
     /// Points of the picture with the joints that the program declares there.
     pub(super) declared: Vec<(usize, JointKind)>,
 }
 
-/// What a picture has at each of its points.
+/// The parts of a picture at each of its points.
 struct Here {
     links: ByPoint,
     sliders: ByPoint,
@@ -73,7 +73,7 @@ impl JointFinder<'_, '_> {
         joints
     }
 
-    /// What turns against each other in a point.
+    /// The members that turn against each other in a point.
     fn turning(&self, picture: &Picture, point: usize, here: &Here) -> Option<Joint> {
         let mut between = Vec::new();
         if picture.points[point].kind == PointKind::Ground {
@@ -107,7 +107,8 @@ impl JointFinder<'_, '_> {
         })
     }
 
-    /// What slides along a guide: a link or another guide that does not turn against it, or a block that others turn on.
+    /// The member that slides along a guide: a link or another guide that does not turn against it,
+    /// or a block that others turn on.
     fn sliding(&self, picture: &Picture, guide: usize, here: &Here) -> Member {
         let own = &picture.guides[guide];
         let way = &self.ways[own.direction];
@@ -136,7 +137,7 @@ impl JointFinder<'_, '_> {
         }
     }
 
-    /// Whether two directions keep the angle between them.
+    /// True if two directions keep the angle between them.
     fn keep_angle(&self, a: usize, b: usize) -> bool {
         let pairs = self.ways[a].iter().zip(&self.ways[b]);
         let products = pairs.map(|(a, b)| vec![a.iter().zip(b).map(|(x, y)| x * y).sum()]);
@@ -164,7 +165,7 @@ impl JointFinder<'_, '_> {
     }
 }
 
-/// Whether two links have two points in common: they turn about the line through them.
+/// True if two links have two points in common: they turn about the line through them.
 fn share_a_line(picture: &Picture, between: &[Member]) -> bool {
     let [Member::Link(a), Member::Link(b)] = between[..] else {
         return false;

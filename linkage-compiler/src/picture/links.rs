@@ -79,13 +79,14 @@ impl<'m> Links<'m> {
         links
     }
 
-    /// Joins links that have a point in common and are written to turn together, until none is left.
+    /// Joins links that have a point in common and are written to turn together, until none is
+    /// left.
     fn join(&mut self, seen: &Samples, welds: &Welds) {
         let joining = Joining::new(std::mem::take(&mut self.all));
         self.all = joining.joined(|a, b| are_one(a, b, seen, welds));
     }
 
-    /// What is computed from points of a link belongs to it.
+    /// Adds points that are computed from points of a link to the link.
     fn take_means(&mut self, sketch: &Sketch, seen: &Samples) {
         let mut at: Map<usize, BTreeSet<usize>> = Map::new();
         for (index, link) in self.all.iter().enumerate() {
@@ -151,8 +152,8 @@ impl<'m> Links<'m> {
     }
 }
 
-/// Whether the ends of a segment are held by what it says of itself: a term has its length, whatever the unknowns are; distances and bodies are
-/// what loops say.
+/// True if the form of a segment fixes the distance of its ends. A term has its length for all
+/// values of the unknowns; distances and bodies get theirs from loops.
 pub(super) fn is_rigid(segment: &Segment, seen: &Samples) -> bool {
     let (from, to) = (segment.from, segment.to);
     let written = match segment.shape {
@@ -170,7 +171,8 @@ fn are_one(a: &RawLink, b: &RawLink, seen: &Samples, welds: &Welds) -> bool {
         .copied()
         .collect();
     let rigid = |p: &usize| b.points.iter().all(|&q| seen.keep_distance(*p, q));
-    // Lists are different links: in space, turning about a common line does not show in distances. So are bodies.
+    // Lists are different links: in space, turning about a common line does not show in distances.
+    // So are bodies.
     let other_lists = a.asked && b.asked;
     let other_bodies = a.body.is_some() && b.body.is_some() && a.body != b.body;
     // Cranks of two parts on one shaft are drawn as two.

@@ -1,5 +1,5 @@
-//! Vectors written by their components, `(d + c * cos(psi), c * sin(psi))`: the sum of what does not move, of a point, and of steps, each
-//! with a length of its own.
+//! Vectors written by their components, `(d + c * cos(psi), c * sin(psi))`: the sum of a fixed
+//! vector, of a point, and of steps, each with a length of its own.
 
 use crate::algebra::Translate;
 use crate::algebra::translate;
@@ -30,16 +30,17 @@ struct Summand<'m> {
     divisors: Vec<&'m Expr>,
 }
 
-/// What summands of different components have in common if they belong together.
+/// The common parts of summands in different components that belong together.
 #[derive(Clone, PartialEq)]
 enum Step<'m> {
     Fixed,
     Point(&'m Expr),
-    /// The lengths in it, and how many summands of its component with the same ones stand before it.
+    /// The lengths in it, and how many summands of its component with the same ones stand before
+    /// it.
     Long(Vec<&'m Expr>, usize),
 }
 
-/// What a literal consists of.
+/// A piece of a literal.
 pub(super) enum Piece<'m> {
     Point(&'m Expr),
     Part(StepPart<'m>),

@@ -26,7 +26,8 @@ use crate::picture::weights;
 use linkage_symbolic::Ex;
 use linkage_symbolic::NodeId;
 
-/// UniqueNames in derived quantities stand behind those in loops, and where no loop uses the quantity behind all others.
+/// UniqueNames in derived quantities stand behind those in loops, and where no loop uses the
+/// quantity behind all others.
 const LET: [u8; 2] = [3, 6];
 
 /// All that the program says of points and links.
@@ -137,7 +138,8 @@ fn look_at_loop<'m>(sketch: &mut Sketch<'_, 'm>, own: &'m Loop) {
     }
 }
 
-/// The two ways from one point to another that a vector loop consists of, each in the order in which it is written.
+/// The two ways from one point to another that a vector loop consists of, each in the order in
+/// which it is written.
 fn sides<'m>(sketch: &mut Sketch<'_, 'm>, own: &'m Loop) -> [Vec<Term<'m>>; 2] {
     let [left, right] = [&own.left, &own.right].map(|side| {
         let mut terms = Vec::new();
@@ -148,8 +150,8 @@ fn sides<'m>(sketch: &mut Sketch<'_, 'm>, own: &'m Loop) -> [Vec<Term<'m>>; 2] {
     [(left, right_minus), (right, left_minus)].map(|(own, moved)| side(sketch, own, moved))
 }
 
-/// What one side adds, and what the other one subtracts: a way to where the difference begins, unless this side has a point to
-/// begin with.
+/// The terms that one side adds and the other one subtracts: a way to the start of the difference,
+/// unless this side has a point to begin with.
 fn side<'m>(sketch: &Sketch<'_, 'm>, own: Vec<Term<'m>>, moved: Vec<Term<'m>>) -> Vec<Term<'m>> {
     let moved = moved.into_iter().map(|term| Term { sign: 1.0, ..term });
     let is_start = |term: &Term| weights::weight_of(sketch, term) == 1.0;
@@ -216,7 +218,7 @@ fn look_for_rod<'m>(sketch: &mut Sketch<'_, 'm>, vector: &'m Expr, title: Option
     }
 }
 
-/// Whether a mass stands at a derived point.
+/// True if a mass stands at a derived point.
 fn is_mass_centre(mechanism: &Mechanism, index: usize) -> bool {
     let masses = mechanism.bodies.iter().flat_map(|body| &body.masses);
     let mut centres = masses.map(|(_, at)| at);

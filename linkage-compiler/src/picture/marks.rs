@@ -12,11 +12,12 @@ use linkage_symbolic::Vn;
 pub(super) struct Spot<'m> {
     /// In the drawing.
     pub(super) at: Vn<'m>,
-    /// As it is written, and the coordinates in which it is.
+    /// The point as it is written, and the coordinates in which it is.
     pub(super) own: Vn<'m>,
     pub(super) frames: Frames,
     pub(super) name: Option<Title>,
-    /// Whether it is more than a corner on the way along a link: it has a name, a loop closes there, or the user lists it.
+    /// True if it is more than a corner on the way along a link: it has a name, a loop closes
+    /// there, or the user lists it.
     pub(super) wanted: bool,
 }
 
@@ -27,7 +28,7 @@ pub(super) struct Title {
     pub(super) text: String,
 }
 
-/// From one point to another.
+/// A step from one point to another.
 #[derive(Clone, Debug)]
 pub(super) struct Segment<'m> {
     pub(super) from: usize,
@@ -50,9 +51,10 @@ pub(super) enum Shape<'m> {
     Distance,
     /// Two points of a body, of which declarations have numbers.
     Body(Option<usize>),
-    /// From the origin of an unknown frame, by its derived quantity, to a point of it.
+    /// The step from the origin of an unknown frame, by its derived quantity, to a point of it.
     Frame(usize),
-    /// From the origin of coordinates that move to a point that rests in them: what carries a part, which belongs to a part itself.
+    /// The step from the origin of moving coordinates to a point that rests in them: the carrier of
+    /// a part, which belongs to a part itself.
     Base(Option<usize>),
 }
 
@@ -67,9 +69,9 @@ pub(super) struct Mean {
 #[derive(Clone, Debug)]
 pub(super) struct Line<'m> {
     pub(super) slider: usize,
-    /// A point of what carries the line; `None` is the frame.
+    /// A point of the line's carrier; `None` is the frame.
     pub(super) carrier: Option<usize>,
-    /// From that point to the line, if that is known.
+    /// The vector from that point to the line, if known.
     pub(super) foot: Option<Vn<'m>>,
     pub(super) along: Vn<'m>,
     pub(super) name: String,
@@ -88,12 +90,13 @@ pub(super) struct Term<'m> {
     pub(super) expr: &'m Expr,
     /// The name that it goes by.
     pub(super) name: Option<String>,
-    /// If it is only a part of the expression.
+    /// The part of the expression, unless the term is all of it.
     pub(super) part: Option<StepPart<'m>>,
 }
 
 impl<'m> Spot<'m> {
-    /// The vector to another point: as it is written, where both are written in the same coordinates.
+    /// The vector to another point: as it is written, where both are written in the same
+    /// coordinates.
     pub(super) fn step_to(&self, other: &Self) -> Vn<'m> {
         if self.frames == other.frames {
             other.own - self.own
@@ -115,7 +118,7 @@ pub(super) struct StepPart<'m> {
     pub(super) turns: Vec<Turn<'m>>,
 }
 
-/// What turns a step in space.
+/// A rotation of a step in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Turn<'m> {
     pub(super) along: Vn<'m>,
@@ -123,10 +126,10 @@ pub(super) struct Turn<'m> {
     pub(super) by: Option<&'m Expr>,
 }
 
-/// How a step changes its length.
+/// A change of a step's length.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slide<'m> {
-    /// What it contains across that.
+    /// The part of the step across that direction.
     pub(super) offset: Option<Vn<'m>>,
     /// A unit vector.
     pub(super) along: Vn<'m>,

@@ -5,7 +5,7 @@ use crate::picture::guides::Guides;
 use crate::picture::links::Links;
 use linkage_symbolic::unordered::Set;
 
-/// What links, guides and axes have at each point.
+/// The links, guides and axes at each point.
 pub(super) struct Meeting {
     pub(super) links: ByPoint,
     pub(super) sliders: ByPoint,

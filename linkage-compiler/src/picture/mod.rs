@@ -1,8 +1,8 @@
-//! What a mechanism looks like: which points its links join, and where something slides.
+//! The picture of a mechanism: the points that its links join, and the guides.
 //!
-//! The loops tell most of it. Sums of vectors are chains of points, a distance is a rod; whether two points belong to one
-//! link is then a matter of numbers: at several positions of the input their distance must be the same. So it does not
-//! matter how a loop is written, and a link that is drawn never stretches.
+//! Most of it follows from the loops. Sums of vectors are chains of points, a distance is a rod.
+//! Two points belong to one link if their distance is the same at several positions of the input.
+//! So the form of a loop does not matter, and a link that is drawn never stretches.
 //!
 //! Files by floor, each of which uses files above it in this table only:
 //!
@@ -16,9 +16,11 @@
 //! | `parts`, `directions`, `literals`, `terms` | sums of vectors, taken apart into terms |
 //! | `chains` | sums of vectors as chains of points |
 //! | `planes`, `bodies`, `loops` | points and segments of loops, bodies and joints |
-//! | `track`, `cells`, `views`, `open_loop`, `samples` | the points at several positions, with other dimensions, and without loops |
+//! | `track`, `cells`, `views` | points at several positions and with other dimensions |
+//! | `open_loop`, `samples` | the motion without loops, and the points at all positions |
 //! | `check` | links that the user added must be rigid |
-//! | `raw_link`, `rigid_bodies`, `joining`, `ownership`, `links` | points that keep their distances, joined to links |
+//! | `raw_link`, `rigid_bodies`, `joining` | links while they are joined |
+//! | `ownership`, `links` | parts of a machine, and points that keep their distances |
 //! | `guides` | lines along which points slide, and the links that carry them |
 //! | `by_point`, `meeting`, `unique_names` | lists by points, and names that are given once |
 //! | `drives`, `joints` | links that inputs move, and joints in points |
@@ -127,7 +129,7 @@ pub(crate) fn find<'m>(
     found
 }
 
-/// 3 if loops, joints or lists lie in space; without loops, if anything does.
+/// Returns 3 if loops, joints or lists lie in space; without loops, if anything does.
 fn dimension(algebra: &Algebra, lists: &[Vec<Expr>]) -> usize {
     let mechanism = algebra.mechanism;
     let sides = || {
@@ -152,7 +154,7 @@ fn dimension(algebra: &Algebra, lists: &[Vec<Expr>]) -> usize {
     }
 }
 
-/// Whether there is a vector of so many components in an expression.
+/// True if there is a vector of so many components in an expression.
 fn has_vector(expr: &Expr, count: usize) -> bool {
     expr.parts().any(|part| match part.ty {
         Type::Vector(components, _) => components == count,

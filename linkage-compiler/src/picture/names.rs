@@ -1,4 +1,4 @@
-//! The picture with names for everything, without what is not needed.
+//! The picture with names for everything, without unnecessary parts.
 
 use crate::ir::Guide;
 use crate::ir::GuideOn;
@@ -135,7 +135,7 @@ struct Namer<'a, 'b, 'm> {
 }
 
 impl Namer<'_, '_, '_> {
-    /// What becomes of a point; `None` if nothing needs it.
+    /// The kind of a point; `None` if nothing needs it.
     fn kind(&self, point: usize) -> Option<PointKind> {
         let links = self.meeting.links.at_point(point).len();
         let slides = !self.meeting.sliders.at_point(point).is_empty();
@@ -165,7 +165,7 @@ impl Namer<'_, '_, '_> {
         }
     }
 
-    /// Whether it is a point of the frame, or of a guide that is.
+    /// True if it is a point of the frame, or of a guide that is.
     fn is_fixed(&self, point: usize) -> bool {
         let guides = self.meeting.origins.at_point(point).iter();
         let mut guides = guides.map(|&own| &self.guides.all[own]);
@@ -177,7 +177,8 @@ impl Namer<'_, '_, '_> {
         own.any(|own| self.sketch.points[own].name.is_some())
     }
 
-    /// The best name among those of points that coincide; otherwise what meets there.
+    /// The best name among those of points that coincide; otherwise the names of the members that
+    /// meet there.
     fn name(&self, point: usize) -> String {
         let all = self.seen.aliases(point);
         let titles = all.filter_map(|other| self.sketch.points[other].name.as_ref());

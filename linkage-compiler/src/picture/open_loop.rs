@@ -1,5 +1,5 @@
-//! How points move where nothing closes the loops: each unknown by itself, as its name says. So what is written as one link is told from
-//! what is only held together by others.
+//! The motion of points if nothing closes the loops: each unknown changes alone. So a link that is
+//! written as one is distinguished from points that only other links hold together.
 
 use crate::algebra::Algebra;
 use crate::algebra::Bound;
@@ -21,15 +21,17 @@ use linkage_symbolic::SymbolId;
 use linkage_symbolic::Vn;
 use linkage_symbolic::unordered::Map;
 
-/// Steps of differences, in radians and in shares of the longest length: their error is of the second order, 1e-10, and as large as
-/// that of rounding.
+/// Steps of differences, in radians and in shares of the longest length: their error is of the
+/// second order, 1e-10, and as large as that of rounding.
 const STEP: f64 = 1e-5;
 
-/// How far from where the mechanism closes it is looked at, in radians and shares of the longest length: links that happen to lie on one
-/// line there do not turn each other, and do not seem to be one.
+/// The distance of the sampled states from the closed mechanism, in radians and shares of the
+/// longest length. Links that lie on one line in the closed state do not turn each other there, and
+/// do not seem to be one.
 const APART: f64 = 0.01;
 
-/// A velocity is zero, and a rate follows from others, if what is left is a smaller share: far above the error of differences.
+/// A velocity is zero, and a rate follows from others, if the remainder is a smaller share: far
+/// above the error of differences.
 const NOTHING: f64 = 1e-6;
 
 /// Motions at each place; more than the rates that one is compared with.
@@ -43,7 +45,8 @@ pub(super) struct OpenLoop<'a> {
     motions: Vec<Motion>,
     /// At each place.
     count: usize,
-    /// Rates at which angles leave the relations between them, by relation: zero in every motion that is meant.
+    /// Rates at which angles leave the relations between them, by relation: zero in every motion
+    /// that is meant.
     relations: Vec<Vec<f64>>,
 }
 
@@ -90,7 +93,7 @@ impl<'a> OpenLoop<'a> {
         free
     }
 
-    /// Where points are at each place, then their velocities in each motion.
+    /// Positions of points at each place, then their velocities in each motion.
     pub(super) fn courses(&self, vectors: &[Vn]) -> Vec<Track> {
         let numbers: Vec<Ex> = vectors.iter().flat_map(|own| own.iter()).collect();
         let places = self.places.iter();
@@ -113,7 +116,7 @@ impl<'a> OpenLoop<'a> {
         self.motions.iter().map(rate).collect()
     }
 
-    /// Whether a point does not move, in a picture of this size.
+    /// True if a point does not move, in a picture of this size.
     pub(super) fn rests(&self, course: &Track, size: f64) -> bool {
         course[self.places.len()..]
             .iter()
@@ -138,7 +141,8 @@ impl<'a> OpenLoop<'a> {
         rate
     }
 
-    /// Whether a rate is zero whenever the others are: place by place it is a sum of multiples of them.
+    /// True if a rate is zero whenever the others are: place by place it is a sum of multiples of
+    /// them.
     pub(super) fn follows(&self, rate: &Rate, others: &[&Rate]) -> bool {
         let others = others.iter().map(|own| &own.values);
         let columns: Vec<&Vec<f64>> = self.relations.iter().chain(others).collect();
@@ -165,7 +169,7 @@ impl<'a> OpenLoop<'a> {
     }
 }
 
-/// How fast a distance changes in each motion, and how fast its ends move.
+/// The rate of a distance in each motion, and the speed of its ends.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Rate {
     values: Vec<f64>,

@@ -1,4 +1,5 @@
-//! Which part of a machine points, links and guides belong to: what a part brings along has its name in front.
+//! The part of a machine to which points, links and guides belong. The names of a part's items
+//! begin with its name.
 
 use crate::ir::Part;
 use crate::ir::Picture;
@@ -8,7 +9,8 @@ use crate::picture::sketch::Sketch;
 
 pub(super) struct Ownership {
     parts: Vec<String>,
-    /// Of each point, the parts that have a name for it or for one that coincides; the machine itself is `None`.
+    /// For each point, the parts that have a name for it or for one that coincides; the machine
+    /// itself is `None`.
     of_points: Vec<Vec<Option<usize>>>,
     fixed: Vec<bool>,
 }
@@ -31,8 +33,9 @@ impl Ownership {
         }
     }
 
-    /// The part that a link or guide is called after. One that is called after what the part is given, as a crank after `radius`, belongs to the
-    /// first part that has names for all its moving points that have any.
+    /// The part after which a link or guide is named. If the name comes from an argument of the
+    /// part, as a crank's from `radius`, it belongs to the first part that has names for all its
+    /// moving points that have any.
     pub(super) fn part_of(&self, name: Option<&str>, points: &[usize]) -> Option<usize> {
         if self.parts.is_empty() {
             return None;
@@ -54,7 +57,7 @@ impl Ownership {
         owner(&self.parts, name)
     }
 
-    /// Whether a point has names of other parts only.
+    /// True if a point has names of other parts only.
     pub(super) fn is_foreign(&self, point: usize, part: Option<usize>) -> bool {
         let (Some(part), Some(owners)) = (part, self.of_points.get(point)) else {
             return false;
@@ -62,7 +65,7 @@ impl Ownership {
         !owners.is_empty() && owners.iter().all(|own| own.is_some_and(|own| own != part))
     }
 
-    /// What each part has; `kept` are the points of the picture.
+    /// The items of each part; `kept` are the points of the picture.
     pub(super) fn parts(&self, picture: &Picture, links: &[RawLink], kept: &[usize]) -> Vec<Part> {
         let guides = picture.guides.iter().map(|guide| {
             let points = [guide.origin, guide.slider].map(|point| kept[point]);

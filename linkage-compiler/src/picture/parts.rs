@@ -29,7 +29,7 @@ pub(super) fn turned_vector<'m>(
     translate::vector(sketch.algebra, &value)
 }
 
-/// In space: what turns a term, from outside to inside.
+/// The rotations of a term in space, from outside to inside.
 pub(super) fn turns_of<'m>(sketch: &mut Sketch<'_, 'm>, term: &Term<'m>) -> Vec<Turn<'m>> {
     if let Some(part) = &term.part {
         return part.turns.clone();

@@ -16,7 +16,8 @@ use linkage_symbolic::Ex;
 use linkage_symbolic::Vector;
 use linkage_symbolic::Vn;
 
-/// `dot(p - q, u) = 0` and `cross(p - q, u) = 0` in the plane: `p` stays on a line. In space two planes do the same.
+/// `dot(p - q, u) = 0` and `cross(p - q, u) = 0` in the plane: `p` stays on a line. In space two
+/// planes do the same.
 pub(super) fn look_for_line<'m>(sketch: &mut Sketch<'_, 'm>, side: &'m Expr, other: &'m Expr) {
     let (is_dot, arguments) = match &side.kind {
         ExprKind::Call(Function::Dot, arguments) => (true, arguments),

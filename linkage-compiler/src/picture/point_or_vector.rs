@@ -10,18 +10,18 @@ use crate::model::Name;
 use crate::model::Type;
 use std::collections::BTreeMap;
 
-/// What was seen of each name.
+/// The evidence for each name.
 #[derive(Debug)]
 pub(super) struct Roles<'m> {
     mechanism: &'m Mechanism,
     seen: BTreeMap<Name, Evidence>,
-    /// What each `let` moves with.
+    /// The variables that move each `let`.
     moves: Vec<Moves>,
-    /// Whether a `let` is a named vector less another one.
+    /// True if a `let` is a named vector less another one.
     differences: Vec<bool>,
 }
 
-/// What something moves with.
+/// The variables that move an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Moves {
     Not,
@@ -65,7 +65,7 @@ impl<'m> Roles<'m> {
         roles
     }
 
-    /// Whether a name stands for a step; seen as both, it is a point.
+    /// True if a name stands for a step; seen as both, it is a point.
     pub(super) fn is_step(&self, name: Name) -> bool {
         let seen = self.seen.get(&name);
         seen.is_some_and(|seen| seen.as_step && !seen.as_point)
@@ -83,7 +83,8 @@ impl<'m> Roles<'m> {
         for side in [true, false] {
             let own = terms.iter().filter(|(plus, _, _)| *plus == side);
             let mut own: Vec<(bool, &Expr)> = own.map(|(_, own, term)| (*own, *term)).collect();
-            // What is fixed begins; what the other side subtracts leads to where the difference begins.
+            // What is fixed begins; what the other side subtracts leads to where the difference
+            // begins.
             own.sort_by_key(|(own, term)| (self.moves(term) != Moves::Not, *own));
             let names = own.iter().filter(|(_, term)| self.derived(term).is_some());
             let names: Vec<_> = names.collect();
@@ -109,7 +110,7 @@ impl<'m> Roles<'m> {
         moves.max().unwrap_or(Moves::Not)
     }
 
-    /// Whether names are subtracted from as many: `q - p`.
+    /// True if names are subtracted from as many: `q - p`.
     fn is_difference(&self, expr: &Expr) -> bool {
         if let ExprKind::Name(Name::Let(index)) = expr.kind {
             return self.differences[index];
@@ -228,7 +229,7 @@ impl<'m> Roles<'m> {
         }
     }
 
-    /// What is seen of a part that stands elsewhere, as the part has it.
+    /// The expression inside the part, for an expression of a part that is placed elsewhere.
     fn of_part<'e>(&self, expr: &'e Expr) -> &'e Expr {
         match self.mechanism.standing(expr) {
             Some((_, own)) => self.of_part(own),

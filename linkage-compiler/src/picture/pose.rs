@@ -14,10 +14,11 @@ use linkage_symbolic::NodeId;
 use linkage_symbolic::Vector;
 use linkage_symbolic::Vn;
 
-/// Coordinates within others, by their numbers among the placed parts, the innermost first; none are the drawing's.
+/// Coordinates within others, by their numbers among the placed parts, the innermost first; none
+/// are the drawing's.
 pub(super) type Frames = Vec<usize>;
 
-/// Where a placed part stands in what is around it.
+/// The position of a placed part in its surroundings.
 #[derive(Clone, Debug)]
 pub(super) struct Pose<'m> {
     place: Option<Placement<'m>>,
@@ -28,7 +29,7 @@ pub(super) struct Pose<'m> {
 #[derive(Clone, Debug)]
 pub(super) enum Placement<'m> {
     Point(Vn<'m>),
-    /// Of space: its value, and its axes.
+    /// A frame of space: its value, and its axes.
     Frame(Value<'m>, [Vn<'m>; 3]),
 }
 

@@ -9,7 +9,7 @@ pub(super) struct RawLink<'m> {
     pub(super) title: Option<Title>,
     /// Pairs of points that the link is written by, as they are written.
     pub(super) frames: Vec<Frame<'m>>,
-    /// Whether the user listed it.
+    /// True if the user listed it.
     pub(super) asked: bool,
     /// The body that it is.
     pub(super) body: Option<usize>,
@@ -50,6 +50,6 @@ pub(super) fn distinct(points: impl Iterator<Item = usize>) -> Vec<usize> {
 pub(super) struct Frame<'m> {
     pub(super) from: usize,
     pub(super) to: usize,
-    /// From one to the other.
+    /// The vector from one to the other.
     pub(super) step: Vn<'m>,
 }

@@ -1,5 +1,5 @@
-//! Whether two links are written to turn together: where one of them turns as it is written to, nothing closing the loops, the other one
-//! turns with it.
+//! True if two links are written to turn together: where one of them turns as it is written to,
+//! nothing closing the loops, the other one turns with it.
 
 use crate::picture::marks::Spot;
 use crate::picture::raw_link::Frame;
@@ -10,7 +10,8 @@ use crate::picture::track::Track;
 use linkage_symbolic::Ex;
 use linkage_symbolic::Vn;
 
-/// A point lies on the line through two others if it is nearer to it than this share of their distance.
+/// A point lies on the line through two others if it is nearer to it than this share of their
+/// distance.
 const ON_LINE: f64 = 1e-9;
 
 pub(super) struct Welds<'a, 's, 'm> {
@@ -28,7 +29,8 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
         }
     }
 
-    /// Whether a pair of points of the second link is carried by a pair of points of the first one, which has these points.
+    /// True if a pair of points of the second link is carried by a pair of points of the first one,
+    /// which has these points.
     pub(super) fn join(&self, first: &[Frame], second: &[Frame], points: &[usize]) -> bool {
         first.iter().any(|carrier| {
             second.iter().any(|carried| {
@@ -41,7 +43,8 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
         })
     }
 
-    /// Whether a link by a pair of points also carries a point that is written beside another one of the link, a step away.
+    /// True if a link by a pair of points also carries a point that is written beside another one
+    /// of the link, a step away.
     fn is_carried(&self, carrier: &Frame, shared: usize, other: usize, step: Vn) -> bool {
         // A point may be written in several ways, each of which says what turns it.
         self.seen.aliases(carrier.from).any(|from| {
@@ -73,7 +76,7 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
                 .all(|end| holds(seen.free().stretching([&moved, seen.course(end)])))
     }
 
-    /// Whether a step is computed from the difference of two points.
+    /// True if a step is computed from the difference of two points.
     fn is_written_with(&self, step: Vn, ends: [usize; 2]) -> bool {
         let [from, to] = ends.map(|end| &self.points[end]);
         let within = |part: Ex| {
@@ -85,7 +88,8 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
         both.into_iter().any(|vector| vector.iter().all(within))
     }
 
-    /// The course of a point of a link that moves as two of its points say; `None` if they do not tell.
+    /// The course of a point of a link that moves as two of its points say; `None` if they do not
+    /// tell.
     fn moved_with(&self, [from, to]: [usize; 2], point: usize) -> Option<Track> {
         let seen = self.seen;
         if let Some(end) = [from, to]

@@ -1,4 +1,5 @@
-//! The points at several positions and with other dimensions: what coincides, what stays, what keeps its distance.
+//! The points at several positions and with other dimensions: points that coincide, rest, or keep
+//! their distance.
 
 use crate::algebra::Algebra;
 use crate::algebra::Nominal;
@@ -18,26 +19,27 @@ use linkage_symbolic::Vn;
 /// Lengths that differ by a smaller share of the picture's size are equal.
 const EQUAL: f64 = 1e-9;
 
-/// Unit vectors that differ by less are one direction. They are quotients of differences of points, so they are known less well than
-/// these.
+/// Unit vectors that differ by less are one direction. They are quotients of differences of points,
+/// so they are known less well than these.
 const STEADY: f64 = 1e3 * EQUAL;
 
 pub(super) struct Samples<'a> {
     free: OpenLoop<'a>,
     views: Vec<View>,
-    /// By point: its coordinates, view by view.
+    /// For each point: its coordinates, view by view.
     tracks: Vec<Track>,
-    /// Other dimensions, where the mechanism closes with none of them: what no loop leads to stands somewhere nevertheless.
+    /// Other dimensions, if the mechanism closes with none of them: points that no loop determines
+    /// have positions nevertheless.
     open: Vec<Machine>,
-    /// By point: its coordinates with these dimensions, no numbers where loops lead to it.
+    /// For each point: its coordinates with these dimensions, no numbers where loops lead to it.
     without_loops: Vec<Track>,
-    /// By point: where it is and how it moves where nothing closes the loops.
+    /// For each point: where it is and how it moves where nothing closes the loops.
     courses: Vec<Track>,
-    /// By point: the first that is always at the same place.
+    /// For each point: the first that is always at the same place.
     pub(super) same: Vec<usize>,
-    /// By point that is the first: all that are always at its place.
+    /// For each point that is the first: all that are always at its place.
     alike: Vec<Vec<usize>>,
-    /// By point: whether it says of itself that it does not move.
+    /// For each point: whether it says of itself that it does not move.
     fixed: Vec<bool>,
     /// The extent of the picture.
     pub(super) size: f64,
@@ -126,12 +128,12 @@ impl<'a> Samples<'a> {
         track::divided(&self.open.iter().filter_map(look).collect(), vectors)
     }
 
-    /// Where a point is at the places that are looked at with the dimensions as they are written.
+    /// The positions of a point at the sampled inputs with the dimensions as they are written.
     pub(super) fn places_of(&self, point: usize) -> &[Vec<f64>] {
         &self.tracks[point][self.views[0].own.clone()]
     }
 
-    /// Where a point is and how it moves where nothing closes the loops.
+    /// The positions and velocities of a point if nothing closes the loops.
     pub(super) fn course(&self, point: usize) -> &Track {
         &self.courses[point]
     }
@@ -150,13 +152,14 @@ impl<'a> Samples<'a> {
         self.alike[self.same[point]].iter().copied()
     }
 
-    /// Whether a point has a place wherever the mechanism closes.
+    /// True if a point has a place wherever the mechanism closes.
     pub(super) fn is_known(&self, point: usize) -> bool {
         self.tracks[point].iter().flatten().all(|x| x.is_finite())
     }
 
-    /// Whether a point belongs to the frame: it is written so, or is always where one is that is. A link that does not move with
-    /// these inputs, as between cylinders that are held, does not make its points fixed.
+    /// True if a point belongs to the frame: it is written so, or is always where one is that is. A
+    /// link that does not move with these inputs, as between cylinders that are held, does not make
+    /// its points fixed.
     pub(super) fn is_fixed(&self, point: usize) -> bool {
         self.fixed[self.same[point]]
     }
@@ -167,13 +170,13 @@ impl<'a> Samples<'a> {
         pairs.map(|(a, b)| distance(a, b)).collect()
     }
 
-    /// Whether two points keep their distance, with the dimensions as they are written.
+    /// True if two points keep their distance, with the dimensions as they are written.
     pub(super) fn keep_distance_as_written(&self, a: usize, b: usize) -> bool {
         let lengths = self.distances(a, b);
         lengths.iter().all(|length| self.near(length - lengths[0]))
     }
 
-    /// Whether two points keep their distance, with other dimensions, too.
+    /// True if two points keep their distance, with other dimensions, too.
     pub(super) fn keep_distance(&self, a: usize, b: usize) -> bool {
         let [a, b] = [&self.tracks[a], &self.tracks[b]];
         // Most pairs that are asked for do not, which the first places show.
@@ -187,7 +190,7 @@ impl<'a> Samples<'a> {
         })
     }
 
-    /// Whether two steps of the plane turn by the same angle from place to place.
+    /// True if two steps of the plane turn by the same angle from place to place.
     pub(super) fn turn_alike(&self, a: (usize, usize), b: (usize, usize)) -> bool {
         let [a, b] =
             [a, b].map(|(from, to)| track::difference(self.places_of(to), self.places_of(from)));
@@ -199,7 +202,7 @@ impl<'a> Samples<'a> {
         ratios.iter().all(|at| distance(at, &ratios[0]) < STEADY)
     }
 
-    /// Whether a direction never changes.
+    /// True if a direction never changes.
     pub(super) fn is_steady(&self, directions: &Track) -> bool {
         self.views.iter().all(|view| {
             let own = &directions[view.own.clone()];
@@ -207,7 +210,7 @@ impl<'a> Samples<'a> {
         })
     }
 
-    /// Whether the end of a vector that begins in a point keeps its distance from another point.
+    /// True if the end of a vector that begins in a point keeps its distance from another point.
     pub(super) fn carries(&self, point: usize, origin: usize, along: &Track) -> bool {
         let size = self.size;
         let ends = self.tracks[origin].iter().zip(along);

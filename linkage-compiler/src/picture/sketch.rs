@@ -29,13 +29,13 @@ pub(super) fn axis_of<'m>(sketch: &Sketch<'_, 'm>, component: usize) -> Vn<'m> {
     graph.components(&axis)
 }
 
-/// Points and what lies between them, as they are found; several may be one and the same.
+/// Points and the segments between them, as they are found; several may be one and the same.
 pub(super) struct Sketch<'a, 'm> {
     pub(super) algebra: &'a mut Algebra<'m>,
     pub(super) roles: Roles<'m>,
-    /// Where placed parts stand.
+    /// The positions of placed parts.
     pub(super) poses: Vec<Pose<'m>>,
-    /// The coordinates of what is looked at.
+    /// The coordinates of the current expression.
     pub(super) frames: Frames,
     pub(super) dimension: usize,
     pub(super) points: Vec<Spot<'m>>,
@@ -47,7 +47,7 @@ pub(super) struct Sketch<'a, 'm> {
     pub(super) planes: Vec<Plane<'m>>,
     /// In space: points and directions of axes.
     pub(super) axes: Vec<(usize, Vn<'m>)>,
-    /// In space: what turns the steps that end in points.
+    /// The rotations in space of the steps that end in points.
     pub(super) turns: Vec<(usize, Turn<'m>)>,
     /// Points at which the program has joints.
     pub(super) joints: Vec<(usize, JointKind)>,
@@ -146,13 +146,13 @@ pub(super) fn within<'m, T>(
     found
 }
 
-/// Where a point of the present coordinates is in the drawing.
+/// The position in the drawing of a point of the current coordinates.
 pub(super) fn seen_point<'m>(sketch: &mut Sketch<'_, 'm>, own: Vn<'m>) -> Vn<'m> {
     let poses = sketch.frames.iter().map(|&frame| &sketch.poses[frame]);
     poses.fold(own, |own, pose| pose.point(own, sketch.algebra))
 }
 
-/// Where a step or a direction of the present coordinates leads in the drawing.
+/// The vector in the drawing of a step or direction of the current coordinates.
 pub(super) fn seen_way<'m>(sketch: &mut Sketch<'_, 'm>, own: Vn<'m>) -> Vn<'m> {
     let poses = sketch.frames.iter().map(|&frame| &sketch.poses[frame]);
     poses.fold(own, |own, pose| pose.way(own, sketch.algebra))

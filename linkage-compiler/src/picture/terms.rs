@@ -56,7 +56,8 @@ pub(super) fn literal<'m>(
     are_pieces
 }
 
-/// The terms of a turned sum, and of what is turned more than once; false if it is one step about one axis.
+/// The terms of a turned sum, and of vectors that are turned more than once; false if it is one
+/// step about one axis.
 pub(super) fn turned<'m>(
     sketch: &mut Sketch<'_, 'm>,
     expr: &'m Expr,

@@ -1,4 +1,4 @@
-//! What is recognised, however a mechanism is written.
+//! Tests that pictures do not depend on the form in which a mechanism is written.
 
 mod guides;
 mod links;

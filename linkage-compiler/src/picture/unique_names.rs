@@ -7,7 +7,7 @@ use linkage_symbolic::unordered::Set;
 #[derive(Default)]
 pub(super) struct UniqueNames {
     taken: Set<String>,
-    /// By name as it was asked for: the last number behind it.
+    /// For each name as it was asked for: the last number behind it.
     last: Map<String, usize>,
 }
 

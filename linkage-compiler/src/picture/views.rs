@@ -15,11 +15,12 @@ use std::ops::Range;
 pub(super) struct View {
     pub(super) machine: Machine,
     pub(super) places: Vec<Vec<f64>>,
-    /// Where its coordinates are in a track.
+    /// The range of its coordinates in a track.
     pub(super) own: Range<usize>,
 }
 
-/// The mechanism as it is written, then with other dimensions, as far as it closes; and those, if it closes with none of them.
+/// The mechanism as it is written, then with other dimensions, as far as it closes; and those, if
+/// it closes with none of them.
 pub(super) fn views(
     algebra: &Algebra,
     reference: &Reference,
@@ -71,7 +72,8 @@ pub(super) fn views(
     for machine in &other {
         count = look_at(machine.clone());
     }
-    // A group that is closed by steps from a table closes with no other dimensions: then parts without any are altered alone.
+    // A group that is closed by steps from a table closes with no other dimensions: then parts
+    // without any are altered alone.
     if count > 1 {
         other.clear();
     } else {

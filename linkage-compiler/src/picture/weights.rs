@@ -9,7 +9,8 @@ use crate::model::Type;
 use crate::picture::marks::Term;
 use crate::picture::sketch::Sketch;
 
-/// How often a vector counts as a point: 1 for a point, 0 for a difference; `None` if it may be either.
+/// The number of times that a vector counts as a point: 1 for a point, 0 for a difference; `None`
+/// if it may be either.
 pub(super) fn weight(sketch: &Sketch<'_, '_>, expr: &Expr) -> Option<f64> {
     let is_length = expr.ty.dimension().is_some_and(|own| own.half_lengths == 2);
     match &expr.kind {
@@ -58,7 +59,7 @@ pub(super) fn scaled(
     }
 }
 
-/// How often a term counts as a point.
+/// The number of times that a term counts as a point.
 pub(super) fn weight_of(sketch: &Sketch<'_, '_>, term: &Term) -> f64 {
     if term.part.is_some() {
         return 0.0;

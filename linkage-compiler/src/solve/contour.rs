@@ -9,15 +9,17 @@ use linkage_symbolic::{Ex, Polynomial, SymbolId, V2, Vector, collect, substitute
 use crate::algebra::Algebra;
 use crate::structure::{Form, Rotor};
 
-/// So many loops behind a point double the ways to it each; behind more it is not known how far it can move.
+/// The most loops that are followed. Each loop doubles the ways to a point; with more loops it is
+/// not known how far the point can move.
 const MOST_LOOPS: usize = 6;
 
-/// What an earlier group says about points that hang on it.
+/// The loop of an earlier group, through which points of the group can be reached.
 #[derive(Debug)]
 pub(super) struct Contour<'m> {
     /// A sum of vectors that is 0.
     loop_vector: V2<'m>,
-    /// The terms with the group's unknowns, each of which any vector can do without; none for a coupled group.
+    /// The terms with the group's unknowns, each of which any vector can do without; none for a
+    /// coupled group.
     own: Vec<UnknownTerm>,
     /// The symbols of the unknowns.
     symbols: Vec<SymbolId>,
@@ -35,7 +37,7 @@ pub(super) struct EarlierGroups<'m> {
 /// A term with an unknown of the group.
 #[derive(Debug)]
 enum UnknownTerm {
-    /// What turns with an angle: cosine and sine.
+    /// A vector that turns with an angle: cosine and sine.
     Turning([SymbolId; 2]),
     Slide(SymbolId),
     /// A slide along a guide that turns with an angle.
@@ -43,7 +45,7 @@ enum UnknownTerm {
 }
 
 impl<'m> Contour<'m> {
-    /// `None` for what is no group of the plane with two unknowns, nor coupled.
+    /// Returns `None` for a group that is neither coupled nor of the plane with two unknowns.
     pub(super) fn new(algebra: &Algebra<'m>, form: &Form<'m>) -> Option<Self> {
         let symbols = |angle: usize| {
             let angle = &algebra.names.angles[angle];
@@ -135,7 +137,8 @@ pub(super) fn without_explicit<'m>(
     }
 }
 
-/// What turns forth and back with an angle does not turn: a link by an angle from another one, that one's way to its own angle.
+/// Simplifies vectors that turn forth and back with an angle, such as a link with an angle from
+/// another link on the way to its own angle.
 fn multiplied_out<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> V2<'m> {
     let present = algebra.graph.symbols_of(&vector.ids());
     let angles = algebra.names.angles.iter();
@@ -161,8 +164,9 @@ fn sum<'m>(algebra: &Algebra<'m>, polynomial: &Polynomial<'m>, symbols: &[Symbol
     terms.fold(algebra.zero(), |sum, term| sum + term)
 }
 
-/// A vector, in all ways that lead around the loops of earlier groups: the way in which it is written is none of them by itself. Of each loop
-/// one of its group's unknowns is got rid of, first of the last one. No way, where it hangs on a coupled group or on too many.
+/// A vector, in all ways that lead around the loops of earlier groups: the way in which it is
+/// written is none of them by itself. Of each loop one of its group's unknowns is got rid of, first
+/// of the last one. No way, where it hangs on a coupled group or on too many.
 pub(super) fn ways_to<'m>(
     algebra: &Algebra<'m>,
     earlier: &EarlierGroups<'m>,
@@ -211,8 +215,9 @@ impl UnknownTerm {
         }
     }
 
-    /// What cosine and sine, or a slide along a vector and across it, have for factors in a vector. `None` if it is no sum of such a term and
-    /// of others, or if they are not fixed.
+    /// The factors of cosine and sine in a vector, or of a slide along a vector and across it.
+    /// Returns `None` if the vector is no sum of such a term and of others, or if the factors are
+    /// not fixed.
     fn columns<'m>(&self, vector: V2<'m>) -> Option<[V2<'m>; 2]> {
         let symbols = self.symbols();
         let rows = vector.0.map(|x| collect(x, &symbols, &[]));

@@ -1,8 +1,8 @@
 //! Coupled groups: a fixed number of Newton steps from a prepared state near the solution.
 //!
-//! A private link `V = -(the rest of its loop)` keeps its length: `(r^2 - V.V)/2 = 0`, whose derivative by another unknown is
-//! `V . column`. A private slide leaves `guide x rest = 0`. The steps work with unit vectors, one division each, and neither root nor
-//! arc function.
+//! A private link `V = -(the rest of its loop)` keeps its length: `(r^2 - V.V)/2 = 0`, whose
+//! derivative by another unknown is `V . column`. A private slide leaves `guide x rest = 0`. The
+//! steps work with unit vectors, one division each, and neither root nor arc function.
 
 mod differentiate;
 mod equations;

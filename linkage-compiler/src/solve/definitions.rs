@@ -14,7 +14,7 @@ pub(super) fn mode_sign<'m>(algebra: &Algebra<'m>, group: &GroupContext<'_, 'm>)
     algebra.source(Source::Mode(group.mode))
 }
 
-/// Says what an unknown symbol is computed as and how it is differentiated.
+/// Sets the expression of an unknown symbol, and the rule of its derivatives.
 fn define<'m>(algebra: &mut Algebra<'m>, symbol: SymbolId, value: Ex<'m>, rule: Rule<'m>) {
     algebra.graph.define(symbol, value.id());
     algebra.solutions.set_rule(symbol, rule);
@@ -35,7 +35,8 @@ pub(super) fn define_length<'m>(
     define(algebra, symbol, value, rule);
 }
 
-/// Gives an angle the cosine, sine and value of another expression, which it is differentiated as, too.
+/// Gives an angle the cosine, sine and value of another expression, which it is differentiated as,
+/// too.
 pub(super) fn define_relation<'m>(algebra: &mut Algebra<'m>, angle: usize, values: [Ex<'m>; 3]) {
     let symbols = algebra.names.angles[angle].symbols();
     for (symbol, value) in symbols.into_iter().zip(values) {
@@ -81,7 +82,7 @@ pub(super) fn define_angle_from<'m>(
     graph.define(symbols.value, value.id());
 }
 
-/// Says what an angle keeps within a quarter turn of.
+/// Sets the direction within a quarter turn of which an angle stays.
 pub(super) fn bear<'m>(algebra: &mut Algebra<'m>, angle: usize, bearing: AngleReference<'m>) {
     algebra.names.angles[angle].bearing = Some(bearing);
 }

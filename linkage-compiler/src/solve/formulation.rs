@@ -43,7 +43,7 @@ pub(crate) struct Formulation<'m> {
 }
 
 impl<'m> Formulation<'m> {
-    /// What grids over two inputs know in their cells.
+    /// The terms that grids over two inputs store in their cells.
     pub(crate) fn in_cells(&self) -> Terms {
         let mut over_two = self.prepared().filter(|own| own.inputs.len() == 2);
         if over_two.any(|own| own.in_cells == Terms::Slopes) {
@@ -60,7 +60,7 @@ impl<'m> Formulation<'m> {
             .count()
     }
 
-    /// What is prepared for the coupled groups, in order.
+    /// The prepared states of the coupled groups, in order.
     pub(crate) fn prepared(&self) -> impl Iterator<Item = &Prepared<'m>> {
         self.groups
             .iter()

@@ -1,4 +1,4 @@
-//! How long a vector of the plane can become when all that turns in it turns: what a margin is measured by.
+//! The greatest length of a vector of the plane whose parts turn: the measure of a margin.
 
 use crate::algebra::Algebra;
 use crate::algebra::parts;
@@ -6,8 +6,9 @@ use crate::solve::contour;
 use crate::solve::group_context::GroupContext;
 use linkage_symbolic::{Ex, V2};
 
-/// The margin of a group whose determinant is `h = sqrt(vector.vector - level^2)`: over the largest value that it has for these lengths. Where
-/// nothing moves, and where it is not known how far (in space), over the vector's length.
+/// The margin of a group whose determinant is `h = sqrt(vector.vector - level^2)`: over the largest
+/// value that it has for these lengths. Where nothing moves, and where it is not known how far (in
+/// space), over the vector's length.
 ///
 /// `h` is scaled, the others are not.
 pub(super) fn root_margin<'m>(
@@ -18,7 +19,8 @@ pub(super) fn root_margin<'m>(
     level: Ex<'m>,
     scale: Ex<'m>,
 ) -> Ex<'m> {
-    // What leads to a point in several ways bounds it in each of them; the shortest way is the same however the vector is written.
+    // What leads to a point in several ways bounds it in each of them; the shortest way is the same
+    // however the vector is written.
     let ways = if vector.is_fixed() {
         Vec::new()
     } else {
@@ -42,7 +44,8 @@ pub(super) fn root_margin<'m>(
     (h / largest).min(h.number(1.0))
 }
 
-/// The sum of the lengths of a vector's parts, if they can all point the same way: each turns, and keeps its length.
+/// The sum of the lengths of a vector's parts, if they can all point the same way: each turns, and
+/// keeps its length.
 fn longest<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Option<Ex<'m>> {
     let parts = parts::parts(algebra, vector);
     let mut turning = parts.turning.iter().map(|(_, part)| part);

@@ -1,10 +1,11 @@
 //! Every unknown expressed: the closed form of each group.
 //!
-//! One file for each form of group. A group's unknowns get definitions that are computed by the closed form; their
-//! derivatives follow from the group's equations (see [`Solution`](crate::algebra::Solution)).
+//! One file for each form of group. A group's unknowns get definitions that are computed by the
+//! closed form; their derivatives follow from the group's equations (see
+//! [`Solution`](crate::algebra::Solution)).
 //!
-//! Floors, from below: `closed`, `unknowns`, `contour`, `group_context`, `definitions`; `circles`, `plane`, `space` and `longest`; the
-//! closed forms and `coupled`; `formulation`; this file.
+//! Floors, from below: `closed`, `unknowns`, `contour`, `group_context`, `definitions`; `circles`,
+//! `plane`, `space` and `longest`; the closed forms and `coupled`; `formulation`; this file.
 
 mod circles;
 mod closed;
@@ -76,7 +77,8 @@ pub(crate) fn formulate<'m>(
         earlier.contours.extend(Contour::new(algebra, &group.form));
         coupled += usize::from(prepared.is_some());
         if closed.class == 0 && group.finds_point(algebra.mechanism) {
-            // A point on a line at a distance from another: the slide has no name, but the group is a dyad.
+            // A point on a line at a distance from another: the slide has no name, but the group is
+            // a dyad.
             closed = Closed {
                 kind: "RRP".into(),
                 class: 2,

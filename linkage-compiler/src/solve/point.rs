@@ -1,4 +1,5 @@
-//! A point at given distances from known points and on known planes, a direction at given angles to known directions.
+//! A point at given distances from known points and on known planes, a direction at given angles to
+//! known directions.
 
 mod differentiate;
 mod geometry;
@@ -15,13 +16,14 @@ use geometry::{Ball, Level, PointOnSpheres};
 
 use super::plane::{defined_gap, gap, guarded};
 
-/// About what a vector's length is of the sum of its components, which needs no root: it is 0.58 to 1.
+/// The length of a vector as a share of the sum of its components, which needs no root: it is 0.58
+/// to 1.
 const SUM_OF_COMPONENTS: f64 = 0.625;
 
-/// The difference of two spheres is a plane, so there are two planes `u.y = a`, `v.y = b` and a sphere. Their line goes along
-/// `n = u x v`; its foot is `t x n / n.n` with `t = a v - b u`, at the distance `|t|/|n|`, and the root is
-/// `h = sqrt(r^2 - t.t/n.n)`. Lengths are scaled by a power of two, so that products of many do not
-/// overflow.
+/// The difference of two spheres is a plane, so there are two planes `u.y = a`, `v.y = b` and a
+/// sphere. Their line goes along `n = u x v`; its foot is `t x n / n.n` with `t = a v - b u`, at
+/// the distance `|t|/|n|`, and the root is `h = sqrt(r^2 - t.t/n.n)`. Lengths are scaled by a power
+/// of two, so that products of many do not overflow.
 pub(super) fn point<'m>(
     algebra: &mut Algebra<'m>,
     group: &GroupContext<'_, 'm>,
@@ -111,7 +113,8 @@ fn axis<'m>(algebra: &Algebra<'m>, component: usize) -> Plane<'m> {
     }
 }
 
-/// What the line's distance from the first centre consists of, times `|n|`; lengths as sums of components.
+/// The terms of the line's distance from the first centre, times `|n|`; lengths as sums of
+/// components.
 fn lengths_of<'m>(first: &Level<'m>, second: &Level<'m>) -> Ex<'m> {
     let [u, v] = [first, second].map(|level| {
         let [x, y, z] = level.normal.map(Ex::abs).0;
@@ -145,7 +148,8 @@ fn balls<'m>(spheres: &[Sphere<'m>]) -> (Ex<'m>, Vec<Ball<'m>>) {
     (scale, balls)
 }
 
-/// The plane of the circle in which two spheres meet: `a . y = (a.a + (r0 - r)(r0 + r))/2` for the distance `a` of the centres.
+/// The plane of the circle in which two spheres meet: `a . y = (a.a + (r0 - r)(r0 + r))/2` for the
+/// distance `a` of the centres.
 fn radical_plane<'m>(base: &Ball<'m>, ball: &Ball<'m>) -> Level<'m> {
     let square = ball.apart.square();
     let imbalance = base.scaled.difference_of_squares(ball.scaled);

@@ -12,7 +12,7 @@ use crate::algebra::Term;
 
 use super::plane::{known_term, linear_gap, where_finite};
 
-/// `s1 G1 + s2 G2 = C` by Cramer's rule.
+/// Solves `s1 G1 + s2 G2 = C` with Cramer's rule.
 pub(super) fn prp<'m>(
     algebra: &mut Algebra<'m>,
     group: &GroupContext<'_, 'm>,
@@ -51,7 +51,8 @@ pub(super) fn prp<'m>(
     }
 }
 
-/// The determinant's largest value: 1 for guides along directions, and for lines given by unit normals.
+/// The determinant's largest value: 1 for guides along directions, and for lines given by unit
+/// normals.
 fn largest_determinant(guides: [V2; 2]) -> Ex {
     let rows = [0, 1].map(|k| Vector([guides[0][k], guides[1][k]]));
     let [along, across] = [guides, rows].map(|pair| {

@@ -12,7 +12,8 @@ use crate::algebra::Term;
 
 use super::plane::{gap, known_term};
 
-/// `a x^2 + 2 p x + c = 0`: `x = (w h - p)/a` or, where that would cancel, `c/(-p - w h)`, with `h = sqrt(p^2 - a c)`.
+/// `a x^2 + 2 p x + c = 0`: `x = (w h - p)/a` or, where that would cancel, `c/(-p - w h)`, with
+/// `h = sqrt(p^2 - a c)`.
 pub(super) fn quadratic<'m>(
     algebra: &mut Algebra<'m>,
     group: &GroupContext<'_, 'm>,

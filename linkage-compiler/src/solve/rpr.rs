@@ -14,8 +14,8 @@ use crate::structure::Rotor;
 
 use super::plane::{gap, guarded, known_term, rotor_terms};
 
-/// `(Z + s W) u = C`: the line passes the link's pivot at the distance `b = W x Z / |W|`; from its foot the slider is at
-/// `w sqrt(C.C - b^2)`, and the line's direction is `C (s - i b) / C.C`.
+/// `(Z + s W) u = C`: the line passes the link's pivot at the distance `b = W x Z / |W|`; from its
+/// foot the slider is at `w sqrt(C.C - b^2)`, and the line's direction is `C (s - i b) / C.C`.
 pub(super) fn rpr<'m>(
     algebra: &mut Algebra<'m>,
     group: &GroupContext<'_, 'm>,

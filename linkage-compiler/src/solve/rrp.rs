@@ -14,8 +14,9 @@ use crate::structure::Rotor;
 
 use super::plane::{gap, guarded, known_term, rotor_terms, squarable};
 
-/// `Z u + s G = C`: the distance of the point from the line is `X = g x C`, the link reaches `h = sqrt((r - X)(r + X))`
-/// along it. The link's vector is `w h g + X g_perp`, never the difference `C - s G`.
+/// `Z u + s G = C`: the distance of the point from the line is `X = g x C`, the link reaches
+/// `h = sqrt((r - X)(r + X))` along it. The link's vector is `w h g + X g_perp`, never the
+/// difference `C - s G`.
 pub(super) fn rrp<'m>(
     algebra: &mut Algebra<'m>,
     group: &GroupContext<'_, 'm>,
@@ -40,7 +41,8 @@ pub(super) fn rrp<'m>(
     };
     let [along, x] = from_guide.0;
     let q = r.difference_of_squares(x);
-    // Rounding in `X` is that of `|C|`, which near the dead point, where `|X| = r`, is less than this sum.
+    // Rounding in `X` is that of `|C|`, which near the dead point, where `|X| = r`, is less than
+    // this sum.
     let noise = r * (along.abs() + size);
     let h = q.root(noise);
     let hw = w * h;
@@ -137,7 +139,8 @@ pub(super) fn rrp<'m>(
     }
 }
 
-/// The loop in the coordinates that it is differentiated in: fixed ones, or those of the link that carries the guide.
+/// The loop in the coordinates that it is differentiated in: fixed ones, or those of the link that
+/// carries the guide.
 struct Equation<'m> {
     vector: V2<'m>,
     unit: V2<'m>,

@@ -15,7 +15,7 @@ use crate::structure::Rotor;
 use super::circles::Squares;
 use super::plane::{defined_gap, gap, guarded, known_term, rotor_terms};
 
-/// `Z1 u1 + Z2 u2 = C` by the intersection of two circles.
+/// Solves `Z1 u1 + Z2 u2 = C` as the intersection of two circles.
 pub(super) fn rrr<'m>(
     algebra: &mut Algebra<'m>,
     group: &GroupContext<'_, 'm>,

@@ -14,8 +14,9 @@ use crate::algebra::{Rod, Term};
 use super::plane::{gap, guarded, squarable};
 use super::space::{distance_terms, projection};
 
-/// `|K + s G| = l`: the point is at distance `X = |g x K|` from the line, the link reaches `h = sqrt((l - X)(l + X))` along it. The
-/// link's vector is `K - (g.K) g + w h g`, never `K + s G`.
+/// `|K + s G| = l`: the point is at distance `X = |g x K|` from the line, the link reaches
+/// `h = sqrt((l - X)(l + X))` along it. The link's vector is `K - (g.K) g + w h g`, never
+/// `K + s G`.
 pub(super) fn rssp<'m>(
     algebra: &mut Algebra<'m>,
     group: &GroupContext<'_, 'm>,

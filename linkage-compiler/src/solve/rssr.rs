@@ -1,4 +1,5 @@
-//! RSSR: a link with ball joints between a known point and a point that turns about an axis in space.
+//! RSSR: a link with ball joints between a known point and a point that turns about an axis in
+//! space.
 
 use crate::algebra::Algebra;
 use crate::solve::circles;
@@ -15,13 +16,14 @@ use super::circles::Squares;
 use super::plane::{defined_gap, gap, guarded};
 use super::space::{arm_length, distance_terms, projection};
 
-/// `|K + A cos + B sin| = l`, `A` and `B` perpendicular and of length `r`.
+/// Solves `|K + A cos + B sin| = l`, with `A` and `B` perpendicular and of length `r`.
 ///
-/// In the rocker's frame `K = (x, y, z)`, z along its axis. The link spans `z` along the axis; seen along it there remain two
-/// links of lengths `r` and `sqrt(l^2 - z^2)` in the plane of the circle, solved as RRR, which needs the second one's square only.
-/// So parallel axes give the planar mechanism, and needle triangles stay accurate. The link's vector is put together
-/// from both parts, never `K + A cos + B sin`. Derivatives are taken in fixed coordinates, where they have the velocity of
-/// the rocker's point in common with what users ask for.
+/// In the rocker's frame `K = (x, y, z)`, z along its axis. The link spans `z` along the axis. Seen
+/// along the axis, two links of lengths `r` and `sqrt(l^2 - z^2)` remain in the plane of the
+/// circle. They are solved as RRR, which needs the second one's square only. So parallel axes give
+/// the planar mechanism, and needle triangles stay accurate. The link's vector is put together from
+/// both parts, never `K + A cos + B sin`. Derivatives are taken in fixed coordinates, in which they
+/// share the velocity of the rocker's point with the outputs.
 pub(super) fn rssr<'m>(
     algebra: &mut Algebra<'m>,
     group: &GroupContext<'_, 'm>,

@@ -11,7 +11,7 @@ use crate::algebra::{CoreRow, Elimination, Solution, Term};
 
 use super::plane::{known_term, linear_gap, where_finite};
 
-/// `s1 G1 + s2 G2 + s3 G3 + K = 0` by triple products.
+/// Solves `s1 G1 + s2 G2 + s3 G3 + K = 0` with triple products.
 pub(super) fn three_slides<'m>(
     algebra: &mut Algebra<'m>,
     group: &GroupContext<'_, 'm>,

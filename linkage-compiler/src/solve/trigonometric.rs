@@ -12,8 +12,8 @@ use crate::algebra::{AngleReference, Term};
 
 use super::plane::{gap, guarded, known_term};
 
-/// `A cos + B sin = C`: with `R = sqrt(A^2 + B^2)` and `h = sqrt((R - C)(R + C))` the unit vector is
-/// `(A C - w B h, B C + w A h) / R^2`.
+/// `A cos + B sin = C`: with `R = sqrt(A^2 + B^2)` and `h = sqrt((R - C)(R + C))` the unit vector
+/// is `(A C - w B h, B C + w A h) / R^2`.
 pub(super) fn trigonometric<'m>(
     algebra: &mut Algebra<'m>,
     group: &GroupContext<'_, 'm>,
@@ -79,7 +79,8 @@ pub(super) fn trigonometric<'m>(
     }
 }
 
-/// An equation between areas, times a power of two near 1 over its size: the squares of areas would leave the range of numbers early.
+/// An equation between areas, times a power of two near 1 over its size: the squares of areas would
+/// leave the range of numbers early.
 fn scaled<'m>(
     algebra: &Algebra<'m>,
     group: &GroupContext<'_, 'm>,

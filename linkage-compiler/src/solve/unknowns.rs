@@ -43,7 +43,8 @@ pub(super) fn symbols_of_form(algebra: &Algebra, form: &Form) -> Vec<SymbolId> {
     }
 }
 
-/// The symbols of the private unknowns of loops and of the core, with those of each angle from `of_angle`.
+/// The symbols of the private unknowns of loops and of the core, with those of each angle from
+/// `of_angle`.
 pub(super) fn symbols_of_coupled(
     coupled: &Coupled,
     of_angle: impl Fn(usize) -> Vec<SymbolId>,

@@ -1,4 +1,4 @@
-//! Links: rods, plates, points of frames, what the user adds.
+//! Links: rods, plates, points of frames, lists of the user.
 
 use super::{FOUR_BAR, FOUR_BAR_PICTURE, compile, expect};
 

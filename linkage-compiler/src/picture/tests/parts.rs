@@ -2,7 +2,8 @@
 
 use crate::check_all;
 
-/// Points in which parts meet belong to both; cranks on one shaft are two links, and one that is called after the shaft is known by its points.
+/// Points in which parts meet belong to both; cranks on one shaft are two links, and one that is
+/// called after the shaft is known by its points.
 #[test]
 fn parts_of_a_machine_have_what_they_bring_along() {
     let text = "
@@ -42,7 +43,8 @@ fn parts_of_a_machine_have_what_they_bring_along() {
     assert_eq!(parts, expected, "\n{picture}");
 }
 
-/// Cranks of two parts that turn unlike each other are driven by the shaft, not by each other; those of one part are wheels.
+/// Cranks of two parts that turn unlike each other are driven by the shaft, not by each other;
+/// those of one part are wheels.
 #[test]
 fn wheels_are_of_one_part() {
     let text = |second: &str| {
@@ -77,7 +79,8 @@ fn wheels_are_of_one_part() {
     );
 }
 
-/// Pivots of two parts that happen to stand at one place, where no other dimensions close: they are two points, unless they are shared.
+/// Pivots of two parts that happen to stand at one place, where no other dimensions close: they are
+/// two points, unless they are shared.
 #[test]
 fn pivots_of_coupled_parts_that_coincide_by_chance_are_two_points() {
     let pivots = |given: &str| {

@@ -1,4 +1,4 @@
-//! What is no picture, and that other functions do not change with one.
+//! Refused pictures, and functions without a picture next to one with a picture.
 
 use super::{FOUR_BAR, compile, expect_message};
 use crate::ir::CompiledMechanism;

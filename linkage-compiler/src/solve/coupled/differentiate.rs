@@ -1,4 +1,5 @@
-//! What differentiation needs of a coupled group: private unknowns, terms, columns and how they are eliminated.
+//! The solution of a coupled group for differentiation: private unknowns, terms, columns and their
+//! elimination.
 
 use crate::algebra::Algebra;
 use crate::algebra::partial;
@@ -13,7 +14,7 @@ use crate::structure::{Block, Link, Private};
 use super::equations::{BlockAtRow, Equations};
 use super::rotation_variation::carried;
 
-/// Defines the private unknowns and records what differentiation needs.
+/// Defines the private unknowns and records the solution for differentiation.
 pub(super) fn push_coupled<'m>(
     algebra: &mut Algebra<'m>,
     group: &GroupContext<'_, 'm>,
@@ -128,7 +129,8 @@ fn terms_of<'m>(
     terms.collect()
 }
 
-/// The rows of a loop. The difference of two links is that of their squares: as products its derivatives have more terms.
+/// The rows of a loop. The difference of two links is that of their squares: as products its
+/// derivatives have more terms.
 fn written<'m>(block: &Block<'m>, bodies: &[Body<'m>]) -> Vec<Written<'m>> {
     let row = |&row: &Ex<'m>| Written { row, links: None };
     let (Some(link), [own]) = (&block.distance, &block.rows[..]) else {

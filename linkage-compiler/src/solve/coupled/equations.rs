@@ -25,7 +25,7 @@ pub(super) struct Equations<'f, 'm> {
     pub(super) rows: Vec<CoreRow<'m>>,
     /// The derivatives of the residuals by the scaled unknowns.
     pub(super) matrix: Vec<Vec<Ex<'m>>>,
-    /// What steps solve instead, if it is too large for cofactors.
+    /// The system that steps solve instead, if the core is too large for cofactors.
     pub(super) large: Option<LargeSystem<'m>>,
 }
 
@@ -48,7 +48,7 @@ impl<'m> BlockAtRow<'_, 'm> {
 #[derive(Clone, Copy)]
 struct Column<'m> {
     variable: SymbolId,
-    /// What derivatives by it are multiplied by.
+    /// The factor of derivatives with respect to it.
     scale: Ex<'m>,
 }
 
@@ -65,7 +65,7 @@ impl<'f, 'm> Equations<'f, 'm> {
         })
     }
 
-    /// How many equations of the core a loop leaves.
+    /// The number of equations of the core that a loop leaves.
     pub(super) fn count(&self, loop_rows: BlockAtRow<'_, 'm>) -> usize {
         match loop_rows.block.private {
             Some(_) => 1,
@@ -81,7 +81,8 @@ impl<'f, 'm> Equations<'f, 'm> {
         }
     }
 
-    /// What the rows of a loop are multiplied by. Vector loops and distances are lengths; what a scalar loop is, nobody knows.
+    /// The factor of the rows of a loop. Vector loops and distances are lengths; the dimension of a
+    /// scalar loop is unknown.
     pub(super) fn row_scale(&self, block: &Block<'m>) -> Ex<'m> {
         if block.is_length() {
             self.scale
@@ -90,7 +91,7 @@ impl<'f, 'm> Equations<'f, 'm> {
         }
     }
 
-    /// What the derivatives of a loop by an unknown of the core are multiplied by.
+    /// The factor of a loop's derivatives with respect to an unknown of the core.
     pub(super) fn column_scale(&self, block: &Block<'m>, core: Core) -> Ex<'m> {
         match (core, block.is_length()) {
             (Core::Angle(_) | Core::Length { number: true, .. }, _) => self.row_scale(block),
@@ -166,8 +167,9 @@ fn reach<'m>(algebra: &Algebra<'m>, form: &Coupled<'m>) -> Ex<'m> {
     }
 }
 
-/// Links that inputs change say nothing: instead of them, how far their fixed ends are from the origins of what moves. A platform whose
-/// legs are all driven has no other size.
+/// The sum of the distances between the fixed ends of driven links and the origins of moving
+/// bodies. Driven links have no length of their own, and a platform whose legs are all driven has
+/// no other size.
 fn between_ends<'m>(algebra: &Algebra<'m>, form: &Coupled<'m>) -> Ex<'m> {
     let zero = algebra.zero();
     let driven = form.blocks.iter().filter_map(|b| b.distance.as_ref());

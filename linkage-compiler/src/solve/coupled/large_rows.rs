@@ -1,9 +1,12 @@
-//! Newton steps of cores that are too large for cofactors: their bodies turn, and links are taken one by one.
+//! Newton steps of cores that are too large for cofactors: bodies turn, and links are taken one by
+//! one.
 //!
-//! A step needs not the equations that derivatives need: any that have the same solutions and, but for constant factors, the same determinant.
-//! Where a body carries the end of a link with the vector `V`, half of the square of `V` changes by `arm x V` as the body turns, and the
-//! derivatives by the nine components of its directions are not needed. What keeps the directions perpendicular and of length 1 is no equation of a
-//! step: they are made so where it begins, and turned.
+//! A step does not need the equations that derivatives need. Any equations with the same solutions
+//! and, up to constant factors, the same determinant suffice. If a body carries the end of a link
+//! with the vector `V`, half of the square of `V` changes by `arm x V` as the body turns, and the
+//! derivatives with respect to the nine components of its directions are not needed. No equation of
+//! a step keeps the directions perpendicular and of length 1: they are made so at its start, and
+//! turned.
 
 use crate::algebra::Algebra;
 use crate::algebra::nominal;
@@ -23,11 +26,11 @@ use super::rotation_variation::{of_square, same};
 struct Row<'m> {
     residual: Ex<'m>,
     entries: Vec<Ex<'m>>,
-    /// What it is over the equation of the core.
+    /// The row over the equation of the core.
     factor: Ex<'m>,
 }
 
-/// What the steps of a large core solve, and how its derivatives are found.
+/// Builds the system for the steps of a large core, and the scheme for its derivatives.
 pub(super) fn large_system<'m>(
     algebra: &mut Algebra<'m>,
     group: &GroupContext<'_, 'm>,
@@ -57,7 +60,8 @@ pub(super) fn large_system<'m>(
     }
 }
 
-/// The order in which a matrix is eliminated, from what it is where the unknowns are estimated.
+/// The order in which a matrix is eliminated, found from its values at the estimates of the
+/// unknowns.
 fn pivot_order<'m>(
     algebra: &Algebra<'m>,
     group: &GroupContext<'_, 'm>,
@@ -100,8 +104,8 @@ fn rows_of_step<'m>(
     rows
 }
 
-/// `(V.V - l^2)/2` of a link that ends on bodies, scaled. The equation of the core is this over the length, less a multiple of another
-/// one: neither changes steps.
+/// Returns `(V.V - l^2)/2` for a link that ends on bodies, scaled. The equation of the core is this
+/// over the length, less a multiple of another one: neither changes steps.
 fn row_of_link<'m>(
     algebra: &mut Algebra<'m>,
     equations: &Equations<'_, 'm>,

@@ -8,7 +8,7 @@ use super::state::StatePart;
 
 /// The system that a step solves.
 pub(super) struct LargeSystem<'m> {
-    /// How that of all unknowns is solved, for derivatives.
+    /// The scheme that solves the system of all unknowns, for derivatives.
     pub(super) scheme: Scheme<'m>,
     pub(super) residuals: Vec<Ex<'m>>,
     /// Their derivatives by the freedoms.
@@ -23,7 +23,8 @@ impl<'m> LargeSystem<'m> {
         &self.scheme.bodies.all
     }
 
-    /// Makes the directions of bodies perpendicular and of length 1, but for the square of what they miss, which is returned.
+    /// Makes the directions of bodies perpendicular and of length 1, up to the square of their
+    /// errors. Returns the errors.
     pub(super) fn straighten(&self, start: &mut [StatePart<'m>]) -> Vec<Ex<'m>> {
         let mut missed = Vec::new();
         for body in self.bodies() {

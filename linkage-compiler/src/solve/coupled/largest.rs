@@ -1,7 +1,8 @@
-//! How large the determinant of a coupled group can become: what its margin is measured by.
+//! The largest determinant of a coupled group: the measure of its margin.
 //!
-//! It is as large as it gets when every link and guide may point anywhere while the bodies between them stay where they are. So it follows from
-//! the mechanism, not from the choice of unknowns, of loops, or of what is eliminated from them.
+//! The determinant is largest when every link and guide may point anywhere while the bodies between
+//! them stay where they are. The value follows from the mechanism, not from the choice of unknowns,
+//! of loops, or of eliminated unknowns.
 
 mod parts;
 mod plane;
@@ -34,7 +35,8 @@ pub(super) fn largest_core_determinant<'m>(
     let links: Option<Vec<&Link>> = blocks.iter().map(|b| b.distance.as_ref()).collect();
     match links {
         Some(links) => largest_of_links(algebra, equations, &links),
-        // What a scalar loop measures, nobody knows: the determinant without its signs changes with its scale as the determinant does.
+        // What a scalar loop measures, nobody knows: the determinant without its signs changes with
+        // its scale as the determinant does.
         None => permanent(
             algebra,
             &equations.matrix,
@@ -43,8 +45,9 @@ pub(super) fn largest_core_determinant<'m>(
     }
 }
 
-/// Where what the links could do at most is too much to compute: a volume is at most the product of the lengths of its rows; and where all
-/// rows have length 1, at most the product of the lengths of its columns, which is less where bodies are small beside their links.
+/// A bound for links whose largest determinant is too expensive. A volume is at most the product of
+/// the lengths of its rows. If all rows have length 1, it is at most the product of the lengths of
+/// its columns, which is less if bodies are small compared with their links.
 fn product_of_sides<'m>(algebra: &Algebra<'m>, matrix: &[Vec<Ex<'m>>]) -> Ex<'m> {
     let product = |squares: &[Ex<'m>]| {
         let lengths = squares.iter().map(|square| square.sqrt());
@@ -72,8 +75,9 @@ fn product_of_columns<'m>(algebra: &Algebra<'m>, equations: &Equations<'_, 'm>) 
     columns.fold(algebra.one(), |product, length| product * length)
 }
 
-/// Links in space, each of which may point anywhere. For one and two it is reached; for more it is the volume that the motions of their
-/// ends span, of which links along those motions would leave all.
+/// Links in space, each of which may point anywhere. For one and two it is reached; for more it is
+/// the volume that the motions of their ends span, of which links along those motions would leave
+/// all.
 fn largest_of_links<'m>(
     algebra: &mut Algebra<'m>,
     equations: &Equations<'_, 'm>,
@@ -130,8 +134,8 @@ fn permanent<'m>(algebra: &Algebra<'m>, matrix: &[Vec<Ex<'m>>], columns: u32) ->
     sum
 }
 
-/// The largest value of `(u.a)(v.d) - (u.b)(v.c)` for directions `u` and `v`: the larger singular value of `a d' - b c'`, from the sum of the squares
-/// of both and from their product.
+/// The largest value of `(u.a)(v.d) - (u.b)(v.c)` for directions `u` and `v`: the larger singular
+/// value of `a d' - b c'`, from the sum of the squares of both and from their product.
 fn largest_of_two<'m>(first: &[V3<'m>], second: &[V3<'m>]) -> Ex<'m> {
     let ([a, b], [c, d]) = (first, second) else {
         unreachable!("two links, two unknowns")

@@ -42,7 +42,8 @@ impl<'m> Laurent<'m> {
         self.map(|own| own.turned(factor))
     }
 
-    /// The conjugate of a unit vector is its inverse, the two variables of a point are each other's.
+    /// The conjugate of a unit vector is its inverse, the two variables of a point are each
+    /// other's.
     pub(super) fn conjugate(&self, variables: &[Variable]) -> Self {
         let terms = self.0.iter().map(|(exponents, coefficient)| {
             let mut reflected = exponents.clone();

@@ -1,4 +1,4 @@
-//! Newton steps of a core, from a state to the next, and what a solution must stand.
+//! Newton steps of a core from a state to the next, and the conditions on a solution.
 
 use crate::algebra::Algebra;
 use crate::algebra::elimination;
@@ -15,12 +15,12 @@ use crate::algebra::InOrder;
 use super::equations::Equations;
 use super::state::StatePart;
 
-/// Steps of the inverse root before the one that each step begins with, for unit vectors that were extrapolated in a cell of a grid. They
-/// bring a length that is off by a quarter to rounding; a length that is off by more than the correction would make the
-/// next correction the larger one.
+/// Steps of the inverse root before the one that each step begins with, for unit vectors that were
+/// extrapolated in a cell of a grid. They bring a length that is off by a quarter to rounding; a
+/// length that is off by more than the correction would make the next correction the larger one.
 const LENGTHS: usize = 3;
 
-/// How a solution is reached.
+/// The way in which a solution is reached.
 #[derive(Clone, Copy)]
 pub(super) struct Plan {
     steps: usize,
@@ -33,7 +33,7 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// From a table over one input or polynomials over two, whose error is known.
+    /// Starts from a table over one input or polynomials over two, whose error is known.
     const FROM_TABLE: Self = Self {
         steps: 1,
         first: None,
@@ -41,7 +41,7 @@ impl Plan {
         lengths: 0,
     };
 
-    /// From such a table for dimensions, derivatives or digits that it does not know.
+    /// Starts from such a table for dimensions, derivatives or digits that it does not cover.
     const BESIDE_TABLE: Self = Self {
         steps: STEPS_BESIDE,
         first: Some(FIRST_CORRECTION),
@@ -49,7 +49,7 @@ impl Plan {
         lengths: 0,
     };
 
-    /// From the nearest of prepared states over several inputs.
+    /// Starts from the nearest of prepared states over several inputs.
     const FROM_GRID: Self = Self {
         steps: STEPS_BESIDE,
         first: None,
@@ -81,7 +81,8 @@ pub(super) struct Step<'m> {
     /// The state with unit vectors of length 1, as the corrections apply to it.
     start: Vec<StatePart<'m>>,
     pub(super) corrections: Vec<Ex<'m>>,
-    /// The sum of the squares of the corrections; of a body, of its turns and of what its directions missed.
+    /// The sum of the squares of the corrections. A body contributes its turns and the errors of
+    /// its directions.
     pub(super) size2: Ex<'m>,
     pub(super) determinant: Ex<'m>,
 }
@@ -146,9 +147,9 @@ pub(super) fn step<'m>(
     }
 }
 
-/// The state after some steps, NaN unless the first correction is within the plan's limit, the last one tiny, every one much
-/// smaller than the one before, and the determinant keeps its sign and, from a table, half of its size. `floor` is half of its
-/// least value near the state.
+/// The state after some steps, NaN unless the first correction is within the plan's limit, the last
+/// one tiny, every one much smaller than the one before, and the determinant keeps its sign and,
+/// from a table, half of its size. `floor` is half of its least value near the state.
 pub(super) fn solution<'m>(
     algebra: &Algebra<'m>,
     equations: &Equations<'_, 'm>,

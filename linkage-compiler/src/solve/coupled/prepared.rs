@@ -9,7 +9,7 @@ use crate::structure::Core;
 use super::state::Meaning;
 use super::system::System;
 
-/// What is prepared for a coupled group and how it is used.
+/// The prepared states of a coupled group, and the definitions that use them.
 #[derive(Clone, Debug)]
 pub(crate) struct Prepared<'m> {
     /// Index among the coupled groups.
@@ -18,17 +18,17 @@ pub(crate) struct Prepared<'m> {
     pub(crate) inputs: Vec<usize>,
     /// Numbers in a state.
     pub(crate) size: usize,
-    /// What a grid over its inputs knows in a cell.
+    /// The terms that a grid over its inputs stores in a cell.
     pub(crate) in_cells: Terms,
     /// Polynomials of which the assemblies are the real roots.
     pub(crate) system: System<'m>,
     /// One step: the new state, the square of the correction, the determinant.
     pub(crate) step: Vec<Ex<'m>>,
-    /// What the equations of the core miss by.
+    /// The closure errors of the core's equations.
     pub(super) equations: Vec<Ex<'m>>,
     /// The sum of the lengths of its links.
     pub(crate) reach: Ex<'m>,
-    /// What lengths are multiplied by in states.
+    /// The factor of lengths in states.
     pub(super) scale: Ex<'m>,
     pub(super) core: Vec<Core>,
     pub(super) raw: Vec<Meaning<'m>>,
@@ -36,10 +36,10 @@ pub(crate) struct Prepared<'m> {
     pub(super) beside: Vec<Meaning<'m>>,
 }
 
-/// Which of its meanings an unknown of a core has.
+/// The meaning that an unknown of a core has.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Version {
-    /// As prepared, without a step.
+    /// The prepared state, without a step.
     Raw,
     /// After the steps of a call.
     Called,
@@ -47,7 +47,7 @@ pub(crate) enum Version {
     Beside,
 }
 
-/// Where a number of a state is estimated.
+/// The estimate of a number of a state.
 #[derive(Clone, Copy, Debug)]
 struct Estimated {
     value: f64,
@@ -55,7 +55,8 @@ struct Estimated {
 }
 
 impl<'m> Prepared<'m> {
-    /// The state where the unknowns are estimated. Estimates are of the default mechanism: lengths grow with the links.
+    /// The state where the unknowns are estimated. Estimates are of the default mechanism: lengths
+    /// grow with the links.
     pub(crate) fn estimate(&self, algebra: &Algebra<'m>, nominal: &Nominal) -> Vec<Ex<'m>> {
         let growth = self.reach * self.scale;
         let reach = nominal.evaluate(&[self.reach])[0];
@@ -84,7 +85,7 @@ impl<'m> Prepared<'m> {
         numbers.collect()
     }
 
-    /// What the equations of the core miss by in a state.
+    /// The closure errors of the core's equations in a state.
     pub(crate) fn residuals(&self) -> Vec<Ex<'m>> {
         let meanings = self.raw.iter().map(|own| (own.symbol, own.value));
         substitute(&self.equations, &meanings.collect())
@@ -140,7 +141,7 @@ impl<'m> Prepared<'m> {
         self.inputs.len() > 1
     }
 
-    /// How calls find its unknowns, in words.
+    /// Describes the method by which calls find its unknowns.
     pub(crate) fn method(&self) -> &'static str {
         match self.in_cells {
             _ if self.has_table() => "prepared table over the input, one Newton step, certificate",

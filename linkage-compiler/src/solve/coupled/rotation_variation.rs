@@ -1,8 +1,10 @@
-//! What the equations of a large core change by as its bodies turn.
+//! The variation of the equations of a large core as its bodies turn.
 //!
-//! Where a body carries `arm`, a part of a vector, that changes by `turn x arm`. So `V . W` changes by `arm of V x what is not carried of W`, and
-//! the same the other way round, for each turn; a link's `V . V/2` by `arm x V`. The nine components of directions would say the same with several
-//! times the operations. What a row was written as proposes, and the values of its derivatives decide.
+//! A body that carries `arm`, a part of a vector, changes the vector by `turn x arm`. So `V . W`
+//! changes by `arm of V x the rest of W`, and the same the other way round, for each turn; a link's
+//! `V . V/2` changes by `arm x V`. The nine components of directions give the same with several
+//! times the operations. The form in which a row is written proposes, and the values of its
+//! derivatives decide.
 
 use linkage_symbolic::{Ex, SymbolId, V3, Vector, agree, substitute};
 
@@ -11,7 +13,7 @@ use crate::structure::Block;
 
 use super::equations::Equations;
 
-/// A vector by what a body carries of it.
+/// A vector in two parts: the part that a body carries, and the rest.
 struct Parts<'m> {
     carried: V3<'m>,
     rest: V3<'m>,
@@ -36,7 +38,7 @@ pub(super) fn freedoms<'m>(equations: &Equations<'_, 'm>, bodies: &Bodies<'m>) -
     rows.collect()
 }
 
-/// What a row may change by as a body turns, from how it was written.
+/// Variations of a row as a body turns, proposed by the form in which the row is written.
 fn proposals<'m>(equations: &Equations<'_, 'm>, body: &Body<'m>, block: &Block<'m>) -> Vec<V3<'m>> {
     let scale = equations.row_scale(block);
     if let Some([v, w]) = block.product {
@@ -60,12 +62,13 @@ fn proposals<'m>(equations: &Equations<'_, 'm>, body: &Body<'m>, block: &Block<'
     turns.into_iter().collect()
 }
 
-/// What half of the square of a vector changes by as a body turns, if the body carries a part of it as it is.
+/// The variation of half of a vector's square as a body turns, if the body carries a part of the
+/// vector as it is.
 pub(super) fn of_square<'m>(body: &Body<'m>, vector: V3<'m>) -> Option<V3<'m>> {
     Some(parts(body, vector)?.carried.cross(vector))
 }
 
-/// Whether two ways to say what a row changes by say the same: then the shorter one is taken.
+/// True if two forms of a row's variation are equal: then the shorter one is taken.
 pub(super) fn same<'m>(proposed: V3<'m>, any: V3<'m>) -> bool {
     proposed
         .0
@@ -74,12 +77,13 @@ pub(super) fn same<'m>(proposed: V3<'m>, any: V3<'m>) -> bool {
         .all(|(&own, any)| agree(own, any))
 }
 
-/// What one of the bodies carries of a vector as it is.
+/// The part of a vector that one of the bodies carries as it is.
 pub(super) fn carried<'m>(vector: V3<'m>, bodies: &[Body<'m>]) -> Option<Carried<'m>> {
     let graph = vector[0].graph();
     let mut all = bodies.iter().enumerate().filter_map(|(index, body)| {
         let Parts { carried, rest } = parts(body, vector)?;
-        // Of directions alone, but not as they are: a shadow, or a product with a fixed direction, turns otherwise.
+        // Of directions alone, but not as they are: a shadow, or a product with a fixed direction,
+        // turns otherwise.
         let own = coordinates(carried, body.axes)?;
         (!carried.is_zero()).then(|| Carried {
             body: index,
@@ -110,7 +114,8 @@ fn without<'m>(vector: V3<'m>, symbols: &[SymbolId]) -> Option<V3<'m>> {
     all.ok().map(Vector)
 }
 
-/// The same difference, in which symbols of `rest` may still be written although they cancel: each is set to 0 if that changes no value.
+/// The same difference, in which symbols of `rest` may still be written although they cancel: each
+/// is set to 0 if that changes no value.
 fn without_what_cancels<'m>(mut difference: V3<'m>, rest: V3<'m>) -> Option<V3<'m>> {
     let graph = rest[0].graph();
     for symbol in graph.symbols_of(&rest.0.map(Ex::id)) {
@@ -122,7 +127,7 @@ fn without_what_cancels<'m>(mut difference: V3<'m>, rest: V3<'m>) -> Option<V3<'
     Some(difference)
 }
 
-/// How many nodes two vectors are made of.
+/// The number of nodes of two vectors.
 fn nodes(a: V3, b: V3) -> usize {
     let roots = [a.0, b.0].concat().into_iter().map(Ex::id);
     a[0].graph().reachable(&roots.collect::<Vec<_>>()).len()

@@ -9,7 +9,7 @@ use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 use crate::algebra::Rule;
 use crate::structure::Core;
 
-/// What a symbol of an unknown of the core stands for.
+/// The value of a symbol of the core in a state.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Meaning<'m> {
     pub(super) symbol: SymbolId,
@@ -53,8 +53,8 @@ impl<'m> StatePart<'m> {
         }
     }
 
-    /// A step of the inverse root: it makes the length of a unit vector exact that is 1 to about eight digits, as those of tables and those
-    /// after a correction are.
+    /// A step of the inverse root: it makes the length of a unit vector exact that is 1 to about
+    /// eight digits, as those of tables and those after a correction are.
     pub(super) fn unit_length(self) -> Self {
         match self {
             Self::Angle(angle, unit) => {
@@ -127,7 +127,7 @@ pub(super) fn prepared_state<'m>(
     parts.collect()
 }
 
-/// What the symbols of the core stand for in a state; `unit` is the length of a scaled 1.
+/// The values of the core's symbols in a state; `unit` is the length of a scaled 1.
 pub(super) fn meanings<'m>(
     algebra: &Algebra<'m>,
     state: &[StatePart<'m>],

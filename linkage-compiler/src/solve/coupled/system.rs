@@ -1,7 +1,9 @@
-//! The equations of a coupled group as polynomials in complex unit vectors, whose real solutions are its assemblies.
+//! The equations of a coupled group as polynomials in complex unit vectors, whose real solutions
+//! are its assemblies.
 //!
-//! With `u = cos + i sin` and `1/u` its conjugate, a vector loop is one complex polynomial, and so is its conjugate. A private link
-//! gives `V conj(V) = r^2`, a private slide `Im(conj(guide) rest) = 0`. Loops in space and scalar loops are real polynomials, row by row.
+//! With `u = cos + i sin` and `1/u` its conjugate, a vector loop is one complex polynomial, and so
+//! is its conjugate. A private link gives `V conj(V) = r^2`, a private slide
+//! `Im(conj(guide) rest) = 0`. Loops in space and scalar loops are real polynomials, row by row.
 
 use linkage_core::numeric::roots::Variable;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
@@ -119,7 +121,7 @@ impl<'m> Builder<'_, 'm> {
         }
     }
 
-    /// `row 0 + i row 1` of the terms that mention none of these symbols.
+    /// Returns `row 0 + i row 1` of the terms that mention none of these symbols.
     fn without(&self, block: &Block<'m>, symbols: &[SymbolId]) -> Laurent<'m> {
         let mentions =
             |product: &Product| product.powers.iter().any(|(own, _)| symbols.contains(own));

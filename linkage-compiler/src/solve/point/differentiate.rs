@@ -1,4 +1,4 @@
-//! What differentiation needs of a point on spheres and planes.
+//! The solution of a point on spheres and planes for differentiation.
 
 use crate::algebra::Algebra;
 use crate::algebra::elimination;
@@ -16,10 +16,12 @@ use super::geometry::{Ball, PointOnSpheres};
 /// Coefficients and factors of one equation.
 type Row<'m> = Vec<(Ex<'m>, Ex<'m>)>;
 
-/// Records what differentiation needs. `volume` is the determinant of the first sphere's arm and the normals, scaled.
+/// Records the solution for differentiation. `volume` is the determinant of the first sphere's arm
+/// and the normals, scaled.
 ///
-/// The equations are the first sphere's and how the others differ from it: three nearly equal rows would cancel. They are
-/// multiplied by the scale, so that the matrix consists of scaled lengths.
+/// The equations are that of the first sphere, and the differences of the others from it: three
+/// nearly equal rows would cancel. They are multiplied by the scale, so that the matrix consists of
+/// scaled lengths.
 pub(super) fn push_point<'m>(
     algebra: &mut Algebra<'m>,
     group: &GroupContext<'_, 'm>,
@@ -111,7 +113,8 @@ fn sphere_terms<'m>(leg: V3<'m>, ball: &Ball<'m>) -> Row<'m> {
     terms
 }
 
-/// `a . (p - c) - (a . a + r^2 - r'^2)/2`, where `a` leads from the first sphere's centre `c` to that of the other.
+/// Returns `a . (p - c) - (a . a + r^2 - r'^2)/2`, with `a` from the first sphere's centre `c` to
+/// that of the other.
 fn difference_terms<'m>(leg: V3<'m>, base: &Ball<'m>, ball: &Ball<'m>) -> Row<'m> {
     let mut terms = Row::new();
     for k in 0..3 {

@@ -5,29 +5,29 @@ use linkage_symbolic::{Ex, V3};
 /// A sphere `|f (p - centre)| = radius`, with its own numbers.
 pub(super) struct Ball<'m> {
     pub(super) centre: V3<'m>,
-    /// As a distance from the centre, and scaled.
+    /// The radius as a distance from the centre, and scaled.
     pub(super) radius: Ex<'m>,
     pub(super) scaled: Ex<'m>,
-    /// From the first sphere's centre, scaled.
+    /// The vector from the first sphere's centre, scaled.
     pub(super) apart: V3<'m>,
 }
 
-/// A plane `normal . (p - centre of the first sphere) = offset`, scaled; the normal is that of the user of length 1, or the
-/// distance of two centres.
+/// A plane `normal . (p - centre of the first sphere) = offset`, scaled; the normal is that of the
+/// user of length 1, or the distance of two centres.
 pub(super) struct Level<'m> {
     pub(super) normal: V3<'m>,
     pub(super) offset: Ex<'m>,
-    /// What the offset's rounding is measured by.
+    /// The measure of the offset's rounding.
     pub(super) size: Ex<'m>,
-    /// What the normal's length is measured by in the margin.
+    /// The measure of the normal's length in the margin.
     pub(super) largest: Ex<'m>,
 }
 
-/// Where a point lies.
+/// The position of a point.
 pub(super) struct PointOnSpheres<'m> {
-    /// From the first sphere's centre, scaled.
+    /// The vector from the first sphere's centre, scaled.
     pub(super) arm: V3<'m>,
-    /// What lengths are multiplied by.
+    /// The factor of lengths.
     pub(super) scale: Ex<'m>,
     /// Scaled, 0 at the dead point.
     pub(super) h: Ex<'m>,

@@ -8,13 +8,13 @@ use crate::structure::Core;
 
 use super::super::equations::Equations;
 
-/// How much of a joint's direction each loop contains.
+/// The share of a joint's direction in each loop.
 pub(super) type Shares<'m> = Vec<Ex<'m>>;
 
 /// A column of the loops, scaled.
 type Column<'m> = Vec<V2<'m>>;
 
-/// What the unknowns move.
+/// The joints and bodies that the unknowns move.
 pub(super) struct Parts<'m> {
     /// Those with one direction in all loops, the private unknowns among them.
     pub(super) joints: Vec<Shares<'m>>,
@@ -59,8 +59,8 @@ pub(super) fn unit<'m>(algebra: &Algebra<'m>, own: usize, loops: usize) -> Share
         .collect()
 }
 
-/// The columns of the core, as if no angle were measured from another: of two angles that turn with each other, the column of the one
-/// measured from is without that of the other.
+/// The columns of the core, as if no angle were measured from another: of two angles that turn with
+/// each other, the column of the one measured from is without that of the other.
 fn absolute_columns<'m>(
     algebra: &mut Algebra<'m>,
     equations: &Equations<'_, 'm>,

@@ -1,8 +1,10 @@
-//! Loops of the plane: links and guides are joints of one direction each, whatever turns with several is a body.
+//! Loops of the plane: links and guides are joints of one direction each, and a body turns with
+//! several of them.
 //!
-//! A joint's direction is `(e^(i a) + e^(-i a))/2` of complex numbers, and the determinant is linear in it. So it is a sum over the choices of
-//! one of both for each joint, with a factor that depends on the bodies alone; the sum of the sizes is the largest value. For a link with three
-//! joints that is half of what it measures around them.
+//! A joint's direction is `(e^(i a) + e^(-i a))/2` of complex numbers, and the determinant is
+//! linear in it. So it is a sum over the choices of one of both for each joint, with a factor that
+//! depends on the bodies alone; the sum of the sizes is the largest value. For a link with three
+//! joints that is half of its perimeter.
 
 use crate::algebra::Algebra;
 use crate::solve::coupled::largest::parts;
@@ -12,13 +14,14 @@ use super::super::equations::Equations;
 use super::parts::{Parts, Shares};
 use crate::structure::{Block, Private};
 
-/// More bodies than this are measured by the lengths of their columns: a determinant of complex numbers has `n 2^n` products.
+/// More bodies than this are measured by the lengths of their columns: a determinant of complex
+/// numbers has `n 2^n` products.
 const MOST_BODIES: usize = 4;
 
 /// Sums of loops in which joints are eliminated.
 struct Eliminated<'m> {
     sums: Vec<Shares<'m>>,
-    /// What the determinant is multiplied by.
+    /// The factor of the determinant.
     factor: Ex<'m>,
 }
 
@@ -36,7 +39,8 @@ pub(super) fn largest_in_plane<'m>(
 
 fn sum_over_choices<'m>(algebra: &Algebra<'m>, parts: &Parts<'m>, loops: usize) -> Ex<'m> {
     let mut sum = algebra.zero();
-    // The opposite choice for all joints has the conjugate factor: one for the last joint stands for both.
+    // The opposite choice for all joints has the conjugate factor: one for the last joint stands
+    // for both.
     let choices = 1_u32 << parts.joints.len();
     let different = choices.div_ceil(2);
     for choice in 0..different {
@@ -138,7 +142,7 @@ fn complex_minor<'m>(rows: &[Vec<V2<'m>>], columns: u32) -> V2<'m> {
     sum.expect("as many columns as rows")
 }
 
-/// What the row of a loop across its private unknown is multiplied by, beside a row across a unit vector.
+/// The factor of a loop's row across its private unknown, compared with a row across a unit vector.
 fn weight<'m>(algebra: &Algebra<'m>, equations: &Equations<'_, 'm>, block: &Block<'m>) -> Ex<'m> {
     match &block.private {
         Some(Private::Rotor(rotor)) => equations.scale * rotor.z.length(),
