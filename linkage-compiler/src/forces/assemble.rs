@@ -53,7 +53,7 @@ pub(super) fn assembled<'m>(mechanics: &mut Mechanics<'_, 'm>, axial: Vec<Axial>
         equations::add(mechanics, &mut system, Equation::Released(component));
     }
     for way in free {
-        if system.axial.iter().all(|own| own.link != way.body) {
+        if system.axial.iter().all(|link| link.link != way.body) {
             equations::add(mechanics, &mut system, Equation::Motion(way));
         }
     }
@@ -68,7 +68,7 @@ pub(super) fn spins<'m>(mechanics: &Mechanics<'_, 'm>, axial: &[Axial]) -> Vec<U
     let mechanism = mechanics.algebra.mechanism;
     let rods = (0..mechanism.bodies.len()).filter(|&body| {
         let kind = mechanism.joints[mechanism.bodies[body].joint].kind;
-        kind.rotation() == Rotation::Freely && axial.iter().all(|own| own.link != body)
+        kind.rotation() == Rotation::Freely && axial.iter().all(|link| link.link != body)
     });
     let rods = rods.filter_map(|rod| {
         let along = mechanics.forces.geometry.rod(rod)?;
@@ -94,8 +94,8 @@ pub(super) fn reactions<'m>(
             }
         };
         let [force, moment] = [false, true].map(component);
-        if let Some(own) = axial.iter().find(|own| own.joint == joint) {
-            unknowns.push(force(links::link_vector(mechanics, own)));
+        if let Some(link) = axial.iter().find(|link| link.joint == joint) {
+            unknowns.push(force(links::link_vector(mechanics, link)));
             continue;
         }
         let units = || geometry.units(mechanics.graph()).into_iter();

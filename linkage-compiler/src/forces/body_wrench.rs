@@ -13,9 +13,9 @@ use linkage_symbolic::Vn;
 /// The loads on a body alone.
 pub(super) fn own_wrench<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Wrench<'m> {
     let loads = loads::loads(mechanics);
-    let own = &loads.bodies[body];
+    let body_loads = &loads.bodies[body];
     let mut sum = context::zero_wrench(mechanics);
-    for load in &own.forces {
+    for load in &body_loads.forces {
         let arm = mechanics.arm(body, load.point);
         let force = Wrench {
             force: load.force,
@@ -30,7 +30,7 @@ pub(super) fn own_wrench<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> 
                 None => force.with_arm(arm),
             };
     }
-    for &couple in &own.couples {
+    for &couple in &body_loads.couples {
         sum.moment = sum.moment + couple;
     }
     sum

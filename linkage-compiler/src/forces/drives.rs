@@ -45,7 +45,7 @@ pub(super) fn release_held<'m>(mechanics: &mut Mechanics<'_, 'm>, system: &mut S
         equations::add(mechanics, system, Equation::Motion(way));
         system.order();
         if system.found() > before.found() {
-            system.driven.retain(|own| *own != way)
+            system.driven.retain(|driven| *driven != way)
         } else {
             *system = before
         }

@@ -53,8 +53,8 @@ impl Rows {
         let others = rows.iter_mut().enumerate().skip(first);
         for (_, row) in others.filter(|(i, _)| *i != k) {
             let factor = row[k] / pivot[k];
-            let own = row.iter_mut().zip(&pivot);
-            own.for_each(|(x, p)| *x -= factor * p);
+            let entries = row.iter_mut().zip(&pivot);
+            entries.for_each(|(x, p)| *x -= factor * p);
         }
     }
 }
@@ -66,8 +66,8 @@ pub(super) fn combination(basis: &[&[f64]], numbers: &[f64], least: f64) -> Opti
     let count = basis.len();
     // [basis | numbers], one row for each number.
     let row = |k: usize| {
-        let own = basis.iter().map(|list| list[k]);
-        own.chain([numbers[k]]).collect()
+        let entries = basis.iter().map(|list| list[k]);
+        entries.chain([numbers[k]]).collect()
     };
     let mut rows = Rows((0..numbers.len()).map(row).collect());
     for k in 0..count {

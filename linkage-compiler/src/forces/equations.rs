@@ -33,16 +33,16 @@ pub(super) fn coefficient<'m>(
 ) -> Ex<'m> {
     let zero = mechanics.algebra.zero();
     match (equation, unknown) {
-        (Equation::Released(released), Unknown::Reaction(own)) => {
-            if (released.joint, released.is_moment) == (own.joint, own.is_moment) {
-                released.direction.dot(own.direction)
+        (Equation::Released(released), Unknown::Reaction(component)) => {
+            if (released.joint, released.is_moment) == (component.joint, component.is_moment) {
+                released.direction.dot(component.direction)
             } else {
                 zero
             }
         }
-        (Equation::Motion(way), Unknown::Reaction(own)) => {
-            let work = work(mechanics, way, own);
-            match cut_joints::joins(mechanics, own.joint, way.body) {
+        (Equation::Motion(way), Unknown::Reaction(component)) => {
+            let work = work(mechanics, way, component);
+            match cut_joints::joins(mechanics, component.joint, way.body) {
                 1 => work,
                 -1 => -work,
                 _ => zero,

@@ -53,19 +53,19 @@ pub(super) fn closing_wrench<'m>(
     open: &[usize],
 ) -> Wrench<'m> {
     let system = assemble::system(mechanics);
-    let mut sum = match system.axial.iter().find(|own| own.joint == joint) {
+    let mut sum = match system.axial.iter().find(|link| link.joint == joint) {
         Some(axial) => across_link(mechanics, axial),
         None => context::zero_wrench(mechanics),
     };
     for (index, unknown) in system.unknowns.iter().enumerate() {
-        let Unknown::Reaction(own) = unknown else {
+        let Unknown::Reaction(component) = unknown else {
             continue;
         };
-        if own.joint != joint || open.contains(&index) {
+        if component.joint != joint || open.contains(&index) {
             continue;
         }
-        let part = solved(mechanics, index) * own.direction;
-        if own.is_moment {
+        let part = solved(mechanics, index) * component.direction;
+        if component.is_moment {
             sum.moment = sum.moment + part
         } else {
             sum.force = sum.force + part
@@ -89,10 +89,10 @@ pub(super) fn solved<'m>(mechanics: &mut Mechanics<'_, 'm>, unknown: usize) -> E
         // Reported by the check of bodies and joints.
         return mechanics.graph().number(f64::NAN);
     };
-    let own = system.unknowns_of(block);
+    let found_here = system.unknowns_of(block);
     let right: Vec<Ex> = block
         .iter()
-        .map(|&equation| -known(mechanics, &system, equation, &own))
+        .map(|&equation| -known(mechanics, &system, equation, &found_here))
         .collect();
     let matrix = system.matrix_of(block);
     let known = mechanics.forces.loop_values.determinant(block);
@@ -100,7 +100,7 @@ pub(super) fn solved<'m>(mechanics: &mut Mechanics<'_, 'm>, unknown: usize) -> E
     let numerators = elimination::cofactor_products(mechanics.algebra, &matrix, &right);
     // The determinant is known long before the loads.
     let factor = 1.0 / determinant;
-    for (&unknown, numerator) in own.iter().zip(numerators) {
+    for (&unknown, numerator) in found_here.iter().zip(numerators) {
         let value = numerator * factor;
         loads::case(mechanics).solved.insert(unknown, value);
     }
@@ -149,11 +149,11 @@ pub(super) fn wrench<'m>(
         });
     let system = assemble::system(mechanics);
     let touches = |unknown: &&usize| match &system.unknowns[**unknown] {
-        Unknown::Reaction(own) => crossing.contains(&own.joint),
+        Unknown::Reaction(component) => crossing.contains(&component.joint),
         Unknown::Spin { .. } => false,
         Unknown::Tie(tie) => {
             let mut bodies = tie.couples.iter();
-            bodies.any(|(own, _)| mechanics.forces.tree.hangs_on(Some(*own), body))
+            bodies.any(|(tied, _)| mechanics.forces.tree.hangs_on(Some(*tied), body))
         }
     };
     let open: Vec<usize> = open.iter().filter(touches).copied().collect();
@@ -175,8 +175,8 @@ pub(super) fn wrench<'m>(
     }
     for (index, unknown) in system.unknowns.iter().enumerate() {
         let Unknown::Tie(tie) = unknown else { continue };
-        let own = tie.couples.iter().find(|(own, _)| *own == body);
-        if let Some(&(_, share)) = own.filter(|_| !open.contains(&index)) {
+        let couple = tie.couples.iter().find(|(tied, _)| *tied == body);
+        if let Some(&(_, share)) = couple.filter(|_| !open.contains(&index)) {
             let couple = Vector([share * solved(mechanics, index)]);
             sum.moment = sum.moment + couple.into();
         }

@@ -233,11 +233,11 @@ fn carried_points(mechanism: &Mechanism) -> Vec<(Point, &Expr)> {
         origin: at.origin,
     };
     let mut points = Vec::new();
-    for (body, own) in mechanism.bodies.iter().enumerate() {
+    for (body, declared) in mechanism.bodies.iter().enumerate() {
         let body = Some(body);
-        let masses = own.masses.iter();
+        let masses = declared.masses.iter();
         points.extend(masses.map(|(_, at)| (point("the mass", body, at), at)));
-        let about = own.inertias.iter().filter_map(|(_, at)| at.as_ref());
+        let about = declared.inertias.iter().filter_map(|(_, at)| at.as_ref());
         points.extend(about.map(|at| (point("the point of the inertia", body, at), at)));
     }
     for element in &mechanism.elements {

@@ -91,9 +91,9 @@ fn alike(mechanics: &Mechanics<'_, '_>) -> Vec<usize> {
     let mut alike: Vec<usize> = (0..=frame).collect();
     for joint in &mechanics.algebra.mechanism.joints {
         if joint.kind.rotation() == Rotation::Not {
-            let [own, other] = [joint.body, joint.on.unwrap_or(frame)].map(|k| alike[k]);
+            let [first, other] = [joint.body, joint.on.unwrap_or(frame)].map(|k| alike[k]);
             for number in alike.iter_mut().filter(|number| **number == other) {
-                *number = own;
+                *number = first;
             }
         }
     }
@@ -170,7 +170,7 @@ pub(super) fn relative_rate<'m>(
 /// All unknowns, each changing alone.
 fn unknown_variables(mechanics: &mut Mechanics<'_, '_>) -> Vec<By> {
     let groups = mechanics.algebra.solutions.groups.iter();
-    let counts: Vec<usize> = groups.map(|own| own.jacobian.len()).collect();
+    let counts: Vec<usize> = groups.map(|group| group.jacobian.len()).collect();
     let mut all = Vec::new();
     for (group, count) in counts.into_iter().enumerate() {
         for position in 0..count {

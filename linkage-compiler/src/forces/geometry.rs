@@ -54,14 +54,16 @@ impl<'m> Geometry<'m> {
             .collect();
         let mut turning = vec![BodyTurn::Along; mechanism.bodies.len()];
         for &body in &tree.order {
-            let own = &mechanism.bodies[body];
-            let Some(turns) = &own.turns else { continue };
+            let declared = &mechanism.bodies[body];
+            let Some(turns) = &declared.turns else {
+                continue;
+            };
             turning[body] = match algebra.translate(turns) {
                 Value::Array(parts) => {
                     BodyTurn::Frame([1, 2, 3].map(|axis| translate::vector(algebra, &parts[axis])))
                 }
                 Value::Vector(along) => BodyTurn::Rod(along),
-                Value::Scalar(angle) => match directions[own.joint] {
+                Value::Scalar(angle) => match directions[declared.joint] {
                     Some(axis) if dimensions == 3 => BodyTurn::About(angle, axis),
                     _ => BodyTurn::Angle(angle),
                 },

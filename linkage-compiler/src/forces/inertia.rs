@@ -97,8 +97,8 @@ fn turned_rod<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize, v: Vn<'m>) -> 
 }
 
 /// `a x + b y + c z`
-fn out_of_axes<'m>(mechanics: &Mechanics<'_, 'm>, axes: &[Vn<'m>; 3], own: Vn<'m>) -> Vn<'m> {
-    let pairs = own.iter().zip(axes);
+fn out_of_axes<'m>(mechanics: &Mechanics<'_, 'm>, axes: &[Vn<'m>; 3], vector: Vn<'m>) -> Vn<'m> {
+    let pairs = vector.iter().zip(axes);
     pairs.fold(mechanics.zero_turn(), |sum, (along, &axis)| {
         sum + along * axis
     })

@@ -40,7 +40,7 @@ pub(super) fn links(mechanics: &Mechanics<'_, '_>, system: &System) -> Vec<Axial
 /// descendants as if they were one body.
 fn is_link(mechanics: &Mechanics<'_, '_>, system: &System, body: usize, joint: usize) -> bool {
     let mechanism = mechanics.algebra.mechanism;
-    let own = &mechanism.joints[mechanism.bodies[body].joint];
+    let body_joint = &mechanism.joints[mechanism.bodies[body].joint];
     let tree = &mechanics.forces.tree;
     let hangs = |other: usize| tree.hangs_on(Some(other), body);
     let cuts = |other: &usize| {
@@ -49,7 +49,8 @@ fn is_link(mechanics: &Mechanics<'_, '_>, system: &System, body: usize, joint: u
     };
     let mut cut = tree.closing.iter().filter(|other| cuts(other));
     let mut moves = system.equations.iter().filter_map(Equation::motion);
-    own.kind
+    body_joint
+        .kind
         .transmits_no_moment(mechanics.forces.geometry.is_plane())
         && cut.all(|&other| other == joint)
         && cut_joints::joins(mechanics, joint, body) != 0

@@ -209,9 +209,9 @@ pub(super) fn joint_coordinate<'m>(mechanics: &Mechanics<'_, 'm>, joint: usize) 
     if let BodyTurn::About(angle, _) = &geometry.turning[body] {
         return scalar::value_of(mechanics.algebra, angle);
     }
-    let [own, other] = [Some(body), on]
+    let [angle, other] = [Some(body), on]
         .map(|body| geometry.angle(mechanics.algebra, &mechanics.forces.tree, body));
-    scalar::value_of(mechanics.algebra, &own.combined(&other, -1.0))
+    scalar::value_of(mechanics.algebra, &angle.combined(&other, -1.0))
 }
 
 /// The rate of that coordinate.

@@ -80,10 +80,10 @@ pub(super) fn find_determinants<'m>(
     if known.is_empty() || blocks.is_empty() {
         return;
     }
-    let own = blocks
+    let determinants = blocks
         .iter()
         .map(|block| elimination::determinant(mechanics.algebra, &system.matrix_of(block)));
-    let all: Vec<Ex> = own.chain(known.iter().copied()).collect();
+    let all: Vec<Ex> = determinants.chain(known.iter().copied()).collect();
     let numbers = positions.numbers_anyhow(mechanics.algebra.mechanism, nominal, &all);
     for (index, block) in blocks.iter().enumerate() {
         let found = known.iter().enumerate().find_map(|(group, &determinant)| {
@@ -103,10 +103,13 @@ pub(super) fn find_determinants<'m>(
 
 /// True if two numbers are equal at all positions, or opposite: 1 or -1.
 pub(super) fn sign(numbers: &[Vec<f64>], a: usize, b: usize) -> Option<f64> {
-    let largest = numbers.iter().map(|own| own[b].abs()).fold(0.0, f64::max);
+    let largest = numbers
+        .iter()
+        .map(|values| values[b].abs())
+        .fold(0.0, f64::max);
     let is = |sign: f64| {
         let mut all = numbers.iter();
-        all.all(|own| (own[a] - sign * own[b]).abs() <= EQUAL * largest)
+        all.all(|values| (values[a] - sign * values[b]).abs() <= EQUAL * largest)
     };
     [1.0, -1.0]
         .into_iter()
@@ -146,7 +149,11 @@ mod tests {
             dyad(2),
         );
         let checked = check(text.parse().expect("tokens"));
-        let texts: Vec<&String> = checked.messages.iter().map(|own| &own.text).collect();
+        let texts: Vec<&String> = checked
+            .messages
+            .iter()
+            .map(|message| &message.text)
+            .collect();
         checked.unit.unwrap_or_else(|| panic!("{texts:?}"))
     }
 
@@ -155,7 +162,10 @@ mod tests {
         let values = |program: &Program, prepared: &[f64]| {
             run(program, |source| match source {
                 Source::Parameter(3) => coupler,
-                Source::Parameter(k) => unit.scalars().nth(k).map_or(f64::NAN, |own| own.nominal),
+                Source::Parameter(k) => unit
+                    .scalars()
+                    .nth(k)
+                    .map_or(f64::NAN, |scalar| scalar.nominal),
                 Source::Input(k) => [1.0, 7.0][k],
                 Source::Mode(k) => {
                     if unit.modes()[k] {

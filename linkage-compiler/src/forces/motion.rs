@@ -65,8 +65,8 @@ pub(super) fn turn<'m>(mechanics: &mut Mechanics<'_, 'm>, body: Option<usize>, b
         }
         BodyTurn::About(angle, axis) => {
             let angle = scalar::value_of(mechanics.algebra, &angle);
-            let own = slope(mechanics, angle, by) * axis;
-            turn(mechanics, on, by) + own
+            let relative = slope(mechanics, angle, by) * axis;
+            turn(mechanics, on, by) + relative
         }
         BodyTurn::Frame(axes) => {
             // (y' . z) x + (z' . x) y + (x' . y) z

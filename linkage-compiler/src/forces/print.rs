@@ -47,9 +47,13 @@ pub(crate) fn describe(algebra: &mut Algebra) -> String {
 fn described_block(mechanism: &Mechanism, system: &System, block: &[usize]) -> String {
     let unknowns = system.unknowns_of(block).into_iter();
     let unknowns = unknowns.map(|unknown| match &system.unknowns[unknown] {
-        Unknown::Reaction(own) => {
-            let what = if own.is_moment { "moment" } else { "force" };
-            format!("{what} {}", names::joint_name(mechanism, own.joint))
+        Unknown::Reaction(component) => {
+            let what = if component.is_moment {
+                "moment"
+            } else {
+                "force"
+            };
+            format!("{what} {}", names::joint_name(mechanism, component.joint))
         }
         Unknown::Spin { rod, .. } => format!("spin of `{}`", mechanism.bodies[*rod].name),
         Unknown::Tie(tie) => {

@@ -106,15 +106,15 @@ fn drive_of_loads<'m>(mechanics: &mut Mechanics<'_, 'm>, input: usize) -> Ex<'m>
     let input = By::Input(input);
     let loads = loads::loads(mechanics);
     let mut work = mechanics.algebra.zero();
-    for (body, own) in loads.bodies.iter().enumerate() {
-        for load in &own.forces {
+    for (body, body_loads) in loads.bodies.iter().enumerate() {
+        for load in &body_loads.forces {
             let moved = match load.mass {
                 Some(_) => motion::moved(mechanics, load.point, input),
                 None => motion::velocity_of(mechanics, Some(body), load.point, input),
             };
             work += load.force.dot(moved);
         }
-        for couple in &own.couples {
+        for couple in &body_loads.couples {
             work += couple.dot(motion::turn(mechanics, Some(body), input));
         }
     }

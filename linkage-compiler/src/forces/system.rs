@@ -85,7 +85,7 @@ impl Unknown<'_> {
     /// The joint whose reaction it belongs to, if it does.
     pub(super) fn joint(&self) -> Option<usize> {
         match self {
-            Unknown::Reaction(own) => Some(own.joint),
+            Unknown::Reaction(component) => Some(component.joint),
             Unknown::Tie(_) | Unknown::Spin { .. } => None,
         }
     }
@@ -94,9 +94,9 @@ impl Unknown<'_> {
 impl<'m> System<'m> {
     /// The rows of equations that are solved together, by the unknowns that they find.
     pub(super) fn matrix_of(&self, block: &[usize]) -> Vec<Vec<Ex<'m>>> {
-        let own = self.unknowns_of(block);
+        let unknowns = self.unknowns_of(block);
         let rows = block.iter();
-        rows.map(|&equation| own.iter().map(|&k| self.matrix[equation][k]).collect())
+        rows.map(|&equation| unknowns.iter().map(|&k| self.matrix[equation][k]).collect())
             .collect()
     }
 
@@ -126,7 +126,7 @@ impl<'m> System<'m> {
     /// True if gears act on a body.
     pub(super) fn ties(&self, body: usize) -> bool {
         self.unknowns.iter().any(|unknown| match unknown {
-            Unknown::Tie(tie) => tie.couples.iter().any(|(own, _)| *own == body),
+            Unknown::Tie(tie) => tie.couples.iter().any(|(tied, _)| *tied == body),
             Unknown::Reaction(_) | Unknown::Spin { .. } => false,
         })
     }
@@ -138,6 +138,10 @@ impl<'m> System<'m> {
         let mut equations = large.flatten().map(|&equation| &self.equations[equation]);
         let unknown =
             |equation: &Equation| matches!(equation, Equation::Motion(way) if way.body == body);
-        equations.any(unknown) && self.unknowns.iter().any(|own| own.joint() == Some(joint))
+        equations.any(unknown)
+            && self
+                .unknowns
+                .iter()
+                .any(|unknown_of_joint| unknown_of_joint.joint() == Some(joint))
     }
 }

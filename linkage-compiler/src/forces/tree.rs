@@ -27,9 +27,9 @@ impl Tree {
                 children[parent].push(body);
             }
         }
-        let own = |joint: &usize| bodies.iter().any(|body| body.joint == *joint);
+        let is_body_joint = |joint: &usize| bodies.iter().any(|body| body.joint == *joint);
         let closing = (0..mechanism.joints.len())
-            .filter(|joint| !own(joint))
+            .filter(|joint| !is_body_joint(joint))
             .collect();
         let mut order: Vec<usize> = (0..bodies.len())
             .filter(|&body| parent[body].is_none())

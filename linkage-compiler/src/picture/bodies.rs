@@ -24,7 +24,7 @@ pub(super) fn look_at_bodies(sketch: &mut Sketch<'_, '_>) {
         }
     }
     for (index, body) in mechanism.bodies.iter().enumerate() {
-        let Some(own) = points[body.joint] else {
+        let Some(origin) = points[body.joint] else {
             continue;
         };
         for (joint, point) in mechanism.joints.iter().zip(&points) {
@@ -33,7 +33,7 @@ pub(super) fn look_at_bodies(sketch: &mut Sketch<'_, '_>) {
             if let (true, Some(point)) = (carries || joint.body == index, point) {
                 let text = body.name.clone();
                 sketch.segment(
-                    own,
+                    origin,
                     *point,
                     Some(Title { rank: 0, text }),
                     Shape::Body(Some(index)),

@@ -19,7 +19,7 @@ impl ByPoint {
     /// Builds the lists from lists of points.
     pub(super) fn of_lists<'a>(lists: impl IntoIterator<Item = &'a Vec<usize>>) -> Self {
         let lists = lists.into_iter().enumerate();
-        Self::new(lists.flat_map(|(place, own)| own.iter().map(move |&point| (point, place))))
+        Self::new(lists.flat_map(|(place, points)| points.iter().map(move |&point| (point, place))))
     }
 
     pub(super) fn at_point(&self, point: usize) -> &[usize] {

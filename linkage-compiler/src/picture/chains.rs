@@ -87,10 +87,10 @@ fn sum<'m>(sketch: &mut Sketch<'_, 'm>, terms: &[Term<'m>]) -> usize {
 
 fn step<'m>(sketch: &mut Sketch<'_, 'm>, from: usize, term: Term<'m>) -> usize {
     let step = parts::step_of(sketch, &term);
-    let (way, own) = (sketch::seen_way(sketch, step), &sketch.points[from]);
+    let (way, start) = (sketch::seen_way(sketch, step), &sketch.points[from]);
     let to = sketch.spot(
-        moved(own.at, way, term.sign),
-        moved(own.own, step, term.sign),
+        moved(start.at, way, term.sign),
+        moved(start.written, step, term.sign),
     );
     for turn in parts::turns_of(sketch, &term) {
         let along = sketch::seen_way(sketch, turn.along);
@@ -150,8 +150,8 @@ fn moved<'m>(from: Vn<'m>, step: Vn<'m>, sign: f64) -> Vn<'m> {
 
 /// A term that is a point.
 pub(super) fn start<'m>(sketch: &mut Sketch<'_, 'm>, expr: &'m Expr) -> usize {
-    if let Some((frames, own)) = frames::elsewhere(sketch, expr)
-        && let Some(point) = sketch::within(sketch, frames, |sketch| point_of(sketch, own))
+    if let Some((frames, inner)) = frames::elsewhere(sketch, expr)
+        && let Some(point) = sketch::within(sketch, frames, |sketch| point_of(sketch, inner))
     {
         return point;
     }
@@ -176,10 +176,12 @@ pub(super) fn start<'m>(sketch: &mut Sketch<'_, 'm>, expr: &'m Expr) -> usize {
         sketch.means.extend(of.map(|of| Mean { point, of }));
     }
     if let ExprKind::Binary(..) = expr.kind {
-        let of = expressions::points_in(sketch, expr).into_iter().map(|own| {
-            let at = sketch.vector(own);
-            sketch.point(at)
-        });
+        let of = expressions::points_in(sketch, expr)
+            .into_iter()
+            .map(|point| {
+                let at = sketch.vector(point);
+                sketch.point(at)
+            });
         let of = of.collect();
         sketch.means.push(Mean { point, of });
     }

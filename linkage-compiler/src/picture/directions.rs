@@ -71,8 +71,8 @@ pub(super) fn varying<'m>(
 ) -> Option<(usize, Vn<'m>)> {
     let numbers = components.iter();
     let numbers: Vec<Ex> = numbers
-        .map(|own| {
-            let value = sketch.algebra.translate(own);
+        .map(|component| {
+            let value = sketch.algebra.translate(component);
             translate::number(sketch.algebra, &value)
         })
         .collect();

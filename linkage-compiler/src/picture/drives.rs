@@ -38,9 +38,9 @@ pub(super) fn drives(
 ) -> Vec<Drive> {
     let links = &ByPoint::of_lists(picture.links.iter().map(|link| &link.points));
     // What turns each step, and the steps that each symbol turns.
-    let steps = sketch.segments.iter().filter_map(|own| {
-        let ends = ends(own, picture, links, place)?;
-        Some((turning(sketch, own.step), ends))
+    let steps = sketch.segments.iter().filter_map(|segment| {
+        let ends = ends(segment, picture, links, place)?;
+        Some((turning(sketch, segment.step), ends))
     });
     let steps: Vec<(BTreeSet<SymbolId>, [usize; 2])> = steps.collect();
     let mut turned: Map<SymbolId, Vec<usize>> = Map::new();
@@ -57,9 +57,9 @@ pub(super) fn drives(
         Some(*ends)
     };
     let inputs = sketch.algebra.mechanism.inputs.iter().enumerate();
-    let drives = inputs.filter_map(|(input, own)| {
+    let drives = inputs.filter_map(|(input, declared)| {
         let mut guides = picture.guides.iter();
-        let slides = guides.position(|guide| guide.name == own.name);
+        let slides = guides.position(|guide| guide.name == declared.name);
         let on = match slides {
             Some(guide) => DriveOn::Slide(guide),
             None => DriveOn::Turn(turned_by(input)?),
@@ -80,27 +80,29 @@ pub(super) fn gears(
     let wheels = wheels(sketch, picture, place, seen);
     let loops = sketch.algebra.mechanism.loops.iter();
     let relations: Vec<BTreeSet<SymbolId>> = loops
-        .filter(|own| open_loop::relates_angles(own))
-        .map(|own| related(sketch, own))
+        .filter(|equation| open_loop::relates_angles(equation))
+        .map(|equation| related(sketch, equation))
         .collect();
     let belong = |a: &Wheel, b: &Wheel| {
         // Links that turn alike are held together by something else than wheels.
         let differ = a.angle == b.angle && !seen.turn_alike(a.segment, b.segment);
         // Parts on one shaft are each driven by it.
         let differ = differ && !are_of_two_parts(picture, a.end, b.end);
-        let has_both = |own: &BTreeSet<SymbolId>| a.angle.is_subset(own) && b.angle.is_subset(own);
+        let has_both = |relation: &BTreeSet<SymbolId>| {
+            a.angle.is_subset(relation) && b.angle.is_subset(relation)
+        };
         differ || relations.iter().any(has_both)
     };
     let mut candidates = Candidates::new(&relations);
     let mut gears = Vec::new();
-    for (index, own) in wheels.iter().enumerate() {
-        let mut before = candidates.before(&own.angle).into_iter();
-        let turning = before.find(|&other| belong(&wheels[other], own));
-        candidates.add(index, &own.angle);
+    for (index, wheel) in wheels.iter().enumerate() {
+        let mut before = candidates.before(&wheel.angle).into_iter();
+        let turning = before.find(|&other| belong(&wheels[other], wheel));
+        candidates.add(index, &wheel.angle);
         let turning = turning.map(|other| &wheels[other]);
         gears.extend(turning.map(|other| Gear {
-            centres: [other.centre, own.centre],
-            ends: [other.end, own.end],
+            centres: [other.centre, wheel.centre],
+            ends: [other.end, wheel.end],
         }));
     }
     gears
@@ -143,8 +145,8 @@ fn wheels(
 fn turning(sketch: &Sketch<'_, '_>, step: Vn) -> BTreeSet<SymbolId> {
     let graph = sketch.algebra.graph;
     let all = graph.symbols_of(step.ids()).into_iter();
-    let moves = |own: &SymbolId| {
-        let source = graph.symbol(*own).source;
+    let moves = |symbol: &SymbolId| {
+        let source = graph.symbol(*symbol).source;
         !matches!(source, Some(Source::Parameter(_)))
     };
     all.filter(moves).collect()
@@ -153,18 +155,23 @@ fn turning(sketch: &Sketch<'_, '_>, step: Vn) -> BTreeSet<SymbolId> {
 fn is_one_angle(sketch: &Sketch<'_, '_>, all: &BTreeSet<SymbolId>) -> bool {
     // An angle has three symbols.
     let few = all.len() <= 3;
-    let mut angles = sketch.algebra.names.angles.iter().map(|own| own.symbols());
-    let is_unknown = few && angles.any(|own| all.iter().all(|symbol| own.contains(symbol)));
+    let mut angles = sketch
+        .algebra
+        .names
+        .angles
+        .iter()
+        .map(|angle| angle.symbols());
+    let is_unknown = few && angles.any(|angle| all.iter().all(|symbol| angle.contains(symbol)));
     let graph = sketch.algebra.graph;
-    let mut sources = all.iter().map(|own| graph.symbol(*own).source);
-    let is_input = all.len() == 1 && sources.all(|own| matches!(own, Some(Source::Input(_))));
+    let mut sources = all.iter().map(|symbol| graph.symbol(*symbol).source);
+    let is_input = all.len() == 1 && sources.all(|source| matches!(source, Some(Source::Input(_))));
     !all.is_empty() && (is_unknown || is_input)
 }
 
 /// All symbols of the angles that an equation names.
-fn related(sketch: &Sketch<'_, '_>, own: &Loop) -> BTreeSet<SymbolId> {
+fn related(sketch: &Sketch<'_, '_>, equation: &Loop) -> BTreeSet<SymbolId> {
     let names = &sketch.algebra.names;
-    let parts = own.left.parts().chain(own.right.parts());
+    let parts = equation.left.parts().chain(equation.right.parts());
     let symbols = parts.filter_map(|part| match part.as_name()? {
         Name::Input(input) => {
             let source = Source::Input(input);
@@ -230,7 +237,9 @@ impl<'a> Candidates<'a> {
     fn before(&self, angle: &BTreeSet<SymbolId>) -> BTreeSet<usize> {
         let related = angle.iter().filter_map(|symbol| self.related.get(symbol));
         let related: BTreeSet<usize> = related.flatten().copied().collect();
-        let others = related.into_iter().flat_map(|own| &self.relations[own]);
+        let others = related
+            .into_iter()
+            .flat_map(|relation| &self.relations[relation]);
         let wheels = angle.iter().chain(others);
         let wheels = wheels.filter_map(|symbol| self.turning.get(symbol));
         wheels.flatten().copied().collect()

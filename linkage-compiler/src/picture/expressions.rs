@@ -24,9 +24,9 @@ pub(super) fn driving(sketch: &Sketch<'_, '_>, expr: &Expr) -> Option<usize> {
 
 /// True if a loop is one of the plane made of components of vectors of space: it is not known where
 /// in space it lies.
-pub(super) fn is_anywhere(sketch: &Sketch<'_, '_>, own: &Loop) -> bool {
-    let sides = [&own.left, &own.right];
-    let is_vector = matches!(own.left.ty, Type::Vector(..));
+pub(super) fn is_anywhere(sketch: &Sketch<'_, '_>, equation: &Loop) -> bool {
+    let sides = [&equation.left, &equation.right];
+    let is_vector = matches!(equation.left.ty, Type::Vector(..));
     is_vector
         && sides.iter().all(|side| is_flat(sketch, side))
         && sides.iter().any(|side| is_projection(sketch, side))
@@ -67,7 +67,7 @@ pub(super) fn difference<'m>(
 pub(super) fn points_in<'m>(sketch: &Sketch<'_, 'm>, expr: &'m Expr) -> Vec<&'m Expr> {
     let names = expr.parts().filter(|part| part.as_name().is_some());
     names
-        .filter(|own| weights::weight(sketch, own) == Some(1.0))
+        .filter(|name| weights::weight(sketch, name) == Some(1.0))
         .collect()
 }
 
@@ -79,8 +79,8 @@ pub(super) fn unknown_frame<'m>(
     let ExprKind::Name(Name::Let(index)) = frame.kind else {
         return None;
     };
-    let own = &sketch.algebra.mechanism.lets[index];
-    own.is_unknown_frame.then(|| (index, own.name.clone()))
+    let item = &sketch.algebra.mechanism.lets[index];
+    item.is_unknown_frame.then(|| (index, item.name.clone()))
 }
 
 pub(super) fn spoken(sketch: &Sketch<'_, '_>, expr: &Expr) -> Option<String> {
@@ -90,9 +90,9 @@ pub(super) fn spoken(sketch: &Sketch<'_, '_>, expr: &Expr) -> Option<String> {
 
 /// The first length that is named in an expression.
 pub(super) fn dimension_in(sketch: &Sketch<'_, '_>, expr: &Expr) -> Option<String> {
-    let mut lengths = expr.parts().filter(|own| {
-        let dimension = own.ty.dimension();
-        dimension.is_some_and(|own| own.half_lengths == 2)
+    let mut lengths = expr.parts().filter(|part| {
+        let dimension = part.ty.dimension();
+        dimension.is_some_and(|dimension| dimension.half_lengths == 2)
     });
-    lengths.find_map(|own| spoken(sketch, own))
+    lengths.find_map(|length| spoken(sketch, length))
 }

@@ -11,14 +11,14 @@ use crate::picture::sketch::Sketch;
 
 /// A point of a part that stands elsewhere, the coordinates that it is written in, and how.
 pub(super) fn elsewhere<'m>(sketch: &Sketch<'_, 'm>, expr: &'m Expr) -> Option<(Frames, &'m Expr)> {
-    let (index, own) = sketch.algebra.mechanism.standing(expr)?;
-    Some((frames_from(sketch, index), own))
+    let (index, inner) = sketch.algebra.mechanism.standing(expr)?;
+    Some((frames_from(sketch, index), inner))
 }
 
 /// The coordinates of a placed part, and those around it.
 fn frames_from(sketch: &Sketch<'_, '_>, index: usize) -> Frames {
     let path = &sketch.algebra.mechanism.placed[index].path;
-    frames_around(sketch, |own| path == &own.path || is_in(path, own))
+    frames_around(sketch, |placed| path == &placed.path || is_in(path, placed))
 }
 
 /// The coordinates that a name is written in. Where a part stands is written around it.
@@ -26,19 +26,21 @@ pub(super) fn frames_of(sketch: &Sketch<'_, '_>, name: Name) -> Frames {
     let text = sketch.algebra.mechanism.name(name);
     let places = |placed: &Placed| {
         let mut both = placed.at.iter().chain(&placed.turned);
-        both.any(|own| own.as_name() == Some(name))
+        both.any(|expr| expr.as_name() == Some(name))
     };
-    frames_around(sketch, |own| is_in(text, own) && !places(own))
+    frames_around(sketch, |placed| is_in(text, placed) && !places(placed))
 }
 
 pub(super) fn frames_of_loop(sketch: &Sketch<'_, '_>, index: usize) -> Frames {
-    frames_around(sketch, |own| own.loops.contains(&index))
+    frames_around(sketch, |placed| placed.loops.contains(&index))
 }
 
 fn frames_around(sketch: &Sketch<'_, '_>, has: impl Fn(&Placed) -> bool) -> Frames {
     let placed = &sketch.algebra.mechanism.placed;
-    let mut frames: Frames = (0..placed.len()).filter(|&own| has(&placed[own])).collect();
-    frames.sort_by_key(|&own| std::cmp::Reverse(placed[own].path.len()));
+    let mut frames: Frames = (0..placed.len())
+        .filter(|&index| has(&placed[index]))
+        .collect();
+    frames.sort_by_key(|&index| std::cmp::Reverse(placed[index].path.len()));
     frames
 }
 

@@ -62,7 +62,7 @@ impl<'m> Guides<'m> {
         seen.add(&sketch.points[known..]);
 
         let mut guides = Self { all: Vec::new() };
-        let ways: Vec<Vn> = candidates.iter().map(|own| own.along).collect();
+        let ways: Vec<Vn> = candidates.iter().map(|candidate| candidate.along).collect();
         for (candidate, along) in candidates.into_iter().zip(seen.tracks_of(&ways)) {
             guides.add(candidate, &along, seen, links);
         }
@@ -179,11 +179,15 @@ fn slide<'m>(
 }
 
 /// In the drawing.
-fn seen_slide<'m>(sketch: &mut Sketch<'_, 'm>, own: Slide<'m>, segment: &Segment<'m>) -> Slide<'m> {
+fn seen_slide<'m>(
+    sketch: &mut Sketch<'_, 'm>,
+    slide: Slide<'m>,
+    segment: &Segment<'m>,
+) -> Slide<'m> {
     sketch::within(sketch, segment.frames.clone(), |sketch| Slide {
-        offset: own.offset.map(|offset| sketch::seen_way(sketch, offset)),
-        along: sketch::seen_way(sketch, own.along),
-        input: own.input,
+        offset: slide.offset.map(|offset| sketch::seen_way(sketch, offset)),
+        along: sketch::seen_way(sketch, slide.along),
+        input: slide.input,
     })
 }
 
@@ -196,7 +200,11 @@ fn candidate<'m>(sketch: &mut Sketch<'_, 'm>, line: Line<'m>) -> Candidate<'m> {
     };
     let slider = sketch.points[line.slider].at;
     let origin = match (line.carrier, line.foot) {
-        (Some(carrier), Some(foot)) if foot.iter().all(|own| own.constant_value() == Some(0.0)) => {
+        (Some(carrier), Some(foot))
+            if foot
+                .iter()
+                .all(|component| component.constant_value() == Some(0.0)) =>
+        {
             carrier
         }
         (_, Some(foot)) => sketch.point(base + foot),

@@ -60,7 +60,10 @@ impl<'m> Joining<'m> {
     ) -> Option<usize> {
         let link = self.links[next].as_ref()?;
         let before = link.points.iter().filter_map(|point| self.at.get(point));
-        let before: BTreeSet<usize> = before.flat_map(|own| own.range(..next)).copied().collect();
+        let before: BTreeSet<usize> = before
+            .flat_map(|links| links.range(..next))
+            .copied()
+            .collect();
         before.into_iter().find(|&known| {
             let pair = [(known, self.grown[known]), (next, self.grown[next])];
             let other = self.links[known].as_ref();
@@ -89,7 +92,7 @@ impl<'m> Joining<'m> {
         self.open.insert(known);
         for point in &link.points {
             let here = self.at.get(point).into_iter().flatten();
-            self.open.extend(here.filter(|&&own| own > known));
+            self.open.extend(here.filter(|&&link| link > known));
         }
     }
 }

@@ -36,8 +36,8 @@ impl Here {
         let axes = picture.axes.iter().enumerate();
         Self {
             links: ByPoint::of_lists(picture.links.iter().map(|link| &link.points)),
-            sliders: ByPoint::new(guides().map(|(index, own)| (own.slider, index))),
-            origins: ByPoint::new(guides().map(|(index, own)| (own.origin, index))),
+            sliders: ByPoint::new(guides().map(|(index, guide)| (guide.slider, index))),
+            origins: ByPoint::new(guides().map(|(index, guide)| (guide.origin, index))),
             axes: ByPoint::new(axes.map(|(index, (point, _))| (*point, index))),
         }
     }
@@ -47,8 +47,8 @@ impl JointFinder<'_, '_> {
     pub(super) fn joints(&self, picture: &Picture) -> Vec<Joint> {
         let here = &Here::new(picture);
         let mut joints = Vec::new();
-        for (point, own) in picture.points.iter().enumerate() {
-            if matches!(own.kind, PointKind::Construction | PointKind::Loose) {
+        for (point, place) in picture.points.iter().enumerate() {
+            if matches!(place.kind, PointKind::Construction | PointKind::Loose) {
                 continue;
             }
             joints.extend(self.turning(picture, point, here));
@@ -82,16 +82,16 @@ impl JointFinder<'_, '_> {
         let links = here.links.at_point(point).iter();
         between.extend(links.map(|&link| Member::Link(link)));
         let rails = here.origins.at_point(point).iter().copied();
-        let rails = rails.filter(|&own| picture.guides[own].on == GuideOn::Itself);
+        let rails = rails.filter(|&rail| picture.guides[rail].on == GuideOn::Itself);
         between.extend(rails.map(Member::Rail));
         let mut ways: Vec<usize> = Vec::new();
         for &guide in here.sliders.at_point(point) {
-            let own = self.sliding(picture, guide, here);
+            let member = self.sliding(picture, guide, here);
             let way = picture.guides[guide].direction;
             // Two blocks that keep their angle are one.
             let is_known = ways.iter().any(|other| self.keep_angle(*other, way));
-            if !between.contains(&own) && !is_known {
-                between.push(own);
+            if !between.contains(&member) && !is_known {
+                between.push(member);
             }
             ways.push(way);
         }
@@ -110,25 +110,25 @@ impl JointFinder<'_, '_> {
     /// The member that slides along a guide: a link or another guide that does not turn against it,
     /// or a block that others turn on.
     fn sliding(&self, picture: &Picture, guide: usize, here: &Here) -> Member {
-        let own = &picture.guides[guide];
-        let way = &self.ways[own.direction];
-        if own.shape == GuideShape::Cylinder {
+        let rail = &picture.guides[guide];
+        let way = &self.ways[rail.direction];
+        if rail.shape == GuideShape::Cylinder {
             return Member::Rod(guide);
         }
         let is_carried = |end: usize, way: &Track| {
             self.seen
-                .carries(self.points[end], self.points[own.slider], way)
+                .carries(self.points[end], self.points[rail.slider], way)
         };
-        let mut links = here.links.at_point(own.slider).iter().copied();
+        let mut links = here.links.at_point(rail.slider).iter().copied();
         let link = links.find(|&link| {
             let mut points = picture.links[link].points.iter();
             points.all(|&end| is_carried(end, way))
         });
-        let mut others = here.origins.at_point(own.slider).iter().copied();
+        let mut others = here.origins.at_point(rail.slider).iter().copied();
         let other = others.find(|&other| {
             let other = &picture.guides[other];
             let is_slot = other.on == GuideOn::Itself && other.shape == GuideShape::Slot;
-            is_slot && self.keep_angle(other.direction, own.direction)
+            is_slot && self.keep_angle(other.direction, rail.direction)
         });
         match (link, other) {
             (Some(link), _) => Member::Link(link),

@@ -96,11 +96,11 @@ impl<'m> Links<'m> {
         }
         for mean in &sketch.means {
             let point = seen.same[mean.point];
-            let of: Vec<usize> = mean.of.iter().map(|&own| seen.same[own]).collect();
+            let of: Vec<usize> = mean.of.iter().map(|&point| seen.same[point]).collect();
             let has_all = |index: &&usize| {
                 let points = &self.all[**index].points;
-                of.iter().all(|own| points.contains(own))
-                    && of.iter().all(|&own| seen.keep_distance(point, own))
+                of.iter().all(|other| points.contains(other))
+                    && of.iter().all(|&other| seen.keep_distance(point, other))
             };
             let candidates = of.first().and_then(|first| at.get(first));
             let found = candidates.and_then(|all| all.iter().find(has_all)).copied();

@@ -55,9 +55,9 @@ struct Group<'m> {
 /// The points and steps that a literal is the sum of; nothing if it is one of them.
 pub(super) fn pieces<'m>(sketch: &mut Sketch<'_, 'm>, components: &'m [Expr]) -> Vec<Piece<'m>> {
     let mut groups: Vec<Group<'m>> = Vec::new();
-    for (component, own) in components.iter().enumerate() {
+    for (component, expr) in components.iter().enumerate() {
         let mut steps: Vec<Step> = Vec::new();
-        for summand in expanded(sketch, own) {
+        for summand in expanded(sketch, expr) {
             let step = step_of_summand(sketch, component, &summand, &steps);
             steps.push(step.clone());
             let summand = (component, summand);
@@ -98,9 +98,9 @@ pub(super) fn pieces<'m>(sketch: &mut Sketch<'_, 'm>, components: &'m [Expr]) ->
 
 /// The products that a number is the sum of.
 fn expanded<'m>(sketch: &Sketch<'_, 'm>, expr: &'m Expr) -> Vec<Summand<'m>> {
-    let negative = |own: Summand<'m>| Summand {
-        sign: -own.sign,
-        ..own
+    let negative = |summand: Summand<'m>| Summand {
+        sign: -summand.sign,
+        ..summand
     };
     match &expr.kind {
         ExprKind::Number(0.0) => Vec::new(),
@@ -127,9 +127,9 @@ fn expanded<'m>(sketch: &Sketch<'_, 'm>, expr: &'m Expr) -> Vec<Summand<'m>> {
         }
         ExprKind::Binary(BinaryOp::Div, a, b) => {
             let all = expanded(sketch, a).into_iter();
-            let divided = all.map(|mut own| {
-                own.divisors.push(b);
-                own
+            let divided = all.map(|mut summand| {
+                summand.divisors.push(b);
+                summand
             });
             divided.collect()
         }
@@ -151,7 +151,7 @@ fn step_of_summand<'m>(
     before: &[Step<'m>],
 ) -> Step<'m> {
     let all = || summand.factors.iter().chain(&summand.divisors);
-    if all().all(|own| sketch.moves(own) == Moves::Not) {
+    if all().all(|factor| sketch.moves(factor) == Moves::Not) {
         return Step::Fixed;
     }
     if let ([factor], []) = (&summand.factors[..], &summand.divisors[..])
@@ -162,31 +162,31 @@ fn step_of_summand<'m>(
     {
         return Step::Point(point);
     }
-    let parts = all().flat_map(|own| own.parts());
+    let parts = all().flat_map(|factor| factor.parts());
     let lengths = parts.filter(|part| {
         let dimension = part.ty.dimension();
-        let is_length = dimension.is_some_and(|own| own.half_lengths == 2);
+        let is_length = dimension.is_some_and(|dimension| dimension.half_lengths == 2);
         let is_atom = matches!(part.kind, ExprKind::Name(_) | ExprKind::Number(_));
         is_length && is_atom
     });
     let lengths: Vec<&Expr> = lengths.collect();
-    let alike = |own: &&Step| matches!(own, Step::Long(other, _) if *other == lengths);
+    let alike = |step: &&Step| matches!(step, Step::Long(other, _) if *other == lengths);
     let number = before.iter().filter(alike).count();
     Step::Long(lengths, number)
 }
 
 fn part<'m>(sketch: &mut Sketch<'_, 'm>, group: &Group<'m>, count: usize) -> StepPart<'m> {
     let all = || group.summands.iter();
-    let factors = || all().flat_map(|(_, own)| own.factors.iter().copied());
-    let moves = factors().map(|own| sketch.moves(own)).max();
+    let factors = || all().flat_map(|(_, summand)| summand.factors.iter().copied());
+    let moves = factors().map(|factor| sketch.moves(factor)).max();
     let rank = 2 + sketch.remoteness;
-    let title = factors().find_map(|own| expressions::dimension_in(sketch, own));
+    let title = factors().find_map(|factor| expressions::dimension_in(sketch, factor));
     let title = title.map(|text| Title { rank, text });
     let at = assembled(sketch, group, count, None);
-    let slides = |own: &&Expr| {
-        let dimension = own.ty.dimension();
-        let is_length = dimension.is_some_and(|own| own.half_lengths == 2);
-        is_length && matches!(own.as_name(), Some(Name::Unknown(_) | Name::Input(_)))
+    let slides = |factor: &&Expr| {
+        let dimension = factor.ty.dimension();
+        let is_length = dimension.is_some_and(|dimension| dimension.half_lengths == 2);
+        is_length && matches!(factor.as_name(), Some(Name::Unknown(_) | Name::Input(_)))
     };
     let slide = factors().find(slides).map(|length| {
         let along = assembled(sketch, group, count, Some(length)).unit();
@@ -206,7 +206,7 @@ fn part<'m>(sketch: &mut Sketch<'_, 'm>, group: &Group<'m>, count: usize) -> Ste
         }),
         (slide, _) => slide,
     };
-    let third = (0..sketch.dimension).filter(|own| !components.contains(own));
+    let third = (0..sketch.dimension).filter(|axis| !components.contains(axis));
     let turns = match (slide, &third.collect::<Vec<_>>()[..]) {
         // What turns in the plane of two coordinates turns about the third.
         (None, [third]) if sketch.dimension == 3 => vec![Turn {
@@ -239,11 +239,11 @@ fn assembled<'m>(
             translate::number(sketch.algebra, &value)
         };
         let factors = summand.factors.iter();
-        let factors = factors.filter(|own| without.is_none_or(|other| ***own != *other));
+        let factors = factors.filter(|factor| without.is_none_or(|other| ***factor != *other));
         let start: Ex<'m> = graph.ex(graph.constant(summand.sign));
-        let product = factors.fold(start, |product, own| product * number(own));
+        let product = factors.fold(start, |product, factor| product * number(factor));
         let divisors = summand.divisors.iter();
-        let quotient = divisors.fold(product, |product, own| product / number(own));
+        let quotient = divisors.fold(product, |product, divisor| product / number(divisor));
         components[*component] += quotient;
     }
     let ids: Vec<NodeId> = components.into_iter().map(Ex::id).collect();

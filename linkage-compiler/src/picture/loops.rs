@@ -34,12 +34,12 @@ const LET: [u8; 2] = [3, 6];
 pub(super) fn collect(sketch: &mut Sketch<'_, '_>) {
     look_at_lets(sketch);
     look_at_unknowns(sketch);
-    for (index, own) in sketch.algebra.mechanism.loops.iter().enumerate() {
-        if expressions::is_anywhere(sketch, own) {
+    for (index, equation) in sketch.algebra.mechanism.loops.iter().enumerate() {
+        if expressions::is_anywhere(sketch, equation) {
             sketch.undrawn.push(index + 1);
         } else {
             let frames = frames::frames_of_loop(sketch, index);
-            sketch::within(sketch, frames, |sketch| look_at_loop(sketch, own));
+            sketch::within(sketch, frames, |sketch| look_at_loop(sketch, equation));
         }
     }
     bodies::look_at_bodies(sketch);
@@ -50,24 +50,24 @@ fn look_at_lets(sketch: &mut Sketch<'_, '_>) {
     let mechanism = sketch.algebra.mechanism;
     let loops: Vec<usize> = (0..mechanism.loops.len()).collect();
     let usage = mechanism.usage(&loops);
-    for (index, own) in mechanism.lets.iter().enumerate() {
+    for (index, item) in mechanism.lets.iter().enumerate() {
         let is_centre = !usage.lets[index] && is_mass_centre(mechanism, index);
         if sketch.roles.is_step(Name::Let(index)) || is_centre {
             continue;
         }
         sketch.remoteness = LET[usize::from(!usage.lets[index])];
         let frames = frames::frames_of(sketch, Name::Let(index));
-        sketch::within(sketch, frames, |sketch| look_at_let(sketch, own));
+        sketch::within(sketch, frames, |sketch| look_at_let(sketch, item));
     }
     sketch.remoteness = 0;
 }
 
-fn look_at_let<'m>(sketch: &mut Sketch<'_, 'm>, own: &'m Let) {
-    if let Some(point) = chains::point_of(sketch, &own.value) {
-        let at = sketch.vector(&own.value);
+fn look_at_let<'m>(sketch: &mut Sketch<'_, 'm>, item: &'m Let) {
+    if let Some(point) = chains::point_of(sketch, &item.value) {
+        let at = sketch.vector(&item.value);
         let named = sketch.point(at);
         for point in [point, named] {
-            let text = own.name.clone();
+            let text = item.name.clone();
             titles::call(sketch, point, Title { rank: 0, text });
         }
         sketch.points[named].wanted = true;
@@ -77,8 +77,8 @@ fn look_at_let<'m>(sketch: &mut Sketch<'_, 'm>, own: &'m Let) {
 /// Unknown points.
 fn look_at_unknowns(sketch: &mut Sketch<'_, '_>) {
     let mechanism = sketch.algebra.mechanism;
-    for (index, own) in mechanism.unknowns.iter().enumerate() {
-        let Type::Vector(count, dimension) = own.ty else {
+    for (index, unknown) in mechanism.unknowns.iter().enumerate() {
+        let Type::Vector(count, dimension) = unknown.ty else {
             continue;
         };
         let is_point = count == sketch.dimension && dimension.half_lengths == 2;
@@ -88,7 +88,7 @@ fn look_at_unknowns(sketch: &mut Sketch<'_, '_>) {
             let at = sketch.algebra.graph.components(&numbers);
             let frames = frames::frames_of(sketch, Name::Unknown(index));
             let point = sketch::within(sketch, frames, |sketch| sketch.point(at));
-            let text = own.name.clone();
+            let text = unknown.name.clone();
             titles::call(sketch, point, Title { rank: 1, text });
             sketch.points[point].wanted = true;
         }
@@ -114,12 +114,12 @@ pub(super) fn add_lists<'m>(sketch: &mut Sketch<'_, 'm>, lists: &'m [Vec<Expr>])
     }
 }
 
-fn look_at_loop<'m>(sketch: &mut Sketch<'_, 'm>, own: &'m Loop) {
-    match own.left.ty {
+fn look_at_loop<'m>(sketch: &mut Sketch<'_, 'm>, equation: &'m Loop) {
+    match equation.left.ty {
         Type::Vector(..) => {
-            let is_flat =
-                expressions::is_flat(sketch, &own.left) && expressions::is_flat(sketch, &own.right);
-            for side in sides(sketch, own) {
+            let is_flat = expressions::is_flat(sketch, &equation.left)
+                && expressions::is_flat(sketch, &equation.right);
+            for side in sides(sketch, equation) {
                 if let Some(end) = chains::chain(sketch, side) {
                     sketch.points[end].wanted = true;
                     if is_flat {
@@ -129,7 +129,10 @@ fn look_at_loop<'m>(sketch: &mut Sketch<'_, 'm>, own: &'m Loop) {
             }
         }
         _ => {
-            for (side, other) in [(&own.left, &own.right), (&own.right, &own.left)] {
+            for (side, other) in [
+                (&equation.left, &equation.right),
+                (&equation.right, &equation.left),
+            ] {
                 let title = expressions::spoken(sketch, other).map(|text| Title { rank: 2, text });
                 look_for_rods(sketch, side, title);
                 planes::look_for_line(sketch, side, other);
@@ -140,25 +143,25 @@ fn look_at_loop<'m>(sketch: &mut Sketch<'_, 'm>, own: &'m Loop) {
 
 /// The two ways from one point to another that a vector loop consists of, each in the order in
 /// which it is written.
-fn sides<'m>(sketch: &mut Sketch<'_, 'm>, own: &'m Loop) -> [Vec<Term<'m>>; 2] {
-    let [left, right] = [&own.left, &own.right].map(|side| {
+fn sides<'m>(sketch: &mut Sketch<'_, 'm>, equation: &'m Loop) -> [Vec<Term<'m>>; 2] {
+    let [left, right] = [&equation.left, &equation.right].map(|side| {
         let mut terms = Vec::new();
         terms::collect_terms(sketch, side, 1.0, None, &mut terms);
         terms.into_iter().partition(|term| term.sign > 0.0)
     });
     let ((left, left_minus), (right, right_minus)) = (left, right);
-    [(left, right_minus), (right, left_minus)].map(|(own, moved)| side(sketch, own, moved))
+    [(left, right_minus), (right, left_minus)].map(|(added, moved)| side(sketch, added, moved))
 }
 
 /// The terms that one side adds and the other one subtracts: a way to the start of the difference,
 /// unless this side has a point to begin with.
-fn side<'m>(sketch: &Sketch<'_, 'm>, own: Vec<Term<'m>>, moved: Vec<Term<'m>>) -> Vec<Term<'m>> {
+fn side<'m>(sketch: &Sketch<'_, 'm>, added: Vec<Term<'m>>, moved: Vec<Term<'m>>) -> Vec<Term<'m>> {
     let moved = moved.into_iter().map(|term| Term { sign: 1.0, ..term });
     let is_start = |term: &Term| weights::weight_of(sketch, term) == 1.0;
-    let mut all: Vec<Term> = if own.iter().any(is_start) {
-        own.into_iter().chain(moved).collect()
+    let mut all: Vec<Term> = if added.iter().any(is_start) {
+        added.into_iter().chain(moved).collect()
     } else {
-        moved.chain(own).collect()
+        moved.chain(added).collect()
     };
     all.sort_by_key(|term| !is_start(term));
     all
@@ -184,9 +187,9 @@ fn look_for_rods<'m>(sketch: &mut Sketch<'_, 'm>, expr: &'m Expr, title: Option<
         }
         ExprKind::Name(Name::Let(index)) => {
             if sketch.searched.insert(*index) {
-                let own = &sketch.algebra.mechanism.lets[*index].value;
+                let value = &sketch.algebra.mechanism.lets[*index].value;
                 let frames = frames::frames_of(sketch, Name::Let(*index));
-                sketch::within(sketch, frames, |sketch| look_for_rods(sketch, own, title));
+                sketch::within(sketch, frames, |sketch| look_for_rods(sketch, value, title));
             }
         }
         _ => {

@@ -13,7 +13,7 @@ pub(super) struct Spot<'m> {
     /// In the drawing.
     pub(super) at: Vn<'m>,
     /// The point as it is written, and the coordinates in which it is.
-    pub(super) own: Vn<'m>,
+    pub(super) written: Vn<'m>,
     pub(super) frames: Frames,
     pub(super) name: Option<Title>,
     /// True if it is more than a corner on the way along a link: it has a name, a loop closes
@@ -99,7 +99,7 @@ impl<'m> Spot<'m> {
     /// coordinates.
     pub(super) fn step_to(&self, other: &Self) -> Vn<'m> {
         if self.frames == other.frames {
-            other.own - self.own
+            other.written - self.written
         } else {
             other.at - self.at
         }

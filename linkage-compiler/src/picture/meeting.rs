@@ -19,8 +19,8 @@ impl Meeting {
         let all = || guides.all.iter().enumerate();
         Self {
             links: ByPoint::of_lists(links.all.iter().map(|link| &link.points)),
-            sliders: ByPoint::new(all().map(|(place, own)| (own.slider, place))),
-            origins: ByPoint::new(all().map(|(place, own)| (own.origin, place))),
+            sliders: ByPoint::new(all().map(|(place, guide)| (guide.slider, place))),
+            origins: ByPoint::new(all().map(|(place, guide)| (guide.origin, place))),
             axes,
         }
     }

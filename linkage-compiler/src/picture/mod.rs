@@ -109,8 +109,10 @@ pub(crate) fn find<'m>(
     let needed = axes.chain(guides.ends());
     let needed: Set<usize> = needed.collect();
     links.drop_corners(|point| {
-        let mut own = seen.aliases(point);
-        own.any(|own| sketch.points[own].wanted) || seen.is_fixed(point) || needed.contains(&point)
+        let mut aliases = seen.aliases(point);
+        aliases.any(|alias| sketch.points[alias].wanted)
+            || seen.is_fixed(point)
+            || needed.contains(&point)
     });
     if links.all.is_empty() && guides.all.is_empty() {
         reporter.error_with_help(
@@ -136,18 +138,21 @@ fn dimension(algebra: &Algebra, lists: &[Vec<Expr>]) -> usize {
         mechanism
             .loops
             .iter()
-            .flat_map(|own| [&own.left, &own.right])
+            .flat_map(|equation| [&equation.left, &equation.right])
     };
-    let joints = mechanism.joints.iter().map(|own| &own.at);
-    let lets = || mechanism.lets.iter().map(|own| &own.value);
+    let joints = mechanism.joints.iter().map(|joint| &joint.at);
+    let lets = || mechanism.lets.iter().map(|item| &item.value);
     let fixed = |count: usize| sides().any(|side| has_vector(side, count));
-    let mut places = mechanism.placed.iter().filter_map(|own| own.at.as_ref());
+    let mut places = mechanism
+        .placed
+        .iter()
+        .filter_map(|placed| placed.at.as_ref());
     let in_space = fixed(3)
         || places.any(|at| has_vector(at, 3))
         || joints
             .chain(lists.iter().flatten())
-            .any(|own| has_vector(own, 3));
-    if in_space || !fixed(2) && lets().any(|own| has_vector(own, 3)) {
+            .any(|expr| has_vector(expr, 3));
+    if in_space || !fixed(2) && lets().any(|value| has_vector(value, 3)) {
         3
     } else {
         2

@@ -43,7 +43,7 @@ pub(super) fn named<'m>(
     let places = kept
         .iter()
         .enumerate()
-        .map(|(place, (own, _))| (*own, place));
+        .map(|(place, (point, _))| (*point, place));
     let places: Map<usize, usize> = places.collect();
     let place = |point: usize| places.get(&seen.same[point]).copied();
     let mut names = UniqueNames::default();
@@ -94,7 +94,7 @@ pub(super) fn named<'m>(
         let Some(point) = place(*point) else {
             continue;
         };
-        let known = directions.iter().position(|own| own == along);
+        let known = directions.iter().position(|known| known == along);
         let direction = known.unwrap_or_else(|| {
             let name = format!("axis at {}", picture.points[point].name);
             let name = names.unique(name);
@@ -116,8 +116,8 @@ pub(super) fn named<'m>(
     };
     picture.joints = turning.joints(&picture);
     picture.drives = drives::drives(sketch, &picture, &place);
-    let own: Vec<usize> = kept.iter().map(|(point, _)| *point).collect();
-    picture.parts = owners.parts(&picture, &links.all, &own);
+    let kept_points: Vec<usize> = kept.iter().map(|(point, _)| *point).collect();
+    picture.parts = owners.parts(&picture, &links.all, &kept_points);
     picture.gears = drives::gears(sketch, &picture, &place, seen);
     let vectors = kept.iter().map(|(point, _)| sketch.points[*point].at);
     FoundPicture {
@@ -141,7 +141,7 @@ impl Namer<'_, '_, '_> {
         let slides = !self.meeting.sliders.at_point(point).is_empty();
         let guides = self.meeting.origins.at_point(point);
         let has_guide = !guides.is_empty();
-        let mut guides = guides.iter().map(|&own| &self.guides.all[own]);
+        let mut guides = guides.iter().map(|&guide| &self.guides.all[guide]);
         let pivots = guides.any(|guide| guide.on == GuideOn::Itself);
         let has_axis = self.meeting.axes.contains(&point);
         let mut all = self.seen.aliases(point);
@@ -168,13 +168,13 @@ impl Namer<'_, '_, '_> {
     /// True if it is a point of the frame, or of a guide that is.
     fn is_fixed(&self, point: usize) -> bool {
         let guides = self.meeting.origins.at_point(point).iter();
-        let mut guides = guides.map(|&own| &self.guides.all[own]);
+        let mut guides = guides.map(|&guide| &self.guides.all[guide]);
         guides.any(|guide| guide.on == GuideOn::Frame) || self.seen.is_fixed(point)
     }
 
     fn has_name(&self, point: usize) -> bool {
-        let mut own = self.seen.aliases(point);
-        own.any(|own| self.sketch.points[own].name.is_some())
+        let mut aliases = self.seen.aliases(point);
+        aliases.any(|alias| self.sketch.points[alias].name.is_some())
     }
 
     /// The best name among those of points that coincide; otherwise the names of the members that
@@ -186,7 +186,7 @@ impl Namer<'_, '_, '_> {
             return title.text.clone();
         }
         let here = self.meeting.links.at_point(point).iter();
-        let mut parts: Vec<&str> = here.map(|&own| self.link_names[own].as_str()).collect();
+        let mut parts: Vec<&str> = here.map(|&link| self.link_names[link].as_str()).collect();
         let (fixed, kind) = (self.is_fixed(point), self.kind(point));
         let begins = |index: &&usize| {
             let guide = &self.guides.all[**index];

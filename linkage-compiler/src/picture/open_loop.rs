@@ -62,10 +62,13 @@ impl<'a> OpenLoop<'a> {
     pub(super) fn new(algebra: &mut Algebra, reference: &'a Reference, nominal: &Nominal) -> Self {
         let machine = &reference.machine;
         let mechanism = algebra.mechanism;
-        let loops = mechanism.loops.iter().filter(|own| relates_angles(own));
+        let loops = mechanism
+            .loops
+            .iter()
+            .filter(|equation| relates_angles(equation));
         let loops: Vec<Ex> = loops
-            .map(|own| {
-                let [left, right] = [&own.left, &own.right].map(|side| {
+            .map(|equation| {
+                let [left, right] = [&equation.left, &equation.right].map(|side| {
                     let value = algebra.translate(side);
                     translate::number(algebra, &value)
                 });
@@ -88,14 +91,16 @@ impl<'a> OpenLoop<'a> {
             count,
             relations: Vec::new(),
         };
-        let relations = loops.into_iter().map(|own| free.rates(&[own]).concat());
+        let relations = loops
+            .into_iter()
+            .map(|difference| free.rates(&[difference]).concat());
         free.relations = relations.collect();
         free
     }
 
     /// Positions of points at each place, then their velocities in each motion.
     pub(super) fn courses(&self, vectors: &[Vn]) -> Vec<Track> {
-        let numbers: Vec<Ex> = vectors.iter().flat_map(|own| own.iter()).collect();
+        let numbers: Vec<Ex> = vectors.iter().flat_map(|vector| vector.iter()).collect();
         let places = self.places.iter();
         let places = places.map(|(inputs, unknowns)| {
             let machine = self.machine;
@@ -131,11 +136,11 @@ impl<'a> OpenLoop<'a> {
             |[a, b]: [&Vec<f64>; 2]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| a - b).collect() };
         let mut rate = Rate::default();
         for motion in 0..self.motions.len() {
-            let between = minus(ends.map(|own| &own[motion / self.count]));
-            let speeds = ends.map(|own| &own[self.places.len() + motion]);
+            let between = minus(ends.map(|track| &track[motion / self.count]));
+            let speeds = ends.map(|track| &track[self.places.len() + motion]);
             let product = between.iter().zip(minus(speeds)).map(|(x, v)| x * v);
             rate.values.push(product.sum());
-            let fastest: f64 = speeds.iter().map(|own| norm(own)).sum();
+            let fastest: f64 = speeds.iter().map(|speed| norm(speed)).sum();
             rate.sizes.push(norm(&between) * fastest);
         }
         rate
@@ -144,14 +149,14 @@ impl<'a> OpenLoop<'a> {
     /// True if a rate is zero whenever the others are: place by place it is a sum of multiples of
     /// them.
     pub(super) fn follows(&self, rate: &Rate, others: &[&Rate]) -> bool {
-        let others = others.iter().map(|own| &own.values);
+        let others = others.iter().map(|rate| &rate.values);
         let columns: Vec<&Vec<f64>> = self.relations.iter().chain(others).collect();
         (0..self.places.len()).all(|place| {
-            let own = place * self.count..(place + 1) * self.count;
-            let mut rest = rate.values[own.clone()].to_vec();
+            let range = place * self.count..(place + 1) * self.count;
+            let mut rest = rate.values[range.clone()].to_vec();
             let mut basis: Vec<Vec<f64>> = Vec::new();
             for column in &columns {
-                let mut column = column[own.clone()].to_vec();
+                let mut column = column[range.clone()].to_vec();
                 let before = length(&column);
                 basis.iter().for_each(|unit| remove(&mut column, unit));
                 let after = length(&column);
@@ -164,7 +169,7 @@ impl<'a> OpenLoop<'a> {
             for _ in 0..2 {
                 basis.iter().for_each(|unit| remove(&mut rest, unit));
             }
-            length(&rest) <= NOTHING * length(&rate.sizes[own])
+            length(&rest) <= NOTHING * length(&rate.sizes[range])
         })
     }
 }
@@ -200,7 +205,9 @@ impl OpenState {
             lengths: Vec::new(),
         };
         let unknowns = 0..algebra.names.bound.len();
-        let numbers: Vec<Vec<Ex>> = unknowns.map(|own| algebra.names.numbers_of(own)).collect();
+        let numbers: Vec<Vec<Ex>> = unknowns
+            .map(|unknown| algebra.names.numbers_of(unknown))
+            .collect();
         let all = machine.evaluate(&numbers.concat(), &inputs);
         if all.iter().any(|x| !x.is_finite()) {
             return None;
@@ -222,8 +229,10 @@ impl OpenState {
                 }
             }
         }
-        let own = inputs.iter().zip(&algebra.mechanism.inputs);
-        place.inputs = own.map(|(x, input)| (*x, unit(input.dimension))).collect();
+        let pairs = inputs.iter().zip(&algebra.mechanism.inputs);
+        place.inputs = pairs
+            .map(|(x, input)| (*x, unit(input.dimension)))
+            .collect();
         Some(place)
     }
 
@@ -261,7 +270,7 @@ impl OpenState {
 }
 
 /// `psi = 2 * theta + 30deg`: nothing but names and numbers, which no link is.
-pub(super) fn relates_angles(own: &Loop) -> bool {
+pub(super) fn relates_angles(equation: &Loop) -> bool {
     let simple = |expr: &Expr| {
         expr.parts().all(|part| {
             matches!(
@@ -273,12 +282,12 @@ pub(super) fn relates_angles(own: &Loop) -> bool {
             )
         })
     };
-    let angle = own
+    let angle = equation
         .left
         .ty
         .dimension()
-        .is_some_and(|own| own.half_lengths == 0);
-    angle && simple(&own.left) && simple(&own.right)
+        .is_some_and(|dimension| dimension.half_lengths == 0);
+    angle && simple(&equation.left) && simple(&equation.right)
 }
 
 fn remove(rest: &mut [f64], unit: &[f64]) {

@@ -21,7 +21,7 @@ impl Ownership {
         let parts: Vec<String> = parts.map(|part| part.name.clone()).collect();
         let of_points = (0..seen.same.len()).map(|point| {
             let here = seen.aliases(point);
-            let titles = here.filter_map(|own| sketch.points[own].name.as_ref());
+            let titles = here.filter_map(|alias| sketch.points[alias].name.as_ref());
             titles.map(|title| owner(&parts, &title.text)).collect()
         });
         // Where there are no parts, nobody asks.
@@ -45,7 +45,7 @@ impl Ownership {
             let moving = points.iter().filter(|&&point| !self.fixed[point]);
             let named = moving.map(|&point| &self.of_points[point]);
             let named: Vec<_> = named.filter(|owners| !owners.is_empty()).collect();
-            let has_all = |part: &usize| named.iter().all(|own| own.contains(&Some(*part)));
+            let has_all = |part: &usize| named.iter().all(|owners| owners.contains(&Some(*part)));
             (0..self.parts.len())
                 .find(has_all)
                 .filter(|_| !named.is_empty())
@@ -62,7 +62,10 @@ impl Ownership {
         let (Some(part), Some(owners)) = (part, self.of_points.get(point)) else {
             return false;
         };
-        !owners.is_empty() && owners.iter().all(|own| own.is_some_and(|own| own != part))
+        !owners.is_empty()
+            && owners
+                .iter()
+                .all(|owner| owner.is_some_and(|owner| owner != part))
     }
 
     /// The items of each part; `kept` are the points of the picture.
@@ -74,11 +77,11 @@ impl Ownership {
         let of_guides: Vec<_> = guides.collect();
         let of_links: Vec<_> = links.iter().map(|link| link.part).collect();
         let parts = self.parts.iter().enumerate().map(|(index, name)| {
-            let own = |all: &[Option<usize>]| -> Vec<usize> {
+            let members = |all: &[Option<usize>]| -> Vec<usize> {
                 let mine = (0..all.len()).filter(|&member| all[member] == Some(index));
                 mine.collect()
             };
-            let (links, guides) = (own(&of_links), own(&of_guides));
+            let (links, guides) = (members(&of_links), members(&of_guides));
             let has = |point: &usize| {
                 let ends = |guide: &usize| {
                     let guide = &picture.guides[*guide];
@@ -87,7 +90,7 @@ impl Ownership {
                 self.of_points[kept[*point]].contains(&Some(index))
                     || links
                         .iter()
-                        .any(|&own| picture.links[own].points.contains(point))
+                        .any(|&link| picture.links[link].points.contains(point))
                     || guides.iter().any(|guide| ends(guide).contains(point))
             };
             Part {

@@ -22,8 +22,8 @@ pub(super) fn turned_vector<'m>(
     vector: Vn<'m>,
 ) -> Vn<'m> {
     let mut values = vec![Value::Vector(vector)];
-    for own in &arguments[1..] {
-        values.push(sketch.algebra.translate(own));
+    for argument in &arguments[1..] {
+        values.push(sketch.algebra.translate(argument));
     }
     let value = calls::call(sketch.algebra, function, values);
     translate::vector(sketch.algebra, &value)

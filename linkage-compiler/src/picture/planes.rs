@@ -68,8 +68,8 @@ fn meet<'m>(
     [slider, carrier]: [usize; 2],
     name: Option<String>,
 ) {
-    let same = |own: &&mut Plane<'m>| {
-        !own.is_used && own.difference == plane.difference && own.frames == plane.frames
+    let same = |known: &&mut Plane<'m>| {
+        !known.is_used && known.difference == plane.difference && known.frames == plane.frames
     };
     let Some(other) = sketch.planes.iter_mut().find(same) else {
         return sketch.planes.push(plane);
@@ -102,13 +102,13 @@ fn line<'m>(
         sketch::seen_way(sketch, foot),
         sketch::seen_way(sketch, along),
     );
-    let own = sketch.points[slider].name.as_ref();
-    let own = own.map_or_else(|| "slide".to_owned(), |title| title.text.clone());
+    let title = sketch.points[slider].name.as_ref();
+    let point_name = title.map_or_else(|| "slide".to_owned(), |title| title.text.clone());
     sketch.lines.push(Line {
         slider,
         carrier: Some(carrier),
         foot: Some(foot),
         along,
-        name: name.unwrap_or(own),
+        name: name.unwrap_or(point_name),
     });
 }

@@ -36,7 +36,7 @@ pub(super) enum Placement<'m> {
 impl<'m> Pose<'m> {
     pub(super) fn new(placed: &Placed, algebra: &mut Algebra<'m>, roles: &Roles) -> Self {
         let both = placed.at.iter().chain(&placed.turned);
-        let moves = both.map(|own| roles.moves(own)).max();
+        let moves = both.map(|expr| roles.moves(expr)).max();
         let place = placed.at.as_ref().map(|at| match algebra.translate(at) {
             Value::Array(parts) => {
                 let axes = [1, 2, 3].map(|axis| translate::vector(algebra, &parts[axis]));
@@ -46,42 +46,46 @@ impl<'m> Pose<'m> {
         });
         Self {
             place,
-            turned: placed.turned.as_ref().map(|own| algebra.translate(own)),
+            turned: placed.turned.as_ref().map(|angle| algebra.translate(angle)),
             moves: moves.unwrap_or(Moves::Not),
         }
     }
 
-    pub(super) fn point(&self, own: Vn<'m>, algebra: &mut Algebra<'m>) -> Vn<'m> {
+    pub(super) fn point(&self, point: Vn<'m>, algebra: &mut Algebra<'m>) -> Vn<'m> {
         match &self.place {
-            None => self.way(own, algebra),
-            Some(Placement::Point(at)) => at.resized(own.len()) + self.way(own, algebra),
+            None => self.way(point, algebra),
+            Some(Placement::Point(at)) => at.resized(point.len()) + self.way(point, algebra),
             Some(Placement::Frame(frame, _)) => {
-                let seen = calls::call(algebra, Function::PointIn, vec![frame.clone(), own.into()]);
+                let seen = calls::call(
+                    algebra,
+                    Function::PointIn,
+                    vec![frame.clone(), point.into()],
+                );
                 translate::vector(algebra, &seen)
             }
         }
     }
 
     /// A step or a direction.
-    pub(super) fn way(&self, own: Vn<'m>, algebra: &mut Algebra<'m>) -> Vn<'m> {
+    pub(super) fn way(&self, step: Vn<'m>, algebra: &mut Algebra<'m>) -> Vn<'m> {
         match (&self.turned, &self.place) {
             (Some(angle), _) => {
                 let turned =
-                    calls::call(algebra, Function::Rotate, vec![own.into(), angle.clone()]);
+                    calls::call(algebra, Function::Rotate, vec![step.into(), angle.clone()]);
                 let turned = translate::vector(algebra, &turned);
                 // In a picture of space it turns about z.
-                let third = own.iter().skip(2);
+                let third = step.iter().skip(2);
                 let components: Vec<NodeId> = turned.iter().chain(third).map(Ex::id).collect();
                 algebra.graph.components(&components)
             }
             (None, Some(Placement::Frame(_, axes))) => {
                 let component = |k: usize| {
                     let axes = axes.map(|axis| axis.at(k));
-                    own.dot(Vector(axes).into()).id()
+                    step.dot(Vector(axes).into()).id()
                 };
                 algebra.graph.components(&[0, 1, 2].map(component))
             }
-            (None, _) => own,
+            (None, _) => step,
         }
     }
 }

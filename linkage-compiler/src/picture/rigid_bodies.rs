@@ -59,9 +59,9 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
             return false;
         };
         let [from, to] = ends;
-        let own = seen.stretching(from, to);
+        let rate = seen.stretching(from, to);
         // What only loops hold together carries nothing but what is written with both of its ends.
-        let is_rigid = seen.free().follows(&own, &[]);
+        let is_rigid = seen.free().follows(&rate, &[]);
         if !is_rigid && !self.is_written_with(step, ends) {
             return false;
         }
@@ -69,7 +69,7 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
             &base,
             &track::difference(seen.course(other), seen.course(shared)),
         );
-        let holds = |rate| seen.free().follows(&rate, &[&own]);
+        let holds = |rate| seen.free().follows(&rate, &[&rate]);
         holds(seen.stretching(shared, other))
             && ends
                 .into_iter()
@@ -82,7 +82,10 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
         let within = |part: Ex| {
             let graph = part.graph();
             let is_number = graph.constant_value(part.id()).is_some();
-            is_number || step.iter().any(|own| graph.contains(own.id(), part.id()))
+            is_number
+                || step
+                    .iter()
+                    .any(|component| graph.contains(component.id(), part.id()))
         };
         let both = [from.step_to(to), to.step_to(from)];
         both.into_iter().any(|vector| vector.iter().all(within))
@@ -98,7 +101,7 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
         {
             return Some(seen.course(end).clone());
         }
-        let [a, b, p] = [from, to, point].map(|own| seen.places_of(own));
+        let [a, b, p] = [from, to, point].map(|index| seen.places_of(index));
         // A link keeps its shape: one place tells it.
         let (axis, arm) = (minus(&b[0], &a[0]), minus(&p[0], &a[0]));
         let square = dot(&axis, &axis);

@@ -108,7 +108,7 @@ impl<'a> Samples<'a> {
 
     /// Vectors at each place of each view.
     pub(super) fn tracks_of(&self, vectors: &[Vn]) -> Vec<Track> {
-        let components: Vec<Ex> = vectors.iter().flat_map(|own| own.iter()).collect();
+        let components: Vec<Ex> = vectors.iter().flat_map(|vector| vector.iter()).collect();
         let look = |view: &View| -> Track {
             let places = view.places.iter();
             places
@@ -120,7 +120,7 @@ impl<'a> Samples<'a> {
 
     /// Vectors at one place with each of the dimensions that the mechanism does not close with.
     fn without_loops_of(&self, vectors: &[Vn]) -> Vec<Track> {
-        let components: Vec<Ex> = vectors.iter().flat_map(|own| own.iter()).collect();
+        let components: Vec<Ex> = vectors.iter().flat_map(|vector| vector.iter()).collect();
         let look = |machine: &Machine| {
             let place = self.views[0].places.first();
             place.map(|inputs| machine.evaluate(&components, inputs))
@@ -130,7 +130,7 @@ impl<'a> Samples<'a> {
 
     /// The positions of a point at the sampled inputs with the dimensions as they are written.
     pub(super) fn places_of(&self, point: usize) -> &[Vec<f64>] {
-        &self.tracks[point][self.views[0].own.clone()]
+        &self.tracks[point][self.views[0].range.clone()]
     }
 
     /// The positions and velocities of a point if nothing closes the loops.
@@ -181,10 +181,13 @@ impl<'a> Samples<'a> {
         let [a, b] = [&self.tracks[a], &self.tracks[b]];
         // Most pairs that are asked for do not, which the first places show.
         self.views.iter().all(|view| {
-            let mut own = view.own.clone().map(|place| distance(&a[place], &b[place]));
-            let first = own.next();
+            let mut distances = view
+                .range
+                .clone()
+                .map(|place| distance(&a[place], &b[place]));
+            let first = distances.next();
             first.is_none_or(|first| {
-                let mut all = std::iter::once(first).chain(own);
+                let mut all = std::iter::once(first).chain(distances);
                 all.all(|length| self.near(length - first))
             })
         })
@@ -205,8 +208,8 @@ impl<'a> Samples<'a> {
     /// True if a direction never changes.
     pub(super) fn is_steady(&self, directions: &Track) -> bool {
         self.views.iter().all(|view| {
-            let own = &directions[view.own.clone()];
-            own.iter().all(|at| distance(at, &own[0]) < STEADY)
+            let here = &directions[view.range.clone()];
+            here.iter().all(|at| distance(at, &here[0]) < STEADY)
         })
     }
 
@@ -233,8 +236,8 @@ impl<'a> Samples<'a> {
 
     fn steady(&self, lengths: &[f64]) -> bool {
         self.views.iter().all(|view| {
-            let own = &lengths[view.own.clone()];
-            own.iter().all(|length| self.near(length - own[0]))
+            let here = &lengths[view.range.clone()];
+            here.iter().all(|length| self.near(length - here[0]))
         })
     }
 

@@ -66,7 +66,9 @@ impl<'a, 'm> Sketch<'a, 'm> {
         let roles = Roles::new(algebra.mechanism);
         let placed = algebra.mechanism.placed.iter();
         Self {
-            poses: placed.map(|own| Pose::new(own, algebra, &roles)).collect(),
+            poses: placed
+                .map(|placed| Pose::new(placed, algebra, &roles))
+                .collect(),
             frames: Frames::new(),
             algebra,
             roles,
@@ -95,17 +97,17 @@ impl<'a, 'm> Sketch<'a, 'm> {
         translate::vector(self.algebra, &value).resized(self.dimension)
     }
 
-    pub(super) fn point(&mut self, own: Vn<'m>) -> usize {
-        let at = seen_point(self, own);
-        self.spot(at, own)
+    pub(super) fn point(&mut self, written: Vn<'m>) -> usize {
+        let at = seen_point(self, written);
+        self.spot(at, written)
     }
 
-    pub(super) fn spot(&mut self, at: Vn<'m>, own: Vn<'m>) -> usize {
+    pub(super) fn spot(&mut self, at: Vn<'m>, written: Vn<'m>) -> usize {
         let known = self.points.iter().position(|point| point.at == at);
         known.unwrap_or_else(|| {
             self.points.push(Spot {
                 at,
-                own,
+                written,
                 frames: self.frames.clone(),
                 name: None,
                 wanted: false,
@@ -147,13 +149,13 @@ pub(super) fn within<'m, T>(
 }
 
 /// The position in the drawing of a point of the current coordinates.
-pub(super) fn seen_point<'m>(sketch: &mut Sketch<'_, 'm>, own: Vn<'m>) -> Vn<'m> {
+pub(super) fn seen_point<'m>(sketch: &mut Sketch<'_, 'm>, written: Vn<'m>) -> Vn<'m> {
     let poses = sketch.frames.iter().map(|&frame| &sketch.poses[frame]);
-    poses.fold(own, |own, pose| pose.point(own, sketch.algebra))
+    poses.fold(written, |point, pose| pose.point(point, sketch.algebra))
 }
 
 /// The vector in the drawing of a step or direction of the current coordinates.
-pub(super) fn seen_way<'m>(sketch: &mut Sketch<'_, 'm>, own: Vn<'m>) -> Vn<'m> {
+pub(super) fn seen_way<'m>(sketch: &mut Sketch<'_, 'm>, written: Vn<'m>) -> Vn<'m> {
     let poses = sketch.frames.iter().map(|&frame| &sketch.poses[frame]);
-    poses.fold(own, |own, pose| pose.way(own, sketch.algebra))
+    poses.fold(written, |step, pose| pose.way(step, sketch.algebra))
 }

@@ -83,13 +83,13 @@ pub(super) fn turned<'m>(
     if is_one || has_points {
         return false;
     }
-    for own in inner {
-        let part = turned_part(sketch, *function, arguments, &own);
+    for term in inner {
+        let part = turned_part(sketch, *function, arguments, &term);
         let name = name.filter(|_| part.moves != Moves::Not);
         terms.push(Term {
             sign,
             expr,
-            name: name.map(str::to_owned).or(own.name),
+            name: name.map(str::to_owned).or(term.name),
             part: Some(part),
         });
     }
@@ -110,10 +110,10 @@ pub(super) fn turned_part<'m>(
     };
     let mut turn = |v: Vn<'m>| parts::turned_vector(sketch, function, arguments, v);
     let at = turn(step);
-    let slide = slide.map(|own| Slide {
-        offset: own.offset.map(&mut turn),
-        along: turn(own.along),
-        input: own.input,
+    let slide = slide.map(|slide| Slide {
+        offset: slide.offset.map(&mut turn),
+        along: turn(slide.along),
+        input: slide.input,
     });
     let within = parts::turns_of(sketch, inner);
     let mut turns = Vec::new();
@@ -141,12 +141,15 @@ pub(super) fn turned_part<'m>(
             },
         ..title
     });
-    let own = arguments[1..].iter().map(|own| sketch.moves(own)).max();
+    let moves = arguments[1..]
+        .iter()
+        .map(|argument| sketch.moves(argument))
+        .max();
     StepPart {
         at,
         title,
         slide,
-        moves: parts::moves_of(sketch, inner).max(own.unwrap_or(Moves::Not)),
+        moves: parts::moves_of(sketch, inner).max(moves.unwrap_or(Moves::Not)),
         turns,
     }
 }
@@ -174,10 +177,10 @@ pub(super) fn collect_terms<'m>(
     }
     match (&expr.kind, &expr.summands()[..]) {
         (ExprKind::Number(0.0), _) => {}
-        (ExprKind::Name(own @ Name::Let(index)), _) if sketch.roles.is_step(*own) => {
+        (ExprKind::Name(name @ Name::Let(index)), _) if sketch.roles.is_step(*name) => {
             let mechanism = sketch.algebra.mechanism;
-            let own = &mechanism.lets[*index];
-            collect_terms(sketch, &own.value, sign, Some(&own.name), terms);
+            let item = &mechanism.lets[*index];
+            collect_terms(sketch, &item.value, sign, Some(&item.name), terms);
         }
         (_, [])
             if literal(sketch, expr, sign, name, terms)
@@ -190,8 +193,8 @@ pub(super) fn collect_terms<'m>(
         }),
         (_, [(adds, only)]) => collect_terms(sketch, only, sign_of(*adds), name, terms),
         (_, all) => {
-            for (adds, own) in all {
-                collect_terms(sketch, own, sign_of(*adds), None, terms);
+            for (adds, summand) in all {
+                collect_terms(sketch, summand, sign_of(*adds), None, terms);
             }
         }
     }

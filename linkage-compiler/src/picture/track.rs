@@ -9,9 +9,11 @@ pub(super) type Track = Vec<Vec<f64>>;
 pub(super) fn divided(all: &Track, vectors: &[Vn]) -> Vec<Track> {
     let mut start = 0;
     let part = vectors.iter().map(|vector| {
-        let own = start..start + vector.len();
-        start = own.end;
-        all.iter().map(|list| list[own.clone()].to_vec()).collect()
+        let range = start..start + vector.len();
+        start = range.end;
+        all.iter()
+            .map(|list| list[range.clone()].to_vec())
+            .collect()
     });
     part.collect()
 }

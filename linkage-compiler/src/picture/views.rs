@@ -16,7 +16,7 @@ pub(super) struct View {
     pub(super) machine: Machine,
     pub(super) places: Vec<Vec<f64>>,
     /// The range of its coordinates in a track.
-    pub(super) own: Range<usize>,
+    pub(super) range: Range<usize>,
 }
 
 /// The mechanism as it is written, then with other dimensions, as far as it closes; and those, if
@@ -30,7 +30,7 @@ pub(super) fn views(
     let all = places(nominal, mechanism, reference.longest);
     let unknowns = 0..algebra.names.bound.len();
     let numbers: Vec<Ex> = unknowns
-        .flat_map(|own| algebra.names.numbers_of(own))
+        .flat_map(|unknown| algebra.names.numbers_of(unknown))
         .collect();
     let look = |machine: &Machine| -> Vec<Vec<f64>> {
         let closes = |inputs: &&Vec<f64>| {
@@ -41,27 +41,27 @@ pub(super) fn views(
     };
     let altered = |number: usize| altered(mechanism, nominal, reference.longest, number);
     let of_part = |part: &MechanismPart| -> Vec<f64> {
-        let own = mechanism.scalar_parameters.iter().zip(&nominal.parameters);
-        let own = own.zip(altered(0)).map(|((scalar, &value), other)| {
+        let pairs = mechanism.scalar_parameters.iter().zip(&nominal.parameters);
+        let pairs = pairs.zip(altered(0)).map(|((scalar, &value), other)| {
             if scalar.name.split('.').next() == Some(part.name.as_str()) {
                 other
             } else {
                 value
             }
         });
-        own.collect()
+        pairs.collect()
     };
     let mut views: Vec<View> = Vec::new();
     let mut look_at = |machine: Machine| {
         let places = look(&machine);
-        let start = views.last().map_or(0, |view| view.own.end);
+        let start = views.last().map_or(0, |view| view.range.end);
         // Nothing is learned from one position with dimensions that nobody asked for.
         if views.is_empty() || places.len() > 1 {
-            let own = start..start + places.len();
+            let range = start..start + places.len();
             views.push(View {
                 machine,
                 places,
-                own,
+                range,
             });
         }
         views.len()

@@ -12,7 +12,10 @@ use crate::picture::sketch::Sketch;
 /// The number of times that a vector counts as a point: 1 for a point, 0 for a difference; `None`
 /// if it may be either.
 pub(super) fn weight(sketch: &Sketch<'_, '_>, expr: &Expr) -> Option<f64> {
-    let is_length = expr.ty.dimension().is_some_and(|own| own.half_lengths == 2);
+    let is_length = expr
+        .ty
+        .dimension()
+        .is_some_and(|dimension| dimension.half_lengths == 2);
     match &expr.kind {
         // A direction.
         _ if !is_length => None,

@@ -90,8 +90,8 @@ pub(super) fn circles<'m>(
     let mut noise = (2.0 * r1 * r2) * m;
     if let Some(noise2) = squares.noise2 {
         // The derivative of `h^2` by the second circle's square is `n1`.
-        let own = noise2 * (m + squares.imbalance);
-        noise = ((m + size) * n).abs() + own.abs();
+        let second = noise2 * (m + squares.imbalance);
+        noise = ((m + size) * n).abs() + second.abs();
     }
     let h = q.root(noise);
 

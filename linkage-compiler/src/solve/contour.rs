@@ -20,7 +20,7 @@ pub(super) struct Contour<'m> {
     loop_vector: V2<'m>,
     /// The terms with the group's unknowns, each of which any vector can do without; none for a
     /// coupled group.
-    own: Vec<UnknownTerm>,
+    terms: Vec<UnknownTerm>,
     /// The symbols of the unknowns.
     symbols: Vec<SymbolId>,
 }
@@ -53,14 +53,14 @@ impl<'m> Contour<'m> {
         };
         let turned = |rotor: &Rotor<'m>| rotor.z.turned(unknowns::unit_of(algebra, rotor));
         let along = |slide: SymbolId, guide: V2<'m>| unknowns::unknown(algebra, slide) * guide;
-        let (loop_vector, own) = match form {
+        let (loop_vector, terms) = match form {
             Form::TwoRotors {
                 first,
                 second,
                 known,
             } => {
-                let own = [first, second].map(|rotor| UnknownTerm::Turning(symbols(rotor.angle)));
-                (turned(first) + turned(second) + *known, own.into())
+                let terms = [first, second].map(|rotor| UnknownTerm::Turning(symbols(rotor.angle)));
+                (turned(first) + turned(second) + *known, terms.into())
             }
             Form::RotorAndSlide {
                 rotor,
@@ -68,11 +68,11 @@ impl<'m> Contour<'m> {
                 guide,
                 known,
             } => {
-                let own = vec![
+                let terms = vec![
                     UnknownTerm::Turning(symbols(rotor.angle)),
                     UnknownTerm::Slide(*slide),
                 ];
-                (turned(rotor) + along(*slide, *guide) + *known, own)
+                (turned(rotor) + along(*slide, *guide) + *known, terms)
             }
             Form::SlideOnRotor {
                 rotor,
@@ -81,8 +81,8 @@ impl<'m> Contour<'m> {
                 known,
             } => {
                 let guide = guide.turned(unknowns::unit_of(algebra, rotor));
-                let own = vec![UnknownTerm::SlideOn(*slide, symbols(rotor.angle))];
-                (turned(rotor) + along(*slide, guide) + *known, own)
+                let terms = vec![UnknownTerm::SlideOn(*slide, symbols(rotor.angle))];
+                (turned(rotor) + along(*slide, guide) + *known, terms)
             }
             Form::TwoSlides {
                 slides,
@@ -100,16 +100,16 @@ impl<'m> Contour<'m> {
                     unknowns::symbols_of_coupled(coupled, |angle| symbols(angle).to_vec());
                 return Some(Self {
                     loop_vector: Vector([algebra.zero(); 2]),
-                    own: Vec::new(),
+                    terms: Vec::new(),
                     symbols,
                 });
             }
             _ => return None,
         };
-        let symbols = own.iter().flat_map(UnknownTerm::symbols).collect();
+        let symbols = terms.iter().flat_map(UnknownTerm::symbols).collect();
         Some(Self {
             loop_vector,
-            own,
+            terms,
             symbols,
         })
     }
@@ -192,10 +192,10 @@ fn ways<'m>(algebra: &Algebra<'m>, vector: V2<'m>, contours: &[&Contour<'m>]) ->
     if !last.is_in(algebra.graph.symbols_of(&nodes)) {
         return ways(algebra, vector, before);
     }
-    let without = last.own.iter().filter_map(|own| {
-        let [columns, loop_columns] = [vector, last.loop_vector].map(|vector| own.columns(vector));
+    let without = last.terms.iter().filter_map(|term| {
+        let [columns, loop_columns] = [vector, last.loop_vector].map(|vector| term.columns(vector));
         let ([c, d], [l, m]) = (columns?, loop_columns?);
-        let [rest, loop_rest] = [vector, last.loop_vector].map(|vector| own.dropped(vector));
+        let [rest, loop_rest] = [vector, last.loop_vector].map(|vector| term.dropped(vector));
         // The columns of the loop are perpendicular and of one length.
         let square = l.square();
         let [x, y] = [l, m].map(|column| column.dot(loop_rest) / square);
@@ -235,8 +235,8 @@ impl UnknownTerm {
             Self::Turning(_) | Self::Slide(_) => monomial.iter().any(|&power| power > 0),
         };
         let known = |row: &Polynomial| {
-            let mut own = row.iter().filter(|(monomial, _)| is_own(monomial));
-            own.all(|(monomial, x)| monomials.contains(&&monomial[..]) && x.is_fixed())
+            let mut with_unknown = row.iter().filter(|(monomial, _)| is_own(monomial));
+            with_unknown.all(|(monomial, x)| monomials.contains(&&monomial[..]) && x.is_fixed())
         };
         let zero = vector[0].number(0.0);
         let factor =

@@ -45,8 +45,10 @@ pub(crate) struct Formulation<'m> {
 impl<'m> Formulation<'m> {
     /// The terms that grids over two inputs store in their cells.
     pub(crate) fn in_cells(&self) -> Terms {
-        let mut over_two = self.prepared().filter(|own| own.inputs.len() == 2);
-        if over_two.any(|own| own.in_cells == Terms::Slopes) {
+        let mut over_two = self
+            .prepared()
+            .filter(|prepared| prepared.inputs.len() == 2);
+        if over_two.any(|prepared| prepared.in_cells == Terms::Slopes) {
             Terms::Slopes
         } else {
             Terms::Polynomials

@@ -125,17 +125,19 @@ fn lengths_of<'m>(first: &Level<'m>, second: &Level<'m>) -> Ex<'m> {
 
 /// The power of two by which lengths are scaled, and the spheres.
 fn balls<'m>(spheres: &[Sphere<'m>]) -> (Ex<'m>, Vec<Ball<'m>>) {
-    let own: Vec<(V3, Ex)> = spheres
+    let centres_and_radii: Vec<(V3, Ex)> = spheres
         .iter()
         .map(|sphere| {
             let centre = sphere.known.map(|x| -(x / sphere.factor));
             (centre, sphere.radius / sphere.factor.abs())
         })
         .collect();
-    let (base, first) = own[0];
-    let sum = own[1..].iter().fold(first, |sum, (_, r)| sum + *r);
+    let (base, first) = centres_and_radii[0];
+    let sum = centres_and_radii[1..]
+        .iter()
+        .fold(first, |sum, (_, r)| sum + *r);
     let scale = sum.inverse_scale();
-    let balls = own.into_iter().map(|(centre, radius)| {
+    let balls = centres_and_radii.into_iter().map(|(centre, radius)| {
         let apart = Vector([0, 1, 2].map(|k| scale * (centre[k] - base[k])));
         Ball {
             centre,

@@ -33,9 +33,9 @@ pub(super) fn rrp<'m>(
     let carried = rotating_frame::carried(algebra, guide, g, c);
     // What the guide carries has a size of its own.
     let (from_guide, size) = match &carried {
-        Some(own) => (
-            own.arm + rotating_frame::seen(algebra, own.carrier, own.rest),
-            r + own.arm.length(),
+        Some(carried) => (
+            carried.arm + rotating_frame::seen(algebra, carried.carrier, carried.rest),
+            r + carried.arm.length(),
         ),
         None => (Vector([g.dot(c), g.cross(c)]), r),
     };
@@ -50,7 +50,7 @@ pub(super) fn rrp<'m>(
     let determinant = -(stretch * hw);
 
     let unit = unknowns::unit_of(algebra, rotor);
-    let carrier = carried.as_ref().map(|own| own.carrier);
+    let carrier = carried.as_ref().map(|carried| carried.carrier);
     let equation = match carrier {
         None => {
             let value = (hw * g + x * g.perp()).map(|x| guarded(x, h));
@@ -100,15 +100,15 @@ pub(super) fn rrp<'m>(
     definitions::bear(algebra, rotor.angle, bearing);
     definitions::define_length(algebra, group, slide, position, 1);
 
-    if let Some(own) = carried {
+    if let Some(carried) = carried {
         let other_side = ViaSlider {
             angle: rotor.angle,
             sense: rotor.sense,
             z: rotor.z,
             slide: stretch * unknowns::unknown(algebra, slide),
             known,
-            carrier: own.carrier,
-            carried: own.turns,
+            carrier: carried.carrier,
+            carried: carried.turns,
         };
         algebra.solutions.other_sides.push(other_side);
     }

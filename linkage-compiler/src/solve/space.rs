@@ -36,8 +36,8 @@ pub(super) fn arm_length<'m>(arm: V3<'m>, rounded: Ex<'m>) -> Ex<'m> {
     let graph = square.graph();
     let below = graph.reachable(&arm.ids()).into_iter();
     let mut known = below.map(|id| graph.ex(id)).filter(|x| x.is_fixed());
-    let own = known.find(|x| agree_within(square, x.square(), ROUNDING));
-    own.map_or(rounded, Ex::abs)
+    let length = known.find(|x| agree_within(square, x.square(), ROUNDING));
+    length.map_or(rounded, Ex::abs)
 }
 
 /// Returns `e . v`. The prepared part, and the factors of the other terms, are combined beforehand:

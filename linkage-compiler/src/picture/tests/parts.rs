@@ -30,7 +30,7 @@ fn parts_of_a_machine_have_what_they_bring_along() {
     let all = check_all(text.parse().expect("tokens"));
     let machine = all.into_iter().next_back().expect("the machine");
     assert!(machine.messages.is_empty(), "{:#?}", machine.messages);
-    let picture = machine.unit.and_then(|own| own.picture);
+    let picture = machine.unit.and_then(|unit| unit.picture);
     let picture = picture.expect("a picture").to_string();
     let parts: Vec<&str> = picture
         .lines()
@@ -69,7 +69,7 @@ fn wheels_are_of_one_part() {
     let gears = |second: &str| {
         let all = check_all(text(second).parse().expect("tokens"));
         let machine = all.into_iter().next_back().expect("the machine");
-        let picture = machine.unit.and_then(|own| own.picture);
+        let picture = machine.unit.and_then(|unit| unit.picture);
         picture.expect("a picture").gears.len()
     };
     assert_eq!(gears("let pin = far + polar(40mm, -2 * shaft);"), 1);
@@ -113,7 +113,7 @@ fn pivots_of_coupled_parts_that_coincide_by_chance_are_two_points() {
         let all = check_all(text.parse().expect("tokens"));
         let machine = all.into_iter().next_back().expect("the machine");
         assert!(machine.messages.is_empty(), "{:#?}", machine.messages);
-        let picture = machine.unit.and_then(|own| own.picture);
+        let picture = machine.unit.and_then(|unit| unit.picture);
         let picture = picture.expect("a picture").to_string();
         let ground = picture
             .lines()

@@ -58,8 +58,11 @@ fn other_functions_stay_as_they_are() {
         let (beside, messages) = compile(&items, &functions);
         assert!(messages.is_empty(), "{messages:?}");
         let find = |unit: &CompiledMechanism| {
-            let own = unit.functions.iter().find(|own| own.fields.len() == 5);
-            let program = &own.expect("the function").called.program;
+            let found = unit
+                .functions
+                .iter()
+                .find(|function| function.fields.len() == 5);
+            let program = &found.expect("the function").called.program;
             let operations = program
                 .instructions
                 .iter()

@@ -30,13 +30,14 @@ pub(super) fn push_coupled<'m>(
     for loop_rows in equations.blocks_with_rows() {
         let BlockAtRow { block, first } = loop_rows;
         if let Some(private) = &block.private {
-            let own = define_private(algebra, group, private, loop_rows.rest(), jacobian.len());
+            let private_column =
+                define_private(algebra, group, private, loop_rows.rest(), jacobian.len());
             let square = match private {
                 Private::Rotor(rotor) => rotor.z.square(),
                 Private::Slide { guide, .. } => square_of_guide(*guide),
             };
             let mut column = nothing.clone();
-            column[first..first + 2].copy_from_slice(&own.0);
+            column[first..first + 2].copy_from_slice(&private_column.0);
             jacobian.push(column);
             privates.push(PrivateColumn { first, square });
         }
@@ -133,7 +134,7 @@ fn terms_of<'m>(
 /// derivatives have more terms.
 fn written<'m>(block: &Block<'m>, bodies: &[Body<'m>]) -> Vec<Written<'m>> {
     let row = |&row: &Ex<'m>| Written { row, links: None };
-    let (Some(link), [own]) = (&block.distance, &block.rows[..]) else {
+    let (Some(link), [row_itself]) = (&block.distance, &block.rows[..]) else {
         return block.rows.iter().map(row).collect();
     };
     let less = link.less.as_ref();
@@ -143,16 +144,16 @@ fn written<'m>(block: &Block<'m>, bodies: &[Body<'m>]) -> Vec<Written<'m>> {
             let wanted = link.length.difference_of_squares(less.length);
             0.5 * ((apart - wanted) / link.length)
         }
-        None => *own,
+        None => *row_itself,
     };
-    let distance = |own: &Link<'m>| Distance {
-        vector: own.vector,
-        length: own.length,
-        carried: carried(own.vector, bodies),
+    let distance = |link: &Link<'m>| Distance {
+        vector: link.vector,
+        length: link.length,
+        carried: carried(link.vector, bodies),
     };
     let links = Links {
         first: distance(link),
-        less: less.map(|own| distance(own)),
+        less: less.map(|less| distance(less)),
     };
     vec![Written {
         row,

@@ -45,7 +45,7 @@ pub(super) fn large_system<'m>(
     let freedoms = rotation_variation::freedoms(equations, &bodies);
     let order = pivot_order(algebra, group, &freedoms);
     let rows = rows_of_step(algebra, equations, &bodies, &freedoms);
-    let share = rows.iter().fold(algebra.one(), |all, own| all * own.factor);
+    let share = rows.iter().fold(algebra.one(), |all, row| all * row.factor);
     let matrix: Vec<Vec<Ex>> = rows.iter().map(|row| row.entries.clone()).collect();
     LargeSystem {
         residuals: rows.iter().map(|row| row.residual).collect(),
@@ -87,8 +87,8 @@ fn rows_of_step<'m>(
     let mut rows = Vec::new();
     let mut number = 0;
     for loop_rows in equations.blocks_with_rows() {
-        let own = equations.count(loop_rows);
-        for row in number..number + own {
+        let count = equations.count(loop_rows);
+        for row in number..number + count {
             if bodies.rows.contains(&row) {
                 let by_freedoms = freedoms.next().expect("a row for each of the core");
                 let of_link = row_of_link(algebra, equations, bodies, loop_rows);
@@ -99,7 +99,7 @@ fn rows_of_step<'m>(
                 }));
             }
         }
-        number += own;
+        number += count;
     }
     rows
 }
@@ -131,7 +131,7 @@ fn row_of_link<'m>(
     let others = bodies.columns.iter().map(|&k| by_unknowns[k]);
     let turns = bodies.all.iter().flat_map(|body| {
         let any = body.by_turns(&by_unknowns);
-        let carried = of_square(body, vector).filter(|own| same(*own, any));
+        let carried = of_square(body, vector).filter(|carried| same(*carried, any));
         carried.unwrap_or(any).0
     });
     Some(Row {

@@ -47,8 +47,8 @@ impl<'m> LargeSystem<'m> {
         let mut all = freedoms.to_vec();
         all.resize(start.len(), freedoms[0]);
         let others = &self.scheme.bodies.columns;
-        for (&column, &own) in others.iter().zip(freedoms) {
-            all[column] = own;
+        for (&column, &freedom) in others.iter().zip(freedoms) {
+            all[column] = freedom;
         }
         let turns = freedoms[others.len()..].as_chunks::<3>().0;
         for (body, &turn) in self.bodies().iter().zip(turns) {

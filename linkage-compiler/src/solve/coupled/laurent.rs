@@ -27,19 +27,19 @@ impl<'m> Laurent<'m> {
         let terms = self.0.into_iter();
         Self(
             terms
-                .map(|(exponents, own)| (exponents, other(own)))
+                .map(|(exponents, coefficient)| (exponents, other(coefficient)))
                 .collect(),
         )
     }
 
     /// Times a real number.
     pub(super) fn scaled(self, factor: Ex<'m>) -> Self {
-        self.map(|own| factor * own)
+        self.map(|coefficient| factor * coefficient)
     }
 
     /// Times a complex number.
     pub(super) fn turned(self, factor: V2<'m>) -> Self {
-        self.map(|own| own.turned(factor))
+        self.map(|coefficient| coefficient.turned(factor))
     }
 
     /// The conjugate of a unit vector is its inverse, the two variables of a point are each
@@ -62,13 +62,13 @@ impl<'m> Laurent<'m> {
 
     /// Without terms that cancel.
     pub(super) fn cleaned(self) -> Self {
-        let mut cleaned = self.map(|own| {
-            own.map(|x| {
+        let mut cleaned = self.map(|coefficient| {
+            coefficient.map(|x| {
                 let zero = x.number(0.0);
                 if agree(x, zero) { zero } else { x }
             })
         });
-        cleaned.0.retain(|_, own| !own.is_zero());
+        cleaned.0.retain(|_, coefficient| !coefficient.is_zero());
         cleaned
     }
 }

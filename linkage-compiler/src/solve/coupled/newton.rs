@@ -91,7 +91,9 @@ impl<'m> Step<'m> {
     /// The next state, by these corrections.
     pub(super) fn corrected(&self, corrections: &[Ex<'m>]) -> Vec<StatePart<'m>> {
         let parts = self.start.iter().zip(corrections);
-        parts.map(|(part, &own)| part.corrected(own)).collect()
+        parts
+            .map(|(part, &correction)| part.corrected(correction))
+            .collect()
     }
 }
 
@@ -107,7 +109,9 @@ pub(super) fn step<'m>(
         None => Vec::new(),
     };
     let meanings = state::meanings(algebra, &start, equations.unit).into_iter();
-    let here = meanings.map(|own| (own.symbol, own.value)).collect();
+    let here = meanings
+        .map(|meaning| (meaning.symbol, meaning.value))
+        .collect();
     let (residuals, matrix) = match &equations.large {
         Some(large) => (&large.residuals, &large.matrix),
         None => (&equations.residuals, &equations.matrix),
@@ -125,12 +129,14 @@ pub(super) fn step<'m>(
                 solution,
                 determinant,
             } = solved;
-            let freedoms = solution.into_iter().map(|own| -own).collect();
+            let freedoms = solution.into_iter().map(|freedom| -freedom).collect();
             (freedoms, large.share * determinant)
         }
         None => {
             let (numerators, determinant) = elimination::cramer(algebra, &matrix, residuals);
-            let corrections = numerators.into_iter().map(|own| -(own / determinant));
+            let corrections = numerators
+                .into_iter()
+                .map(|numerator| -(numerator / determinant));
             (corrections.collect(), determinant)
         }
     };
@@ -180,8 +186,10 @@ pub(super) fn solution<'m>(
         let corrections = match guard.filter(|_| last) {
             Some(guard) => {
                 let nan = guard.number(f64::NAN);
-                let own = step.corrections.iter();
-                own.map(|&own| guard.select(own, nan)).collect()
+                let corrections = step.corrections.iter();
+                corrections
+                    .map(|&correction| guard.select(correction, nan))
+                    .collect()
             }
             None => step.corrections.clone(),
         };

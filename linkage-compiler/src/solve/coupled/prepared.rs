@@ -61,11 +61,11 @@ impl<'m> Prepared<'m> {
         let growth = self.reach * self.scale;
         let reach = nominal.evaluate(&[self.reach])[0];
         let all = self.estimated(algebra, nominal).into_iter();
-        let numbers = all.map(|own| {
-            if own.length {
-                algebra.graph.number(own.value / reach) * growth
+        let numbers = all.map(|estimated| {
+            if estimated.length {
+                algebra.graph.number(estimated.value / reach) * growth
             } else {
-                algebra.graph.number(own.value)
+                algebra.graph.number(estimated.value)
             }
         });
         numbers.collect()
@@ -75,11 +75,11 @@ impl<'m> Prepared<'m> {
     pub(crate) fn estimate_of_default(&self, algebra: &Algebra<'m>, nominal: &Nominal) -> Vec<f64> {
         let scale = nominal.evaluate(&[self.scale])[0];
         let all = self.estimated(algebra, nominal).into_iter();
-        let numbers = all.map(|own| {
-            if own.length {
-                scale * own.value
+        let numbers = all.map(|estimated| {
+            if estimated.length {
+                scale * estimated.value
             } else {
-                own.value
+                estimated.value
             }
         });
         numbers.collect()
@@ -87,7 +87,10 @@ impl<'m> Prepared<'m> {
 
     /// The closure errors of the core's equations in a state.
     pub(crate) fn residuals(&self) -> Vec<Ex<'m>> {
-        let meanings = self.raw.iter().map(|own| (own.symbol, own.value));
+        let meanings = self
+            .raw
+            .iter()
+            .map(|meaning| (meaning.symbol, meaning.value));
         substitute(&self.equations, &meanings.collect())
     }
 

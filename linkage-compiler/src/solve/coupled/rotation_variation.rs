@@ -30,7 +30,7 @@ pub(super) fn freedoms<'m>(equations: &Equations<'_, 'm>, bodies: &Bodies<'m>) -
         let turns = bodies.all.iter().flat_map(|body| {
             let any = body.by_turns(entries);
             let proposed = proposals(equations, body, blocks[row]).into_iter();
-            let mut same = proposed.filter(|own| same(*own, any));
+            let mut same = proposed.filter(|proposal| same(*proposal, any));
             same.next().unwrap_or(any).0
         });
         others.chain(turns).collect()
@@ -51,12 +51,12 @@ fn proposals<'m>(equations: &Equations<'_, 'm>, body: &Body<'m>, block: &Block<'
     let Some(link) = &block.distance else {
         return Vec::new();
     };
-    let own = of_square(body, link.vector);
+    let first = of_square(body, link.vector);
     let turns = match &link.less {
-        Some(less) => own
+        Some(less) => first
             .zip(of_square(body, less.vector))
-            .map(|(own, less)| own - less),
-        None => own,
+            .map(|(first, less)| first - less),
+        None => first,
     };
     let turns = turns.map(|turns| (scale / link.length) * turns);
     turns.into_iter().collect()
@@ -74,7 +74,7 @@ pub(super) fn same<'m>(proposed: V3<'m>, any: V3<'m>) -> bool {
         .0
         .iter()
         .zip(any.0)
-        .all(|(&own, any)| agree(own, any))
+        .all(|(&proposed, any)| agree(proposed, any))
 }
 
 /// The part of a vector that one of the bodies carries as it is.
@@ -84,12 +84,12 @@ pub(super) fn carried<'m>(vector: V3<'m>, bodies: &[Body<'m>]) -> Option<Carried
         let Parts { carried, rest } = parts(body, vector)?;
         // Of directions alone, but not as they are: a shadow, or a product with a fixed direction,
         // turns otherwise.
-        let own = coordinates(carried, body.axes)?;
+        let coordinates = coordinates(carried, body.axes)?;
         (!carried.is_zero()).then(|| Carried {
             body: index,
             arm: carried,
             rest,
-            dimensions: graph.symbols_of(&own.0.map(Ex::id)),
+            dimensions: graph.symbols_of(&coordinates.0.map(Ex::id)),
         })
     });
     all.next()

@@ -94,8 +94,8 @@ impl<'m> Builder<'_, 'm> {
         let scale = self.equations.scale;
         match &block.private {
             Some(Private::Rotor(rotor)) => {
-                let own = &self.algebra.names.angles[rotor.angle];
-                let rest = self.without(block, &[own.cos, own.sin]).scaled(scale);
+                let angle = &self.algebra.names.angles[rotor.angle];
+                let rest = self.without(block, &[angle.cos, angle.sin]).scaled(scale);
                 let square = &rest * &self.conjugate(&rest);
                 let length = scale * rotor.z.length();
                 vec![(square - self.constant(length.square())).cleaned()]
@@ -123,8 +123,12 @@ impl<'m> Builder<'_, 'm> {
 
     /// Returns `row 0 + i row 1` of the terms that mention none of these symbols.
     fn without(&self, block: &Block<'m>, symbols: &[SymbolId]) -> Laurent<'m> {
-        let mentions =
-            |product: &Product| product.powers.iter().any(|(own, _)| symbols.contains(own));
+        let mentions = |product: &Product| {
+            product
+                .powers
+                .iter()
+                .any(|(symbol, _)| symbols.contains(symbol))
+        };
         let terms = block.terms.iter();
         self.sum(terms.filter(|product| !mentions(product)).cloned())
     }
@@ -181,10 +185,10 @@ impl<'m> Builder<'_, 'm> {
                     }
                 }
                 Core::Length {
-                    symbol: own,
+                    symbol: length,
                     component,
                     ..
-                } if own == symbol => {
+                } if length == symbol => {
                     let unit = self.equations.unit_of(*core);
                     let variable = |place| self.variable(place, 1);
                     let scaled = match component {

@@ -62,10 +62,10 @@ pub(super) fn push_point<'m>(
     let mut jacobian = vec![vec![zero; count]; count];
     let mut core = Vec::new();
     let mut matrix = Vec::new();
-    for (row, (own, slope, factor)) in rows.into_iter().enumerate() {
-        terms.extend(own.into_iter().map(|(own, factor)| {
+    for (row, (row_terms, slope, factor)) in rows.into_iter().enumerate() {
+        terms.extend(row_terms.into_iter().map(|(entry, factor)| {
             let mut coefficient = vec![zero; count];
-            coefficient[row] = own;
+            coefficient[row] = entry;
             Term {
                 coefficient,
                 factor,

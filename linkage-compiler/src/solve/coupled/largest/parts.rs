@@ -28,9 +28,9 @@ pub(super) struct Parts<'m> {
 pub(super) fn parts<'m>(algebra: &mut Algebra<'m>, equations: &Equations<'_, 'm>) -> Parts<'m> {
     let form = equations.form;
     let loops = form.blocks.len();
-    let private = (0..loops).filter(|&own| form.blocks[own].private.is_some());
+    let private = (0..loops).filter(|&index| form.blocks[index].private.is_some());
     let mut parts = Parts {
-        joints: private.map(|own| unit(algebra, own, loops)).collect(),
+        joints: private.map(|index| unit(algebra, index, loops)).collect(),
         size: algebra.one(),
         bodies: Vec::new(),
     };
@@ -39,9 +39,9 @@ pub(super) fn parts<'m>(algebra: &mut Algebra<'m>, equations: &Equations<'_, 'm>
         .iter()
         .map(|column| shares_of(algebra, column))
         .collect();
-    for (own, column) in columns.into_iter().enumerate() {
-        match &shares[own] {
-            Some((length, joint)) if !is_half_of_point(&form.core, &shares, own) => {
+    for (index, column) in columns.into_iter().enumerate() {
+        match &shares[index] {
+            Some((length, joint)) if !is_half_of_point(&form.core, &shares, index) => {
                 parts.size = parts.size * *length;
                 parts.joints.push(joint.clone());
             }
@@ -52,10 +52,10 @@ pub(super) fn parts<'m>(algebra: &mut Algebra<'m>, equations: &Equations<'_, 'm>
 }
 
 /// Shares of a joint that is in one loop alone.
-pub(super) fn unit<'m>(algebra: &Algebra<'m>, own: usize, loops: usize) -> Shares<'m> {
+pub(super) fn unit<'m>(algebra: &Algebra<'m>, index: usize, loops: usize) -> Shares<'m> {
     let (zero, one) = (algebra.zero(), algebra.one());
     (0..loops)
-        .map(|k| if k == own { one } else { zero })
+        .map(|k| if k == index { one } else { zero })
         .collect()
 }
 
@@ -67,10 +67,10 @@ fn absolute_columns<'m>(
 ) -> Vec<Column<'m>> {
     let core = &equations.form.core;
     let mut columns: Vec<Column> = (0..core.len())
-        .map(|own| column(algebra, equations, own))
+        .map(|index| column(algebra, equations, index))
         .collect();
     let angles: Vec<usize> = (0..core.len())
-        .filter(|&own| matches!(core[own], Core::Angle(_)))
+        .filter(|&index| matches!(core[index], Core::Angle(_)))
         .collect();
     for &relative in &angles {
         let variable = equations.variables[relative];
@@ -96,8 +96,12 @@ fn absolute_columns<'m>(
 }
 
 /// The derivative of every loop by an unknown of the core, scaled as its column is.
-fn column<'m>(algebra: &mut Algebra<'m>, equations: &Equations<'_, 'm>, own: usize) -> Column<'m> {
-    let (core, variable) = (equations.form.core[own], equations.variables[own]);
+fn column<'m>(
+    algebra: &mut Algebra<'m>,
+    equations: &Equations<'_, 'm>,
+    index: usize,
+) -> Column<'m> {
+    let (core, variable) = (equations.form.core[index], equations.variables[index]);
     let column = equations.form.blocks.iter().map(|block| {
         let rows = Vector([block.rows[0], block.rows[1]]);
         let slope = rows.map(|x| partial::partial(algebra, x, variable));
@@ -134,7 +138,7 @@ fn same(v: V2<'_>, w: V2<'_>) -> bool {
 }
 
 /// Two lengths that are in the same loops are no guides: together they are a point that is free.
-fn is_half_of_point(core: &[Core], shares: &[Option<(Ex<'_>, Shares<'_>)>], own: usize) -> bool {
+fn is_half_of_point(core: &[Core], shares: &[Option<(Ex<'_>, Shares<'_>)>], index: usize) -> bool {
     let is_length = |k: usize| matches!(core[k], Core::Length { .. });
     let of = |k: usize| shares[k].as_ref().map(|(_, shares)| shares);
     let alike = |a: &Shares, b: &Shares| {
@@ -144,9 +148,9 @@ fn is_half_of_point(core: &[Core], shares: &[Option<(Ex<'_>, Shares<'_>)>], own:
             .flat_map(|j| places.clone().map(move |k| (j, k)));
         pairs.all(|(j, k)| agree(a[j] * b[k], a[k] * b[j]))
     };
-    let mut others = (0..core.len()).filter(|&other| other != own && is_length(other));
-    is_length(own)
-        && others.any(|other| match (of(own), of(other)) {
+    let mut others = (0..core.len()).filter(|&other| other != index && is_length(other));
+    is_length(index)
+        && others.any(|other| match (of(index), of(other)) {
             (Some(a), Some(b)) => alike(a, b),
             _ => false,
         })

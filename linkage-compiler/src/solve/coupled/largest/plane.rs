@@ -46,8 +46,8 @@ fn sum_over_choices<'m>(algebra: &Algebra<'m>, parts: &Parts<'m>, loops: usize) 
     for choice in 0..different {
         let halves = [0, 1].map(|side| {
             let joints = parts.joints.iter().enumerate();
-            let own = joints.filter(|(k, _)| choice >> k & 1 == side);
-            eliminated(algebra, loops, own.map(|(_, shares)| shares))
+            let chosen = joints.filter(|(k, _)| choice >> k & 1 == side);
+            eliminated(algebra, loops, chosen.map(|(_, shares)| shares))
         });
         let [Some(plain), Some(conjugate)] = halves else {
             continue;
@@ -76,7 +76,7 @@ where
 {
     let zero = algebra.zero();
     let mut sums: Vec<Shares> = (0..loops)
-        .map(|own| parts::unit(algebra, own, loops))
+        .map(|index| parts::unit(algebra, index, loops))
         .collect();
     let mut factor = algebra.one();
     for joint in joints {
@@ -87,10 +87,10 @@ where
         });
         let mut shares: Vec<Ex> = shares.collect();
         let pivot = shares.iter().position(|share| !share.is_zero())?;
-        let (own, taken) = (shares.swap_remove(pivot), sums.swap_remove(pivot));
-        factor = factor * own.abs();
+        let (pivot_share, taken) = (shares.swap_remove(pivot), sums.swap_remove(pivot));
+        factor = factor * pivot_share.abs();
         for (sum, share) in sums.iter_mut().zip(shares) {
-            let ratio = share / own;
+            let ratio = share / pivot_share;
             for (x, &y) in sum.iter_mut().zip(&taken) {
                 *x -= ratio * y;
             }
