@@ -15,14 +15,14 @@ pub(super) fn drive_steady<'m>(mechanics: &mut Mechanics<'_, 'm>, system: &mut S
             let way = equation.motion();
             way.is_some_and(|way| (way.body, way.slides) == (body, slides))
         };
-        let place = system.equations.iter().position(is_this);
-        let Some(place) = place.filter(|_| system.found() < system.equations.len()) else {
+        let index = system.equations.iter().position(is_this);
+        let Some(index) = index.filter(|_| system.found() < system.equations.len()) else {
             continue;
         };
         let before = system.clone();
-        let removed = system.equations.remove(place);
-        system.incidence.remove(place);
-        system.matrix.remove(place);
+        let removed = system.equations.remove(index);
+        system.incidence.remove(index);
+        system.matrix.remove(index);
         system.order();
         match removed {
             Equation::Motion(way) if system.found() == before.found() => {

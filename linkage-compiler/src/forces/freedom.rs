@@ -171,17 +171,17 @@ pub(super) fn relative_rate<'m>(
 fn unknown_variables(mechanics: &mut Mechanics<'_, '_>) -> Vec<By> {
     let groups = mechanics.algebra.solutions.groups.iter();
     let counts: Vec<usize> = groups.map(|group| group.jacobian.len()).collect();
-    let mut all = Vec::new();
+    let mut variables = Vec::new();
     for (group, count) in counts.into_iter().enumerate() {
         for position in 0..count {
-            all.push(By::Alone(partial::unknown_variable(
+            variables.push(By::Alone(partial::unknown_variable(
                 mechanics.algebra,
                 group,
                 position,
             )));
         }
     }
-    all
+    variables
 }
 
 /// True for a slender rod.

@@ -173,15 +173,15 @@ fn joint_element<'m>(
     joint: usize,
 ) -> Wrench<'m> {
     let rate = mechanics.algebra.translate_number(&element.value);
-    let place = match (element.kind, &element.free) {
+    let coordinate = match (element.kind, &element.free) {
         (ElementKind::Damper, _) => joint_speed(mechanics, joint),
         (ElementKind::Spring, None) => joint_coordinate(mechanics, joint),
         (ElementKind::Spring, Some(free)) => {
-            let place = joint_coordinate(mechanics, joint);
-            place - mechanics.algebra.translate_number(free)
+            let coordinate = joint_coordinate(mechanics, joint);
+            coordinate - mechanics.algebra.translate_number(free)
         }
     };
-    let strength = -(rate * place);
+    let strength = -(rate * coordinate);
     let mut wrench = context::zero_wrench(mechanics);
     match mechanics.forces.geometry.directions[joint] {
         Some(guide) if acts_along_guide(mechanics, joint) => wrench.force = strength * guide,

@@ -28,11 +28,11 @@ pub(super) fn find_links(
         return;
     }
     let arms = ends.iter().map(|&(body, point)| mechanics.arm(body, point));
-    let all: Vec<Ex> = arms
+    let expressions: Vec<Ex> = arms
         .chain(links.iter().copied())
         .flat_map(|v| v.iter())
         .collect();
-    let numbers = positions.numbers_anyhow(mechanics.algebra.mechanism, nominal, &all);
+    let numbers = positions.numbers_anyhow(mechanics.algebra.mechanism, nominal, &expressions);
     for (index, &(body, point)) in ends.iter().enumerate() {
         let found = links.iter().enumerate().find_map(|(link, &vector)| {
             let other = ends.len() + link;
@@ -57,10 +57,15 @@ pub(super) fn ends_of_arms<'m>(mechanics: &Mechanics<'_, 'm>) -> Vec<(usize, Vn<
         let bodies = [Some(declared.body), declared.on].into_iter().flatten();
         bodies.map(move |body| (body, geometry.points[joint]))
     });
-    let children = tree.children.iter().enumerate().flat_map(|(body, all)| {
-        all.iter()
-            .map(move |&child| (body, geometry.origins[child]))
-    });
+    let children = tree
+        .children
+        .iter()
+        .enumerate()
+        .flat_map(|(body, children)| {
+            children
+                .iter()
+                .map(move |&child| (body, geometry.origins[child]))
+        });
     let ends = cut.chain(children);
     ends.filter(|&(body, point)| !mechanics.arm(body, point).is_zero())
         .collect()
@@ -83,8 +88,8 @@ pub(super) fn find_determinants<'m>(
     let determinants = blocks
         .iter()
         .map(|block| elimination::determinant(mechanics.algebra, &system.matrix_of(block)));
-    let all: Vec<Ex> = determinants.chain(known.iter().copied()).collect();
-    let numbers = positions.numbers_anyhow(mechanics.algebra.mechanism, nominal, &all);
+    let expressions: Vec<Ex> = determinants.chain(known.iter().copied()).collect();
+    let numbers = positions.numbers_anyhow(mechanics.algebra.mechanism, nominal, &expressions);
     for (index, block) in blocks.iter().enumerate() {
         let found = known.iter().enumerate().find_map(|(group, &determinant)| {
             let sign = sign(&numbers, index, blocks.len() + group)?;
@@ -95,8 +100,8 @@ pub(super) fn find_determinants<'m>(
             })
         });
         if let Some(determinant) = found {
-            let all = &mut mechanics.forces.loop_values.determinants;
-            all.insert((*block).clone(), determinant);
+            let determinants = &mut mechanics.forces.loop_values.determinants;
+            determinants.insert((*block).clone(), determinant);
         }
     }
 }
@@ -108,8 +113,8 @@ pub(super) fn sign(numbers: &[Vec<f64>], a: usize, b: usize) -> Option<f64> {
         .map(|values| values[b].abs())
         .fold(0.0, f64::max);
     let is = |sign: f64| {
-        let mut all = numbers.iter();
-        all.all(|values| (values[a] - sign * values[b]).abs() <= EQUAL * largest)
+        let mut positions = numbers.iter();
+        positions.all(|values| (values[a] - sign * values[b]).abs() <= EQUAL * largest)
     };
     [1.0, -1.0]
         .into_iter()

@@ -20,11 +20,11 @@ pub(super) fn drives(mechanics: &Mechanics<'_, '_>) -> usize {
 
 /// The speed of an input, if it is listed.
 pub(super) fn speed<'m>(mechanics: &Mechanics<'_, 'm>, input: usize) -> Option<Ex<'m>> {
-    mechanics.speeds.speeds[input].map(|place| mechanics.algebra.input(place))
+    mechanics.speeds.speeds[input].map(|argument| mechanics.algebra.input(argument))
 }
 
 fn acceleration<'m>(mechanics: &Mechanics<'_, 'm>, input: usize) -> Option<Ex<'m>> {
-    mechanics.speeds.accelerations[input].map(|place| mechanics.algebra.input(place))
+    mechanics.speeds.accelerations[input].map(|argument| mechanics.algebra.input(argument))
 }
 
 /// True if anything moves in time.
@@ -112,8 +112,8 @@ pub(super) fn in_time<'m>(
 
 /// The number of factors of [`gain`]: accelerations, and products of two speeds.
 pub(super) fn factors_of_gain(mechanics: &Mechanics<'_, '_>) -> usize {
-    let of = |all: &[Option<usize>]| all.iter().flatten().count();
-    of(&mechanics.speeds.accelerations) + of(&mechanics.speeds.speeds).pow(2)
+    let count = |arguments: &[Option<usize>]| arguments.iter().flatten().count();
+    count(&mechanics.speeds.accelerations) + count(&mechanics.speeds.speeds).pow(2)
 }
 
 /// The rate of a velocity, given the quantity's derivatives with respect to the inputs:

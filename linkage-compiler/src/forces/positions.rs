@@ -54,7 +54,7 @@ impl<'a> Positions<'a> {
         &self,
         mechanism: &Mechanism,
         nominal: &Nominal,
-        all: &[Ex],
+        expressions: &[Ex],
     ) -> Vec<Vec<f64>> {
         let machine = &self.reference.machine;
         let modes = std::iter::once(None).chain((0..machine.modes.len()).map(Some));
@@ -71,7 +71,7 @@ impl<'a> Positions<'a> {
         let numbers = machines.flat_map(|machine| {
             let places = self.inputs.iter();
             places
-                .map(|inputs| machine.evaluate(all, inputs))
+                .map(|inputs| machine.evaluate(expressions, inputs))
                 .collect::<Vec<_>>()
         });
         numbers
@@ -80,8 +80,8 @@ impl<'a> Positions<'a> {
     }
 
     /// Numbers at the positions where the mechanism closes.
-    pub(super) fn numbers(&self, all: &[Ex]) -> Vec<Vec<f64>> {
-        let numbers = self.iter().map(|position| numbers(position, all));
+    pub(super) fn numbers(&self, expressions: &[Ex]) -> Vec<Vec<f64>> {
+        let numbers = self.iter().map(|position| numbers(position, expressions));
         numbers
             .filter(|numbers| numbers.iter().all(|x| x.is_finite()))
             .collect()
@@ -89,8 +89,11 @@ impl<'a> Positions<'a> {
 }
 
 /// Values of expressions; NaN where the mechanism does not close.
-pub(super) fn numbers(position: Position<'_>, all: &[Ex]) -> Vec<f64> {
-    position.reference.machine.evaluate(all, position.inputs)
+pub(super) fn numbers(position: Position<'_>, expressions: &[Ex]) -> Vec<f64> {
+    position
+        .reference
+        .machine
+        .evaluate(expressions, position.inputs)
 }
 
 /// The components of a vector.
@@ -105,13 +108,13 @@ pub(super) fn longest(position: Position<'_>) -> f64 {
 
 /// `at phi = 30deg `; nothing without inputs.
 pub(super) fn described(position: Position<'_>, mechanism: &Mechanism) -> String {
-    let all: Vec<usize> = (0..position.inputs.len()).collect();
-    if all.is_empty() {
+    let indices: Vec<usize> = (0..position.inputs.len()).collect();
+    if indices.is_empty() {
         String::new()
     } else {
         format!(
             "at {} ",
-            MessageFormat::new(mechanism).inputs(position.inputs, &all)
+            MessageFormat::new(mechanism).inputs(position.inputs, &indices)
         )
     }
 }

@@ -32,14 +32,19 @@ impl Speeds {
     /// Those among the arguments that a function lists.
     pub(super) fn listed(mechanism: &Mechanism, listed: &[usize]) -> Self {
         let drives = mechanism.inputs.len();
-        let place = |argument: Option<usize>| {
-            let place = argument.map(|argument| drives + argument);
-            place.filter(|place| listed.contains(place))
+        let listed_index = |argument: Option<usize>| {
+            let index = argument.map(|argument| drives + argument);
+            index.filter(|index| listed.contains(index))
         };
         let inputs = mechanism.inputs.iter();
         Self {
-            speeds: inputs.clone().map(|input| place(input.speed)).collect(),
-            accelerations: inputs.map(|input| place(input.acceleration)).collect(),
+            speeds: inputs
+                .clone()
+                .map(|input| listed_index(input.speed))
+                .collect(),
+            accelerations: inputs
+                .map(|input| listed_index(input.acceleration))
+                .collect(),
         }
     }
 }

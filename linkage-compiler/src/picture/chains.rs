@@ -169,21 +169,26 @@ pub(super) fn start<'m>(sketch: &mut Sketch<'_, 'm>, expr: &'m Expr) -> usize {
         }
         // An axis of the frame may be the line from one point of a link to another one.
         let ends = expressions::difference(sketch, first).map(|(to, from)| [from, to]);
-        let of = ends.and_then(|ends| {
+        let ends = ends.and_then(|ends| {
             let [from, to] = ends.map(|end| point_of(sketch, end));
             Some(vec![from?, to?])
         });
-        sketch.means.extend(of.map(|of| Mean { point, of }));
+        sketch
+            .means
+            .extend(ends.map(|sources| Mean { point, sources }));
     }
     if let ExprKind::Binary(..) = expr.kind {
-        let of = expressions::points_in(sketch, expr)
+        let points = expressions::points_in(sketch, expr)
             .into_iter()
             .map(|point| {
                 let at = sketch.vector(point);
                 sketch.point(at)
             });
-        let of = of.collect();
-        sketch.means.push(Mean { point, of });
+        let points = points.collect();
+        sketch.means.push(Mean {
+            point,
+            sources: points,
+        });
     }
     point
 }

@@ -70,10 +70,10 @@ pub(super) fn warn_of_loose_points(picture: &Picture, origin: OriginId, reporter
 
 /// Two points of a list whose distance changes, with the numbers.
 fn stretched(sketch: &Sketch, seen: &Samples, asked: &Asked) -> Option<String> {
-    let name = |place: usize| {
-        let title = sketch.points[asked.points[place]].name.as_ref();
+    let name = |index: usize| {
+        let title = sketch.points[asked.points[index]].name.as_ref();
         title.map_or_else(
-            || format!("point {}", place + 1),
+            || format!("point {}", index + 1),
             |title| format!("`{}`", title.text),
         )
     };

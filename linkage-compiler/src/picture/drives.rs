@@ -34,12 +34,12 @@ struct Wheel {
 pub(super) fn drives(
     sketch: &Sketch<'_, '_>,
     picture: &Picture,
-    place: &dyn Fn(usize) -> Option<usize>,
+    index_of: &dyn Fn(usize) -> Option<usize>,
 ) -> Vec<Drive> {
     let links = &ByPoint::of_lists(picture.links.iter().map(|link| &link.points));
     // What turns each step, and the steps that each symbol turns.
     let steps = sketch.segments.iter().filter_map(|segment| {
-        let ends = ends(segment, picture, links, place)?;
+        let ends = ends(segment, picture, links, index_of)?;
         Some((turning(sketch, segment.step), ends))
     });
     let steps: Vec<(BTreeSet<SymbolId>, [usize; 2])> = steps.collect();
@@ -52,8 +52,8 @@ pub(super) fn drives(
     // The ends of the step that fewest others turn, too.
     let turned_by = |input: usize| {
         let symbol = sketch.algebra.graph.find_source(Source::Input(input))?;
-        let all = turned.get(&symbol)?.iter().map(|&index| &steps[index]);
-        let (_, ends) = all.min_by_key(|(angle, _)| angle.len())?;
+        let turned_steps = turned.get(&symbol)?.iter().map(|&index| &steps[index]);
+        let (_, ends) = turned_steps.min_by_key(|(angle, _)| angle.len())?;
         Some(*ends)
     };
     let inputs = sketch.algebra.mechanism.inputs.iter().enumerate();
@@ -74,10 +74,10 @@ pub(super) fn drives(
 pub(super) fn gears(
     sketch: &Sketch<'_, '_>,
     picture: &Picture,
-    place: &dyn Fn(usize) -> Option<usize>,
+    index_of: &dyn Fn(usize) -> Option<usize>,
     seen: &Samples,
 ) -> Vec<Gear> {
-    let wheels = wheels(sketch, picture, place, seen);
+    let wheels = wheels(sketch, picture, index_of, seen);
     let loops = sketch.algebra.mechanism.loops.iter();
     let relations: Vec<BTreeSet<SymbolId>> = loops
         .filter(|equation| open_loop::relates_angles(equation))
@@ -112,7 +112,7 @@ pub(super) fn gears(
 fn wheels(
     sketch: &Sketch<'_, '_>,
     picture: &Picture,
-    place: &dyn Fn(usize) -> Option<usize>,
+    index_of: &dyn Fn(usize) -> Option<usize>,
     seen: &Samples,
 ) -> Vec<Wheel> {
     let links = &ByPoint::of_lists(picture.links.iter().map(|link| &link.points));
@@ -124,7 +124,7 @@ fn wheels(
         if !is_step || !seen.is_fixed(segment.from) {
             continue;
         }
-        let Some([centre, end]) = ends(segment, picture, links, place) else {
+        let Some([centre, end]) = ends(segment, picture, links, index_of) else {
             continue;
         };
         let angle = turning(sketch, segment.step);
@@ -144,28 +144,29 @@ fn wheels(
 /// The symbols that turn a step.
 fn turning(sketch: &Sketch<'_, '_>, step: Vn) -> BTreeSet<SymbolId> {
     let graph = sketch.algebra.graph;
-    let all = graph.symbols_of(step.ids()).into_iter();
+    let symbols = graph.symbols_of(step.ids()).into_iter();
     let moves = |symbol: &SymbolId| {
         let source = graph.symbol(*symbol).source;
         !matches!(source, Some(Source::Parameter(_)))
     };
-    all.filter(moves).collect()
+    symbols.filter(moves).collect()
 }
 
-fn is_one_angle(sketch: &Sketch<'_, '_>, all: &BTreeSet<SymbolId>) -> bool {
+fn is_one_angle(sketch: &Sketch<'_, '_>, symbols: &BTreeSet<SymbolId>) -> bool {
     // An angle has three symbols.
-    let few = all.len() <= 3;
+    let few = symbols.len() <= 3;
     let mut angles = sketch
         .algebra
         .names
         .angles
         .iter()
         .map(|angle| angle.symbols());
-    let is_unknown = few && angles.any(|angle| all.iter().all(|symbol| angle.contains(symbol)));
+    let is_unknown = few && angles.any(|angle| symbols.iter().all(|symbol| angle.contains(symbol)));
     let graph = sketch.algebra.graph;
-    let mut sources = all.iter().map(|symbol| graph.symbol(*symbol).source);
-    let is_input = all.len() == 1 && sources.all(|source| matches!(source, Some(Source::Input(_))));
-    !all.is_empty() && (is_unknown || is_input)
+    let mut sources = symbols.iter().map(|symbol| graph.symbol(*symbol).source);
+    let is_input =
+        symbols.len() == 1 && sources.all(|source| matches!(source, Some(Source::Input(_))));
+    !symbols.is_empty() && (is_unknown || is_input)
 }
 
 /// All symbols of the angles that an equation names.
@@ -191,9 +192,9 @@ fn ends(
     segment: &Segment,
     picture: &Picture,
     links: &ByPoint,
-    place: &dyn Fn(usize) -> Option<usize>,
+    index_of: &dyn Fn(usize) -> Option<usize>,
 ) -> Option<[usize; 2]> {
-    let (from, to) = (place(segment.from)?, place(segment.to)?);
+    let (from, to) = (index_of(segment.from)?, index_of(segment.to)?);
     let mut links = links
         .at_point(from)
         .iter()

@@ -47,8 +47,8 @@ impl JointFinder<'_, '_> {
     pub(super) fn joints(&self, picture: &Picture) -> Vec<Joint> {
         let here = &Here::new(picture);
         let mut joints = Vec::new();
-        for (point, place) in picture.points.iter().enumerate() {
-            if matches!(place.kind, PointKind::Construction | PointKind::Loose) {
+        for (point, drawn) in picture.points.iter().enumerate() {
+            if matches!(drawn.kind, PointKind::Construction | PointKind::Loose) {
                 continue;
             }
             joints.extend(self.turning(picture, point, here));

@@ -96,14 +96,18 @@ impl<'m> Links<'m> {
         }
         for mean in &sketch.means {
             let point = seen.same[mean.point];
-            let of: Vec<usize> = mean.of.iter().map(|&point| seen.same[point]).collect();
+            let sources: Vec<usize> = mean.sources.iter().map(|&point| seen.same[point]).collect();
             let has_all = |index: &&usize| {
                 let points = &self.all[**index].points;
-                of.iter().all(|other| points.contains(other))
-                    && of.iter().all(|&other| seen.keep_distance(point, other))
+                sources.iter().all(|other| points.contains(other))
+                    && sources
+                        .iter()
+                        .all(|&other| seen.keep_distance(point, other))
             };
-            let candidates = of.first().and_then(|first| at.get(first));
-            let found = candidates.and_then(|all| all.iter().find(has_all)).copied();
+            let candidates = sources.first().and_then(|first| at.get(first));
+            let found = candidates
+                .and_then(|candidates| candidates.iter().find(has_all))
+                .copied();
             if let Some(index) = found
                 && !self.all[index].points.contains(&point)
             {

@@ -110,9 +110,9 @@ fn expanded<'m>(sketch: &Sketch<'_, 'm>, expr: &'m Expr) -> Vec<Summand<'m>> {
             both.concat()
         }
         ExprKind::Binary(BinaryOp::Sub, a, b) => {
-            let mut all = expanded(sketch, a);
-            all.extend(expanded(sketch, b).into_iter().map(negative));
-            all
+            let mut summands = expanded(sketch, a);
+            summands.extend(expanded(sketch, b).into_iter().map(negative));
+            summands
         }
         ExprKind::Binary(BinaryOp::Mul, a, b) => {
             let (a, b) = (expanded(sketch, a), expanded(sketch, b));
@@ -126,8 +126,8 @@ fn expanded<'m>(sketch: &Sketch<'_, 'm>, expr: &'m Expr) -> Vec<Summand<'m>> {
             products.collect()
         }
         ExprKind::Binary(BinaryOp::Div, a, b) => {
-            let all = expanded(sketch, a).into_iter();
-            let divided = all.map(|mut summand| {
+            let summands = expanded(sketch, a).into_iter();
+            let divided = summands.map(|mut summand| {
                 summand.divisors.push(b);
                 summand
             });
@@ -150,8 +150,8 @@ fn step_of_summand<'m>(
     summand: &Summand<'m>,
     before: &[Step<'m>],
 ) -> Step<'m> {
-    let all = || summand.factors.iter().chain(&summand.divisors);
-    if all().all(|factor| sketch.moves(factor) == Moves::Not) {
+    let factors = || summand.factors.iter().chain(&summand.divisors);
+    if factors().all(|factor| sketch.moves(factor) == Moves::Not) {
         return Step::Fixed;
     }
     if let ([factor], []) = (&summand.factors[..], &summand.divisors[..])
@@ -162,7 +162,7 @@ fn step_of_summand<'m>(
     {
         return Step::Point(point);
     }
-    let parts = all().flat_map(|factor| factor.parts());
+    let parts = factors().flat_map(|factor| factor.parts());
     let lengths = parts.filter(|part| {
         let dimension = part.ty.dimension();
         let is_length = dimension.is_some_and(|dimension| dimension.half_lengths == 2);
@@ -176,8 +176,8 @@ fn step_of_summand<'m>(
 }
 
 fn part<'m>(sketch: &mut Sketch<'_, 'm>, group: &Group<'m>, count: usize) -> StepPart<'m> {
-    let all = || group.summands.iter();
-    let factors = || all().flat_map(|(_, summand)| summand.factors.iter().copied());
+    let summands = || group.summands.iter();
+    let factors = || summands().flat_map(|(_, summand)| summand.factors.iter().copied());
     let moves = factors().map(|factor| sketch.moves(factor)).max();
     let rank = 2 + sketch.remoteness;
     let title = factors().find_map(|factor| expressions::dimension_in(sketch, factor));
@@ -196,7 +196,7 @@ fn part<'m>(sketch: &mut Sketch<'_, 'm>, group: &Group<'m>, count: usize) -> Ste
             input: expressions::driving(sketch, length),
         }
     });
-    let components: BTreeSet<usize> = all().map(|(component, _)| *component).collect();
+    let components: BTreeSet<usize> = summands().map(|(component, _)| *component).collect();
     let components: Vec<usize> = components.into_iter().collect();
     let slide = match (slide, &components[..]) {
         (None, [component]) => Some(Slide {

@@ -158,13 +158,13 @@ fn sides<'m>(sketch: &mut Sketch<'_, 'm>, equation: &'m Loop) -> [Vec<Term<'m>>;
 fn side<'m>(sketch: &Sketch<'_, 'm>, added: Vec<Term<'m>>, moved: Vec<Term<'m>>) -> Vec<Term<'m>> {
     let moved = moved.into_iter().map(|term| Term { sign: 1.0, ..term });
     let is_start = |term: &Term| weights::weight_of(sketch, term) == 1.0;
-    let mut all: Vec<Term> = if added.iter().any(is_start) {
+    let mut terms: Vec<Term> = if added.iter().any(is_start) {
         added.into_iter().chain(moved).collect()
     } else {
         moved.chain(added).collect()
     };
-    all.sort_by_key(|term| !is_start(term));
-    all
+    terms.sort_by_key(|term| !is_start(term));
+    terms
 }
 
 /// Distances between points.

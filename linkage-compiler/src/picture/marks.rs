@@ -62,7 +62,7 @@ pub(super) enum Shape<'m> {
 #[derive(Clone, Debug)]
 pub(super) struct Mean {
     pub(super) point: usize,
-    pub(super) of: Vec<usize>,
+    pub(super) sources: Vec<usize>,
 }
 
 /// A point that stays on a line.

@@ -16,11 +16,11 @@ pub(super) struct Meeting {
 impl Meeting {
     /// `axes`: the points that have one.
     pub(super) fn new(links: &Links, guides: &Guides, axes: Set<usize>) -> Self {
-        let all = || guides.all.iter().enumerate();
+        let guides_by_index = || guides.all.iter().enumerate();
         Self {
             links: ByPoint::of_lists(links.all.iter().map(|link| &link.points)),
-            sliders: ByPoint::new(all().map(|(place, guide)| (guide.slider, place))),
-            origins: ByPoint::new(all().map(|(place, guide)| (guide.origin, place))),
+            sliders: ByPoint::new(guides_by_index().map(|(index, guide)| (guide.slider, index))),
+            origins: ByPoint::new(guides_by_index().map(|(index, guide)| (guide.origin, index))),
             axes,
         }
     }

@@ -43,9 +43,9 @@ pub(super) fn named<'m>(
     let places = kept
         .iter()
         .enumerate()
-        .map(|(place, (point, _))| (*point, place));
+        .map(|(index, (point, _))| (*point, index));
     let places: Map<usize, usize> = places.collect();
-    let place = |point: usize| places.get(&seen.same[point]).copied();
+    let index_of = |point: usize| places.get(&seen.same[point]).copied();
     let mut names = UniqueNames::default();
     let points = kept.iter().map(|&(point, kind)| {
         let name = names.unique(namer.name(point));
@@ -65,13 +65,13 @@ pub(super) fn named<'m>(
             points: link
                 .points
                 .iter()
-                .filter_map(|&point| place(point))
+                .filter_map(|&point| index_of(point))
                 .collect(),
         })
         .collect();
     let mut directions: Vec<Vn> = Vec::new();
     for guide in &guides.all {
-        let (Some(origin), Some(slider)) = (place(guide.origin), place(guide.slider)) else {
+        let (Some(origin), Some(slider)) = (index_of(guide.origin), index_of(guide.slider)) else {
             continue;
         };
         let name = names.unique(format!("along {}", guide.name));
@@ -91,7 +91,7 @@ pub(super) fn named<'m>(
         });
     }
     for (point, along) in &sketch.axes {
-        let Some(point) = place(*point) else {
+        let Some(point) = index_of(*point) else {
             continue;
         };
         let known = directions.iter().position(|known| known == along);
@@ -107,7 +107,7 @@ pub(super) fn named<'m>(
         }
     }
     let declared = sketch.joints.iter();
-    let declared = declared.filter_map(|(point, kind)| Some((place(*point)?, *kind)));
+    let declared = declared.filter_map(|(point, kind)| Some((index_of(*point)?, *kind)));
     let turning = JointFinder {
         seen,
         points: kept.iter().map(|(point, _)| *point).collect(),
@@ -115,10 +115,10 @@ pub(super) fn named<'m>(
         declared: declared.collect(),
     };
     picture.joints = turning.joints(&picture);
-    picture.drives = drives::drives(sketch, &picture, &place);
+    picture.drives = drives::drives(sketch, &picture, &index_of);
     let kept_points: Vec<usize> = kept.iter().map(|(point, _)| *point).collect();
     picture.parts = owners.parts(&picture, &links.all, &kept_points);
-    picture.gears = drives::gears(sketch, &picture, &place, seen);
+    picture.gears = drives::gears(sketch, &picture, &index_of, seen);
     let vectors = kept.iter().map(|(point, _)| sketch.points[*point].at);
     FoundPicture {
         vectors: vectors.chain(directions).collect(),
@@ -144,8 +144,8 @@ impl Namer<'_, '_, '_> {
         let mut guides = guides.iter().map(|&guide| &self.guides.all[guide]);
         let pivots = guides.any(|guide| guide.on == GuideOn::Itself);
         let has_axis = self.meeting.axes.contains(&point);
-        let mut all = self.seen.aliases(point);
-        let wanted = all.any(|other| self.sketch.points[other].wanted);
+        let mut aliases = self.seen.aliases(point);
+        let wanted = aliases.any(|other| self.sketch.points[other].wanted);
         if !self.seen.is_known(point) {
             return None;
         }
@@ -180,8 +180,8 @@ impl Namer<'_, '_, '_> {
     /// The best name among those of points that coincide; otherwise the names of the members that
     /// meet there.
     fn name(&self, point: usize) -> String {
-        let all = self.seen.aliases(point);
-        let titles = all.filter_map(|other| self.sketch.points[other].name.as_ref());
+        let aliases = self.seen.aliases(point);
+        let titles = aliases.filter_map(|other| self.sketch.points[other].name.as_ref());
         if let Some(title) = titles.min_by_key(|title| title.rank) {
             return title.text.clone();
         }

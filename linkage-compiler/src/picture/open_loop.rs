@@ -77,11 +77,11 @@ impl<'a> OpenLoop<'a> {
             .collect();
         let count = MOTIONS + loops.len();
         let places = places(nominal, mechanism, reference.longest).into_iter();
-        let places = places.filter_map(|place| OpenState::at_closure(algebra, reference, place));
-        let places: Vec<OpenState> = places.map(|place| place.moved(APART, count)).collect();
-        let motions = places.iter().flat_map(|place| {
+        let places = places.filter_map(|inputs| OpenState::at_closure(algebra, reference, inputs));
+        let places: Vec<OpenState> = places.map(|state| state.moved(APART, count)).collect();
+        let motions = places.iter().flat_map(|state| {
             (0..count).map(move |number| Motion {
-                sides: [-1.0, 1.0].map(|side| place.moved(side * STEP, number).values()),
+                sides: [-1.0, 1.0].map(|side| state.moved(side * STEP, number).values()),
             })
         });
         let mut free = Self {
@@ -151,8 +151,8 @@ impl<'a> OpenLoop<'a> {
     pub(super) fn follows(&self, rate: &Rate, others: &[&Rate]) -> bool {
         let others = others.iter().map(|rate| &rate.values);
         let columns: Vec<&Vec<f64>> = self.relations.iter().chain(others).collect();
-        (0..self.places.len()).all(|place| {
-            let range = place * self.count..(place + 1) * self.count;
+        (0..self.places.len()).all(|index| {
+            let range = index * self.count..(index + 1) * self.count;
             let mut rest = rate.values[range.clone()].to_vec();
             let mut basis: Vec<Vec<f64>> = Vec::new();
             for column in &columns {
@@ -199,7 +199,7 @@ impl OpenState {
                 1.0
             }
         };
-        let mut place = Self {
+        let mut state = Self {
             inputs: Vec::new(),
             angles: Vec::new(),
             lengths: Vec::new(),
@@ -208,32 +208,32 @@ impl OpenState {
         let numbers: Vec<Vec<Ex>> = unknowns
             .map(|unknown| algebra.names.numbers_of(unknown))
             .collect();
-        let all = machine.evaluate(&numbers.concat(), &inputs);
-        if all.iter().any(|x| !x.is_finite()) {
+        let values = machine.evaluate(&numbers.concat(), &inputs);
+        if values.iter().any(|x| !x.is_finite()) {
             return None;
         }
-        let mut all = all.into_iter();
+        let mut values = values.into_iter();
         for (unknown, (bound, numbers)) in algebra.names.bound.iter().zip(&numbers).enumerate() {
-            let values: Vec<f64> = all.by_ref().take(numbers.len()).collect();
+            let values: Vec<f64> = values.by_ref().take(numbers.len()).collect();
             match bound {
                 Bound::Angle(angle) => {
                     let symbols = algebra.names.angles[*angle].symbols();
-                    place.angles.push((symbols, values[1].atan2(values[0])));
+                    state.angles.push((symbols, values[1].atan2(values[0])));
                 }
                 Bound::Lengths(symbols) => {
                     let dimension = algebra.mechanism.unknowns[unknown].ty.dimension();
                     let unit = dimension.map_or(1.0, unit);
                     let each = symbols.iter().zip(values);
                     let each = each.map(|((symbol, _), value)| (*symbol, value, unit));
-                    place.lengths.extend(each);
+                    state.lengths.extend(each);
                 }
             }
         }
         let pairs = inputs.iter().zip(&algebra.mechanism.inputs);
-        place.inputs = pairs
+        state.inputs = pairs
             .map(|(x, input)| (*x, unit(input.dimension)))
             .collect();
-        Some(place)
+        Some(state)
     }
 
     /// Everything moved a step, each by itself.

@@ -77,8 +77,8 @@ impl Ownership {
         let of_guides: Vec<_> = guides.collect();
         let of_links: Vec<_> = links.iter().map(|link| link.part).collect();
         let parts = self.parts.iter().enumerate().map(|(index, name)| {
-            let members = |all: &[Option<usize>]| -> Vec<usize> {
-                let mine = (0..all.len()).filter(|&member| all[member] == Some(index));
+            let members = |parts: &[Option<usize>]| -> Vec<usize> {
+                let mine = (0..parts.len()).filter(|&member| parts[member] == Some(index));
                 mine.collect()
             };
             let (links, guides) = (members(&of_links), members(&of_guides));

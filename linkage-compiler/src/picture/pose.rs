@@ -21,7 +21,7 @@ pub(super) type Frames = Vec<usize>;
 /// The position of a placed part in its surroundings.
 #[derive(Clone, Debug)]
 pub(super) struct Pose<'m> {
-    place: Option<Placement<'m>>,
+    placement: Option<Placement<'m>>,
     turned: Option<Value<'m>>,
     pub(super) moves: Moves,
 }
@@ -37,7 +37,7 @@ impl<'m> Pose<'m> {
     pub(super) fn new(placed: &Placed, algebra: &mut Algebra<'m>, roles: &Roles) -> Self {
         let both = placed.at.iter().chain(&placed.turned);
         let moves = both.map(|expr| roles.moves(expr)).max();
-        let place = placed.at.as_ref().map(|at| match algebra.translate(at) {
+        let placement = placed.at.as_ref().map(|at| match algebra.translate(at) {
             Value::Array(parts) => {
                 let axes = [1, 2, 3].map(|axis| translate::vector(algebra, &parts[axis]));
                 Placement::Frame(Value::Array(parts), axes)
@@ -45,14 +45,14 @@ impl<'m> Pose<'m> {
             value => Placement::Point(translate::vector(algebra, &value)),
         });
         Self {
-            place,
+            placement,
             turned: placed.turned.as_ref().map(|angle| algebra.translate(angle)),
             moves: moves.unwrap_or(Moves::Not),
         }
     }
 
     pub(super) fn point(&self, point: Vn<'m>, algebra: &mut Algebra<'m>) -> Vn<'m> {
-        match &self.place {
+        match &self.placement {
             None => self.way(point, algebra),
             Some(Placement::Point(at)) => at.resized(point.len()) + self.way(point, algebra),
             Some(Placement::Frame(frame, _)) => {
@@ -68,7 +68,7 @@ impl<'m> Pose<'m> {
 
     /// A step or a direction.
     pub(super) fn way(&self, step: Vn<'m>, algebra: &mut Algebra<'m>) -> Vn<'m> {
-        match (&self.turned, &self.place) {
+        match (&self.turned, &self.placement) {
             (Some(angle), _) => {
                 let turned =
                     calls::call(algebra, Function::Rotate, vec![step.into(), angle.clone()]);

@@ -36,13 +36,13 @@ impl<'m> RawLink<'m> {
 
 /// Each point once.
 pub(super) fn distinct(points: impl Iterator<Item = usize>) -> Vec<usize> {
-    let mut all = Vec::new();
+    let mut distinct = Vec::new();
     for point in points {
-        if !all.contains(&point) {
-            all.push(point);
+        if !distinct.contains(&point) {
+            distinct.push(point);
         }
     }
-    all
+    distinct
 }
 
 /// Two points that a link is written by, the way they are written.

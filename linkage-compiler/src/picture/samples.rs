@@ -122,8 +122,8 @@ impl<'a> Samples<'a> {
     fn without_loops_of(&self, vectors: &[Vn]) -> Vec<Track> {
         let components: Vec<Ex> = vectors.iter().flat_map(|vector| vector.iter()).collect();
         let look = |machine: &Machine| {
-            let place = self.views[0].places.first();
-            place.map(|inputs| machine.evaluate(&components, inputs))
+            let inputs = self.views[0].places.first();
+            inputs.map(|inputs| machine.evaluate(&components, inputs))
         };
         track::divided(&self.open.iter().filter_map(look).collect(), vectors)
     }
@@ -184,11 +184,11 @@ impl<'a> Samples<'a> {
             let mut distances = view
                 .range
                 .clone()
-                .map(|place| distance(&a[place], &b[place]));
+                .map(|index| distance(&a[index], &b[index]));
             let first = distances.next();
             first.is_none_or(|first| {
-                let mut all = std::iter::once(first).chain(distances);
-                all.all(|length| self.near(length - first))
+                let mut distances = std::iter::once(first).chain(distances);
+                distances.all(|length| self.near(length - first))
             })
         })
     }

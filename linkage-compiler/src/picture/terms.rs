@@ -78,7 +78,7 @@ pub(super) fn turned<'m>(
     let nested = |term: &Term| matches!(term.expr.kind, ExprKind::Call(Function::Turn, _));
     let is_one = match &inner[..] {
         [one] => one.part.is_none() && !nested(one),
-        all => !all.iter().any(moves),
+        terms => !terms.iter().any(moves),
     };
     if is_one || has_points {
         return false;
@@ -192,8 +192,8 @@ pub(super) fn collect_terms<'m>(
             part: None,
         }),
         (_, [(adds, only)]) => collect_terms(sketch, only, sign_of(*adds), name, terms),
-        (_, all) => {
-            for (adds, summand) in all {
+        (_, summands) => {
+            for (adds, summand) in summands {
                 collect_terms(sketch, summand, sign_of(*adds), None, terms);
             }
         }

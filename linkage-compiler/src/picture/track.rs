@@ -6,12 +6,13 @@ use linkage_symbolic::Vn;
 pub(super) type Track = Vec<Vec<f64>>;
 
 /// The parts that belong to vectors of lists of all their components.
-pub(super) fn divided(all: &Track, vectors: &[Vn]) -> Vec<Track> {
+pub(super) fn divided(tracks: &Track, vectors: &[Vn]) -> Vec<Track> {
     let mut start = 0;
     let part = vectors.iter().map(|vector| {
         let range = start..start + vector.len();
         start = range.end;
-        all.iter()
+        tracks
+            .iter()
             .map(|list| list[range.clone()].to_vec())
             .collect()
     });

@@ -27,7 +27,7 @@ pub(super) fn views(
     nominal: &Nominal,
 ) -> (Vec<View>, Vec<Machine>) {
     let mechanism = algebra.mechanism;
-    let all = places(nominal, mechanism, reference.longest);
+    let inputs = places(nominal, mechanism, reference.longest);
     let unknowns = 0..algebra.names.bound.len();
     let numbers: Vec<Ex> = unknowns
         .flat_map(|unknown| algebra.names.numbers_of(unknown))
@@ -37,7 +37,7 @@ pub(super) fn views(
             let values = machine.evaluate(&numbers, inputs);
             values.iter().all(|x| x.is_finite())
         };
-        all.iter().filter(closes).cloned().collect()
+        inputs.iter().filter(closes).cloned().collect()
     };
     let altered = |number: usize| altered(mechanism, nominal, reference.longest, number);
     let of_part = |part: &MechanismPart| -> Vec<f64> {

@@ -114,9 +114,9 @@ impl<'m> Contour<'m> {
         })
     }
 
-    fn is_in(&self, all: impl IntoIterator<Item = SymbolId>) -> bool {
-        let mut all = all.into_iter();
-        all.any(|symbol| self.symbols.contains(&symbol))
+    fn is_in(&self, symbols: impl IntoIterator<Item = SymbolId>) -> bool {
+        let mut symbols = symbols.into_iter();
+        symbols.any(|symbol| self.symbols.contains(&symbol))
     }
 }
 

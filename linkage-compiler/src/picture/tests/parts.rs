@@ -27,8 +27,8 @@ fn parts_of_a_machine_have_what_they_bring_along() {
             let end = one.pin + polar(arm, one.theta);
         }
         impl M { fn look(shaft) -> Look { shape: picture() } }";
-    let all = check_all(text.parse().expect("tokens"));
-    let machine = all.into_iter().next_back().expect("the machine");
+    let checked = check_all(text.parse().expect("tokens"));
+    let machine = checked.into_iter().next_back().expect("the machine");
     assert!(machine.messages.is_empty(), "{:#?}", machine.messages);
     let picture = machine.unit.and_then(|unit| unit.picture);
     let picture = picture.expect("a picture").to_string();
@@ -67,8 +67,8 @@ fn wheels_are_of_one_part() {
         )
     };
     let gears = |second: &str| {
-        let all = check_all(text(second).parse().expect("tokens"));
-        let machine = all.into_iter().next_back().expect("the machine");
+        let checked = check_all(text(second).parse().expect("tokens"));
+        let machine = checked.into_iter().next_back().expect("the machine");
         let picture = machine.unit.and_then(|unit| unit.picture);
         picture.expect("a picture").gears.len()
     };
@@ -110,8 +110,8 @@ fn pivots_of_coupled_parts_that_coincide_by_chance_are_two_points() {
         }}
         impl M {{ fn look(shaft) -> Look {{ shape: picture() }} }}"
         );
-        let all = check_all(text.parse().expect("tokens"));
-        let machine = all.into_iter().next_back().expect("the machine");
+        let checked = check_all(text.parse().expect("tokens"));
+        let machine = checked.into_iter().next_back().expect("the machine");
         assert!(machine.messages.is_empty(), "{:#?}", machine.messages);
         let picture = machine.unit.and_then(|unit| unit.picture);
         let picture = picture.expect("a picture").to_string();

@@ -45,7 +45,9 @@ pub(super) fn large_system<'m>(
     let freedoms = rotation_variation::freedoms(equations, &bodies);
     let order = pivot_order(algebra, group, &freedoms);
     let rows = rows_of_step(algebra, equations, &bodies, &freedoms);
-    let share = rows.iter().fold(algebra.one(), |all, row| all * row.factor);
+    let share = rows
+        .iter()
+        .fold(algebra.one(), |product, row| product * row.factor);
     let matrix: Vec<Vec<Ex>> = rows.iter().map(|row| row.entries.clone()).collect();
     LargeSystem {
         residuals: rows.iter().map(|row| row.residual).collect(),

@@ -44,11 +44,11 @@ impl<'m> LargeSystem<'m> {
 
     /// The corrections of all unknowns from those of the freedoms: bodies turn to second order.
     pub(super) fn corrections(&self, start: &[StatePart<'m>], freedoms: &[Ex<'m>]) -> Vec<Ex<'m>> {
-        let mut all = freedoms.to_vec();
-        all.resize(start.len(), freedoms[0]);
+        let mut corrections = freedoms.to_vec();
+        corrections.resize(start.len(), freedoms[0]);
         let others = &self.scheme.bodies.columns;
         for (&column, &freedom) in others.iter().zip(freedoms) {
-            all[column] = freedom;
+            corrections[column] = freedom;
         }
         let turns = freedoms[others.len()..].as_chunks::<3>().0;
         for (body, &turn) in self.bodies().iter().zip(turns) {
@@ -57,11 +57,11 @@ impl<'m> LargeSystem<'m> {
             for (columns, axis) in body.columns.iter().zip(axes(body, start)) {
                 let way = turn.cross(axis + half.cross(axis));
                 for (&column, x) in columns.iter().zip(way.components()) {
-                    all[column] = x;
+                    corrections[column] = x;
                 }
             }
         }
-        all
+        corrections
     }
 }
 

@@ -47,12 +47,12 @@ impl<'m> Laurent<'m> {
     pub(super) fn conjugate(&self, variables: &[Variable]) -> Self {
         let terms = self.0.iter().map(|(exponents, coefficient)| {
             let mut reflected = exponents.clone();
-            for (place, variable) in variables.iter().enumerate() {
+            for (index, variable) in variables.iter().enumerate() {
                 match variable {
-                    Variable::Unit => reflected[place] = -exponents[place],
+                    Variable::Unit => reflected[index] = -exponents[index],
                     Variable::Length | Variable::Number => {}
-                    Variable::Point => reflected[place + 1] = exponents[place],
-                    Variable::Conjugate => reflected[place - 1] = exponents[place],
+                    Variable::Point => reflected[index + 1] = exponents[index],
+                    Variable::Conjugate => reflected[index - 1] = exponents[index],
                 }
             }
             (reflected, coefficient.conjugate())

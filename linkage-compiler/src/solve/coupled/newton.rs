@@ -117,9 +117,9 @@ pub(super) fn step<'m>(
         None => (&equations.residuals, &equations.matrix),
     };
     let count = residuals.len();
-    let all = [&residuals[..], &matrix.concat()].concat();
-    let all = substitute(&all, &here);
-    let (residuals, entries) = all.split_at(count);
+    let entries = [&residuals[..], &matrix.concat()].concat();
+    let entries = substitute(&entries, &here);
+    let (residuals, entries) = entries.split_at(count);
     let matrix: Vec<Vec<Ex>> = entries.chunks(count).map(<[_]>::to_vec).collect();
 
     let (freedoms, determinant): (Vec<Ex>, Ex) = match &equations.large {

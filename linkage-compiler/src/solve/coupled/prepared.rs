@@ -60,8 +60,8 @@ impl<'m> Prepared<'m> {
     pub(crate) fn estimate(&self, algebra: &Algebra<'m>, nominal: &Nominal) -> Vec<Ex<'m>> {
         let growth = self.reach * self.scale;
         let reach = nominal.evaluate(&[self.reach])[0];
-        let all = self.estimated(algebra, nominal).into_iter();
-        let numbers = all.map(|estimated| {
+        let estimates = self.estimated(algebra, nominal).into_iter();
+        let numbers = estimates.map(|estimated| {
             if estimated.length {
                 algebra.graph.number(estimated.value / reach) * growth
             } else {
@@ -74,8 +74,8 @@ impl<'m> Prepared<'m> {
     /// The same in numbers, of the default mechanism.
     pub(crate) fn estimate_of_default(&self, algebra: &Algebra<'m>, nominal: &Nominal) -> Vec<f64> {
         let scale = nominal.evaluate(&[self.scale])[0];
-        let all = self.estimated(algebra, nominal).into_iter();
-        let numbers = all.map(|estimated| {
+        let estimates = self.estimated(algebra, nominal).into_iter();
+        let numbers = estimates.map(|estimated| {
             if estimated.length {
                 scale * estimated.value
             } else {
@@ -116,7 +116,7 @@ impl<'m> Prepared<'m> {
             value,
             length: false,
         };
-        let all = self.core.iter().flat_map(|core| match *core {
+        let estimates = self.core.iter().flat_map(|core| match *core {
             Core::Angle(angle) => {
                 let (sin, cos) = names.angles[angle].estimate(nominal).sin_cos();
                 [cos, sin].map(number).to_vec()
@@ -126,7 +126,7 @@ impl<'m> Prepared<'m> {
                 length: !number,
             }],
         });
-        all.collect()
+        estimates.collect()
     }
 
     /// True if states are prepared as a table over its one input.

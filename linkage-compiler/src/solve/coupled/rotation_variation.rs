@@ -80,7 +80,7 @@ pub(super) fn same<'m>(proposed: V3<'m>, any: V3<'m>) -> bool {
 /// The part of a vector that one of the bodies carries as it is.
 pub(super) fn carried<'m>(vector: V3<'m>, bodies: &[Body<'m>]) -> Option<Carried<'m>> {
     let graph = vector[0].graph();
-    let mut all = bodies.iter().enumerate().filter_map(|(index, body)| {
+    let mut parts = bodies.iter().enumerate().filter_map(|(index, body)| {
         let Parts { carried, rest } = parts(body, vector)?;
         // Of directions alone, but not as they are: a shadow, or a product with a fixed direction,
         // turns otherwise.
@@ -92,7 +92,7 @@ pub(super) fn carried<'m>(vector: V3<'m>, bodies: &[Body<'m>]) -> Option<Carried
             dimensions: graph.symbols_of(&coordinates.0.map(Ex::id)),
         })
     });
-    all.next()
+    parts.next()
 }
 
 fn parts<'m>(body: &Body<'m>, vector: V3<'m>) -> Option<Parts<'m>> {
@@ -110,8 +110,8 @@ fn parts<'m>(body: &Body<'m>, vector: V3<'m>) -> Option<Parts<'m>> {
 fn without<'m>(vector: V3<'m>, symbols: &[SymbolId]) -> Option<V3<'m>> {
     let zero = vector[0].number(0.0);
     let nothing = symbols.iter().map(|&symbol| (symbol, zero)).collect();
-    let all = substitute(&vector.0, &nothing).try_into();
-    all.ok().map(Vector)
+    let components = substitute(&vector.0, &nothing).try_into();
+    components.ok().map(Vector)
 }
 
 /// The same difference, in which symbols of `rest` may still be written although they cancel: each

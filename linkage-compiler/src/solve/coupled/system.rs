@@ -108,9 +108,9 @@ impl<'m> Builder<'_, 'm> {
                 vec![(turned - conjugate).cleaned()]
             }
             None if block.rows.len() == 2 => {
-                let all = self.without(block, &[]).scaled(scale);
-                let conjugate = self.conjugate(&all);
-                vec![all.cleaned(), conjugate.cleaned()]
+                let sum = self.without(block, &[]).scaled(scale);
+                let conjugate = self.conjugate(&sum);
+                vec![sum.cleaned(), conjugate.cleaned()]
             }
             None => {
                 let scale = self.equations.row_scale(block);
@@ -172,11 +172,11 @@ impl<'m> Builder<'_, 'm> {
 
     /// A symbol of the core in complex variables.
     fn symbol(&self, symbol: SymbolId) -> Laurent<'m> {
-        for (place, core) in self.equations.form.core.iter().enumerate() {
+        for (index, core) in self.equations.form.core.iter().enumerate() {
             match *core {
                 Core::Angle(angle) => {
                     let angle = &self.algebra.names.angles[angle];
-                    let [u, inverse] = [1, -1].map(|exponent| self.variable(place, exponent));
+                    let [u, inverse] = [1, -1].map(|exponent| self.variable(index, exponent));
                     if angle.cos == symbol {
                         return self.real_part(u, inverse);
                     }
@@ -190,11 +190,11 @@ impl<'m> Builder<'_, 'm> {
                     ..
                 } if length == symbol => {
                     let unit = self.equations.unit_of(*core);
-                    let variable = |place| self.variable(place, 1);
+                    let variable = |index| self.variable(index, 1);
                     let scaled = match component {
-                        None => variable(place),
-                        Some(0) => self.real_part(variable(place), variable(place + 1)),
-                        Some(_) => self.imaginary_part(variable(place - 1), variable(place)),
+                        None => variable(index),
+                        Some(0) => self.real_part(variable(index), variable(index + 1)),
+                        Some(_) => self.imaginary_part(variable(index - 1), variable(index)),
                     };
                     return scaled.scaled(unit);
                 }
@@ -220,9 +220,9 @@ impl<'m> Builder<'_, 'm> {
         polynomial.conjugate(self.variables)
     }
 
-    fn variable(&self, place: usize, exponent: i8) -> Laurent<'m> {
+    fn variable(&self, index: usize, exponent: i8) -> Laurent<'m> {
         let mut exponents = self.no_exponents();
-        exponents[place] = exponent;
+        exponents[index] = exponent;
         Laurent::term(exponents, self.real(self.algebra.one()))
     }
 

@@ -140,7 +140,7 @@ fn same(v: V2<'_>, w: V2<'_>) -> bool {
 /// Two lengths that are in the same loops are no guides: together they are a point that is free.
 fn is_half_of_point(core: &[Core], shares: &[Option<(Ex<'_>, Shares<'_>)>], index: usize) -> bool {
     let is_length = |k: usize| matches!(core[k], Core::Length { .. });
-    let of = |k: usize| shares[k].as_ref().map(|(_, shares)| shares);
+    let shares_at = |k: usize| shares[k].as_ref().map(|(_, shares)| shares);
     let alike = |a: &Shares, b: &Shares| {
         let places = 0..a.len();
         let mut pairs = places
@@ -150,7 +150,7 @@ fn is_half_of_point(core: &[Core], shares: &[Option<(Ex<'_>, Shares<'_>)>], inde
     };
     let mut others = (0..core.len()).filter(|&other| other != index && is_length(other));
     is_length(index)
-        && others.any(|other| match (of(index), of(other)) {
+        && others.any(|other| match (shares_at(index), shares_at(other)) {
             (Some(a), Some(b)) => alike(a, b),
             _ => false,
         })

@@ -131,12 +131,12 @@ fn size_of_determinant<'m>(algebra: &Algebra<'m>, rows: &[Vec<V2<'m>>]) -> Ex<'m
 fn complex_minor<'m>(rows: &[Vec<V2<'m>>], columns: u32) -> V2<'m> {
     let (first, below) = (&rows[0], &rows[1..]);
     let among = (0..first.len()).filter(|k| columns >> k & 1 == 1);
-    let products = among.enumerate().map(|(place, column)| {
+    let products = among.enumerate().map(|(index, column)| {
         let product = match below {
             [] => first[column],
             below => first[column].turned(complex_minor(below, columns & !(1 << column))),
         };
-        if place % 2 == 0 { product } else { -product }
+        if index % 2 == 0 { product } else { -product }
     });
     let sum = products.reduce(|sum, product| sum + product);
     sum.expect("as many columns as rows")
