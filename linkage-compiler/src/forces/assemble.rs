@@ -3,20 +3,15 @@
 //! A link that only a cut joint holds at its other end leaves one number of that joint's reaction
 //! open, the force along the link (`links`).
 
-use crate::forces::context::Mechanics;
-use crate::forces::drives;
-use crate::forces::equations;
-use crate::forces::freedom;
-use crate::forces::joint_motion::Motions;
-use crate::forces::links;
-use crate::forces::system::Axial;
-use crate::forces::system::Component;
-use crate::forces::system::Equation;
-use crate::forces::system::System;
-use crate::forces::system::Unknown;
-use crate::model::Rotation;
-use linkage_symbolic::Vector;
 use std::rc::Rc;
+
+use linkage_symbolic::Vector;
+
+use crate::forces::context::Mechanics;
+use crate::forces::joint_motion::Motions;
+use crate::forces::system::{Axial, Component, Equation, System, Unknown};
+use crate::forces::{drives, equations, freedom, links};
+use crate::model::Rotation;
 
 /// The system, made when it is first asked for.
 pub(super) fn system<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Rc<System<'m>> {

@@ -1,7 +1,6 @@
 //! The loads on each body, as data.
 
-use linkage_symbolic::Ex;
-use linkage_symbolic::Vn;
+use linkage_symbolic::{Ex, Vn};
 
 /// For each body: forces at points, and couples.
 #[derive(Clone, Debug)]

@@ -1,14 +1,11 @@
 //! The wrench of the loads on one body.
 
-use crate::forces::context;
+use linkage_symbolic::{Ex, Vn};
+
 use crate::forces::context::Mechanics;
-use crate::forces::loads;
-use crate::forces::masses;
-use crate::forces::motion;
 use crate::forces::wrench::Wrench;
+use crate::forces::{context, loads, masses, motion};
 use crate::model::Rotation;
-use linkage_symbolic::Ex;
-use linkage_symbolic::Vn;
 
 /// The loads on a body alone.
 pub(super) fn own_wrench<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Wrench<'m> {
@@ -57,7 +54,7 @@ pub(super) fn moment_of_mass<'m>(
     if !gain.is_zero() && !square.is_fixed() {
         return None;
     }
-    let weight = masses::gravity(mechanics).map(|gravity| mass * gravity);
+    let weight = masses::gravity(mechanics.algebra).map(|gravity| mass * gravity);
     let weighs = weight.map_or(mechanics.zero_turn(), |weight| arm.moment_of(weight));
     Some(weighs - (mass * square) * gain)
 }

@@ -1,24 +1,13 @@
 //! Are bodies and joints declared so that forces can be found?
 
-use crate::algebra::Algebra;
-use crate::algebra::Nominal;
+use crate::algebra::{Algebra, Nominal};
 use crate::assembly::Reference;
 use crate::diagnostic::Reporter;
-use crate::forces::assemble;
-use crate::forces::context::Forces;
-use crate::forces::context::Mechanics;
-use crate::forces::ends;
-use crate::forces::fit;
-use crate::forces::loop_matches;
-use crate::forces::names;
+use crate::forces::context::{Forces, Mechanics};
 use crate::forces::positions::Positions;
-use crate::forces::rank;
-use crate::forces::steady;
-use crate::forces::system::Equation;
-use crate::forces::system::LARGEST_BLOCK;
-use crate::forces::system::System;
-use crate::model::EvaluatorDef;
-use crate::model::Mechanism;
+use crate::forces::system::{Equation, LARGEST_BLOCK, System};
+use crate::forces::{assemble, ends, fit, loop_matches, names, rank, steady};
+use crate::model::{EvaluatorDef, Mechanism};
 
 /// Reports joints whose bodies move apart, points that leave their bodies, motions that nothing
 /// holds and reactions that nothing tells.

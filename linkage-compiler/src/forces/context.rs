@@ -1,20 +1,18 @@
 //! The mechanics of a mechanism, and the context in which one question about it is answered.
 
+use std::rc::Rc;
+
+use linkage_symbolic::unordered::Map;
+use linkage_symbolic::{Ex, Graph, Vn};
+
 use crate::algebra::Algebra;
 use crate::forces::body_loads::Loads;
 use crate::forces::geometry::Geometry;
 use crate::forces::loop_values::LoopValues;
-use crate::forces::speeds::Motion;
-use crate::forces::speeds::Speeds;
+use crate::forces::speeds::{Motion, Speeds};
 use crate::forces::system::System;
 use crate::forces::tree::Tree;
-use crate::forces::wrench::Carried;
-use crate::forces::wrench::Wrench;
-use linkage_symbolic::Ex;
-use linkage_symbolic::Graph;
-use linkage_symbolic::Vn;
-use linkage_symbolic::unordered::Map;
-use std::rc::Rc;
+use crate::forces::wrench::{Carried, Wrench};
 
 /// All that is known of the mechanics, made when it is asked for; the default for functions that
 /// ask for nothing of it.

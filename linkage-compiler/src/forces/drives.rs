@@ -2,10 +2,8 @@
 //! needed as there are unknowns.
 
 use crate::forces::context::Mechanics;
-use crate::forces::equations;
-use crate::forces::motion;
-use crate::forces::system::Equation;
-use crate::forces::system::System;
+use crate::forces::system::{Equation, System};
+use crate::forces::{equations, motion};
 
 /// A motion that the loops make steady may be driven, too: the length of a leg to a point that is
 /// an unknown. As long as motions lack a reaction, such ones are taken for driven.

@@ -1,15 +1,13 @@
 //! Do the ends of springs and dampers stay apart?
 
+use linkage_symbolic::Vn;
+
+use crate::algebra::Algebra;
 use crate::diagnostic::Reporter;
 use crate::forces::context::Mechanics;
-use crate::forces::geometry;
-use crate::forces::names;
-use crate::forces::positions;
 use crate::forces::positions::Positions;
-use crate::model::Between;
-use crate::model::Element;
-use crate::model::ElementKind;
-use linkage_symbolic::Vn;
+use crate::forces::{geometry, names, positions};
+use crate::model::{Between, Element, ElementKind};
 
 /// A length below this share of the mechanism's has no direction: so far apart rounding may leave
 /// two points at one place.
@@ -22,7 +20,7 @@ pub(super) fn check_lengths(
     reporter: &mut Reporter,
 ) {
     let mechanism = mechanics.algebra.mechanism;
-    let spans = spans(mechanics);
+    let spans = spans(mechanics.algebra);
     for position in positions.iter() {
         for &(element, between) in &spans {
             let length = positions::size(&positions::vector(position, between));
@@ -45,9 +43,9 @@ pub(super) fn check_lengths(
 
 /// Springs and dampers between points, and from the end of each to its start. A spring that has no
 /// length without force does not need a direction.
-fn spans<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Vec<(&'m Element, Vn<'m>)> {
+fn spans<'m>(algebra: &mut Algebra<'m>) -> Vec<(&'m Element, Vn<'m>)> {
     let mut spans = Vec::new();
-    for element in &mechanics.algebra.mechanism.elements {
+    for element in &algebra.mechanism.elements {
         let needs_direction = match element.kind {
             ElementKind::Spring => element.free.is_some(),
             ElementKind::Damper => true,
@@ -55,8 +53,7 @@ fn spans<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Vec<(&'m Element, Vn<'m>)> {
         if let Between::Points(ends) = &element.between
             && needs_direction
         {
-            let [start, end] =
-                [0, 1].map(|end| geometry::vector_of(mechanics.algebra, &ends[end].1));
+            let [start, end] = [0, 1].map(|end| geometry::vector_of(algebra, &ends[end].1));
             spans.push((element, start - end));
         }
     }

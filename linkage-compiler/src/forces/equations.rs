@@ -1,13 +1,11 @@
 //! The equations of the system: the coefficient of each unknown in each equation.
 
+use linkage_symbolic::Ex;
+
 use crate::forces::context::Mechanics;
 use crate::forces::cut_joints;
 use crate::forces::joint_motion::JointMotion;
-use crate::forces::system::Component;
-use crate::forces::system::Equation;
-use crate::forces::system::System;
-use crate::forces::system::Unknown;
-use linkage_symbolic::Ex;
+use crate::forces::system::{Component, Equation, System, Unknown};
 
 /// Adds an equation, with a coefficient for each unknown.
 pub(super) fn add<'m>(

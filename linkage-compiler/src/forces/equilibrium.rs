@@ -4,24 +4,13 @@
 //! The reactions of cut joints count if one of the two bodies hangs on that body and the other does
 //! not.
 
+use linkage_symbolic::{Ex, Vector, Vn};
+
 use crate::algebra::elimination;
-use crate::forces::assemble;
-use crate::forces::body_wrench;
-use crate::forces::context;
 use crate::forces::context::Mechanics;
-use crate::forces::cut_joints;
-use crate::forces::links;
-use crate::forces::loads;
-use crate::forces::system::Axial;
-use crate::forces::system::Equation;
-use crate::forces::system::LARGEST_BLOCK;
-use crate::forces::system::System;
-use crate::forces::system::Unknown;
-use crate::forces::wrench::Carried;
-use crate::forces::wrench::Wrench;
-use linkage_symbolic::Ex;
-use linkage_symbolic::Vector;
-use linkage_symbolic::Vn;
+use crate::forces::system::{Axial, Equation, LARGEST_BLOCK, System, Unknown};
+use crate::forces::wrench::{Carried, Wrench};
+use crate::forces::{assemble, body_wrench, context, cut_joints, links, loads};
 
 /// The part of a reaction that holds a link against its own loads: `-M perp(V) / V^2`, in space
 /// `(V x M) / V^2`.

@@ -1,24 +1,14 @@
 //! Do bodies and joints fit the motion? Velocities compared on numbers.
 
-use crate::diagnostic::OriginId;
-use crate::diagnostic::Reporter;
-use crate::forces::context::Mechanics;
-use crate::forces::geometry;
-use crate::forces::motion;
-use crate::forces::names;
-use crate::forces::positions;
-use crate::forces::positions::EQUAL;
-use crate::forces::positions::Position;
-use crate::forces::positions::Positions;
-use crate::forces::positions::SLOW;
-use crate::forces::speeds::By;
-use crate::message_format::numbers;
-use crate::model::Between;
-use crate::model::ElementKind;
-use crate::model::Expr;
-use crate::model::Mechanism;
-use crate::model::Rotation;
 use linkage_symbolic::Vn;
+
+use crate::diagnostic::{OriginId, Reporter};
+use crate::forces::context::Mechanics;
+use crate::forces::positions::{EQUAL, Position, Positions, SLOW};
+use crate::forces::speeds::By;
+use crate::forces::{geometry, motion, names, positions};
+use crate::message_format::numbers;
+use crate::model::{Between, ElementKind, Expr, Mechanism, Rotation};
 
 /// Two velocities that must be equal.
 struct Pair<'m> {

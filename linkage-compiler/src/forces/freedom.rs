@@ -4,18 +4,14 @@
 //! force along the guide) that is no unknown here. Gears tie the turns of several bodies, by
 //! couples that are unknowns of their own.
 
-use crate::algebra::partial;
+use linkage_symbolic::{Ex, Vector};
+
+use crate::algebra::{Algebra, partial};
 use crate::forces::context::Mechanics;
-use crate::forces::elimination;
-use crate::forces::joint_motion::JointMotion;
-use crate::forces::joint_motion::Motions;
-use crate::forces::joint_motion::Tie;
-use crate::forces::motion;
+use crate::forces::joint_motion::{JointMotion, Motions, Tie};
 use crate::forces::speeds::By;
-use crate::model::Rotation;
-use crate::model::Variable;
-use linkage_symbolic::Ex;
-use linkage_symbolic::Vector;
+use crate::forces::{elimination, motion};
+use crate::model::{Rotation, Variable};
 
 /// Rates of turns that differ by less are equal. They are ratios of gears, numbers near 1 that
 /// rounding alone changes.
@@ -24,7 +20,7 @@ const RATIO: f64 = 1e-9;
 /// All motions. `held` is the number of them that reactions of cut joints can hold in the plane:
 /// the others are tied by gears.
 pub(super) fn motions<'m>(mechanics: &mut Mechanics<'_, 'm>, held: usize) -> Motions<'m> {
-    let unknowns = unknown_variables(mechanics);
+    let unknowns = unknown_variables(mechanics.algebra);
     let mut motions = Motions::default();
     for body in mechanics.forces.tree.order.clone() {
         for way in ways(mechanics, body) {
@@ -168,16 +164,14 @@ pub(super) fn relative_rate<'m>(
 }
 
 /// All unknowns, each changing alone.
-fn unknown_variables(mechanics: &mut Mechanics<'_, '_>) -> Vec<By> {
-    let groups = mechanics.algebra.solutions.groups.iter();
+fn unknown_variables(algebra: &mut Algebra) -> Vec<By> {
+    let groups = algebra.solutions.groups.iter();
     let counts: Vec<usize> = groups.map(|group| group.jacobian.len()).collect();
     let mut variables = Vec::new();
     for (group, count) in counts.into_iter().enumerate() {
         for position in 0..count {
             variables.push(By::Alone(partial::unknown_variable(
-                mechanics.algebra,
-                group,
-                position,
+                algebra, group, position,
             )));
         }
     }

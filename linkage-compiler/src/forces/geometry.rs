@@ -1,15 +1,10 @@
 //! The declared points, axes and angles as expressions.
 
-use crate::algebra::Algebra;
-use crate::algebra::Scalar;
-use crate::algebra::Translate;
-use crate::algebra::Value;
-use crate::algebra::translate;
+use linkage_symbolic::{Graph, Vector, Vn};
+
+use crate::algebra::{Algebra, Scalar, Translate, Value, translate};
 use crate::forces::tree::Tree;
 use crate::model::Expr;
-use linkage_symbolic::Graph;
-use linkage_symbolic::Vector;
-use linkage_symbolic::Vn;
 
 /// The rotation of a body.
 #[derive(Clone, Debug)]

@@ -2,17 +2,13 @@
 //!
 //! A body with a frame is treated in its own axes, in which its inertia does not change.
 
+use linkage_symbolic::{Ex, Vector, Vn};
+
 use crate::algebra::Translate;
 use crate::forces::context::Mechanics;
-use crate::forces::geometry;
 use crate::forces::geometry::BodyTurn;
-use crate::forces::masses;
-use crate::forces::motion;
-use crate::model::Expr;
-use crate::model::Inertia;
-use linkage_symbolic::Ex;
-use linkage_symbolic::Vector;
-use linkage_symbolic::Vn;
+use crate::forces::{geometry, masses, motion};
+use crate::model::{Expr, Inertia};
 
 /// The rotation of a body: the angular velocity and its rate, in the body's own axes if it has any.
 struct Turned<'m> {
@@ -146,7 +142,7 @@ fn points_about<'m>(
 ) -> Vn<'m> {
     let about = geometry::vector_of(mechanics.algebra, about);
     let mut sum = mechanics.zero_turn();
-    for (mass, point) in masses::masses(mechanics, body) {
+    for (mass, point) in masses::masses(mechanics.algebra, body) {
         let arm = point - about;
         let arm = match turned.axes {
             Some(axes) => Vector(axes.map(|axis| axis.dot(arm))).into(),

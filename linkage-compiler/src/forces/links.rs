@@ -1,13 +1,11 @@
 //! Links that one cut joint holds at their other end: their own moment gives the part of that
 //! joint's reaction across them.
 
-use crate::forces::context::Mechanics;
-use crate::forces::cut_joints;
-use crate::forces::freedom;
-use crate::forces::system::Axial;
-use crate::forces::system::Equation;
-use crate::forces::system::System;
 use linkage_symbolic::Vn;
+
+use crate::forces::context::Mechanics;
+use crate::forces::system::{Axial, Equation, System};
+use crate::forces::{cut_joints, freedom};
 
 /// Links of large blocks that one cut joint holds, and all rods.
 pub(super) fn links(mechanics: &Mechanics<'_, '_>, system: &System) -> Vec<Axial> {

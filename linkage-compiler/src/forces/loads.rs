@@ -1,28 +1,17 @@
 //! The loads on each body: inertia forces and weight, applied loads, springs and dampers.
 
-use crate::algebra::Translate;
-use crate::algebra::scalar;
-use crate::forces::body_loads::BodyLoads;
-use crate::forces::body_loads::Loads;
-use crate::forces::body_loads::PointForce;
-use crate::forces::context;
-use crate::forces::context::Case;
-use crate::forces::context::Mechanics;
-use crate::forces::geometry;
-use crate::forces::geometry::BodyTurn;
-use crate::forces::inertia;
-use crate::forces::masses;
-use crate::forces::motion;
-use crate::forces::wrench::Wrench;
-use crate::model::Between;
-use crate::model::Element;
-use crate::model::ElementKind;
-use crate::model::Expr;
-use linkage_symbolic::Ex;
-use linkage_symbolic::Vector;
-use linkage_symbolic::Vn;
-use linkage_symbolic::unordered::Map;
 use std::rc::Rc;
+
+use linkage_symbolic::unordered::Map;
+use linkage_symbolic::{Ex, Vector, Vn};
+
+use crate::algebra::{Translate, scalar};
+use crate::forces::body_loads::{BodyLoads, Loads, PointForce};
+use crate::forces::context::{Case, Mechanics};
+use crate::forces::geometry::BodyTurn;
+use crate::forces::wrench::Wrench;
+use crate::forces::{context, geometry, inertia, masses, motion};
+use crate::model::{Between, Element, ElementKind, Expr};
 
 /// The forces at the speeds that are listed, the loads at least.
 pub(super) fn case<'c, 'm>(mechanics: &'c mut Mechanics<'_, 'm>) -> &'c mut Case<'m> {
@@ -83,8 +72,8 @@ fn load_vector<'m>(mechanics: &mut Mechanics<'_, 'm>, value: &Expr, is_force: bo
 /// Returns `m (g - a)` at each mass of a body, and the couple of its rotation.
 fn inertia_and_weight<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> BodyLoads<'m> {
     let mut loads = BodyLoads::default();
-    let gravity = masses::gravity(mechanics);
-    for (mass, point) in masses::masses(mechanics, body) {
+    let gravity = masses::gravity(mechanics.algebra);
+    for (mass, point) in masses::masses(mechanics.algebra, body) {
         let zero = mechanics.graph().zeros(point.len());
         let gravity = gravity.unwrap_or(zero);
         // A mass times the square of a speed is one factor for all components.

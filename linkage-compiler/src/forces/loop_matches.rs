@@ -2,13 +2,12 @@
 //! determinants that are those of a loop, with their reciprocals. Loops may be written in any form,
 //! so numbers find the matches, with other dimensions and in other assemblies, too.
 
-use crate::algebra::Nominal;
-use crate::algebra::elimination;
+use linkage_symbolic::{Ex, Vn};
+
+use crate::algebra::{Nominal, elimination};
 use crate::forces::context::Mechanics;
 use crate::forces::positions::Positions;
 use crate::forces::system::System;
-use linkage_symbolic::Ex;
-use linkage_symbolic::Vn;
 
 /// Numbers that differ by a smaller share of the largest are equal: far above rounding, far below
 /// the effect of altered dimensions.

@@ -1,9 +1,7 @@
 //! Values that the loops' closed forms have already: arms of bodies and determinants.
 
-use linkage_symbolic::Ex;
-use linkage_symbolic::NodeId;
-use linkage_symbolic::Vn;
 use linkage_symbolic::unordered::Map;
+use linkage_symbolic::{Ex, NodeId, Vn};
 
 /// Values that the closed forms compute.
 #[derive(Clone, Debug, Default)]

@@ -1,17 +1,13 @@
 //! Velocities and accelerations of points and bodies: with respect to inputs or unknowns, and in
 //! time at given speeds.
 
-use crate::algebra::Direction;
-use crate::algebra::adjoint;
-use crate::algebra::partial;
-use crate::algebra::scalar;
+use linkage_symbolic::{Ex, Vector, Vn};
+
+use crate::algebra::{Direction, adjoint, partial, scalar};
 use crate::forces::context::Mechanics;
 use crate::forces::geometry::BodyTurn;
 use crate::forces::speeds::By;
 use crate::model::Variable;
-use linkage_symbolic::Ex;
-use linkage_symbolic::Vector;
-use linkage_symbolic::Vn;
 
 /// The number of inputs.
 pub(super) fn drives(mechanics: &Mechanics<'_, '_>) -> usize {

@@ -1,7 +1,6 @@
 //! Joints, bodies and elements as messages name them.
 
-use crate::model::ElementKind;
-use crate::model::Mechanism;
+use crate::model::{ElementKind, Mechanism};
 
 /// A joint as messages name it.
 pub(super) fn joint_name(mechanism: &Mechanism, joint: usize) -> String {

@@ -1,14 +1,11 @@
 //! The positions at which bodies and joints are looked at on numbers.
 
+use linkage_symbolic::{Ex, Vn};
+
 use crate::algebra::Nominal;
-use crate::assembly::ALTERATIONS;
-use crate::assembly::Reference;
-use crate::assembly::altered;
-use crate::assembly::places;
+use crate::assembly::{ALTERATIONS, Reference, altered, places};
 use crate::message_format::MessageFormat;
 use crate::model::Mechanism;
-use linkage_symbolic::Ex;
-use linkage_symbolic::Vn;
 
 /// Velocities that differ by a smaller share are equal: the rounding of derivatives is far less,
 /// and wrong declarations differ by far more.

@@ -1,15 +1,13 @@
 //! A description of the method that finds the reactions.
 
+use std::fmt::Write;
+
 use crate::algebra::Algebra;
-use crate::forces::assemble;
 use crate::forces::context::Forces;
 use crate::forces::joint_motion::JointMotion;
-use crate::forces::names;
-use crate::forces::system::Equation;
-use crate::forces::system::System;
-use crate::forces::system::Unknown;
+use crate::forces::system::{Equation, System, Unknown};
+use crate::forces::{assemble, names};
 use crate::model::Mechanism;
-use std::fmt::Write;
 
 /// Describes the driven motions, and the blocks of motions that find reactions together; empty for
 /// a mechanism without bodies.

@@ -1,26 +1,14 @@
 //! The quantities that functions ask for.
 
-use crate::algebra::Translate;
-use crate::algebra::Value;
-use crate::forces::assemble;
+use linkage_symbolic::{Ex, Vn};
+
+use crate::algebra::{Translate, Value};
 use crate::forces::context::Mechanics;
-use crate::forces::equilibrium;
-use crate::forces::freedom;
-use crate::forces::geometry;
-use crate::forces::inertia;
-use crate::forces::loads;
-use crate::forces::masses;
-use crate::forces::motion;
 use crate::forces::speeds::By;
 use crate::forces::system::Unknown;
 use crate::forces::wrench::Wrench;
-use crate::model::Between;
-use crate::model::Element;
-use crate::model::ElementKind;
-use crate::model::MechanicalQuantity as Quantity;
-use crate::model::Rotation;
-use linkage_symbolic::Ex;
-use linkage_symbolic::Vn;
+use crate::forces::{assemble, equilibrium, freedom, geometry, inertia, loads, masses, motion};
+use crate::model::{Between, Element, ElementKind, MechanicalQuantity as Quantity, Rotation};
 
 pub(crate) fn quantity<'m>(mechanics: &mut Mechanics<'_, 'm>, quantity: &Quantity) -> Value<'m> {
     match quantity {
@@ -134,7 +122,7 @@ fn power<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Ex<'m> {
 fn kinetic_energy<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Ex<'m> {
     let mut twice = mechanics.algebra.zero();
     for body in 0..mechanics.algebra.mechanism.bodies.len() {
-        for (mass, point) in masses::masses(mechanics, body) {
+        for (mass, point) in masses::masses(mechanics.algebra, body) {
             twice += mass * motion::point_velocity(mechanics, point).square();
         }
         twice += inertia::twice_turning_energy(mechanics, body);
@@ -146,9 +134,9 @@ fn kinetic_energy<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Ex<'m> {
 /// `1/2 sum c (l - l_0)^2 - sum m g . p`.
 fn potential_energy<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Ex<'m> {
     let mut sum = mechanics.algebra.zero();
-    if let Some(gravity) = masses::gravity(mechanics) {
+    if let Some(gravity) = masses::gravity(mechanics.algebra) {
         for body in 0..mechanics.algebra.mechanism.bodies.len() {
-            for (mass, point) in masses::masses(mechanics, body) {
+            for (mass, point) in masses::masses(mechanics.algebra, body) {
                 sum -= mass * gravity.dot(point);
             }
         }
@@ -184,7 +172,7 @@ fn spring_energy<'m>(mechanics: &mut Mechanics<'_, 'm>, spring: &Element) -> Ex<
 fn shaking_force<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Vn<'m> {
     let mut sum = mechanics.zero_vector();
     for body in 0..mechanics.algebra.mechanism.bodies.len() {
-        for (mass, point) in masses::masses(mechanics, body) {
+        for (mass, point) in masses::masses(mechanics.algebra, body) {
             sum = sum - mass * motion::point_acceleration(mechanics, point);
         }
     }
@@ -196,7 +184,7 @@ fn shaking_force<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Vn<'m> {
 fn shaking_moment<'m>(mechanics: &mut Mechanics<'_, 'm>, about: Vn<'m>) -> Vn<'m> {
     let mut sum = mechanics.zero_turn();
     for body in 0..mechanics.algebra.mechanism.bodies.len() {
-        for (mass, point) in masses::masses(mechanics, body) {
+        for (mass, point) in masses::masses(mechanics.algebra, body) {
             let force = mass * motion::point_acceleration(mechanics, point);
             sum = sum - (point - about).moment_of(force);
         }

@@ -1,10 +1,11 @@
 //! A numerical check that equations which are solved together determine their unknowns. Matching
 //! sees only which unknowns an equation contains.
 
+use linkage_symbolic::Ex;
+
 use crate::forces::elimination;
 use crate::forces::positions::Positions;
 use crate::forces::system::System;
-use linkage_symbolic::Ex;
 
 /// Equations that differ by a smaller share repeat each other: far above rounding, far below the
 /// difference near a dead point.

@@ -1,9 +1,9 @@
 //! The speeds of drives that a function lists, and the variables of derivatives.
 
-use crate::model::Mechanism;
-use linkage_symbolic::SymbolId;
-use linkage_symbolic::Vn;
 use linkage_symbolic::unordered::Map;
+use linkage_symbolic::{SymbolId, Vn};
+
+use crate::model::Mechanism;
 
 /// The speeds and accelerations that a function lists, as places among inputs and arguments, by
 /// drive.

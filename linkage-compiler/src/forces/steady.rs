@@ -1,17 +1,14 @@
 //! Facts about the motion that only numbers show: joints that move at a steady rate, rods that keep
 //! their length.
 
+use linkage_symbolic::{Ex, Vn};
+
 use crate::forces::context::Mechanics;
-use crate::forces::freedom;
 use crate::forces::joint_motion::JointMotion;
-use crate::forces::motion;
-use crate::forces::positions::EQUAL;
-use crate::forces::positions::Positions;
-use crate::forces::positions::SLOW;
+use crate::forces::positions::{EQUAL, Positions, SLOW};
 use crate::forces::speeds::By;
+use crate::forces::{freedom, motion};
 use crate::model::Rotation;
-use linkage_symbolic::Ex;
-use linkage_symbolic::Vn;
 
 /// Looks at some positions; those that do not close count for nothing.
 pub(super) fn record_steady_motion(mechanics: &mut Mechanics<'_, '_>, positions: &Positions) {

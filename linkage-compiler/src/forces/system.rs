@@ -5,12 +5,10 @@
 //! no force along its guide. Which equation finds which reaction is found by matching, as for the
 //! loops. Equations of one block are solved by cofactors, without a choice of pivots.
 
-use crate::forces::joint_motion::JointMotion;
-use crate::forces::joint_motion::Tie;
-use crate::structure::matching;
-use crate::structure::matching::Matching;
-use linkage_symbolic::Ex;
-use linkage_symbolic::Vn;
+use linkage_symbolic::{Ex, Vn};
+
+use crate::forces::joint_motion::{JointMotion, Tie};
+use crate::structure::matching::{self, Matching};
 
 /// A cut joint whose reaction is open only along a link.
 #[derive(Clone, Debug)]

@@ -1,10 +1,10 @@
 //! A force and a moment about a point.
 
+use std::ops::{Add, Neg};
+
+use linkage_symbolic::{Ex, Vn};
+
 use crate::forces::joint_motion::JointMotion;
-use linkage_symbolic::Ex;
-use linkage_symbolic::Vn;
-use std::ops::Add;
-use std::ops::Neg;
 
 /// A force and a moment about a point.
 #[derive(Clone, Copy, Debug)]

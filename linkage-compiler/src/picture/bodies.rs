@@ -1,13 +1,9 @@
 //! Points and segments of bodies and joints.
 
 use crate::model::Joint;
-use crate::picture::chains;
-use crate::picture::marks::Line;
-use crate::picture::marks::Shape;
-use crate::picture::marks::Title;
-use crate::picture::parts;
+use crate::picture::marks::{Line, Shape, Title};
 use crate::picture::sketch::Sketch;
-use crate::picture::titles;
+use crate::picture::{chains, parts, titles};
 
 /// The joints of each body are points of it.
 pub(super) fn look_at_bodies(sketch: &mut Sketch<'_, '_>) {

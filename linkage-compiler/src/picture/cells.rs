@@ -1,8 +1,9 @@
 //! Points by where they are: those that may coincide with a point are looked for near it, not among
 //! all.
 
-use crate::picture::track::Track;
 use linkage_symbolic::unordered::Map;
+
+use crate::picture::track::Track;
 
 /// The direction along which points are sorted: shares of the coordinates without pattern, so that
 /// rows of points parallel to an axis, or on a common diagonal, are not in one cell.

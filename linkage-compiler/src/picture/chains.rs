@@ -1,27 +1,13 @@
 //! Sums of vectors as chains: from a point, each term is a step to the next.
 
-use crate::model::Expr;
-use crate::model::ExprKind;
-use crate::model::Function;
-use crate::model::Name;
-use crate::model::Type;
-use crate::picture::expressions;
-use crate::picture::frames;
-use crate::picture::marks::Mean;
-use crate::picture::marks::Segment;
-use crate::picture::marks::Shape;
-use crate::picture::marks::Term;
-use crate::picture::marks::Title;
-use crate::picture::marks::Turn;
-use crate::picture::parts;
-use crate::picture::point_or_vector::Moves;
-use crate::picture::sketch;
-use crate::picture::sketch::Sketch;
-use crate::picture::terms;
-use crate::picture::terms::MANY_TERMS;
-use crate::picture::titles;
-use crate::picture::weights;
 use linkage_symbolic::Vn;
+
+use crate::model::{Expr, ExprKind, Function, Name, Type};
+use crate::picture::marks::{Mean, Segment, Shape, Term, Title, Turn};
+use crate::picture::point_or_vector::Moves;
+use crate::picture::sketch::Sketch;
+use crate::picture::terms::MANY_TERMS;
+use crate::picture::{expressions, frames, parts, sketch, terms, titles, weights};
 
 pub(super) fn point_of<'m>(sketch: &mut Sketch<'_, 'm>, expr: &'m Expr) -> Option<usize> {
     if !is_vector(sketch, expr) {
@@ -134,8 +120,8 @@ fn is_vector<'m>(sketch: &Sketch<'_, 'm>, expr: &Expr) -> bool {
     match &expr.ty {
         Type::Vector(count, dimension) => {
             let is_flat = (*count, sketch.dimension) == (2, 3);
-            let is_drawn =
-                *count == sketch.dimension || is_flat && !expressions::is_projection(sketch, expr);
+            let is_drawn = *count == sketch.dimension
+                || is_flat && !expressions::is_projection(sketch.algebra.mechanism, expr);
             is_drawn && dimension.half_lengths == 2
         }
         Type::Zero(_) => true,
@@ -160,7 +146,7 @@ pub(super) fn start<'m>(sketch: &mut Sketch<'_, 'm>, expr: &'m Expr) -> usize {
     if let ExprKind::Call(Function::PointIn, arguments) = &expr.kind
         && let Some((origin, first)) = frame_of(sketch, &arguments[0])
     {
-        match expressions::unknown_frame(sketch, &arguments[0]) {
+        match expressions::unknown_frame(sketch.algebra.mechanism, &arguments[0]) {
             Some((index, text)) => {
                 let title = Some(Title { rank: 1, text });
                 sketch.segment(origin, point, title, Shape::Frame(index));
@@ -168,7 +154,8 @@ pub(super) fn start<'m>(sketch: &mut Sketch<'_, 'm>, expr: &'m Expr) -> usize {
             None => sketch.segment(origin, point, None, Shape::Body(None)),
         }
         // An axis of the frame may be the line from one point of a link to another one.
-        let ends = expressions::difference(sketch, first).map(|(to, from)| [from, to]);
+        let ends =
+            expressions::difference(sketch.algebra.mechanism, first).map(|(to, from)| [from, to]);
         let ends = ends.and_then(|ends| {
             let [from, to] = ends.map(|end| point_of(sketch, end));
             Some(vec![from?, to?])

@@ -1,10 +1,8 @@
 //! Links that the user lists must be rigid, and move.
 
-use crate::diagnostic::OriginId;
-use crate::diagnostic::Reporter;
 use crate::diagnostic::text::list;
-use crate::ir::Picture;
-use crate::ir::PointKind;
+use crate::diagnostic::{OriginId, Reporter};
+use crate::ir::{Picture, PointKind};
 use crate::message_format::numbers;
 use crate::picture::marks::Asked;
 use crate::picture::samples::Samples;

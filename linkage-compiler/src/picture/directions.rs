@@ -1,26 +1,16 @@
 //! The directions along which terms change their length.
 
-use crate::algebra::Translate;
-use crate::algebra::calls;
-use crate::algebra::dependence;
-use crate::algebra::translate;
-use crate::model::BinaryOp;
-use crate::model::Expr;
-use crate::model::ExprKind;
-use crate::model::Function;
-use crate::model::Type;
-use crate::picture::expressions;
+use linkage_symbolic::{Ex, NodeId, Vn};
+
+use crate::algebra::{Translate, calls, dependence, translate};
+use crate::model::{BinaryOp, Expr, ExprKind, Function, Type};
 use crate::picture::marks::Slide;
-use crate::picture::parts;
-use crate::picture::sketch;
 use crate::picture::sketch::Sketch;
-use linkage_symbolic::Ex;
-use linkage_symbolic::NodeId;
-use linkage_symbolic::Vn;
+use crate::picture::{expressions, parts, sketch};
 
 /// The unit vector along which a term changes its length, and the part of the term across it.
 pub(super) fn direction_of<'m>(sketch: &mut Sketch<'_, 'm>, term: &'m Expr) -> Option<Slide<'m>> {
-    let input = expressions::driving(sketch, term);
+    let input = expressions::driving(sketch.algebra.mechanism, term);
     let straight = |along: Vn<'m>| Slide {
         offset: None,
         along,

@@ -1,25 +1,19 @@
 //! Links that inputs move, and wheels whose angles belong together.
 
+use std::collections::BTreeSet;
+
+use linkage_symbolic::program::Source;
+use linkage_symbolic::unordered::{Map, Set};
+use linkage_symbolic::{SymbolId, Vn};
+
 use crate::algebra::Bound;
-use crate::ir::Drive;
-use crate::ir::DriveOn;
-use crate::ir::Gear;
-use crate::ir::Part;
-use crate::ir::Picture;
-use crate::model::Loop;
-use crate::model::Name;
+use crate::ir::{Drive, DriveOn, Gear, Part, Picture};
+use crate::model::{Loop, Name};
 use crate::picture::by_point::ByPoint;
-use crate::picture::marks::Segment;
-use crate::picture::marks::Shape;
+use crate::picture::marks::{Segment, Shape};
 use crate::picture::open_loop;
 use crate::picture::samples::Samples;
 use crate::picture::sketch::Sketch;
-use linkage_symbolic::SymbolId;
-use linkage_symbolic::Vn;
-use linkage_symbolic::program::Source;
-use linkage_symbolic::unordered::Map;
-use linkage_symbolic::unordered::Set;
-use std::collections::BTreeSet;
 
 /// A link that turns about a point of the frame by one angle alone.
 struct Wheel {

@@ -1,7 +1,8 @@
 //! A picture, and the vectors that its points and directions are.
 
-use crate::ir::Picture;
 use linkage_symbolic::Vn;
+
+use crate::ir::Picture;
 
 /// A picture, and the vectors of its parts: points first, then directions.
 #[derive(Clone, Debug, Default)]

@@ -1,13 +1,10 @@
 //! The coordinates in which names, loops and placed parts are written.
 
-use crate::model::Expr;
-use crate::model::Name;
-use crate::model::Placed;
+use crate::model::{Expr, Name, Placed};
 use crate::picture::marks::Shape;
 use crate::picture::point_or_vector::Moves;
 use crate::picture::pose::Frames;
-use crate::picture::sketch;
-use crate::picture::sketch::Sketch;
+use crate::picture::sketch::{self, Sketch};
 
 /// A point of a part that stands elsewhere, the coordinates that it is written in, and how.
 pub(super) fn elsewhere<'m>(sketch: &Sketch<'_, 'm>, expr: &'m Expr) -> Option<(Frames, &'m Expr)> {

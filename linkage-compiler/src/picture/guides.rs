@@ -1,18 +1,14 @@
 //! Lines along which points slide.
 
+use linkage_symbolic::Vn;
+
 use crate::ir::GuideOn;
-use crate::picture::directions;
-use crate::picture::links;
 use crate::picture::links::Links;
-use crate::picture::marks::Line;
-use crate::picture::marks::Segment;
-use crate::picture::marks::Shape;
-use crate::picture::marks::Slide;
+use crate::picture::marks::{Line, Segment, Shape, Slide};
 use crate::picture::samples::Samples;
-use crate::picture::sketch;
 use crate::picture::sketch::Sketch;
 use crate::picture::track::Track;
-use linkage_symbolic::Vn;
+use crate::picture::{directions, links, sketch};
 
 /// Unit vectors whose product misses 1 by less point along one line: 4e-5 radians, far above
 /// rounding, far below any angle that is meant.

@@ -4,10 +4,11 @@
 //! links that have a point in common can be, and only those that share a point with a link that has
 //! grown have to be compared again: in a long chain each link meets a few others.
 
-use crate::picture::raw_link::RawLink;
+use std::collections::{BTreeMap, BTreeSet};
+
 use linkage_symbolic::unordered::Set;
-use std::collections::BTreeMap;
-use std::collections::BTreeSet;
+
+use crate::picture::raw_link::RawLink;
 
 pub(super) struct Joining<'m> {
     /// The links; `None` for a link that has become part of an earlier one.

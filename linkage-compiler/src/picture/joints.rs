@@ -1,12 +1,6 @@
 //! The joints in the points of a picture: the members that meet there, and their relative motion.
 
-use crate::ir::GuideOn;
-use crate::ir::GuideShape;
-use crate::ir::Joint;
-use crate::ir::JointShape;
-use crate::ir::Member;
-use crate::ir::Picture;
-use crate::ir::PointKind;
+use crate::ir::{GuideOn, GuideShape, Joint, JointShape, Member, Picture, PointKind};
 use crate::model::JointKind;
 use crate::picture::by_point::ByPoint;
 use crate::picture::samples::Samples;

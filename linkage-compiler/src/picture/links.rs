@@ -1,18 +1,16 @@
 //! Segments that are written as one link are one.
 
+use std::collections::BTreeSet;
+
+use linkage_symbolic::unordered::{Map, Set};
+
 use crate::picture::joining::Joining;
-use crate::picture::marks::Segment;
-use crate::picture::marks::Shape;
+use crate::picture::marks::{Segment, Shape};
 use crate::picture::ownership::Ownership;
-use crate::picture::raw_link;
-use crate::picture::raw_link::Frame;
-use crate::picture::raw_link::RawLink;
+use crate::picture::raw_link::{self, Frame, RawLink};
 use crate::picture::rigid_bodies::Welds;
 use crate::picture::samples::Samples;
 use crate::picture::sketch::Sketch;
-use linkage_symbolic::unordered::Map;
-use linkage_symbolic::unordered::Set;
-use std::collections::BTreeSet;
 
 pub(super) struct Links<'m> {
     pub(super) all: Vec<RawLink<'m>>,

@@ -1,26 +1,16 @@
 //! Vectors written by their components, `(d + c * cos(psi), c * sin(psi))`: the sum of a fixed
 //! vector, of a point, and of steps, each with a length of its own.
 
-use crate::algebra::Translate;
-use crate::algebra::translate;
-use crate::model::BinaryOp;
-use crate::model::Expr;
-use crate::model::ExprKind;
-use crate::model::Name;
-use crate::model::Type;
-use crate::picture::expressions;
-use crate::picture::marks::Slide;
-use crate::picture::marks::StepPart;
-use crate::picture::marks::Title;
-use crate::picture::marks::Turn;
-use crate::picture::point_or_vector::Moves;
-use crate::picture::sketch;
-use crate::picture::sketch::Sketch;
-use crate::picture::weights;
-use linkage_symbolic::Ex;
-use linkage_symbolic::NodeId;
-use linkage_symbolic::Vn;
 use std::collections::BTreeSet;
+
+use linkage_symbolic::{Ex, NodeId, Vn};
+
+use crate::algebra::{Translate, translate};
+use crate::model::{BinaryOp, Expr, ExprKind, Name, Type};
+use crate::picture::marks::{Slide, StepPart, Title, Turn};
+use crate::picture::point_or_vector::Moves;
+use crate::picture::sketch::Sketch;
+use crate::picture::{expressions, sketch, weights};
 
 /// A product within a component.
 #[derive(Clone)]
@@ -180,7 +170,8 @@ fn part<'m>(sketch: &mut Sketch<'_, 'm>, group: &Group<'m>, count: usize) -> Ste
     let factors = || summands().flat_map(|(_, summand)| summand.factors.iter().copied());
     let moves = factors().map(|factor| sketch.moves(factor)).max();
     let rank = 2 + sketch.remoteness;
-    let title = factors().find_map(|factor| expressions::dimension_in(sketch, factor));
+    let title =
+        factors().find_map(|factor| expressions::dimension_in(sketch.algebra.mechanism, factor));
     let title = title.map(|text| Title { rank, text });
     let at = assembled(sketch, group, count, None);
     let slides = |factor: &&Expr| {
@@ -193,7 +184,7 @@ fn part<'m>(sketch: &mut Sketch<'_, 'm>, group: &Group<'m>, count: usize) -> Ste
         Slide {
             offset: None,
             along,
-            input: expressions::driving(sketch, length),
+            input: expressions::driving(sketch.algebra.mechanism, length),
         }
     });
     let components: BTreeSet<usize> = summands().map(|(component, _)| *component).collect();

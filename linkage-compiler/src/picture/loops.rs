@@ -1,30 +1,13 @@
 //! Links in loops, derived names, bodies and joints.
 
-use crate::model::Expr;
-use crate::model::ExprKind;
-use crate::model::Function;
-use crate::model::Let;
-use crate::model::Loop;
-use crate::model::Mechanism;
-use crate::model::Name;
-use crate::model::Type;
-use crate::picture::bodies;
-use crate::picture::chains;
-use crate::picture::expressions;
-use crate::picture::frames;
-use crate::picture::marks::Asked;
-use crate::picture::marks::Shape;
-use crate::picture::marks::Term;
-use crate::picture::marks::Title;
-use crate::picture::parts;
-use crate::picture::planes;
-use crate::picture::sketch;
+use linkage_symbolic::{Ex, NodeId};
+
+use crate::model::{Expr, ExprKind, Function, Let, Loop, Mechanism, Name, Type};
+use crate::picture::marks::{Asked, Shape, Term, Title};
 use crate::picture::sketch::Sketch;
-use crate::picture::terms;
-use crate::picture::titles;
-use crate::picture::weights;
-use linkage_symbolic::Ex;
-use linkage_symbolic::NodeId;
+use crate::picture::{
+    bodies, chains, expressions, frames, parts, planes, sketch, terms, titles, weights,
+};
 
 /// UniqueNames in derived quantities stand behind those in loops, and where no loop uses the
 /// quantity behind all others.
@@ -133,7 +116,8 @@ fn look_at_loop<'m>(sketch: &mut Sketch<'_, 'm>, equation: &'m Loop) {
                 (&equation.left, &equation.right),
                 (&equation.right, &equation.left),
             ] {
-                let title = expressions::spoken(sketch, other).map(|text| Title { rank: 2, text });
+                let title = expressions::spoken(sketch.algebra.mechanism, other)
+                    .map(|text| Title { rank: 2, text });
                 look_for_rods(sketch, side, title);
                 planes::look_for_line(sketch, side, other);
             }

@@ -1,11 +1,11 @@
 //! Data of a sketch: points, segments, steps and their names.
 
+use linkage_symbolic::{Ex, Vn};
+
 use crate::diagnostic::OriginId;
 use crate::model::Expr;
 use crate::picture::point_or_vector::Moves;
 use crate::picture::pose::Frames;
-use linkage_symbolic::Ex;
-use linkage_symbolic::Vn;
 
 /// A point of a chain.
 #[derive(Clone, Debug)]

@@ -1,9 +1,10 @@
 //! The links, guides and axes that meet in a point.
 
+use linkage_symbolic::unordered::Set;
+
 use crate::picture::by_point::ByPoint;
 use crate::picture::guides::Guides;
 use crate::picture::links::Links;
-use linkage_symbolic::unordered::Set;
 
 /// The links, guides and axes at each point.
 pub(super) struct Meeting {

@@ -63,7 +63,6 @@ mod track;
 mod unique_names;
 mod views;
 mod weights;
-
 use linkage_symbolic::unordered::Set;
 
 use crate::algebra::{Algebra, Nominal};
@@ -72,11 +71,10 @@ use crate::diagnostic::Reporter;
 use crate::model::{AskedPicture, Expr, Type};
 
 use guides::Guides;
-use sketch::Sketch;
-
 use links::Links;
 use ownership::Ownership;
 use samples::Samples;
+use sketch::Sketch;
 
 pub(crate) use found_picture::FoundPicture;
 

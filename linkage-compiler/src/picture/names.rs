@@ -1,12 +1,9 @@
 //! The picture with names for everything, without unnecessary parts.
 
-use crate::ir::Guide;
-use crate::ir::GuideOn;
-use crate::ir::GuideShape;
-use crate::ir::Link;
-use crate::ir::Picture;
-use crate::ir::Point;
-use crate::ir::PointKind;
+use linkage_symbolic::Vn;
+use linkage_symbolic::unordered::Map;
+
+use crate::ir::{Guide, GuideOn, GuideShape, Link, Picture, Point, PointKind};
 use crate::picture::drives;
 use crate::picture::found_picture::FoundPicture;
 use crate::picture::guides::Guides;
@@ -17,8 +14,6 @@ use crate::picture::ownership::Ownership;
 use crate::picture::samples::Samples;
 use crate::picture::sketch::Sketch;
 use crate::picture::unique_names::UniqueNames;
-use linkage_symbolic::Vn;
-use linkage_symbolic::unordered::Map;
 
 pub(super) fn named<'m>(
     sketch: &Sketch<'_, 'm>,

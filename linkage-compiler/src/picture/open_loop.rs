@@ -1,25 +1,13 @@
 //! The motion of points if nothing closes the loops: each unknown changes alone. So a link that is
 //! written as one is distinguished from points that only other links hold together.
 
-use crate::algebra::Algebra;
-use crate::algebra::Bound;
-use crate::algebra::Nominal;
-use crate::algebra::Translate;
-use crate::algebra::translate;
-use crate::assembly::Machine;
-use crate::assembly::Reference;
-use crate::assembly::places;
-use crate::assembly::scattered;
-use crate::model::Dimension;
-use crate::model::Expr;
-use crate::model::ExprKind;
-use crate::model::Loop;
-use crate::picture::track;
-use crate::picture::track::Track;
-use linkage_symbolic::Ex;
-use linkage_symbolic::SymbolId;
-use linkage_symbolic::Vn;
 use linkage_symbolic::unordered::Map;
+use linkage_symbolic::{Ex, SymbolId, Vn};
+
+use crate::algebra::{Algebra, Bound, Nominal, Translate, translate};
+use crate::assembly::{Machine, Reference, places, scattered};
+use crate::model::{Dimension, Expr, ExprKind, Loop};
+use crate::picture::track::{self, Track};
 
 /// Steps of differences, in radians and in shares of the longest length: their error is of the
 /// second order, 1e-10, and as large as that of rounding.

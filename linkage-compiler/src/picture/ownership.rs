@@ -1,8 +1,7 @@
 //! The part of a machine to which points, links and guides belong. The names of a part's items
 //! begin with its name.
 
-use crate::ir::Part;
-use crate::ir::Picture;
+use crate::ir::{Part, Picture};
 use crate::picture::raw_link::RawLink;
 use crate::picture::samples::Samples;
 use crate::picture::sketch::Sketch;

@@ -1,18 +1,12 @@
 //! Vectors, turns and motions of one term.
 
-use crate::algebra::Translate;
-use crate::algebra::Value;
-use crate::algebra::calls;
-use crate::algebra::translate;
-use crate::model::Expr;
-use crate::model::ExprKind;
-use crate::model::Function;
-use crate::picture::marks::Term;
-use crate::picture::marks::Turn;
-use crate::picture::point_or_vector::Moves;
-use crate::picture::sketch;
-use crate::picture::sketch::Sketch;
 use linkage_symbolic::Vn;
+
+use crate::algebra::{Translate, Value, calls, translate};
+use crate::model::{Expr, ExprKind, Function};
+use crate::picture::marks::{Term, Turn};
+use crate::picture::point_or_vector::Moves;
+use crate::picture::sketch::{self, Sketch};
 
 /// A vector turned as a call turns its first argument.
 pub(super) fn turned_vector<'m>(

@@ -1,20 +1,13 @@
 //! Lines and planes that are written as scalar products.
 
-use crate::algebra::Translate;
-use crate::algebra::translate;
-use crate::model::Expr;
-use crate::model::ExprKind;
-use crate::model::Function;
-use crate::picture::chains;
-use crate::picture::expressions;
-use crate::picture::marks::Line;
-use crate::picture::marks::Plane;
+use linkage_symbolic::{Ex, Vector, Vn};
+
+use crate::algebra::{Translate, translate};
+use crate::model::{Expr, ExprKind, Function};
+use crate::picture::marks::{Line, Plane};
 use crate::picture::point_or_vector::Moves;
-use crate::picture::sketch;
 use crate::picture::sketch::Sketch;
-use linkage_symbolic::Ex;
-use linkage_symbolic::Vector;
-use linkage_symbolic::Vn;
+use crate::picture::{chains, expressions, sketch};
 
 /// `dot(p - q, u) = 0` and `cross(p - q, u) = 0` in the plane: `p` stays on a line. In space two
 /// planes do the same.
@@ -26,7 +19,8 @@ pub(super) fn look_for_line<'m>(sketch: &mut Sketch<'_, 'm>, side: &'m Expr, oth
     };
     let through = matches!(other.kind, ExprKind::Number(0.0));
     for (vector, direction) in [(0, 1), (1, 0)] {
-        let Some((p, q)) = expressions::difference(sketch, &arguments[vector]) else {
+        let Some((p, q)) = expressions::difference(sketch.algebra.mechanism, &arguments[vector])
+        else {
             continue;
         };
         let (Some(slider), Some(carrier)) =
@@ -45,7 +39,7 @@ pub(super) fn look_for_line<'m>(sketch: &mut Sketch<'_, 'm>, side: &'m Expr, oth
                     offset,
                     is_used: false,
                 };
-                let name = expressions::spoken(sketch, &arguments[vector]);
+                let name = expressions::spoken(sketch.algebra.mechanism, &arguments[vector]);
                 meet(sketch, plane, [slider, carrier], name);
             }
         } else if through {

@@ -1,14 +1,8 @@
 //! Is a named vector a point, or a step from one point to another?
 
-use crate::model::BinaryOp;
-use crate::model::Expr;
-use crate::model::ExprKind;
-use crate::model::Function;
-use crate::model::Loop;
-use crate::model::Mechanism;
-use crate::model::Name;
-use crate::model::Type;
 use std::collections::BTreeMap;
+
+use crate::model::{BinaryOp, Expr, ExprKind, Function, Loop, Mechanism, Name, Type};
 
 /// The evidence for each name.
 #[derive(Debug)]

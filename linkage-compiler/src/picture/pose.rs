@@ -1,18 +1,10 @@
 //! Positions of the parts of a machine that are placed elsewhere.
 
-use crate::algebra::Algebra;
-use crate::algebra::Translate;
-use crate::algebra::Value;
-use crate::algebra::calls;
-use crate::algebra::translate;
-use crate::model::Function;
-use crate::model::Placed;
-use crate::picture::point_or_vector::Moves;
-use crate::picture::point_or_vector::Roles;
-use linkage_symbolic::Ex;
-use linkage_symbolic::NodeId;
-use linkage_symbolic::Vector;
-use linkage_symbolic::Vn;
+use linkage_symbolic::{Ex, NodeId, Vector, Vn};
+
+use crate::algebra::{Algebra, Translate, Value, calls, translate};
+use crate::model::{Function, Placed};
+use crate::picture::point_or_vector::{Moves, Roles};
 
 /// Coordinates within others, by their numbers among the placed parts, the innermost first; none
 /// are the drawing's.

@@ -1,7 +1,8 @@
 //! A link while links are joined.
 
-use crate::picture::marks::Title;
 use linkage_symbolic::Vn;
+
+use crate::picture::marks::Title;
 
 pub(super) struct RawLink<'m> {
     /// Points in the order in which they were found, each the first of those that coincide.

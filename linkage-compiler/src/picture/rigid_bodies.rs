@@ -1,14 +1,13 @@
 //! True if two links are written to turn together: where one of them turns as it is written to,
 //! nothing closing the loops, the other one turns with it.
 
+use linkage_symbolic::{Ex, Vn};
+
 use crate::picture::marks::Spot;
 use crate::picture::raw_link::Frame;
 use crate::picture::samples::Samples;
 use crate::picture::sketch::Sketch;
-use crate::picture::track;
-use crate::picture::track::Track;
-use linkage_symbolic::Ex;
-use linkage_symbolic::Vn;
+use crate::picture::track::{self, Track};
 
 /// A point lies on the line through two others if it is nearer to it than this share of their
 /// distance.

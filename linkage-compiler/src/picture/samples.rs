@@ -1,20 +1,16 @@
 //! The points at several positions and with other dimensions: points that coincide, rest, or keep
 //! their distance.
 
-use crate::algebra::Algebra;
-use crate::algebra::Nominal;
-use crate::assembly::Machine;
-use crate::assembly::Reference;
+use linkage_symbolic::{Ex, Vn};
+
+use crate::algebra::{Algebra, Nominal};
+use crate::assembly::{Machine, Reference};
 use crate::picture::cells::Cells;
 use crate::picture::marks::Spot;
-use crate::picture::open_loop::OpenLoop;
-use crate::picture::open_loop::Rate;
-use crate::picture::track;
+use crate::picture::open_loop::{OpenLoop, Rate};
 use crate::picture::track::Track;
-use crate::picture::views;
 use crate::picture::views::View;
-use linkage_symbolic::Ex;
-use linkage_symbolic::Vn;
+use crate::picture::{track, views};
 
 /// Lengths that differ by a smaller share of the picture's size are equal.
 const EQUAL: f64 = 1e-9;

@@ -1,25 +1,13 @@
 //! The sketch: points and the segments between them, as they are found.
 
-use crate::algebra::Algebra;
-use crate::algebra::Translate;
-use crate::algebra::translate;
-use crate::model::Expr;
-use crate::model::JointKind;
-use crate::picture::marks::Asked;
-use crate::picture::marks::Line;
-use crate::picture::marks::Mean;
-use crate::picture::marks::Plane;
-use crate::picture::marks::Segment;
-use crate::picture::marks::Shape;
-use crate::picture::marks::Spot;
-use crate::picture::marks::Title;
-use crate::picture::marks::Turn;
-use crate::picture::point_or_vector::Moves;
-use crate::picture::point_or_vector::Roles;
-use crate::picture::pose::Frames;
-use crate::picture::pose::Pose;
 use linkage_symbolic::Vn;
 use linkage_symbolic::unordered::Set;
+
+use crate::algebra::{Algebra, Translate, translate};
+use crate::model::{Expr, JointKind};
+use crate::picture::marks::{Asked, Line, Mean, Plane, Segment, Shape, Spot, Title, Turn};
+use crate::picture::point_or_vector::{Moves, Roles};
+use crate::picture::pose::{Frames, Pose};
 
 /// The unit vector along a coordinate axis.
 pub(super) fn axis_of<'m>(sketch: &Sketch<'_, 'm>, component: usize) -> Vn<'m> {

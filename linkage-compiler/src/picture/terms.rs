@@ -1,24 +1,13 @@
 //! Sums of vectors, term by term, with literals and turned sums taken apart.
 
-use crate::model::Expr;
-use crate::model::ExprKind;
-use crate::model::Function;
-use crate::model::Name;
-use crate::picture::directions;
-use crate::picture::frames;
-use crate::picture::literals;
+use linkage_symbolic::Vn;
+
+use crate::model::{Expr, ExprKind, Function, Name};
 use crate::picture::literals::Piece;
-use crate::picture::marks::Slide;
-use crate::picture::marks::StepPart;
-use crate::picture::marks::Term;
-use crate::picture::marks::Title;
-use crate::picture::marks::Turn;
-use crate::picture::parts;
+use crate::picture::marks::{Slide, StepPart, Term, Title, Turn};
 use crate::picture::point_or_vector::Moves;
 use crate::picture::sketch::Sketch;
-use crate::picture::titles;
-use crate::picture::weights;
-use linkage_symbolic::Vn;
+use crate::picture::{directions, frames, literals, parts, titles, weights};
 
 /// Longer sums are not looked at.
 pub(super) const MANY_TERMS: usize = 200;

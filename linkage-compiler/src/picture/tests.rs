@@ -4,7 +4,6 @@ mod guides;
 mod links;
 mod parts;
 mod refused;
-
 use crate::ir::CompiledMechanism;
 use crate::{Checked, check};
 

@@ -1,15 +1,12 @@
 //! UniqueNames of points and links.
 
-use crate::model::BinaryOp;
-use crate::model::Expr;
-use crate::model::ExprKind;
-use crate::model::Function;
+use crate::model::{BinaryOp, Expr, ExprKind, Function};
 use crate::picture::expressions;
 use crate::picture::marks::Title;
 use crate::picture::sketch::Sketch;
 
 pub(super) fn name(sketch: &mut Sketch<'_, '_>, point: usize, rank: u8, expr: &Expr) {
-    if let Some(text) = expressions::spoken(sketch, expr) {
+    if let Some(text) = expressions::spoken(sketch.algebra.mechanism, expr) {
         call(sketch, point, Title { rank, text });
     }
 }
@@ -28,19 +25,24 @@ pub(super) fn title(sketch: &Sketch<'_, '_>, expr: &Expr) -> Option<Title> {
         move |text| Title { rank, text }
     };
     match &expr.kind {
-        ExprKind::Name(_) => expressions::spoken(sketch, expr).map(rank(1)),
+        ExprKind::Name(_) => expressions::spoken(sketch.algebra.mechanism, expr).map(rank(1)),
         ExprKind::Call(Function::Polar, arguments) => {
-            let length = expressions::dimension_in(sketch, &arguments[0]).map(rank(2));
-            length.or_else(|| expressions::spoken(sketch, &arguments[1]).map(rank(3)))
+            let length =
+                expressions::dimension_in(sketch.algebra.mechanism, &arguments[0]).map(rank(2));
+            length.or_else(|| {
+                expressions::spoken(sketch.algebra.mechanism, &arguments[1]).map(rank(3))
+            })
         }
         ExprKind::Call(Function::Rotate | Function::Turn, arguments) => {
-            let length = expressions::dimension_in(sketch, &arguments[0]).map(rank(2));
+            let length =
+                expressions::dimension_in(sketch.algebra.mechanism, &arguments[0]).map(rank(2));
             length.or_else(|| {
-                expressions::spoken(sketch, &arguments[arguments.len() - 1]).map(rank(3))
+                expressions::spoken(sketch.algebra.mechanism, &arguments[arguments.len() - 1])
+                    .map(rank(3))
             })
         }
         ExprKind::Binary(BinaryOp::Mul, ..) | ExprKind::Vector(_) => {
-            expressions::dimension_in(sketch, expr).map(rank(2))
+            expressions::dimension_in(sketch.algebra.mechanism, expr).map(rank(2))
         }
         // Its link gets a number, or the names of what it joins.
         _ => None,

@@ -1,7 +1,6 @@
 //! UniqueNames that are given once.
 
-use linkage_symbolic::unordered::Map;
-use linkage_symbolic::unordered::Set;
+use linkage_symbolic::unordered::{Map, Set};
 
 /// UniqueNames of which each is given once.
 #[derive(Default)]

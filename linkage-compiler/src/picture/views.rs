@@ -1,15 +1,12 @@
 //! The dimensions and inputs at which a picture's points are looked at.
 
-use crate::algebra::Algebra;
-use crate::algebra::Nominal;
-use crate::assembly::ALTERATIONS;
-use crate::assembly::Machine;
-use crate::assembly::Reference;
-use crate::assembly::altered;
-use crate::assembly::places;
-use crate::model::MechanismPart;
-use linkage_symbolic::Ex;
 use std::ops::Range;
+
+use linkage_symbolic::Ex;
+
+use crate::algebra::{Algebra, Nominal};
+use crate::assembly::{ALTERATIONS, Machine, Reference, altered, places};
+use crate::model::MechanismPart;
 
 /// The mechanism with some dimensions at inputs where it closes.
 pub(super) struct View {

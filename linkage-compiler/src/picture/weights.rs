@@ -1,11 +1,6 @@
 //! The number of times that a vector counts as a point.
 
-use crate::model::BinaryOp;
-use crate::model::Expr;
-use crate::model::ExprKind;
-use crate::model::Function;
-use crate::model::Name;
-use crate::model::Type;
+use crate::model::{BinaryOp, Expr, ExprKind, Function, Name, Type};
 use crate::picture::marks::Term;
 use crate::picture::sketch::Sketch;
 

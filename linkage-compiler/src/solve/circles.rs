@@ -1,10 +1,11 @@
 //! The intersection of two circles: the numbers of RRR, and of RSSR as seen along the rocker's
 //! axis.
 
+use linkage_symbolic::{Ex, V2};
+
 use crate::algebra::Algebra;
 use crate::solve::definitions;
 use crate::solve::group_context::GroupContext;
-use linkage_symbolic::{Ex, V2};
 
 /// Two circles as their radii enter: squares, scaled.
 pub(super) struct Squares<'m> {
@@ -39,7 +40,7 @@ pub(super) struct Circles<'m> {
 impl<'m> Squares<'m> {
     /// Squares of lengths, scaled by a power of two near `reach`, so that extreme units neither
     /// overflow nor underflow.
-    pub(super) fn of(lengths: [Ex<'m>; 2], reach: Ex<'m>) -> Self {
+    pub(super) fn new(lengths: [Ex<'m>; 2], reach: Ex<'m>) -> Self {
         let scale = reach.inverse_scale();
         let [r1, r2] = lengths.map(|r| scale * r);
         let smaller = r1.min(r2);

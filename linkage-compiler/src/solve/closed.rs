@@ -6,7 +6,7 @@ use linkage_symbolic::Ex;
 
 /// The closed form of a group.
 #[derive(Clone, Debug)]
-pub(crate) struct Closed<'m> {
+pub(crate) struct ClosedForm<'m> {
     pub(crate) kind: Cow<'static, str>,
     pub(crate) class: u8,
     pub(crate) order: u8,

@@ -1,12 +1,10 @@
 //! Loops of the plane that earlier groups close: they lead to one point in several ways.
 
-use crate::algebra::dependence;
-use crate::solve::unknowns;
 use linkage_symbolic::unordered::Map;
-
 use linkage_symbolic::{Ex, Polynomial, SymbolId, V2, Vector, collect, substitute};
 
-use crate::algebra::Algebra;
+use crate::algebra::{Algebra, dependence};
+use crate::solve::unknowns;
 use crate::structure::{Form, Rotor};
 
 /// The most loops that are followed. Each loop doubles the ways to a point; with more loops it is

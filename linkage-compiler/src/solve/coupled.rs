@@ -15,17 +15,13 @@ pub(crate) mod prepared;
 mod rotation_variation;
 mod state;
 mod system;
-
-use crate::algebra::bodies;
-use crate::algebra::dependence;
-use crate::algebra::elimination;
-use crate::solve::closed::{Closed, GapIn};
-use crate::solve::definitions;
-use crate::solve::group_context::GroupContext;
 use linkage_core::numeric::continuation::Terms;
 use linkage_symbolic::Ex;
 
-use crate::algebra::Algebra;
+use crate::algebra::{Algebra, bodies, dependence, elimination};
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::definitions;
+use crate::solve::group_context::GroupContext;
 use crate::structure::Coupled;
 
 use super::plane::linear_gap;
@@ -40,7 +36,7 @@ pub(super) fn coupled<'m>(
     algebra: &mut Algebra<'m>,
     group: &GroupContext<'_, 'm>,
     form: &Coupled<'m>,
-) -> (Closed<'m>, Prepared<'m>) {
+) -> (ClosedForm<'m>, Prepared<'m>) {
     state::declare_core(algebra, group, &form.core);
     let mut equations = equations::core_equations(algebra, group, form);
     equations.large = form
@@ -57,7 +53,7 @@ pub(super) fn coupled<'m>(
         2 => group.in_cells,
         _ => Terms::Slopes,
     };
-    let plans = Plan::of(inputs.len(), in_cells);
+    let plans = Plan::for_calls_and_sweeps(inputs.len(), in_cells);
     let state = plans[1].start(&looked_up);
     let first = newton::step(algebra, &equations, &state);
     let next = first.corrected(&first.corrections);
@@ -104,7 +100,7 @@ pub(super) fn coupled<'m>(
     };
     let method = prepared.method();
 
-    let closed = Closed {
+    let closed = ClosedForm {
         kind: form.kind.clone().into(),
         class: form.class,
         order: form.order,

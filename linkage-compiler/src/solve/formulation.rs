@@ -6,7 +6,7 @@ use linkage_symbolic::{Ex, SymbolId};
 
 use crate::algebra::{Algebra, dependence};
 use crate::model::{Dimension, Mechanism};
-use crate::solve::closed::{Closed, GapIn};
+use crate::solve::closed::{ClosedForm, GapIn};
 use crate::solve::coupled::prepared::Prepared;
 use crate::structure::Group;
 
@@ -14,7 +14,7 @@ use crate::structure::Group;
 #[derive(Clone, Debug)]
 pub(crate) struct Solved<'m> {
     pub(crate) group: Group<'m>,
-    pub(crate) closed: Closed<'m>,
+    pub(crate) closed: ClosedForm<'m>,
     /// Index among the assembly modes.
     pub(crate) mode: Option<usize>,
     /// For a coupled group.

@@ -1,10 +1,10 @@
 //! The greatest length of a vector of the plane whose parts turn: the measure of a margin.
 
-use crate::algebra::Algebra;
-use crate::algebra::parts;
+use linkage_symbolic::{Ex, V2};
+
+use crate::algebra::{Algebra, parts};
 use crate::solve::contour;
 use crate::solve::group_context::GroupContext;
-use linkage_symbolic::{Ex, V2};
 
 /// The margin of a group whose determinant is `h = sqrt(vector.vector - level^2)`: over the largest
 /// value that it has for these lengths. Where nothing moves, and where it is not known how far (in

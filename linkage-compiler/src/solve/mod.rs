@@ -29,18 +29,16 @@ mod space;
 mod three_slides;
 mod trigonometric;
 mod unknowns;
-
 use linkage_core::numeric::continuation::Terms;
 
 use crate::algebra::{Algebra, Nominal, Rule};
 use crate::structure::{Form, Structure};
 
+use closed::ClosedForm;
 use contour::{Contour, EarlierGroups};
-use group_context::GroupContext;
-
-use closed::Closed;
 pub(crate) use coupled::prepared::{Prepared, Version};
 pub(crate) use formulation::{Formulation, Solved};
+use group_context::GroupContext;
 
 /// Gives every unknown its definition.
 pub(crate) fn formulate<'m>(
@@ -79,7 +77,7 @@ pub(crate) fn formulate<'m>(
         if closed.class == 0 && group.finds_point(algebra.mechanism) {
             // A point on a line at a distance from another: the slide has no name, but the group is
             // a dyad.
-            closed = Closed {
+            closed = ClosedForm {
                 kind: "RRP".into(),
                 class: 2,
                 order: 2,
@@ -116,7 +114,7 @@ fn solve<'m>(
     algebra: &mut Algebra<'m>,
     group: &GroupContext<'_, 'm>,
     form: &Form<'m>,
-) -> (Closed<'m>, Option<Prepared<'m>>) {
+) -> (ClosedForm<'m>, Option<Prepared<'m>>) {
     let closed = match form {
         Form::TwoRotors {
             first,

@@ -1,11 +1,10 @@
 //! Common parts of the closed forms of the plane: gaps, guards, terms of their equations.
 
-use crate::algebra::Algebra;
-use crate::solve::definitions;
-use crate::solve::group_context::GroupContext;
 use linkage_symbolic::{Ex, V2};
 
-use crate::algebra::{Link, Solution, Term};
+use crate::algebra::{Algebra, Link, Solution, Term};
+use crate::solve::definitions;
+use crate::solve::group_context::GroupContext;
 
 /// A value that is NaN where the root `h` is, also where `h` drops out of its formula: a guide
 /// along an axis leaves the other component of a link free of the root, but not of the assembly.

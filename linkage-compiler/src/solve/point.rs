@@ -3,18 +3,17 @@
 
 mod differentiate;
 mod geometry;
-
-use crate::algebra::Algebra;
-use crate::solve::closed::{Closed, GapIn};
-use crate::solve::definitions;
-use crate::solve::group_context::GroupContext;
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
+use crate::algebra::Algebra;
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::definitions;
+use crate::solve::group_context::GroupContext;
 use crate::structure::{Plane, Sphere};
 
-use geometry::{Ball, Level, PointOnSpheres};
-
 use super::plane::{defined_gap, gap, guarded};
+
+use geometry::{Ball, Level, PointOnSpheres};
 
 /// The length of a vector as a share of the sum of its components, which needs no root: it is 0.58
 /// to 1.
@@ -30,7 +29,7 @@ pub(super) fn point<'m>(
     coordinates: &[(SymbolId, usize)],
     spheres: &[Sphere<'m>],
     planes: &[Plane<'m>],
-) -> Closed<'m> {
+) -> ClosedForm<'m> {
     let mut coordinates = coordinates.to_vec();
     coordinates.sort_by_key(|(_, component)| *component);
     let missing = (0..3).find(|k| coordinates.iter().all(|(_, component)| component != k));
@@ -88,7 +87,7 @@ pub(super) fn point<'m>(
     let miss = distance2.sqrt() / scale - base.radius;
     let gap = gap(q, noise, miss);
     let (kind, method) = kind_and_method(spheres.len());
-    Closed {
+    ClosedForm {
         kind: kind.into(),
         class: 0,
         order: 0,

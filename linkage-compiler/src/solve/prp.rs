@@ -1,14 +1,11 @@
 //! PRP and RPP: two slides along known directions, a linear group.
 
-use crate::algebra::Algebra;
-use crate::solve::closed::{Closed, GapIn};
-use crate::solve::definitions;
-use crate::solve::group_context::GroupContext;
-use crate::solve::plane;
-use crate::solve::unknowns;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
-use crate::algebra::Term;
+use crate::algebra::{Algebra, Term};
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::group_context::GroupContext;
+use crate::solve::{definitions, plane, unknowns};
 
 use super::plane::{known_term, linear_gap, where_finite};
 
@@ -19,7 +16,7 @@ pub(super) fn prp<'m>(
     slides: [SymbolId; 2],
     guides: [V2<'m>; 2],
     known: V2<'m>,
-) -> Closed<'m> {
+) -> ClosedForm<'m> {
     let c = -known;
     let determinant = guides[0].cross(guides[1]);
     let numerators = [c.cross(guides[1]), guides[0].cross(c)];
@@ -36,7 +33,7 @@ pub(super) fn prp<'m>(
     plane::push_pair(algebra, group, terms, guides, determinant);
 
     let slack = determinant / largest_determinant(guides);
-    Closed {
+    ClosedForm {
         // Guides at a fixed angle to each other belong to one link: the slides are neighbours.
         kind: if determinant.is_fixed() { "RPP" } else { "PRP" }.into(),
         class: 2,

@@ -1,14 +1,11 @@
 //! A scalar loop that is quadratic in one unknown length.
 
-use crate::algebra::Algebra;
-use crate::solve::closed::{Closed, GapIn};
-use crate::solve::definitions;
-use crate::solve::group_context::GroupContext;
-use crate::solve::plane;
-use crate::solve::unknowns;
 use linkage_symbolic::{Ex, SymbolId};
 
-use crate::algebra::Term;
+use crate::algebra::{Algebra, Term};
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::group_context::GroupContext;
+use crate::solve::{definitions, plane, unknowns};
 
 use super::plane::{gap, known_term};
 
@@ -21,7 +18,7 @@ pub(super) fn quadratic<'m>(
     a: Ex<'m>,
     b: Ex<'m>,
     c: Ex<'m>,
-) -> Closed<'m> {
+) -> ClosedForm<'m> {
     let w = definitions::mode_sign(algebra, group);
     let p = 0.5 * b;
     let (p2, ac) = (p.square(), a * c);
@@ -52,7 +49,7 @@ pub(super) fn quadratic<'m>(
     plane::push_single(algebra, terms, determinant);
 
     let miss = (-q).sqrt() / a.abs();
-    Closed {
+    ClosedForm {
         kind: "quadratic".into(),
         class: 0,
         order: 0,

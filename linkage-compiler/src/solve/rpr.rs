@@ -1,15 +1,11 @@
 //! RPR: a slider on a line fixed in a turning link.
 
-use crate::algebra::Algebra;
-use crate::solve::closed::{Closed, GapIn};
-use crate::solve::definitions;
-use crate::solve::group_context::GroupContext;
-use crate::solve::longest;
-use crate::solve::plane;
-use crate::solve::unknowns;
 use linkage_symbolic::{SymbolId, V2};
 
-use crate::algebra::AngleReference;
+use crate::algebra::{Algebra, AngleReference};
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::group_context::GroupContext;
+use crate::solve::{definitions, longest, plane, unknowns};
 use crate::structure::Rotor;
 
 use super::plane::{gap, guarded, known_term, rotor_terms};
@@ -23,7 +19,7 @@ pub(super) fn rpr<'m>(
     slide: SymbolId,
     guide: V2<'m>,
     known: V2<'m>,
-) -> Closed<'m> {
+) -> ClosedForm<'m> {
     let c = -known;
     let (stretch, direction) = guide.length_and_unit();
     let w = definitions::mode_sign(algebra, group);
@@ -73,7 +69,7 @@ pub(super) fn rpr<'m>(
     let distance = distance2.sqrt();
     let margin = longest::root_margin(algebra, group, h, c, offset, algebra.one());
     let miss = offset.abs() - distance;
-    Closed {
+    ClosedForm {
         kind: "RPR".into(),
         class: 2,
         order: 2,

@@ -1,15 +1,11 @@
 //! RRP and PRR: a link of given length between a known point and a slider on a known line.
 
-use crate::algebra::Algebra;
-use crate::algebra::rotating_frame;
-use crate::solve::closed::{Closed, GapIn};
-use crate::solve::definitions;
-use crate::solve::group_context::GroupContext;
-use crate::solve::plane;
-use crate::solve::unknowns;
 use linkage_symbolic::{SymbolId, V2, Vector};
 
-use crate::algebra::{AngleReference, Term, ViaSlider};
+use crate::algebra::{Algebra, AngleReference, Term, ViaSlider, rotating_frame};
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::group_context::GroupContext;
+use crate::solve::{definitions, plane, unknowns};
 use crate::structure::Rotor;
 
 use super::plane::{gap, guarded, known_term, rotor_terms, squarable};
@@ -24,7 +20,7 @@ pub(super) fn rrp<'m>(
     slide: SymbolId,
     guide: V2<'m>,
     known: V2<'m>,
-) -> Closed<'m> {
+) -> ClosedForm<'m> {
     let c = -known;
     let r = squarable(rotor.z.length());
     let (stretch, g) = guide.length_and_unit();
@@ -125,7 +121,7 @@ pub(super) fn rrp<'m>(
     plane::links_turn(algebra, 0, rotor.z, equation.unit, equation.vector, across);
 
     let gap = gap(q, noise, x.abs() - r);
-    Closed {
+    ClosedForm {
         kind: "RRP".into(),
         class: 2,
         order: 2,

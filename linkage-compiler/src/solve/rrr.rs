@@ -1,15 +1,11 @@
 //! RRR: two links of given lengths between two known points.
 
-use crate::algebra::Algebra;
-use crate::solve::circles;
-use crate::solve::closed::{Closed, GapIn};
-use crate::solve::definitions;
-use crate::solve::group_context::GroupContext;
-use crate::solve::plane;
-use crate::solve::unknowns;
 use linkage_symbolic::V2;
 
-use crate::algebra::AngleReference;
+use crate::algebra::{Algebra, AngleReference};
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::group_context::GroupContext;
+use crate::solve::{circles, definitions, plane, unknowns};
 use crate::structure::Rotor;
 
 use super::circles::Squares;
@@ -22,11 +18,11 @@ pub(super) fn rrr<'m>(
     first: &Rotor<'m>,
     second: &Rotor<'m>,
     known: V2<'m>,
-) -> Closed<'m> {
+) -> ClosedForm<'m> {
     let c = -known;
     let [r1, r2] = [first.z, second.z].map(|z| z.length());
     let reach = r1 + r2;
-    let squares = Squares::of([r1, r2], reach);
+    let squares = Squares::new([r1, r2], reach);
     let circles = circles::circles(algebra, group, c, &squares);
     let h = circles.h;
     let mode = definitions::mode_sign(algebra, group);
@@ -90,7 +86,7 @@ pub(super) fn rrr<'m>(
     let gap = defined_gap(gap, circles.m);
     let [r1, r2] = squares.radii;
     let largest = r1 * r2;
-    Closed {
+    ClosedForm {
         kind: "RRR".into(),
         class: 2,
         order: 2,

@@ -1,15 +1,11 @@
 //! RSSP: a link with ball joints between a known point and a slider on a line in space.
 
-use crate::algebra::Algebra;
-use crate::solve::closed::{Closed, GapIn};
-use crate::solve::definitions;
-use crate::solve::group_context::GroupContext;
-use crate::solve::plane;
-use crate::solve::space;
-use crate::solve::unknowns;
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
-use crate::algebra::{Rod, Term};
+use crate::algebra::{Algebra, Rod, Term};
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::group_context::GroupContext;
+use crate::solve::{definitions, plane, space, unknowns};
 
 use super::plane::{gap, guarded, squarable};
 use super::space::{distance_terms, projection};
@@ -24,7 +20,7 @@ pub(super) fn rssp<'m>(
     guide: V3<'m>,
     known: V3<'m>,
     l: Ex<'m>,
-) -> Closed<'m> {
+) -> ClosedForm<'m> {
     let l = squarable(l);
     let w = definitions::mode_sign(algebra, group);
     let (stretch, g) = guide.length_and_unit();
@@ -65,7 +61,7 @@ pub(super) fn rssp<'m>(
         },
     );
 
-    Closed {
+    ClosedForm {
         kind: "SSP".into(),
         class: 0,
         order: 0,

@@ -1,16 +1,12 @@
 //! RSSR: a link with ball joints between a known point and a point that turns about an axis in
 //! space.
 
-use crate::algebra::Algebra;
-use crate::solve::circles;
-use crate::solve::closed::{Closed, GapIn};
-use crate::solve::definitions;
-use crate::solve::group_context::GroupContext;
-use crate::solve::plane;
-use crate::solve::space;
 use linkage_symbolic::{Ex, V3, Vector};
 
-use crate::algebra::{AngleReference, Rod, Term};
+use crate::algebra::{Algebra, AngleReference, Rod, Term};
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::group_context::GroupContext;
+use crate::solve::{circles, definitions, plane, space};
 
 use super::circles::Squares;
 use super::plane::{defined_gap, gap, guarded};
@@ -31,7 +27,7 @@ pub(super) fn rssr<'m>(
     [cosine, sine]: [V3<'m>; 2],
     known: V3<'m>,
     l: Ex<'m>,
-) -> Closed<'m> {
+) -> ClosedForm<'m> {
     let (length, along) = cosine.length_and_unit();
     let beside = sine / length;
     let r = arm_length(cosine, length);
@@ -96,7 +92,7 @@ pub(super) fn rssr<'m>(
     let gap = gap(circles.q, circles.noise, short.max(long));
     let [r_scaled, l_scaled] = squares.radii;
     let largest = r_scaled * l_scaled;
-    Closed {
+    ClosedForm {
         kind: "SSR".into(),
         class: 0,
         order: 0,
@@ -112,7 +108,7 @@ pub(super) fn rssr<'m>(
 
 /// The circles of radii `r` and `sqrt(l^2 - z^2)`.
 fn shadow<'m>(r: Ex<'m>, l: Ex<'m>, z: Ex<'m>) -> Squares<'m> {
-    let mut squares = Squares::of([r, l], r + l);
+    let mut squares = Squares::new([r, l], r + l);
     if z.is_zero() {
         return squares;
     }

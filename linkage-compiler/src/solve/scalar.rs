@@ -1,15 +1,11 @@
 //! Scalar loops that need no root: linear equations and angle relations.
 
-use crate::algebra::Algebra;
-use crate::algebra::scalar;
-use crate::solve::closed::{Closed, GapIn};
-use crate::solve::definitions;
-use crate::solve::group_context::GroupContext;
-use crate::solve::plane;
-use crate::solve::unknowns;
 use linkage_symbolic::{Ex, SymbolId};
 
-use crate::algebra::{Scalar, Term};
+use crate::algebra::{Algebra, Scalar, Term, scalar};
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::group_context::GroupContext;
+use crate::solve::{definitions, plane, unknowns};
 
 use super::plane::{known_term, linear_gap, where_finite};
 
@@ -20,7 +16,7 @@ pub(super) fn linear<'m>(
     symbol: SymbolId,
     a: Ex<'m>,
     b: Ex<'m>,
-) -> Closed<'m> {
+) -> ClosedForm<'m> {
     definitions::define_length(algebra, group, symbol, -(b / a), 0);
     let terms = vec![
         Term {
@@ -39,7 +35,7 @@ pub(super) fn linear<'m>(
     } else {
         (size.min(one), a, size)
     };
-    Closed {
+    ClosedForm {
         kind: "linear".into(),
         class: 0,
         order: 0,
@@ -58,13 +54,13 @@ pub(super) fn relation<'m>(
     algebra: &mut Algebra<'m>,
     angle: usize,
     value: &Scalar<'m>,
-) -> Closed<'m> {
+) -> ClosedForm<'m> {
     let [cos, sin] = scalar::direction(algebra, value).0;
     let number = scalar::value_of(algebra, value);
     definitions::define_relation(algebra, angle, [cos, sin, number]);
     let one = algebra.one();
     plane::push_single(algebra, Vec::new(), one);
-    Closed {
+    ClosedForm {
         kind: "angle relation".into(),
         class: 0,
         order: 0,

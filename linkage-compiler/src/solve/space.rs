@@ -1,10 +1,9 @@
 //! Common parts of the closed forms in space.
 
-use crate::algebra::Algebra;
 use linkage_symbolic::program::{Binary, Unary};
 use linkage_symbolic::{Ex, Node, V3, Vector, agree_within};
 
-use crate::algebra::{Rod, Term};
+use crate::algebra::{Algebra, Rod, Term};
 
 /// The terms `K.V - l l` of `(V.V - l^2)/2`, with the link's vector `V`: earlier unknowns enter by
 /// their derivatives times these factors.

@@ -1,13 +1,11 @@
 //! Three slides in space: a linear system.
 
-use crate::algebra::Algebra;
-use crate::solve::closed::{Closed, GapIn};
-use crate::solve::definitions;
-use crate::solve::group_context::GroupContext;
-use crate::solve::unknowns;
 use linkage_symbolic::{SymbolId, V3};
 
-use crate::algebra::{CoreRow, Elimination, Solution, Term};
+use crate::algebra::{Algebra, CoreRow, Elimination, Solution, Term};
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::group_context::GroupContext;
+use crate::solve::{definitions, unknowns};
 
 use super::plane::{known_term, linear_gap, where_finite};
 
@@ -18,7 +16,7 @@ pub(super) fn three_slides<'m>(
     slides: [SymbolId; 3],
     guides: [V3<'m>; 3],
     known: V3<'m>,
-) -> Closed<'m> {
+) -> ClosedForm<'m> {
     let one = algebra.one();
     let [a, b, c] = guides;
     let product = b.cross(c);
@@ -63,7 +61,7 @@ pub(super) fn three_slides<'m>(
         product * length
     });
     let slack = determinant / largest;
-    Closed {
+    ClosedForm {
         kind: "PPP".into(),
         class: 0,
         order: 0,

@@ -1,14 +1,11 @@
 //! A scalar loop with one unknown angle.
 
-use crate::algebra::Algebra;
-use crate::solve::closed::{Closed, GapIn};
-use crate::solve::definitions;
-use crate::solve::group_context::GroupContext;
-use crate::solve::longest;
-use crate::solve::plane;
 use linkage_symbolic::{Ex, Vector};
 
-use crate::algebra::{AngleReference, Term};
+use crate::algebra::{Algebra, AngleReference, Term};
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::group_context::GroupContext;
+use crate::solve::{definitions, longest, plane};
 
 use super::plane::{gap, guarded, known_term};
 
@@ -21,7 +18,7 @@ pub(super) fn trigonometric<'m>(
     a: Ex<'m>,
     b: Ex<'m>,
     known: Ex<'m>,
-) -> Closed<'m> {
+) -> ClosedForm<'m> {
     let w = definitions::mode_sign(algebra, group);
     let written = (Vector([a, b]), known);
     let ([a, b, known], scale) = scaled(algebra, group, [a, b, known]);
@@ -65,7 +62,7 @@ pub(super) fn trigonometric<'m>(
     plane::push_single(algebra, terms, determinant);
 
     let miss = (c.abs() - r) / scale;
-    Closed {
+    ClosedForm {
         kind: "A cos x + B sin x = C".into(),
         class: 0,
         order: 0,

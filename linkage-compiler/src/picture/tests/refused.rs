@@ -1,7 +1,8 @@
 //! Refused pictures, and functions without a picture next to one with a picture.
 
-use super::{FOUR_BAR, compile, expect_message};
 use crate::ir::CompiledMechanism;
+
+use super::{FOUR_BAR, compile, expect_message};
 
 #[test]
 fn a_link_that_stretches_is_refused() {

@@ -1,14 +1,13 @@
 //! The solution of a coupled group for differentiation: private unknowns, terms, columns and their
 //! elimination.
 
-use crate::algebra::Algebra;
-use crate::algebra::partial;
-use crate::solve::definitions;
-use crate::solve::group_context::GroupContext;
-use crate::solve::unknowns;
 use linkage_symbolic::{Ex, V2};
 
-use crate::algebra::{Body, Distance, Elimination, Links, PrivateColumn, Solution, Term, Written};
+use crate::algebra::{
+    Algebra, Body, Distance, Elimination, Links, PrivateColumn, Solution, Term, Written, partial,
+};
+use crate::solve::group_context::GroupContext;
+use crate::solve::{definitions, unknowns};
 use crate::structure::{Block, Link, Private};
 
 use super::equations::{BlockAtRow, Equations};

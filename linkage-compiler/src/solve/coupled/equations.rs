@@ -1,11 +1,9 @@
 //! The equations of a core: one across each private unknown, and the rows of loops without one.
 
-use crate::algebra::Algebra;
-use crate::algebra::partial;
-use crate::solve::group_context::GroupContext;
 use linkage_symbolic::{Ex, NodeId, SymbolId, V2, Vector, Vn, substitute};
 
-use crate::algebra::CoreRow;
+use crate::algebra::{Algebra, CoreRow, partial};
+use crate::solve::group_context::GroupContext;
 use crate::structure::{Block, Core, Coupled, Private};
 
 use super::large_system::LargeSystem;

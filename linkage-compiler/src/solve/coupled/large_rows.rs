@@ -8,14 +8,11 @@
 //! a step keeps the directions perpendicular and of length 1: they are made so at its start, and
 //! turned.
 
-use crate::algebra::Algebra;
-use crate::algebra::nominal;
-use crate::algebra::partial;
-use crate::solve::coupled::rotation_variation;
-use crate::solve::group_context::GroupContext;
 use linkage_symbolic::{Ex, V3};
 
-use crate::algebra::{Bodies, Order, Scheme};
+use crate::algebra::{Algebra, Bodies, Order, Scheme, nominal, partial};
+use crate::solve::coupled::rotation_variation;
+use crate::solve::group_context::GroupContext;
 use crate::structure::Core;
 
 use super::equations::{BlockAtRow, Equations};
@@ -23,7 +20,7 @@ use super::large_system::LargeSystem;
 use super::rotation_variation::{of_square, same};
 
 /// A row of a step.
-struct Row<'m> {
+struct StepRow<'m> {
     residual: Ex<'m>,
     entries: Vec<Ex<'m>>,
     /// The row over the equation of the core.
@@ -84,7 +81,7 @@ fn rows_of_step<'m>(
     equations: &Equations<'_, 'm>,
     bodies: &Bodies<'m>,
     freedoms: &[Vec<Ex<'m>>],
-) -> Vec<Row<'m>> {
+) -> Vec<StepRow<'m>> {
     let mut freedoms = freedoms.iter();
     let mut rows = Vec::new();
     let mut number = 0;
@@ -94,7 +91,7 @@ fn rows_of_step<'m>(
             if bodies.rows.contains(&row) {
                 let by_freedoms = freedoms.next().expect("a row for each of the core");
                 let of_link = row_of_link(algebra, equations, bodies, loop_rows);
-                rows.push(of_link.unwrap_or_else(|| Row {
+                rows.push(of_link.unwrap_or_else(|| StepRow {
                     residual: equations.residuals[row],
                     entries: by_freedoms.clone(),
                     factor: algebra.one(),
@@ -113,7 +110,7 @@ fn row_of_link<'m>(
     equations: &Equations<'_, 'm>,
     bodies: &Bodies<'m>,
     loop_rows: BlockAtRow<'_, 'm>,
-) -> Option<Row<'m>> {
+) -> Option<StepRow<'m>> {
     let block = loop_rows.block;
     let link = block.distance.as_ref()?;
     if bodies.all.is_empty() || !block.is_length() {
@@ -136,7 +133,7 @@ fn row_of_link<'m>(
         let carried = of_square(body, vector).filter(|carried| same(*carried, any));
         carried.unwrap_or(any).0
     });
-    Some(Row {
+    Some(StepRow {
         residual: 0.5 * (vector.square() - length.square()),
         entries: others.chain(turns).collect(),
         factor: length,

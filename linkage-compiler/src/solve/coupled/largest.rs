@@ -6,12 +6,9 @@
 
 mod parts;
 mod plane;
-
-use crate::algebra::Algebra;
-use crate::algebra::elimination;
-use crate::algebra::partial;
 use linkage_symbolic::{Ex, V3};
 
+use crate::algebra::{Algebra, elimination, partial};
 use crate::structure::{Block, Link};
 
 use super::equations::{Equations, vector};

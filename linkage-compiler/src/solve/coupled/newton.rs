@@ -1,16 +1,13 @@
 //! Newton steps of a core from a state to the next, and the conditions on a solution.
 
-use crate::algebra::Algebra;
-use crate::algebra::elimination;
-use crate::algebra::pivots;
-use crate::solve::coupled::state;
 use linkage_core::numeric::continuation::{
     ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE, Terms,
 };
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, substitute};
 
-use crate::algebra::InOrder;
+use crate::algebra::{Algebra, InOrder, elimination, pivots};
+use crate::solve::coupled::state;
 
 use super::equations::Equations;
 use super::state::StatePart;
@@ -58,7 +55,7 @@ impl Plan {
     };
 
     /// For calls and for sweeps over dimensions, if the group depends on so many inputs.
-    pub(super) fn of(inputs: usize, in_cells: Terms) -> [Self; 2] {
+    pub(super) fn for_calls_and_sweeps(inputs: usize, in_cells: Terms) -> [Self; 2] {
         match (inputs, in_cells) {
             (1, _) => [Self::FROM_TABLE, Self::BESIDE_TABLE],
             (_, Terms::Polynomials) => [Self::FROM_TABLE, Self::FROM_GRID],

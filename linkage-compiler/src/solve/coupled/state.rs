@@ -1,12 +1,11 @@
 //! States of a core: values of its unknowns, as they are prepared and as Newton's steps leave them.
 
-use crate::algebra::Algebra;
-use crate::solve::definitions;
-use crate::solve::group_context::GroupContext;
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
-use crate::algebra::Rule;
+use crate::algebra::{Algebra, Rule};
+use crate::solve::definitions;
+use crate::solve::group_context::GroupContext;
 use crate::structure::Core;
 
 /// The value of a symbol of the core in a state.

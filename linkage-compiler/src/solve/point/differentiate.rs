@@ -1,20 +1,17 @@
 //! The solution of a point on spheres and planes for differentiation.
 
-use crate::algebra::Algebra;
-use crate::algebra::elimination;
-use crate::solve::definitions;
-use crate::solve::group_context::GroupContext;
-use crate::solve::unknowns;
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
-use crate::algebra::{CoreRow, Elimination, Solution, Term};
+use crate::algebra::{Algebra, CoreRow, Elimination, Solution, Term, elimination};
+use crate::solve::group_context::GroupContext;
 use crate::solve::plane::guarded;
+use crate::solve::{definitions, unknowns};
 use crate::structure::Plane;
 
 use super::geometry::{Ball, PointOnSpheres};
 
 /// Coefficients and factors of one equation.
-type Row<'m> = Vec<(Ex<'m>, Ex<'m>)>;
+type RowTerms<'m> = Vec<(Ex<'m>, Ex<'m>)>;
 
 /// Records the solution for differentiation. `volume` is the determinant of the first sphere's arm
 /// and the normals, scaled.
@@ -107,16 +104,16 @@ pub(super) fn push_point<'m>(
 }
 
 /// `((p - c).(p - c) - r^2)/2`
-fn sphere_terms<'m>(leg: V3<'m>, ball: &Ball<'m>) -> Row<'m> {
-    let mut terms: Row = (0..3).map(|k| (ball.centre[k], -leg[k])).collect();
+fn sphere_terms<'m>(leg: V3<'m>, ball: &Ball<'m>) -> RowTerms<'m> {
+    let mut terms: RowTerms = (0..3).map(|k| (ball.centre[k], -leg[k])).collect();
     terms.push((ball.radius, -ball.scaled));
     terms
 }
 
 /// Returns `a . (p - c) - (a . a + r^2 - r'^2)/2`, with `a` from the first sphere's centre `c` to
 /// that of the other.
-fn difference_terms<'m>(leg: V3<'m>, base: &Ball<'m>, ball: &Ball<'m>) -> Row<'m> {
-    let mut terms = Row::new();
+fn difference_terms<'m>(leg: V3<'m>, base: &Ball<'m>, ball: &Ball<'m>) -> RowTerms<'m> {
+    let mut terms = RowTerms::new();
     for k in 0..3 {
         terms.push((ball.centre[k] - base.centre[k], leg[k]));
         terms.push((base.centre[k], -ball.apart[k]));

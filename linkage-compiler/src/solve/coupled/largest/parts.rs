@@ -1,9 +1,8 @@
 //! The unknowns of loops of the plane as joints and bodies.
 
-use crate::algebra::Algebra;
-use crate::algebra::partial;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector, agree};
 
+use crate::algebra::{Algebra, partial};
 use crate::structure::Core;
 
 use super::super::equations::Equations;

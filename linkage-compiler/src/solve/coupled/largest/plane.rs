@@ -6,13 +6,14 @@
 //! depends on the bodies alone; the sum of the sizes is the largest value. For a link with three
 //! joints that is half of its perimeter.
 
+use linkage_symbolic::{Ex, V2, Vector, agree};
+
 use crate::algebra::Algebra;
 use crate::solve::coupled::largest::parts;
-use linkage_symbolic::{Ex, V2, Vector, agree};
+use crate::structure::{Block, Private};
 
 use super::super::equations::Equations;
 use super::parts::{Parts, Shares};
-use crate::structure::{Block, Private};
 
 /// More bodies than this are measured by the lengths of their columns: a determinant of complex
 /// numbers has `n 2^n` products.
