@@ -1,12 +1,12 @@
 //! Are bodies and joints declared so that forces can be found?
 
 use crate::algebra::{Algebra, Nominal};
-use crate::assembly::Reference;
 use crate::diagnostic::Reporter;
 use crate::forces::context::{Forces, Mechanics};
 use crate::forces::positions::Positions;
 use crate::forces::system::{Equation, LARGEST_BLOCK, System};
 use crate::forces::{assemble, ends, fit, loop_matches, names, rank, steady};
+use crate::machine::Reference;
 use crate::model::{EvaluatorDef, Mechanism};
 
 /// Reports joints whose bodies move apart, points that leave their bodies, motions that nothing

@@ -1,6 +1,6 @@
 //! Values that the loops' closed forms have already: arms of bodies and determinants.
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, NodeId, Vn};
 
 /// Values that the closed forms compute.

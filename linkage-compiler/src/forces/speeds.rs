@@ -1,6 +1,6 @@
 //! The speeds of drives that a function lists, and the variables of derivatives.
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{SymbolId, Vn};
 
 use crate::model::Mechanism;

@@ -1,6 +1,6 @@
 //! Lists by points, so that entries of a point are found without a search.
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 /// Places in a list by the points that they are about, in order.
 #[derive(Clone, Debug, Default)]

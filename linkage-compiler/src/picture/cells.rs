@@ -1,7 +1,7 @@
 //! Points by where they are: those that may coincide with a point are looked for near it, not among
 //! all.
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use crate::picture::track::Track;
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use linkage_symbolic::unordered::{Map, Set};
+use linkage_symbolic::lookup::{Map, Set};
 
 use crate::picture::joining::Joining;
 use crate::picture::marks::{Segment, Shape};

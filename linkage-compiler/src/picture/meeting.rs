@@ -1,6 +1,6 @@
 //! The links, guides and axes that meet in a point.
 
-use linkage_symbolic::unordered::Set;
+use linkage_symbolic::lookup::Set;
 
 use crate::picture::by_point::ByPoint;
 use crate::picture::guides::Guides;

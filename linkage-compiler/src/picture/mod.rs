@@ -63,11 +63,11 @@ mod track;
 mod unique_names;
 mod views;
 mod weights;
-use linkage_symbolic::unordered::Set;
+use linkage_symbolic::lookup::Set;
 
 use crate::algebra::{Algebra, Nominal};
-use crate::assembly::Reference;
 use crate::diagnostic::Reporter;
+use crate::machine::Reference;
 use crate::model::{AskedPicture, Expr, Type};
 
 use guides::Guides;

@@ -1,7 +1,7 @@
 //! The picture with names for everything, without unnecessary parts.
 
 use linkage_symbolic::Vn;
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use crate::ir::{Guide, GuideOn, GuideShape, Link, Picture, Point, PointKind};
 use crate::picture::drives;

@@ -1,11 +1,11 @@
 //! The motion of points if nothing closes the loops: each unknown changes alone. So a link that is
 //! written as one is distinguished from points that only other links hold together.
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, SymbolId, Vn};
 
 use crate::algebra::{Algebra, Bound, Nominal, Translate, translate};
-use crate::assembly::{Machine, Reference, places, scattered};
+use crate::machine::{Machine, Reference, other_inputs, scattered};
 use crate::model::{Dimension, Expr, ExprKind, Loop};
 use crate::picture::track::{self, Track};
 
@@ -64,7 +64,7 @@ impl<'a> OpenLoop<'a> {
             })
             .collect();
         let count = MOTIONS + loops.len();
-        let places = places(nominal, mechanism, reference.longest).into_iter();
+        let places = other_inputs(nominal, mechanism, reference.longest).into_iter();
         let places = places.filter_map(|inputs| OpenState::at_closure(algebra, reference, inputs));
         let places: Vec<OpenState> = places.map(|state| state.moved(APART, count)).collect();
         let motions = places.iter().flat_map(|state| {

@@ -4,7 +4,7 @@
 use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::{Algebra, Nominal};
-use crate::assembly::{Machine, Reference};
+use crate::machine::{Machine, Reference};
 use crate::picture::cells::Cells;
 use crate::picture::marks::Spot;
 use crate::picture::open_loop::{OpenLoop, Rate};

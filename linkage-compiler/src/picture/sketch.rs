@@ -1,7 +1,7 @@
 //! The sketch: points and the segments between them, as they are found.
 
 use linkage_symbolic::Vn;
-use linkage_symbolic::unordered::Set;
+use linkage_symbolic::lookup::Set;
 
 use crate::algebra::{Algebra, Translate, translate};
 use crate::model::{Expr, JointKind};

@@ -1,6 +1,6 @@
 //! UniqueNames that are given once.
 
-use linkage_symbolic::unordered::{Map, Set};
+use linkage_symbolic::lookup::{Map, Set};
 
 /// UniqueNames of which each is given once.
 #[derive(Default)]

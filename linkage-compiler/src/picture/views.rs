@@ -5,7 +5,7 @@ use std::ops::Range;
 use linkage_symbolic::Ex;
 
 use crate::algebra::{Algebra, Nominal};
-use crate::assembly::{ALTERATIONS, Machine, Reference, altered, places};
+use crate::machine::{ALTERATIONS, Machine, Reference, altered, other_inputs};
 use crate::model::MechanismPart;
 
 /// The mechanism with some dimensions at inputs where it closes.
@@ -24,7 +24,7 @@ pub(super) fn views(
     nominal: &Nominal,
 ) -> (Vec<View>, Vec<Machine>) {
     let mechanism = algebra.mechanism;
-    let inputs = places(nominal, mechanism, reference.longest);
+    let inputs = other_inputs(nominal, mechanism, reference.longest);
     let unknowns = 0..algebra.names.bound.len();
     let numbers: Vec<Ex> = unknowns
         .flat_map(|unknown| algebra.names.numbers_of(unknown))

@@ -1,7 +1,7 @@
 //! The groups of a mechanism with their solutions.
 
 use linkage_core::numeric::continuation::Terms;
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, SymbolId};
 
 use crate::algebra::{Algebra, dependence};

@@ -1,7 +1,7 @@
 //! Common parts of the closed forms in space.
 
 use linkage_symbolic::program::{Binary, Unary};
-use linkage_symbolic::{Ex, Node, V3, Vector, agree_within};
+use linkage_symbolic::{Ex, Node, V3, Vector, numerically_equal_within};
 
 use crate::algebra::{Algebra, Rod, Term};
 
@@ -35,7 +35,7 @@ pub(super) fn arm_length<'m>(arm: V3<'m>, rounded: Ex<'m>) -> Ex<'m> {
     let graph = square.graph();
     let below = graph.reachable(&arm.ids()).into_iter();
     let mut known = below.map(|id| graph.ex(id)).filter(|x| x.is_fixed());
-    let length = known.find(|x| agree_within(square, x.square(), ROUNDING));
+    let length = known.find(|x| numerically_equal_within(square, x.square(), ROUNDING));
     length.map_or(rounded, Ex::abs)
 }
 

@@ -6,7 +6,7 @@
 //! times the operations. The form in which a row is written proposes, and the values of its
 //! derivatives decide.
 
-use linkage_symbolic::{Ex, SymbolId, V3, Vector, agree, substitute};
+use linkage_symbolic::{Ex, SymbolId, V3, Vector, numerically_equal, substitute};
 
 use crate::algebra::{Bodies, Body, Carried, coordinates, directions};
 use crate::structure::Block;
@@ -74,7 +74,7 @@ pub(super) fn same<'m>(proposed: V3<'m>, any: V3<'m>) -> bool {
         .0
         .iter()
         .zip(any.0)
-        .all(|(&proposed, any)| agree(proposed, any))
+        .all(|(&proposed, any)| numerically_equal(proposed, any))
 }
 
 /// The part of a vector that one of the bodies carries as it is.

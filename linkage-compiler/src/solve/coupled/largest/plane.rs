@@ -6,7 +6,7 @@
 //! depends on the bodies alone; the sum of the sizes is the largest value. For a link with three
 //! joints that is half of its perimeter.
 
-use linkage_symbolic::{Ex, V2, Vector, agree};
+use linkage_symbolic::{Ex, V2, Vector, numerically_equal};
 
 use crate::algebra::Algebra;
 use crate::solve::coupled::largest::parts;
@@ -84,7 +84,11 @@ where
         let shares = sums.iter().map(|sum| {
             let products = sum.iter().zip(joint).map(|(&a, &b)| a * b);
             let share = products.fold(zero, |sum, x| sum + x);
-            if agree(share, zero) { zero } else { share }
+            if numerically_equal(share, zero) {
+                zero
+            } else {
+                share
+            }
         });
         let mut shares: Vec<Ex> = shares.collect();
         let pivot = shares.iter().position(|share| !share.is_zero())?;
