@@ -58,9 +58,9 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
             return false;
         };
         let [from, to] = ends;
-        let rate = seen.stretching(from, to);
+        let carrier_rate = seen.stretching(from, to);
         // What only loops hold together carries nothing but what is written with both of its ends.
-        let is_rigid = seen.free().follows(&rate, &[]);
+        let is_rigid = seen.free().follows(&carrier_rate, &[]);
         if !is_rigid && !self.is_written_with(step, ends) {
             return false;
         }
@@ -68,7 +68,7 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
             &base,
             &track::difference(seen.course(other), seen.course(shared)),
         );
-        let holds = |rate| seen.free().follows(&rate, &[&rate]);
+        let holds = |rate| seen.free().follows(&rate, &[&carrier_rate]);
         holds(seen.stretching(shared, other))
             && ends
                 .into_iter()

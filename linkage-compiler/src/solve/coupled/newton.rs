@@ -137,7 +137,6 @@ pub(super) fn step<'m>(
             (corrections.collect(), determinant)
         }
     };
-    let algebra = algebra;
     Step {
         size2: elimination::product_sum(algebra, &freedoms, &freedoms)
             + elimination::product_sum(algebra, &missed, &missed),
