@@ -69,9 +69,9 @@ pub(super) fn gears(
     sketch: &Sketch<'_, '_>,
     picture: &Picture,
     index_of: &dyn Fn(usize) -> Option<usize>,
-    seen: &Samples,
+    samples: &Samples,
 ) -> Vec<Gear> {
-    let wheels = wheels(sketch, picture, index_of, seen);
+    let wheels = wheels(sketch, picture, index_of, samples);
     let loops = sketch.algebra.mechanism.loops.iter();
     let relations: Vec<BTreeSet<SymbolId>> = loops
         .filter(|equation| open_loop::relates_angles(equation))
@@ -79,7 +79,7 @@ pub(super) fn gears(
         .collect();
     let belong = |a: &Wheel, b: &Wheel| {
         // Links that turn alike are held together by something else than wheels.
-        let differ = a.angle == b.angle && !seen.turn_alike(a.segment, b.segment);
+        let differ = a.angle == b.angle && !samples.turn_alike(a.segment, b.segment);
         // Parts on one shaft are each driven by it.
         let differ = differ && !are_of_two_parts(picture, a.end, b.end);
         let has_both = |relation: &BTreeSet<SymbolId>| {
@@ -107,7 +107,7 @@ fn wheels(
     sketch: &Sketch<'_, '_>,
     picture: &Picture,
     index_of: &dyn Fn(usize) -> Option<usize>,
-    seen: &Samples,
+    samples: &Samples,
 ) -> Vec<Wheel> {
     let links = &ByPoint::of_lists(picture.links.iter().map(|link| &link.points));
     let mut wheels: Vec<Wheel> = Vec::new();
@@ -115,7 +115,7 @@ fn wheels(
     for segment in sketch.segments.iter() {
         // A distance does not say what turns it.
         let is_step = matches!(segment.shape, Shape::Term(..) | Shape::Part(..));
-        if !is_step || !seen.is_fixed(segment.from) {
+        if !is_step || !samples.is_fixed(segment.from) {
             continue;
         }
         let Some([centre, end]) = ends(segment, picture, links, index_of) else {

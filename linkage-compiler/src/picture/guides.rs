@@ -43,24 +43,24 @@ struct Candidate<'m> {
 }
 
 impl<'m> Guides<'m> {
-    pub(super) fn find(sketch: &mut Sketch<'_, 'm>, seen: &mut Samples, links: &Links) -> Self {
+    pub(super) fn find(sketch: &mut Sketch<'_, 'm>, samples: &mut Samples, links: &Links) -> Self {
         let mut candidates = Vec::new();
         for segment in sketch.segments.clone() {
-            let (from, to) = (seen.same[segment.from], seen.same[segment.to]);
-            if from != to && !links::is_rigid(&segment, seen) {
-                candidates.extend(slide(sketch, &segment, seen));
+            let (from, to) = (samples.same[segment.from], samples.same[segment.to]);
+            if from != to && !links::is_rigid(&segment, samples) {
+                candidates.extend(slide(sketch, &segment, samples));
             }
         }
         for line in sketch.lines.clone() {
             candidates.push(candidate(sketch, line));
         }
-        let known = seen.same.len();
-        seen.add(&sketch.points[known..]);
+        let known = samples.same.len();
+        samples.add(&sketch.points[known..]);
 
         let mut guides = Self { all: Vec::new() };
         let ways: Vec<Vn> = candidates.iter().map(|candidate| candidate.along).collect();
-        for (candidate, along) in candidates.into_iter().zip(seen.tracks_of(&ways)) {
-            guides.add(candidate, &along, seen, links);
+        for (candidate, along) in candidates.into_iter().zip(samples.tracks_of(&ways)) {
+            guides.add(candidate, &along, samples, links);
         }
         guides
     }
@@ -72,14 +72,17 @@ impl<'m> Guides<'m> {
     }
 
     /// Adds a guide unless it is known.
-    fn add(&mut self, candidate: Candidate<'m>, along: &Track, seen: &Samples, links: &Links) {
-        let (origin, slider) = (seen.same[candidate.origin], seen.same[candidate.slider]);
+    fn add(&mut self, candidate: Candidate<'m>, along: &Track, samples: &Samples, links: &Links) {
+        let (origin, slider) = (
+            samples.same[candidate.origin],
+            samples.same[candidate.slider],
+        );
         if along.iter().flatten().any(|x| !x.is_finite()) {
             return;
         }
         let known = self.all.iter().any(|guide| {
             guide.slider == slider && {
-                let other = seen.tracks_of(&[guide.along]);
+                let other = samples.tracks_of(&[guide.along]);
                 parallel(along, &other[0])
             }
         });
@@ -89,13 +92,13 @@ impl<'m> Guides<'m> {
         let carrier = links.all.iter().position(|link| {
             let mut points = link.points.iter();
             points.all(|&point| {
-                seen.keep_distance(point, origin) && seen.carries(point, origin, along)
+                samples.keep_distance(point, origin) && samples.carries(point, origin, along)
             })
         });
-        let fixed = candidate.on_frame || seen.is_fixed(origin);
+        let fixed = candidate.on_frame || samples.is_fixed(origin);
         let on = match carrier {
             _ if candidate.is_distance => GuideOn::Itself,
-            _ if fixed && seen.is_steady(along) => GuideOn::Frame,
+            _ if fixed && samples.is_steady(along) => GuideOn::Frame,
             Some(link) => GuideOn::Link(link),
             None => GuideOn::Itself,
         };
@@ -106,7 +109,7 @@ impl<'m> Guides<'m> {
             return;
         }
         // A driven length that turns about its end.
-        let pushes = candidate.is_driven && on == GuideOn::Itself && !seen.is_steady(along);
+        let pushes = candidate.is_driven && on == GuideOn::Itself && !samples.is_steady(along);
         self.all.push(RawGuide {
             name: candidate.name,
             origin,
@@ -122,7 +125,7 @@ impl<'m> Guides<'m> {
 fn slide<'m>(
     sketch: &mut Sketch<'_, 'm>,
     segment: &Segment<'m>,
-    seen: &Samples,
+    samples: &Samples,
 ) -> Option<Candidate<'m>> {
     let (mut origin, mut slider) = (segment.from, segment.to);
     let from = sketch.points[segment.from].at;
@@ -134,7 +137,7 @@ fn slide<'m>(
         Shape::Part(sign, slide) => (sign, seen_slide(sketch, slide?, segment)),
         Shape::Distance => {
             // A cylinder hangs on its fixed end.
-            if seen.is_fixed(slider) {
+            if samples.is_fixed(slider) {
                 (origin, slider) = (slider, origin);
             }
             let slide = Slide {

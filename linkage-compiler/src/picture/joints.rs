@@ -7,7 +7,7 @@ use crate::picture::samples::Samples;
 use crate::picture::track::Track;
 
 pub(super) struct JointFinder<'a, 's> {
-    pub(super) seen: &'s Samples<'a>,
+    pub(super) samples: &'s Samples<'a>,
     /// For each point of the picture: the point that was looked at.
     pub(super) points: Vec<usize>,
     /// For each direction of the picture.
@@ -110,7 +110,7 @@ impl JointFinder<'_, '_> {
             return Member::Rod(guide);
         }
         let is_carried = |end: usize, way: &Track| {
-            self.seen
+            self.samples
                 .carries(self.points[end], self.points[rail.slider], way)
         };
         let mut links = here.links.at_point(rail.slider).iter().copied();
@@ -135,7 +135,7 @@ impl JointFinder<'_, '_> {
     fn keep_angle(&self, a: usize, b: usize) -> bool {
         let pairs = self.ways[a].iter().zip(&self.ways[b]);
         let products = pairs.map(|(a, b)| vec![a.iter().zip(b).map(|(x, y)| x * y).sum()]);
-        self.seen.is_steady(&products.collect())
+        self.samples.is_steady(&products.collect())
     }
 
     /// In the plane all joints are pins; in space the axes tell, or the program.

@@ -17,10 +17,10 @@ pub(super) struct Links<'m> {
 }
 
 impl<'m> Links<'m> {
-    pub(super) fn find(sketch: &Sketch<'_, 'm>, seen: &Samples, owners: &Ownership) -> Self {
+    pub(super) fn find(sketch: &Sketch<'_, 'm>, samples: &Samples, ownership: &Ownership) -> Self {
         let mut links = Self { all: Vec::new() };
-        let welds = Welds::new(sketch, seen);
-        let first = |point: usize| seen.same[point];
+        let welds = Welds::new(sketch, samples);
+        let first = |point: usize| samples.same[point];
         for asked in &sketch.asked {
             let points = raw_link::distinct(asked.points.iter().map(|&point| first(point)));
             let frames = asked.points.windows(2).map(|ends| Frame {
@@ -29,7 +29,7 @@ impl<'m> Links<'m> {
                 step: sketch.points[ends[0]].step_to(&sketch.points[ends[1]]),
             });
             links.all.push(RawLink {
-                part: owners.part_of(None, &points),
+                part: ownership.part_of(None, &points),
                 points,
                 title: None,
                 frames: frames.collect(),
@@ -40,15 +40,15 @@ impl<'m> Links<'m> {
         }
         for segment in &sketch.segments {
             let (from, to) = (first(segment.from), first(segment.to));
-            let moves = !(seen.is_fixed(from) && seen.is_fixed(to));
-            if from != to && moves && is_rigid(segment, seen) {
+            let moves = !(samples.is_fixed(from) && samples.is_fixed(to));
+            if from != to && moves && is_rigid(segment, samples) {
                 let name = segment.title.as_ref().map(|title| title.text.as_str());
                 links.all.push(RawLink {
                     points: vec![from, to],
                     part: match segment.shape {
                         Shape::Base(carrier) => carrier,
-                        Shape::Body(Some(_)) => name.and_then(|name| owners.named(name)),
-                        _ => owners.part_of(name, &[from, to]),
+                        Shape::Body(Some(_)) => name.and_then(|name| ownership.named(name)),
+                        _ => ownership.part_of(name, &[from, to]),
                     },
                     title: segment.title.clone(),
                     frames: vec![Frame {
@@ -68,24 +68,24 @@ impl<'m> Links<'m> {
                 });
             }
         }
-        links.join(seen, &welds);
-        links.take_means(sketch, seen);
-        links.join(seen, &welds);
+        links.join(samples, &welds);
+        links.take_means(sketch, samples);
+        links.join(samples, &welds);
         if !sketch.algebra.mechanism.inputs.is_empty() {
-            links.attach(sketch, seen, owners);
+            links.attach(sketch, samples, ownership);
         }
         links
     }
 
     /// Joins links that have a point in common and are written to turn together, until none is
     /// left.
-    fn join(&mut self, seen: &Samples, welds: &Welds) {
+    fn join(&mut self, samples: &Samples, welds: &Welds) {
         let joining = Joining::new(std::mem::take(&mut self.all));
-        self.all = joining.joined(|a, b| are_one(a, b, seen, welds));
+        self.all = joining.joined(|a, b| are_one(a, b, samples, welds));
     }
 
     /// Adds points that are computed from points of a link to the link.
-    fn take_means(&mut self, sketch: &Sketch, seen: &Samples) {
+    fn take_means(&mut self, sketch: &Sketch, samples: &Samples) {
         let mut at: Map<usize, BTreeSet<usize>> = Map::new();
         for (index, link) in self.all.iter().enumerate() {
             for &point in &link.points {
@@ -93,14 +93,18 @@ impl<'m> Links<'m> {
             }
         }
         for mean in &sketch.means {
-            let point = seen.same[mean.point];
-            let sources: Vec<usize> = mean.sources.iter().map(|&point| seen.same[point]).collect();
+            let point = samples.same[mean.point];
+            let sources: Vec<usize> = mean
+                .sources
+                .iter()
+                .map(|&point| samples.same[point])
+                .collect();
             let has_all = |index: &&usize| {
                 let points = &self.all[**index].points;
                 sources.iter().all(|other| points.contains(other))
                     && sources
                         .iter()
-                        .all(|&other| seen.keep_distance(point, other))
+                        .all(|&other| samples.keep_distance(point, other))
             };
             let candidates = sources.first().and_then(|first| at.get(first));
             let found = candidates
@@ -116,19 +120,22 @@ impl<'m> Links<'m> {
     }
 
     /// Named points that move with a link belong to it.
-    fn attach(&mut self, sketch: &Sketch, seen: &Samples, owners: &Ownership) {
+    fn attach(&mut self, sketch: &Sketch, samples: &Samples, ownership: &Ownership) {
         let points = self.all.iter().flat_map(|link| &link.points);
         let mut taken: Set<usize> = points.copied().collect();
         for (index, spot) in sketch.points.iter().enumerate() {
-            let point = seen.same[index];
-            if !spot.wanted || spot.name.is_none() || taken.contains(&point) || seen.is_fixed(point)
+            let point = samples.same[index];
+            if !spot.wanted
+                || spot.name.is_none()
+                || taken.contains(&point)
+                || samples.is_fixed(point)
             {
                 continue;
             }
             let rigid = |link: &&mut RawLink<'m>| {
                 let mut points = link.points.iter();
-                points.all(|&other| seen.keep_distance(point, other))
-                    && !owners.is_foreign(point, link.part)
+                points.all(|&other| samples.keep_distance(point, other))
+                    && !ownership.is_foreign(point, link.part)
             };
             if let Some(link) = self.all.iter_mut().find(rigid) {
                 link.points.push(point);
@@ -156,23 +163,25 @@ impl<'m> Links<'m> {
 
 /// True if the form of a segment fixes the distance of its ends. A term has its length for all
 /// values of the unknowns; distances and bodies get theirs from loops.
-pub(super) fn is_rigid(segment: &Segment, seen: &Samples) -> bool {
+pub(super) fn is_rigid(segment: &Segment, samples: &Samples) -> bool {
     let (from, to) = (segment.from, segment.to);
     let written = match segment.shape {
-        Shape::Term(..) | Shape::Part(..) => seen.free().follows(&seen.stretching(from, to), &[]),
+        Shape::Term(..) | Shape::Part(..) => {
+            samples.free().follows(&samples.stretching(from, to), &[])
+        }
         Shape::Distance | Shape::Body(_) | Shape::Frame(_) | Shape::Base(_) => true,
     };
-    written && seen.keep_distance(from, to)
+    written && samples.keep_distance(from, to)
 }
 
-fn are_one(a: &RawLink, b: &RawLink, seen: &Samples, welds: &Welds) -> bool {
+fn are_one(a: &RawLink, b: &RawLink, samples: &Samples, welds: &Welds) -> bool {
     let shared: Vec<usize> = a
         .points
         .iter()
         .filter(|p| b.points.contains(p))
         .copied()
         .collect();
-    let rigid = |p: &usize| b.points.iter().all(|&q| seen.keep_distance(*p, q));
+    let rigid = |p: &usize| b.points.iter().all(|&q| samples.keep_distance(*p, q));
     // Lists are different links: in space, turning about a common line does not show in distances.
     // So are bodies.
     let other_lists = a.asked && b.asked;

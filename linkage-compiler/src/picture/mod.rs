@@ -90,8 +90,8 @@ pub(crate) fn find<'m>(
     let mut sketch = Sketch::new(algebra, dimension);
     loops::collect(&mut sketch);
     loops::add_lists(&mut sketch, asked.links);
-    let mut seen = Samples::new(sketch.algebra, &sketch.points, reference, nominal);
-    if seen.places() < 2 && !sketch.algebra.mechanism.inputs.is_empty() {
+    let mut samples = Samples::new(sketch.algebra, &sketch.points, reference, nominal);
+    if samples.places() < 2 && !sketch.algebra.mechanism.inputs.is_empty() {
         reporter.error_with_help(
             asked.origin,
             "links cannot be told from what stretches: the mechanism closes at none of the other positions looked at",
@@ -99,17 +99,17 @@ pub(crate) fn find<'m>(
         );
         return FoundPicture::default();
     }
-    check::check_lists(&sketch, &seen, reporter);
-    let owners = Ownership::new(&sketch, &seen);
-    let mut links = Links::find(&sketch, &seen, &owners);
-    let guides = Guides::find(&mut sketch, &mut seen, &links);
-    let axes = sketch.axes.iter().map(|(at, _)| seen.same[*at]);
+    check::check_lists(&sketch, &samples, reporter);
+    let ownership = Ownership::new(&sketch, &samples);
+    let mut links = Links::find(&sketch, &samples, &ownership);
+    let guides = Guides::find(&mut sketch, &mut samples, &links);
+    let axes = sketch.axes.iter().map(|(at, _)| samples.same[*at]);
     let needed = axes.chain(guides.ends());
     let needed: Set<usize> = needed.collect();
     links.drop_corners(|point| {
-        let mut aliases = seen.aliases(point);
+        let mut aliases = samples.aliases(point);
         aliases.any(|alias| sketch.points[alias].wanted)
-            || seen.is_fixed(point)
+            || samples.is_fixed(point)
             || needed.contains(&point)
     });
     if links.all.is_empty() && guides.all.is_empty() {
@@ -119,7 +119,7 @@ pub(crate) fn find<'m>(
             "name the points that links join: `picture([a, b], [b, c, d])`",
         );
     }
-    let mut found = names::named(&sketch, &seen, &links, &guides, &owners);
+    let mut found = names::named(&sketch, &samples, &links, &guides, &ownership);
     // Who lists links tells of what loops do not.
     if asked.links.is_empty() {
         found.picture.undrawn = sketch.undrawn;

@@ -17,21 +17,21 @@ use crate::picture::unique_names::UniqueNames;
 
 pub(super) fn named<'m>(
     sketch: &Sketch<'_, 'm>,
-    seen: &Samples,
+    samples: &Samples,
     links: &Links<'m>,
     guides: &Guides<'m>,
-    owners: &Ownership,
+    ownership: &Ownership,
 ) -> FoundPicture<'m> {
-    let axes = sketch.axes.iter().map(|(at, _)| seen.same[*at]);
+    let axes = sketch.axes.iter().map(|(at, _)| samples.same[*at]);
     let namer = Namer {
         sketch,
-        seen,
+        samples,
         guides,
         link_names: link_names(links),
         meeting: Meeting::new(links, guides, axes.collect()),
     };
     let kept: Vec<(usize, PointKind)> = (0..sketch.points.len())
-        .filter(|&point| seen.same[point] == point)
+        .filter(|&point| samples.same[point] == point)
         .filter_map(|point| Some((point, namer.kind(point)?)))
         .collect();
     // Points that are nowhere are left out, and what hangs on them.
@@ -40,7 +40,7 @@ pub(super) fn named<'m>(
         .enumerate()
         .map(|(index, (point, _))| (*point, index));
     let places: Map<usize, usize> = places.collect();
-    let index_of = |point: usize| places.get(&seen.same[point]).copied();
+    let index_of = |point: usize| places.get(&samples.same[point]).copied();
     let mut names = UniqueNames::default();
     let points = kept.iter().map(|&(point, kind)| {
         let name = names.unique(namer.name(point));
@@ -104,16 +104,16 @@ pub(super) fn named<'m>(
     let declared = sketch.joints.iter();
     let declared = declared.filter_map(|(point, kind)| Some((index_of(*point)?, *kind)));
     let turning = JointFinder {
-        seen,
+        samples,
         points: kept.iter().map(|(point, _)| *point).collect(),
-        ways: seen.tracks_of(&directions),
+        ways: samples.tracks_of(&directions),
         declared: declared.collect(),
     };
     picture.joints = turning.joints(&picture);
     picture.drives = drives::drives(sketch, &picture, &index_of);
     let kept_points: Vec<usize> = kept.iter().map(|(point, _)| *point).collect();
-    picture.parts = owners.parts(&picture, &links.all, &kept_points);
-    picture.gears = drives::gears(sketch, &picture, &index_of, seen);
+    picture.parts = ownership.parts(&picture, &links.all, &kept_points);
+    picture.gears = drives::gears(sketch, &picture, &index_of, samples);
     let vectors = kept.iter().map(|(point, _)| sketch.points[*point].at);
     FoundPicture {
         vectors: vectors.chain(directions).collect(),
@@ -123,7 +123,7 @@ pub(super) fn named<'m>(
 
 struct Namer<'a, 'b, 'm> {
     sketch: &'a Sketch<'b, 'm>,
-    seen: &'a Samples<'a>,
+    samples: &'a Samples<'a>,
     guides: &'a Guides<'m>,
     link_names: Vec<String>,
     meeting: Meeting,
@@ -139,9 +139,9 @@ impl Namer<'_, '_, '_> {
         let mut guides = guides.iter().map(|&guide| &self.guides.all[guide]);
         let pivots = guides.any(|guide| guide.on == GuideOn::Itself);
         let has_axis = self.meeting.axes.contains(&point);
-        let mut aliases = self.seen.aliases(point);
+        let mut aliases = self.samples.aliases(point);
         let wanted = aliases.any(|other| self.sketch.points[other].wanted);
-        if !self.seen.is_known(point) {
+        if !self.samples.is_known(point) {
             return None;
         }
         match (self.is_fixed(point), links) {
@@ -164,18 +164,18 @@ impl Namer<'_, '_, '_> {
     fn is_fixed(&self, point: usize) -> bool {
         let guides = self.meeting.origins.at_point(point).iter();
         let mut guides = guides.map(|&guide| &self.guides.all[guide]);
-        guides.any(|guide| guide.on == GuideOn::Frame) || self.seen.is_fixed(point)
+        guides.any(|guide| guide.on == GuideOn::Frame) || self.samples.is_fixed(point)
     }
 
     fn has_name(&self, point: usize) -> bool {
-        let mut aliases = self.seen.aliases(point);
+        let mut aliases = self.samples.aliases(point);
         aliases.any(|alias| self.sketch.points[alias].name.is_some())
     }
 
     /// The best name among those of points that coincide; otherwise the names of the members that
     /// meet there.
     fn name(&self, point: usize) -> String {
-        let aliases = self.seen.aliases(point);
+        let aliases = self.samples.aliases(point);
         let titles = aliases.filter_map(|other| self.sketch.points[other].name.as_ref());
         if let Some(title) = titles.min_by_key(|title| title.rank) {
             return title.text.clone();

@@ -15,19 +15,23 @@ pub(super) struct Ownership {
 }
 
 impl Ownership {
-    pub(super) fn new(sketch: &Sketch, seen: &Samples) -> Self {
+    pub(super) fn new(sketch: &Sketch, samples: &Samples) -> Self {
         let parts = sketch.algebra.mechanism.parts.iter();
         let parts: Vec<String> = parts.map(|part| part.name.clone()).collect();
-        let of_points = (0..seen.same.len()).map(|point| {
-            let here = seen.aliases(point);
+        let of_points = (0..samples.same.len()).map(|point| {
+            let here = samples.aliases(point);
             let titles = here.filter_map(|alias| sketch.points[alias].name.as_ref());
             titles.map(|title| owner(&parts, &title.text)).collect()
         });
         // Where there are no parts, nobody asks.
-        let points = if parts.is_empty() { 0 } else { seen.same.len() };
+        let points = if parts.is_empty() {
+            0
+        } else {
+            samples.same.len()
+        };
         Self {
             of_points: of_points.take(points).collect(),
-            fixed: (0..points).map(|point| seen.is_fixed(point)).collect(),
+            fixed: (0..points).map(|point| samples.is_fixed(point)).collect(),
             parts,
         }
     }

@@ -16,15 +16,15 @@ const ON_LINE: f64 = 1e-9;
 pub(super) struct Welds<'a, 's, 'm> {
     dimension: usize,
     points: &'s [Spot<'m>],
-    seen: &'s Samples<'a>,
+    samples: &'s Samples<'a>,
 }
 
 impl<'a, 's, 'm> Welds<'a, 's, 'm> {
-    pub(super) fn new(sketch: &'s Sketch<'_, 'm>, seen: &'s Samples<'a>) -> Self {
+    pub(super) fn new(sketch: &'s Sketch<'_, 'm>, samples: &'s Samples<'a>) -> Self {
         Self {
             dimension: sketch.dimension,
             points: &sketch.points,
-            seen,
+            samples,
         }
     }
 
@@ -36,7 +36,7 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
                 let ends = [(carried.from, carried.to), (carried.to, carried.from)];
                 let mut ends = ends
                     .into_iter()
-                    .filter(|(shared, _)| points.contains(&self.seen.same[*shared]));
+                    .filter(|(shared, _)| points.contains(&self.samples.same[*shared]));
                 ends.any(|(shared, other)| self.is_carried(carrier, shared, other, carried.step))
             })
         })
@@ -46,33 +46,33 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
     /// of the link, a step away.
     fn is_carried(&self, carrier: &Frame, shared: usize, other: usize, step: Vn) -> bool {
         // A point may be written in several ways, each of which says what turns it.
-        self.seen.aliases(carrier.from).any(|from| {
-            let mut ends = self.seen.aliases(carrier.to);
+        self.samples.aliases(carrier.from).any(|from| {
+            let mut ends = self.samples.aliases(carrier.to);
             ends.any(|to| self.carries([from, to], shared, other, step))
         })
     }
 
     fn carries(&self, ends: [usize; 2], shared: usize, other: usize, step: Vn) -> bool {
-        let seen = self.seen;
+        let samples = self.samples;
         let Some(base) = self.moved_with(ends, shared) else {
             return false;
         };
         let [from, to] = ends;
-        let carrier_rate = seen.stretching(from, to);
+        let carrier_rate = samples.stretching(from, to);
         // What only loops hold together carries nothing but what is written with both of its ends.
-        let is_rigid = seen.free().follows(&carrier_rate, &[]);
+        let is_rigid = samples.free().follows(&carrier_rate, &[]);
         if !is_rigid && !self.is_written_with(step, ends) {
             return false;
         }
         let moved = sum(
             &base,
-            &track::difference(seen.course(other), seen.course(shared)),
+            &track::difference(samples.course(other), samples.course(shared)),
         );
-        let holds = |rate| seen.free().follows(&rate, &[&carrier_rate]);
-        holds(seen.stretching(shared, other))
+        let holds = |rate| samples.free().follows(&rate, &[&carrier_rate]);
+        holds(samples.stretching(shared, other))
             && ends
                 .into_iter()
-                .all(|end| holds(seen.free().stretching([&moved, seen.course(end)])))
+                .all(|end| holds(samples.free().stretching([&moved, samples.course(end)])))
     }
 
     /// True if a step is computed from the difference of two points.
@@ -93,14 +93,14 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
     /// The course of a point of a link that moves as two of its points say; `None` if they do not
     /// tell.
     fn moved_with(&self, [from, to]: [usize; 2], point: usize) -> Option<Track> {
-        let seen = self.seen;
+        let samples = self.samples;
         if let Some(end) = [from, to]
             .into_iter()
-            .find(|end| seen.same[*end] == seen.same[point])
+            .find(|end| samples.same[*end] == samples.same[point])
         {
-            return Some(seen.course(end).clone());
+            return Some(samples.course(end).clone());
         }
-        let [a, b, p] = [from, to, point].map(|index| seen.places_of(index));
+        let [a, b, p] = [from, to, point].map(|index| samples.places_of(index));
         // A link keeps its shape: one place tells it.
         let (axis, arm) = (minus(&b[0], &a[0]), minus(&p[0], &a[0]));
         let square = dot(&axis, &axis);
@@ -113,7 +113,7 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
                 is_on_line.then_some(0.0)?
             }
         };
-        let courses = seen.course(from).iter().zip(seen.course(to));
+        let courses = samples.course(from).iter().zip(samples.course(to));
         let moved = courses.map(|(a, b)| {
             let turn = minus(b, a);
             let each = a.iter().enumerate();
