@@ -46,7 +46,7 @@ pub(crate) fn favorit() -> Made {
         .dimensions(&mechanism)
         .programs(Favorit::PROGRAMS)
         .programs(crate::favorit_forces::Favorit::PROGRAMS)
-        .at("omega", SPEED)
+        .argument("omega", SPEED)
         .speed(SPEED, 0.0)
         .table(&linkage.picture_sweep(&phi))
         .table(&linkage.needle_sweep(&phi))

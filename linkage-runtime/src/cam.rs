@@ -22,8 +22,6 @@ mod plate;
 mod search;
 mod turn;
 mod undercut;
-#[cfg(feature = "report")]
-mod write;
 
 pub use contact::Contact;
 pub use error::CamError;

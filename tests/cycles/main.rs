@@ -4,6 +4,7 @@ mod assemblies;
 mod derivatives;
 mod drives;
 mod dwells;
+mod edges;
 mod errors;
 mod fit;
 mod forces;

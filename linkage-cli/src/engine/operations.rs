@@ -6,7 +6,8 @@ use linkage_runtime::{Enclosure, FUSED};
 use linkage_symbolic::interpret::run_by;
 use linkage_symbolic::program::{Program, Source};
 
-/// A program and where it finds what it loads; of a call whose sines may be rounded in their own way, if it is `ALONE`.
+/// A program with the numbers that it loads. The sines of a call may be rounded differently if it
+/// is `ALONE`.
 struct Run<'a, L, const ALONE: bool> {
     program: &'a Program,
     load: L,

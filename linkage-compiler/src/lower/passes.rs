@@ -27,7 +27,7 @@ const OF_FUNCTIONS: [Pass; 2] = [
         name: "count",
         run: |unit| {
             for body in unit.bodies_mut() {
-                body.count = Count::of(&body.program);
+                body.count = Count::of_program(&body.program);
                 body.compares_sines = body.program.compares_sines();
             }
         },

@@ -1,6 +1,6 @@
 //! All solutions of a coupled group over a slab, strand by strand.
 
-use super::curve::{Curve, Node, dot};
+use super::curve::{Node, SolutionCurve, dot};
 use super::slab::Slab;
 use super::trace::Strand;
 use crate::error::AssemblyError;
@@ -54,7 +54,7 @@ pub(super) fn follow(
             }
         };
         listed = true;
-        let mut curve = Curve {
+        let mut curve = SolutionCurve {
             correction: programs,
             variables: group.variables,
             slab,
@@ -83,7 +83,7 @@ pub(super) fn follow(
 
 impl Strand {
     /// Returns true if a node is on the strand.
-    fn passes(&self, curve: &mut Curve<'_>, node: &Node) -> bool {
+    fn passes(&self, curve: &mut SolutionCurve<'_>, node: &Node) -> bool {
         let last = self.nodes.len() - 1;
         if node.u < self.nodes[0].u || node.u > self.nodes[last].u {
             return false;

@@ -69,7 +69,7 @@ impl Node {
 }
 
 /// The curve within a slab.
-pub(super) struct Curve<'a> {
+pub(super) struct SolutionCurve<'a> {
     pub(super) correction: &'a mut dyn Correction,
     pub(super) variables: &'a [Variable],
     pub(super) slab: Slab,
@@ -77,7 +77,7 @@ pub(super) struct Curve<'a> {
     pub(super) left: usize,
 }
 
-impl Curve<'_> {
+impl SolutionCurve<'_> {
     /// The node at a known solution, towards higher inputs.
     pub(super) fn node(&mut self, u: f64, state: &[f64]) -> Option<Node> {
         let mut plane = vec![0.0; 1 + self.coordinates()];

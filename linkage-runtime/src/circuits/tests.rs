@@ -1,6 +1,6 @@
 //! Curves whose shape is known by a formula, and the places in them that decide something.
 
-use super::curve::{Curve, Node};
+use super::curve::{Node, SolutionCurve};
 use super::parts::parts;
 use super::search::sample;
 use super::slab::Slab;
@@ -38,8 +38,8 @@ fn newton(state: &mut [f64], (value, determinant): (f64, f64)) -> Step {
     Step { size, determinant }
 }
 
-fn curve(correction: &mut dyn Correction) -> Curve<'_> {
-    Curve {
+fn curve(correction: &mut dyn Correction) -> SolutionCurve<'_> {
+    SolutionCurve {
         correction,
         variables: &[Variable::Length],
         slab: SLAB,

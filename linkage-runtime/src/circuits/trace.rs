@@ -1,6 +1,6 @@
 //! One connected piece of a curve, from end to end of its slab or round.
 
-use super::curve::{Curve, Node, dot};
+use super::curve::{Node, SolutionCurve, dot};
 use alloc::collections::VecDeque;
 use alloc::vec::Vec;
 use linkage_core::math;
@@ -46,7 +46,7 @@ struct Trace {
     closed: bool,
 }
 
-impl Curve<'_> {
+impl SolutionCurve<'_> {
     /// The strands of the curve through a node; `count` numbers the turning points.
     pub(super) fn strands(&mut self, start: Node, count: &mut usize) -> Vec<Strand> {
         let mut trace = self.trace(start);

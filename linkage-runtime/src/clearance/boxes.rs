@@ -43,15 +43,15 @@ impl<const K: usize, const N: usize> PhaseSet<'_, K, N> {
     /// The phases, each from the first to the second one of its range, a cycle at most, that make
     /// the least distance of all pairs over the cycle largest.
     ///
-    /// It is the best of all local optima, as [`Phases::best`] finds it for one phase: boxes of
-    /// phases that might hold more than [`bound`](BestPhases::bound) are divided until none is
-    /// left. The optimum itself is located by derivatives: there no change of the phases makes all
-    /// contacts larger.
+    /// It is the best of all local optima, as [`Phases::best`](super::Phases::best) finds it for
+    /// one phase: boxes of phases that might hold more than [`bound`](BestPhases::bound) are
+    /// divided until none is left. The optimum itself is located by derivatives: there no change of
+    /// the phases makes all contacts larger.
     ///
     /// # Errors
     ///
     /// `Phases` for a range that is empty, infinite or more than a cycle, `NoPairs` without any,
-    /// `Curve` as [`Phases::clearance`].
+    /// `Curve` as [`Phases::clearance`](super::Phases::clearance).
     pub fn best(&self, ranges: [(f64, f64); N]) -> Result<BestPhases<K, N>, PhaseError> {
         BoxSearch::new(self, ranges)?.best()
     }

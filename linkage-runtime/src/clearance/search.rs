@@ -99,7 +99,7 @@ where
     /// # Errors
     ///
     /// `Phases` for an empty or infinite range or one of more than a cycle, `Curve` as
-    /// [`at`](Self::at).
+    /// [`clearance`](Self::clearance).
     pub fn best(&self, range: (f64, f64)) -> Result<BestPhase<K>, PhaseError> {
         Ok(self.search(range)?.best)
     }

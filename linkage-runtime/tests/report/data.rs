@@ -143,7 +143,7 @@ fn the_rest_is_there_too() {
         .modes(&[AssemblyMode::Minus])
         .summary([
             SummaryRow::new("psi", "stroke", 1.25, "rad"),
-            SummaryRow::new("psi", "upper limit", f64::NAN, "rad").at(0.1 + 0.2),
+            SummaryRow::new("psi", "upper limit", f64::NAN, "rad").at_input(0.1 + 0.2),
         ])
         .fact("Grashof", "crank-rocker");
     let json = json(&report);

@@ -26,7 +26,7 @@ pub struct Count {
 
 impl Count {
     /// Counts the operations of a program.
-    pub fn of(program: &Program) -> Self {
+    pub fn of_program(program: &Program) -> Self {
         let mut count = Self::default();
         let mut products: Vec<[Value; 2]> = Vec::new();
         for (instruction, binding) in program.instructions.iter().zip(program.bindings()) {

@@ -106,7 +106,11 @@ fn each_operation_counts_in_its_class() {
         ),
     ];
     for (operations, expected) in cases {
-        assert_eq!(Count::of(&program(&operations)), expected, "{operations:?}");
+        assert_eq!(
+            Count::of_program(&program(&operations)),
+            expected,
+            "{operations:?}"
+        );
     }
 }
 
@@ -126,7 +130,7 @@ fn equal_products_count_once() {
         add: 3,
         ..Count::default()
     };
-    assert_eq!(Count::of(&program(&operations)), expected);
+    assert_eq!(Count::of_program(&program(&operations)), expected);
 }
 
 #[test]

@@ -137,7 +137,7 @@ fn function(name: &str, arguments: Vec<usize>, program: Program, fields: Vec<Fie
         arguments,
         states: Vec::new(),
         called: Body {
-            count: Count::of(&program),
+            count: Count::of_program(&program),
             stages: split(&program),
             compares_sines: program.compares_sines(),
             program,

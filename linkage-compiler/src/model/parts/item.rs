@@ -32,9 +32,9 @@ pub(in crate::model) fn resolve_part(
         item: position,
     };
     let mut parts = scope.parts.scopes.iter();
-    let index = parts.position(|part| part.item == position);
-    let Some((index, body)) =
-        index.and_then(|index| Some((index, scope.parts.scopes[index].body.clone()?)))
+    let part = parts.position(|part| part.item == position);
+    let Some((part, body)) =
+        part.and_then(|part| Some((part, scope.parts.scopes[part].body.clone()?)))
     else {
         let given = item.given.iter().map(|given| &given.value);
         let values: Vec<&syntax::Expr> = given.chain(&item.at).chain(&item.turned).collect();
@@ -66,7 +66,7 @@ pub(in crate::model) fn resolve_part(
         pass_rates_on(
             &mut scope.parts,
             &scope.values,
-            index,
+            part,
             index,
             &value,
             &mechanism.lets,
@@ -113,11 +113,11 @@ pub(in crate::model) fn resolve_part(
             add_let(&mut scope.values, mechanism, item, &parameter.name, value);
         }
     }
-    refuse_open_arguments(&scope.names, &scope.parts, sink, item, index);
+    refuse_open_arguments(&scope.names, &scope.parts, sink, item, part);
     place_part(scope, sink, item, &body, context, mechanism);
     debug_assert!(mechanism.lets.len() - first == body.own_lets() - body.first_let);
     let Some(embedding) = Embedding::new(
-        &scope.parts.scopes[index],
+        &scope.parts.scopes[part],
         &mechanism.lets,
         &scope.parts.placed,
     ) else {

@@ -3,7 +3,7 @@
 use std::format;
 use std::string::String;
 
-use super::word;
+use super::text::word;
 use crate::cyclogram::{Cyclogram, Member, Motion};
 use crate::report::colour::Colour;
 use crate::report::plot::ticks::Scale;
@@ -14,14 +14,14 @@ const TOP: f64 = 18.0;
 const RIGHT: f64 = 28.0;
 /// Height of the stroke in a row.
 const STROKE: f64 = 44.0;
-/// From row to row: the stroke, and the angles below it.
+/// Height of a row: the stroke, and the angles below it.
 const ROW: f64 = STROKE + 34.0;
 /// Average width of a character of 12 pixels, rather too wide: fonts differ.
 const CHARACTER: f64 = 7.2;
 /// Angles at the line, `123.45`, need so much room.
 const ANGLE: f64 = 46.0;
 
-/// Where things stand.
+/// Positions in the diagram.
 struct Places {
     left: f64,
     scale: Scale,
@@ -34,7 +34,7 @@ impl Places {
     }
 }
 
-pub(super) fn drawn(cyclogram: &Cyclogram, hues: &[usize]) -> String {
+pub(in crate::report) fn drawn(cyclogram: &Cyclogram, hues: &[usize]) -> String {
     let organs = cyclogram.members();
     let (low, high) = cyclogram.range();
     let names = organs.iter().map(|organ| organ.name().chars().count());
@@ -150,7 +150,7 @@ fn pieces(
     [Some(first), over.then_some(second)].into_iter().flatten()
 }
 
-/// One piece of an interval: its bar if it is a dwell, its line, and what it is.
+/// Draws one piece of an interval: its bar if it is a dwell, its line, and its motion.
 fn stretch(
     svg: &mut Svg,
     [[left, right], levels]: [[f64; 2]; 2],

@@ -152,8 +152,8 @@ fn one_row<T: Scalar, const I: usize>(arguments: &impl Arguments<T, I>, number: 
     row.map(|[value]| value)
 }
 
-/// Works as [`fill`](super::fill). If results are not a number, the states of coupled groups are
-/// followed to the dimensions of the row.
+/// Works as [`fill`](crate::support::fill). If results are not a number, the states of coupled
+/// groups are followed to the dimensions of the row.
 ///
 /// # Panics
 ///

@@ -6,7 +6,7 @@ use super::kernel::Kernel;
 use crate::columns::Columns;
 use linkage_core::Scalar;
 
-/// Works as [`fill`](super::fill), on all threads of rayon's current pool.
+/// Works as [`fill`](crate::support::fill), on all threads of rayon's current pool.
 ///
 /// # Panics
 ///
