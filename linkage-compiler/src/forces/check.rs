@@ -2,21 +2,15 @@
 
 use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::Reporter;
-use crate::forces::closed;
-use crate::forces::ends;
-use crate::forces::fit;
-use crate::forces::steady;
-use crate::forces::system;
+use crate::forces::context::{Forces, Mechanics};
+use crate::forces::positions::Positions;
+use crate::forces::system::{Equation, LARGEST_BLOCK, System};
+use crate::forces::{assemble, ends, fit, loop_matches, names, rank, steady};
 use crate::machine::Reference;
 use crate::model::{EvaluatorDef, Mechanism};
 
-use super::positions::Positions;
-use super::print::joint_name;
-use super::system::{Equation, LARGEST_BLOCK, System};
-use super::{Forces, Mechanics};
-
-/// Reports joints whose bodies move apart, points that leave their bodies, motions that nothing holds and reactions
-/// that nothing tells.
+/// Reports joints whose bodies move apart, points that leave their bodies, motions that nothing
+/// holds and reactions that nothing tells.
 pub(crate) fn check<'m>(
     algebra: &mut Algebra<'m>,
     forces: &mut Forces<'m>,
@@ -29,24 +23,24 @@ pub(crate) fn check<'m>(
         return;
     }
     let positions = Positions::new(mechanism, reference, nominal);
-    let mut mechanics = forces.at(algebra, &[], false);
+    let mut mechanics = forces.in_function(algebra, &[], false);
     let before = reporter.errors();
     fit::check_fit(&mut mechanics, &positions, reporter);
     ends::check_lengths(&mut mechanics, &positions, reporter);
-    steady::look_at_motion(&mut mechanics, &positions);
+    steady::record_steady_motion(&mut mechanics, &positions);
     let mut functions = mechanism.evaluators.iter();
     if reporter.errors() == before && functions.any(EvaluatorDef::asks_for_reactions) {
-        closed::find_links(&mut mechanics, &positions, nominal);
+        loop_matches::find_links(&mut mechanics, &positions, nominal);
         check_system(&mut mechanics, &positions, reporter);
-        let system = system::system(&mut mechanics);
-        closed::find_determinants(&mut mechanics, &system, &positions, nominal);
+        let system = assemble::system(&mut mechanics);
+        loop_matches::find_determinants(&mut mechanics, &system, &positions, nominal);
     }
 }
 
 /// Are there as many reactions as motions to be held, and is each in its place?
 fn check_system(mechanics: &mut Mechanics<'_, '_>, positions: &Positions, reporter: &mut Reporter) {
     let mechanism = mechanics.algebra.mechanism;
-    let system = system::system(mechanics);
+    let system = assemble::system(mechanics);
     let before = reporter.errors();
     report_still(mechanics, &system, reporter);
     report_loose(mechanism, &system, reporter);
@@ -70,7 +64,7 @@ fn report_still(mechanics: &Mechanics<'_, '_>, system: &System, reporter: &mut R
                 "`{}` does not {does} in {}, and no joint holds it: reactions cannot be found\n\
                      help: if nothing moves there, write `fixed`",
                 body.name,
-                joint_name(mechanism, body.joint),
+                names::joint_name(mechanism, body.joint),
             ),
         );
     }
@@ -86,11 +80,12 @@ fn report_loose(mechanism: &Mechanism, system: &System, reporter: &mut Reporter)
             continue;
         }
         let body = &mechanism.bodies[way.body];
-        let how = match way.slides {
-            true => "sliding along",
-            false => "turning in",
+        let how = if way.slides {
+            "sliding along"
+        } else {
+            "turning in"
         };
-        let joint = joint_name(mechanism, body.joint);
+        let joint = names::joint_name(mechanism, body.joint);
         reporter.error(
             body.origin,
             format!(
@@ -113,7 +108,7 @@ fn report_untold(mechanism: &Mechanism, system: &System, reporter: &mut Reporter
             continue;
         };
         reported.push(joint);
-        let name = joint_name(mechanism, joint);
+        let name = names::joint_name(mechanism, joint);
         reporter.error(
             mechanism.joints[joint].origin,
             format!(
@@ -136,7 +131,9 @@ fn report_blocks(
 ) {
     for block in &system.blocks {
         let joints = joints_of(system, block);
-        let names = joints.iter().map(|&joint| joint_name(mechanism, joint));
+        let names = joints
+            .iter()
+            .map(|&joint| names::joint_name(mechanism, joint));
         let names = names.collect::<Vec<_>>().join(", ");
         let message = if block.len() > LARGEST_BLOCK {
             format!(
@@ -144,7 +141,7 @@ fn report_blocks(
                  help: ask for the torque and the energies only",
                 block.len(),
             )
-        } else if system.repeats(block, positions) {
+        } else if rank::repeats(system, block, positions) {
             format!(
                 "equilibrium does not tell the reactions of {names}: the conditions for them repeat each other wherever it moves\n\
                  help: leave out a joint that holds what others hold already, or let one of them move more freely",

@@ -1,26 +1,26 @@
-//! Which motions are driven, where what they depend on does not tell: as many equations are needed as there are unknowns.
+//! The motions that are driven, if their dependence does not determine it: as many equations are
+//! needed as there are unknowns.
 
-use super::Mechanics;
-use super::system::{Equation, System};
-use crate::forces::motion;
-use crate::forces::system;
+use crate::forces::context::Mechanics;
+use crate::forces::system::{Equation, System};
+use crate::forces::{equations, motion};
 
-/// A motion that the loops make steady may be driven, too: the length of a leg to a point that is an unknown. As long as motions
-/// lack a reaction, such ones are taken for driven.
+/// A motion that the loops make steady may be driven, too: the length of a leg to a point that is
+/// an unknown. As long as motions lack a reaction, such ones are taken for driven.
 pub(super) fn drive_steady<'m>(mechanics: &mut Mechanics<'_, 'm>, system: &mut System<'m>) {
     for (body, slides) in mechanics.forces.steady.clone() {
         let is_this = |equation: &Equation| {
-            let way = equation.way();
+            let way = equation.motion();
             way.is_some_and(|way| (way.body, way.slides) == (body, slides))
         };
-        let place = system.equations.iter().position(is_this);
-        let Some(place) = place.filter(|_| system.found() < system.equations.len()) else {
+        let index = system.equations.iter().position(is_this);
+        let Some(index) = index.filter(|_| system.found() < system.equations.len()) else {
             continue;
         };
         let before = system.clone();
-        let removed = system.equations.remove(place);
-        system.incidence.remove(place);
-        system.matrix.remove(place);
+        let removed = system.equations.remove(index);
+        system.incidence.remove(index);
+        system.matrix.remove(index);
         system.order();
         match removed {
             Equation::Motion(way) if system.found() == before.found() => {
@@ -31,19 +31,21 @@ pub(super) fn drive_steady<'m>(mechanics: &mut Mechanics<'_, 'm>, system: &mut S
     }
 }
 
-/// A motion that depends on inputs alone need not be driven: the block of a Scotch yoke turns against the crank by minus its angle, and the
-/// yoke's slot holds it. As long as a reaction lacks an equation, such motions are taken for held, those farthest from the frame first.
+/// A motion that depends on inputs alone need not be driven: the block of a Scotch yoke turns
+/// against the crank by minus its angle, and the yoke's slot holds it. As long as a reaction lacks
+/// an equation, such motions are taken for held, those farthest from the frame first.
 pub(super) fn release_held<'m>(mechanics: &mut Mechanics<'_, 'm>, system: &mut System<'m>) {
     let mut candidates = system.driven.clone();
     candidates.sort_by_key(|way| (mechanics.forces.tree.depth(way.body), way.body));
     while system.lacks_equations() && system.driven.len() > motion::drives(mechanics) {
         let Some(way) = candidates.pop() else { return };
         let before = system.clone();
-        system::add(mechanics, system, Equation::Motion(way));
+        equations::add(mechanics, system, Equation::Motion(way));
         system.order();
-        match system.found() > before.found() {
-            true => system.driven.retain(|own| *own != way),
-            false => *system = before,
+        if system.found() > before.found() {
+            system.driven.retain(|driven| *driven != way)
+        } else {
+            *system = before
         }
     }
 }

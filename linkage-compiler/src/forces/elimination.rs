@@ -1,4 +1,5 @@
-//! Gauss elimination on plain numbers: whether rows are independent, and what others a list of numbers is made of.
+//! Gauss elimination on plain numbers: independence of rows, and lists of numbers as combinations
+//! of others.
 
 /// Rows of equal length that are being eliminated.
 struct Rows(Vec<Vec<f64>>);
@@ -17,7 +18,8 @@ impl Rows {
         }
     }
 
-    /// Moves the row with the largest number in column `k` to place `k`; the result is that number, `None` if no row is left.
+    /// Moves the row with the largest number in column `k` to place `k`; the result is that number,
+    /// `None` if no row is left.
     fn pivot_in_column(&mut self, k: usize) -> Option<f64> {
         let Self(rows) = self;
         let largest =
@@ -26,15 +28,17 @@ impl Rows {
         Some(rows[k][k])
     }
 
-    /// Moves the largest number of those rows and columns that are left to place `k`; the result is that number.
+    /// Moves the largest number of those rows and columns that are left to place `k`; the result is
+    /// that number.
     fn pivot_anywhere(&mut self, k: usize) -> f64 {
         let Self(rows) = self;
         let count = rows.len();
         let places = (k..count).flat_map(|i| (k..count).map(move |j| (i, j)));
         let largest = places.fold((k, k), |(a, b), (i, j)| {
-            match rows[i][j].abs() > rows[a][b].abs() {
-                true => (i, j),
-                false => (a, b),
+            if rows[i][j].abs() > rows[a][b].abs() {
+                (i, j)
+            } else {
+                (a, b)
             }
         });
         rows.swap(k, largest.0);
@@ -49,20 +53,21 @@ impl Rows {
         let others = rows.iter_mut().enumerate().skip(first);
         for (_, row) in others.filter(|(i, _)| *i != k) {
             let factor = row[k] / pivot[k];
-            let own = row.iter_mut().zip(&pivot);
-            own.for_each(|(x, p)| *x -= factor * p);
+            let entries = row.iter_mut().zip(&pivot);
+            entries.for_each(|(x, p)| *x -= factor * p);
         }
     }
 }
 
-/// Factors that make a list of numbers from others; `None` if there are none. What is smaller than `least` is nothing: lists
-/// that are combinations of those before them by so little, what a combination misses, and factors.
+/// Returns the factors that make a list of numbers from others; `None` if there are none. Numbers
+/// below `least` count as 0: the rest of a list after those before it, the error of a combination,
+/// and factors.
 pub(super) fn combination(basis: &[&[f64]], numbers: &[f64], least: f64) -> Option<Vec<f64>> {
     let count = basis.len();
     // [basis | numbers], one row for each number.
     let row = |k: usize| {
-        let own = basis.iter().map(|list| list[k]);
-        own.chain([numbers[k]]).collect()
+        let entries = basis.iter().map(|list| list[k]);
+        entries.chain([numbers[k]]).collect()
     };
     let mut rows = Rows((0..numbers.len()).map(row).collect());
     for k in 0..count {
@@ -80,8 +85,8 @@ pub(super) fn combination(basis: &[&[f64]], numbers: &[f64], least: f64) -> Opti
     Some(shares.collect())
 }
 
-/// Whether the rows of a square matrix repeat each other. Rows that are independent by less than `least` of their size are
-/// not.
+/// True if the rows of a square matrix repeat each other. Rows that are independent by less than
+/// `least` of their size are not.
 pub(super) fn is_singular(rows: Vec<Vec<f64>>, least: f64) -> bool {
     let mut rows = Rows(rows);
     rows.balance();

@@ -1,30 +1,29 @@
 //! Do the ends of springs and dampers stay apart?
 
-use crate::forces::geometry;
-use crate::forces::positions;
 use linkage_symbolic::Vn;
 
+use crate::algebra::Algebra;
 use crate::diagnostic::Reporter;
+use crate::forces::context::Mechanics;
+use crate::forces::positions::Positions;
+use crate::forces::{geometry, names, positions};
 use crate::model::{Between, Element, ElementKind};
 
-use super::Mechanics;
-use super::positions::{Positions, size};
-use super::print::element_word;
-
-/// A length below this share of the mechanism's has no direction: so far apart rounding may leave two points at one place.
+/// A length below this share of the mechanism's has no direction: so far apart rounding may leave
+/// two points at one place.
 const NOTHING: f64 = 1e-9;
 
-/// Reports the first spring or damper whose ends meet: in which direction it acts cannot be told.
+/// Reports the first spring or damper whose ends meet, so that its direction is undefined.
 pub(super) fn check_lengths(
     mechanics: &mut Mechanics<'_, '_>,
     positions: &Positions,
     reporter: &mut Reporter,
 ) {
     let mechanism = mechanics.algebra.mechanism;
-    let spans = spans(mechanics);
+    let spans = spans(mechanics.algebra);
     for position in positions.iter() {
         for &(element, between) in &spans {
-            let length = size(&positions::vector(position, between));
+            let length = positions::size(&positions::vector(position, between));
             if length > NOTHING * positions::longest(position) || length.is_nan() {
                 continue;
             }
@@ -33,8 +32,8 @@ pub(super) fn check_lengths(
                     format!(
                         "the ends of the {} meet: {}it has no direction\n\
                          help: check its points; what turns in a joint is written `{0} VALUE on JOINT`",
-                        element_word(element.kind),
-                        positions::words(position, mechanism)
+                        names::element_name(element.kind),
+                        positions::described(position, mechanism)
                     ),
                 );
             return;
@@ -42,11 +41,11 @@ pub(super) fn check_lengths(
     }
 }
 
-/// Springs and dampers between points, and from the end of each to its start. A spring that has no length without force does not
-/// need a direction.
-fn spans<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Vec<(&'m Element, Vn<'m>)> {
+/// Springs and dampers between points, and from the end of each to its start. A spring that has no
+/// length without force does not need a direction.
+fn spans<'m>(algebra: &mut Algebra<'m>) -> Vec<(&'m Element, Vn<'m>)> {
     let mut spans = Vec::new();
-    for element in &mechanics.algebra.mechanism.elements {
+    for element in &algebra.mechanism.elements {
         let needs_direction = match element.kind {
             ElementKind::Spring => element.free.is_some(),
             ElementKind::Damper => true,
@@ -54,8 +53,7 @@ fn spans<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Vec<(&'m Element, Vn<'m>)> {
         if let Between::Points(ends) = &element.between
             && needs_direction
         {
-            let [start, end] =
-                [0, 1].map(|end| geometry::vector_of(mechanics.algebra, &ends[end].1));
+            let [start, end] = [0, 1].map(|end| geometry::vector_of(algebra, &ends[end].1));
             spans.push((element, start - end));
         }
     }

@@ -1,19 +1,14 @@
 //! Do bodies and joints fit the motion? Velocities compared on numbers.
 
-use crate::forces::geometry;
-use crate::forces::motion;
-use crate::forces::positions;
 use linkage_symbolic::Vn;
 
 use crate::diagnostic::{OriginId, Reporter};
+use crate::forces::context::Mechanics;
+use crate::forces::positions::{EQUAL, Position, Positions, SLOW};
+use crate::forces::speeds::By;
+use crate::forces::{geometry, motion, names, positions};
 use crate::message_format::numbers;
-use crate::model::{Between, ElementKind, Expr, Mechanism};
-
-use super::Mechanics;
-use super::geometry::{Turns, slides_along, turns_of};
-use super::motion::By;
-use super::positions::{EQUAL, Position, Positions, SLOW, size};
-use super::print::{body_name, joint_name};
+use crate::model::{Between, ElementKind, Expr, Mechanism, Rotation};
 
 /// Two velocities that must be equal.
 struct Pair<'m> {
@@ -25,14 +20,14 @@ struct Pair<'m> {
     what: What,
 }
 
-/// What the velocities are of.
+/// The subject of a pair of velocities.
 #[derive(Clone, Copy)]
 enum What {
-    /// Of a joint's point with its bodies.
+    /// A joint's point with its bodies.
     Joint(usize),
     /// Angular velocities of a joint's bodies.
     Turns(usize),
-    /// Of a point that must stay with a body, and as the body's.
+    /// A point that must stay with a body, and the same point of the body.
     Point(Point),
 }
 
@@ -99,7 +94,7 @@ fn pair_of_points<'m>(mechanics: &mut Mechanics<'_, 'm>, joint: usize, input: us
         input,
         first: motion::velocity_of(mechanics, Some(declared.body), point, by),
         second: motion::velocity_of(mechanics, declared.on, point, by),
-        except: direction.filter(|_| slides_along(declared.kind)),
+        except: direction.filter(|_| declared.kind.slides()),
         what: What::Joint(joint),
     }
 }
@@ -111,10 +106,10 @@ fn pair_of_turns<'m>(
     input: usize,
 ) -> Option<Pair<'m>> {
     let declared = &mechanics.algebra.mechanism.joints[joint];
-    let except = match turns_of(declared.kind) {
-        Turns::Not => None,
-        Turns::AboutAxis => Some(mechanics.forces.geometry.directions[joint]?),
-        Turns::Freely => return None,
+    let except = match declared.kind.rotation() {
+        Rotation::Not => None,
+        Rotation::AboutAxis => Some(mechanics.forces.geometry.directions[joint]?),
+        Rotation::Freely => return None,
     };
     let by = By::Input(input);
     Some(Pair {
@@ -127,7 +122,7 @@ fn pair_of_turns<'m>(
 }
 
 impl Pair<'_> {
-    /// What is wrong with a pair at a position.
+    /// Describes the difference of a pair at a position.
     fn difference(&self, mechanism: &Mechanism, position: Position) -> Option<String> {
         let [first, second] = [self.first, self.second].map(|v| positions::vector(position, v));
         let mut apart: Vec<f64> = first.iter().zip(&second).map(|(a, b)| a - b).collect();
@@ -141,10 +136,10 @@ impl Pair<'_> {
             What::Turns(_) => 1.0,
             What::Joint(_) | What::Point(_) => positions::longest(position),
         };
-        let scale = size(&first) + size(&second) + SLOW * unit;
+        let scale = positions::size(&first) + positions::size(&second) + SLOW * unit;
         // Where the mechanism does not close there is nothing to compare.
-        (size(&apart) > EQUAL * scale).then(|| {
-            let at = positions::words(position, mechanism);
+        (positions::size(&apart) > EQUAL * scale).then(|| {
+            let at = positions::described(position, mechanism);
             self.message(mechanism, &at, [&first, &second].map(|v| vector_words(v)))
         })
     }
@@ -181,7 +176,7 @@ impl Pair<'_> {
                     }
                     None => "write a point that stays, or name the body that it belongs to",
                 };
-                let body = body_name(mechanism, body);
+                let body = names::body_name(mechanism, body);
                 format!(
                     "{what} leaves {body}: {at}its point moves by {a} per unit of `{by}`, as a point of {body} by {b}\n\
                      help: {help}"
@@ -204,9 +199,9 @@ impl What {
 fn joint_names(mechanism: &Mechanism, joint: usize) -> [String; 3] {
     let declared = &mechanism.joints[joint];
     [
-        joint_name(mechanism, joint),
-        body_name(mechanism, Some(declared.body)),
-        body_name(mechanism, declared.on),
+        names::joint_name(mechanism, joint),
+        names::body_name(mechanism, Some(declared.body)),
+        names::body_name(mechanism, declared.on),
     ]
 }
 
@@ -219,7 +214,8 @@ fn vector_words(v: &[f64]) -> String {
     }
 }
 
-/// Points that move with a body, the frame included: of masses, of moments of inertia, of the ends of springs and dampers.
+/// Points that move with a body, the frame included: of masses, of moments of inertia, of the ends
+/// of springs and dampers.
 fn carried_points(mechanism: &Mechanism) -> Vec<(Point, &Expr)> {
     let point = |what, body, at: &Expr| Point {
         what,
@@ -227,11 +223,11 @@ fn carried_points(mechanism: &Mechanism) -> Vec<(Point, &Expr)> {
         origin: at.origin,
     };
     let mut points = Vec::new();
-    for (body, own) in mechanism.bodies.iter().enumerate() {
+    for (body, declared) in mechanism.bodies.iter().enumerate() {
         let body = Some(body);
-        let masses = own.masses.iter();
+        let masses = declared.masses.iter();
         points.extend(masses.map(|(_, at)| (point("the mass", body, at), at)));
-        let about = own.inertias.iter().filter_map(|(_, at)| at.as_ref());
+        let about = declared.inertias.iter().filter_map(|(_, at)| at.as_ref());
         points.extend(about.map(|at| (point("the point of the inertia", body, at), at)));
     }
     for element in &mechanism.elements {

@@ -1,49 +1,26 @@
 //! The motions of the tree's joints that nothing drives: in each, no work may be done.
 //!
-//! A joint is driven if its motion depends on inputs alone: the drive holds it, with a couple (or a force along the guide) that is no
-//! unknown here. Gears tie the turns of several bodies, by couples that are unknowns of their own.
+//! A joint is driven if its motion depends on inputs alone: the drive holds it, with a couple (or a
+//! force along the guide) that is no unknown here. Gears tie the turns of several bodies, by
+//! couples that are unknowns of their own.
 
-use crate::algebra::partial;
-use crate::forces::motion;
-use linkage_symbolic::{Ex, Vector, Vn};
+use linkage_symbolic::{Ex, Vector};
 
-use crate::model::Variable;
+use crate::algebra::{Algebra, partial};
+use crate::forces::context::Mechanics;
+use crate::forces::joint_motion::{JointMotion, Motions, Tie};
+use crate::forces::speeds::By;
+use crate::forces::{elimination, motion};
+use crate::model::{Rotation, Variable};
 
-use super::Mechanics;
-use super::elimination::combination;
-use super::geometry::{Turns, slides_along, turns_of};
-use super::motion::By;
-
-/// A way in which a body moves in its own joint.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Way<'m> {
-    pub(super) body: usize,
-    /// Along a guide; else a turn.
-    pub(super) slides: bool,
-    /// Unit vector; in the plane a turn has the component 1.
-    pub(super) direction: Vn<'m>,
-}
-
-/// Turns that gears tie: their couples on bodies, in proportion, which the frame takes up.
-#[derive(Clone, Debug)]
-pub(super) struct Tie {
-    pub(super) couples: Vec<(usize, f64)>,
-}
-
-/// All motions of the tree's joints.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Motions<'m> {
-    pub(super) free: Vec<Way<'m>>,
-    pub(super) driven: Vec<Way<'m>>,
-    pub(super) ties: Vec<Tie>,
-}
-
-/// Rates of turns that differ by less are equal. They are ratios of gears, numbers near 1 that rounding alone changes.
+/// Rates of turns that differ by less are equal. They are ratios of gears, numbers near 1 that
+/// rounding alone changes.
 const RATIO: f64 = 1e-9;
 
-/// All motions. `held` is how many of them reactions of cut joints can hold in the plane: what is beyond is tied by gears.
+/// All motions. `held` is the number of them that reactions of cut joints can hold in the plane:
+/// the others are tied by gears.
 pub(super) fn motions<'m>(mechanics: &mut Mechanics<'_, 'm>, held: usize) -> Motions<'m> {
-    let unknowns = unknown_variables(mechanics);
+    let unknowns = unknown_variables(mechanics.algebra);
     let mut motions = Motions::default();
     for body in mechanics.forces.tree.order.clone() {
         for way in ways(mechanics, body) {
@@ -51,9 +28,10 @@ pub(super) fn motions<'m>(mechanics: &mut Mechanics<'_, 'm>, held: usize) -> Mot
                 let rate = relative_rate(mechanics, &way, unknown);
                 mechanics.algebra.vanishes(rate)
             });
-            match is_held {
-                true => motions.driven.push(way),
-                false => motions.free.push(way),
+            if is_held {
+                motions.driven.push(way)
+            } else {
+                motions.free.push(way)
             }
         }
     }
@@ -68,11 +46,11 @@ pub(super) fn motions<'m>(mechanics: &mut Mechanics<'_, 'm>, held: usize) -> Mot
     motions
 }
 
-/// Up to `count` turns that are determined by others, all of them against the frame. Bodies that turn as another because of their
-/// joints are no case for gears.
+/// Up to `count` turns that are determined by others, all of them against the frame. Bodies that
+/// turn as another because of their joints are no case for gears.
 fn ties<'m>(
     mechanics: &mut Mechanics<'_, 'm>,
-    free: &[Way<'m>],
+    free: &[JointMotion<'m>],
     count: usize,
     unknowns: &[By],
 ) -> Vec<Tie> {
@@ -89,7 +67,7 @@ fn ties<'m>(
             continue;
         };
         let known: Vec<&[f64]> = basis.iter().map(|(_, rates)| &rates[..]).collect();
-        let Some(shares) = combination(&known, &rates, RATIO) else {
+        let Some(shares) = elimination::combination(&known, &rates, RATIO) else {
             basis.push((way.body, rates));
             continue;
         };
@@ -102,22 +80,23 @@ fn ties<'m>(
     ties
 }
 
-/// By body and, last, for the frame: a number that those share which slides and `fixed` joints let turn alike only.
+/// For each body and, last, for the frame: a number that those share which slides and `fixed`
+/// joints let turn alike only.
 fn alike(mechanics: &Mechanics<'_, '_>) -> Vec<usize> {
     let frame = mechanics.forces.tree.parent.len();
     let mut alike: Vec<usize> = (0..=frame).collect();
     for joint in &mechanics.algebra.mechanism.joints {
-        if turns_of(joint.kind) == Turns::Not {
-            let [own, other] = [joint.body, joint.on.unwrap_or(frame)].map(|k| alike[k]);
+        if joint.kind.rotation() == Rotation::Not {
+            let [first, other] = [joint.body, joint.on.unwrap_or(frame)].map(|k| alike[k]);
             for number in alike.iter_mut().filter(|number| **number == other) {
-                *number = own;
+                *number = first;
             }
         }
     }
     alike
 }
 
-/// How fast a body of the plane turns by each unknown, if these are constants.
+/// The rates at which a body of the plane turns with each unknown, if these are constants.
 fn constant_rates(
     mechanics: &mut Mechanics<'_, '_>,
     body: usize,
@@ -130,7 +109,7 @@ fn constant_rates(
     rates.collect()
 }
 
-/// How fast what is tied would come apart by an input if it were not for the unknowns.
+/// The rate at which tied bodies would separate with an input if the unknowns stayed.
 pub(super) fn tie_rate<'m>(mechanics: &mut Mechanics<'_, 'm>, tie: &Tie, input: usize) -> Ex<'m> {
     let input = By::Alone(mechanics.algebra.variable(Variable::Input(input)));
     let couples = tie.couples.iter();
@@ -140,27 +119,27 @@ pub(super) fn tie_rate<'m>(mechanics: &mut Mechanics<'_, 'm>, tie: &Tie, input: 
 }
 
 /// The ways in which a body's own joint lets it move.
-pub(super) fn ways<'m>(mechanics: &Mechanics<'_, 'm>, body: usize) -> Vec<Way<'m>> {
+pub(super) fn ways<'m>(mechanics: &Mechanics<'_, 'm>, body: usize) -> Vec<JointMotion<'m>> {
     let joint = mechanics.algebra.mechanism.bodies[body].joint;
     let kind = mechanics.algebra.mechanism.joints[joint].kind;
     let geometry = &mechanics.forces.geometry;
     let direction = geometry.directions[joint];
-    let way = |slides, direction| Way {
+    let way = |slides, direction| JointMotion {
         body,
         slides,
         direction,
     };
     let mut ways = Vec::new();
-    if slides_along(kind) {
+    if kind.slides() {
         ways.extend(direction.map(|guide| way(true, guide)));
     }
-    match turns_of(kind) {
-        Turns::Not => {}
-        Turns::AboutAxis => {
+    match kind.rotation() {
+        Rotation::Not => {}
+        Rotation::AboutAxis => {
             let in_plane = Vector([mechanics.algebra.one()]).into();
             ways.push(way(false, direction.unwrap_or(in_plane)));
         }
-        Turns::Freely => {
+        Rotation::Freely => {
             let axes = geometry.units(mechanics.graph()).into_iter();
             ways.extend(axes.map(|axis| way(false, axis)));
         }
@@ -168,38 +147,35 @@ pub(super) fn ways<'m>(mechanics: &Mechanics<'_, 'm>, body: usize) -> Vec<Way<'m
     ways
 }
 
-/// How fast a body moves in its own joint.
+/// The rate at which a body moves in its own joint.
 pub(super) fn relative_rate<'m>(
     mechanics: &mut Mechanics<'_, 'm>,
-    way: &Way<'m>,
+    way: &JointMotion<'m>,
     by: By,
 ) -> Ex<'m> {
     let on = mechanics.forces.tree.parent[way.body];
-    let relative = match way.slides {
-        true => {
-            let origin = mechanics.forces.geometry.origins[way.body];
-            motion::moved(mechanics, origin, by) - motion::velocity_of(mechanics, on, origin, by)
-        }
-        false => motion::turn(mechanics, Some(way.body), by) - motion::turn(mechanics, on, by),
+    let relative = if way.slides {
+        let origin = mechanics.forces.geometry.origins[way.body];
+        motion::moved(mechanics, origin, by) - motion::velocity_of(mechanics, on, origin, by)
+    } else {
+        motion::turn(mechanics, Some(way.body), by) - motion::turn(mechanics, on, by)
     };
     way.direction.dot(relative)
 }
 
 /// All unknowns, each changing alone.
-fn unknown_variables(mechanics: &mut Mechanics<'_, '_>) -> Vec<By> {
-    let groups = mechanics.algebra.solutions.groups.iter();
-    let counts: Vec<usize> = groups.map(|own| own.jacobian.len()).collect();
-    let mut all = Vec::new();
+fn unknown_variables(algebra: &mut Algebra) -> Vec<By> {
+    let groups = algebra.solutions.groups.iter();
+    let counts: Vec<usize> = groups.map(|group| group.jacobian.len()).collect();
+    let mut variables = Vec::new();
     for (group, count) in counts.into_iter().enumerate() {
         for position in 0..count {
-            all.push(By::Alone(partial::unknown_variable(
-                mechanics.algebra,
-                group,
-                position,
+            variables.push(By::Alone(partial::unknown_variable(
+                algebra, group, position,
             )));
         }
     }
-    all
+    variables
 }
 
 /// True for a slender rod.

@@ -1,17 +1,15 @@
 //! The declared points, axes and angles as expressions.
 
-use crate::algebra::translate;
 use linkage_symbolic::{Graph, Vector, Vn};
 
-use crate::algebra::{Algebra, Scalar, Translate, Value};
-use crate::model::{Expr, JointKind};
+use crate::algebra::{Algebra, Scalar, Translate, Value, translate};
+use crate::forces::tree::Tree;
+use crate::model::Expr;
 
-use super::tree::Tree;
-
-/// What a body turns with.
+/// The rotation of a body.
 #[derive(Clone, Debug)]
-pub(super) enum Turning<'m> {
-    /// As the body that it hangs on.
+pub(super) enum BodyTurn<'m> {
+    /// The same rotation as its parent.
     Along,
     /// In the plane.
     Angle(Scalar<'m>),
@@ -27,17 +25,17 @@ pub(super) enum Turning<'m> {
 pub(super) struct Geometry<'m> {
     /// 2 in the plane, 3 in space.
     pub(super) dimensions: usize,
-    /// By body: the points of their own joints.
+    /// For each body: the points of their own joints.
     pub(super) origins: Vec<Vn<'m>>,
-    pub(super) turning: Vec<Turning<'m>>,
-    /// By joint.
+    pub(super) turning: Vec<BodyTurn<'m>>,
+    /// For each joint.
     pub(super) points: Vec<Vn<'m>>,
-    /// By joint: unit vectors along guides and axes.
+    /// For each joint: unit vectors along guides and axes.
     pub(super) directions: Vec<Option<Vn<'m>>>,
 }
 
 impl<'m> Geometry<'m> {
-    /// What is declared, bodies in the order of the tree.
+    /// The declarations as expressions, bodies in the order of the tree.
     pub(super) fn new(algebra: &mut Algebra<'m>, tree: &Tree) -> Self {
         let mechanism = algebra.mechanism;
         let joints = mechanism.joints.iter();
@@ -49,18 +47,20 @@ impl<'m> Geometry<'m> {
         let directions: Vec<Option<Vn>> = joints
             .map(|joint| joint.direction.as_ref().map(|way| unit_of(algebra, way)))
             .collect();
-        let mut turning = vec![Turning::Along; mechanism.bodies.len()];
+        let mut turning = vec![BodyTurn::Along; mechanism.bodies.len()];
         for &body in &tree.order {
-            let own = &mechanism.bodies[body];
-            let Some(turns) = &own.turns else { continue };
+            let declared = &mechanism.bodies[body];
+            let Some(turns) = &declared.turns else {
+                continue;
+            };
             turning[body] = match algebra.translate(turns) {
                 Value::Array(parts) => {
-                    Turning::Frame([1, 2, 3].map(|axis| translate::vector(algebra, &parts[axis])))
+                    BodyTurn::Frame([1, 2, 3].map(|axis| translate::vector(algebra, &parts[axis])))
                 }
-                Value::Vector(along) => Turning::Rod(along),
-                Value::Scalar(angle) => match directions[own.joint] {
-                    Some(axis) if dimensions == 3 => Turning::About(angle, axis),
-                    _ => Turning::Angle(angle),
+                Value::Vector(along) => BodyTurn::Rod(along),
+                Value::Scalar(angle) => match directions[declared.joint] {
+                    Some(axis) if dimensions == 3 => BodyTurn::About(angle, axis),
+                    _ => BodyTurn::Angle(angle),
                 },
             };
         }
@@ -79,12 +79,9 @@ impl<'m> Geometry<'m> {
         self.dimensions == 2
     }
 
-    /// How many components a turn has.
+    /// The number of components of a turn.
     pub(super) fn turns(&self) -> usize {
-        match self.is_plane() {
-            true => 1,
-            false => 3,
-        }
+        if self.is_plane() { 1 } else { 3 }
     }
 
     /// Unit vectors along the axes of coordinates.
@@ -100,16 +97,16 @@ impl<'m> Geometry<'m> {
     /// The vector along a slender rod.
     pub(super) fn rod(&self, body: usize) -> Option<Vn<'m>> {
         match self.turning[body] {
-            Turning::Rod(along) => Some(along),
-            Turning::Along | Turning::Angle(_) | Turning::About(..) | Turning::Frame(_) => None,
+            BodyTurn::Rod(along) => Some(along),
+            BodyTurn::Along | BodyTurn::Angle(_) | BodyTurn::About(..) | BodyTurn::Frame(_) => None,
         }
     }
 
     /// The axis about which a body turns with an angle in space.
     pub(super) fn axis(&self, body: usize) -> Option<Vn<'m>> {
         match self.turning[body] {
-            Turning::About(_, axis) => Some(axis),
-            Turning::Along | Turning::Angle(_) | Turning::Frame(_) | Turning::Rod(_) => None,
+            BodyTurn::About(_, axis) => Some(axis),
+            BodyTurn::Along | BodyTurn::Angle(_) | BodyTurn::Frame(_) | BodyTurn::Rod(_) => None,
         }
     }
 
@@ -122,7 +119,7 @@ impl<'m> Geometry<'m> {
     ) -> Scalar<'m> {
         let mut next = body;
         while let Some(body) = next {
-            if let Turning::Angle(angle) = &self.turning[body] {
+            if let BodyTurn::Angle(angle) = &self.turning[body] {
                 return angle.clone();
             }
             next = tree.parent[body];
@@ -146,31 +143,5 @@ fn unit_of<'m>(algebra: &mut Algebra<'m>, expr: &Expr) -> Vn<'m> {
             let vector = Vector([vector.at(0), vector.at(1)]);
             vector.length_and_unit().1.into()
         }
-    }
-}
-
-/// What of its body's turning a joint allows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Turns {
-    Not,
-    /// About the joint's axis; in the plane that is every turn.
-    AboutAxis,
-    Freely,
-}
-
-/// How a joint lets its body turn.
-pub(super) fn turns_of(kind: JointKind) -> Turns {
-    match kind {
-        JointKind::Slide | JointKind::Fixed => Turns::Not,
-        JointKind::Pin | JointKind::Cylinder => Turns::AboutAxis,
-        JointKind::Ball => Turns::Freely,
-    }
-}
-
-/// Whether a joint lets its body slide along its direction.
-pub(super) fn slides_along(kind: JointKind) -> bool {
-    match kind {
-        JointKind::Slide | JointKind::Cylinder => true,
-        JointKind::Pin | JointKind::Ball | JointKind::Fixed => false,
     }
 }

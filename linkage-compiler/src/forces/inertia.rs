@@ -1,26 +1,24 @@
-//! Moments of inertia and what they do when a body turns.
+//! Moments of inertia, and their effects when a body turns.
 //!
-//! A body with a frame is looked at in its own axes, where its inertia does not change and nothing is turned to and fro.
+//! A body with a frame is treated in its own axes, in which its inertia does not change.
 
-use crate::forces::geometry;
-use crate::forces::loads;
-use crate::forces::motion;
 use linkage_symbolic::{Ex, Vector, Vn};
 
 use crate::algebra::Translate;
+use crate::forces::context::Mechanics;
+use crate::forces::geometry::BodyTurn;
+use crate::forces::{geometry, masses, motion};
 use crate::model::{Expr, Inertia};
 
-use super::Mechanics;
-use super::geometry::Turning;
-
-/// How a body turns: the angular velocity and its gain, in the body's own axes if it has any.
+/// The rotation of a body: the angular velocity and its rate, in the body's own axes if it has any.
 struct Turned<'m> {
     axes: Option<[Vn<'m>; 3]>,
     velocity: Vn<'m>,
     gain: Vn<'m>,
 }
 
-/// How fast the moment of momentum of a body grows beyond that of its masses as points: `I alpha`, in space `I alpha + omega x I omega`.
+/// The rate of a body's moment of momentum beyond that of its masses as points: `I alpha`, in space
+/// `I alpha + omega x I omega`.
 pub(super) fn inertia_couple<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Option<Vn<'m>> {
     if mechanics.algebra.mechanism.bodies[body].inertias.is_empty() {
         return None;
@@ -48,12 +46,12 @@ pub(super) fn twice_turning_energy<'m>(mechanics: &mut Mechanics<'_, 'm>, body: 
     turned.velocity.dot(momentum)
 }
 
-/// How a body turns at the speeds that are listed.
+/// The rotation of a body at the speeds that are listed.
 fn turned<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Turned<'m> {
     match mechanics.forces.geometry.turning[body] {
-        Turning::Frame(axes) => turned_in_axes(mechanics, axes),
-        Turning::Rod(along) => turned_rod(mechanics, body, along),
-        Turning::Along | Turning::Angle(_) | Turning::About(..) => Turned {
+        BodyTurn::Frame(axes) => turned_in_axes(mechanics, axes),
+        BodyTurn::Rod(along) => turned_rod(mechanics, body, along),
+        BodyTurn::Along | BodyTurn::Angle(_) | BodyTurn::About(..) => Turned {
             gain: motion::angular_acceleration(mechanics, body),
             velocity: motion::angular_velocity(mechanics, body),
             axes: None,
@@ -95,8 +93,8 @@ fn turned_rod<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize, v: Vn<'m>) -> 
 }
 
 /// `a x + b y + c z`
-fn out_of_axes<'m>(mechanics: &Mechanics<'_, 'm>, axes: &[Vn<'m>; 3], own: Vn<'m>) -> Vn<'m> {
-    let pairs = own.iter().zip(axes);
+fn out_of_axes<'m>(mechanics: &Mechanics<'_, 'm>, axes: &[Vn<'m>; 3], vector: Vn<'m>) -> Vn<'m> {
+    let pairs = vector.iter().zip(axes);
     pairs.fold(mechanics.zero_turn(), |sum, (along, &axis)| {
         sum + along * axis
     })
@@ -133,7 +131,8 @@ fn inertia_times<'m>(
     sum
 }
 
-/// What the masses as points have about a point, times a turn: `sum m r^2 w`, in space `sum m r x (w x r)`.
+/// The inertia of the masses as points about a point, times a turn: `sum m r^2 w`, in space
+/// `sum m r x (w x r)`.
 fn points_about<'m>(
     mechanics: &mut Mechanics<'_, 'm>,
     body: usize,
@@ -143,22 +142,24 @@ fn points_about<'m>(
 ) -> Vn<'m> {
     let about = geometry::vector_of(mechanics.algebra, about);
     let mut sum = mechanics.zero_turn();
-    for (mass, point) in loads::masses(mechanics, body) {
+    for (mass, point) in masses::masses(mechanics.algebra, body) {
         let arm = point - about;
         let arm = match turned.axes {
             Some(axes) => Vector(axes.map(|axis| axis.dot(arm))).into(),
             None => arm,
         };
-        let part = match mechanics.forces.geometry.is_plane() {
-            true => arm.square() * turn,
-            false => arm.moment_of(turn.sweeping(arm)),
+        let part = if mechanics.forces.geometry.is_plane() {
+            arm.square() * turn
+        } else {
+            arm.moment_of(turn.sweeping(arm))
         };
         sum = sum + mass * part;
     }
     sum
 }
 
-/// In space a scalar is that of a sphere, of a rod across its line, or about the axis of a body that turns about one.
+/// In space a scalar is that of a sphere, of a rod across its line, or about the axis of a body
+/// that turns about one.
 fn scalar_inertia<'m>(
     mechanics: &mut Mechanics<'_, 'm>,
     body: usize,

@@ -1,47 +1,41 @@
-//! What acts on each body: inertia forces and weight, applied loads, springs and dampers.
+//! The loads on each body: inertia forces and weight, applied loads, springs and dampers.
 
-use crate::algebra::scalar;
-use crate::forces::geometry;
-use crate::forces::inertia;
-use crate::forces::motion;
-use crate::forces::wrench;
 use std::rc::Rc;
 
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, Vector, Vn};
 
-use crate::algebra::Translate;
+use crate::algebra::{Translate, scalar};
+use crate::forces::body_loads::{BodyLoads, Loads, PointForce};
+use crate::forces::context::{Case, Mechanics};
+use crate::forces::geometry::BodyTurn;
+use crate::forces::wrench::Wrench;
+use crate::forces::{context, geometry, inertia, masses, motion};
 use crate::model::{Between, Element, ElementKind, Expr};
 
-use super::Mechanics;
-use super::geometry::{Turning, slides_along};
-use super::wrench::Wrench;
-
-/// By body: forces at points, and couples.
-#[derive(Clone, Debug)]
-pub(super) struct Loads<'m> {
-    pub(super) bodies: Vec<BodyLoads<'m>>,
-}
-
-#[derive(Clone, Debug, Default)]
-pub(super) struct BodyLoads<'m> {
-    pub(super) forces: Vec<PointForce<'m>>,
-    pub(super) couples: Vec<Vn<'m>>,
-}
-
-#[derive(Clone, Debug)]
-pub(super) struct PointForce<'m> {
-    pub(super) point: Vn<'m>,
-    pub(super) force: Vn<'m>,
-    /// Of inertia and weight: the mass that has its centre there. Its expression moves with the body.
-    pub(super) mass: Option<Ex<'m>>,
+/// The forces at the speeds that are listed, the loads at least.
+pub(super) fn case<'c, 'm>(mechanics: &'c mut Mechanics<'_, 'm>) -> &'c mut Case<'m> {
+    if !mechanics.forces.cases.contains_key(&mechanics.speeds) {
+        let case = Case {
+            loads: Rc::new(all_loads(mechanics)),
+            wrenches: Map::new(),
+            solved: Map::new(),
+        };
+        mechanics
+            .forces
+            .cases
+            .insert(mechanics.speeds.clone(), case);
+    }
+    let case = mechanics.forces.cases.get_mut(&mechanics.speeds);
+    case.expect("just made")
 }
 
 /// The loads at the speeds that are listed.
 pub(super) fn loads<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Rc<Loads<'m>> {
-    mechanics.case().loads.clone()
+    case(mechanics).loads.clone()
 }
 
-/// The same, found anew.
+/// Computes the same again.
 pub(super) fn all_loads<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Loads<'m> {
     let mechanism = mechanics.algebra.mechanism;
     let bodies = mechanism.bodies.len();
@@ -68,23 +62,25 @@ pub(super) fn all_loads<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Loads<'m> {
 
 /// A force as a vector; a torque as a turn.
 fn load_vector<'m>(mechanics: &mut Mechanics<'_, 'm>, value: &Expr, is_force: bool) -> Vn<'m> {
-    match is_force || !mechanics.forces.geometry.is_plane() {
-        true => geometry::vector_of(mechanics.algebra, value),
-        false => Vector([mechanics.algebra.translate_number(value)]).into(),
+    if is_force || !mechanics.forces.geometry.is_plane() {
+        geometry::vector_of(mechanics.algebra, value)
+    } else {
+        Vector([mechanics.algebra.translate_number(value)]).into()
     }
 }
 
-/// `m (g - a)` at each mass of a body, and what its turning takes.
+/// Returns `m (g - a)` at each mass of a body, and the couple of its rotation.
 fn inertia_and_weight<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> BodyLoads<'m> {
     let mut loads = BodyLoads::default();
-    let gravity = gravity(mechanics);
-    for (mass, point) in masses(mechanics, body) {
+    let gravity = masses::gravity(mechanics.algebra);
+    for (mass, point) in masses::masses(mechanics.algebra, body) {
         let zero = mechanics.graph().zeros(point.len());
         let gravity = gravity.unwrap_or(zero);
         // A mass times the square of a speed is one factor for all components.
-        let force = match motion::factors_of_gain(mechanics) <= point.len() {
-            true => mass * gravity - motion::point_momentum_gain(mechanics, mass, point),
-            false => mass * (gravity - motion::point_acceleration(mechanics, point)),
+        let force = if motion::factors_of_gain(mechanics) <= point.len() {
+            mass * gravity - motion::point_momentum_gain(mechanics, mass, point)
+        } else {
+            mass * (gravity - motion::point_acceleration(mechanics, point))
         };
         if !force.is_zero() {
             loads.forces.push(PointForce {
@@ -99,23 +95,6 @@ fn inertia_and_weight<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Bod
         loads.couples.extend(couple.map(|couple| -couple));
     }
     loads
-}
-
-/// The field of gravity, if there is one.
-pub(super) fn gravity<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Option<Vn<'m>> {
-    let gravity = mechanics.algebra.mechanism.gravity.as_ref()?;
-    Some(geometry::vector_of(mechanics.algebra, gravity))
-}
-
-/// A body's masses and where they are.
-pub(super) fn masses<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Vec<(Ex<'m>, Vn<'m>)> {
-    let masses = mechanics.algebra.mechanism.bodies[body].masses.iter();
-    masses
-        .map(|(mass, at)| {
-            let mass = mechanics.algebra.translate_number(mass);
-            (mass, geometry::vector_of(mechanics.algebra, at))
-        })
-        .collect()
 }
 
 /// A spring or damper on both of its bodies; a damper needs speeds.
@@ -183,16 +162,16 @@ fn joint_element<'m>(
     joint: usize,
 ) -> Wrench<'m> {
     let rate = mechanics.algebra.translate_number(&element.value);
-    let place = match (element.kind, &element.free) {
+    let coordinate = match (element.kind, &element.free) {
         (ElementKind::Damper, _) => joint_speed(mechanics, joint),
         (ElementKind::Spring, None) => joint_coordinate(mechanics, joint),
         (ElementKind::Spring, Some(free)) => {
-            let place = joint_coordinate(mechanics, joint);
-            place - mechanics.algebra.translate_number(free)
+            let coordinate = joint_coordinate(mechanics, joint);
+            coordinate - mechanics.algebra.translate_number(free)
         }
     };
-    let strength = -(rate * place);
-    let mut wrench = wrench::zero_wrench(mechanics);
+    let strength = -(rate * coordinate);
+    let mut wrench = context::zero_wrench(mechanics);
     match mechanics.forces.geometry.directions[joint] {
         Some(guide) if acts_along_guide(mechanics, joint) => wrench.force = strength * guide,
         Some(axis) => wrench.moment = strength * axis,
@@ -201,12 +180,13 @@ fn joint_element<'m>(
     wrench
 }
 
-/// Whether what acts in a joint acts along its guide, and not on its angle.
+/// True if an element in a joint acts along the guide, and not on the angle.
 fn acts_along_guide(mechanics: &Mechanics<'_, '_>, joint: usize) -> bool {
-    slides_along(mechanics.algebra.mechanism.joints[joint].kind)
+    mechanics.algebra.mechanism.joints[joint].kind.slides()
 }
 
-/// How far a joint has turned (its body against the one that it hangs on), or slid from that one's origin.
+/// The angle by which a joint has turned (its body relative to the parent), or the distance from
+/// the parent's origin.
 pub(super) fn joint_coordinate<'m>(mechanics: &Mechanics<'_, 'm>, joint: usize) -> Ex<'m> {
     let declared = &mechanics.algebra.mechanism.joints[joint];
     let (body, on) = (declared.body, declared.on);
@@ -215,15 +195,15 @@ pub(super) fn joint_coordinate<'m>(mechanics: &Mechanics<'_, 'm>, joint: usize) 
         let point = geometry.points[joint];
         return guide.dot(on.map_or(point, |on| mechanics.arm(on, point)));
     }
-    if let Turning::About(angle, _) = &geometry.turning[body] {
+    if let BodyTurn::About(angle, _) = &geometry.turning[body] {
         return scalar::value_of(mechanics.algebra, angle);
     }
-    let [own, other] = [Some(body), on]
+    let [angle, other] = [Some(body), on]
         .map(|body| geometry.angle(mechanics.algebra, &mechanics.forces.tree, body));
-    scalar::value_of(mechanics.algebra, &own.combined(&other, -1.0))
+    scalar::value_of(mechanics.algebra, &angle.combined(&other, -1.0))
 }
 
-/// How fast that grows.
+/// The rate of that coordinate.
 fn joint_speed<'m>(mechanics: &mut Mechanics<'_, 'm>, joint: usize) -> Ex<'m> {
     let declared = &mechanics.algebra.mechanism.joints[joint];
     let (body, on) = (Some(declared.body), declared.on);
@@ -242,21 +222,5 @@ fn joint_speed<'m>(mechanics: &mut Mechanics<'_, 'm>, joint: usize) -> Ex<'m> {
     match mechanics.forces.geometry.directions[joint] {
         Some(way) => way.dot(relative),
         None => relative.at(0),
-    }
-}
-
-impl<'m> Loads<'m> {
-    /// A force at a point, or a couple.
-    fn add(&mut self, body: Option<usize>, point: Option<Vn<'m>>, value: Vn<'m>) {
-        let Some(body) = body else { return };
-        let loads = &mut self.bodies[body];
-        match point {
-            None => loads.couples.push(value),
-            Some(point) => loads.forces.push(PointForce {
-                point,
-                force: value,
-                mass: None,
-            }),
-        }
     }
 }

@@ -1,71 +1,29 @@
-//! How points and bodies move: by each input or unknown, and in time at given speeds.
+//! Velocities and accelerations of points and bodies: with respect to inputs or unknowns, and in
+//! time at given speeds.
 
-use crate::algebra::adjoint;
-use crate::algebra::partial;
-use crate::algebra::scalar;
-use linkage_symbolic::lookup::Map;
+use linkage_symbolic::{Ex, Vector, Vn};
 
-use linkage_symbolic::{Ex, SymbolId, Vector, Vn};
+use crate::algebra::{Direction, adjoint, partial, scalar};
+use crate::forces::context::Mechanics;
+use crate::forces::geometry::BodyTurn;
+use crate::forces::speeds::By;
+use crate::model::Variable;
 
-use crate::algebra::Direction;
-use crate::model::{Mechanism, Variable};
-
-use super::Mechanics;
-use super::geometry::Turning;
-
-/// The speeds and accelerations that a function lists, as places among inputs and arguments, by drive.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
-pub(super) struct Speeds {
-    speeds: Vec<Option<usize>>,
-    accelerations: Vec<Option<usize>>,
-}
-
-/// What derivatives are by.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum By {
-    /// An input, which moves the unknowns, too.
-    Input(usize),
-    /// An unknown or input that changes alone.
-    Alone(SymbolId),
-}
-
-/// Angular velocities of bodies, made when they are asked for.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Motion<'m> {
-    turns: Map<(usize, By), Vn<'m>>,
-}
-
-impl Speeds {
-    /// Those among the arguments that a function lists.
-    pub(super) fn listed(mechanism: &Mechanism, listed: &[usize]) -> Self {
-        let drives = mechanism.inputs.len();
-        let place = |argument: Option<usize>| {
-            let place = argument.map(|argument| drives + argument);
-            place.filter(|place| listed.contains(place))
-        };
-        let inputs = mechanism.inputs.iter();
-        Self {
-            speeds: inputs.clone().map(|input| place(input.speed)).collect(),
-            accelerations: inputs.map(|input| place(input.acceleration)).collect(),
-        }
-    }
-}
-
-/// How many inputs there are.
+/// The number of inputs.
 pub(super) fn drives(mechanics: &Mechanics<'_, '_>) -> usize {
     mechanics.algebra.mechanism.inputs.len()
 }
 
 /// The speed of an input, if it is listed.
 pub(super) fn speed<'m>(mechanics: &Mechanics<'_, 'm>, input: usize) -> Option<Ex<'m>> {
-    mechanics.speeds.speeds[input].map(|place| mechanics.algebra.input(place))
+    mechanics.speeds.speeds[input].map(|argument| mechanics.algebra.input(argument))
 }
 
 fn acceleration<'m>(mechanics: &Mechanics<'_, 'm>, input: usize) -> Option<Ex<'m>> {
-    mechanics.speeds.accelerations[input].map(|place| mechanics.algebra.input(place))
+    mechanics.speeds.accelerations[input].map(|argument| mechanics.algebra.input(argument))
 }
 
-/// Whether anything moves in time.
+/// True if anything moves in time.
 pub(super) fn moves(mechanics: &Mechanics<'_, '_>) -> bool {
     factors_of_gain(mechanics) > 0
 }
@@ -96,17 +54,17 @@ pub(super) fn turn<'m>(mechanics: &mut Mechanics<'_, 'm>, body: Option<usize>, b
     }
     let on = mechanics.forces.tree.parent[body];
     let turn = match mechanics.forces.geometry.turning[body].clone() {
-        Turning::Along => turn(mechanics, on, by),
-        Turning::Angle(angle) => {
+        BodyTurn::Along => turn(mechanics, on, by),
+        BodyTurn::Angle(angle) => {
             let angle = scalar::value_of(mechanics.algebra, &angle);
             Vector([slope(mechanics, angle, by)]).into()
         }
-        Turning::About(angle, axis) => {
+        BodyTurn::About(angle, axis) => {
             let angle = scalar::value_of(mechanics.algebra, &angle);
-            let own = slope(mechanics, angle, by) * axis;
-            turn(mechanics, on, by) + own
+            let relative = slope(mechanics, angle, by) * axis;
+            turn(mechanics, on, by) + relative
         }
-        Turning::Frame(axes) => {
+        BodyTurn::Frame(axes) => {
             // (y' . z) x + (z' . x) y + (x' . y) z
             (0..3).fold(mechanics.zero_turn(), |sum, k| {
                 let [x, y, z] = [k, k + 1, k + 2].map(|k| axes[k % 3]);
@@ -114,7 +72,7 @@ pub(super) fn turn<'m>(mechanics: &mut Mechanics<'_, 'm>, body: Option<usize>, b
             })
         }
         // V x V' / V^2
-        Turning::Rod(v) => v.moment_of(moved(mechanics, v, by)) / v.square(),
+        BodyTurn::Rod(v) => v.moment_of(moved(mechanics, v, by)) / v.square(),
     };
     mechanics.forces.motion.turns.insert((body, by), turn);
     turn
@@ -148,13 +106,14 @@ pub(super) fn in_time<'m>(
     })
 }
 
-/// How many factors [`gain`](Self::gain) has: accelerations, and products of two speeds.
+/// The number of factors of [`gain`]: accelerations, and products of two speeds.
 pub(super) fn factors_of_gain(mechanics: &Mechanics<'_, '_>) -> usize {
-    let of = |all: &[Option<usize>]| all.iter().flatten().count();
-    of(&mechanics.speeds.accelerations) + of(&mechanics.speeds.speeds).pow(2)
+    let count = |arguments: &[Option<usize>]| arguments.iter().flatten().count();
+    count(&mechanics.speeds.accelerations) + count(&mechanics.speeds.speeds).pow(2)
 }
 
-/// What a quantity, whose derivatives by the inputs are given, gains in speed: `sum q_ij w_i w_j + sum q_i e_i`.
+/// The rate of a velocity, given the quantity's derivatives with respect to the inputs:
+/// `sum q_ij w_i w_j + sum q_i e_i`.
 pub(super) fn gain<'m>(
     mechanics: &mut Mechanics<'_, 'm>,
     count: usize,
@@ -209,7 +168,7 @@ pub(super) fn point_acceleration<'m>(mechanics: &mut Mechanics<'_, 'm>, point: V
     })
 }
 
-/// What a mass at it gains in momentum.
+/// The rate of momentum of a mass at the point.
 pub(super) fn point_momentum_gain<'m>(
     mechanics: &mut Mechanics<'_, 'm>,
     mass: Ex<'m>,
@@ -227,7 +186,7 @@ pub(super) fn angular_velocity<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usiz
     })
 }
 
-/// What it gains.
+/// The angular acceleration of a body.
 pub(super) fn angular_acceleration<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Vn<'m> {
     let count = mechanics.forces.geometry.turns();
     gain(mechanics, count, |mechanics, by| {

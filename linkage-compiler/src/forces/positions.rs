@@ -7,12 +7,12 @@ use crate::machine::{ALTERATIONS, Reference, altered, other_inputs};
 use crate::message_format::MessageFormat;
 use crate::model::Mechanism;
 
-/// Velocities that differ by a smaller share are equal: derivatives are rounded far less than this, and what is
-/// written wrongly is wrong by far more.
+/// Velocities that differ by a smaller share are equal: the rounding of derivatives is far less,
+/// and wrong declarations differ by far more.
 pub(super) const EQUAL: f64 = 1e-7;
 
-/// Where velocities are compared, smaller ones count as so large: per unit of an input a turn in radians, a shift in
-/// lengths of the mechanism.
+/// The smallest velocity in comparisons: per unit of an input a turn in radians, a shift in lengths
+/// of the mechanism.
 pub(super) const SLOW: f64 = 1e-3;
 
 /// The reference position and a few others.
@@ -45,13 +45,13 @@ impl<'a> Positions<'a> {
         })
     }
 
-    /// Numbers where the mechanism closes, also with other dimensions and in other assemblies, each group in its other
-    /// mode once: what they have in common there is no chance.
+    /// Numbers at positions where the mechanism closes, also with other dimensions and in other
+    /// assemblies, each group in its other mode once. Equality at all of them is no coincidence.
     pub(super) fn numbers_anyhow(
         &self,
         mechanism: &Mechanism,
         nominal: &Nominal,
-        all: &[Ex],
+        expressions: &[Ex],
     ) -> Vec<Vec<f64>> {
         let machine = &self.reference.machine;
         let modes = std::iter::once(None).chain((0..machine.modes.len()).map(Some));
@@ -68,7 +68,7 @@ impl<'a> Positions<'a> {
         let numbers = machines.flat_map(|machine| {
             let places = self.inputs.iter();
             places
-                .map(|inputs| machine.evaluate(all, inputs))
+                .map(|inputs| machine.evaluate(expressions, inputs))
                 .collect::<Vec<_>>()
         });
         numbers
@@ -77,8 +77,8 @@ impl<'a> Positions<'a> {
     }
 
     /// Numbers at the positions where the mechanism closes.
-    pub(super) fn numbers(&self, all: &[Ex]) -> Vec<Vec<f64>> {
-        let numbers = self.iter().map(|position| numbers(position, all));
+    pub(super) fn numbers(&self, expressions: &[Ex]) -> Vec<Vec<f64>> {
+        let numbers = self.iter().map(|position| numbers(position, expressions));
         numbers
             .filter(|numbers| numbers.iter().all(|x| x.is_finite()))
             .collect()
@@ -86,8 +86,11 @@ impl<'a> Positions<'a> {
 }
 
 /// Values of expressions; NaN where the mechanism does not close.
-pub(super) fn numbers(position: Position<'_>, all: &[Ex]) -> Vec<f64> {
-    position.reference.machine.evaluate(all, position.inputs)
+pub(super) fn numbers(position: Position<'_>, expressions: &[Ex]) -> Vec<f64> {
+    position
+        .reference
+        .machine
+        .evaluate(expressions, position.inputs)
 }
 
 /// The components of a vector.
@@ -101,14 +104,15 @@ pub(super) fn longest(position: Position<'_>) -> f64 {
 }
 
 /// `at phi = 30deg `; nothing without inputs.
-pub(super) fn words(position: Position<'_>, mechanism: &Mechanism) -> String {
-    let all: Vec<usize> = (0..position.inputs.len()).collect();
-    match all.is_empty() {
-        true => String::new(),
-        false => format!(
+pub(super) fn described(position: Position<'_>, mechanism: &Mechanism) -> String {
+    let indices: Vec<usize> = (0..position.inputs.len()).collect();
+    if indices.is_empty() {
+        String::new()
+    } else {
+        format!(
             "at {} ",
-            MessageFormat::new(mechanism).inputs(position.inputs, &all)
-        ),
+            MessageFormat::new(mechanism).inputs(position.inputs, &indices)
+        )
     }
 }
 

@@ -1,23 +1,14 @@
-//! What functions ask for.
+//! The quantities that functions ask for.
 
-use crate::forces::freedom;
-use crate::forces::geometry;
-use crate::forces::inertia;
-use crate::forces::loads;
-use crate::forces::motion;
-use crate::forces::reactions;
-use crate::forces::system;
-use crate::forces::wrench;
 use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::{Translate, Value};
-use crate::model::{Between, Element, ElementKind, MechanicalQuantity as Quantity};
-
-use super::Mechanics;
-use super::geometry::{Turns, slides_along, turns_of};
-use super::motion::By;
-use super::system::Unknown;
-use super::wrench::Wrench;
+use crate::forces::context::Mechanics;
+use crate::forces::speeds::By;
+use crate::forces::system::Unknown;
+use crate::forces::wrench::Wrench;
+use crate::forces::{assemble, equilibrium, freedom, geometry, inertia, loads, masses, motion};
+use crate::model::{Between, Element, ElementKind, MechanicalQuantity as Quantity, Rotation};
 
 pub(crate) fn quantity<'m>(mechanics: &mut Mechanics<'_, 'm>, quantity: &Quantity) -> Value<'m> {
     match quantity {
@@ -38,49 +29,52 @@ pub(crate) fn quantity<'m>(mechanics: &mut Mechanics<'_, 'm>, quantity: &Quantit
     }
 }
 
-/// What a joint transmits to its body: without what a drive does in its motion.
+/// The force and moment that a joint transmits to its body, without the part of a drive in its
+/// motion.
 fn reaction<'m>(mechanics: &mut Mechanics<'_, 'm>, joint: usize) -> Wrench<'m> {
     if mechanics.forces.tree.closing.contains(&joint) {
-        return reactions::closing_wrench(mechanics, joint, &[]);
+        return equilibrium::closing_wrench(mechanics, joint, &[]);
     }
     let declared = &mechanics.algebra.mechanism.joints[joint];
     let (body, kind) = (declared.body, declared.kind);
-    let mut reaction = -wrench::wrench(mechanics, body, &[], &[]);
+    let mut reaction = -equilibrium::wrench(mechanics, body, &[], &[]);
     let Some(direction) = mechanics.forces.geometry.directions[joint] else {
         return reaction;
     };
     // Where nothing drives it, equilibrium leaves nothing along the guide or about the axis.
-    if slides_along(kind) && is_driven(mechanics, body, true) {
+    if kind.slides() && is_driven(mechanics, body, true) {
         reaction.force = reaction.force.across(direction);
     }
-    if turns_of(kind) == Turns::AboutAxis && is_driven(mechanics, body, false) {
+    if kind.rotation() == Rotation::AboutAxis && is_driven(mechanics, body, false) {
         reaction.moment = reaction.moment.across(direction);
     }
     reaction
 }
 
 fn is_driven(mechanics: &mut Mechanics<'_, '_>, body: usize, slides: bool) -> bool {
-    let system = system::system(mechanics);
+    let system = assemble::system(mechanics);
     let mut driven = system.driven.iter();
     driven.any(|way| way.body == body && way.slides == slides)
 }
 
 /// The torque or force of a drive.
 fn drive<'m>(mechanics: &mut Mechanics<'_, 'm>, input: usize) -> Ex<'m> {
-    match mechanics.with_reactions {
-        true => drive_of_joints(mechanics, input),
-        false => drive_of_loads(mechanics, input),
+    if mechanics.with_reactions {
+        drive_of_joints(mechanics, input)
+    } else {
+        drive_of_loads(mechanics, input)
     }
 }
 
-/// What holds the driven joints against all that is beyond them. Little work where reactions are asked for.
+/// The force or torque that holds the driven joints against everything beyond them. It costs little
+/// if reactions are computed anyway.
 fn drive_of_joints<'m>(mechanics: &mut Mechanics<'_, 'm>, input: usize) -> Ex<'m> {
-    let system = system::system(mechanics);
+    let system = assemble::system(mechanics);
     let mut sum = mechanics.algebra.zero();
     for way in &system.driven {
         let rate = freedom::relative_rate(mechanics, way, By::Input(input));
         if !rate.is_zero() {
-            sum -= rate * wrench::wrench(mechanics, way.body, &[], &[]).along(way);
+            sum -= rate * equilibrium::wrench(mechanics, way.body, &[], &[]).along(way);
         }
     }
     // Gears that run on a driven shaft load it.
@@ -88,26 +82,27 @@ fn drive_of_joints<'m>(mechanics: &mut Mechanics<'_, 'm>, input: usize) -> Ex<'m
         let Unknown::Tie(tie) = unknown else { continue };
         let rate = freedom::tie_rate(mechanics, tie, input);
         if !rate.is_zero() {
-            sum += rate * reactions::solved(mechanics, index);
+            sum += rate * equilibrium::solved(mechanics, index);
         }
     }
     sum
 }
 
-/// What the loads do when its input moves, with the opposite sign: `-(sum F . p' + sum M . w)`.
+/// The work of the loads per motion of the input, with the opposite sign:
+/// `-(sum F . p' + sum M . w)`.
 fn drive_of_loads<'m>(mechanics: &mut Mechanics<'_, 'm>, input: usize) -> Ex<'m> {
     let input = By::Input(input);
     let loads = loads::loads(mechanics);
     let mut work = mechanics.algebra.zero();
-    for (body, own) in loads.bodies.iter().enumerate() {
-        for load in &own.forces {
+    for (body, body_loads) in loads.bodies.iter().enumerate() {
+        for load in &body_loads.forces {
             let moved = match load.mass {
                 Some(_) => motion::moved(mechanics, load.point, input),
                 None => motion::velocity_of(mechanics, Some(body), load.point, input),
             };
             work += load.force.dot(moved);
         }
-        for couple in &own.couples {
+        for couple in &body_loads.couples {
             work += couple.dot(motion::turn(mechanics, Some(body), input));
         }
     }
@@ -127,7 +122,7 @@ fn power<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Ex<'m> {
 fn kinetic_energy<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Ex<'m> {
     let mut twice = mechanics.algebra.zero();
     for body in 0..mechanics.algebra.mechanism.bodies.len() {
-        for (mass, point) in loads::masses(mechanics, body) {
+        for (mass, point) in masses::masses(mechanics.algebra, body) {
             twice += mass * motion::point_velocity(mechanics, point).square();
         }
         twice += inertia::twice_turning_energy(mechanics, body);
@@ -135,12 +130,13 @@ fn kinetic_energy<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Ex<'m> {
     0.5 * twice
 }
 
-/// Of the weights, zero at the origin, and of springs, zero without force: `1/2 sum c (l - l_0)^2 - sum m g . p`.
+/// The potential energy of weights, zero at the origin, and of springs, zero without force:
+/// `1/2 sum c (l - l_0)^2 - sum m g . p`.
 fn potential_energy<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Ex<'m> {
     let mut sum = mechanics.algebra.zero();
-    if let Some(gravity) = loads::gravity(mechanics) {
+    if let Some(gravity) = masses::gravity(mechanics.algebra) {
         for body in 0..mechanics.algebra.mechanism.bodies.len() {
-            for (mass, point) in loads::masses(mechanics, body) {
+            for (mass, point) in masses::masses(mechanics.algebra, body) {
                 sum -= mass * gravity.dot(point);
             }
         }
@@ -176,18 +172,19 @@ fn spring_energy<'m>(mechanics: &mut Mechanics<'_, 'm>, spring: &Element) -> Ex<
 fn shaking_force<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Vn<'m> {
     let mut sum = mechanics.zero_vector();
     for body in 0..mechanics.algebra.mechanism.bodies.len() {
-        for (mass, point) in loads::masses(mechanics, body) {
+        for (mass, point) in masses::masses(mechanics.algebra, body) {
             sum = sum - mass * motion::point_acceleration(mechanics, point);
         }
     }
     sum
 }
 
-/// Minus the rate of the moment of momentum about a fixed point: `-sum (p - o) x m a`, and what the bodies' turning takes.
+/// Minus the rate of the moment of momentum about a fixed point: `-sum (p - o) x m a`, and the
+/// couples of the bodies' rotations.
 fn shaking_moment<'m>(mechanics: &mut Mechanics<'_, 'm>, about: Vn<'m>) -> Vn<'m> {
     let mut sum = mechanics.zero_turn();
     for body in 0..mechanics.algebra.mechanism.bodies.len() {
-        for (mass, point) in loads::masses(mechanics, body) {
+        for (mass, point) in masses::masses(mechanics.algebra, body) {
             let force = mass * motion::point_acceleration(mechanics, point);
             sum = sum - (point - about).moment_of(force);
         }

@@ -1,20 +1,20 @@
-//! What only numbers tell of the motion: joints that move at a steady rate, rods that keep their length.
+//! Facts about the motion that only numbers show: joints that move at a steady rate, rods that keep
+//! their length.
 
-use crate::forces::freedom;
-use crate::forces::motion;
 use linkage_symbolic::{Ex, Vn};
 
-use super::Mechanics;
-use super::freedom::Way;
-use super::geometry::{Turns, turns_of};
-use super::motion::By;
-use super::positions::{EQUAL, Positions, SLOW};
+use crate::forces::context::Mechanics;
+use crate::forces::joint_motion::JointMotion;
+use crate::forces::positions::{EQUAL, Positions, SLOW};
+use crate::forces::speeds::By;
+use crate::forces::{freedom, motion};
+use crate::model::Rotation;
 
 /// Looks at some positions; those that do not close count for nothing.
-pub(super) fn look_at_motion(mechanics: &mut Mechanics<'_, '_>, positions: &Positions) {
+pub(super) fn record_steady_motion(mechanics: &mut Mechanics<'_, '_>, positions: &Positions) {
     for body in 0..mechanics.algebra.mechanism.bodies.len() {
         for way in freedom::ways(mechanics, body) {
-            look_at_way(mechanics, &way, positions);
+            record_rate(mechanics, &way, positions);
         }
         if let Some(along) = mechanics.forces.geometry.rod(body)
             && keeps_its_length(mechanics, along, positions)
@@ -24,8 +24,12 @@ pub(super) fn look_at_motion(mechanics: &mut Mechanics<'_, '_>, positions: &Posi
     }
 }
 
-/// Whether a body moves in its own joint, and at a steady rate.
-fn look_at_way<'m>(mechanics: &mut Mechanics<'_, 'm>, way: &Way<'m>, positions: &Positions) {
+/// True if a body moves in its own joint, and at a steady rate.
+fn record_rate<'m>(
+    mechanics: &mut Mechanics<'_, 'm>,
+    way: &JointMotion<'m>,
+    positions: &Positions,
+) {
     let drives = 0..motion::drives(mechanics);
     let rates: Vec<Ex> = drives
         .map(|input| freedom::relative_rate(mechanics, way, By::Input(input)))
@@ -41,11 +45,12 @@ fn look_at_way<'m>(mechanics: &mut Mechanics<'_, 'm>, way: &Way<'m>, positions: 
     }
 }
 
-/// True if a body's own joint lets it turn in every way: which of them rest says nothing of the others.
+/// True if a body's own joint lets it turn in every way: which of them rest says nothing of the
+/// others.
 fn hangs_freely(mechanics: &Mechanics<'_, '_>, body: usize) -> bool {
     let mechanism = mechanics.algebra.mechanism;
     let joint = &mechanism.joints[mechanism.bodies[body].joint];
-    turns_of(joint.kind) == Turns::Freely
+    joint.kind.rotation() == Rotation::Freely
 }
 
 /// True if `(V^2)'` is nothing beside `V^2`.

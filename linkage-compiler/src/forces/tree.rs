@@ -1,4 +1,5 @@
-//! Who hangs on whom: bodies form a tree that is rooted in the frame; the other joints close loops.
+//! The tree of bodies: each body is attached to its parent, and the frame is the root. The other
+//! joints close loops.
 
 use crate::model::Mechanism;
 
@@ -26,9 +27,9 @@ impl Tree {
                 children[parent].push(body);
             }
         }
-        let own = |joint: &usize| bodies.iter().any(|body| body.joint == *joint);
+        let is_body_joint = |joint: &usize| bodies.iter().any(|body| body.joint == *joint);
         let closing = (0..mechanism.joints.len())
-            .filter(|joint| !own(joint))
+            .filter(|joint| !is_body_joint(joint))
             .collect();
         let mut order: Vec<usize> = (0..bodies.len())
             .filter(|&body| parent[body].is_none())
@@ -46,12 +47,13 @@ impl Tree {
         }
     }
 
-    /// How many bodies are between a body and the frame.
+    /// The number of bodies between a body and the frame.
     pub(super) fn depth(&self, body: usize) -> usize {
         std::iter::successors(self.parent[body], |&next| self.parent[next]).count()
     }
 
-    /// True if a body hangs on another, directly or by others, or is that body. The frame hangs on nothing.
+    /// True if a body hangs on another, directly or by others, or is that body. The frame hangs on
+    /// nothing.
     pub(super) fn hangs_on(&self, body: Option<usize>, on: usize) -> bool {
         let mut next = body;
         while let Some(body) = next {

@@ -303,7 +303,9 @@ impl<'m> Translate<'m> for Request<'_, 'm> {
                 let mechanism = self.algebra.mechanism;
                 let motion = listed.iter().filter(|&&input| !mechanism.is_load(input));
                 self.requested.variables.extend(motion);
-                let mut mechanics = self.forces.at(self.algebra, listed, self.with_reactions);
+                let mut mechanics =
+                    self.forces
+                        .in_function(self.algebra, listed, self.with_reactions);
                 quantities::quantity(&mut mechanics, quantity)
             }
             ExprKind::Picture(_) => {

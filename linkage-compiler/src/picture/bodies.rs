@@ -1,11 +1,9 @@
-//! What bodies and joints say of links.
+//! Points and segments of bodies and joints.
 
 use crate::model::Joint;
-use crate::picture::parts;
-use crate::picture::titles;
-
-use super::chains::Sketch;
-use super::marks::{Line, Shape, Title};
+use crate::picture::marks::{Line, Shape, Title};
+use crate::picture::sketch::Sketch;
+use crate::picture::{chains, parts, titles};
 
 /// The joints of each body are points of it.
 pub(super) fn look_at_bodies(sketch: &mut Sketch<'_, '_>) {
@@ -13,7 +11,7 @@ pub(super) fn look_at_bodies(sketch: &mut Sketch<'_, '_>) {
     let points: Vec<Option<usize>> = mechanism
         .joints
         .iter()
-        .map(|joint| sketch.point_of(&joint.at))
+        .map(|joint| chains::point_of(sketch, &joint.at))
         .collect();
     for (joint, point) in mechanism.joints.iter().zip(&points) {
         if let (Some(text), Some(point)) = (&joint.name, point) {
@@ -22,7 +20,7 @@ pub(super) fn look_at_bodies(sketch: &mut Sketch<'_, '_>) {
         }
     }
     for (index, body) in mechanism.bodies.iter().enumerate() {
-        let Some(own) = points[body.joint] else {
+        let Some(origin) = points[body.joint] else {
             continue;
         };
         for (joint, point) in mechanism.joints.iter().zip(&points) {
@@ -31,7 +29,7 @@ pub(super) fn look_at_bodies(sketch: &mut Sketch<'_, '_>) {
             if let (true, Some(point)) = (carries || joint.body == index, point) {
                 let text = body.name.clone();
                 sketch.segment(
-                    own,
+                    origin,
                     *point,
                     Some(Title { rank: 0, text }),
                     Shape::Body(Some(index)),

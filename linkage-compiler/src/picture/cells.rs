@@ -1,11 +1,12 @@
-//! Points by where they are: those that may coincide with a point are looked for near it, not among all.
+//! Points by where they are: those that may coincide with a point are looked for near it, not among
+//! all.
 
 use linkage_symbolic::lookup::Map;
 
-use super::open_loop::Track;
+use crate::picture::track::Track;
 
-/// The direction along which points are sorted: shares of the coordinates without pattern, so that rows of points parallel to
-/// an axis, or on a common diagonal, are not in one cell.
+/// The direction along which points are sorted: shares of the coordinates without pattern, so that
+/// rows of points parallel to an axis, or on a common diagonal, are not in one cell.
 const DIRECTION: [f64; 3] = [1.0, 0.618, 0.379];
 
 pub(super) struct Cells {
@@ -50,13 +51,14 @@ impl Cells {
         near
     }
 
-    /// `None` where a point has no place at all, or no numbers.
+    /// Returns `None` for a point without a place or without numbers.
     fn cell(&self, track: &Track) -> Option<i64> {
         let at = track.first()?;
         let along: f64 = at.iter().zip(DIRECTION).map(|(x, d)| x * d).sum();
-        let cell = match self.width > 0.0 {
-            true => (along / self.width).floor(),
-            false => 0.0,
+        let cell = if self.width > 0.0 {
+            (along / self.width).floor()
+        } else {
+            0.0
         };
         cell.is_finite().then_some(cell as i64)
     }

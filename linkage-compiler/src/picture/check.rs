@@ -4,21 +4,24 @@ use crate::diagnostic::text::list;
 use crate::diagnostic::{OriginId, Reporter};
 use crate::ir::{Picture, PointKind};
 use crate::message_format::numbers;
+use crate::picture::marks::Asked;
+use crate::picture::samples::Samples;
+use crate::picture::sketch::Sketch;
 
-use super::chains::Sketch;
-use super::marks::Asked;
-use super::samples::Seen;
-
-pub(super) fn check_lists(sketch: &Sketch, seen: &Seen, reporter: &mut Reporter) {
+pub(super) fn check_lists(sketch: &Sketch, samples: &Samples, reporter: &mut Reporter) {
     for asked in &sketch.asked {
-        let first = seen.same[asked.points[0]];
-        if asked.points.iter().all(|&point| seen.same[point] == first) {
+        let first = samples.same[asked.points[0]];
+        if asked
+            .points
+            .iter()
+            .all(|&point| samples.same[point] == first)
+        {
             let fact = "these points are always at the same place: this is no link";
             reporter.error_with_help(asked.origin, fact, "list different points of the link");
-        } else if let Some(fact) = stretched(sketch, seen, asked) {
+        } else if let Some(fact) = stretched(sketch, samples, asked) {
             let help = "a link is rigid: list points that keep their distances";
             reporter.error_with_help(asked.origin, fact, help);
-        } else if asked.points.iter().all(|&point| seen.is_fixed(point)) {
+        } else if asked.points.iter().all(|&point| samples.is_fixed(point)) {
             let fact = "none of these points moves: this is no link, but the frame";
             reporter.error_with_help(asked.origin, fact, "leave the list out");
         }
@@ -68,19 +71,19 @@ pub(super) fn warn_of_loose_points(picture: &Picture, origin: OriginId, reporter
 }
 
 /// Two points of a list whose distance changes, with the numbers.
-fn stretched(sketch: &Sketch, seen: &Seen, asked: &Asked) -> Option<String> {
-    let name = |place: usize| {
-        let title = sketch.points[asked.points[place]].name.as_ref();
+fn stretched(sketch: &Sketch, samples: &Samples, asked: &Asked) -> Option<String> {
+    let name = |index: usize| {
+        let title = sketch.points[asked.points[index]].name.as_ref();
         title.map_or_else(
-            || format!("point {}", place + 1),
+            || format!("point {}", index + 1),
             |title| format!("`{}`", title.text),
         )
     };
     let count = asked.points.len();
     let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b)));
     for (a, b) in pairs {
-        let distances = seen.distances(asked.points[a], asked.points[b]);
-        if seen.keep_distance_as_written(asked.points[a], asked.points[b]) {
+        let distances = samples.distances(asked.points[a], asked.points[b]);
+        if samples.keep_distance_as_written(asked.points[a], asked.points[b]) {
             continue;
         }
         let other = distances.iter().copied().fold(distances[0], |far, length| {

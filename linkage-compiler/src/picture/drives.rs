@@ -1,4 +1,4 @@
-//! What inputs move, and wheels whose angles belong together.
+//! Links that inputs move, and wheels whose angles belong together.
 
 use std::collections::BTreeSet;
 
@@ -8,13 +8,12 @@ use linkage_symbolic::{SymbolId, Vn};
 
 use crate::algebra::Bound;
 use crate::ir::{Drive, DriveOn, Gear, Part, Picture};
-use crate::model::{Dimension, Expr, Loop, Name};
-
-use super::by_point::ByPoint;
-use super::chains::Sketch;
-use super::marks::{Segment, Shape};
-use super::open_loop::relates_angles;
-use super::samples::Seen;
+use crate::model::{Loop, Name};
+use crate::picture::by_point::ByPoint;
+use crate::picture::marks::{Segment, Shape};
+use crate::picture::open_loop;
+use crate::picture::samples::Samples;
+use crate::picture::sketch::Sketch;
 
 /// A link that turns about a point of the frame by one angle alone.
 struct Wheel {
@@ -24,30 +23,18 @@ struct Wheel {
     angle: BTreeSet<SymbolId>,
 }
 
-/// The input that is a length in an expression.
-pub(super) fn driving(sketch: &Sketch<'_, '_>, expr: &Expr) -> Option<usize> {
-    let mechanism = sketch.algebra.mechanism;
-    expr.parts().find_map(|part| match part.as_name()? {
-        Name::Input(input) => {
-            let is_length = mechanism.inputs[input].dimension.fits(Dimension::LENGTH);
-            is_length.then_some(input)
-        }
-        name => driving(sketch, mechanism.value_of(name)?),
-    })
-}
-
-/// For each input a link that it turns, or the guide that is called after it. Points are those of the picture, `place` tells
-/// which.
+/// For each input a link that it turns, or the guide that is called after it. Points are those of
+/// the picture, `place` tells which.
 pub(super) fn drives(
     sketch: &Sketch<'_, '_>,
     picture: &Picture,
-    place: &dyn Fn(usize) -> Option<usize>,
+    index_of: &dyn Fn(usize) -> Option<usize>,
 ) -> Vec<Drive> {
     let links = &ByPoint::of_lists(picture.links.iter().map(|link| &link.points));
     // What turns each step, and the steps that each symbol turns.
-    let steps = sketch.segments.iter().filter_map(|own| {
-        let ends = ends(own, picture, links, place)?;
-        Some((turning(sketch, own.step), ends))
+    let steps = sketch.segments.iter().filter_map(|segment| {
+        let ends = ends(segment, picture, links, index_of)?;
+        Some((turning(sketch, segment.step), ends))
     });
     let steps: Vec<(BTreeSet<SymbolId>, [usize; 2])> = steps.collect();
     let mut turned: Map<SymbolId, Vec<usize>> = Map::new();
@@ -59,14 +46,14 @@ pub(super) fn drives(
     // The ends of the step that fewest others turn, too.
     let turned_by = |input: usize| {
         let symbol = sketch.algebra.graph.find_source(Source::Input(input))?;
-        let all = turned.get(&symbol)?.iter().map(|&index| &steps[index]);
-        let (_, ends) = all.min_by_key(|(angle, _)| angle.len())?;
+        let turned_steps = turned.get(&symbol)?.iter().map(|&index| &steps[index]);
+        let (_, ends) = turned_steps.min_by_key(|(angle, _)| angle.len())?;
         Some(*ends)
     };
     let inputs = sketch.algebra.mechanism.inputs.iter().enumerate();
-    let drives = inputs.filter_map(|(input, own)| {
+    let drives = inputs.filter_map(|(input, declared)| {
         let mut guides = picture.guides.iter();
-        let slides = guides.position(|guide| guide.name == own.name);
+        let slides = guides.position(|guide| guide.name == declared.name);
         let on = match slides {
             Some(guide) => DriveOn::Slide(guide),
             None => DriveOn::Turn(turned_by(input)?),
@@ -76,37 +63,40 @@ pub(super) fn drives(
     drives.collect()
 }
 
-/// Wheels that turn by one angle, or by angles with a relation between them. The first one of several turns the others.
+/// Wheels that turn by one angle, or by angles with a relation between them. The first one of
+/// several turns the others.
 pub(super) fn gears(
     sketch: &Sketch<'_, '_>,
     picture: &Picture,
-    place: &dyn Fn(usize) -> Option<usize>,
-    seen: &Seen,
+    index_of: &dyn Fn(usize) -> Option<usize>,
+    samples: &Samples,
 ) -> Vec<Gear> {
-    let wheels = wheels(sketch, picture, place, seen);
+    let wheels = wheels(sketch, picture, index_of, samples);
     let loops = sketch.algebra.mechanism.loops.iter();
     let relations: Vec<BTreeSet<SymbolId>> = loops
-        .filter(|own| relates_angles(own))
-        .map(|own| related(sketch, own))
+        .filter(|equation| open_loop::relates_angles(equation))
+        .map(|equation| related(sketch, equation))
         .collect();
     let belong = |a: &Wheel, b: &Wheel| {
         // Links that turn alike are held together by something else than wheels.
-        let differ = a.angle == b.angle && !seen.turn_alike(a.segment, b.segment);
+        let differ = a.angle == b.angle && !samples.turn_alike(a.segment, b.segment);
         // Parts on one shaft are each driven by it.
         let differ = differ && !are_of_two_parts(picture, a.end, b.end);
-        let has_both = |own: &BTreeSet<SymbolId>| a.angle.is_subset(own) && b.angle.is_subset(own);
+        let has_both = |relation: &BTreeSet<SymbolId>| {
+            a.angle.is_subset(relation) && b.angle.is_subset(relation)
+        };
         differ || relations.iter().any(has_both)
     };
     let mut candidates = Candidates::new(&relations);
     let mut gears = Vec::new();
-    for (index, own) in wheels.iter().enumerate() {
-        let mut before = candidates.before(&own.angle).into_iter();
-        let turning = before.find(|&other| belong(&wheels[other], own));
-        candidates.add(index, &own.angle);
+    for (index, wheel) in wheels.iter().enumerate() {
+        let mut before = candidates.before(&wheel.angle).into_iter();
+        let turning = before.find(|&other| belong(&wheels[other], wheel));
+        candidates.add(index, &wheel.angle);
         let turning = turning.map(|other| &wheels[other]);
         gears.extend(turning.map(|other| Gear {
-            centres: [other.centre, own.centre],
-            ends: [other.end, own.end],
+            centres: [other.centre, wheel.centre],
+            ends: [other.end, wheel.end],
         }));
     }
     gears
@@ -116,8 +106,8 @@ pub(super) fn gears(
 fn wheels(
     sketch: &Sketch<'_, '_>,
     picture: &Picture,
-    place: &dyn Fn(usize) -> Option<usize>,
-    seen: &Seen,
+    index_of: &dyn Fn(usize) -> Option<usize>,
+    samples: &Samples,
 ) -> Vec<Wheel> {
     let links = &ByPoint::of_lists(picture.links.iter().map(|link| &link.points));
     let mut wheels: Vec<Wheel> = Vec::new();
@@ -125,10 +115,10 @@ fn wheels(
     for segment in sketch.segments.iter() {
         // A distance does not say what turns it.
         let is_step = matches!(segment.shape, Shape::Term(..) | Shape::Part(..));
-        if !is_step || !seen.is_fixed(segment.from) {
+        if !is_step || !samples.is_fixed(segment.from) {
             continue;
         }
-        let Some([centre, end]) = ends(segment, picture, links, place) else {
+        let Some([centre, end]) = ends(segment, picture, links, index_of) else {
             continue;
         };
         let angle = turning(sketch, segment.step);
@@ -145,32 +135,38 @@ fn wheels(
     wheels
 }
 
-/// What a step turns by.
+/// The symbols that turn a step.
 fn turning(sketch: &Sketch<'_, '_>, step: Vn) -> BTreeSet<SymbolId> {
     let graph = sketch.algebra.graph;
-    let all = graph.symbols_of(step.ids()).into_iter();
-    let moves = |own: &SymbolId| {
-        let source = graph.symbol(*own).source;
+    let symbols = graph.symbols_of(step.ids()).into_iter();
+    let moves = |symbol: &SymbolId| {
+        let source = graph.symbol(*symbol).source;
         !matches!(source, Some(Source::Parameter(_)))
     };
-    all.filter(moves).collect()
+    symbols.filter(moves).collect()
 }
 
-fn is_one_angle(sketch: &Sketch<'_, '_>, all: &BTreeSet<SymbolId>) -> bool {
+fn is_one_angle(sketch: &Sketch<'_, '_>, symbols: &BTreeSet<SymbolId>) -> bool {
     // An angle has three symbols.
-    let few = all.len() <= 3;
-    let mut angles = sketch.algebra.names.angles.iter().map(|own| own.symbols());
-    let is_unknown = few && angles.any(|own| all.iter().all(|symbol| own.contains(symbol)));
+    let few = symbols.len() <= 3;
+    let mut angles = sketch
+        .algebra
+        .names
+        .angles
+        .iter()
+        .map(|angle| angle.symbols());
+    let is_unknown = few && angles.any(|angle| symbols.iter().all(|symbol| angle.contains(symbol)));
     let graph = sketch.algebra.graph;
-    let mut sources = all.iter().map(|own| graph.symbol(*own).source);
-    let is_input = all.len() == 1 && sources.all(|own| matches!(own, Some(Source::Input(_))));
-    !all.is_empty() && (is_unknown || is_input)
+    let mut sources = symbols.iter().map(|symbol| graph.symbol(*symbol).source);
+    let is_input =
+        symbols.len() == 1 && sources.all(|source| matches!(source, Some(Source::Input(_))));
+    !symbols.is_empty() && (is_unknown || is_input)
 }
 
 /// All symbols of the angles that an equation names.
-fn related(sketch: &Sketch<'_, '_>, own: &Loop) -> BTreeSet<SymbolId> {
+fn related(sketch: &Sketch<'_, '_>, equation: &Loop) -> BTreeSet<SymbolId> {
     let names = &sketch.algebra.names;
-    let parts = own.left.parts().chain(own.right.parts());
+    let parts = equation.left.parts().chain(equation.right.parts());
     let symbols = parts.filter_map(|part| match part.as_name()? {
         Name::Input(input) => {
             let source = Source::Input(input);
@@ -190,10 +186,13 @@ fn ends(
     segment: &Segment,
     picture: &Picture,
     links: &ByPoint,
-    place: &dyn Fn(usize) -> Option<usize>,
+    index_of: &dyn Fn(usize) -> Option<usize>,
 ) -> Option<[usize; 2]> {
-    let (from, to) = (place(segment.from)?, place(segment.to)?);
-    let mut links = links.of(from).iter().map(|&link| &picture.links[link]);
+    let (from, to) = (index_of(segment.from)?, index_of(segment.to)?);
+    let mut links = links
+        .at_point(from)
+        .iter()
+        .map(|&link| &picture.links[link]);
     links
         .any(|link| link.points.contains(&to))
         .then_some([from, to])
@@ -202,9 +201,9 @@ fn ends(
 /// Wheels that may belong together, by the symbols that they turn by.
 struct Candidates<'a> {
     relations: &'a [BTreeSet<SymbolId>],
-    /// By symbol: the relations that it is in.
+    /// For each symbol: the relations that it is in.
     related: Map<SymbolId, Vec<usize>>,
-    /// By symbol: the wheels that turn by it.
+    /// For each symbol: the wheels that turn by it.
     turning: Map<SymbolId, Vec<usize>>,
 }
 
@@ -233,14 +232,16 @@ impl<'a> Candidates<'a> {
     fn before(&self, angle: &BTreeSet<SymbolId>) -> BTreeSet<usize> {
         let related = angle.iter().filter_map(|symbol| self.related.get(symbol));
         let related: BTreeSet<usize> = related.flatten().copied().collect();
-        let others = related.into_iter().flat_map(|own| &self.relations[own]);
+        let others = related
+            .into_iter()
+            .flat_map(|relation| &self.relations[relation]);
         let wheels = angle.iter().chain(others);
         let wheels = wheels.filter_map(|symbol| self.turning.get(symbol));
         wheels.flatten().copied().collect()
     }
 }
 
-/// Whether each of two points belongs to a part, and none to both.
+/// True if each of two points belongs to a part, and none to both.
 fn are_of_two_parts(picture: &Picture, a: usize, b: usize) -> bool {
     let has = |part: &Part, point: usize| part.points.contains(&point);
     let parts = &picture.parts;

@@ -1,25 +1,17 @@
 //! Lines along which points slide.
 
-use crate::algebra::calls;
-use crate::algebra::dependence;
-use crate::algebra::translate;
-use crate::picture::drives;
-use crate::picture::frames;
-use crate::picture::parts;
-use linkage_symbolic::{Ex, NodeId, Vn};
+use linkage_symbolic::Vn;
 
-use crate::algebra::Translate;
-use crate::model::{BinaryOp, Expr, ExprKind, Function, Type};
-
-use super::chains::Sketch;
-use super::links::{Links, is_rigid};
-use super::marks::{Line, Segment, Shape};
-use super::open_loop::Track;
-use super::parts::Slide;
-use super::samples::Seen;
 use crate::ir::GuideOn;
+use crate::picture::links::Links;
+use crate::picture::marks::{Line, Segment, Shape, Slide};
+use crate::picture::samples::Samples;
+use crate::picture::sketch::Sketch;
+use crate::picture::track::Track;
+use crate::picture::{directions, links, sketch};
 
-/// Unit vectors whose product misses 1 by less point along one line: 4e-5 radians, far above rounding, far below any angle that is meant.
+/// Unit vectors whose product misses 1 by less point along one line: 4e-5 radians, far above
+/// rounding, far below any angle that is meant.
 const PARALLEL: f64 = 1e-9;
 
 pub(super) struct Guides<'m> {
@@ -33,42 +25,42 @@ pub(super) struct RawGuide<'m> {
     pub(super) slider: usize,
     pub(super) along: Vn<'m>,
     pub(super) on: GuideOn,
-    /// A cylinder between two pins: a distance, or what an input pushes.
+    /// A cylinder between two pins: a distance, or a length that an input drives.
     pub(super) is_cylinder: bool,
 }
 
-/// A guide before it is known what carries it.
+/// A guide before its carrier is known.
 struct Candidate<'m> {
     name: String,
     origin: usize,
     slider: usize,
     along: Vn<'m>,
-    /// Whether the program says that it is on the frame.
+    /// True if the program says that it is on the frame.
     on_frame: bool,
     is_distance: bool,
-    /// Whether an input is its length.
+    /// True if an input is its length.
     is_driven: bool,
 }
 
 impl<'m> Guides<'m> {
-    pub(super) fn find(sketch: &mut Sketch<'_, 'm>, seen: &mut Seen, links: &Links) -> Self {
+    pub(super) fn find(sketch: &mut Sketch<'_, 'm>, samples: &mut Samples, links: &Links) -> Self {
         let mut candidates = Vec::new();
         for segment in sketch.segments.clone() {
-            let (from, to) = (seen.same[segment.from], seen.same[segment.to]);
-            if from != to && !is_rigid(&segment, seen) {
-                candidates.extend(slide(sketch, &segment, seen));
+            let (from, to) = (samples.same[segment.from], samples.same[segment.to]);
+            if from != to && !links::is_rigid(&segment, samples) {
+                candidates.extend(slide(sketch, &segment, samples));
             }
         }
         for line in sketch.lines.clone() {
             candidates.push(candidate(sketch, line));
         }
-        let known = seen.same.len();
-        seen.add(&sketch.points[known..]);
+        let known = samples.same.len();
+        samples.add(&sketch.points[known..]);
 
         let mut guides = Self { all: Vec::new() };
-        let ways: Vec<Vn> = candidates.iter().map(|own| own.along).collect();
-        for (candidate, along) in candidates.into_iter().zip(seen.tracks_of(&ways)) {
-            guides.add(candidate, &along, seen, links);
+        let ways: Vec<Vn> = candidates.iter().map(|candidate| candidate.along).collect();
+        for (candidate, along) in candidates.into_iter().zip(samples.tracks_of(&ways)) {
+            guides.add(candidate, &along, samples, links);
         }
         guides
     }
@@ -80,14 +72,17 @@ impl<'m> Guides<'m> {
     }
 
     /// Adds a guide unless it is known.
-    fn add(&mut self, candidate: Candidate<'m>, along: &Track, seen: &Seen, links: &Links) {
-        let (origin, slider) = (seen.same[candidate.origin], seen.same[candidate.slider]);
+    fn add(&mut self, candidate: Candidate<'m>, along: &Track, samples: &Samples, links: &Links) {
+        let (origin, slider) = (
+            samples.same[candidate.origin],
+            samples.same[candidate.slider],
+        );
         if along.iter().flatten().any(|x| !x.is_finite()) {
             return;
         }
         let known = self.all.iter().any(|guide| {
             guide.slider == slider && {
-                let other = seen.tracks_of(&[guide.along]);
+                let other = samples.tracks_of(&[guide.along]);
                 parallel(along, &other[0])
             }
         });
@@ -97,13 +92,13 @@ impl<'m> Guides<'m> {
         let carrier = links.all.iter().position(|link| {
             let mut points = link.points.iter();
             points.all(|&point| {
-                seen.keep_distance(point, origin) && seen.carries(point, origin, along)
+                samples.keep_distance(point, origin) && samples.carries(point, origin, along)
             })
         });
-        let fixed = candidate.on_frame || seen.is_fixed(origin);
+        let fixed = candidate.on_frame || samples.is_fixed(origin);
         let on = match carrier {
             _ if candidate.is_distance => GuideOn::Itself,
-            _ if fixed && seen.is_steady(along) => GuideOn::Frame,
+            _ if fixed && samples.is_steady(along) => GuideOn::Frame,
             Some(link) => GuideOn::Link(link),
             None => GuideOn::Itself,
         };
@@ -114,7 +109,7 @@ impl<'m> Guides<'m> {
             return;
         }
         // A driven length that turns about its end.
-        let pushes = candidate.is_driven && on == GuideOn::Itself && !seen.is_steady(along);
+        let pushes = candidate.is_driven && on == GuideOn::Itself && !samples.is_steady(along);
         self.all.push(RawGuide {
             name: candidate.name,
             origin,
@@ -130,19 +125,19 @@ impl<'m> Guides<'m> {
 fn slide<'m>(
     sketch: &mut Sketch<'_, 'm>,
     segment: &Segment<'m>,
-    seen: &Seen,
+    samples: &Samples,
 ) -> Option<Candidate<'m>> {
     let (mut origin, mut slider) = (segment.from, segment.to);
     let from = sketch.points[segment.from].at;
     let (sign, slide) = match segment.shape {
         Shape::Term(sign, term) => {
-            let slide = direction_of(sketch, term)?;
+            let slide = directions::direction_of(sketch, term)?;
             (sign, seen_slide(sketch, slide, segment))
         }
         Shape::Part(sign, slide) => (sign, seen_slide(sketch, slide?, segment)),
         Shape::Distance => {
             // A cylinder hangs on its fixed end.
-            if seen.is_fixed(slider) {
+            if samples.is_fixed(slider) {
                 (origin, slider) = (slider, origin);
             }
             let slide = Slide {
@@ -183,88 +178,20 @@ fn slide<'m>(
 }
 
 /// In the drawing.
-fn seen_slide<'m>(sketch: &mut Sketch<'_, 'm>, own: Slide<'m>, segment: &Segment<'m>) -> Slide<'m> {
-    frames::within(sketch, segment.frames.clone(), |sketch| Slide {
-        offset: own.offset.map(|offset| frames::seen_way(sketch, offset)),
-        along: frames::seen_way(sketch, own.along),
-        input: own.input,
+fn seen_slide<'m>(
+    sketch: &mut Sketch<'_, 'm>,
+    slide: Slide<'m>,
+    segment: &Segment<'m>,
+) -> Slide<'m> {
+    sketch::within(sketch, segment.frames.clone(), |sketch| Slide {
+        offset: slide.offset.map(|offset| sketch::seen_way(sketch, offset)),
+        along: sketch::seen_way(sketch, slide.along),
+        input: slide.input,
     })
 }
 
-/// Along which unit vector a term changes its length, and what it contains across that.
-pub(super) fn direction_of<'m>(sketch: &mut Sketch<'_, 'm>, term: &'m Expr) -> Option<Slide<'m>> {
-    let input = drives::driving(sketch, term);
-    let straight = |along: Vn<'m>| Slide {
-        offset: None,
-        along,
-        input,
-    };
-    match &term.kind {
-        ExprKind::Call(Function::Polar, arguments) => {
-            let angle = sketch.algebra.translate(&arguments[1]);
-            let unit = calls::call(sketch.algebra, Function::Dir, vec![angle]);
-            // In a picture of space, the plane is that of x and y.
-            let along = translate::vector(sketch.algebra, &unit).resized(sketch.dimension);
-            Some(straight(along))
-        }
-        ExprKind::Binary(BinaryOp::Mul, a, b) => {
-            let vector = if matches!(a.ty, Type::Vector(..)) {
-                a
-            } else {
-                b
-            };
-            Some(straight(sketch.vector(vector).unit()))
-        }
-        ExprKind::Vector(components) => {
-            let (varying, rest) = varying(sketch, components)?;
-            Some(Slide {
-                offset: Some(rest),
-                along: axis_of(sketch, varying),
-                input,
-            })
-        }
-        ExprKind::Call(function @ (Function::Rotate | Function::Turn), arguments) => {
-            let inner = direction_of(sketch, &arguments[0])?;
-            let mut turn = |v| parts::turned_vector(sketch, *function, arguments, v);
-            Some(Slide {
-                offset: inner.offset.map(&mut turn),
-                along: turn(inner.along),
-                input,
-            })
-        }
-        // Of anything else nobody knows along what it changes.
-        _ => None,
-    }
-}
-
-/// The unit vector along a coordinate axis.
-pub(super) fn axis_of<'m>(sketch: &Sketch<'_, 'm>, component: usize) -> Vn<'m> {
-    let graph = sketch.algebra.graph;
-    let mut axis = vec![graph.zero(); sketch.dimension];
-    axis[component] = graph.one();
-    graph.components(&axis)
-}
-
-/// The one component that changes, and the vector without it.
-fn varying<'m>(sketch: &mut Sketch<'_, 'm>, components: &'m [Expr]) -> Option<(usize, Vn<'m>)> {
-    let numbers = components.iter();
-    let numbers: Vec<Ex> = numbers
-        .map(|own| {
-            let value = sketch.algebra.translate(own);
-            translate::number(sketch.algebra, &value)
-        })
-        .collect();
-    let changes = 0..numbers.len();
-    let changes: Vec<usize> = changes
-        .filter(|&k| !dependence::inputs_below(sketch.algebra, &[numbers[k]]).is_empty())
-        .collect();
-    let [varying] = changes[..] else { return None };
-    let mut rest: Vec<NodeId> = numbers.into_iter().map(Ex::id).collect();
-    rest[varying] = sketch.algebra.graph.zero();
-    Some((varying, sketch.algebra.graph.components(&rest)))
-}
-
-/// A guide whose origin is a point that the line goes through, or the one that is nearest to the carrier's point.
+/// A guide whose origin is a point that the line goes through, or the one that is nearest to the
+/// carrier's point.
 fn candidate<'m>(sketch: &mut Sketch<'_, 'm>, line: Line<'m>) -> Candidate<'m> {
     let base = match line.carrier {
         Some(carrier) => sketch.points[carrier].at,
@@ -272,7 +199,11 @@ fn candidate<'m>(sketch: &mut Sketch<'_, 'm>, line: Line<'m>) -> Candidate<'m> {
     };
     let slider = sketch.points[line.slider].at;
     let origin = match (line.carrier, line.foot) {
-        (Some(carrier), Some(foot)) if foot.iter().all(|own| own.constant_value() == Some(0.0)) => {
+        (Some(carrier), Some(foot))
+            if foot
+                .iter()
+                .all(|component| component.constant_value() == Some(0.0)) =>
+        {
             carrier
         }
         (_, Some(foot)) => sketch.point(base + foot),
@@ -292,7 +223,7 @@ fn candidate<'m>(sketch: &mut Sketch<'_, 'm>, line: Line<'m>) -> Candidate<'m> {
     }
 }
 
-/// Whether two unit vectors always point along one line.
+/// True if two unit vectors always point along one line.
 fn parallel(a: &[Vec<f64>], b: &[Vec<f64>]) -> bool {
     a.iter().zip(b).all(|(a, b)| {
         let along: f64 = a.iter().zip(b).map(|(x, y)| x * y).sum();

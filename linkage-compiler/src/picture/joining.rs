@@ -1,19 +1,19 @@
 //! Links that are one link are joined.
 //!
-//! Every link is compared with those before it, in order, as long as two of them are one. Only links that have a point in common
-//! can be, and only those that share a point with a link that has grown have to be compared again: in a long chain each link
-//! meets a few others.
+//! Every link is compared with those before it, in order, as long as two of them are one. Only
+//! links that have a point in common can be, and only those that share a point with a link that has
+//! grown have to be compared again: in a long chain each link meets a few others.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use linkage_symbolic::lookup::Set;
 
-use super::links::RawLink;
+use crate::picture::raw_link::RawLink;
 
 pub(super) struct Joining<'m> {
-    /// `None` for what has become a part of a link before.
+    /// The links; `None` for a link that has become part of an earlier one.
     links: Vec<Option<RawLink<'m>>>,
-    /// How often each has grown.
+    /// The number of times that each link has grown.
     grown: Vec<usize>,
     /// The links that have a point.
     at: BTreeMap<usize, BTreeSet<usize>>,
@@ -61,7 +61,10 @@ impl<'m> Joining<'m> {
     ) -> Option<usize> {
         let link = self.links[next].as_ref()?;
         let before = link.points.iter().filter_map(|point| self.at.get(point));
-        let before: BTreeSet<usize> = before.flat_map(|own| own.range(..next)).copied().collect();
+        let before: BTreeSet<usize> = before
+            .flat_map(|links| links.range(..next))
+            .copied()
+            .collect();
         before.into_iter().find(|&known| {
             let pair = [(known, self.grown[known]), (next, self.grown[next])];
             let other = self.links[known].as_ref();
@@ -90,7 +93,7 @@ impl<'m> Joining<'m> {
         self.open.insert(known);
         for point in &link.points {
             let here = self.at.get(point).into_iter().flatten();
-            self.open.extend(here.filter(|&&own| own > known));
+            self.open.extend(here.filter(|&&link| link > known));
         }
     }
 }

@@ -1,23 +1,22 @@
-//! What meets in the points of a picture, and how it moves against each other.
+//! The joints in the points of a picture: the members that meet there, and their relative motion.
 
 use crate::ir::{GuideOn, GuideShape, Joint, JointShape, Member, Picture, PointKind};
 use crate::model::JointKind;
+use crate::picture::by_point::ByPoint;
+use crate::picture::samples::Samples;
+use crate::picture::track::Track;
 
-use super::by_point::ByPoint;
-use super::open_loop::Track;
-use super::samples::Seen;
-
-pub(super) struct Turning<'a, 's> {
-    pub(super) seen: &'s Seen<'a>,
-    /// By point of the picture: the point that was looked at.
+pub(super) struct JointFinder<'a, 's> {
+    pub(super) samples: &'s Samples<'a>,
+    /// For each point of the picture: the point that was looked at.
     pub(super) points: Vec<usize>,
-    /// By direction of the picture.
+    /// For each direction of the picture.
     pub(super) ways: Vec<Track>,
     /// Points of the picture with the joints that the program declares there.
     pub(super) declared: Vec<(usize, JointKind)>,
 }
 
-/// What a picture has at each of its points.
+/// The parts of a picture at each of its points.
 struct Here {
     links: ByPoint,
     sliders: ByPoint,
@@ -31,93 +30,99 @@ impl Here {
         let axes = picture.axes.iter().enumerate();
         Self {
             links: ByPoint::of_lists(picture.links.iter().map(|link| &link.points)),
-            sliders: ByPoint::new(guides().map(|(index, own)| (own.slider, index))),
-            origins: ByPoint::new(guides().map(|(index, own)| (own.origin, index))),
+            sliders: ByPoint::new(guides().map(|(index, guide)| (guide.slider, index))),
+            origins: ByPoint::new(guides().map(|(index, guide)| (guide.origin, index))),
             axes: ByPoint::new(axes.map(|(index, (point, _))| (*point, index))),
         }
     }
 }
 
-impl Turning<'_, '_> {
+impl JointFinder<'_, '_> {
     pub(super) fn joints(&self, picture: &Picture) -> Vec<Joint> {
         let here = &Here::new(picture);
         let mut joints = Vec::new();
-        for (point, own) in picture.points.iter().enumerate() {
-            if matches!(own.kind, PointKind::Construction | PointKind::Loose) {
+        for (point, drawn) in picture.points.iter().enumerate() {
+            if matches!(drawn.kind, PointKind::Construction | PointKind::Loose) {
                 continue;
             }
             joints.extend(self.turning(picture, point, here));
-            let sliders = here.sliders.of(point).iter().copied();
-            joints.extend(sliders.map(|guide| Joint {
-                point,
-                shape: self.declared_at(point).map_or(JointShape::Slide, sliding),
-                between: vec![
-                    self.sliding(picture, guide, here),
-                    match picture.guides[guide].on {
-                        GuideOn::Frame => Member::Frame,
-                        GuideOn::Link(link) => Member::Link(link),
-                        GuideOn::Itself => Member::Rail(guide),
-                    },
-                ],
+            let sliders = here.sliders.at_point(point).iter().copied();
+            joints.extend(sliders.map(|guide| {
+                Joint {
+                    point,
+                    shape: self
+                        .declared_at(point)
+                        .map_or(JointShape::Slide, JointKind::sliding_sign),
+                    between: vec![
+                        self.sliding(picture, guide, here),
+                        match picture.guides[guide].on {
+                            GuideOn::Frame => Member::Frame,
+                            GuideOn::Link(link) => Member::Link(link),
+                            GuideOn::Itself => Member::Rail(guide),
+                        },
+                    ],
+                }
             }));
         }
         joints
     }
 
-    /// What turns against each other in a point.
+    /// The members that turn against each other in a point.
     fn turning(&self, picture: &Picture, point: usize, here: &Here) -> Option<Joint> {
         let mut between = Vec::new();
         if picture.points[point].kind == PointKind::Ground {
             between.push(Member::Frame);
         }
-        let links = here.links.of(point).iter();
+        let links = here.links.at_point(point).iter();
         between.extend(links.map(|&link| Member::Link(link)));
-        let rails = here.origins.of(point).iter().copied();
-        let rails = rails.filter(|&own| picture.guides[own].on == GuideOn::Itself);
+        let rails = here.origins.at_point(point).iter().copied();
+        let rails = rails.filter(|&rail| picture.guides[rail].on == GuideOn::Itself);
         between.extend(rails.map(Member::Rail));
         let mut ways: Vec<usize> = Vec::new();
-        for &guide in here.sliders.of(point) {
-            let own = self.sliding(picture, guide, here);
+        for &guide in here.sliders.at_point(point) {
+            let member = self.sliding(picture, guide, here);
             let way = picture.guides[guide].direction;
             // Two blocks that keep their angle are one.
             let is_known = ways.iter().any(|other| self.keep_angle(*other, way));
-            if !between.contains(&own) && !is_known {
-                between.push(own);
+            if !between.contains(&member) && !is_known {
+                between.push(member);
             }
             ways.push(way);
         }
         let hinged = share_a_line(picture, &between);
         (between.len() > 1).then(|| Joint {
             point,
-            shape: match hinged {
-                true => JointShape::Pin,
-                false => self.shape(picture, point, here),
+            shape: if hinged {
+                JointShape::Pin
+            } else {
+                self.shape(picture, point, here)
             },
             between,
         })
     }
 
-    /// What slides along a guide: a link or another guide that does not turn against it, or a block that others turn on.
+    /// The member that slides along a guide: a link or another guide that does not turn against it,
+    /// or a block that others turn on.
     fn sliding(&self, picture: &Picture, guide: usize, here: &Here) -> Member {
-        let own = &picture.guides[guide];
-        let way = &self.ways[own.direction];
-        if own.shape == GuideShape::Cylinder {
+        let rail = &picture.guides[guide];
+        let way = &self.ways[rail.direction];
+        if rail.shape == GuideShape::Cylinder {
             return Member::Rod(guide);
         }
         let is_carried = |end: usize, way: &Track| {
-            self.seen
-                .carries(self.points[end], self.points[own.slider], way)
+            self.samples
+                .carries(self.points[end], self.points[rail.slider], way)
         };
-        let mut links = here.links.of(own.slider).iter().copied();
+        let mut links = here.links.at_point(rail.slider).iter().copied();
         let link = links.find(|&link| {
             let mut points = picture.links[link].points.iter();
             points.all(|&end| is_carried(end, way))
         });
-        let mut others = here.origins.of(own.slider).iter().copied();
+        let mut others = here.origins.at_point(rail.slider).iter().copied();
         let other = others.find(|&other| {
             let other = &picture.guides[other];
             let is_slot = other.on == GuideOn::Itself && other.shape == GuideShape::Slot;
-            is_slot && self.keep_angle(other.direction, own.direction)
+            is_slot && self.keep_angle(other.direction, rail.direction)
         });
         match (link, other) {
             (Some(link), _) => Member::Link(link),
@@ -126,11 +131,11 @@ impl Turning<'_, '_> {
         }
     }
 
-    /// Whether two directions keep the angle between them.
+    /// True if two directions keep the angle between them.
     fn keep_angle(&self, a: usize, b: usize) -> bool {
         let pairs = self.ways[a].iter().zip(&self.ways[b]);
         let products = pairs.map(|(a, b)| vec![a.iter().zip(b).map(|(x, y)| x * y).sum()]);
-        self.seen.is_steady(&products.collect())
+        self.samples.is_steady(&products.collect())
     }
 
     /// In the plane all joints are pins; in space the axes tell, or the program.
@@ -138,10 +143,10 @@ impl Turning<'_, '_> {
         if picture.dimension == 2 {
             return JointShape::Pin;
         }
-        if let Some(shape) = self.declared_at(point).and_then(turning) {
+        if let Some(shape) = self.declared_at(point).and_then(JointKind::turning_sign) {
             return shape;
         }
-        match here.axes.of(point).len() {
+        match here.axes.at_point(point).len() {
             1 => JointShape::Pin,
             2 => JointShape::Universal,
             _ => JointShape::Ball,
@@ -154,25 +159,7 @@ impl Turning<'_, '_> {
     }
 }
 
-/// How the bodies of a declared joint turn.
-fn turning(kind: JointKind) -> Option<JointShape> {
-    match kind {
-        JointKind::Pin => Some(JointShape::Pin),
-        JointKind::Ball => Some(JointShape::Ball),
-        JointKind::Cylinder => Some(JointShape::Cylindrical),
-        JointKind::Slide | JointKind::Fixed => None,
-    }
-}
-
-/// How they slide, where a guide is.
-fn sliding(kind: JointKind) -> JointShape {
-    match kind {
-        JointKind::Cylinder => JointShape::Cylindrical,
-        JointKind::Pin | JointKind::Ball | JointKind::Slide | JointKind::Fixed => JointShape::Slide,
-    }
-}
-
-/// Whether two links have two points in common: they turn about the line through them.
+/// True if two links have two points in common: they turn about the line through them.
 fn share_a_line(picture: &Picture, between: &[Member]) -> bool {
     let [Member::Link(a), Member::Link(b)] = between[..] else {
         return false;

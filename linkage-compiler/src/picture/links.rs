@@ -4,47 +4,32 @@ use std::collections::BTreeSet;
 
 use linkage_symbolic::lookup::{Map, Set};
 
-use super::chains::Sketch;
-use super::joining::Joining;
-use super::marks::{Segment, Shape, Title};
-use super::ownership::Owners;
-use super::rigid_bodies::{Frame, Welds};
-use super::samples::Seen;
+use crate::picture::joining::Joining;
+use crate::picture::marks::{Segment, Shape};
+use crate::picture::ownership::Ownership;
+use crate::picture::raw_link::{self, Frame, RawLink};
+use crate::picture::rigid_bodies::Welds;
+use crate::picture::samples::Samples;
+use crate::picture::sketch::Sketch;
 
 pub(super) struct Links<'m> {
     pub(super) all: Vec<RawLink<'m>>,
 }
 
-pub(super) struct RawLink<'m> {
-    /// Points in the order in which they were found, each the first of those that coincide.
-    pub(super) points: Vec<usize>,
-    pub(super) title: Option<Title>,
-    /// Pairs of points that the link is written by, as they are written.
-    pub(super) frames: Vec<Frame<'m>>,
-    /// Whether the user listed it.
-    asked: bool,
-    /// The body that it is.
-    pub(super) body: Option<usize>,
-    /// The unknown frame that says where it is.
-    unknown: Option<usize>,
-    /// The part of a machine that it belongs to.
-    pub(super) part: Option<usize>,
-}
-
 impl<'m> Links<'m> {
-    pub(super) fn find(sketch: &Sketch<'_, 'm>, seen: &Seen, owners: &Owners) -> Self {
+    pub(super) fn find(sketch: &Sketch<'_, 'm>, samples: &Samples, ownership: &Ownership) -> Self {
         let mut links = Self { all: Vec::new() };
-        let welds = Welds::new(sketch, seen);
-        let first = |point: usize| seen.same[point];
+        let welds = Welds::new(sketch, samples);
+        let first = |point: usize| samples.same[point];
         for asked in &sketch.asked {
-            let points = distinct(asked.points.iter().map(|&point| first(point)));
+            let points = raw_link::distinct(asked.points.iter().map(|&point| first(point)));
             let frames = asked.points.windows(2).map(|ends| Frame {
                 from: ends[0],
                 to: ends[1],
                 step: sketch.points[ends[0]].step_to(&sketch.points[ends[1]]),
             });
             links.all.push(RawLink {
-                part: owners.of(None, &points),
+                part: ownership.part_of(None, &points),
                 points,
                 title: None,
                 frames: frames.collect(),
@@ -55,15 +40,15 @@ impl<'m> Links<'m> {
         }
         for segment in &sketch.segments {
             let (from, to) = (first(segment.from), first(segment.to));
-            let moves = !(seen.is_fixed(from) && seen.is_fixed(to));
-            if from != to && moves && is_rigid(segment, seen) {
+            let moves = !(samples.is_fixed(from) && samples.is_fixed(to));
+            if from != to && moves && is_rigid(segment, samples) {
                 let name = segment.title.as_ref().map(|title| title.text.as_str());
                 links.all.push(RawLink {
                     points: vec![from, to],
                     part: match segment.shape {
                         Shape::Base(carrier) => carrier,
-                        Shape::Body(Some(_)) => name.and_then(|name| owners.named(name)),
-                        _ => owners.of(name, &[from, to]),
+                        Shape::Body(Some(_)) => name.and_then(|name| ownership.named(name)),
+                        _ => ownership.part_of(name, &[from, to]),
                     },
                     title: segment.title.clone(),
                     frames: vec![Frame {
@@ -83,23 +68,24 @@ impl<'m> Links<'m> {
                 });
             }
         }
-        links.join(seen, &welds);
-        links.take_means(sketch, seen);
-        links.join(seen, &welds);
+        links.join(samples, &welds);
+        links.take_means(sketch, samples);
+        links.join(samples, &welds);
         if !sketch.algebra.mechanism.inputs.is_empty() {
-            links.attach(sketch, seen, owners);
+            links.attach(sketch, samples, ownership);
         }
         links
     }
 
-    /// Joins links that have a point in common and are written to turn together, until none is left.
-    fn join(&mut self, seen: &Seen, welds: &Welds) {
+    /// Joins links that have a point in common and are written to turn together, until none is
+    /// left.
+    fn join(&mut self, samples: &Samples, welds: &Welds) {
         let joining = Joining::new(std::mem::take(&mut self.all));
-        self.all = joining.joined(|a, b| are_one(a, b, seen, welds));
+        self.all = joining.joined(|a, b| are_one(a, b, samples, welds));
     }
 
-    /// What is computed from points of a link belongs to it.
-    fn take_means(&mut self, sketch: &Sketch, seen: &Seen) {
+    /// Adds points that are computed from points of a link to the link.
+    fn take_means(&mut self, sketch: &Sketch, samples: &Samples) {
         let mut at: Map<usize, BTreeSet<usize>> = Map::new();
         for (index, link) in self.all.iter().enumerate() {
             for &point in &link.points {
@@ -107,15 +93,23 @@ impl<'m> Links<'m> {
             }
         }
         for mean in &sketch.means {
-            let point = seen.same[mean.point];
-            let of: Vec<usize> = mean.of.iter().map(|&own| seen.same[own]).collect();
+            let point = samples.same[mean.point];
+            let sources: Vec<usize> = mean
+                .sources
+                .iter()
+                .map(|&point| samples.same[point])
+                .collect();
             let has_all = |index: &&usize| {
                 let points = &self.all[**index].points;
-                of.iter().all(|own| points.contains(own))
-                    && of.iter().all(|&own| seen.keep_distance(point, own))
+                sources.iter().all(|other| points.contains(other))
+                    && sources
+                        .iter()
+                        .all(|&other| samples.keep_distance(point, other))
             };
-            let candidates = of.first().and_then(|first| at.get(first));
-            let found = candidates.and_then(|all| all.iter().find(has_all)).copied();
+            let candidates = sources.first().and_then(|first| at.get(first));
+            let found = candidates
+                .and_then(|candidates| candidates.iter().find(has_all))
+                .copied();
             if let Some(index) = found
                 && !self.all[index].points.contains(&point)
             {
@@ -126,19 +120,22 @@ impl<'m> Links<'m> {
     }
 
     /// Named points that move with a link belong to it.
-    fn attach(&mut self, sketch: &Sketch, seen: &Seen, owners: &Owners) {
+    fn attach(&mut self, sketch: &Sketch, samples: &Samples, ownership: &Ownership) {
         let points = self.all.iter().flat_map(|link| &link.points);
         let mut taken: Set<usize> = points.copied().collect();
         for (index, spot) in sketch.points.iter().enumerate() {
-            let point = seen.same[index];
-            if !spot.wanted || spot.name.is_none() || taken.contains(&point) || seen.is_fixed(point)
+            let point = samples.same[index];
+            if !spot.wanted
+                || spot.name.is_none()
+                || taken.contains(&point)
+                || samples.is_fixed(point)
             {
                 continue;
             }
             let rigid = |link: &&mut RawLink<'m>| {
                 let mut points = link.points.iter();
-                points.all(|&other| seen.keep_distance(point, other))
-                    && !owners.is_foreign(point, link.part)
+                points.all(|&other| samples.keep_distance(point, other))
+                    && !ownership.is_foreign(point, link.part)
             };
             if let Some(link) = self.all.iter_mut().find(rigid) {
                 link.points.push(point);
@@ -164,41 +161,29 @@ impl<'m> Links<'m> {
     }
 }
 
-impl<'m> RawLink<'m> {
-    /// Becomes one with another link.
-    pub(super) fn take_in(&mut self, other: Self) {
-        let points = self.points.iter().chain(&other.points).copied();
-        self.points = distinct(points);
-        self.frames.extend(other.frames);
-        self.asked |= other.asked;
-        self.body = self.body.or(other.body);
-        self.unknown = self.unknown.or(other.unknown);
-        self.part = self.part.or(other.part);
-        let titles = [self.title.take(), other.title].into_iter().flatten();
-        self.title = titles.min_by_key(|title| title.rank);
-    }
-}
-
-/// Whether the ends of a segment are held by what it says of itself: a term has its length, whatever the unknowns are; distances and bodies are
-/// what loops say.
-pub(super) fn is_rigid(segment: &Segment, seen: &Seen) -> bool {
+/// True if the form of a segment fixes the distance of its ends. A term has its length for all
+/// values of the unknowns; distances and bodies get theirs from loops.
+pub(super) fn is_rigid(segment: &Segment, samples: &Samples) -> bool {
     let (from, to) = (segment.from, segment.to);
     let written = match segment.shape {
-        Shape::Term(..) | Shape::Part(..) => seen.free().follows(&seen.stretching(from, to), &[]),
+        Shape::Term(..) | Shape::Part(..) => {
+            samples.free().follows(&samples.stretching(from, to), &[])
+        }
         Shape::Distance | Shape::Body(_) | Shape::Frame(_) | Shape::Base(_) => true,
     };
-    written && seen.keep_distance(from, to)
+    written && samples.keep_distance(from, to)
 }
 
-fn are_one(a: &RawLink, b: &RawLink, seen: &Seen, welds: &Welds) -> bool {
+fn are_one(a: &RawLink, b: &RawLink, samples: &Samples, welds: &Welds) -> bool {
     let shared: Vec<usize> = a
         .points
         .iter()
         .filter(|p| b.points.contains(p))
         .copied()
         .collect();
-    let rigid = |p: &usize| b.points.iter().all(|&q| seen.keep_distance(*p, q));
-    // Lists are different links: in space, turning about a common line does not show in distances. So are bodies.
+    let rigid = |p: &usize| b.points.iter().all(|&q| samples.keep_distance(*p, q));
+    // Lists are different links: in space, turning about a common line does not show in distances.
+    // So are bodies.
     let other_lists = a.asked && b.asked;
     let other_bodies = a.body.is_some() && b.body.is_some() && a.body != b.body;
     // Cranks of two parts on one shaft are drawn as two.
@@ -214,15 +199,4 @@ fn are_one(a: &RawLink, b: &RawLink, seen: &Seen, welds: &Welds) -> bool {
         || a.unknown.is_some() && a.unknown == b.unknown
         || welds.join(&a.frames, &b.frames, &a.points)
         || welds.join(&b.frames, &a.frames, &b.points)
-}
-
-/// Each point once.
-fn distinct(points: impl Iterator<Item = usize>) -> Vec<usize> {
-    let mut all = Vec::new();
-    for point in points {
-        if !all.contains(&point) {
-            all.push(point);
-        }
-    }
-    all
 }

@@ -1,22 +1,16 @@
-//! Vectors written by their components, `(d + c * cos(psi), c * sin(psi))`: the sum of what does not move, of a point, and of steps, each
-//! with a length of its own.
+//! Vectors written by their components, `(d + c * cos(psi), c * sin(psi))`: the sum of a fixed
+//! vector, of a point, and of steps, each with a length of its own.
 
-use crate::algebra::translate;
-use crate::picture::drives;
-use crate::picture::guides;
-use crate::picture::terms;
-use crate::picture::titles;
 use std::collections::BTreeSet;
 
 use linkage_symbolic::{Ex, NodeId, Vn};
 
-use crate::algebra::Translate;
+use crate::algebra::{Translate, translate};
 use crate::model::{BinaryOp, Expr, ExprKind, Name, Type};
-
-use super::chains::Sketch;
-use super::marks::Title;
-use super::parts::{Part, Slide, Turn};
-use super::point_or_vector::Moves;
+use crate::picture::marks::{Slide, StepPart, Title, Turn};
+use crate::picture::point_or_vector::Moves;
+use crate::picture::sketch::Sketch;
+use crate::picture::{expressions, sketch, weights};
 
 /// A product within a component.
 #[derive(Clone)]
@@ -26,19 +20,20 @@ struct Summand<'m> {
     divisors: Vec<&'m Expr>,
 }
 
-/// What summands of different components have in common if they belong together.
+/// The common parts of summands in different components that belong together.
 #[derive(Clone, PartialEq)]
 enum Step<'m> {
     Fixed,
     Point(&'m Expr),
-    /// The lengths in it, and how many summands of its component with the same ones stand before it.
+    /// The lengths in it, and how many summands of its component with the same ones stand before
+    /// it.
     Long(Vec<&'m Expr>, usize),
 }
 
-/// What a literal consists of.
+/// A piece of a literal.
 pub(super) enum Piece<'m> {
     Point(&'m Expr),
-    Part(Part<'m>),
+    Part(StepPart<'m>),
 }
 
 struct Group<'m> {
@@ -50,9 +45,9 @@ struct Group<'m> {
 /// The points and steps that a literal is the sum of; nothing if it is one of them.
 pub(super) fn pieces<'m>(sketch: &mut Sketch<'_, 'm>, components: &'m [Expr]) -> Vec<Piece<'m>> {
     let mut groups: Vec<Group<'m>> = Vec::new();
-    for (component, own) in components.iter().enumerate() {
+    for (component, expr) in components.iter().enumerate() {
         let mut steps: Vec<Step> = Vec::new();
-        for summand in expanded(sketch, own) {
+        for summand in expanded(sketch, expr) {
             let step = step_of_summand(sketch, component, &summand, &steps);
             steps.push(step.clone());
             let summand = (component, summand);
@@ -93,9 +88,9 @@ pub(super) fn pieces<'m>(sketch: &mut Sketch<'_, 'm>, components: &'m [Expr]) ->
 
 /// The products that a number is the sum of.
 fn expanded<'m>(sketch: &Sketch<'_, 'm>, expr: &'m Expr) -> Vec<Summand<'m>> {
-    let negative = |own: Summand<'m>| Summand {
-        sign: -own.sign,
-        ..own
+    let negative = |summand: Summand<'m>| Summand {
+        sign: -summand.sign,
+        ..summand
     };
     match &expr.kind {
         ExprKind::Number(0.0) => Vec::new(),
@@ -105,9 +100,9 @@ fn expanded<'m>(sketch: &Sketch<'_, 'm>, expr: &'m Expr) -> Vec<Summand<'m>> {
             both.concat()
         }
         ExprKind::Binary(BinaryOp::Sub, a, b) => {
-            let mut all = expanded(sketch, a);
-            all.extend(expanded(sketch, b).into_iter().map(negative));
-            all
+            let mut summands = expanded(sketch, a);
+            summands.extend(expanded(sketch, b).into_iter().map(negative));
+            summands
         }
         ExprKind::Binary(BinaryOp::Mul, a, b) => {
             let (a, b) = (expanded(sketch, a), expanded(sketch, b));
@@ -121,10 +116,10 @@ fn expanded<'m>(sketch: &Sketch<'_, 'm>, expr: &'m Expr) -> Vec<Summand<'m>> {
             products.collect()
         }
         ExprKind::Binary(BinaryOp::Div, a, b) => {
-            let all = expanded(sketch, a).into_iter();
-            let divided = all.map(|mut own| {
-                own.divisors.push(b);
-                own
+            let summands = expanded(sketch, a).into_iter();
+            let divided = summands.map(|mut summand| {
+                summand.divisors.push(b);
+                summand
             });
             divided.collect()
         }
@@ -145,72 +140,73 @@ fn step_of_summand<'m>(
     summand: &Summand<'m>,
     before: &[Step<'m>],
 ) -> Step<'m> {
-    let all = || summand.factors.iter().chain(&summand.divisors);
-    if all().all(|own| sketch.moves(own) == Moves::Not) {
+    let factors = || summand.factors.iter().chain(&summand.divisors);
+    if factors().all(|factor| sketch.moves(factor) == Moves::Not) {
         return Step::Fixed;
     }
     if let ([factor], []) = (&summand.factors[..], &summand.divisors[..])
         && let ExprKind::Component(point, index) = &factor.kind
         && *index == component
         && summand.sign > 0.0
-        && terms::weight(sketch, point) == Some(1.0)
+        && weights::weight(sketch, point) == Some(1.0)
     {
         return Step::Point(point);
     }
-    let parts = all().flat_map(|own| own.parts());
+    let parts = factors().flat_map(|factor| factor.parts());
     let lengths = parts.filter(|part| {
         let dimension = part.ty.dimension();
-        let is_length = dimension.is_some_and(|own| own.half_lengths == 2);
+        let is_length = dimension.is_some_and(|dimension| dimension.half_lengths == 2);
         let is_atom = matches!(part.kind, ExprKind::Name(_) | ExprKind::Number(_));
         is_length && is_atom
     });
     let lengths: Vec<&Expr> = lengths.collect();
-    let alike = |own: &&Step| matches!(own, Step::Long(other, _) if *other == lengths);
+    let alike = |step: &&Step| matches!(step, Step::Long(other, _) if *other == lengths);
     let number = before.iter().filter(alike).count();
     Step::Long(lengths, number)
 }
 
-fn part<'m>(sketch: &mut Sketch<'_, 'm>, group: &Group<'m>, count: usize) -> Part<'m> {
-    let all = || group.summands.iter();
-    let factors = || all().flat_map(|(_, own)| own.factors.iter().copied());
-    let moves = factors().map(|own| sketch.moves(own)).max();
+fn part<'m>(sketch: &mut Sketch<'_, 'm>, group: &Group<'m>, count: usize) -> StepPart<'m> {
+    let summands = || group.summands.iter();
+    let factors = || summands().flat_map(|(_, summand)| summand.factors.iter().copied());
+    let moves = factors().map(|factor| sketch.moves(factor)).max();
     let rank = 2 + sketch.remoteness;
-    let title = factors().find_map(|own| titles::dimension_in(sketch, own));
+    let title =
+        factors().find_map(|factor| expressions::dimension_in(sketch.algebra.mechanism, factor));
     let title = title.map(|text| Title { rank, text });
     let at = assembled(sketch, group, count, None);
-    let slides = |own: &&Expr| {
-        let dimension = own.ty.dimension();
-        let is_length = dimension.is_some_and(|own| own.half_lengths == 2);
-        is_length && matches!(own.as_name(), Some(Name::Unknown(_) | Name::Input(_)))
+    let slides = |factor: &&Expr| {
+        let dimension = factor.ty.dimension();
+        let is_length = dimension.is_some_and(|dimension| dimension.half_lengths == 2);
+        is_length && matches!(factor.as_name(), Some(Name::Unknown(_) | Name::Input(_)))
     };
     let slide = factors().find(slides).map(|length| {
         let along = assembled(sketch, group, count, Some(length)).unit();
         Slide {
             offset: None,
             along,
-            input: drives::driving(sketch, length),
+            input: expressions::driving(sketch.algebra.mechanism, length),
         }
     });
-    let components: BTreeSet<usize> = all().map(|(component, _)| *component).collect();
+    let components: BTreeSet<usize> = summands().map(|(component, _)| *component).collect();
     let components: Vec<usize> = components.into_iter().collect();
     let slide = match (slide, &components[..]) {
         (None, [component]) => Some(Slide {
             offset: None,
-            along: guides::axis_of(sketch, *component),
+            along: sketch::axis_of(sketch, *component),
             input: None,
         }),
         (slide, _) => slide,
     };
-    let third = (0..sketch.dimension).filter(|own| !components.contains(own));
+    let third = (0..sketch.dimension).filter(|axis| !components.contains(axis));
     let turns = match (slide, &third.collect::<Vec<_>>()[..]) {
         // What turns in the plane of two coordinates turns about the third.
         (None, [third]) if sketch.dimension == 3 => vec![Turn {
-            along: guides::axis_of(sketch, *third),
+            along: sketch::axis_of(sketch, *third),
             by: None,
         }],
         _ => Vec::new(),
     };
-    Part {
+    StepPart {
         at,
         title,
         slide,
@@ -234,11 +230,11 @@ fn assembled<'m>(
             translate::number(sketch.algebra, &value)
         };
         let factors = summand.factors.iter();
-        let factors = factors.filter(|own| without.is_none_or(|other| ***own != *other));
+        let factors = factors.filter(|factor| without.is_none_or(|other| ***factor != *other));
         let start: Ex<'m> = graph.ex(graph.constant(summand.sign));
-        let product = factors.fold(start, |product, own| product * number(own));
+        let product = factors.fold(start, |product, factor| product * number(factor));
         let divisors = summand.divisors.iter();
-        let quotient = divisors.fold(product, |product, own| product / number(own));
+        let quotient = divisors.fold(product, |product, divisor| product / number(divisor));
         components[*component] += quotient;
     }
     let ids: Vec<NodeId> = components.into_iter().map(Ex::id).collect();

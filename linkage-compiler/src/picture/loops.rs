@@ -1,32 +1,28 @@
-//! What loops, derived names, bodies and joints are made of.
+//! Links in loops, derived names, bodies and joints.
 
-use crate::picture::bodies;
-use crate::picture::frames;
-use crate::picture::guides;
-use crate::picture::parts;
-use crate::picture::planes;
-use crate::picture::terms;
-use crate::picture::titles;
 use linkage_symbolic::{Ex, NodeId};
 
 use crate::model::{Expr, ExprKind, Function, Let, Loop, Mechanism, Name, Type};
+use crate::picture::marks::{Asked, Shape, Term, Title};
+use crate::picture::sketch::Sketch;
+use crate::picture::{
+    bodies, chains, expressions, frames, parts, planes, sketch, terms, titles, weights,
+};
 
-use super::chains::Sketch;
-use super::marks::{Asked, Shape, Term, Title};
-
-/// Names in derived quantities stand behind those in loops, and where no loop uses the quantity behind all others.
+/// UniqueNames in derived quantities stand behind those in loops, and where no loop uses the
+/// quantity behind all others.
 const LET: [u8; 2] = [3, 6];
 
 /// All that the program says of points and links.
 pub(super) fn collect(sketch: &mut Sketch<'_, '_>) {
     look_at_lets(sketch);
     look_at_unknowns(sketch);
-    for (index, own) in sketch.algebra.mechanism.loops.iter().enumerate() {
-        if is_anywhere(sketch, own) {
+    for (index, equation) in sketch.algebra.mechanism.loops.iter().enumerate() {
+        if expressions::is_anywhere(sketch, equation) {
             sketch.undrawn.push(index + 1);
         } else {
             let frames = frames::frames_of_loop(sketch, index);
-            frames::within(sketch, frames, |sketch| look_at_loop(sketch, own));
+            sketch::within(sketch, frames, |sketch| look_at_loop(sketch, equation));
         }
     }
     bodies::look_at_bodies(sketch);
@@ -37,24 +33,24 @@ fn look_at_lets(sketch: &mut Sketch<'_, '_>) {
     let mechanism = sketch.algebra.mechanism;
     let loops: Vec<usize> = (0..mechanism.loops.len()).collect();
     let usage = mechanism.usage(&loops);
-    for (index, own) in mechanism.lets.iter().enumerate() {
+    for (index, item) in mechanism.lets.iter().enumerate() {
         let is_centre = !usage.lets[index] && is_mass_centre(mechanism, index);
         if sketch.roles.is_step(Name::Let(index)) || is_centre {
             continue;
         }
         sketch.remoteness = LET[usize::from(!usage.lets[index])];
         let frames = frames::frames_of(sketch, Name::Let(index));
-        frames::within(sketch, frames, |sketch| look_at_let(sketch, own));
+        sketch::within(sketch, frames, |sketch| look_at_let(sketch, item));
     }
     sketch.remoteness = 0;
 }
 
-fn look_at_let<'m>(sketch: &mut Sketch<'_, 'm>, own: &'m Let) {
-    if let Some(point) = sketch.point_of(&own.value) {
-        let at = sketch.vector(&own.value);
+fn look_at_let<'m>(sketch: &mut Sketch<'_, 'm>, item: &'m Let) {
+    if let Some(point) = chains::point_of(sketch, &item.value) {
+        let at = sketch.vector(&item.value);
         let named = sketch.point(at);
         for point in [point, named] {
-            let text = own.name.clone();
+            let text = item.name.clone();
             titles::call(sketch, point, Title { rank: 0, text });
         }
         sketch.points[named].wanted = true;
@@ -64,8 +60,8 @@ fn look_at_let<'m>(sketch: &mut Sketch<'_, 'm>, own: &'m Let) {
 /// Unknown points.
 fn look_at_unknowns(sketch: &mut Sketch<'_, '_>) {
     let mechanism = sketch.algebra.mechanism;
-    for (index, own) in mechanism.unknowns.iter().enumerate() {
-        let Type::Vector(count, dimension) = own.ty else {
+    for (index, unknown) in mechanism.unknowns.iter().enumerate() {
+        let Type::Vector(count, dimension) = unknown.ty else {
             continue;
         };
         let is_point = count == sketch.dimension && dimension.half_lengths == 2;
@@ -74,8 +70,8 @@ fn look_at_unknowns(sketch: &mut Sketch<'_, '_>) {
             let numbers: Vec<NodeId> = numbers.map(Ex::id).collect();
             let at = sketch.algebra.graph.components(&numbers);
             let frames = frames::frames_of(sketch, Name::Unknown(index));
-            let point = frames::within(sketch, frames, |sketch| sketch.point(at));
-            let text = own.name.clone();
+            let point = sketch::within(sketch, frames, |sketch| sketch.point(at));
+            let text = unknown.name.clone();
             titles::call(sketch, point, Title { rank: 1, text });
             sketch.points[point].wanted = true;
         }
@@ -89,7 +85,7 @@ pub(super) fn add_lists<'m>(sketch: &mut Sketch<'_, 'm>, lists: &'m [Vec<Expr>])
             .iter()
             .map(|expr| {
                 let at = sketch.vector(expr);
-                let found = sketch.point_of(expr);
+                let found = chains::point_of(sketch, expr);
                 let point = sketch.point(at);
                 titles::name(sketch, point, 0, expr);
                 sketch.points[point].wanted = true;
@@ -101,22 +97,27 @@ pub(super) fn add_lists<'m>(sketch: &mut Sketch<'_, 'm>, lists: &'m [Vec<Expr>])
     }
 }
 
-fn look_at_loop<'m>(sketch: &mut Sketch<'_, 'm>, own: &'m Loop) {
-    match own.left.ty {
+fn look_at_loop<'m>(sketch: &mut Sketch<'_, 'm>, equation: &'m Loop) {
+    match equation.left.ty {
         Type::Vector(..) => {
-            let is_flat = is_flat(sketch, &own.left) && is_flat(sketch, &own.right);
-            for side in sides(sketch, own) {
-                if let Some(end) = sketch.chain(side) {
+            let is_flat = expressions::is_flat(sketch, &equation.left)
+                && expressions::is_flat(sketch, &equation.right);
+            for side in sides(sketch, equation) {
+                if let Some(end) = chains::chain(sketch, side) {
                     sketch.points[end].wanted = true;
                     if is_flat {
-                        parts::axis(sketch, end, guides::axis_of(sketch, 2));
+                        parts::axis(sketch, end, sketch::axis_of(sketch, 2));
                     }
                 }
             }
         }
         _ => {
-            for (side, other) in [(&own.left, &own.right), (&own.right, &own.left)] {
-                let title = titles::spoken(sketch, other).map(|text| Title { rank: 2, text });
+            for (side, other) in [
+                (&equation.left, &equation.right),
+                (&equation.right, &equation.left),
+            ] {
+                let title = expressions::spoken(sketch.algebra.mechanism, other)
+                    .map(|text| Title { rank: 2, text });
                 look_for_rods(sketch, side, title);
                 planes::look_for_line(sketch, side, other);
             }
@@ -124,61 +125,40 @@ fn look_at_loop<'m>(sketch: &mut Sketch<'_, 'm>, own: &'m Loop) {
     }
 }
 
-/// Whether a loop is one of the plane made of components of vectors of space: it is not known where in space it lies.
-fn is_anywhere(sketch: &Sketch<'_, '_>, own: &Loop) -> bool {
-    let sides = [&own.left, &own.right];
-    let is_vector = matches!(own.left.ty, Type::Vector(..));
-    is_vector
-        && sides.iter().all(|side| is_flat(sketch, side))
-        && sides.iter().any(|side| is_projection(sketch, side))
-}
-
-/// Whether it lies in a plane of a mechanism of space.
-fn is_flat(sketch: &Sketch<'_, '_>, expr: &Expr) -> bool {
-    sketch.dimension == 3 && matches!(expr.ty, Type::Vector(2, _) | Type::Zero(_))
-}
-
-/// Whether a vector of the plane has components of vectors of space: it may lie in any plane.
-pub(super) fn is_projection(sketch: &Sketch<'_, '_>, expr: &Expr) -> bool {
-    expr.parts().any(|part| match &part.kind {
-        ExprKind::Component(vector, _) => matches!(vector.ty, Type::Vector(3, _)),
-        ExprKind::Name(name) => {
-            let value = sketch.algebra.mechanism.value_of(*name);
-            value.is_some_and(|value| is_projection(sketch, value))
-        }
-        _ => false,
-    })
-}
-
-/// The two ways from one point to another that a vector loop consists of, each in the order in which it is written.
-fn sides<'m>(sketch: &mut Sketch<'_, 'm>, own: &'m Loop) -> [Vec<Term<'m>>; 2] {
-    let [left, right] = [&own.left, &own.right].map(|side| {
+/// The two ways from one point to another that a vector loop consists of, each in the order in
+/// which it is written.
+fn sides<'m>(sketch: &mut Sketch<'_, 'm>, equation: &'m Loop) -> [Vec<Term<'m>>; 2] {
+    let [left, right] = [&equation.left, &equation.right].map(|side| {
         let mut terms = Vec::new();
         terms::collect_terms(sketch, side, 1.0, None, &mut terms);
         terms.into_iter().partition(|term| term.sign > 0.0)
     });
     let ((left, left_minus), (right, right_minus)) = (left, right);
-    [(left, right_minus), (right, left_minus)].map(|(own, moved)| side(sketch, own, moved))
+    [(left, right_minus), (right, left_minus)].map(|(added, moved)| side(sketch, added, moved))
 }
 
-/// What one side adds, and what the other one subtracts: a way to where the difference begins, unless this side has a point to
-/// begin with.
-fn side<'m>(sketch: &Sketch<'_, 'm>, own: Vec<Term<'m>>, moved: Vec<Term<'m>>) -> Vec<Term<'m>> {
+/// The terms that one side adds and the other one subtracts: a way to the start of the difference,
+/// unless this side has a point to begin with.
+fn side<'m>(sketch: &Sketch<'_, 'm>, added: Vec<Term<'m>>, moved: Vec<Term<'m>>) -> Vec<Term<'m>> {
     let moved = moved.into_iter().map(|term| Term { sign: 1.0, ..term });
-    let is_start = |term: &Term| terms::weight_of(sketch, term) == 1.0;
-    let mut all: Vec<Term> = match own.iter().any(is_start) {
-        true => own.into_iter().chain(moved).collect(),
-        false => moved.chain(own).collect(),
+    let is_start = |term: &Term| weights::weight_of(sketch, term) == 1.0;
+    let mut terms: Vec<Term> = if added.iter().any(is_start) {
+        added.into_iter().chain(moved).collect()
+    } else {
+        moved.chain(added).collect()
     };
-    all.sort_by_key(|term| !is_start(term));
-    all
+    terms.sort_by_key(|term| !is_start(term));
+    terms
 }
 
 /// Distances between points.
 fn look_for_rods<'m>(sketch: &mut Sketch<'_, 'm>, expr: &'m Expr, title: Option<Title>) {
     match &expr.kind {
         ExprKind::Call(Function::Distance, ends) => {
-            if let (Some(from), Some(to)) = (sketch.point_of(&ends[0]), sketch.point_of(&ends[1])) {
+            if let (Some(from), Some(to)) = (
+                chains::point_of(sketch, &ends[0]),
+                chains::point_of(sketch, &ends[1]),
+            ) {
                 sketch.segment(from, to, title, Shape::Distance);
             }
         }
@@ -191,9 +171,9 @@ fn look_for_rods<'m>(sketch: &mut Sketch<'_, 'm>, expr: &'m Expr, title: Option<
         }
         ExprKind::Name(Name::Let(index)) => {
             if sketch.searched.insert(*index) {
-                let own = &sketch.algebra.mechanism.lets[*index].value;
+                let value = &sketch.algebra.mechanism.lets[*index].value;
                 let frames = frames::frames_of(sketch, Name::Let(*index));
-                frames::within(sketch, frames, |sketch| look_for_rods(sketch, own, title));
+                sketch::within(sketch, frames, |sketch| look_for_rods(sketch, value, title));
             }
         }
         _ => {
@@ -212,7 +192,7 @@ fn look_for_rod<'m>(sketch: &mut Sketch<'_, 'm>, vector: &'m Expr, title: Option
     minus.iter_mut().for_each(|term| term.sign = 1.0);
     let weight = |side: &[Term]| {
         side.iter()
-            .map(|term| terms::weight_of(sketch, term))
+            .map(|term| weights::weight_of(sketch, term))
             .sum::<f64>()
     };
     let ends = [weight(&plus), weight(&minus)];
@@ -220,12 +200,12 @@ fn look_for_rod<'m>(sketch: &mut Sketch<'_, 'm>, vector: &'m Expr, title: Option
     if !is_point || ends.iter().any(|weight| ![0.0, 1.0].contains(weight)) {
         return;
     }
-    if let (Some(to), Some(from)) = (sketch.chain(plus), sketch.chain(minus)) {
+    if let (Some(to), Some(from)) = (chains::chain(sketch, plus), chains::chain(sketch, minus)) {
         sketch.segment(from, to, title, Shape::Distance);
     }
 }
 
-/// Whether a mass stands at a derived point.
+/// True if a mass stands at a derived point.
 fn is_mass_centre(mechanism: &Mechanism, index: usize) -> bool {
     let masses = mechanism.bodies.iter().flat_map(|body| &body.masses);
     let mut centres = masses.map(|(_, at)| at);

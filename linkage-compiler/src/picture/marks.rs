@@ -1,23 +1,23 @@
-//! What a sketch consists of: points, what lies between them, and what they are called.
+//! Data of a sketch: points, segments, steps and their names.
 
-use linkage_symbolic::Vn;
+use linkage_symbolic::{Ex, Vn};
 
 use crate::diagnostic::OriginId;
 use crate::model::Expr;
-
-use super::frames::Frames;
-use super::parts::{Part, Slide};
+use crate::picture::point_or_vector::Moves;
+use crate::picture::pose::Frames;
 
 /// A point of a chain.
 #[derive(Clone, Debug)]
 pub(super) struct Spot<'m> {
     /// In the drawing.
     pub(super) at: Vn<'m>,
-    /// As it is written, and the coordinates in which it is.
-    pub(super) own: Vn<'m>,
+    /// The point as it is written, and the coordinates in which it is.
+    pub(super) written: Vn<'m>,
     pub(super) frames: Frames,
     pub(super) name: Option<Title>,
-    /// Whether it is more than a corner on the way along a link: it has a name, a loop closes there, or the user lists it.
+    /// True if it is more than a corner on the way along a link: it has a name, a loop closes
+    /// there, or the user lists it.
     pub(super) wanted: bool,
 }
 
@@ -28,7 +28,7 @@ pub(super) struct Title {
     pub(super) text: String,
 }
 
-/// From one point to another.
+/// A step from one point to another.
 #[derive(Clone, Debug)]
 pub(super) struct Segment<'m> {
     pub(super) from: usize,
@@ -51,9 +51,10 @@ pub(super) enum Shape<'m> {
     Distance,
     /// Two points of a body, of which declarations have numbers.
     Body(Option<usize>),
-    /// From the origin of an unknown frame, by its derived quantity, to a point of it.
+    /// The step from the origin of an unknown frame, by its derived quantity, to a point of it.
     Frame(usize),
-    /// From the origin of coordinates that move to a point that rests in them: what carries a part, which belongs to a part itself.
+    /// The step from the origin of moving coordinates to a point that rests in them: the carrier of
+    /// a part, which belongs to a part itself.
     Base(Option<usize>),
 }
 
@@ -61,16 +62,16 @@ pub(super) enum Shape<'m> {
 #[derive(Clone, Debug)]
 pub(super) struct Mean {
     pub(super) point: usize,
-    pub(super) of: Vec<usize>,
+    pub(super) sources: Vec<usize>,
 }
 
 /// A point that stays on a line.
 #[derive(Clone, Debug)]
 pub(super) struct Line<'m> {
     pub(super) slider: usize,
-    /// A point of what carries the line; `None` is the frame.
+    /// A point of the line's carrier; `None` is the frame.
     pub(super) carrier: Option<usize>,
-    /// From that point to the line, if that is known.
+    /// The vector from that point to the line, if known.
     pub(super) foot: Option<Vn<'m>>,
     pub(super) along: Vn<'m>,
     pub(super) name: String,
@@ -89,16 +90,61 @@ pub(super) struct Term<'m> {
     pub(super) expr: &'m Expr,
     /// The name that it goes by.
     pub(super) name: Option<String>,
-    /// If it is only a part of the expression.
-    pub(super) part: Option<Part<'m>>,
+    /// The part of the expression, unless the term is all of it.
+    pub(super) part: Option<StepPart<'m>>,
 }
 
 impl<'m> Spot<'m> {
-    /// The vector to another point: as it is written, where both are written in the same coordinates.
+    /// The vector to another point: as it is written, where both are written in the same
+    /// coordinates.
     pub(super) fn step_to(&self, other: &Self) -> Vn<'m> {
-        match self.frames == other.frames {
-            true => other.own - self.own,
-            false => other.at - self.at,
+        if self.frames == other.frames {
+            other.written - self.written
+        } else {
+            other.at - self.at
         }
     }
+}
+
+/// A step within a term.
+#[derive(Clone, Debug)]
+pub(super) struct StepPart<'m> {
+    pub(super) at: Vn<'m>,
+    pub(super) title: Option<Title>,
+    /// Along which it changes, if its length does.
+    pub(super) slide: Option<Slide<'m>>,
+    pub(super) moves: Moves,
+    /// In space, from outside to inside.
+    pub(super) turns: Vec<Turn<'m>>,
+}
+
+/// A rotation of a step in space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Turn<'m> {
+    pub(super) along: Vn<'m>,
+    /// The angle, where it is written.
+    pub(super) by: Option<&'m Expr>,
+}
+
+/// A change of a step's length.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Slide<'m> {
+    /// The part of the step across that direction.
+    pub(super) offset: Option<Vn<'m>>,
+    /// A unit vector.
+    pub(super) along: Vn<'m>,
+    /// The input that is its length, or in it.
+    pub(super) input: Option<usize>,
+}
+
+/// `dot(p - q, n) = d` in space: `p` stays on a plane.
+#[derive(Clone, Debug)]
+pub(super) struct Plane<'m> {
+    pub(super) difference: Vn<'m>,
+    /// The coordinates in which both are written.
+    pub(super) frames: Frames,
+    pub(super) normal: Vn<'m>,
+    /// `d`.
+    pub(super) offset: Ex<'m>,
+    pub(super) is_used: bool,
 }

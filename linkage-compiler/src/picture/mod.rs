@@ -1,85 +1,82 @@
-//! What a mechanism looks like: which points its links join, and where something slides.
+//! The picture of a mechanism: the points that its links join, and the guides.
 //!
-//! The loops tell most of it. Sums of vectors are chains of points, a distance is a rod; whether two points belong to one
-//! link is then a matter of numbers: at several positions of the input their distance must be the same. So it does not
-//! matter how a loop is written, and a link that is drawn never stretches.
+//! Most of it follows from the loops. Sums of vectors are chains of points, a distance is a rod.
+//! Two points belong to one link if their distance is the same at several positions of the input.
+//! So the form of a loop does not matter, and a link that is drawn never stretches.
 //!
-//! | file | what |
+//! Files by floor, each of which uses files above it in this table only:
+//!
+//! | file | content |
 //! |---|---|
-//! | `roles` | is a named vector a point, or a step from one to another? |
+//! | `point_or_vector` | the names that are points, and those that are steps between points |
+//! | `pose` | positions of parts that are placed elsewhere |
+//! | `marks`, `sketch` | the points and segments that are found |
+//! | `expressions`, `weights`, `titles` | facts about expressions, and names of points and links |
+//! | `frames` | the coordinates in which names and loops are written |
+//! | `parts`, `directions`, `literals`, `terms` | sums of vectors, taken apart into terms |
 //! | `chains` | sums of vectors as chains of points |
-//! | `marks` | points and steps of a sketch |
-//! | `starts` | points that chains begin with |
-//! | `frames` | parts that stand elsewhere |
-//! | `terms` | sums of vectors, term by term |
-//! | `literals`, `parts` | literals and turned sums, taken apart |
-//! | `titles` | what points and links are called in the program |
-//! | `loops`, `bodies` | what loops, bodies and joints are made of |
-//! | `planes` | lines and planes that are scalar products |
-//! | `seen` | the points at several positions and with other dimensions |
-//! | `free` | the points where nothing closes the loops |
-//! | `cells` | which points may coincide |
-//! | `links` | points that keep their distances |
-//! | `joining` | links that are one |
-//! | `by_point` | what meets in a point |
-//! | `welded` | which of them are written as one link |
-//! | `guides` | lines along which points slide, and what carries them |
-//! | `drives` | what inputs move, and wheels |
-//! | `joints` | what meets in points, and how it moves against each other |
-//! | `owners` | which part of a machine everything belongs to |
-//! | `names` | names for points and links that the program does not name |
+//! | `planes`, `bodies`, `loops` | points and segments of loops, bodies and joints |
+//! | `track`, `cells`, `views` | points at several positions and with other dimensions |
+//! | `open_loop`, `samples` | the motion without loops, and the points at all positions |
 //! | `check` | links that the user added must be rigid |
+//! | `raw_link`, `rigid_bodies`, `joining` | links while they are joined |
+//! | `ownership`, `links` | parts of a machine, and points that keep their distances |
+//! | `guides` | lines along which points slide, and the links that carry them |
+//! | `by_point`, `meeting`, `unique_names` | lists by points, and names that are given once |
+//! | `drives`, `joints` | links that inputs move, and joints in points |
+//! | `found_picture`, `names` | the picture with names for everything |
 
-pub(crate) mod bodies;
-pub(crate) mod by_point;
-pub(crate) mod cells;
-pub(crate) mod chains;
-pub(crate) mod check;
-pub(crate) mod drives;
-pub(crate) mod frames;
-pub(crate) mod guides;
-pub(crate) mod joining;
-pub(crate) mod joints;
-pub(crate) mod links;
-pub(crate) mod literals;
-pub(crate) mod loops;
-pub(crate) mod marks;
-pub(crate) mod names;
-pub(crate) mod open_loop;
-pub(crate) mod ownership;
-pub(crate) mod parts;
-pub(crate) mod planes;
-pub(crate) mod point_or_vector;
-pub(crate) mod rigid_bodies;
-pub(crate) mod samples;
-pub(crate) mod starts;
-pub(crate) mod terms;
+mod bodies;
+mod by_point;
+mod cells;
+mod chains;
+mod check;
+mod directions;
+mod drives;
+mod expressions;
+mod found_picture;
+mod frames;
+mod guides;
+mod joining;
+mod joints;
+mod links;
+mod literals;
+mod loops;
+mod marks;
+mod meeting;
+mod names;
+mod open_loop;
+mod ownership;
+mod parts;
+mod planes;
+mod point_or_vector;
+mod pose;
+mod raw_link;
+mod rigid_bodies;
+mod samples;
+mod sketch;
+mod terms;
 #[cfg(test)]
 mod tests;
-pub(crate) mod titles;
-pub(crate) mod views;
-
-use linkage_symbolic::Vn;
+mod titles;
+mod track;
+mod unique_names;
+mod views;
+mod weights;
 use linkage_symbolic::lookup::Set;
 
 use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::Reporter;
-use crate::ir::Picture;
 use crate::machine::Reference;
 use crate::model::{AskedPicture, Expr, Type};
 
-use chains::Sketch;
 use guides::Guides;
 use links::Links;
-use ownership::Owners;
-use samples::Seen;
+use ownership::Ownership;
+use samples::Samples;
+use sketch::Sketch;
 
-/// What is drawn, and the vectors that say where it is: points first, then directions.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Found<'m> {
-    pub(crate) picture: Picture,
-    pub(crate) vectors: Vec<Vn<'m>>,
-}
+pub(crate) use found_picture::FoundPicture;
 
 /// The picture of a mechanism that closes.
 pub(crate) fn find<'m>(
@@ -88,30 +85,32 @@ pub(crate) fn find<'m>(
     nominal: &Nominal,
     asked: AskedPicture<'m>,
     reporter: &mut Reporter,
-) -> Found<'m> {
+) -> FoundPicture<'m> {
     let dimension = dimension(algebra, asked.links);
     let mut sketch = Sketch::new(algebra, dimension);
     loops::collect(&mut sketch);
     loops::add_lists(&mut sketch, asked.links);
-    let mut seen = Seen::new(sketch.algebra, &sketch.points, reference, nominal);
-    if seen.places() < 2 && !sketch.algebra.mechanism.inputs.is_empty() {
+    let mut samples = Samples::new(sketch.algebra, &sketch.points, reference, nominal);
+    if samples.places() < 2 && !sketch.algebra.mechanism.inputs.is_empty() {
         reporter.error_with_help(
             asked.origin,
             "links cannot be told from what stretches: the mechanism closes at none of the other positions looked at",
             "check the ranges of the inputs",
         );
-        return Found::default();
+        return FoundPicture::default();
     }
-    check::check_lists(&sketch, &seen, reporter);
-    let owners = Owners::new(&sketch, &seen);
-    let mut links = Links::find(&sketch, &seen, &owners);
-    let guides = Guides::find(&mut sketch, &mut seen, &links);
-    let axes = sketch.axes.iter().map(|(at, _)| seen.same[*at]);
+    check::check_lists(&sketch, &samples, reporter);
+    let ownership = Ownership::new(&sketch, &samples);
+    let mut links = Links::find(&sketch, &samples, &ownership);
+    let guides = Guides::find(&mut sketch, &mut samples, &links);
+    let axes = sketch.axes.iter().map(|(at, _)| samples.same[*at]);
     let needed = axes.chain(guides.ends());
     let needed: Set<usize> = needed.collect();
     links.drop_corners(|point| {
-        let mut own = seen.aliases(point);
-        own.any(|own| sketch.points[own].wanted) || seen.is_fixed(point) || needed.contains(&point)
+        let mut aliases = samples.aliases(point);
+        aliases.any(|alias| sketch.points[alias].wanted)
+            || samples.is_fixed(point)
+            || needed.contains(&point)
     });
     if links.all.is_empty() && guides.all.is_empty() {
         reporter.error_with_help(
@@ -120,7 +119,7 @@ pub(crate) fn find<'m>(
             "name the points that links join: `picture([a, b], [b, c, d])`",
         );
     }
-    let mut found = names::named(&sketch, &seen, &links, &guides, &owners);
+    let mut found = names::named(&sketch, &samples, &links, &guides, &ownership);
     // Who lists links tells of what loops do not.
     if asked.links.is_empty() {
         found.picture.undrawn = sketch.undrawn;
@@ -130,31 +129,35 @@ pub(crate) fn find<'m>(
     found
 }
 
-/// 3 if loops, joints or lists lie in space; without loops, if anything does.
+/// Returns 3 if loops, joints or lists lie in space; without loops, if anything does.
 fn dimension(algebra: &Algebra, lists: &[Vec<Expr>]) -> usize {
     let mechanism = algebra.mechanism;
     let sides = || {
         mechanism
             .loops
             .iter()
-            .flat_map(|own| [&own.left, &own.right])
+            .flat_map(|equation| [&equation.left, &equation.right])
     };
-    let joints = mechanism.joints.iter().map(|own| &own.at);
-    let lets = || mechanism.lets.iter().map(|own| &own.value);
+    let joints = mechanism.joints.iter().map(|joint| &joint.at);
+    let lets = || mechanism.lets.iter().map(|item| &item.value);
     let fixed = |count: usize| sides().any(|side| has_vector(side, count));
-    let mut places = mechanism.placed.iter().filter_map(|own| own.at.as_ref());
+    let mut places = mechanism
+        .placed
+        .iter()
+        .filter_map(|placed| placed.at.as_ref());
     let in_space = fixed(3)
         || places.any(|at| has_vector(at, 3))
         || joints
             .chain(lists.iter().flatten())
-            .any(|own| has_vector(own, 3));
-    match in_space || !fixed(2) && lets().any(|own| has_vector(own, 3)) {
-        true => 3,
-        false => 2,
+            .any(|expr| has_vector(expr, 3));
+    if in_space || !fixed(2) && lets().any(|value| has_vector(value, 3)) {
+        3
+    } else {
+        2
     }
 }
 
-/// Whether there is a vector of so many components in an expression.
+/// True if there is a vector of so many components in an expression.
 fn has_vector(expr: &Expr, count: usize) -> bool {
     expr.parts().any(|part| match part.ty {
         Type::Vector(components, _) => components == count,

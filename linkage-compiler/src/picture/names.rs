@@ -1,47 +1,47 @@
-//! The picture with names for everything, without what is not needed.
+//! The picture with names for everything, without unnecessary parts.
 
-use crate::picture::drives;
 use linkage_symbolic::Vn;
 use linkage_symbolic::lookup::Map;
 
 use crate::ir::{Guide, GuideOn, GuideShape, Link, Picture, Point, PointKind};
-
-use super::Found;
-use super::by_point::{Meeting, Names};
-use super::chains::Sketch;
-use super::guides::Guides;
-use super::joints::Turning;
-use super::links::Links;
-use super::ownership::Owners;
-use super::samples::Seen;
+use crate::picture::drives;
+use crate::picture::found_picture::FoundPicture;
+use crate::picture::guides::Guides;
+use crate::picture::joints::JointFinder;
+use crate::picture::links::Links;
+use crate::picture::meeting::Meeting;
+use crate::picture::ownership::Ownership;
+use crate::picture::samples::Samples;
+use crate::picture::sketch::Sketch;
+use crate::picture::unique_names::UniqueNames;
 
 pub(super) fn named<'m>(
     sketch: &Sketch<'_, 'm>,
-    seen: &Seen,
+    samples: &Samples,
     links: &Links<'m>,
     guides: &Guides<'m>,
-    owners: &Owners,
-) -> Found<'m> {
-    let axes = sketch.axes.iter().map(|(at, _)| seen.same[*at]);
+    ownership: &Ownership,
+) -> FoundPicture<'m> {
+    let axes = sketch.axes.iter().map(|(at, _)| samples.same[*at]);
     let namer = Namer {
         sketch,
-        seen,
+        samples,
         guides,
         link_names: link_names(links),
         meeting: Meeting::new(links, guides, axes.collect()),
     };
     let kept: Vec<(usize, PointKind)> = (0..sketch.points.len())
-        .filter(|&point| seen.same[point] == point)
+        .filter(|&point| samples.same[point] == point)
         .filter_map(|point| Some((point, namer.kind(point)?)))
         .collect();
     // Points that are nowhere are left out, and what hangs on them.
     let places = kept
         .iter()
         .enumerate()
-        .map(|(place, (own, _))| (*own, place));
+        .map(|(index, (point, _))| (*point, index));
     let places: Map<usize, usize> = places.collect();
-    let place = |point: usize| places.get(&seen.same[point]).copied();
-    let mut names = Names::default();
+    let index_of = |point: usize| places.get(&samples.same[point]).copied();
+    let mut names = UniqueNames::default();
     let points = kept.iter().map(|&(point, kind)| {
         let name = names.unique(namer.name(point));
         Point { name, kind }
@@ -60,13 +60,13 @@ pub(super) fn named<'m>(
             points: link
                 .points
                 .iter()
-                .filter_map(|&point| place(point))
+                .filter_map(|&point| index_of(point))
                 .collect(),
         })
         .collect();
     let mut directions: Vec<Vn> = Vec::new();
     for guide in &guides.all {
-        let (Some(origin), Some(slider)) = (place(guide.origin), place(guide.slider)) else {
+        let (Some(origin), Some(slider)) = (index_of(guide.origin), index_of(guide.slider)) else {
             continue;
         };
         let name = names.unique(format!("along {}", guide.name));
@@ -78,17 +78,18 @@ pub(super) fn named<'m>(
             direction: picture.directions.len() - 1,
             slider,
             on: guide.on,
-            shape: match guide.is_cylinder {
-                true => GuideShape::Cylinder,
-                false => GuideShape::Slot,
+            shape: if guide.is_cylinder {
+                GuideShape::Cylinder
+            } else {
+                GuideShape::Slot
             },
         });
     }
     for (point, along) in &sketch.axes {
-        let Some(point) = place(*point) else {
+        let Some(point) = index_of(*point) else {
             continue;
         };
-        let known = directions.iter().position(|own| own == along);
+        let known = directions.iter().position(|known| known == along);
         let direction = known.unwrap_or_else(|| {
             let name = format!("axis at {}", picture.points[point].name);
             let name = names.unique(name);
@@ -101,20 +102,20 @@ pub(super) fn named<'m>(
         }
     }
     let declared = sketch.joints.iter();
-    let declared = declared.filter_map(|(point, kind)| Some((place(*point)?, *kind)));
-    let turning = Turning {
-        seen,
+    let declared = declared.filter_map(|(point, kind)| Some((index_of(*point)?, *kind)));
+    let turning = JointFinder {
+        samples,
         points: kept.iter().map(|(point, _)| *point).collect(),
-        ways: seen.tracks_of(&directions),
+        ways: samples.tracks_of(&directions),
         declared: declared.collect(),
     };
     picture.joints = turning.joints(&picture);
-    picture.drives = drives::drives(sketch, &picture, &place);
-    let own: Vec<usize> = kept.iter().map(|(point, _)| *point).collect();
-    picture.parts = owners.parts(&picture, links, &own);
-    picture.gears = drives::gears(sketch, &picture, &place, seen);
+    picture.drives = drives::drives(sketch, &picture, &index_of);
+    let kept_points: Vec<usize> = kept.iter().map(|(point, _)| *point).collect();
+    picture.parts = ownership.parts(&picture, &links.all, &kept_points);
+    picture.gears = drives::gears(sketch, &picture, &index_of, samples);
     let vectors = kept.iter().map(|(point, _)| sketch.points[*point].at);
-    Found {
+    FoundPicture {
         vectors: vectors.chain(directions).collect(),
         picture,
     }
@@ -122,25 +123,25 @@ pub(super) fn named<'m>(
 
 struct Namer<'a, 'b, 'm> {
     sketch: &'a Sketch<'b, 'm>,
-    seen: &'a Seen<'a>,
+    samples: &'a Samples<'a>,
     guides: &'a Guides<'m>,
     link_names: Vec<String>,
     meeting: Meeting,
 }
 
 impl Namer<'_, '_, '_> {
-    /// What becomes of a point; `None` if nothing needs it.
+    /// The kind of a point; `None` if nothing needs it.
     fn kind(&self, point: usize) -> Option<PointKind> {
-        let links = self.meeting.links.of(point).len();
-        let slides = !self.meeting.sliders.of(point).is_empty();
-        let guides = self.meeting.origins.of(point);
+        let links = self.meeting.links.at_point(point).len();
+        let slides = !self.meeting.sliders.at_point(point).is_empty();
+        let guides = self.meeting.origins.at_point(point);
         let has_guide = !guides.is_empty();
-        let mut guides = guides.iter().map(|&own| &self.guides.all[own]);
+        let mut guides = guides.iter().map(|&guide| &self.guides.all[guide]);
         let pivots = guides.any(|guide| guide.on == GuideOn::Itself);
         let has_axis = self.meeting.axes.contains(&point);
-        let mut all = self.seen.aliases(point);
-        let wanted = all.any(|other| self.sketch.points[other].wanted);
-        if !self.seen.is_known(point) {
+        let mut aliases = self.samples.aliases(point);
+        let wanted = aliases.any(|other| self.sketch.points[other].wanted);
+        if !self.samples.is_known(point) {
             return None;
         }
         match (self.is_fixed(point), links) {
@@ -159,34 +160,35 @@ impl Namer<'_, '_, '_> {
         }
     }
 
-    /// Whether it is a point of the frame, or of a guide that is.
+    /// True if it is a point of the frame, or of a guide that is.
     fn is_fixed(&self, point: usize) -> bool {
-        let guides = self.meeting.origins.of(point).iter();
-        let mut guides = guides.map(|&own| &self.guides.all[own]);
-        guides.any(|guide| guide.on == GuideOn::Frame) || self.seen.is_fixed(point)
+        let guides = self.meeting.origins.at_point(point).iter();
+        let mut guides = guides.map(|&guide| &self.guides.all[guide]);
+        guides.any(|guide| guide.on == GuideOn::Frame) || self.samples.is_fixed(point)
     }
 
     fn has_name(&self, point: usize) -> bool {
-        let mut own = self.seen.aliases(point);
-        own.any(|own| self.sketch.points[own].name.is_some())
+        let mut aliases = self.samples.aliases(point);
+        aliases.any(|alias| self.sketch.points[alias].name.is_some())
     }
 
-    /// The best name among those of points that coincide; otherwise what meets there.
+    /// The best name among those of points that coincide; otherwise the names of the members that
+    /// meet there.
     fn name(&self, point: usize) -> String {
-        let all = self.seen.aliases(point);
-        let titles = all.filter_map(|other| self.sketch.points[other].name.as_ref());
+        let aliases = self.samples.aliases(point);
+        let titles = aliases.filter_map(|other| self.sketch.points[other].name.as_ref());
         if let Some(title) = titles.min_by_key(|title| title.rank) {
             return title.text.clone();
         }
-        let here = self.meeting.links.of(point).iter();
-        let mut parts: Vec<&str> = here.map(|&own| self.link_names[own].as_str()).collect();
+        let here = self.meeting.links.at_point(point).iter();
+        let mut parts: Vec<&str> = here.map(|&link| self.link_names[link].as_str()).collect();
         let (fixed, kind) = (self.is_fixed(point), self.kind(point));
         let begins = |index: &&usize| {
             let guide = &self.guides.all[**index];
             guide.on == GuideOn::Itself || kind == Some(PointKind::Construction)
         };
-        let slider = self.meeting.sliders.of(point).first();
-        let begun = self.meeting.origins.of(point).iter().find(begins);
+        let slider = self.meeting.sliders.at_point(point).first();
+        let begun = self.meeting.origins.at_point(point).iter().find(begins);
         if let Some(&guide) = slider.into_iter().chain(begun).min() {
             let guide = &self.guides.all[guide];
             match kind {
@@ -208,7 +210,7 @@ impl Namer<'_, '_, '_> {
 
 /// A link without a name is called by its number.
 fn link_names(links: &Links) -> Vec<String> {
-    let mut names = Names::default();
+    let mut names = UniqueNames::default();
     let each = links.all.iter().enumerate();
     each.map(|(index, link)| {
         let title = link.title.as_ref().map(|title| title.text.clone());

@@ -1,31 +1,16 @@
 //! Lines and planes that are written as scalar products.
 
-use crate::algebra::translate;
-use crate::picture::frames;
-use crate::picture::titles;
 use linkage_symbolic::{Ex, Vector, Vn};
 
-use crate::algebra::Translate;
-use crate::model::{BinaryOp, Expr, ExprKind, Function, Name};
+use crate::algebra::{Translate, translate};
+use crate::model::{Expr, ExprKind, Function};
+use crate::picture::marks::{Line, Plane};
+use crate::picture::point_or_vector::Moves;
+use crate::picture::sketch::Sketch;
+use crate::picture::{chains, expressions, sketch};
 
-use super::chains::Sketch;
-use super::frames::Frames;
-use super::marks::Line;
-use super::point_or_vector::Moves;
-
-/// `dot(p - q, n) = d` in space: `p` stays on a plane.
-#[derive(Clone, Debug)]
-pub(super) struct Plane<'m> {
-    difference: Vn<'m>,
-    /// The coordinates in which both are written.
-    frames: Frames,
-    normal: Vn<'m>,
-    /// `d`.
-    offset: Ex<'m>,
-    is_used: bool,
-}
-
-/// `dot(p - q, u) = 0` and `cross(p - q, u) = 0` in the plane: `p` stays on a line. In space two planes do the same.
+/// `dot(p - q, u) = 0` and `cross(p - q, u) = 0` in the plane: `p` stays on a line. In space two
+/// planes do the same.
 pub(super) fn look_for_line<'m>(sketch: &mut Sketch<'_, 'm>, side: &'m Expr, other: &'m Expr) {
     let (is_dot, arguments) = match &side.kind {
         ExprKind::Call(Function::Dot, arguments) => (true, arguments),
@@ -34,10 +19,13 @@ pub(super) fn look_for_line<'m>(sketch: &mut Sketch<'_, 'm>, side: &'m Expr, oth
     };
     let through = matches!(other.kind, ExprKind::Number(0.0));
     for (vector, direction) in [(0, 1), (1, 0)] {
-        let Some((p, q)) = difference(sketch, &arguments[vector]) else {
+        let Some((p, q)) = expressions::difference(sketch.algebra.mechanism, &arguments[vector])
+        else {
             continue;
         };
-        let (Some(slider), Some(carrier)) = (sketch.point_of(p), sketch.point_of(q)) else {
+        let (Some(slider), Some(carrier)) =
+            (chains::point_of(sketch, p), chains::point_of(sketch, q))
+        else {
             continue;
         };
         if sketch.dimension == 3 {
@@ -51,7 +39,7 @@ pub(super) fn look_for_line<'m>(sketch: &mut Sketch<'_, 'm>, side: &'m Expr, oth
                     offset,
                     is_used: false,
                 };
-                let name = titles::spoken(sketch, &arguments[vector]);
+                let name = expressions::spoken(sketch.algebra.mechanism, &arguments[vector]);
                 meet(sketch, plane, [slider, carrier], name);
             }
         } else if through {
@@ -74,8 +62,8 @@ fn meet<'m>(
     [slider, carrier]: [usize; 2],
     name: Option<String>,
 ) {
-    let same = |own: &&mut Plane<'m>| {
-        !own.is_used && own.difference == plane.difference && own.frames == plane.frames
+    let same = |known: &&mut Plane<'m>| {
+        !known.is_used && known.difference == plane.difference && known.frames == plane.frames
     };
     let Some(other) = sketch.planes.iter_mut().find(same) else {
         return sketch.planes.push(plane);
@@ -105,30 +93,16 @@ fn line<'m>(
     name: Option<String>,
 ) {
     let (foot, along) = (
-        frames::seen_way(sketch, foot),
-        frames::seen_way(sketch, along),
+        sketch::seen_way(sketch, foot),
+        sketch::seen_way(sketch, along),
     );
-    let own = sketch.points[slider].name.as_ref();
-    let own = own.map_or_else(|| "slide".to_owned(), |title| title.text.clone());
+    let title = sketch.points[slider].name.as_ref();
+    let point_name = title.map_or_else(|| "slide".to_owned(), |title| title.text.clone());
     sketch.lines.push(Line {
         slider,
         carrier: Some(carrier),
         foot: Some(foot),
         along,
-        name: name.unwrap_or(own),
+        name: name.unwrap_or(point_name),
     });
-}
-
-/// `p` and `q` of a vector that is written as `p - q`.
-pub(super) fn difference<'m>(
-    sketch: &Sketch<'_, 'm>,
-    vector: &'m Expr,
-) -> Option<(&'m Expr, &'m Expr)> {
-    match &vector.kind {
-        ExprKind::Binary(BinaryOp::Sub, p, q) => Some((p, q)),
-        ExprKind::Name(Name::Let(index)) => {
-            difference(sketch, &sketch.algebra.mechanism.lets[*index].value)
-        }
-        _ => None,
-    }
 }

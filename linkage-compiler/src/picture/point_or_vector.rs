@@ -4,18 +4,18 @@ use std::collections::BTreeMap;
 
 use crate::model::{BinaryOp, Expr, ExprKind, Function, Loop, Mechanism, Name, Type};
 
-/// What was seen of each name.
+/// The evidence for each name.
 #[derive(Debug)]
 pub(super) struct Roles<'m> {
     mechanism: &'m Mechanism,
     seen: BTreeMap<Name, Evidence>,
-    /// What each `let` moves with.
+    /// The variables that move each `let`.
     moves: Vec<Moves>,
-    /// Whether a `let` is a named vector less another one.
+    /// True if a `let` is a named vector less another one.
     differences: Vec<bool>,
 }
 
-/// What something moves with.
+/// The variables that move an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Moves {
     Not,
@@ -30,24 +30,24 @@ struct Evidence {
 }
 
 impl<'m> Roles<'m> {
-    pub(super) fn of(mechanism: &'m Mechanism) -> Self {
+    pub(super) fn new(mechanism: &'m Mechanism) -> Self {
         let mut roles = Self {
             mechanism,
             seen: BTreeMap::new(),
             moves: Vec::with_capacity(mechanism.lets.len()),
             differences: Vec::with_capacity(mechanism.lets.len()),
         };
-        for own in &mechanism.lets {
-            let moves = roles.moves(&own.value);
+        for item in &mechanism.lets {
+            let moves = roles.moves(&item.value);
             roles.moves.push(moves);
-            let difference = roles.is_difference(&own.value);
+            let difference = roles.is_difference(&item.value);
             roles.differences.push(difference);
-            roles.look_at(&own.value);
+            roles.look_at(&item.value);
         }
-        for own in &mechanism.loops {
-            match own.left.ty {
-                Type::Vector(..) => roles.look_at_loop(own),
-                _ => [&own.left, &own.right]
+        for equation in &mechanism.loops {
+            match equation.left.ty {
+                Type::Vector(..) => roles.look_at_loop(equation),
+                _ => [&equation.left, &equation.right]
                     .into_iter()
                     .for_each(|side| roles.look_at(side)),
             }
@@ -59,35 +59,42 @@ impl<'m> Roles<'m> {
         roles
     }
 
-    /// Whether a name stands for a step; seen as both, it is a point.
+    /// True if a name stands for a step; seen as both, it is a point.
     pub(super) fn is_step(&self, name: Name) -> bool {
         let seen = self.seen.get(&name);
         seen.is_some_and(|seen| seen.as_step && !seen.as_point)
     }
 
     /// On each side of a vector loop the first name is a point, others are steps.
-    fn look_at_loop(&mut self, own: &Loop) {
+    fn look_at_loop(&mut self, equation: &Loop) {
         let mut terms = Vec::new();
-        for (is_left, side) in [(true, &own.left), (false, &own.right)] {
+        for (is_left, side) in [(true, &equation.left), (false, &equation.right)] {
             let mut summands = Vec::new();
             self.signed_terms(side, true, &mut summands);
             let summands = summands.into_iter();
             terms.extend(summands.map(|(plus, term)| (plus == is_left, plus, term)));
         }
         for side in [true, false] {
-            let own = terms.iter().filter(|(plus, _, _)| *plus == side);
-            let mut own: Vec<(bool, &Expr)> = own.map(|(_, own, term)| (*own, *term)).collect();
-            // What is fixed begins; what the other side subtracts leads to where the difference begins.
-            own.sort_by_key(|(own, term)| (self.moves(term) != Moves::Not, *own));
-            let names = own.iter().filter(|(_, term)| self.derived(term).is_some());
+            let of_side = terms.iter().filter(|(plus, _, _)| *plus == side);
+            let mut of_side: Vec<(bool, &Expr)> =
+                of_side.map(|(_, adds, term)| (*adds, *term)).collect();
+            // What is fixed begins; what the other side subtracts leads to where the difference
+            // begins.
+            of_side.sort_by_key(|(adds, term)| (self.moves(term) != Moves::Not, *adds));
+            let names = of_side
+                .iter()
+                .filter(|(_, term)| self.derived(term).is_some());
             let names: Vec<_> = names.collect();
             for (index, (_, name)) in names.into_iter().enumerate() {
-                match index == 0 && !self.is_difference(name) {
-                    true => self.point(name),
-                    false => self.step(name),
+                if index == 0 && !self.is_difference(name) {
+                    self.point(name)
+                } else {
+                    self.step(name)
                 }
             }
-            own.into_iter().for_each(|(_, term)| self.look_inside(term));
+            of_side
+                .into_iter()
+                .for_each(|(_, term)| self.look_inside(term));
         }
     }
 
@@ -102,7 +109,7 @@ impl<'m> Roles<'m> {
         moves.max().unwrap_or(Moves::Not)
     }
 
-    /// Whether names are subtracted from as many: `q - p`.
+    /// True if names are subtracted from as many: `q - p`.
     fn is_difference(&self, expr: &Expr) -> bool {
         if let ExprKind::Name(Name::Let(index)) = expr.kind {
             return self.differences[index];
@@ -110,19 +117,19 @@ impl<'m> Roles<'m> {
         let mut terms = Vec::new();
         self.signed_terms(expr, true, &mut terms);
         let names = |sign: bool| {
-            let own = terms
+            let of_sign = terms
                 .iter()
                 .filter(|(plus, term)| *plus == sign && self.derived(term).is_some());
-            own.count()
+            of_sign.count()
         };
         names(true) > 0 && names(true) == names(false)
     }
 
     fn look_at(&mut self, expr: &Expr) {
         let mechanism = self.mechanism;
-        if let Some((_, own)) = mechanism.standing(expr) {
-            self.point(own);
-            return self.look_at(own);
+        if let Some((_, inner)) = mechanism.standing(expr) {
+            self.point(inner);
+            return self.look_at(inner);
         }
         match &expr.kind {
             ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, ..) => {
@@ -162,12 +169,13 @@ impl<'m> Roles<'m> {
         }
         expr.operands()
             .into_iter()
-            .for_each(|own| self.look_at(own));
+            .for_each(|operand| self.look_at(operand));
     }
 
     fn arguments(&mut self, function: Function, arguments: &[Expr]) {
         use Function::*;
-        let mut steps = |own: &[Expr]| own.iter().for_each(|own| self.step(own));
+        let mut steps =
+            |arguments: &[Expr]| arguments.iter().for_each(|argument| self.step(argument));
         match function {
             Norm | Unit | Angle | Dot | Cross => steps(arguments),
             Rotate => steps(&arguments[..1]),
@@ -177,7 +185,7 @@ impl<'m> Roles<'m> {
                 steps(&arguments[1..]);
                 self.point(&arguments[0]);
             }
-            Distance => arguments.iter().for_each(|own| self.point(own)),
+            Distance => arguments.iter().for_each(|argument| self.point(argument)),
             CoordinatesIn => self.point(&arguments[1]),
             // They take numbers.
             Polar | Dir | TriangleAngle | Sin | Cos | Tan | Asin | Acos | Atan | Atan2 | Sqrt
@@ -221,10 +229,10 @@ impl<'m> Roles<'m> {
         }
     }
 
-    /// What is seen of a part that stands elsewhere, as the part has it.
+    /// The expression inside the part, for an expression of a part that is placed elsewhere.
     fn of_part<'e>(&self, expr: &'e Expr) -> &'e Expr {
         match self.mechanism.standing(expr) {
-            Some((_, own)) => self.of_part(own),
+            Some((_, inner)) => self.of_part(inner),
             None => expr,
         }
     }

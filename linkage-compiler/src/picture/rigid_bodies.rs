@@ -1,104 +1,106 @@
-//! Whether two links are written to turn together: where one of them turns as it is written to, nothing closing the loops, the other one
-//! turns with it.
+//! True if two links are written to turn together: where one of them turns as it is written to,
+//! nothing closing the loops, the other one turns with it.
 
 use linkage_symbolic::{Ex, Vn};
 
-use super::chains::Sketch;
-use super::marks::Spot;
-use super::open_loop::Track;
-use super::samples::{Seen, difference};
+use crate::picture::marks::Spot;
+use crate::picture::raw_link::Frame;
+use crate::picture::samples::Samples;
+use crate::picture::sketch::Sketch;
+use crate::picture::track::{self, Track};
 
-/// Two points that a link is written by, the way they are written.
-#[derive(Clone, Debug)]
-pub(super) struct Frame<'m> {
-    pub(super) from: usize,
-    pub(super) to: usize,
-    /// From one to the other.
-    pub(super) step: Vn<'m>,
-}
-
-/// A point lies on the line through two others if it is nearer to it than this share of their distance.
+/// A point lies on the line through two others if it is nearer to it than this share of their
+/// distance.
 const ON_LINE: f64 = 1e-9;
 
 pub(super) struct Welds<'a, 's, 'm> {
     dimension: usize,
     points: &'s [Spot<'m>],
-    seen: &'s Seen<'a>,
+    samples: &'s Samples<'a>,
 }
 
 impl<'a, 's, 'm> Welds<'a, 's, 'm> {
-    pub(super) fn new(sketch: &'s Sketch<'_, 'm>, seen: &'s Seen<'a>) -> Self {
+    pub(super) fn new(sketch: &'s Sketch<'_, 'm>, samples: &'s Samples<'a>) -> Self {
         Self {
             dimension: sketch.dimension,
             points: &sketch.points,
-            seen,
+            samples,
         }
     }
 
-    /// Whether a pair of points of the second link is carried by a pair of points of the first one, which has these points.
+    /// True if a pair of points of the second link is carried by a pair of points of the first one,
+    /// which has these points.
     pub(super) fn join(&self, first: &[Frame], second: &[Frame], points: &[usize]) -> bool {
         first.iter().any(|carrier| {
             second.iter().any(|carried| {
                 let ends = [(carried.from, carried.to), (carried.to, carried.from)];
                 let mut ends = ends
                     .into_iter()
-                    .filter(|(shared, _)| points.contains(&self.seen.same[*shared]));
+                    .filter(|(shared, _)| points.contains(&self.samples.same[*shared]));
                 ends.any(|(shared, other)| self.is_carried(carrier, shared, other, carried.step))
             })
         })
     }
 
-    /// Whether a link by a pair of points also carries a point that is written beside another one of the link, a step away.
+    /// True if a link by a pair of points also carries a point that is written beside another one
+    /// of the link, a step away.
     fn is_carried(&self, carrier: &Frame, shared: usize, other: usize, step: Vn) -> bool {
         // A point may be written in several ways, each of which says what turns it.
-        self.seen.aliases(carrier.from).any(|from| {
-            let mut ends = self.seen.aliases(carrier.to);
+        self.samples.aliases(carrier.from).any(|from| {
+            let mut ends = self.samples.aliases(carrier.to);
             ends.any(|to| self.carries([from, to], shared, other, step))
         })
     }
 
     fn carries(&self, ends: [usize; 2], shared: usize, other: usize, step: Vn) -> bool {
-        let seen = self.seen;
+        let samples = self.samples;
         let Some(base) = self.moved_with(ends, shared) else {
             return false;
         };
         let [from, to] = ends;
-        let own = seen.stretching(from, to);
+        let carrier_rate = samples.stretching(from, to);
         // What only loops hold together carries nothing but what is written with both of its ends.
-        let is_rigid = seen.free().follows(&own, &[]);
+        let is_rigid = samples.free().follows(&carrier_rate, &[]);
         if !is_rigid && !self.is_written_with(step, ends) {
             return false;
         }
-        let moved = sum(&base, &difference(seen.course(other), seen.course(shared)));
-        let holds = |rate| seen.free().follows(&rate, &[&own]);
-        holds(seen.stretching(shared, other))
+        let moved = sum(
+            &base,
+            &track::difference(samples.course(other), samples.course(shared)),
+        );
+        let holds = |rate| samples.free().follows(&rate, &[&carrier_rate]);
+        holds(samples.stretching(shared, other))
             && ends
                 .into_iter()
-                .all(|end| holds(seen.free().stretching([&moved, seen.course(end)])))
+                .all(|end| holds(samples.free().stretching([&moved, samples.course(end)])))
     }
 
-    /// Whether a step is computed from the difference of two points.
+    /// True if a step is computed from the difference of two points.
     fn is_written_with(&self, step: Vn, ends: [usize; 2]) -> bool {
         let [from, to] = ends.map(|end| &self.points[end]);
         let within = |part: Ex| {
             let graph = part.graph();
             let is_number = graph.constant_value(part.id()).is_some();
-            is_number || step.iter().any(|own| graph.contains(own.id(), part.id()))
+            is_number
+                || step
+                    .iter()
+                    .any(|component| graph.contains(component.id(), part.id()))
         };
         let both = [from.step_to(to), to.step_to(from)];
         both.into_iter().any(|vector| vector.iter().all(within))
     }
 
-    /// The course of a point of a link that moves as two of its points say; `None` if they do not tell.
+    /// The course of a point of a link that moves as two of its points say; `None` if they do not
+    /// tell.
     fn moved_with(&self, [from, to]: [usize; 2], point: usize) -> Option<Track> {
-        let seen = self.seen;
+        let samples = self.samples;
         if let Some(end) = [from, to]
             .into_iter()
-            .find(|end| seen.same[*end] == seen.same[point])
+            .find(|end| samples.same[*end] == samples.same[point])
         {
-            return Some(seen.course(end).clone());
+            return Some(samples.course(end).clone());
         }
-        let [a, b, p] = [from, to, point].map(|own| seen.places_of(own));
+        let [a, b, p] = [from, to, point].map(|index| samples.places_of(index));
         // A link keeps its shape: one place tells it.
         let (axis, arm) = (minus(&b[0], &a[0]), minus(&p[0], &a[0]));
         let square = dot(&axis, &axis);
@@ -111,7 +113,7 @@ impl<'a, 's, 'm> Welds<'a, 's, 'm> {
                 is_on_line.then_some(0.0)?
             }
         };
-        let courses = seen.course(from).iter().zip(seen.course(to));
+        let courses = samples.course(from).iter().zip(samples.course(to));
         let moved = courses.map(|(a, b)| {
             let turn = minus(b, a);
             let each = a.iter().enumerate();

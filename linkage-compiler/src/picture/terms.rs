@@ -1,11 +1,147 @@
-//! Sums of vectors, term by term.
+//! Sums of vectors, term by term, with literals and turned sums taken apart.
 
-use crate::model::{BinaryOp, Expr, ExprKind, Function, Name, Type};
-use crate::picture::frames;
-use crate::picture::parts;
+use linkage_symbolic::Vn;
 
-use super::chains::{MANY_TERMS, Sketch};
-use super::marks::Term;
+use crate::model::{Expr, ExprKind, Function, Name};
+use crate::picture::literals::Piece;
+use crate::picture::marks::{Slide, StepPart, Term, Title, Turn};
+use crate::picture::point_or_vector::Moves;
+use crate::picture::sketch::Sketch;
+use crate::picture::{directions, frames, literals, parts, titles, weights};
+
+/// Longer sums are not looked at.
+pub(super) const MANY_TERMS: usize = 200;
+
+/// Lengths that are only turned stand behind all names in derived quantities that loops use.
+pub(super) const CARRIED: u8 = 4;
+
+/// The terms of a literal; false if it is one step.
+pub(super) fn literal<'m>(
+    sketch: &mut Sketch<'_, 'm>,
+    expr: &'m Expr,
+    sign: f64,
+    name: Option<&str>,
+    terms: &mut Vec<Term<'m>>,
+) -> bool {
+    let ExprKind::Vector(components) = &expr.kind else {
+        return false;
+    };
+    let pieces = literals::pieces(sketch, components);
+    let are_pieces = !pieces.is_empty();
+    terms.extend(pieces.into_iter().map(|piece| match piece {
+        Piece::Point(point) => Term {
+            sign,
+            expr: point,
+            name: None,
+            part: None,
+        },
+        Piece::Part(part) => Term {
+            sign,
+            expr,
+            name: name.filter(|_| part.moves != Moves::Not).map(str::to_owned),
+            part: Some(part),
+        },
+    }));
+    are_pieces
+}
+
+/// The terms of a turned sum, and of vectors that are turned more than once; false if it is one
+/// step about one axis.
+pub(super) fn turned<'m>(
+    sketch: &mut Sketch<'_, 'm>,
+    expr: &'m Expr,
+    sign: f64,
+    name: Option<&str>,
+    terms: &mut Vec<Term<'m>>,
+) -> bool {
+    let ExprKind::Call(function @ (Function::Rotate | Function::Turn), arguments) = &expr.kind
+    else {
+        return false;
+    };
+    let mut inner = Vec::new();
+    collect_terms(sketch, &arguments[0], 1.0, None, &mut inner);
+    let moves = |term: &Term| parts::moves_of(sketch, term) != Moves::Not;
+    let has_points = inner
+        .iter()
+        .any(|term| weights::weight_of(sketch, term) != 0.0);
+    let nested = |term: &Term| matches!(term.expr.kind, ExprKind::Call(Function::Turn, _));
+    let is_one = match &inner[..] {
+        [one] => one.part.is_none() && !nested(one),
+        terms => !terms.iter().any(moves),
+    };
+    if is_one || has_points {
+        return false;
+    }
+    for term in inner {
+        let part = turned_part(sketch, *function, arguments, &term);
+        let name = name.filter(|_| part.moves != Moves::Not);
+        terms.push(Term {
+            sign,
+            expr,
+            name: name.map(str::to_owned).or(term.name),
+            part: Some(part),
+        });
+    }
+    true
+}
+
+pub(super) fn turned_part<'m>(
+    sketch: &mut Sketch<'_, 'm>,
+    function: Function,
+    arguments: &'m [Expr],
+    inner: &Term<'m>,
+) -> StepPart<'m> {
+    let step = parts::step_of(sketch, inner);
+    let step = if inner.sign > 0.0 { step } else { -step };
+    let slide = match &inner.part {
+        Some(part) => part.slide,
+        None => directions::direction_of(sketch, inner.expr),
+    };
+    let mut turn = |v: Vn<'m>| parts::turned_vector(sketch, function, arguments, v);
+    let at = turn(step);
+    let slide = slide.map(|slide| Slide {
+        offset: slide.offset.map(&mut turn),
+        along: turn(slide.along),
+        input: slide.input,
+    });
+    let within = parts::turns_of(sketch, inner);
+    let mut turns = Vec::new();
+    if function == Function::Turn && sketch.moves(&arguments[2]) != Moves::Not {
+        turns.push(Turn {
+            along: sketch.vector(&arguments[1]),
+            by: Some(&arguments[2]),
+        });
+    }
+    turns.extend(within.into_iter().map(|turn| Turn {
+        along: parts::turned_vector(sketch, function, arguments, turn.along),
+        ..turn
+    }));
+    let title = match &inner.part {
+        Some(part) => part.title.clone(),
+        None => titles::title(sketch, inner.expr),
+    };
+    // What is turned along with a length is called after it only if nothing else is.
+    let title = title.map(|title| Title {
+        rank: title.rank
+            + if parts::moves_of(sketch, inner) == Moves::Not {
+                CARRIED
+            } else {
+                0
+            },
+        ..title
+    });
+    let moves = arguments[1..]
+        .iter()
+        .map(|argument| sketch.moves(argument))
+        .max();
+    StepPart {
+        at,
+        title,
+        slide,
+        moves: parts::moves_of(sketch, inner).max(moves.unwrap_or(Moves::Not)),
+        turns,
+    }
+}
 
 /// Terms, named steps taken apart. A step of one term keeps its name.
 pub(super) fn collect_terms<'m>(
@@ -30,14 +166,14 @@ pub(super) fn collect_terms<'m>(
     }
     match (&expr.kind, &expr.summands()[..]) {
         (ExprKind::Number(0.0), _) => {}
-        (ExprKind::Name(own @ Name::Let(index)), _) if sketch.roles.is_step(*own) => {
+        (ExprKind::Name(name @ Name::Let(index)), _) if sketch.roles.is_step(*name) => {
             let mechanism = sketch.algebra.mechanism;
-            let own = &mechanism.lets[*index];
-            collect_terms(sketch, &own.value, sign, Some(&own.name), terms);
+            let item = &mechanism.lets[*index];
+            collect_terms(sketch, &item.value, sign, Some(&item.name), terms);
         }
         (_, [])
-            if parts::literal(sketch, expr, sign, name, terms)
-                || parts::turned(sketch, expr, sign, name, terms) => {}
+            if literal(sketch, expr, sign, name, terms)
+                || turned(sketch, expr, sign, name, terms) => {}
         (_, []) => terms.push(Term {
             sign,
             expr,
@@ -45,67 +181,10 @@ pub(super) fn collect_terms<'m>(
             part: None,
         }),
         (_, [(adds, only)]) => collect_terms(sketch, only, sign_of(*adds), name, terms),
-        (_, all) => {
-            for (adds, own) in all {
-                collect_terms(sketch, own, sign_of(*adds), None, terms);
+        (_, summands) => {
+            for (adds, summand) in summands {
+                collect_terms(sketch, summand, sign_of(*adds), None, terms);
             }
         }
     }
-}
-
-/// How often a vector counts as a point: 1 for a point, 0 for a difference; `None` if it may be either.
-pub(super) fn weight(sketch: &Sketch<'_, '_>, expr: &Expr) -> Option<f64> {
-    let is_length = expr.ty.dimension().is_some_and(|own| own.half_lengths == 2);
-    match &expr.kind {
-        // A direction.
-        _ if !is_length => None,
-        _ if sketch.algebra.mechanism.standing(expr).is_some() => Some(1.0),
-        ExprKind::Name(name @ (Name::Let(_) | Name::Unknown(_))) => {
-            Some(if sketch.roles.is_step(*name) {
-                0.0
-            } else {
-                1.0
-            })
-        }
-        ExprKind::Index(..) | ExprKind::Call(Function::PointIn, _) => Some(1.0),
-        ExprKind::Negate(a) => weight(sketch, a).map(|weight| -weight),
-        ExprKind::Binary(op @ (BinaryOp::Add | BinaryOp::Sub), a, b) => {
-            let (a, b) = (weight(sketch, a), weight(sketch, b));
-            let sign = if *op == BinaryOp::Add { 1.0 } else { -1.0 };
-            match (a, b) {
-                (None, None) => None,
-                _ => Some(a.unwrap_or(0.0) + sign * b.unwrap_or(0.0)),
-            }
-        }
-        ExprKind::Binary(BinaryOp::Div, a, b) => scaled(sketch, a, |n| 1.0 / n, b),
-        ExprKind::Binary(BinaryOp::Mul, a, b) => match a.ty {
-            Type::Vector(..) => scaled(sketch, a, |n| n, b),
-            _ => scaled(sketch, b, |n| n, a),
-        },
-        // A step, a mean, a parameter: whatever the others make of it.
-        _ => None,
-    }
-}
-
-/// The weight of a multiple of a vector.
-fn scaled(
-    sketch: &Sketch<'_, '_>,
-    vector: &Expr,
-    by: impl Fn(f64) -> f64,
-    factor: &Expr,
-) -> Option<f64> {
-    match (weight(sketch, vector)?, &factor.kind) {
-        (0.0, _) => Some(0.0),
-        (weight, ExprKind::Number(number)) => Some(weight * by(*number)),
-        // No point that chains could begin with.
-        _ => Some(f64::NAN),
-    }
-}
-
-/// How often a term counts as a point.
-pub(super) fn weight_of(sketch: &Sketch<'_, '_>, term: &Term) -> f64 {
-    if term.part.is_some() {
-        return 0.0;
-    }
-    term.sign * weight(sketch, term.expr).unwrap_or(0.0)
 }

@@ -1,10 +1,9 @@
-//! What is recognised, however a mechanism is written.
+//! Tests that pictures do not depend on the form in which a mechanism is written.
 
 mod guides;
 mod links;
 mod parts;
 mod refused;
-
 use crate::ir::CompiledMechanism;
 use crate::{Checked, check};
 

@@ -1,12 +1,12 @@
-//! What points and links are called.
+//! UniqueNames of points and links.
 
 use crate::model::{BinaryOp, Expr, ExprKind, Function};
-
-use super::chains::Sketch;
-use super::marks::Title;
+use crate::picture::expressions;
+use crate::picture::marks::Title;
+use crate::picture::sketch::Sketch;
 
 pub(super) fn name(sketch: &mut Sketch<'_, '_>, point: usize, rank: u8, expr: &Expr) {
-    if let Some(text) = spoken(sketch, expr) {
+    if let Some(text) = expressions::spoken(sketch.algebra.mechanism, expr) {
         call(sketch, point, Title { rank, text });
     }
 }
@@ -25,33 +25,26 @@ pub(super) fn title(sketch: &Sketch<'_, '_>, expr: &Expr) -> Option<Title> {
         move |text| Title { rank, text }
     };
     match &expr.kind {
-        ExprKind::Name(_) => spoken(sketch, expr).map(rank(1)),
+        ExprKind::Name(_) => expressions::spoken(sketch.algebra.mechanism, expr).map(rank(1)),
         ExprKind::Call(Function::Polar, arguments) => {
-            let length = dimension_in(sketch, &arguments[0]).map(rank(2));
-            length.or_else(|| spoken(sketch, &arguments[1]).map(rank(3)))
+            let length =
+                expressions::dimension_in(sketch.algebra.mechanism, &arguments[0]).map(rank(2));
+            length.or_else(|| {
+                expressions::spoken(sketch.algebra.mechanism, &arguments[1]).map(rank(3))
+            })
         }
         ExprKind::Call(Function::Rotate | Function::Turn, arguments) => {
-            let length = dimension_in(sketch, &arguments[0]).map(rank(2));
-            length.or_else(|| spoken(sketch, &arguments[arguments.len() - 1]).map(rank(3)))
+            let length =
+                expressions::dimension_in(sketch.algebra.mechanism, &arguments[0]).map(rank(2));
+            length.or_else(|| {
+                expressions::spoken(sketch.algebra.mechanism, &arguments[arguments.len() - 1])
+                    .map(rank(3))
+            })
         }
         ExprKind::Binary(BinaryOp::Mul, ..) | ExprKind::Vector(_) => {
-            dimension_in(sketch, expr).map(rank(2))
+            expressions::dimension_in(sketch.algebra.mechanism, expr).map(rank(2))
         }
         // Its link gets a number, or the names of what it joins.
         _ => None,
     }
-}
-
-pub(super) fn spoken(sketch: &Sketch<'_, '_>, expr: &Expr) -> Option<String> {
-    let name = expr.as_name()?;
-    Some(sketch.algebra.mechanism.name(name).to_owned())
-}
-
-/// The first length that is named in an expression.
-pub(super) fn dimension_in(sketch: &Sketch<'_, '_>, expr: &Expr) -> Option<String> {
-    let mut lengths = expr.parts().filter(|own| {
-        let dimension = own.ty.dimension();
-        dimension.is_some_and(|own| own.half_lengths == 2)
-    });
-    lengths.find_map(|own| spoken(sketch, own))
 }

@@ -1,43 +1,53 @@
-//! How long a vector of the plane can become when all that turns in it turns: what a margin is measured by.
+//! The greatest length of a vector of the plane whose parts turn: the measure of a margin.
 
-use crate::algebra::parts;
-use crate::solve::contour;
 use linkage_symbolic::{Ex, V2};
 
-use super::Solver;
+use crate::algebra::{Algebra, parts};
+use crate::solve::contour;
+use crate::solve::group_context::GroupContext;
 
-/// The margin of a group whose determinant is `h = sqrt(vector.vector - level^2)`: over the largest value that it has for these lengths. Where
-/// nothing moves, and where it is not known how far (in space), over the vector's length.
+/// The margin of a group whose determinant is `h = sqrt(vector.vector - level^2)`: over the largest
+/// value that it has for these lengths. Where nothing moves, and where it is not known how far (in
+/// space), over the vector's length.
 ///
 /// `h` is scaled, the others are not.
 pub(super) fn root_margin<'m>(
-    solver: &Solver<'_, 'm>,
+    algebra: &Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
     h: Ex<'m>,
     vector: V2<'m>,
     level: Ex<'m>,
     scale: Ex<'m>,
 ) -> Ex<'m> {
-    // What leads to a point in several ways bounds it in each of them; the shortest way is the same however the vector is written.
-    let ways = match vector.is_fixed() {
-        true => Vec::new(),
-        false => contour::ways_to(solver, contour::without_explicit(solver, vector)),
+    // What leads to a point in several ways bounds it in each of them; the shortest way is the same
+    // however the vector is written.
+    let ways = if vector.is_fixed() {
+        Vec::new()
+    } else {
+        contour::ways_to(
+            algebra,
+            group.earlier,
+            contour::without_explicit(algebra, group.earlier, vector),
+        )
     };
-    let lengths = ways.into_iter().filter_map(|way| longest(solver, way));
+    let lengths = ways.into_iter().filter_map(|way| longest(algebra, way));
     let Some(longest) = lengths.reduce(|least, length| least.min(length)) else {
         return h / (scale * vector).length();
     };
     let longest = scale * longest;
-    let largest = match level.is_fixed() {
-        true => longest.difference_of_squares(scale * level).sqrt(),
-        false => longest,
+    let largest = if level.is_fixed() {
+        longest.difference_of_squares(scale * level).sqrt()
+    } else {
+        longest
     };
     // Where all is in line both are equal but for rounding.
     (h / largest).min(h.number(1.0))
 }
 
-/// The sum of the lengths of a vector's parts, if they can all point the same way: each turns, and keeps its length.
-fn longest<'m>(solver: &Solver<'_, 'm>, vector: V2<'m>) -> Option<Ex<'m>> {
-    let parts = parts::parts(solver.algebra, vector);
+/// The sum of the lengths of a vector's parts, if they can all point the same way: each turns, and
+/// keeps its length.
+fn longest<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Option<Ex<'m>> {
+    let parts = parts::parts(algebra, vector);
     let mut turning = parts.turning.iter().map(|(_, part)| part);
     let rigid = turning.all(|part| part.is_rotor() && part.arm().is_fixed());
     let arms = parts.turning.iter().map(|(_, part)| part.arm().length());

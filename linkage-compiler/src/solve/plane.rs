@@ -1,20 +1,22 @@
-//! What the closed forms of the plane share: gaps, guards, terms of their equations.
+//! Common parts of the closed forms of the plane: gaps, guards, terms of their equations.
 
 use linkage_symbolic::{Ex, V2};
 
-use crate::algebra::{Link, Solution, Term};
+use crate::algebra::{Algebra, Link, Solution, Term};
+use crate::solve::definitions;
+use crate::solve::group_context::GroupContext;
 
-use super::Solver;
-
-/// A value that is NaN where the root `h` is, also where `h` drops out of its formula: a guide along an axis leaves
-/// the other component of a link free of the root, but not of the assembly. Whether `h` stays is known only
-/// when definitions are gone (a direction may turn out to be constant): the inliner removes a guard without use.
+/// A value that is NaN where the root `h` is, also where `h` drops out of its formula: a guide
+/// along an axis leaves the other component of a link free of the root, but not of the assembly.
+/// Whether `h` stays is known only when definitions are gone (a direction may turn out to be
+/// constant): the inliner removes a guard without use.
 pub(super) fn guarded<'m>(value: Ex<'m>, h: Ex<'m>) -> Ex<'m> {
     h.select(value, h)
 }
 
-/// A length that is NaN where its square is too large for a number, so that what is computed from a root is NaN altogether, and not infinite in one
-/// component. Only of what `assemble()` knows: in a call it would cost something.
+/// Replaces a length whose square is too large for a number by NaN. A vector that is computed from
+/// a root is then NaN as a whole, not infinite in one component. Applies only to lengths that
+/// `assemble()` computes, since calls would have to pay for it.
 pub(super) fn squarable<'m>(length: Ex<'m>) -> Ex<'m> {
     if !length.is_fixed() {
         return length;
@@ -23,20 +25,20 @@ pub(super) fn squarable<'m>(length: Ex<'m>) -> Ex<'m> {
     room.select(length, length.number(f64::NAN))
 }
 
-/// 0 where the root of `q` is a number (see [`Ex::root`]), else `miss`, which is then made positive.
+/// Returns 0 if the root of `q` is a number (see [`Ex::root`]), otherwise `miss`, made positive.
 pub(super) fn gap<'m>(q: Ex<'m>, scale: Ex<'m>, miss: Ex<'m>) -> Ex<'m> {
     let closes = q.reserve(scale);
     let miss = miss.max(q.number(f64::MIN_POSITIVE));
     closes.select(q.number(0.0), miss)
 }
 
-/// 0 where `determinant` is not 0, else NaN: a linear group has nothing to measure a gap by.
+/// Returns 0 if `determinant` is not 0, otherwise NaN: a linear group has no measure for a gap.
 pub(super) fn linear_gap(determinant: Ex) -> Ex {
     defined_gap(determinant.number(0.0), determinant)
 }
 
-/// NaN where something known is no finite number, by a division, a root or an arc function: what follows from it is none either, and
-/// nothing else of an equation that is solved without a root would show it.
+/// Returns NaN if a known number is not finite, after a division, a root or an arc function. An
+/// equation that is solved without a root would not show this otherwise.
 pub(super) fn where_finite<'m>(value: Ex<'m>, known: &[Ex<'m>]) -> Ex<'m> {
     let open = known.iter().filter(|x| x.is_partial());
     let Some(size) = open.map(|x| x.abs()).reduce(|sum, x| sum + x) else {
@@ -46,7 +48,8 @@ pub(super) fn where_finite<'m>(value: Ex<'m>, known: &[Ex<'m>]) -> Ex<'m> {
     finite.select(value, value.number(f64::NAN))
 }
 
-/// A gap that is NaN where `size` is 0: parallel guides, or pivots that coincide, which any angle would suit.
+/// A gap that is NaN where `size` is 0: parallel guides, or pivots that coincide, which any angle
+/// would suit.
 pub(super) fn defined_gap<'m>(gap: Ex<'m>, size: Ex<'m>) -> Ex<'m> {
     let regular = size.abs() - f64::MIN_POSITIVE;
     regular.select(gap, gap.number(f64::NAN))
@@ -63,7 +66,7 @@ pub(super) fn rotor_terms<'m>(z: V2<'m>, factors: V2<'m>) -> Vec<Term<'m>> {
         .collect()
 }
 
-/// What a group's equations contain of what was known before.
+/// The part of a group's equations that earlier groups determine.
 pub(super) fn known_term<'m>(known: &[Ex<'m>]) -> Term<'m> {
     Term {
         coefficient: known.to_vec(),
@@ -73,14 +76,15 @@ pub(super) fn known_term<'m>(known: &[Ex<'m>]) -> Term<'m> {
 
 /// Records a group of two equations. The determinant's closed value is `determinant`.
 pub(super) fn push_pair<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
     terms: Vec<Term<'m>>,
     columns: [V2<'m>; 2],
     determinant: Ex<'m>,
 ) {
     let product = columns[0].cross(columns[1]);
-    let determinant = solver.alias("det", determinant, product);
-    solver.push_solution(Solution {
+    let determinant = definitions::alias(algebra, group, "det", determinant, product);
+    algebra.solutions.groups.push(Solution {
         terms,
         jacobian: columns.map(|column| column.0.to_vec()).to_vec(),
         determinant,
@@ -91,16 +95,17 @@ pub(super) fn push_pair<'m>(
     });
 }
 
-/// Records that the link `vector`, which is `z unit`, turns with an unknown of the group of two equations that was recorded last.
+/// Records that the link `vector`, which is `z unit`, turns with an unknown of the group of two
+/// equations that was recorded last.
 pub(super) fn links_turn<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     position: usize,
     z: V2<'m>,
     unit: V2<'m>,
     vector: V2<'m>,
     across: Ex<'m>,
 ) {
-    let group = solver.algebra.solutions.groups.last_mut();
+    let group = algebra.solutions.groups.last_mut();
     let group = group.expect("the group that is solved");
     group.links[position] = Some(Link {
         vector,
@@ -113,11 +118,11 @@ pub(super) fn links_turn<'m>(
 
 /// Records a group of one equation with one unknown.
 pub(super) fn push_single<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     terms: Vec<Term<'m>>,
     determinant: Ex<'m>,
 ) {
-    solver.push_solution(Solution {
+    algebra.solutions.groups.push(Solution {
         terms,
         jacobian: vec![vec![determinant]],
         determinant,

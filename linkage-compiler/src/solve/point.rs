@@ -1,58 +1,35 @@
-//! A point at given distances from known points and on known planes, a direction at given angles to known directions.
+//! A point at given distances from known points and on known planes, a direction at given angles to
+//! known directions.
 
 mod differentiate;
-
+mod geometry;
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
+use crate::algebra::Algebra;
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::definitions;
+use crate::solve::group_context::GroupContext;
 use crate::structure::{Plane, Sphere};
 
 use super::plane::{defined_gap, gap, guarded};
-use super::{Closed, GapIn, Solver};
 
-/// About what a vector's length is of the sum of its components, which needs no root: it is 0.58 to 1.
+use geometry::{Ball, Level, PointOnSpheres};
+
+/// The length of a vector as a share of the sum of its components, which needs no root: it is 0.58
+/// to 1.
 const SUM_OF_COMPONENTS: f64 = 0.625;
 
-/// A sphere `|f (p - centre)| = radius`, with its own numbers.
-struct Ball<'m> {
-    centre: V3<'m>,
-    /// As a distance from the centre, and scaled.
-    radius: Ex<'m>,
-    scaled: Ex<'m>,
-    /// From the first sphere's centre, scaled.
-    apart: V3<'m>,
-}
-
-/// A plane `normal . (p - centre of the first sphere) = offset`, scaled; the normal is that of the user of length 1, or the
-/// distance of two centres.
-struct Level<'m> {
-    normal: V3<'m>,
-    offset: Ex<'m>,
-    /// What the offset's rounding is measured by.
-    size: Ex<'m>,
-    /// What the normal's length is measured by in the margin.
-    largest: Ex<'m>,
-}
-
-/// Where a point lies.
-struct Place<'m> {
-    /// From the first sphere's centre, scaled.
-    arm: V3<'m>,
-    /// What lengths are multiplied by.
-    scale: Ex<'m>,
-    /// Scaled, 0 at the dead point.
-    h: Ex<'m>,
-}
-
-/// The difference of two spheres is a plane, so there are two planes `u.y = a`, `v.y = b` and a sphere. Their line goes along
-/// `n = u x v`; its foot is `t x n / n.n` with `t = a v - b u`, at the distance `|t|/|n|`, and the root is
-/// `h = sqrt(r^2 - t.t/n.n)`. Lengths are scaled by a power of two, so that products of many do not
-/// overflow.
+/// The difference of two spheres is a plane, so there are two planes `u.y = a`, `v.y = b` and a
+/// sphere. Their line goes along `n = u x v`; its foot is `t x n / n.n` with `t = a v - b u`, at
+/// the distance `|t|/|n|`, and the root is `h = sqrt(r^2 - t.t/n.n)`. Lengths are scaled by a power
+/// of two, so that products of many do not overflow.
 pub(super) fn point<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
     coordinates: &[(SymbolId, usize)],
     spheres: &[Sphere<'m>],
     planes: &[Plane<'m>],
-) -> Closed<'m> {
+) -> ClosedForm<'m> {
     let mut coordinates = coordinates.to_vec();
     coordinates.sort_by_key(|(_, component)| *component);
     let missing = (0..3).find(|k| coordinates.iter().all(|(_, component)| component != k));
@@ -62,12 +39,12 @@ pub(super) fn point<'m>(
     let mut levels: Vec<Level> = Vec::new();
     levels.extend(balls[1..].iter().map(|ball| radical_plane(base, ball)));
     levels.extend(planes.iter().map(|plane| level(base, plane, scale)));
-    levels.extend(missing.map(|component| level(base, &axis(solver, component), scale)));
+    levels.extend(missing.map(|component| level(base, &axis(algebra, component), scale)));
     let [first, second] = &levels[..] else {
         unreachable!("three conditions: a sphere and two planes");
     };
 
-    let w = solver.mode_sign();
+    let w = definitions::mode_sign(algebra, group);
     let normal = first.normal.cross(second.normal);
     let sine2 = normal.square();
     let sine = normal.length();
@@ -90,10 +67,18 @@ pub(super) fn point<'m>(
 
     for (position, &(symbol, component)) in coordinates.iter().enumerate() {
         let value = base.centre[component] + arm[component] / scale;
-        solver.define_length(symbol, guarded(value, h), position);
+        definitions::define_length(algebra, group, symbol, guarded(value, h), position);
     }
-    let place = Place { arm, scale, h };
-    differentiate::push_point(solver, &coordinates, planes, &balls, &place, volume);
+    let solution = PointOnSpheres { arm, scale, h };
+    differentiate::push_point(
+        algebra,
+        group,
+        &coordinates,
+        planes,
+        &balls,
+        &solution,
+        volume,
+    );
 
     let mut margin = h / radius * sine;
     for level in &levels {
@@ -101,24 +86,24 @@ pub(super) fn point<'m>(
     }
     let miss = distance2.sqrt() / scale - base.radius;
     let gap = gap(q, noise, miss);
-    let (words, method) = words(spheres.len());
-    Closed {
-        kind: words.into(),
+    let (kind, method) = kind_and_method(spheres.len());
+    ClosedForm {
+        kind: kind.into(),
         class: 0,
         order: 0,
         method,
         two_modes: true,
         margin,
         slack: q / radius2,
-        slack_scale: solver.algebra.one(),
+        slack_scale: algebra.one(),
         gap: defined_gap(gap, sine2),
         gap_in: GapIn::Unknown,
     }
 }
 
 /// The plane in which a component is 0.
-fn axis<'m>(solver: &Solver<'_, 'm>, component: usize) -> Plane<'m> {
-    let (zero, one) = (solver.algebra.zero(), solver.algebra.one());
+fn axis<'m>(algebra: &Algebra<'m>, component: usize) -> Plane<'m> {
+    let (zero, one) = (algebra.zero(), algebra.one());
     let mut normal = Vector([zero; 3]);
     normal.0[component] = one;
     Plane {
@@ -127,7 +112,8 @@ fn axis<'m>(solver: &Solver<'_, 'm>, component: usize) -> Plane<'m> {
     }
 }
 
-/// What the line's distance from the first centre consists of, times `|n|`; lengths as sums of components.
+/// The terms of the line's distance from the first centre, times `|n|`; lengths as sums of
+/// components.
 fn lengths_of<'m>(first: &Level<'m>, second: &Level<'m>) -> Ex<'m> {
     let [u, v] = [first, second].map(|level| {
         let [x, y, z] = level.normal.map(Ex::abs).0;
@@ -138,17 +124,19 @@ fn lengths_of<'m>(first: &Level<'m>, second: &Level<'m>) -> Ex<'m> {
 
 /// The power of two by which lengths are scaled, and the spheres.
 fn balls<'m>(spheres: &[Sphere<'m>]) -> (Ex<'m>, Vec<Ball<'m>>) {
-    let own: Vec<(V3, Ex)> = spheres
+    let centres_and_radii: Vec<(V3, Ex)> = spheres
         .iter()
         .map(|sphere| {
             let centre = sphere.known.map(|x| -(x / sphere.factor));
             (centre, sphere.radius / sphere.factor.abs())
         })
         .collect();
-    let (base, first) = own[0];
-    let sum = own[1..].iter().fold(first, |sum, (_, r)| sum + *r);
+    let (base, first) = centres_and_radii[0];
+    let sum = centres_and_radii[1..]
+        .iter()
+        .fold(first, |sum, (_, r)| sum + *r);
     let scale = sum.inverse_scale();
-    let balls = own.into_iter().map(|(centre, radius)| {
+    let balls = centres_and_radii.into_iter().map(|(centre, radius)| {
         let apart = Vector([0, 1, 2].map(|k| scale * (centre[k] - base[k])));
         Ball {
             centre,
@@ -161,7 +149,8 @@ fn balls<'m>(spheres: &[Sphere<'m>]) -> (Ex<'m>, Vec<Ball<'m>>) {
     (scale, balls)
 }
 
-/// The plane of the circle in which two spheres meet: `a . y = (a.a + (r0 - r)(r0 + r))/2` for the distance `a` of the centres.
+/// The plane of the circle in which two spheres meet: `a . y = (a.a + (r0 - r)(r0 + r))/2` for the
+/// distance `a` of the centres.
 fn radical_plane<'m>(base: &Ball<'m>, ball: &Ball<'m>) -> Level<'m> {
     let square = ball.apart.square();
     let imbalance = base.scaled.difference_of_squares(ball.scaled);
@@ -188,7 +177,8 @@ fn level<'m>(base: &Ball<'m>, plane: &Plane<'m>, scale: Ex<'m>) -> Level<'m> {
     }
 }
 
-fn words(spheres: usize) -> (&'static str, &'static str) {
+/// The names of the kind and of the method, by the number of spheres.
+fn kind_and_method(spheres: usize) -> (&'static str, &'static str) {
     match spheres {
         1 => (
             "one distance, two planes",

@@ -1,22 +1,25 @@
 //! A scalar loop that is quadratic in one unknown length.
 
-use crate::solve::plane;
 use linkage_symbolic::{Ex, SymbolId};
 
-use crate::algebra::Term;
+use crate::algebra::{Algebra, Term};
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::group_context::GroupContext;
+use crate::solve::{definitions, plane, unknowns};
 
 use super::plane::{gap, known_term};
-use super::{Closed, GapIn, Solver};
 
-/// `a x^2 + 2 p x + c = 0`: `x = (w h - p)/a` or, where that would cancel, `c/(-p - w h)`, with `h = sqrt(p^2 - a c)`.
+/// `a x^2 + 2 p x + c = 0`: `x = (w h - p)/a` or, where that would cancel, `c/(-p - w h)`, with
+/// `h = sqrt(p^2 - a c)`.
 pub(super) fn quadratic<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
     symbol: SymbolId,
     a: Ex<'m>,
     b: Ex<'m>,
     c: Ex<'m>,
-) -> Closed<'m> {
-    let w = solver.mode_sign();
+) -> ClosedForm<'m> {
+    let w = definitions::mode_sign(algebra, group);
     let p = 0.5 * b;
     let (p2, ac) = (p.square(), a * c);
     let q = p2 - ac;
@@ -26,12 +29,12 @@ pub(super) fn quadratic<'m>(
     let direct = (hw - p) / a;
     let inverse = c / -(p + hw);
     let same_sign = -(w * p);
-    solver.define_length(symbol, same_sign.select(direct, inverse), 0);
+    definitions::define_length(algebra, group, symbol, same_sign.select(direct, inverse), 0);
 
-    let x = solver.unknown(symbol);
+    let x = unknowns::unknown(algebra, symbol);
     let x2 = x.square();
     let slope = 2.0 * (a * x + p);
-    let determinant = solver.alias("det", 2.0 * hw, slope);
+    let determinant = definitions::alias(algebra, group, "det", 2.0 * hw, slope);
     let terms = vec![
         Term {
             coefficient: vec![a],
@@ -43,10 +46,10 @@ pub(super) fn quadratic<'m>(
         },
         known_term(&[c]),
     ];
-    plane::push_single(solver, terms, determinant);
+    plane::push_single(algebra, terms, determinant);
 
     let miss = (-q).sqrt() / a.abs();
-    Closed {
+    ClosedForm {
         kind: "quadratic".into(),
         class: 0,
         order: 0,

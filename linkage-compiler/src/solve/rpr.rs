@@ -1,27 +1,28 @@
 //! RPR: a slider on a line fixed in a turning link.
 
-use crate::solve::longest;
-use crate::solve::plane;
 use linkage_symbolic::{SymbolId, V2};
 
-use crate::algebra::AngleReference;
+use crate::algebra::{Algebra, AngleReference};
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::group_context::GroupContext;
+use crate::solve::{definitions, longest, plane, unknowns};
 use crate::structure::Rotor;
 
 use super::plane::{gap, guarded, known_term, rotor_terms};
-use super::{Closed, GapIn, Solver};
 
-/// `(Z + s W) u = C`: the line passes the link's pivot at the distance `b = W x Z / |W|`; from its foot the slider is at
-/// `w sqrt(C.C - b^2)`, and the line's direction is `C (s - i b) / C.C`.
-pub(super) fn slide_on_rotor<'m>(
-    solver: &mut Solver<'_, 'm>,
+/// `(Z + s W) u = C`: the line passes the link's pivot at the distance `b = W x Z / |W|`; from its
+/// foot the slider is at `w sqrt(C.C - b^2)`, and the line's direction is `C (s - i b) / C.C`.
+pub(super) fn rpr<'m>(
+    algebra: &mut Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
     rotor: &Rotor<'m>,
     slide: SymbolId,
     guide: V2<'m>,
     known: V2<'m>,
-) -> Closed<'m> {
+) -> ClosedForm<'m> {
     let c = -known;
     let (stretch, direction) = guide.length_and_unit();
-    let w = solver.mode_sign();
+    let w = definitions::mode_sign(algebra, group);
     let offset = direction.cross(rotor.z);
     let foot = direction.dot(rotor.z);
 
@@ -36,10 +37,17 @@ pub(super) fn slide_on_rotor<'m>(
     let value = from_foot * towards - offset * towards.perp();
     let determinant = -(stretch * from_foot);
 
-    let unit = solver.unit_of(rotor);
+    let unit = unknowns::unit_of(algebra, rotor);
     let line = value.map(|x| guarded(x, h));
-    let line = solver.turning(line, direction, unit, 0);
-    solver.define_angle(rotor.angle, rotor.sense, line.turned_back(direction), 0);
+    let line = definitions::turning(algebra, group, line, direction, unit, 0);
+    definitions::define_angle(
+        algebra,
+        group,
+        rotor.angle,
+        rotor.sense,
+        line.turned_back(direction),
+        0,
+    );
     // The line leads towards the slider, or away from it.
     let bearing = AngleReference {
         vector: c,
@@ -49,19 +57,19 @@ pub(super) fn slide_on_rotor<'m>(
         z: Some(guide),
         sense: rotor.sense,
     };
-    solver.bear(rotor.angle, bearing);
-    solver.define_length(slide, position, 1);
+    definitions::bear(algebra, rotor.angle, bearing);
+    definitions::define_length(algebra, group, slide, position, 1);
 
-    let carried = solver.unknown(slide) * unit;
+    let carried = unknowns::unknown(algebra, slide) * unit;
     let mut terms = rotor_terms(rotor.z, unit);
     terms.extend(rotor_terms(guide, carried));
     terms.push(known_term(&known.0));
-    plane::push_pair(solver, terms, [turned, stretch * line], determinant);
+    plane::push_pair(algebra, group, terms, [turned, stretch * line], determinant);
 
     let distance = distance2.sqrt();
-    let margin = longest::root_margin(solver, h, c, offset, solver.algebra.one());
+    let margin = longest::root_margin(algebra, group, h, c, offset, algebra.one());
     let miss = offset.abs() - distance;
-    Closed {
+    ClosedForm {
         kind: "RPR".into(),
         class: 2,
         order: 2,

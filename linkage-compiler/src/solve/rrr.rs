@@ -1,41 +1,42 @@
 //! RRR: two links of given lengths between two known points.
 
-use crate::solve::circles;
-use crate::solve::plane;
 use linkage_symbolic::V2;
 
-use crate::algebra::AngleReference;
+use crate::algebra::{Algebra, AngleReference};
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::group_context::GroupContext;
+use crate::solve::{circles, definitions, plane, unknowns};
 use crate::structure::Rotor;
 
 use super::circles::Squares;
 use super::plane::{defined_gap, gap, guarded, known_term, rotor_terms};
-use super::{Closed, GapIn, Solver};
 
-/// `Z1 u1 + Z2 u2 = C` by the intersection of two circles.
-pub(super) fn two_rotors<'m>(
-    solver: &mut Solver<'_, 'm>,
+/// Solves `Z1 u1 + Z2 u2 = C` as the intersection of two circles.
+pub(super) fn rrr<'m>(
+    algebra: &mut Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
     first: &Rotor<'m>,
     second: &Rotor<'m>,
     known: V2<'m>,
-) -> Closed<'m> {
+) -> ClosedForm<'m> {
     let c = -known;
     let [r1, r2] = [first.z, second.z].map(|z| z.length());
     let reach = r1 + r2;
-    let squares = Squares::of([r1, r2], reach);
-    let circles = circles::circles(solver, c, &squares);
+    let squares = Squares::new([r1, r2], reach);
+    let circles = circles::circles(algebra, group, c, &squares);
     let h = circles.h;
-    let mode = solver.mode_sign();
+    let mode = definitions::mode_sign(algebra, group);
 
     let mut terms = Vec::new();
     let mut columns = Vec::new();
     let mut vectors = Vec::new();
     let links = [first, second].into_iter().zip(circles.vectors);
     for (position, (rotor, value)) in links.enumerate() {
-        let unit = solver.unit_of(rotor);
+        let unit = unknowns::unit_of(algebra, rotor);
         let vector = value.map(|x| guarded(x, h));
-        let vector = solver.turning(vector, rotor.z, unit, position);
+        let vector = definitions::turning(algebra, group, vector, rotor.z, unit, position);
         let turned = vector.turned_back(rotor.z);
-        solver.define_angle(rotor.angle, rotor.sense, turned, position);
+        definitions::define_angle(algebra, group, rotor.angle, rotor.sense, turned, position);
         // The links lie on both sides of the line between their ends.
         let bearing = AngleReference {
             vector: c,
@@ -45,22 +46,34 @@ pub(super) fn two_rotors<'m>(
             z: Some(rotor.z),
             sense: rotor.sense,
         };
-        solver.bear(rotor.angle, bearing);
+        definitions::bear(algebra, rotor.angle, bearing);
         terms.extend(rotor_terms(rotor.z, unit));
         columns.push(vector.perp());
         vectors.push(vector);
     }
     terms.push(known_term(&known.0));
-    plane::push_pair(solver, terms, [columns[0], columns[1]], circles.product);
+    plane::push_pair(
+        algebra,
+        group,
+        terms,
+        [columns[0], columns[1]],
+        circles.product,
+    );
     let [square1, square2] = [first, second].map(|rotor| rotor.z.square());
     let product = 0.5 * c.square() - 0.5 * (square1 + square2);
-    let product = solver.alias("product", product, vectors[0].dot(vectors[1]));
+    let product = definitions::alias(
+        algebra,
+        group,
+        "product",
+        product,
+        vectors[0].dot(vectors[1]),
+    );
     for (position, rotor) in [first, second].into_iter().enumerate() {
         plane::links_turn(
-            solver,
+            algebra,
             position,
             rotor.z,
-            solver.unit_of(rotor),
+            unknowns::unit_of(algebra, rotor),
             vectors[position],
             product,
         );
@@ -73,7 +86,7 @@ pub(super) fn two_rotors<'m>(
     let gap = defined_gap(gap, circles.m);
     let [r1, r2] = squares.radii;
     let largest = r1 * r2;
-    Closed {
+    ClosedForm {
         kind: "RRR".into(),
         class: 2,
         order: 2,
@@ -81,7 +94,7 @@ pub(super) fn two_rotors<'m>(
         two_modes: true,
         margin: h / largest,
         slack: circles.q / largest.square(),
-        slack_scale: solver.algebra.one(),
+        slack_scale: algebra.one(),
         gap,
         gap_in: GapIn::Loop,
     }

@@ -1,31 +1,33 @@
-//! RSSR: a link with ball joints between a known point and a point that turns about an axis in space.
+//! RSSR: a link with ball joints between a known point and a point that turns about an axis in
+//! space.
 
-use crate::solve::circles;
-use crate::solve::plane;
-use crate::solve::space;
 use linkage_symbolic::{Ex, V3, Vector};
 
-use crate::algebra::{AngleReference, Rod, Term};
+use crate::algebra::{Algebra, AngleReference, Rod, Term};
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::group_context::GroupContext;
+use crate::solve::{circles, definitions, plane, space};
 
 use super::circles::Squares;
 use super::plane::{defined_gap, gap, guarded};
 use super::space::{arm_length, distance_terms, projection};
-use super::{Closed, GapIn, Solver};
 
-/// `|K + A cos + B sin| = l`, `A` and `B` perpendicular and of length `r`.
+/// Solves `|K + A cos + B sin| = l`, with `A` and `B` perpendicular and of length `r`.
 ///
-/// In the rocker's frame `K = (x, y, z)`, z along its axis. The link spans `z` along the axis; seen along it there remain two
-/// links of lengths `r` and `sqrt(l^2 - z^2)` in the plane of the circle, solved as RRR, which needs the second one's square only.
-/// So parallel axes give the planar mechanism, and needle triangles stay accurate. The link's vector is put together
-/// from both parts, never `K + A cos + B sin`. Derivatives are taken in fixed coordinates, where they have the velocity of
-/// the rocker's point in common with what users ask for.
-pub(super) fn link_to_rotor<'m>(
-    solver: &mut Solver<'_, 'm>,
+/// In the rocker's frame `K = (x, y, z)`, z along its axis. The link spans `z` along the axis. Seen
+/// along the axis, two links of lengths `r` and `sqrt(l^2 - z^2)` remain in the plane of the
+/// circle. They are solved as RRR, which needs the second one's square only. So parallel axes give
+/// the planar mechanism, and needle triangles stay accurate. The link's vector is put together from
+/// both parts, never `K + A cos + B sin`. Derivatives are taken in fixed coordinates, in which they
+/// share the velocity of the rocker's point with the outputs.
+pub(super) fn rssr<'m>(
+    algebra: &mut Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
     angle: usize,
     [cosine, sine]: [V3<'m>; 2],
     known: V3<'m>,
     l: Ex<'m>,
-) -> Closed<'m> {
+) -> ClosedForm<'m> {
     let (length, along) = cosine.length_and_unit();
     let beside = sine / length;
     let r = arm_length(cosine, length);
@@ -33,33 +35,33 @@ pub(super) fn link_to_rotor<'m>(
     let [x, y, z] = [along, beside, axis].map(|e| projection(e, known));
     let seen = -Vector([x, y]);
     let squares = shadow(r, l, z);
-    let circles = circles::circles(solver, seen, &squares);
+    let circles = circles::circles(algebra, group, seen, &squares);
     let h = circles.h;
 
     let [turned, shadow_vector] = circles.vectors;
     let unit = turned.map(|x| guarded(x / r, h));
-    solver.define_angle(angle, 1.0, unit, 0);
+    definitions::define_angle(algebra, group, angle, 1.0, unit, 0);
     let bearing = AngleReference {
         vector: seen,
         across: true,
-        mode: solver.mode_sign(),
+        mode: definitions::mode_sign(algebra, group),
         opposite: false,
         z: None,
         sense: 1.0,
     };
-    solver.bear(angle, bearing);
-    let [cos, sin] = solver.algebra.names.angles[angle].unit.0;
+    definitions::bear(algebra, angle, bearing);
+    let [cos, sin] = algebra.names.angles[angle].unit.0;
     let back = -shadow_vector;
     let turned = Vector([0, 1, 2].map(|k| cosine[k] * cos + sine[k] * sin));
     let link = Vector([0, 1, 2].map(|k| {
         let value = back[0] * along[k] + back[1] * beside[k] + z * axis[k];
         let equal = known[k] + turned[k];
-        solver.alias("coupler", guarded(value, h), equal)
+        definitions::alias(algebra, group, "coupler", guarded(value, h), equal)
     }));
     let slope = Vector([0, 1, 2].map(|k| sine[k] * cos - cosine[k] * sin));
     let moved = slope;
     let slope = link.dot(slope);
-    let determinant = solver.alias("det", -circles.product, slope);
+    let determinant = definitions::alias(algebra, group, "det", -circles.product, slope);
     let mut terms = distance_terms(link, known, l);
     for (vector, factor) in [(cosine, cos), (sine, sin)] {
         terms.extend((0..3).map(|k| Term {
@@ -67,12 +69,12 @@ pub(super) fn link_to_rotor<'m>(
             factor: link[k] * factor,
         }));
     }
-    plane::push_single(solver, terms, determinant);
+    plane::push_single(algebra, terms, determinant);
     // `(V - K)^2 = r^2` and `V^2 = l^2`.
     let across = 0.5 * (l.square() + r.square()) - 0.5 * (seen.square() + z.square());
-    let across = solver.alias("product", across, link.dot(turned));
+    let across = definitions::alias(algebra, group, "product", across, link.dot(turned));
     space::rod(
-        solver,
+        algebra,
         Rod {
             vector: link,
             known,
@@ -90,7 +92,7 @@ pub(super) fn link_to_rotor<'m>(
     let gap = gap(circles.q, circles.noise, short.max(long));
     let [r_scaled, l_scaled] = squares.radii;
     let largest = r_scaled * l_scaled;
-    Closed {
+    ClosedForm {
         kind: "SSR".into(),
         class: 0,
         order: 0,
@@ -99,14 +101,14 @@ pub(super) fn link_to_rotor<'m>(
         gap: defined_gap(gap, circles.m),
         margin: h / largest,
         slack: circles.q / largest.square(),
-        slack_scale: solver.algebra.one(),
+        slack_scale: algebra.one(),
         gap_in: GapIn::Link,
     }
 }
 
 /// The circles of radii `r` and `sqrt(l^2 - z^2)`.
 fn shadow<'m>(r: Ex<'m>, l: Ex<'m>, z: Ex<'m>) -> Squares<'m> {
-    let mut squares = Squares::of([r, l], r + l);
+    let mut squares = Squares::new([r, l], r + l);
     if z.is_zero() {
         return squares;
     }

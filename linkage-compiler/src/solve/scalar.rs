@@ -1,39 +1,41 @@
 //! Scalar loops that need no root: linear equations and angle relations.
 
-use crate::algebra::scalar;
-use crate::solve::plane;
 use linkage_symbolic::{Ex, SymbolId};
 
-use crate::algebra::{Scalar, Term};
+use crate::algebra::{Algebra, Scalar, Term, scalar};
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::group_context::GroupContext;
+use crate::solve::{definitions, plane, unknowns};
 
 use super::plane::{known_term, linear_gap, where_finite};
-use super::{Closed, GapIn, Solver};
 
 /// `a x + b = 0`
 pub(super) fn linear<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
     symbol: SymbolId,
     a: Ex<'m>,
     b: Ex<'m>,
-) -> Closed<'m> {
-    solver.define_length(symbol, -(b / a), 0);
+) -> ClosedForm<'m> {
+    definitions::define_length(algebra, group, symbol, -(b / a), 0);
     let terms = vec![
         Term {
             coefficient: vec![a],
-            factor: solver.unknown(symbol),
+            factor: unknowns::unknown(algebra, symbol),
         },
         known_term(&[b]),
     ];
-    plane::push_single(solver, terms, a);
+    plane::push_single(algebra, terms, a);
 
     // The factor's largest value is not known; a direction's component reaches 1.
-    let one = solver.algebra.one();
+    let one = algebra.one();
     let size = a.abs();
-    let (margin, slack, slack_scale) = match a.is_fixed() {
-        true => (one, one, one),
-        false => (size.min(one), a, size),
+    let (margin, slack, slack_scale) = if a.is_fixed() {
+        (one, one, one)
+    } else {
+        (size.min(one), a, size)
     };
-    Closed {
+    ClosedForm {
         kind: "linear".into(),
         class: 0,
         order: 0,
@@ -49,16 +51,16 @@ pub(super) fn linear<'m>(
 
 /// An angle given by others.
 pub(super) fn relation<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     angle: usize,
     value: &Scalar<'m>,
-) -> Closed<'m> {
-    let [cos, sin] = scalar::direction(solver.algebra, value).0;
-    let number = scalar::value_of(solver.algebra, value);
-    solver.define_relation(angle, [cos, sin, number]);
-    let one = solver.algebra.one();
-    plane::push_single(solver, Vec::new(), one);
-    Closed {
+) -> ClosedForm<'m> {
+    let [cos, sin] = scalar::direction(algebra, value).0;
+    let number = scalar::value_of(algebra, value);
+    definitions::define_relation(algebra, angle, [cos, sin, number]);
+    let one = algebra.one();
+    plane::push_single(algebra, Vec::new(), one);
+    ClosedForm {
         kind: "angle relation".into(),
         class: 0,
         order: 0,
@@ -67,7 +69,7 @@ pub(super) fn relation<'m>(
         margin: one,
         slack: where_finite(one, &[value.rest]),
         slack_scale: one,
-        gap: where_finite(solver.algebra.zero(), &[value.rest]),
+        gap: where_finite(algebra.zero(), &[value.rest]),
         gap_in: GapIn::Loop,
     }
 }

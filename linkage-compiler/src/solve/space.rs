@@ -1,14 +1,12 @@
-//! What closed forms in space share.
+//! Common parts of the closed forms in space.
 
 use linkage_symbolic::program::{Binary, Unary};
 use linkage_symbolic::{Ex, Node, V3, Vector, numerically_equal_within};
 
-use crate::algebra::{Rod, Term};
+use crate::algebra::{Algebra, Rod, Term};
 
-use super::Solver;
-
-/// The terms `K.V - l l` of `(V.V - l^2)/2`, where `V` is the link's vector: what is known before the group enters by its
-/// derivative times these factors.
+/// The terms `K.V - l l` of `(V.V - l^2)/2`, with the link's vector `V`: earlier unknowns enter by
+/// their derivatives times these factors.
 pub(super) fn distance_terms<'m>(link: V3<'m>, known: V3<'m>, length: Ex<'m>) -> Vec<Term<'m>> {
     let minus = -length;
     let term = |(coefficient, factor): (Ex<'m>, Ex<'m>)| Term {
@@ -20,27 +18,29 @@ pub(super) fn distance_terms<'m>(link: V3<'m>, known: V3<'m>, length: Ex<'m>) ->
 }
 
 /// Records the rod of the group that was recorded last.
-pub(super) fn rod<'m>(solver: &mut Solver<'_, 'm>, rod: Rod<'m>) {
-    let group = solver.algebra.solutions.groups.last_mut();
+pub(super) fn rod<'m>(algebra: &mut Algebra<'m>, rod: Rod<'m>) {
+    let group = algebra.solutions.groups.last_mut();
     group.expect("the group that is solved").rod = Some(rod);
 }
 
-/// The length of a vector, which is `rounded`, without a root where it is some number that the vector was made of: a rocker's length times a direction.
-/// Beside the difference of two long links a root's rounding is too much.
+/// The length of a vector, which is `rounded`, without a root where it is some number that the
+/// vector was made of: a rocker's length times a direction. Beside the difference of two long links
+/// a root's rounding is too much.
 pub(super) fn arm_length<'m>(arm: V3<'m>, rounded: Ex<'m>) -> Ex<'m> {
-    /// What the squares of a direction's components are rounded by together; lengths that differ by less differ by rounding.
+    /// The rounding of the squares of a direction's components together. Lengths that differ by
+    /// less differ by rounding.
     const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
     let square = arm.square();
     let graph = square.graph();
     let below = graph.reachable(&arm.ids()).into_iter();
     let mut known = below.map(|id| graph.ex(id)).filter(|x| x.is_fixed());
-    let own = known.find(|x| numerically_equal_within(square, x.square(), ROUNDING));
-    own.map_or(rounded, Ex::abs)
+    let length = known.find(|x| numerically_equal_within(square, x.square(), ROUNDING));
+    length.map_or(rounded, Ex::abs)
 }
 
-/// `e . v`. What is prepared of it, and what each further term is multiplied by, is put together beforehand: with a crank in `v` and a
-/// fixed `e`, two multiply-adds remain.
+/// Returns `e . v`. The prepared part, and the factors of the other terms, are combined beforehand:
+/// with a crank in `v` and a fixed `e`, two multiply-adds remain.
 pub(super) fn projection<'m>(e: V3<'m>, v: V3<'m>) -> Ex<'m> {
     if !e.is_fixed() {
         return e.dot(v);
@@ -53,7 +53,7 @@ pub(super) fn projection<'m>(e: V3<'m>, v: V3<'m>) -> Ex<'m> {
     pairs.fold(start, |sum, (e, late)| sum + e * late)
 }
 
-/// A sum in two parts: what is known before a call, and the rest.
+/// Splits a sum in two parts: the part that is known before a call, and the rest.
 fn early_and_late(sum: Ex) -> (Ex, Ex) {
     let zero = sum.number(0.0);
     if sum.is_fixed() {

@@ -2,33 +2,36 @@
 
 use linkage_symbolic::{SymbolId, V3};
 
-use crate::algebra::{CoreRow, Elimination, Solution, Term};
+use crate::algebra::{Algebra, CoreRow, Elimination, Solution, Term};
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::group_context::GroupContext;
+use crate::solve::{definitions, unknowns};
 
 use super::plane::{known_term, linear_gap, where_finite};
-use super::{Closed, GapIn, Solver};
 
-/// `s1 G1 + s2 G2 + s3 G3 + K = 0` by triple products.
+/// Solves `s1 G1 + s2 G2 + s3 G3 + K = 0` with triple products.
 pub(super) fn three_slides<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
     slides: [SymbolId; 3],
     guides: [V3<'m>; 3],
     known: V3<'m>,
-) -> Closed<'m> {
-    let one = solver.algebra.one();
+) -> ClosedForm<'m> {
+    let one = algebra.one();
     let [a, b, c] = guides;
     let product = b.cross(c);
     let determinant = a.dot(product);
     let crosses = [product, c.cross(a), a.cross(b)];
     for (position, (slide, cross)) in slides.into_iter().zip(crosses).enumerate() {
         let value = -(cross.dot(known) / determinant);
-        solver.define_length(slide, value, position);
+        definitions::define_length(algebra, group, slide, value, position);
     }
     let mut terms: Vec<Term> = slides
         .into_iter()
         .zip(guides)
         .map(|(slide, guide)| Term {
             coefficient: guide.0.to_vec(),
-            factor: solver.unknown(slide),
+            factor: unknowns::unknown(algebra, slide),
         })
         .collect();
     terms.push(known_term(&known.0));
@@ -43,7 +46,7 @@ pub(super) fn three_slides<'m>(
         privates: Vec::new(),
         scheme: None,
     };
-    solver.push_solution(Solution {
+    algebra.solutions.groups.push(Solution {
         terms,
         jacobian: guides.map(|guide| guide.0.to_vec()).to_vec(),
         determinant,
@@ -58,7 +61,7 @@ pub(super) fn three_slides<'m>(
         product * length
     });
     let slack = determinant / largest;
-    Closed {
+    ClosedForm {
         kind: "PPP".into(),
         class: 0,
         order: 0,

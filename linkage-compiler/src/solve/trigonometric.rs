@@ -1,26 +1,27 @@
 //! A scalar loop with one unknown angle.
 
-use crate::solve::longest;
-use crate::solve::plane;
 use linkage_symbolic::{Ex, Vector};
 
-use crate::algebra::{AngleReference, Term};
+use crate::algebra::{Algebra, AngleReference, Term};
+use crate::solve::closed::{ClosedForm, GapIn};
+use crate::solve::group_context::GroupContext;
+use crate::solve::{definitions, longest, plane};
 
 use super::plane::{gap, guarded, known_term};
-use super::{Closed, GapIn, Solver};
 
-/// `A cos + B sin = C`: with `R = sqrt(A^2 + B^2)` and `h = sqrt((R - C)(R + C))` the unit vector is
-/// `(A C - w B h, B C + w A h) / R^2`.
+/// `A cos + B sin = C`: with `R = sqrt(A^2 + B^2)` and `h = sqrt((R - C)(R + C))` the unit vector
+/// is `(A C - w B h, B C + w A h) / R^2`.
 pub(super) fn trigonometric<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
     angle: usize,
     a: Ex<'m>,
     b: Ex<'m>,
     known: Ex<'m>,
-) -> Closed<'m> {
-    let w = solver.mode_sign();
+) -> ClosedForm<'m> {
+    let w = definitions::mode_sign(algebra, group);
     let written = (Vector([a, b]), known);
-    let ([a, b, known], scale) = scaled(solver, [a, b, known]);
+    let ([a, b, known], scale) = scaled(algebra, group, [a, b, known]);
     let c = -known;
     let normal = Vector([a, b]);
     let r = normal.length();
@@ -31,7 +32,7 @@ pub(super) fn trigonometric<'m>(
     // The division stands beside the root.
     let direction = (1.0 / r2) * normal;
     let unit = c * direction + hw * direction.perp();
-    solver.define_angle(angle, 1.0, unit.map(|x| guarded(x, h)), 0);
+    definitions::define_angle(algebra, group, angle, 1.0, unit.map(|x| guarded(x, h)), 0);
 
     let bearing = AngleReference {
         vector: written.0,
@@ -41,11 +42,11 @@ pub(super) fn trigonometric<'m>(
         z: None,
         sense: 1.0,
     };
-    solver.bear(angle, bearing);
+    definitions::bear(algebra, angle, bearing);
 
-    let unit = solver.algebra.names.angles[angle].unit;
+    let unit = algebra.names.angles[angle].unit;
     let slope = unit.cross(normal);
-    let determinant = solver.alias("det", -hw, slope);
+    let determinant = definitions::alias(algebra, group, "det", -hw, slope);
     let [cos, sin] = unit.0;
     let terms = vec![
         Term {
@@ -58,27 +59,32 @@ pub(super) fn trigonometric<'m>(
         },
         known_term(&[known]),
     ];
-    plane::push_single(solver, terms, determinant);
+    plane::push_single(algebra, terms, determinant);
 
     let miss = (c.abs() - r) / scale;
-    Closed {
+    ClosedForm {
         kind: "A cos x + B sin x = C".into(),
         class: 0,
         order: 0,
         method: "unit vector from the tangent to a circle",
         two_modes: true,
         gap: gap(q, r2, miss),
-        margin: longest::root_margin(solver, h, written.0, written.1, scale),
+        margin: longest::root_margin(algebra, group, h, written.0, written.1, scale),
         slack: q,
         slack_scale: r2,
         gap_in: GapIn::Loop,
     }
 }
 
-/// An equation between areas, times a power of two near 1 over its size: the squares of areas would leave the range of numbers early.
-fn scaled<'m>(solver: &Solver<'_, 'm>, equation: [Ex<'m>; 3]) -> ([Ex<'m>; 3], Ex<'m>) {
-    if solver.dimension.is_none_or(|d| d.half_lengths <= 2) {
-        return (equation, solver.algebra.one());
+/// An equation between areas, times a power of two near 1 over its size: the squares of areas would
+/// leave the range of numbers early.
+fn scaled<'m>(
+    algebra: &Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
+    equation: [Ex<'m>; 3],
+) -> ([Ex<'m>; 3], Ex<'m>) {
+    if group.dimension.is_none_or(|d| d.half_lengths <= 2) {
+        return (equation, algebra.one());
     }
     let [a, b, _] = equation;
     let scale = Vector([a, b]).length().inverse_scale();

@@ -169,10 +169,10 @@ impl Parser<'_> {
             let fact = format!("`along` and `about` in one `{}` joint", kind.kind.word());
             self.diagnostics.error_with_help(about.span, &fact, help);
         }
-        let needs_direction = match kind.kind {
-            JointKind::Slide | JointKind::Cylinder => true,
-            JointKind::Pin | JointKind::Ball | JointKind::Fixed => false,
-        };
+        let rules = joint_rules(kind.kind).iter();
+        let needs_direction = rules
+            .map(|rule| rule.word)
+            .any(|word| word == ClauseWord::Along);
         let direction = match along.or(about) {
             None if needs_direction && clauses.broken => Some(lost.at.clone()),
             clause => clause.map(|clause| clause.value),
@@ -188,16 +188,20 @@ impl Parser<'_> {
     }
 }
 
-/// The joint that others call so.
+/// Other names of a joint in texts on mechanisms.
+fn other_names(kind: JointKind) -> &'static [&'static str] {
+    match kind {
+        JointKind::Pin => &["hinge", "revolute", "pivot"],
+        JointKind::Slide => &["slider", "prismatic", "guide"],
+        JointKind::Ball => &["sphere", "spherical", "socket"],
+        JointKind::Cylinder => &["cylindrical"],
+        JointKind::Fixed => &["weld", "rigid"],
+    }
+}
+
+/// Returns the joint with another name.
 pub(super) fn other_word(word: &str) -> Option<JointKind> {
-    Some(match word {
-        "hinge" | "revolute" | "pivot" => JointKind::Pin,
-        "slider" | "prismatic" | "guide" => JointKind::Slide,
-        "sphere" | "spherical" | "socket" => JointKind::Ball,
-        "cylindrical" => JointKind::Cylinder,
-        "weld" | "rigid" => JointKind::Fixed,
-        _ => return None,
-    })
+    JointKind::all().find(|kind| other_names(*kind).contains(&word))
 }
 
 fn mass(clause: Clause) -> MassPart {

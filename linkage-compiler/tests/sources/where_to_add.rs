@@ -45,15 +45,16 @@ fn the_table_lists_all_files_that_know_every_kind() {
 const ASKED_COMPLETELY: [&str; 2] = ["JointKind", "ElementKind"];
 
 /// Where that holds.
-const FOLDERS: [&str; 10] = [
+const FOLDERS: [&str; 11] = [
     "algebra/",
-    "close/",
+    "assembly/",
     "emit/",
     "forces/",
-    "formulate/",
+    "lower/",
     "model/",
+    "outputs/",
     "picture/",
-    "request/",
+    "solve/",
     "structure/",
     "syntax/",
 ];

@@ -1,6 +1,6 @@
 //! Where a mechanism needs a direction: axes of `turn` and of `frame`, arguments of `unit`, guides and axes of joints.
 
-use crate::model::{Expr, ExprKind, Function, Joint, JointKind, Mechanism};
+use crate::model::{Expr, ExprKind, Function, Joint, Mechanism};
 
 /// A vector that must not be zero.
 pub(super) struct Asked<'m> {
@@ -59,14 +59,8 @@ pub(super) fn asked_for(mechanism: &Mechanism) -> Vec<Asked<'_>> {
 
 /// The guide or axis of a joint.
 fn of_joint(joint: &Joint) -> Option<Asked<'_>> {
-    let subject = match joint.kind {
-        JointKind::Slide => "the guide of a `slide`",
-        JointKind::Pin | JointKind::Ball | JointKind::Cylinder | JointKind::Fixed => {
-            "the axis of a joint"
-        }
-    };
     Some(Asked {
-        subject,
+        subject: joint.kind.direction_name(),
         vector: joint.direction.as_ref()?,
         beside: None,
         in_loop: false,

@@ -10,7 +10,7 @@ use crate::model::expression::clause_values::refuse_clause;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
 use crate::model::symbols::site::Context;
-use crate::model::types::{Body, Dimension, Expr, Joint, Mechanism, Type};
+use crate::model::types::{Body, Dimension, Expr, Joint, Mechanism, Rotation, Type};
 use crate::syntax::{self, BodyItem, JointKind};
 
 /// Resolves a body and the joint that it is attached by. Both have the same number.
@@ -82,22 +82,20 @@ fn resolve_turns(scope: &Scope, sink: &mut Sink, expr: &syntax::Expr, kind: Join
         value.settle(&Type::Scalar(Dimension::ANGLE));
     }
     let angle = matches!(value.ty, Type::Scalar(found) if found.is_number_or_angle());
-    let (fits, wanted, example) = match (sink.components, kind) {
+    let (fits, wanted, example) = match (sink.components, kind.rotation()) {
         (None, _) => return value,
         (Some(2), _) => (angle, "an angle", "turns phi"),
-        (_, JointKind::Pin | JointKind::Cylinder) => (
+        (_, Rotation::AboutAxis) => (
             angle || value.ty == Type::Frame,
             "the angle about the joint's axis or a frame",
             "turns phi",
         ),
-        (_, JointKind::Ball) => (
+        (_, Rotation::Freely) => (
             matches!(value.ty, Type::Vector(3, _)) || value.ty == Type::Frame,
             "a frame or the vector along a slender rod",
             "turns q - p",
         ),
-        (_, JointKind::Slide | JointKind::Fixed) => {
-            (value.ty == Type::Frame, "a frame", "turns frame(p, x, z)")
-        }
+        (_, Rotation::Not) => (value.ty == Type::Frame, "a frame", "turns frame(p, x, z)"),
     };
     if fits {
         value
@@ -111,12 +109,12 @@ fn check_turns(sink: &mut Sink, item: &BodyItem) {
     if !item.joint.kind.turns() {
         return;
     }
-    let help = match (sink.components, item.joint.kind) {
+    let help = match (sink.components, item.joint.kind.rotation()) {
         (Some(2) | None, _) => "name its angle: `turns phi`",
-        (_, JointKind::Ball) => {
+        (_, Rotation::Freely) => {
             "name the vector along it if it is a slender rod, `turns q - p`, or its frame: `turns frame(p, x, z)`"
         }
-        (_, JointKind::Pin | JointKind::Slide | JointKind::Cylinder | JointKind::Fixed) => {
+        (_, Rotation::AboutAxis | Rotation::Not) => {
             "name its angle about the joint's axis, `turns phi`, or its frame: `turns frame(p, x, z)`"
         }
     };

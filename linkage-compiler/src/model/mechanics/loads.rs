@@ -9,8 +9,10 @@ use crate::model::symbols::part_scopes::Parts;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
 use crate::model::symbols::site::Context;
-use crate::model::types::{Between, Body, Dimension, Element, ElementKind, Expr, Load, Type};
-use crate::syntax::{self, ElementItem, JointKind, LoadItem, Member, Word};
+use crate::model::types::{
+    Between, Body, Dimension, Element, ElementKind, Expr, Load, Rotation, Type,
+};
+use crate::syntax::{self, ElementItem, LoadItem, Member, Word};
 
 /// The dimension of a value, and an example of one.
 #[derive(Clone, Copy)]
@@ -237,10 +239,10 @@ fn resolve_between(scope: &Scope, sink: &mut Sink, item: &ElementItem) -> (Betwe
         syntax::Between::Joint(name) => {
             let joint = find_joint(&scope.parts, &scope.members, sink, name);
             let kind = joint.map(|joint| scope.members.joints[joint]);
-            let turning = kind.map(|kind| match kind {
-                JointKind::Pin => true,
-                JointKind::Slide => false,
-                JointKind::Ball | JointKind::Cylinder | JointKind::Fixed => {
+            let turning = kind.map(|kind| match (kind.rotation(), kind.slides()) {
+                (Rotation::AboutAxis, false) => true,
+                (Rotation::Not, true) => false,
+                (Rotation::AboutAxis, true) | (Rotation::Not, false) | (Rotation::Freely, _) => {
                     let fact = format!("`{name}` is a `{}`", kind.word());
                     let help =
                         "springs and dampers act on a `pin`, on a `slide`, or between two points";

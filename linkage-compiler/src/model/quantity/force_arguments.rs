@@ -11,7 +11,7 @@ use crate::model::symbols::member_names::MemberNames;
 use crate::model::symbols::part_scopes::Parts;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{Dimension, MechanicalQuantity, MechanicsWord, Name, Type};
-use crate::syntax::{self, JointKind, Member, Word};
+use crate::syntax::{self, Member, Word};
 
 pub(in crate::model) fn expect_no_argument(
     sink: &mut Sink,
@@ -78,12 +78,7 @@ pub(in crate::model) fn expect_joint_with_moment(
 ) -> Option<usize> {
     let joint = expect_joint(parts, members, sink, MechanicsWord::Moment, arguments, span)?;
     let kind = members.joints[joint];
-    let free = match kind {
-        JointKind::Pin => sink.components == Some(2),
-        // In the plane there is none.
-        JointKind::Ball => sink.components != Some(2),
-        JointKind::Slide | JointKind::Cylinder | JointKind::Fixed => false,
-    };
+    let free = kind.transmits_no_moment(sink.components == Some(2));
     if free {
         let fact = format!("a `{}` takes no moment", kind.word());
         let help = "ask for its `reaction`";

@@ -41,24 +41,6 @@ pub(crate) struct Joint {
     pub(crate) origin: OriginId,
 }
 
-impl JointKind {
-    /// Returns true if its bodies turn relative to each other.
-    pub(crate) fn turns(self) -> bool {
-        match self {
-            JointKind::Pin | JointKind::Ball | JointKind::Cylinder => true,
-            JointKind::Slide | JointKind::Fixed => false,
-        }
-    }
-
-    /// Returns true if its bodies slide along each other.
-    pub(crate) fn slides(self) -> bool {
-        match self {
-            JointKind::Slide | JointKind::Cylinder => true,
-            JointKind::Pin | JointKind::Ball | JointKind::Fixed => false,
-        }
-    }
-}
-
 /// A force at a point or a torque on a body, the opposite on another; `None` is the frame.
 #[derive(Clone, Debug)]
 pub(crate) struct Load {

@@ -8,6 +8,7 @@ mod components;
 mod dimension;
 mod expression;
 mod function_words;
+mod joint;
 mod length_unit;
 mod mechanics;
 mod mechanism;
@@ -27,6 +28,7 @@ pub(crate) use dimension::Dimension;
 pub(crate) use expression::{BinaryOp, Expr, ExprKind, Knot, MechanicalQuantity, MotionLaw};
 pub(in crate::model) use function_words::is_function;
 pub(crate) use function_words::{Function, MechanicsWord, MotionLawWord, MotionWord, QuantityWord};
+pub(crate) use joint::Rotation;
 pub(crate) use length_unit::LengthUnit;
 pub(crate) use mechanics::{Between, Body, Element, ElementKind, Inertia, Joint, Load};
 pub(crate) use mechanism::{

@@ -1,4 +1,4 @@
-//! Links: rods, plates, points of frames, what the user adds.
+//! Links: rods, plates, points of frames, lists of the user.
 
 use super::{FOUR_BAR, FOUR_BAR_PICTURE, compile, expect};
 
@@ -61,7 +61,7 @@ fn expect_links(closed: &str, expected: [&str; 3]) {
     for link in expected {
         let found = links
             .iter()
-            .any(|own| own.starts_with(&format!("link {link}")));
+            .any(|line| line.starts_with(&format!("link {link}")));
         assert!(found, "{link} of {closed}\n{picture}");
     }
 }
@@ -232,11 +232,11 @@ fn the_user_adds_what_loops_do_not_tell() {
     assert!(messages.is_empty(), "{messages:?}");
     let picture = unit.picture.expect("a picture").to_string();
     let links = |text: &str| -> Vec<String> {
-        let own = text
+        let lines = text
             .lines()
             .map(str::trim)
             .filter(|line| line.starts_with("link"));
-        own.map(str::to_owned).collect()
+        lines.map(str::to_owned).collect()
     };
     let (mut found, mut expected) = (links(&picture), links(&with_tool));
     found.sort();

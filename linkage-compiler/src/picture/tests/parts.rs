@@ -2,7 +2,8 @@
 
 use crate::check_all;
 
-/// Points in which parts meet belong to both; cranks on one shaft are two links, and one that is called after the shaft is known by its points.
+/// Points in which parts meet belong to both; cranks on one shaft are two links, and one that is
+/// called after the shaft is known by its points.
 #[test]
 fn parts_of_a_machine_have_what_they_bring_along() {
     let text = "
@@ -26,10 +27,10 @@ fn parts_of_a_machine_have_what_they_bring_along() {
             let end = one.pin + polar(arm, one.theta);
         }
         impl M { fn look(shaft) -> Look { shape: picture() } }";
-    let all = check_all(text.parse().expect("tokens"));
-    let machine = all.into_iter().next_back().expect("the machine");
+    let checked = check_all(text.parse().expect("tokens"));
+    let machine = checked.into_iter().next_back().expect("the machine");
     assert!(machine.messages.is_empty(), "{:#?}", machine.messages);
-    let picture = machine.unit.and_then(|own| own.picture);
+    let picture = machine.unit.and_then(|unit| unit.picture);
     let picture = picture.expect("a picture").to_string();
     let parts: Vec<&str> = picture
         .lines()
@@ -42,7 +43,8 @@ fn parts_of_a_machine_have_what_they_bring_along() {
     assert_eq!(parts, expected, "\n{picture}");
 }
 
-/// Cranks of two parts that turn unlike each other are driven by the shaft, not by each other; those of one part are wheels.
+/// Cranks of two parts that turn unlike each other are driven by the shaft, not by each other;
+/// those of one part are wheels.
 #[test]
 fn wheels_are_of_one_part() {
     let text = |second: &str| {
@@ -65,9 +67,9 @@ fn wheels_are_of_one_part() {
         )
     };
     let gears = |second: &str| {
-        let all = check_all(text(second).parse().expect("tokens"));
-        let machine = all.into_iter().next_back().expect("the machine");
-        let picture = machine.unit.and_then(|own| own.picture);
+        let checked = check_all(text(second).parse().expect("tokens"));
+        let machine = checked.into_iter().next_back().expect("the machine");
+        let picture = machine.unit.and_then(|unit| unit.picture);
         picture.expect("a picture").gears.len()
     };
     assert_eq!(gears("let pin = far + polar(40mm, -2 * shaft);"), 1);
@@ -77,7 +79,8 @@ fn wheels_are_of_one_part() {
     );
 }
 
-/// Pivots of two parts that happen to stand at one place, where no other dimensions close: they are two points, unless they are shared.
+/// Pivots of two parts that happen to stand at one place, where no other dimensions close: they are
+/// two points, unless they are shared.
 #[test]
 fn pivots_of_coupled_parts_that_coincide_by_chance_are_two_points() {
     let pivots = |given: &str| {
@@ -107,10 +110,10 @@ fn pivots_of_coupled_parts_that_coincide_by_chance_are_two_points() {
         }}
         impl M {{ fn look(shaft) -> Look {{ shape: picture() }} }}"
         );
-        let all = check_all(text.parse().expect("tokens"));
-        let machine = all.into_iter().next_back().expect("the machine");
+        let checked = check_all(text.parse().expect("tokens"));
+        let machine = checked.into_iter().next_back().expect("the machine");
         assert!(machine.messages.is_empty(), "{:#?}", machine.messages);
-        let picture = machine.unit.and_then(|own| own.picture);
+        let picture = machine.unit.and_then(|unit| unit.picture);
         let picture = picture.expect("a picture").to_string();
         let ground = picture
             .lines()

@@ -1,7 +1,8 @@
-//! What is no picture, and that other functions do not change with one.
+//! Refused pictures, and functions without a picture next to one with a picture.
+
+use crate::ir::CompiledMechanism;
 
 use super::{FOUR_BAR, compile, expect_message};
-use crate::ir::CompiledMechanism;
 
 #[test]
 fn a_link_that_stretches_is_refused() {
@@ -58,8 +59,11 @@ fn other_functions_stay_as_they_are() {
         let (beside, messages) = compile(&items, &functions);
         assert!(messages.is_empty(), "{messages:?}");
         let find = |unit: &CompiledMechanism| {
-            let own = unit.functions.iter().find(|own| own.fields.len() == 5);
-            let program = &own.expect("the function").called.program;
+            let found = unit
+                .functions
+                .iter()
+                .find(|function| function.fields.len() == 5);
+            let program = &found.expect("the function").called.program;
             let operations = program
                 .instructions
                 .iter()

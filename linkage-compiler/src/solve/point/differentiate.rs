@@ -1,42 +1,45 @@
-//! What differentiation needs of a point on spheres and planes.
+//! The solution of a point on spheres and planes for differentiation.
 
-use crate::algebra::elimination;
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
-use crate::algebra::{CoreRow, Elimination, Solution, Term};
-use crate::solve::Solver;
+use crate::algebra::{Algebra, CoreRow, Elimination, Solution, Term, elimination};
+use crate::solve::group_context::GroupContext;
 use crate::solve::plane::guarded;
+use crate::solve::{definitions, unknowns};
 use crate::structure::Plane;
 
-use super::{Ball, Place};
+use super::geometry::{Ball, PointOnSpheres};
 
 /// Coefficients and factors of one equation.
-type Row<'m> = Vec<(Ex<'m>, Ex<'m>)>;
+type RowTerms<'m> = Vec<(Ex<'m>, Ex<'m>)>;
 
-/// Records what differentiation needs. `volume` is the determinant of the first sphere's arm and the normals, scaled.
+/// Records the solution for differentiation. `volume` is the determinant of the first sphere's arm
+/// and the normals, scaled.
 ///
-/// The equations are the first sphere's and how the others differ from it: three nearly equal rows would cancel. They are
-/// multiplied by the scale, so that the matrix consists of scaled lengths.
+/// The equations are that of the first sphere, and the differences of the others from it: three
+/// nearly equal rows would cancel. They are multiplied by the scale, so that the matrix consists of
+/// scaled lengths.
 pub(super) fn push_point<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
     coordinates: &[(SymbolId, usize)],
     planes: &[Plane<'m>],
     balls: &[Ball<'m>],
-    place: &Place<'m>,
+    solution: &PointOnSpheres<'m>,
     volume: Ex<'m>,
 ) {
     let count = coordinates.len();
-    let (zero, one) = (solver.algebra.zero(), solver.algebra.one());
+    let (zero, one) = (algebra.zero(), algebra.one());
     let symbols = coordinates
         .iter()
-        .map(|(symbol, _)| solver.unknown(*symbol));
+        .map(|(symbol, _)| unknowns::unknown(algebra, *symbol));
     let point: Vec<Ex> = symbols.collect();
     let first = Vector([0, 1, 2].map(|k| {
-        let value = guarded(place.arm[k], place.h);
+        let value = guarded(solution.arm[k], solution.h);
         let moved = coordinates.iter().zip(&point).find(|((_, c), _)| *c == k);
         let moved = moved.map_or(zero, |(_, &p)| p);
-        let equal = place.scale * (moved - balls[0].centre[k]);
-        solver.alias("leg", value, equal)
+        let equal = solution.scale * (moved - balls[0].centre[k]);
+        definitions::alias(algebra, group, "leg", value, equal)
     }));
     let mut rows = vec![(sphere_terms(first, &balls[0]), first, one)];
     for ball in &balls[1..] {
@@ -56,10 +59,10 @@ pub(super) fn push_point<'m>(
     let mut jacobian = vec![vec![zero; count]; count];
     let mut core = Vec::new();
     let mut matrix = Vec::new();
-    for (row, (own, slope, factor)) in rows.into_iter().enumerate() {
-        terms.extend(own.into_iter().map(|(own, factor)| {
+    for (row, (row_terms, slope, factor)) in rows.into_iter().enumerate() {
+        terms.extend(row_terms.into_iter().map(|(entry, factor)| {
             let mut coefficient = vec![zero; count];
-            coefficient[row] = own;
+            coefficient[row] = entry;
             Term {
                 coefficient,
                 factor,
@@ -81,9 +84,9 @@ pub(super) fn push_point<'m>(
         Some(1) => -volume,
         _ => volume,
     };
-    let product = elimination::determinant(solver.algebra, &matrix);
-    let determinant = solver.alias("det", value, product);
-    solver.push_solution(Solution {
+    let product = elimination::determinant(algebra, &matrix);
+    let determinant = definitions::alias(algebra, group, "det", value, product);
+    algebra.solutions.groups.push(Solution {
         terms,
         jacobian,
         determinant,
@@ -101,15 +104,16 @@ pub(super) fn push_point<'m>(
 }
 
 /// `((p - c).(p - c) - r^2)/2`
-fn sphere_terms<'m>(leg: V3<'m>, ball: &Ball<'m>) -> Row<'m> {
-    let mut terms: Row = (0..3).map(|k| (ball.centre[k], -leg[k])).collect();
+fn sphere_terms<'m>(leg: V3<'m>, ball: &Ball<'m>) -> RowTerms<'m> {
+    let mut terms: RowTerms = (0..3).map(|k| (ball.centre[k], -leg[k])).collect();
     terms.push((ball.radius, -ball.scaled));
     terms
 }
 
-/// `a . (p - c) - (a . a + r^2 - r'^2)/2`, where `a` leads from the first sphere's centre `c` to that of the other.
-fn difference_terms<'m>(leg: V3<'m>, base: &Ball<'m>, ball: &Ball<'m>) -> Row<'m> {
-    let mut terms = Row::new();
+/// Returns `a . (p - c) - (a . a + r^2 - r'^2)/2`, with `a` from the first sphere's centre `c` to
+/// that of the other.
+fn difference_terms<'m>(leg: V3<'m>, base: &Ball<'m>, ball: &Ball<'m>) -> RowTerms<'m> {
+    let mut terms = RowTerms::new();
     for k in 0..3 {
         terms.push((ball.centre[k] - base.centre[k], leg[k]));
         terms.push((base.centre[k], -ball.apart[k]));

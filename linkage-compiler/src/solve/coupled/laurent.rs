@@ -27,31 +27,32 @@ impl<'m> Laurent<'m> {
         let terms = self.0.into_iter();
         Self(
             terms
-                .map(|(exponents, own)| (exponents, other(own)))
+                .map(|(exponents, coefficient)| (exponents, other(coefficient)))
                 .collect(),
         )
     }
 
     /// Times a real number.
     pub(super) fn scaled(self, factor: Ex<'m>) -> Self {
-        self.map(|own| factor * own)
+        self.map(|coefficient| factor * coefficient)
     }
 
     /// Times a complex number.
     pub(super) fn turned(self, factor: V2<'m>) -> Self {
-        self.map(|own| own.turned(factor))
+        self.map(|coefficient| coefficient.turned(factor))
     }
 
-    /// The conjugate of a unit vector is its inverse, the two variables of a point are each other's.
+    /// The conjugate of a unit vector is its inverse, the two variables of a point are each
+    /// other's.
     pub(super) fn conjugate(&self, variables: &[Variable]) -> Self {
         let terms = self.0.iter().map(|(exponents, coefficient)| {
             let mut reflected = exponents.clone();
-            for (place, variable) in variables.iter().enumerate() {
+            for (index, variable) in variables.iter().enumerate() {
                 match variable {
-                    Variable::Unit => reflected[place] = -exponents[place],
+                    Variable::Unit => reflected[index] = -exponents[index],
                     Variable::Length | Variable::Number => {}
-                    Variable::Point => reflected[place + 1] = exponents[place],
-                    Variable::Conjugate => reflected[place - 1] = exponents[place],
+                    Variable::Point => reflected[index + 1] = exponents[index],
+                    Variable::Conjugate => reflected[index - 1] = exponents[index],
                 }
             }
             (reflected, coefficient.conjugate())
@@ -61,13 +62,13 @@ impl<'m> Laurent<'m> {
 
     /// Without terms that cancel.
     pub(super) fn cleaned(self) -> Self {
-        let mut cleaned = self.map(|own| {
-            own.map(|x| {
+        let mut cleaned = self.map(|coefficient| {
+            coefficient.map(|x| {
                 let zero = x.number(0.0);
                 if numerically_equal(x, zero) { zero } else { x }
             })
         });
-        cleaned.0.retain(|_, own| !own.is_zero());
+        cleaned.0.retain(|_, coefficient| !coefficient.is_zero());
         cleaned
     }
 }

@@ -1,31 +1,28 @@
-//! What the equations of a large core change by as its bodies turn.
+//! The variation of the equations of a large core as its bodies turn.
 //!
-//! Where a body carries `arm`, a part of a vector, that changes by `turn x arm`. So `V . W` changes by `arm of V x what is not carried of W`, and
-//! the same the other way round, for each turn; a link's `V . V/2` by `arm x V`. The nine components of directions would say the same with several
-//! times the operations. What a row was written as proposes, and the values of its derivatives decide.
+//! A body that carries `arm`, a part of a vector, changes the vector by `turn x arm`. So `V . W`
+//! changes by `arm of V x the rest of W`, and the same the other way round, for each turn; a link's
+//! `V . V/2` changes by `arm x V`. The nine components of directions give the same with several
+//! times the operations. The form in which a row is written proposes, and the values of its
+//! derivatives decide.
 
 use linkage_symbolic::{Ex, SymbolId, V3, Vector, numerically_equal, substitute};
 
 use crate::algebra::{Bodies, Body, Carried, coordinates, directions};
-use crate::solve::Solver;
 use crate::structure::Block;
 
 use super::equations::Equations;
 
-/// A vector by what a body carries of it.
+/// A vector in two parts: the part that a body carries, and the rest.
 struct Parts<'m> {
     carried: V3<'m>,
     rest: V3<'m>,
 }
 
 /// The rows of the matrix that are no equations of bodies, by the freedoms.
-pub(super) fn freedoms<'m>(
-    _solver: &Solver<'_, 'm>,
-    equations: &Equations<'_, 'm>,
-    bodies: &Bodies<'m>,
-) -> Vec<Vec<Ex<'m>>> {
-    let places = equations.places();
-    let blocks = places.flat_map(|place| vec![place.block; equations.count(place)]);
+pub(super) fn freedoms<'m>(equations: &Equations<'_, 'm>, bodies: &Bodies<'m>) -> Vec<Vec<Ex<'m>>> {
+    let places = equations.blocks_with_rows();
+    let blocks = places.flat_map(|loop_rows| vec![loop_rows.block; equations.count(loop_rows)]);
     let blocks: Vec<&Block> = blocks.collect();
     let rows = bodies.rows.iter().map(|&row| {
         let entries = &equations.matrix[row];
@@ -33,7 +30,7 @@ pub(super) fn freedoms<'m>(
         let turns = bodies.all.iter().flat_map(|body| {
             let any = body.by_turns(entries);
             let proposed = proposals(equations, body, blocks[row]).into_iter();
-            let mut same = proposed.filter(|own| same(*own, any));
+            let mut same = proposed.filter(|proposal| same(*proposal, any));
             same.next().unwrap_or(any).0
         });
         others.chain(turns).collect()
@@ -41,7 +38,7 @@ pub(super) fn freedoms<'m>(
     rows.collect()
 }
 
-/// What a row may change by as a body turns, from how it was written.
+/// Variations of a row as a body turns, proposed by the form in which the row is written.
 fn proposals<'m>(equations: &Equations<'_, 'm>, body: &Body<'m>, block: &Block<'m>) -> Vec<V3<'m>> {
     let scale = equations.row_scale(block);
     if let Some([v, w]) = block.product {
@@ -54,46 +51,48 @@ fn proposals<'m>(equations: &Equations<'_, 'm>, body: &Body<'m>, block: &Block<'
     let Some(link) = &block.distance else {
         return Vec::new();
     };
-    let own = of_square(body, link.vector);
+    let first = of_square(body, link.vector);
     let turns = match &link.less {
-        Some(less) => own
+        Some(less) => first
             .zip(of_square(body, less.vector))
-            .map(|(own, less)| own - less),
-        None => own,
+            .map(|(first, less)| first - less),
+        None => first,
     };
     let turns = turns.map(|turns| (scale / link.length) * turns);
     turns.into_iter().collect()
 }
 
-/// What half of the square of a vector changes by as a body turns, if the body carries a part of it as it is.
+/// The variation of half of a vector's square as a body turns, if the body carries a part of the
+/// vector as it is.
 pub(super) fn of_square<'m>(body: &Body<'m>, vector: V3<'m>) -> Option<V3<'m>> {
     Some(parts(body, vector)?.carried.cross(vector))
 }
 
-/// Whether two ways to say what a row changes by say the same: then the shorter one is taken.
+/// True if two forms of a row's variation are equal: then the shorter one is taken.
 pub(super) fn same<'m>(proposed: V3<'m>, any: V3<'m>) -> bool {
     proposed
         .0
         .iter()
         .zip(any.0)
-        .all(|(&own, any)| numerically_equal(own, any))
+        .all(|(&proposed, any)| numerically_equal(proposed, any))
 }
 
-/// What one of the bodies carries of a vector as it is.
+/// The part of a vector that one of the bodies carries as it is.
 pub(super) fn carried<'m>(vector: V3<'m>, bodies: &[Body<'m>]) -> Option<Carried<'m>> {
     let graph = vector[0].graph();
-    let mut all = bodies.iter().enumerate().filter_map(|(index, body)| {
+    let mut parts = bodies.iter().enumerate().filter_map(|(index, body)| {
         let Parts { carried, rest } = parts(body, vector)?;
-        // Of directions alone, but not as they are: a shadow, or a product with a fixed direction, turns otherwise.
-        let own = coordinates(carried, body.axes)?;
+        // Of directions alone, but not as they are: a shadow, or a product with a fixed direction,
+        // turns otherwise.
+        let coordinates = coordinates(carried, body.axes)?;
         (!carried.is_zero()).then(|| Carried {
             body: index,
             arm: carried,
             rest,
-            dimensions: graph.symbols_of(&own.0.map(Ex::id)),
+            dimensions: graph.symbols_of(&coordinates.0.map(Ex::id)),
         })
     });
-    all.next()
+    parts.next()
 }
 
 fn parts<'m>(body: &Body<'m>, vector: V3<'m>) -> Option<Parts<'m>> {
@@ -111,11 +110,12 @@ fn parts<'m>(body: &Body<'m>, vector: V3<'m>) -> Option<Parts<'m>> {
 fn without<'m>(vector: V3<'m>, symbols: &[SymbolId]) -> Option<V3<'m>> {
     let zero = vector[0].number(0.0);
     let nothing = symbols.iter().map(|&symbol| (symbol, zero)).collect();
-    let all = substitute(&vector.0, &nothing).try_into();
-    all.ok().map(Vector)
+    let components = substitute(&vector.0, &nothing).try_into();
+    components.ok().map(Vector)
 }
 
-/// The same difference, in which symbols of `rest` may still be written although they cancel: each is set to 0 if that changes no value.
+/// The same difference, in which symbols of `rest` may still be written although they cancel: each
+/// is set to 0 if that changes no value.
 fn without_what_cancels<'m>(mut difference: V3<'m>, rest: V3<'m>) -> Option<V3<'m>> {
     let graph = rest[0].graph();
     for symbol in graph.symbols_of(&rest.0.map(Ex::id)) {
@@ -127,7 +127,7 @@ fn without_what_cancels<'m>(mut difference: V3<'m>, rest: V3<'m>) -> Option<V3<'
     Some(difference)
 }
 
-/// How many nodes two vectors are made of.
+/// The number of nodes of two vectors.
 fn nodes(a: V3, b: V3) -> usize {
     let roots = [a.0, b.0].concat().into_iter().map(Ex::id);
     a[0].graph().reachable(&roots.collect::<Vec<_>>()).len()

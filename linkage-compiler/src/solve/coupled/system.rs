@@ -1,7 +1,9 @@
-//! The equations of a coupled group as polynomials in complex unit vectors, whose real solutions are its assemblies.
+//! The equations of a coupled group as polynomials in complex unit vectors, whose real solutions
+//! are its assemblies.
 //!
-//! With `u = cos + i sin` and `1/u` its conjugate, a vector loop is one complex polynomial, and so is its conjugate. A private link
-//! gives `V conj(V) = r^2`, a private slide `Im(conj(guide) rest) = 0`. Loops in space and scalar loops are real polynomials, row by row.
+//! With `u = cos + i sin` and `1/u` its conjugate, a vector loop is one complex polynomial, and so
+//! is its conjugate. A private link gives `V conj(V) = r^2`, a private slide
+//! `Im(conj(guide) rest) = 0`. Loops in space and scalar loops are real polynomials, row by row.
 
 use linkage_core::numeric::roots::Variable;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
@@ -63,10 +65,13 @@ fn variable(core: &Core) -> Variable {
             component: None,
             number,
             ..
-        } => match number {
-            true => Variable::Number,
-            false => Variable::Length,
-        },
+        } => {
+            if *number {
+                Variable::Number
+            } else {
+                Variable::Length
+            }
+        }
         Core::Length {
             component: Some(0), ..
         } => Variable::Point,
@@ -89,8 +94,8 @@ impl<'m> Builder<'_, 'm> {
         let scale = self.equations.scale;
         match &block.private {
             Some(Private::Rotor(rotor)) => {
-                let own = &self.algebra.names.angles[rotor.angle];
-                let rest = self.without(block, &[own.cos, own.sin]).scaled(scale);
+                let angle = &self.algebra.names.angles[rotor.angle];
+                let rest = self.without(block, &[angle.cos, angle.sin]).scaled(scale);
                 let square = &rest * &self.conjugate(&rest);
                 let length = scale * rotor.z.length();
                 vec![(square - self.constant(length.square())).cleaned()]
@@ -103,9 +108,9 @@ impl<'m> Builder<'_, 'm> {
                 vec![(turned - conjugate).cleaned()]
             }
             None if block.rows.len() == 2 => {
-                let all = self.without(block, &[]).scaled(scale);
-                let conjugate = self.conjugate(&all);
-                vec![all.cleaned(), conjugate.cleaned()]
+                let sum = self.without(block, &[]).scaled(scale);
+                let conjugate = self.conjugate(&sum);
+                vec![sum.cleaned(), conjugate.cleaned()]
             }
             None => {
                 let scale = self.equations.row_scale(block);
@@ -116,10 +121,14 @@ impl<'m> Builder<'_, 'm> {
         }
     }
 
-    /// `row 0 + i row 1` of the terms that mention none of these symbols.
+    /// Returns `row 0 + i row 1` of the terms that mention none of these symbols.
     fn without(&self, block: &Block<'m>, symbols: &[SymbolId]) -> Laurent<'m> {
-        let mentions =
-            |product: &Product| product.powers.iter().any(|(own, _)| symbols.contains(own));
+        let mentions = |product: &Product| {
+            product
+                .powers
+                .iter()
+                .any(|(symbol, _)| symbols.contains(symbol))
+        };
         let terms = block.terms.iter();
         self.sum(terms.filter(|product| !mentions(product)).cloned())
     }
@@ -163,11 +172,11 @@ impl<'m> Builder<'_, 'm> {
 
     /// A symbol of the core in complex variables.
     fn symbol(&self, symbol: SymbolId) -> Laurent<'m> {
-        for (place, core) in self.equations.form.core.iter().enumerate() {
+        for (index, core) in self.equations.form.core.iter().enumerate() {
             match *core {
                 Core::Angle(angle) => {
                     let angle = &self.algebra.names.angles[angle];
-                    let [u, inverse] = [1, -1].map(|exponent| self.variable(place, exponent));
+                    let [u, inverse] = [1, -1].map(|exponent| self.variable(index, exponent));
                     if angle.cos == symbol {
                         return self.real_part(u, inverse);
                     }
@@ -176,16 +185,16 @@ impl<'m> Builder<'_, 'm> {
                     }
                 }
                 Core::Length {
-                    symbol: own,
+                    symbol: length,
                     component,
                     ..
-                } if own == symbol => {
+                } if length == symbol => {
                     let unit = self.equations.unit_of(*core);
-                    let variable = |place| self.variable(place, 1);
+                    let variable = |index| self.variable(index, 1);
                     let scaled = match component {
-                        None => variable(place),
-                        Some(0) => self.real_part(variable(place), variable(place + 1)),
-                        Some(_) => self.imaginary_part(variable(place - 1), variable(place)),
+                        None => variable(index),
+                        Some(0) => self.real_part(variable(index), variable(index + 1)),
+                        Some(_) => self.imaginary_part(variable(index - 1), variable(index)),
                     };
                     return scaled.scaled(unit);
                 }
@@ -211,9 +220,9 @@ impl<'m> Builder<'_, 'm> {
         polynomial.conjugate(self.variables)
     }
 
-    fn variable(&self, place: usize, exponent: i8) -> Laurent<'m> {
+    fn variable(&self, index: usize, exponent: i8) -> Laurent<'m> {
         let mut exponents = self.no_exponents();
-        exponents[place] = exponent;
+        exponents[index] = exponent;
         Laurent::term(exponents, self.real(self.algebra.one()))
     }
 

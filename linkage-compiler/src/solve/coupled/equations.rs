@@ -1,15 +1,12 @@
 //! The equations of a core: one across each private unknown, and the rows of loops without one.
 
-use crate::algebra::partial;
-use crate::solve::iterated::large;
-use linkage_symbolic::{Ex, SymbolId, V2, Vector, substitute};
+use linkage_symbolic::{Ex, NodeId, SymbolId, V2, Vector, Vn, substitute};
 
-use crate::algebra::CoreRow;
-use crate::solve::Solver;
+use crate::algebra::{Algebra, CoreRow, partial};
+use crate::solve::group_context::GroupContext;
 use crate::structure::{Block, Core, Coupled, Private};
 
-use super::large::Large;
-use super::vector;
+use super::large_system::LargeSystem;
 
 /// The equations of the core, in the symbols of the core alone, and all that is made of them.
 pub(super) struct Equations<'f, 'm> {
@@ -26,19 +23,19 @@ pub(super) struct Equations<'f, 'm> {
     pub(super) rows: Vec<CoreRow<'m>>,
     /// The derivatives of the residuals by the scaled unknowns.
     pub(super) matrix: Vec<Vec<Ex<'m>>>,
-    /// What steps solve instead, if it is too large for cofactors.
-    pub(super) large: Option<Large<'m>>,
+    /// The system that steps solve instead, if the core is too large for cofactors.
+    pub(super) large: Option<LargeSystem<'m>>,
 }
 
 /// A loop and where it stands.
 #[derive(Clone, Copy)]
-pub(super) struct Place<'f, 'm> {
+pub(super) struct BlockAtRow<'f, 'm> {
     pub(super) block: &'f Block<'m>,
     /// Its first row among those of all loops.
     pub(super) first: usize,
 }
 
-impl<'m> Place<'_, 'm> {
+impl<'m> BlockAtRow<'_, 'm> {
     /// The rows of a vector loop without its private unknown.
     pub(super) fn rest(self) -> V2<'m> {
         Vector([self.block.rest[0], self.block.rest[1]])
@@ -49,26 +46,28 @@ impl<'m> Place<'_, 'm> {
 #[derive(Clone, Copy)]
 struct Column<'m> {
     variable: SymbolId,
-    /// What derivatives by it are multiplied by.
+    /// The factor of derivatives with respect to it.
     scale: Ex<'m>,
 }
 
 impl<'f, 'm> Equations<'f, 'm> {
     /// The loops in order.
-    pub(super) fn places(&self) -> impl Iterator<Item = Place<'f, 'm>> + use<'f, 'm> {
+    pub(super) fn blocks_with_rows(
+        &self,
+    ) -> impl Iterator<Item = BlockAtRow<'f, 'm>> + use<'f, 'm> {
         let mut next = 0;
         self.form.blocks.iter().map(move |block| {
             let first = next;
             next += block.rows.len();
-            Place { block, first }
+            BlockAtRow { block, first }
         })
     }
 
-    /// How many equations of the core a loop leaves.
-    pub(super) fn count(&self, place: Place<'_, 'm>) -> usize {
-        match place.block.private {
+    /// The number of equations of the core that a loop leaves.
+    pub(super) fn count(&self, loop_rows: BlockAtRow<'_, 'm>) -> usize {
+        match loop_rows.block.private {
             Some(_) => 1,
-            None => place.block.rows.len(),
+            None => loop_rows.block.rows.len(),
         }
     }
 
@@ -80,15 +79,17 @@ impl<'f, 'm> Equations<'f, 'm> {
         }
     }
 
-    /// What the rows of a loop are multiplied by. Vector loops and distances are lengths; what a scalar loop is, nobody knows.
+    /// The factor of the rows of a loop. Vector loops and distances are lengths; the dimension of a
+    /// scalar loop is unknown.
     pub(super) fn row_scale(&self, block: &Block<'m>) -> Ex<'m> {
-        match block.is_length() {
-            true => self.scale,
-            false => self.one(),
+        if block.is_length() {
+            self.scale
+        } else {
+            self.one()
         }
     }
 
-    /// What the derivatives of a loop by an unknown of the core are multiplied by.
+    /// The factor of a loop's derivatives with respect to an unknown of the core.
     pub(super) fn column_scale(&self, block: &Block<'m>, core: Core) -> Ex<'m> {
         match (core, block.is_length()) {
             (Core::Angle(_) | Core::Length { number: true, .. }, _) => self.row_scale(block),
@@ -113,13 +114,14 @@ impl<'f, 'm> Equations<'f, 'm> {
 
 /// The equations of the core and their derivatives.
 pub(super) fn core_equations<'m, 'f>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
     form: &'f Coupled<'m>,
 ) -> Equations<'f, 'm> {
     let positions = 0..form.core.len();
-    let variables = positions.map(|k| partial::unknown_variable(solver.algebra, solver.index, k));
+    let variables = positions.map(|k| partial::unknown_variable(algebra, group.index, k));
     let variables = variables.collect();
-    let reach = reach(solver, form);
+    let reach = reach(algebra, form);
     let scale = reach.inverse_scale();
     let mut equations = Equations {
         form,
@@ -132,19 +134,18 @@ pub(super) fn core_equations<'m, 'f>(
         matrix: Vec::new(),
         large: None,
     };
-    for place in equations.places() {
-        match &place.block.private {
-            Some(private) => across_private(solver, &mut equations, place, private),
-            None => row_by_row(solver, &mut equations, place),
+    for loop_rows in equations.blocks_with_rows() {
+        match &loop_rows.block.private {
+            Some(private) => across_private(algebra, &mut equations, loop_rows, private),
+            None => row_by_row(algebra, &mut equations, loop_rows),
         }
     }
-    equations.large = form.is_large().then(|| large::large(solver, &equations));
     equations
 }
 
 /// The sum of the lengths of the links that do not depend on inputs.
-fn reach<'m>(solver: &Solver<'_, 'm>, form: &Coupled<'m>) -> Ex<'m> {
-    let angles = &solver.algebra.names.angles;
+fn reach<'m>(algebra: &Algebra<'m>, form: &Coupled<'m>) -> Ex<'m> {
+    let angles = &algebra.names.angles;
     let turns = |symbol| angles.iter().any(|angle| angle.cos == symbol);
     let vector_loops = form.blocks.iter().filter(|block| block.rows.len() > 1);
     let products = vector_loops.flat_map(|block| &block.terms);
@@ -155,48 +156,50 @@ fn reach<'m>(solver: &Solver<'_, 'm>, form: &Coupled<'m>) -> Ex<'m> {
     let fixed = links
         .chain(distances.map(|link| vec![link.length]))
         .filter(|link| link.iter().all(|x| x.is_fixed()));
-    let zero = solver.algebra.zero();
+    let zero = algebra.zero();
     let sum = fixed.fold(zero, |sum, link| sum + vector(&link).length());
-    match form.is_large() {
-        true => sum + between_ends(solver, form),
-        false => sum,
+    if form.is_large() {
+        sum + between_ends(algebra, form)
+    } else {
+        sum
     }
 }
 
-/// Links that inputs change say nothing: instead of them, how far their fixed ends are from the origins of what moves. A platform whose
-/// legs are all driven has no other size.
-fn between_ends<'m>(solver: &Solver<'_, 'm>, form: &Coupled<'m>) -> Ex<'m> {
-    let zero = solver.algebra.zero();
+/// The sum of the distances between the fixed ends of driven links and the origins of moving
+/// bodies. Driven links have no length of their own, and a platform whose legs are all driven has
+/// no other size.
+fn between_ends<'m>(algebra: &Algebra<'m>, form: &Coupled<'m>) -> Ex<'m> {
+    let zero = algebra.zero();
     let driven = form.blocks.iter().filter_map(|b| b.distance.as_ref());
     let driven = driven.filter(|link| !link.length.is_fixed());
     let unknowns = form.core.iter().flat_map(|core| match *core {
-        Core::Angle(angle) => solver.algebra.names.angles[angle].symbols().to_vec(),
+        Core::Angle(angle) => algebra.names.angles[angle].symbols().to_vec(),
         Core::Length { symbol, .. } => vec![symbol],
     });
     let nothing = unknowns.map(|symbol| (symbol, zero)).collect();
     driven.fold(zero, |sum, link| {
         let end = substitute(&link.vector.0, &nothing);
-        match end.iter().all(|x| x.is_fixed()) {
-            true => sum + vector(&end).length(),
-            false => sum,
+        if end.iter().all(|x| x.is_fixed()) {
+            sum + vector(&end).length()
+        } else {
+            sum
         }
     })
 }
 
 /// The equations of a loop without a private unknown.
 fn row_by_row<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equations: &mut Equations<'_, 'm>,
-    place: Place<'_, 'm>,
+    loop_rows: BlockAtRow<'_, 'm>,
 ) {
-    let Place { block, first } = place;
+    let BlockAtRow { block, first } = loop_rows;
     let scale = equations.row_scale(block);
     let columns = equations.columns(block);
     for (row, &x) in block.rows.iter().enumerate() {
         equations.residuals.push(scale * x);
-        let slope = |column: &Column<'m>| {
-            column.scale * partial::partial(solver.algebra, x, column.variable)
-        };
+        let slope =
+            |column: &Column<'m>| column.scale * partial::partial(algebra, x, column.variable);
         equations.matrix.push(columns.iter().map(slope).collect());
         equations.rows.push(CoreRow {
             first: first + row,
@@ -207,17 +210,17 @@ fn row_by_row<'m>(
 
 /// The equation of a loop across its private unknown.
 fn across_private<'m>(
-    solver: &mut Solver<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equations: &mut Equations<'_, 'm>,
-    place: Place<'_, 'm>,
+    loop_rows: BlockAtRow<'_, 'm>,
     private: &Private<'m>,
 ) {
     let scale = equations.scale;
-    let rest = place.rest();
-    let columns = equations.columns(place.block);
+    let rest = loop_rows.rest();
+    let columns = equations.columns(loop_rows.block);
     let slopes: Vec<V2> = columns
         .iter()
-        .map(|column| rest.map(|x| partial::partial(solver.algebra, x, column.variable)))
+        .map(|column| rest.map(|x| partial::partial(algebra, x, column.variable)))
         .collect();
     let columns = columns.into_iter().zip(slopes);
     let (residual, entries, multiplier): (_, Vec<Ex>, _) = match private {
@@ -232,7 +235,7 @@ fn across_private<'m>(
             let residual = guide.cross(scale * rest);
             let entries = columns.map(|(Column { variable, scale }, slope)| {
                 let slope = scale * slope;
-                let turning = guide.map(|x| partial::partial(solver.algebra, x, variable));
+                let turning = guide.map(|x| partial::partial(algebra, x, variable));
                 guide.cross(slope) + turning.cross(scale * rest)
             });
             (residual, entries.collect(), guide.perp())
@@ -241,7 +244,13 @@ fn across_private<'m>(
     equations.residuals.push(residual);
     equations.matrix.push(entries);
     equations.rows.push(CoreRow {
-        first: place.first,
+        first: loop_rows.first,
         factors: (scale * multiplier).0.to_vec(),
     });
+}
+
+/// One component for each row of a loop, as a vector.
+pub(super) fn vector<'m>(rows: &[Ex<'m>]) -> Vn<'m> {
+    let ids: Vec<NodeId> = rows.iter().map(|x| x.id()).collect();
+    rows[0].graph().components(&ids)
 }

@@ -3,15 +3,21 @@
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
-use crate::algebra::Rule;
-use crate::solve::Solver;
+use crate::algebra::{Algebra, Rule};
+use crate::solve::definitions;
+use crate::solve::group_context::GroupContext;
 use crate::structure::Core;
 
-use super::Meaning;
+/// The value of a symbol of the core in a state.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Meaning<'m> {
+    pub(super) symbol: SymbolId,
+    pub(super) value: Ex<'m>,
+}
 
 /// A value of an unknown of the core.
 #[derive(Clone, Copy)]
-pub(super) enum Part<'m> {
+pub(super) enum StatePart<'m> {
     /// The unit vector of an angle.
     Angle(usize, V2<'m>),
     /// A scaled slide or component of a point.
@@ -20,7 +26,7 @@ pub(super) enum Part<'m> {
     Number(SymbolId, Ex<'m>),
 }
 
-impl<'m> Part<'m> {
+impl<'m> StatePart<'m> {
     /// The numbers that it consists of.
     pub(super) fn numbers(self) -> Vec<Ex<'m>> {
         match self {
@@ -46,8 +52,8 @@ impl<'m> Part<'m> {
         }
     }
 
-    /// A step of the inverse root: it makes the length of a unit vector exact that is 1 to about eight digits, as those of tables and those
-    /// after a correction are.
+    /// A step of the inverse root: it makes the length of a unit vector exact that is 1 to about
+    /// eight digits, as those of tables and those after a correction are.
     pub(super) fn unit_length(self) -> Self {
         match self {
             Self::Angle(angle, unit) => {
@@ -74,56 +80,66 @@ impl<'m> Part<'m> {
 }
 
 /// Derivatives by the unknowns of the core follow these rules before there are definitions.
-pub(super) fn declare_core(solver: &mut Solver<'_, '_>, core: &[Core]) {
+pub(super) fn declare_core<'m>(
+    algebra: &mut Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
+    core: &[Core],
+) {
     for (position, core) in core.iter().enumerate() {
         match *core {
-            Core::Angle(angle) => solver.declare_angle(angle, 1.0, position),
+            Core::Angle(angle) => definitions::declare_angle(algebra, group, angle, 1.0, position),
             Core::Length { symbol, .. } => {
-                let group = solver.index;
+                let group = group.index;
                 let rule = Rule::Unknown { group, position };
-                solver.algebra.solutions.set_rule(symbol, rule);
+                algebra.solutions.set_rule(symbol, rule);
             }
         }
     }
 }
 
 /// A number that is prepared for the group.
-pub(super) fn prepared_number<'m>(solver: &Solver<'_, 'm>, component: usize) -> Ex<'m> {
-    solver
-        .algebra
-        .source(Source::State(solver.number, component))
+pub(super) fn prepared_number<'m>(
+    algebra: &Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
+    component: usize,
+) -> Ex<'m> {
+    algebra.source(Source::State(group.number, component))
 }
 
 /// The state that is prepared for a core.
-pub(super) fn prepared_state<'m>(solver: &Solver<'_, 'm>, core: &[Core]) -> Vec<Part<'m>> {
-    let mut numbers = (0..).map(|component| prepared_number(solver, component));
+pub(super) fn prepared_state<'m>(
+    algebra: &Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
+    core: &[Core],
+) -> Vec<StatePart<'m>> {
+    let mut numbers = (0..).map(|component| prepared_number(algebra, group, component));
     let mut number = || numbers.next().expect("there is always another one");
     let parts = core.iter().map(|core| match *core {
-        Core::Angle(angle) => Part::Angle(angle, Vector([number(), number()])),
+        Core::Angle(angle) => StatePart::Angle(angle, Vector([number(), number()])),
         Core::Length {
             symbol,
             number: true,
             ..
-        } => Part::Number(symbol, number()),
-        Core::Length { symbol, .. } => Part::Length(symbol, number()),
+        } => StatePart::Number(symbol, number()),
+        Core::Length { symbol, .. } => StatePart::Length(symbol, number()),
     });
     parts.collect()
 }
 
-/// What the symbols of the core stand for in a state; `unit` is the length of a scaled 1.
+/// The values of the core's symbols in a state; `unit` is the length of a scaled 1.
 pub(super) fn meanings<'m>(
-    solver: &Solver<'_, 'm>,
-    state: &[Part<'m>],
+    algebra: &Algebra<'m>,
+    state: &[StatePart<'m>],
     unit: Ex<'m>,
 ) -> Vec<Meaning<'m>> {
-    let angles = &solver.algebra.names.angles;
+    let angles = &algebra.names.angles;
     let meanings = state.iter().flat_map(|part| match *part {
-        Part::Angle(angle, Vector([cos, sin])) => {
+        StatePart::Angle(angle, Vector([cos, sin])) => {
             let angle = &angles[angle];
             vec![(angle.cos, cos), (angle.sin, sin)]
         }
-        Part::Length(symbol, number) => vec![(symbol, unit * number)],
-        Part::Number(symbol, number) => vec![(symbol, number)],
+        StatePart::Length(symbol, number) => vec![(symbol, unit * number)],
+        StatePart::Number(symbol, number) => vec![(symbol, number)],
     });
     meanings
         .map(|(symbol, value)| Meaning { symbol, value })
@@ -131,12 +147,23 @@ pub(super) fn meanings<'m>(
 }
 
 /// Gives the unknowns of the core their definitions for calls.
-pub(super) fn define_core<'m>(solver: &mut Solver<'_, 'm>, called: &[Part<'m>], unit: Ex<'m>) {
+pub(super) fn define_core<'m>(
+    algebra: &mut Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
+    called: &[StatePart<'m>],
+    unit: Ex<'m>,
+) {
     for (position, part) in called.iter().enumerate() {
         match *part {
-            Part::Angle(angle, direction) => solver.define_angle(angle, 1.0, direction, position),
-            Part::Length(symbol, number) => solver.define_length(symbol, unit * number, position),
-            Part::Number(symbol, number) => solver.define_length(symbol, number, position),
+            StatePart::Angle(angle, direction) => {
+                definitions::define_angle(algebra, group, angle, 1.0, direction, position)
+            }
+            StatePart::Length(symbol, number) => {
+                definitions::define_length(algebra, group, symbol, unit * number, position)
+            }
+            StatePart::Number(symbol, number) => {
+                definitions::define_length(algebra, group, symbol, number, position)
+            }
         }
     }
 }

@@ -1,40 +1,17 @@
-//! What the loops' closed forms know already: arms that are links of a loop, determinants that are those of a loop,
-//! with their reciprocals. Loops may be written in any way, so which they are is found by numbers, with other
-//! dimensions and in other assemblies, too.
+//! Values that the loops' closed forms have already: arms that are links of a loop, and
+//! determinants that are those of a loop, with their reciprocals. Loops may be written in any form,
+//! so numbers find the matches, with other dimensions and in other assemblies, too.
 
-use crate::algebra::elimination;
-use linkage_symbolic::lookup::Map;
+use linkage_symbolic::{Ex, Vn};
 
-use linkage_symbolic::{Ex, NodeId, Vn};
+use crate::algebra::{Nominal, elimination};
+use crate::forces::context::Mechanics;
+use crate::forces::positions::Positions;
+use crate::forces::system::System;
 
-use crate::algebra::Nominal;
-
-use super::Mechanics;
-use super::positions::Positions;
-use super::system::System;
-
-/// What is computed by the closed forms.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Closed<'m> {
-    /// By body, and the point that the arm leads to.
-    arms: Map<(usize, Vec<NodeId>), Vn<'m>>,
-    /// By the equations that are solved together.
-    determinants: Map<Vec<usize>, Ex<'m>>,
-}
-
-/// Numbers that differ by a smaller share of the largest are equal: far above rounding, far below what altered
-/// dimensions change.
-const EQUAL: f64 = 1e-9;
-
-impl<'m> Closed<'m> {
-    pub(super) fn arm(&self, body: usize, point: Vn<'m>) -> Option<Vn<'m>> {
-        self.arms.get(&(body, point.ids().to_vec())).copied()
-    }
-
-    pub(super) fn determinant(&self, block: &[usize]) -> Option<Ex<'m>> {
-        self.determinants.get(block).copied()
-    }
-}
+/// Numbers that differ by a smaller share of the largest are equal: far above rounding, far below
+/// the effect of altered dimensions.
+pub(super) const EQUAL: f64 = 1e-9;
 
 /// Finds the arms from the joints of bodies to others that are links.
 pub(super) fn find_links(
@@ -50,11 +27,11 @@ pub(super) fn find_links(
         return;
     }
     let arms = ends.iter().map(|&(body, point)| mechanics.arm(body, point));
-    let all: Vec<Ex> = arms
+    let expressions: Vec<Ex> = arms
         .chain(links.iter().copied())
         .flat_map(|v| v.iter())
         .collect();
-    let numbers = positions.numbers_anyhow(mechanics.algebra.mechanism, nominal, &all);
+    let numbers = positions.numbers_anyhow(mechanics.algebra.mechanism, nominal, &expressions);
     for (index, &(body, point)) in ends.iter().enumerate() {
         let found = links.iter().enumerate().find_map(|(link, &vector)| {
             let other = ends.len() + link;
@@ -66,23 +43,28 @@ pub(super) fn find_links(
         });
         if let Some(arm) = found {
             let key = (body, point.ids().to_vec());
-            mechanics.forces.closed.arms.insert(key, arm);
+            mechanics.forces.loop_values.arms.insert(key, arm);
         }
     }
 }
 
 /// The bodies with points that arms from their own joints lead to.
-fn ends_of_arms<'m>(mechanics: &Mechanics<'_, 'm>) -> Vec<(usize, Vn<'m>)> {
+pub(super) fn ends_of_arms<'m>(mechanics: &Mechanics<'_, 'm>) -> Vec<(usize, Vn<'m>)> {
     let (tree, geometry) = (&mechanics.forces.tree, &mechanics.forces.geometry);
     let cut = tree.closing.iter().flat_map(|&joint| {
         let declared = &mechanics.algebra.mechanism.joints[joint];
         let bodies = [Some(declared.body), declared.on].into_iter().flatten();
         bodies.map(move |body| (body, geometry.points[joint]))
     });
-    let children = tree.children.iter().enumerate().flat_map(|(body, all)| {
-        all.iter()
-            .map(move |&child| (body, geometry.origins[child]))
-    });
+    let children = tree
+        .children
+        .iter()
+        .enumerate()
+        .flat_map(|(body, children)| {
+            children
+                .iter()
+                .map(move |&child| (body, geometry.origins[child]))
+        });
     let ends = cut.chain(children);
     ends.filter(|&(body, point)| !mechanics.arm(body, point).is_zero())
         .collect()
@@ -102,11 +84,11 @@ pub(super) fn find_determinants<'m>(
     if known.is_empty() || blocks.is_empty() {
         return;
     }
-    let own = blocks
+    let determinants = blocks
         .iter()
         .map(|block| elimination::determinant(mechanics.algebra, &system.matrix_of(block)));
-    let all: Vec<Ex> = own.chain(known.iter().copied()).collect();
-    let numbers = positions.numbers_anyhow(mechanics.algebra.mechanism, nominal, &all);
+    let expressions: Vec<Ex> = determinants.chain(known.iter().copied()).collect();
+    let numbers = positions.numbers_anyhow(mechanics.algebra.mechanism, nominal, &expressions);
     for (index, block) in blocks.iter().enumerate() {
         let found = known.iter().enumerate().find_map(|(group, &determinant)| {
             let sign = sign(&numbers, index, blocks.len() + group)?;
@@ -117,18 +99,21 @@ pub(super) fn find_determinants<'m>(
             })
         });
         if let Some(determinant) = found {
-            let all = &mut mechanics.forces.closed.determinants;
-            all.insert((*block).clone(), determinant);
+            let determinants = &mut mechanics.forces.loop_values.determinants;
+            determinants.insert((*block).clone(), determinant);
         }
     }
 }
 
-/// Whether two numbers are equal at all positions, or opposite: 1 or -1.
-fn sign(numbers: &[Vec<f64>], a: usize, b: usize) -> Option<f64> {
-    let largest = numbers.iter().map(|own| own[b].abs()).fold(0.0, f64::max);
+/// True if two numbers are equal at all positions, or opposite: 1 or -1.
+pub(super) fn sign(numbers: &[Vec<f64>], a: usize, b: usize) -> Option<f64> {
+    let largest = numbers
+        .iter()
+        .map(|values| values[b].abs())
+        .fold(0.0, f64::max);
     let is = |sign: f64| {
-        let mut all = numbers.iter();
-        all.all(|own| (own[a] - sign * own[b]).abs() <= EQUAL * largest)
+        let mut positions = numbers.iter();
+        positions.all(|values| (values[a] - sign * values[b]).abs() <= EQUAL * largest)
     };
     [1.0, -1.0]
         .into_iter()
@@ -168,7 +153,11 @@ mod tests {
             dyad(2),
         );
         let checked = check(text.parse().expect("tokens"));
-        let texts: Vec<&String> = checked.messages.iter().map(|own| &own.text).collect();
+        let texts: Vec<&String> = checked
+            .messages
+            .iter()
+            .map(|message| &message.text)
+            .collect();
         checked.unit.unwrap_or_else(|| panic!("{texts:?}"))
     }
 
@@ -177,7 +166,10 @@ mod tests {
         let values = |program: &Program, prepared: &[f64]| {
             run(program, |source| match source {
                 Source::Parameter(3) => coupler,
-                Source::Parameter(k) => unit.scalars().nth(k).map_or(f64::NAN, |own| own.nominal),
+                Source::Parameter(k) => unit
+                    .scalars()
+                    .nth(k)
+                    .map_or(f64::NAN, |scalar| scalar.nominal),
                 Source::Input(k) => [1.0, 7.0][k],
                 Source::Mode(k) => {
                     if unit.modes()[k] {

@@ -1,0 +1,66 @@
+//! The number of times that a vector counts as a point.
+
+use crate::model::{BinaryOp, Expr, ExprKind, Function, Name, Type};
+use crate::picture::marks::Term;
+use crate::picture::sketch::Sketch;
+
+/// The number of times that a vector counts as a point: 1 for a point, 0 for a difference; `None`
+/// if it may be either.
+pub(super) fn weight(sketch: &Sketch<'_, '_>, expr: &Expr) -> Option<f64> {
+    let is_length = expr
+        .ty
+        .dimension()
+        .is_some_and(|dimension| dimension.half_lengths == 2);
+    match &expr.kind {
+        // A direction.
+        _ if !is_length => None,
+        _ if sketch.algebra.mechanism.standing(expr).is_some() => Some(1.0),
+        ExprKind::Name(name @ (Name::Let(_) | Name::Unknown(_))) => {
+            Some(if sketch.roles.is_step(*name) {
+                0.0
+            } else {
+                1.0
+            })
+        }
+        ExprKind::Index(..) | ExprKind::Call(Function::PointIn, _) => Some(1.0),
+        ExprKind::Negate(a) => weight(sketch, a).map(|weight| -weight),
+        ExprKind::Binary(op @ (BinaryOp::Add | BinaryOp::Sub), a, b) => {
+            let (a, b) = (weight(sketch, a), weight(sketch, b));
+            let sign = if *op == BinaryOp::Add { 1.0 } else { -1.0 };
+            match (a, b) {
+                (None, None) => None,
+                _ => Some(a.unwrap_or(0.0) + sign * b.unwrap_or(0.0)),
+            }
+        }
+        ExprKind::Binary(BinaryOp::Div, a, b) => scaled(sketch, a, |n| 1.0 / n, b),
+        ExprKind::Binary(BinaryOp::Mul, a, b) => match a.ty {
+            Type::Vector(..) => scaled(sketch, a, |n| n, b),
+            _ => scaled(sketch, b, |n| n, a),
+        },
+        // A step, a mean, a parameter: whatever the others make of it.
+        _ => None,
+    }
+}
+
+/// The weight of a multiple of a vector.
+pub(super) fn scaled(
+    sketch: &Sketch<'_, '_>,
+    vector: &Expr,
+    by: impl Fn(f64) -> f64,
+    factor: &Expr,
+) -> Option<f64> {
+    match (weight(sketch, vector)?, &factor.kind) {
+        (0.0, _) => Some(0.0),
+        (weight, ExprKind::Number(number)) => Some(weight * by(*number)),
+        // No point that chains could begin with.
+        _ => Some(f64::NAN),
+    }
+}
+
+/// The number of times that a term counts as a point.
+pub(super) fn weight_of(sketch: &Sketch<'_, '_>, term: &Term) -> f64 {
+    if term.part.is_some() {
+        return 0.0;
+    }
+    term.sign * weight(sketch, term.expr).unwrap_or(0.0)
+}
