@@ -3,12 +3,14 @@
 
 mod builder;
 mod candidate;
+mod conditions;
 mod corners;
 mod curve;
 mod demand;
 mod descent;
 mod descents;
 mod dwell;
+mod ended;
 mod error_of;
 mod extent;
 mod figures;
@@ -22,12 +24,14 @@ mod problem;
 mod proof;
 mod ratio;
 mod run;
+mod spread;
 mod steady;
 mod verdict;
 mod verify;
 
 pub use builder::CycleDesign;
-pub use candidate::{Candidate, Chosen, Conditions, CycleWish, Motion, Own, Piece, Place};
+pub use candidate::{Candidate, Chosen, CycleWish, Motion, Own};
+pub use conditions::{Conditions, Piece, Place};
 pub use curve::Curve;
 pub use demand::{Demand, Figure, Pieces};
 pub use dwell::Dwell;

@@ -11,7 +11,9 @@ use super::super::settings::{Progress, Settings, settings_methods};
 use super::super::varied::{Freedom, freedom_methods};
 use super::super::{DesignError, Relation};
 use super::CycleWish;
-use crate::{AssemblyError, Circuits, Dimensions};
+use crate::circuits::Circuits;
+use crate::dimensions::Dimensions;
+use crate::error::AssemblyError;
 
 /// Positions from which limits are searched, unless the design says otherwise: three degrees of a turn.
 const POSITIONS: usize = 121;

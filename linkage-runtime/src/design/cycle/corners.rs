@@ -3,9 +3,9 @@
 use alloc::vec::Vec;
 use core::array;
 
-use super::interval::ranges;
+use super::spread::ranges;
 use super::{Candidate, Piece};
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 use crate::tolerance::Tolerances;
 
 /// The mechanisms of some tolerances.

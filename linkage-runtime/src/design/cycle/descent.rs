@@ -3,46 +3,23 @@
 use alloc::vec::Vec;
 
 use super::super::DesignError;
-use super::super::catalogue::Local;
 use super::super::minimax::{Groups, Search, minimise};
 use super::descents::Descents;
+use super::ended::{Ended, TOLERANCE};
 use super::problem::{Sizes, Start};
 use super::verify::Scales;
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
 /// Where steps promise less than this part of what the goal can change by in a first step, the search looks whether it is at an optimum.
 const PRECISION: f64 = 1e-6;
 /// It is at one where, to first order, no step as long as the first one gains more than this part of it.
 const SLOPE: f64 = 1e-5;
-/// A condition that is broken by less than this part of what it can change by in a first step holds.
-pub(super) const TOLERANCE: f64 = 1e-9;
 /// Rounding leaves this part of it.
 const ROUNDING: f64 = 1e-12;
 /// One that is broken by more than this part of it at the end is out of reach; what is between is what a search leaves that is ended early.
 const HOLDS: f64 = 1e-7;
 /// How often wishes may add conditions.
 const REFINEMENTS: usize = 40;
-
-/// A result of a search that is verified, not yet certified.
-#[derive(Clone)]
-pub(super) struct Ended {
-    pub(super) at: Start,
-    /// The value that the search makes least.
-    pub(super) least: f64,
-    pub(super) steps: usize,
-    pub(super) evaluations: usize,
-    pub(super) converged: bool,
-}
-
-impl Local for Ended {
-    fn place(&self) -> &[f64] {
-        &self.at.x
-    }
-
-    fn least(&self) -> f64 {
-        self.least
-    }
-}
 
 impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
     /// Searches from a start, and returns the verified result: where the search ended, or the best of its steps, if the end does not hold.

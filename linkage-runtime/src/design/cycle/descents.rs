@@ -9,11 +9,11 @@ use super::super::limits::Limits;
 use super::super::refusals::{Fate, Tally};
 use super::super::starts::unit;
 use super::super::{DesignError, Interruption, Refusals};
-use super::descent::Ended;
+use super::ended::Ended;
 use super::found::BestCycle;
 use super::problem::Problem;
 use super::verify::Scales;
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
 /// Optima whose dimensions differ by less than this part of the width of their bounds are one: in a flat valley searches end some way from each
 /// other.

@@ -8,12 +8,21 @@ use linkage_core::Cycle;
 
 use super::super::DesignError;
 use super::corners::{Corner, Corners};
-use super::interval::ranges;
-use super::steady::Claim;
+use super::spread::ranges;
 use super::{Candidate, Chosen, Conditions, Curve, CycleWish, Own, Piece, Place, Verdict};
+use crate::data::Parameter;
+use crate::dimensions::Dimensions;
 use crate::format::rounded;
 use crate::tolerance::Tolerances;
-use crate::{Dimensions, Parameter};
+
+/// The goal of a dwell.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Claim {
+    /// The length of the interval, which is to be greatest.
+    Length,
+    /// The band, which is to be least.
+    Band,
+}
 
 /// A dwell: a quantity stays within a band over an interval of the input, of which the length is to be greatest or the band
 /// least, or which is there beside another goal.
@@ -56,9 +65,6 @@ impl Asked {
     }
 }
 
-/// Of a band so much is left to rounding and to the precision of the search: no limit may lie outside of it in the end. A start leaves twice as
-/// much, so that it is a dwell even if nothing is searched.
-pub(super) const SPARE: f64 = 1e-6;
 /// Of the range, how far an interval may move and grow in the first step, and of the band its bounds.
 const REACH: f64 = 0.005;
 const REACH_OF_BAND: f64 = 0.3;

@@ -11,7 +11,7 @@ use super::{Figure, Motion, Piece, Pieces, Place};
 use crate::components::Components;
 use crate::summary::{Curve, Kind};
 use crate::tolerance::{Tolerances, Uncertainties};
-use measure::{Measure, Measured};
+use measure::{Measure, Measured, Slopes};
 
 /// The largest error that tolerances cause in a quantity, to first order: its slopes by the parameters are second derivatives.
 ///
@@ -49,9 +49,6 @@ pub struct ErrorOf<'a, A, const N: usize> {
 
 /// What follows from an assembly at an input.
 type By<'a, A, R> = Box<dyn Fn(&A, f64) -> R + Send + Sync + 'a>;
-
-/// The derivatives of each component by the parameters.
-type Slopes<const N: usize> = Vec<[f64; N]>;
 
 fn by_component<V: Components<K>, const K: usize, const N: usize>(slopes: &[V; N]) -> Slopes<N> {
     let slopes = slopes.map(V::components);

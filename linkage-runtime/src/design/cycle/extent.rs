@@ -4,7 +4,8 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::Motion;
-use super::dwell::{Dwell, SPARE};
+use super::dwell::Dwell;
+use super::spread::SPARE;
 use crate::summary::minimise;
 
 /// A cell between two turning points is searched from at least this many beginnings.

@@ -9,7 +9,7 @@ use super::builder::CycleDesign;
 use super::demand::{Demand, Figure};
 use super::found::BestCycle;
 use super::{CycleWish, Motion};
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
 /// A mechanism on the Pareto front of two wishes.
 #[derive(Clone, Debug, PartialEq)]

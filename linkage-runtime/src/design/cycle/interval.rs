@@ -3,7 +3,8 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::dwell::{Dwell, SPARE};
+use super::dwell::Dwell;
+use super::spread::SPARE;
 use super::{Motion, Piece, Place};
 use crate::summary::{Curve, Extreme, Kind};
 
@@ -148,25 +149,4 @@ impl<A, const N: usize> Dwell<'_, A, N> {
         let interval = dwell.interval;
         Some([interval.from, interval.range, dwell.lowest, band])
     }
-}
-
-/// What a mechanism of the tolerances changes by beyond the band: each high place less each low one.
-pub(super) fn ranges<const N: usize>(
-    [highs, lows]: &[Vec<Piece<N>>; 2],
-    band: f64,
-) -> Vec<Piece<N>> {
-    let mut ranges = Vec::new();
-    for (i, high) in highs.iter().enumerate() {
-        for (j, low) in lows.iter().enumerate() {
-            let mut own: Vec<f64> = high.own.iter().zip(&low.own).map(|(a, b)| a - b).collect();
-            own[3] = SPARE - 1.0;
-            ranges.push(Piece {
-                place: Place::Nth(i * lows.len() + j),
-                value: high.value - low.value - (1.0 - SPARE) * band,
-                parameters: core::array::from_fn(|k| high.parameters[k] - low.parameters[k]),
-                own,
-            });
-        }
-    }
-    ranges
 }

@@ -14,10 +14,10 @@ use alloc::vec::Vec;
 
 use super::super::DesignError;
 use super::super::limits::Limits;
-use super::descent::Ended;
 use super::descents::Descents;
+use super::ended::Ended;
 use super::problem::Start;
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
 /// The width of the narrowest rung: of the parameter whose bounds are widest, as a part of its value.
 const NARROW: f64 = 0.04;

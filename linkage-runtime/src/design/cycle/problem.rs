@@ -8,7 +8,9 @@ use super::super::DesignError;
 use super::super::limits::Limits;
 use super::super::minimax::{Groups, Key, Row};
 use super::{Candidate, Chosen, CycleWish, Motion, Own, Piece, Place};
-use crate::{AssemblyError, Circuits, Dimensions};
+use crate::circuits::Circuits;
+use crate::dimensions::Dimensions;
+use crate::error::AssemblyError;
 
 /// How a mechanism is assembled in the modes of another one.
 pub(super) type Assemble<'p, M, A> = dyn Fn(&M) -> Result<A, AssemblyError> + Sync + 'p;

@@ -8,7 +8,9 @@ use super::super::certificate::{Interruption, alike, certify};
 use super::super::minimax::largest;
 use super::problem::{Problem, Sizes, Start};
 use super::{Candidate, Piece};
-use crate::{AssemblyError, Branch, BranchEnd, Circuits, Dimensions};
+use crate::circuits::{Branch, BranchEnd, Circuits};
+use crate::dimensions::Dimensions;
+use crate::error::AssemblyError;
 
 /// Ends that differ by less than this part of their interval are one: that of two assemblies which meet there.
 const SAME_END: f64 = 1e-6;

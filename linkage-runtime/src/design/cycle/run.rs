@@ -16,7 +16,8 @@ use super::builder::CycleDesign;
 use super::descents::{Descents, Optimum};
 use super::found::BestCycle;
 use super::problem::{Assemble, Problem};
-use crate::{Circuits, Dimensions};
+use crate::circuits::Circuits;
+use crate::dimensions::Dimensions;
 
 /// All that is wanted.
 pub(super) type Wishes<'w, M, A, const N: usize> = [&'w (dyn CycleWish<M, A, N> + 'w)];

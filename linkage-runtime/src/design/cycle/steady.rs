@@ -3,22 +3,14 @@
 use alloc::vec::Vec;
 
 use super::corners::Corner;
-use super::dwell::{Dwell, SPARE};
-use super::interval::ranges;
+use super::dwell::{Claim, Dwell};
+use super::spread::SPARE;
+use super::spread::ranges;
 use super::{Candidate, Check, Chosen, Verdict};
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
 /// A band that is narrower than this part of the stroke is compared with it: values are rounded.
 const ROUNDED: f64 = 1e-9;
-
-/// The goal of a dwell.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Claim {
-    /// The length of the interval, which is to be greatest.
-    Length,
-    /// The band, which is to be least.
-    Band,
-}
 
 impl<A, const N: usize> Dwell<'_, A, N> {
     /// The verdict on an interval and a band, in the mechanism and at the corners of the tolerances.

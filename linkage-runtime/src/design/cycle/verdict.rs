@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::{Conditions, Piece};
+use super::conditions::{Conditions, Piece};
 
 /// Goal and conditions of a wish in a mechanism that a search found, computed from the assembled mechanism without the search.
 #[derive(Clone, Debug, Default, PartialEq)]

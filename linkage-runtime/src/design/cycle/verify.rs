@@ -8,10 +8,10 @@ use alloc::string::ToString;
 use alloc::vec::Vec;
 
 use super::super::DesignError;
-use super::descent::TOLERANCE;
+use super::ended::TOLERANCE;
 use super::problem::{Problem, Start};
 use super::{Candidate, Check, Motion, Piece, Verdict};
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
 /// A violation that is smaller than this part of the size of its condition is none.
 const VERIFIED: f64 = 1e-6;

@@ -3,11 +3,13 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::Slopes;
 use crate::components::{in_space, norm};
 use crate::design::quadratic::dot;
 use crate::tolerance::Tolerances;
 use crate::tolerance::modulus::corners as corners_of;
+
+/// The derivatives of each component with respect to the parameters.
+pub(super) type Slopes<const N: usize> = Vec<[f64; N]>;
 
 /// What an error is measured by.
 #[derive(Clone, Copy, Debug, PartialEq)]
