@@ -44,7 +44,7 @@ fn analysed(
     let Model { mechanism, origins } = model;
     let graph = Graph::new();
     let mut algebra = Algebra::new(mechanism, &graph);
-    let mut nominal = Nominal::of(&mut algebra);
+    let mut nominal = Nominal::from_mechanism(&mut algebra);
     let mut reporter = Reporter {
         origins,
         diagnostics,

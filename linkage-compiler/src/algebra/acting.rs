@@ -13,7 +13,7 @@ use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, NodeId, SymbolId};
 
 use super::partial::System;
-use super::{Algebra, Carrier, Rule};
+use super::{Algebra, RotatingFrame, Rule};
 
 /// The symbols without a rule: parameters and inputs.
 pub(crate) type Given = Rc<BTreeSet<SymbolId>>;
@@ -41,7 +41,7 @@ impl ByParameter {
     }
 
     /// The places that a parameter acts on, in order.
-    pub(super) fn of(&self, parameter: SymbolId) -> &[usize] {
+    pub(super) fn positions_for(&self, parameter: SymbolId) -> &[usize] {
         self.0.get(&parameter).map_or(&[], Vec::as_slice)
     }
 }
@@ -109,10 +109,10 @@ fn acting_on_symbol<'m>(algebra: &mut Algebra<'m>, symbol: SymbolId) -> Given {
     let differentiated: Vec<Ex<'m>> = match algebra.solutions.rule(symbol) {
         None | Some(Rule::Unknown { .. } | Rule::Rate { .. }) => Vec::new(),
         Some(Rule::Follow(equal)) => vec![*equal],
-        Some(Rule::Turn(own)) => vec![own.equal],
-        Some(Rule::Turning(turning)) => turning.z.0.to_vec(),
-        Some(Rule::Seen(seen)) => [&seen.vector.0[..], &parts_of(seen.carrier)].concat(),
-        Some(Rule::Shown(shown)) => {
+        Some(Rule::Rotation(own)) => vec![own.equal],
+        Some(Rule::TurnedVector(turning)) => turning.z.0.to_vec(),
+        Some(Rule::ToFrame(seen)) => [&seen.vector.0[..], &parts_of(seen.carrier)].concat(),
+        Some(Rule::FromFrame(shown)) => {
             [&shown.vector.0[..], &shown.base.0, &parts_of(shown.carrier)].concat()
         }
         Some(Rule::Axis(own)) => parts_of(own.0).to_vec(),
@@ -127,7 +127,7 @@ fn acting_on_symbol<'m>(algebra: &mut Algebra<'m>, symbol: SymbolId) -> Given {
 }
 
 /// What the turning of a carrier is differentiated by.
-fn parts_of(carrier: Carrier) -> [Ex; 3] {
+fn parts_of(carrier: RotatingFrame) -> [Ex; 3] {
     let [x, y] = carrier.start.0;
     [carrier.angle, x, y]
 }

@@ -22,9 +22,9 @@ use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, NodeId, SymbolId, V2, Vector};
 
 use super::acting::ByParameter;
-use super::implicit::Implicit;
+use super::implicit::RuleCalculus;
 use super::partial::{Solved, System};
-use super::preaccumulation::Through;
+use super::preaccumulation::ThroughIntermediates;
 use super::{Algebra, Rule};
 
 /// How derivatives by parameters are found.
@@ -51,7 +51,7 @@ impl Direction {
     ];
 
     /// For the docs.
-    pub(crate) fn words(self) -> &'static str {
+    pub(crate) fn doc_text(self) -> &'static str {
         match self {
             Self::Forward => "forward",
             Self::FromResults => "backwards from the results",
@@ -86,9 +86,9 @@ pub(super) struct Flow<'m> {
 pub(super) struct Adjoints<'m> {
     of_nodes: Map<NodeId, Rc<Flow<'m>>>,
     /// Of numbers, with the ends at all narrow places.
-    pub(super) flows: Map<NodeId, Rc<Through<'m>>>,
+    pub(super) flows: Map<NodeId, Rc<ThroughIntermediates<'m>>>,
     /// Of narrow places.
-    pub(super) of_places: Map<Solved, Rc<Flow<'m>>>,
+    pub(super) of_intermediates: Map<Solved, Rc<Flow<'m>>>,
     /// Derivatives of these, without what passes others before them.
     pub(super) between: Map<(Solved, SymbolId), Ex<'m>>,
 }
@@ -140,7 +140,7 @@ pub(super) fn minus_slopes<'m>(
     flow: &Flow<'m>,
     parameter: SymbolId,
 ) -> Ex<'m> {
-    let acting = flow.acting.of(parameter).iter();
+    let acting = flow.acting.positions_for(parameter).iter();
     acting.fold(start, |sum, &place| {
         minus_slope(algebra, sum, &flow.multipliers[place], parameter)
     })

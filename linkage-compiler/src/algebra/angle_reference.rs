@@ -5,7 +5,7 @@ use linkage_symbolic::program::{Binary, Source, Unary};
 use linkage_symbolic::{Ex, Node, V2, Vector, agree};
 
 use super::Algebra;
-use super::parts::{Part, Turning};
+use super::parts::{TurningPart, AnglePair};
 
 /// A vector that an angle keeps within a quarter turn of, wherever its group can be assembled.
 ///
@@ -89,7 +89,7 @@ fn phasors<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Option<Vec<Phasor<'m>>>
 }
 
 /// The input that an angle is a multiple of, and the factor.
-fn rate_of(algebra: &Algebra<'_>, (cosine, _): Turning) -> Option<(usize, f64)> {
+fn rate_of(algebra: &Algebra<'_>, (cosine, _): AnglePair) -> Option<(usize, f64)> {
     let Node::Unary(Unary::Cos, argument) = algebra.graph.ex(cosine).node() else {
         return None;
     };
@@ -121,7 +121,7 @@ fn rate_of(algebra: &Algebra<'_>, (cosine, _): Turning) -> Option<(usize, f64)> 
     }
 }
 
-impl<'m> Part<'m> {
+impl<'m> TurningPart<'m> {
     /// The vectors that it is the sum of: as `cos a = (e^(i a) + e^(-i a))/2` and `sin a = (e^(i a) - e^(-i a))/(2 i)`, one for each choice of
     /// the angles' signs. Those that vanish, as half of a rotor's do, are left out.
     fn phasors(&self, rates: &[Option<(usize, f64)>]) -> Vec<Phasor<'m>> {

@@ -46,7 +46,7 @@ pub(crate) struct Scheme<'m> {
 
 impl<'m> Bodies<'m> {
     /// The bodies that a matrix of derivatives by these unknowns shows; no angle is part of one.
-    pub(crate) fn of(matrix: &[Vec<Ex<'m>>], unknowns: &[Option<Ex<'m>>]) -> Self {
+    pub(crate) fn in_matrix(matrix: &[Vec<Ex<'m>>], unknowns: &[Option<Ex<'m>>]) -> Self {
         let filled = |row: &[Ex<'m>]| -> Vec<usize> {
             let columns = 0..row.len();
             columns.filter(|&k| !row[k].is_zero()).collect()

@@ -3,15 +3,15 @@
 //! By the derivatives of the body's directions it would take those of the third one, a product of the others, too, and in second derivatives three
 //! times as many.
 
-use crate::algebra::turns;
+use crate::algebra::rotation_variation;
 use linkage_symbolic::{Node, NodeId, SymbolId, V3};
 
 use super::Algebra;
-use super::implicit::Implicit;
+use super::implicit::RuleCalculus;
 
 /// A component of a vector that a body carries.
 #[derive(Clone, Debug)]
-pub(super) struct Aboard<'m> {
+pub(super) struct BodyVector<'m> {
     /// The body's two directions.
     axes: [V3<'m>; 2],
     vector: V3<'m>,
@@ -21,7 +21,7 @@ pub(super) struct Aboard<'m> {
 }
 
 /// Notes that the body with two directions carries a vector.
-pub(super) fn note_aboard<'m>(
+pub(super) fn note_body_vector<'m>(
     algebra: &mut Algebra<'m>,
     vector: V3<'m>,
     coordinates: V3<'m>,
@@ -34,19 +34,19 @@ pub(super) fn note_aboard<'m>(
             Node::Symbol(_) | Node::Constant(_)
         );
         if is_operation {
-            let own = Aboard {
+            let own = BodyVector {
                 axes,
                 vector,
                 component,
                 coordinates,
             };
-            algebra.solutions.aboard.insert(vector[component].id(), own);
+            algebra.solutions.body_vectors.insert(vector[component].id(), own);
         }
     }
 }
 
 /// The derivative of a component of what a body carries, where it is known how the body turns.
-pub(super) fn slope_aboard(
+pub(super) fn slope_of_body_vector(
     algebra: &mut Algebra<'_>,
     node: NodeId,
     variable: SymbolId,
@@ -54,7 +54,7 @@ pub(super) fn slope_aboard(
     if algebra.derivatives.held > 0 {
         return None;
     }
-    let own = algebra.solutions.aboard.get(&node)?.clone();
+    let own = algebra.solutions.body_vectors.get(&node)?.clone();
     algebra.derivatives.offered.turns = true;
     if !algebra.solutions.shortcuts.turns {
         return None;
@@ -63,6 +63,6 @@ pub(super) fn slope_aboard(
     if !coordinates.all(|x| algebra.slope(x, variable).is_zero()) {
         return None;
     }
-    let turn = turns::turn_about(algebra, &own.axes, variable)?;
+    let turn = rotation_variation::rotation_of_body_with(algebra, &own.axes, variable)?;
     Some(turn.cross(own.vector)[own.component].id())
 }

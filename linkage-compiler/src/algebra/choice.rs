@@ -4,19 +4,19 @@ use linkage_symbolic::Ex;
 
 /// Chooses by a place between values from border to border.
 pub(super) struct Choice<'c, 'm> {
-    at: Ex<'m>,
+    argument: Ex<'m>,
     borders: &'c [Ex<'m>],
 }
 
 impl<'c, 'm> Choice<'c, 'm> {
     /// Of one value more than there are borders, which are in order.
     pub(super) fn new(at: Ex<'m>, borders: &'c [Ex<'m>]) -> Self {
-        Self { at, borders }
+        Self { argument: at, borders }
     }
 
     /// The value where the place is; at a border that behind it. Equal neighbours are one; the rest is a balanced tree, which
     /// has as many choices as a chain, and waits for few of them.
-    pub(super) fn of(&self, values: &[Ex<'m>]) -> Ex<'m> {
+    pub(super) fn among_pieces(&self, values: &[Ex<'m>]) -> Ex<'m> {
         let mut runs: Vec<(usize, Ex)> = Vec::new();
         for (index, &value) in values.iter().enumerate() {
             if runs.last().is_none_or(|(_, last)| *last != value) {
@@ -33,6 +33,6 @@ impl<'c, 'm> Choice<'c, 'm> {
         let (before, behind) = runs.split_at(runs.len() / 2);
         let border = self.borders[behind[0].0 - 1];
         let [before, value] = [before, behind].map(|own| self.among(own));
-        (self.at - border).select(value, before)
+        (self.argument - border).select(value, before)
     }
 }

@@ -7,12 +7,12 @@
 
 use crate::algebra::bodies;
 use crate::algebra::rows;
-use crate::algebra::turns;
+use crate::algebra::rotation_variation;
 use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, Graph, SymbolId};
 
-use super::turns::Turns;
+use super::rotation_variation::BodyRotations;
 use super::{Algebra, Scheme};
 
 /// How a group's Jacobian is brought down to its core.
@@ -67,10 +67,10 @@ pub(super) fn eliminate<'m>(
     let core = of_core(algebra, right);
     let quotients = match &elimination.scheme {
         Some(scheme) if by.len() > 1 && elimination.privates.is_empty() => {
-            let turns = turns::turns_by_both(algebra, group, by);
+            let turns = rotation_variation::rotations_by_both(algebra, group, by);
             let bodies = &scheme.bodies;
             let shifts = match &turns {
-                Some(turns) => turns::shifts_by_turns(algebra, bodies, group, turns),
+                Some(turns) => rotation_variation::shifts_by_rotations(algebra, bodies, group, turns),
                 None => bodies.shifts(&core),
             };
             // What that leaves in the other equations is a derivative like others: by the entries of the matrix it takes more.
@@ -81,8 +81,8 @@ pub(super) fn eliminate<'m>(
             let left = rows::right_of_rows(algebra, group, by, held, turns.as_ref());
             let left = of_core(algebra, &left);
             let solved = bodies::solve_left_by_scheme(algebra, scheme, &shifts, &left);
-            if let Some(Turns { by, .. }) = turns {
-                let second = &mut algebra.derivatives.second_turns;
+            if let Some(BodyRotations { by, .. }) = turns {
+                let second = &mut algebra.derivatives.second_rotations;
                 second.insert((group, by), solved.turns);
             }
             solved.solution
@@ -90,7 +90,7 @@ pub(super) fn eliminate<'m>(
         Some(scheme) => {
             let solved = bodies::solve_by_scheme(algebra, scheme, &elimination.matrix, &core);
             if let (&[variable], Some(turns)) = (by, solved.turns) {
-                algebra.derivatives.turns.insert((group, variable), turns);
+                algebra.derivatives.rotations.insert((group, variable), turns);
             }
             solved.solution
         }
@@ -192,7 +192,7 @@ pub(crate) fn cofactor_products<'m>(
 ) -> Vec<Ex<'m>> {
     let size = matrix.len();
     let all = (1_u32 << size) - 1;
-    let mut minors = Minors::of(algebra.graph, matrix);
+    let mut minors = Minors::new(algebra.graph, matrix);
     let zero = algebra.zero();
     (0..size)
         .map(|column| {
@@ -225,7 +225,7 @@ pub(crate) fn cramer<'m>(
     let wide: Vec<Vec<Ex>> = pairs
         .map(|(row, &own)| [&row[..], &[own]].concat())
         .collect();
-    let mut minors = Minors::of(algebra.graph, &wide);
+    let mut minors = Minors::new(algebra.graph, &wide);
     let (rows, all) = ((1_u32 << size) - 1, (1_u32 << (size + 1)) - 1);
     let numerators = (0..size).map(|column| {
         // The last column instead of this one: behind those that it passes.
@@ -241,7 +241,7 @@ pub(crate) fn cramer<'m>(
 
 pub(crate) fn determinant<'m>(algebra: &Algebra<'m>, matrix: &[Vec<Ex<'m>>]) -> Ex<'m> {
     let all = (1_u32 << matrix.len()) - 1;
-    Minors::of(algebra.graph, matrix).minor(all, all)
+    Minors::new(algebra.graph, matrix).minor(all, all)
 }
 
 /// The minors of a matrix that are known already.
@@ -253,7 +253,7 @@ struct Minors<'a, 'm> {
 }
 
 impl<'a, 'm> Minors<'a, 'm> {
-    fn of(graph: &'m Graph, matrix: &'a [Vec<Ex<'m>>]) -> Self {
+    fn new(graph: &'m Graph, matrix: &'a [Vec<Ex<'m>>]) -> Self {
         Self {
             graph,
             matrix,

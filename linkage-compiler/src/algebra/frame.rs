@@ -46,14 +46,14 @@ pub(super) fn unit_in_space<'m>(algebra: &mut Algebra<'m>, v: V3<'m>) -> V3<'m> 
     let length = Vn::from(own).length();
     let [unit, own] = [v, own].map(|v| v.map(|x| x / length));
     unit.mark_unit();
-    body_vectors::note_aboard(algebra, unit, own, axes);
+    body_vectors::note_body_vector(algebra, unit, own, axes);
     unit
 }
 
 /// Notes that an unknown frame carries a vector, if it does.
-pub(crate) fn note_if_aboard<'m>(algebra: &mut Algebra<'m>, v: V3<'m>) {
+pub(crate) fn note_if_on_body<'m>(algebra: &mut Algebra<'m>, v: V3<'m>) {
     if let Some((own, axes)) = coordinates_on_body(algebra, v) {
-        body_vectors::note_aboard(algebra, v, own, axes);
+        body_vectors::note_body_vector(algebra, v, own, axes);
     }
 }
 
@@ -77,7 +77,7 @@ fn frame_of_axes<'m>(algebra: &mut Algebra<'m>, parts: &[Value<'m>]) -> Value<'m
     for axis in &parts[1..] {
         let axis = space_vector(algebra, axis);
         axis.mark_unit();
-        note_if_aboard(algebra, axis);
+        note_if_on_body(algebra, axis);
     }
     Value::Array(parts.to_vec())
 }
@@ -119,7 +119,7 @@ pub(super) fn point_in<'m>(algebra: &mut Algebra<'m>, arguments: &[Value<'m>]) -
     let [origin, axes @ ..] = frame_parts(algebra, &arguments[0]);
     let local = space_vector(algebra, &arguments[1]);
     let arm = Vector([0, 1, 2].map(|k| local.dot(Vector(axes.map(|axis| axis[k])))));
-    note_if_aboard(algebra, arm);
+    note_if_on_body(algebra, arm);
     Value::Vector((origin + arm).into())
 }
 

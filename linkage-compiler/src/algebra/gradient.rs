@@ -33,7 +33,7 @@ pub(super) fn gradient_by<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>, parameter: S
         gradient
     });
     let zero = algebra.zero();
-    let acting = gradient.acting.of(parameter).iter();
+    let acting = gradient.acting.positions_for(parameter).iter();
     acting.fold(zero, |sum, &place| {
         let (end, weight) = gradient.ends[place];
         sum + partial::partial(algebra, end, parameter) * weight

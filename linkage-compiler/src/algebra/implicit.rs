@@ -11,13 +11,13 @@ use crate::algebra::links;
 use crate::algebra::partial;
 use crate::algebra::rotating_frame;
 use crate::algebra::rows;
-use crate::algebra::turns;
+use crate::algebra::rotation_variation;
 use linkage_symbolic::{
     Calculus, DerivativeMemo, Ex, Graph, NodeId, SymbolId, Vector, differentiate,
 };
 
-use super::solutions::{Seen, Shown, TurnRule};
-use super::{Algebra, AngleRule, Carrier, Rule, Turning};
+use super::solutions::{ToFrame, FromFrame, RotationRule};
+use super::{Algebra, AngleRule, RotatingFrame, Rule, TurnedVector};
 
 /// Derivatives of a group's unknowns by some variables, and the right-hand side that they solve.
 #[derive(Clone, Debug)]
@@ -27,7 +27,7 @@ pub(super) struct Rates<'m> {
 }
 
 /// The rules of differentiation, given how unknowns and rates depend on a variable.
-pub(super) trait Implicit<'m>: Calculus<'m> {
+pub(super) trait RuleCalculus<'m>: Calculus<'m> {
     fn algebra(&mut self) -> &mut Algebra<'m>;
 
     /// The derivative by `variable` of unknown `position` of a group, or of its derivative `by` some variables.
@@ -50,22 +50,22 @@ pub(super) trait Implicit<'m>: Calculus<'m> {
         };
         let rate = match rule {
             Rule::Follow(equal) => self.slope(equal, variable),
-            Rule::Turn(own) => self.rate_of_turn(&own, variable),
+            Rule::Rotation(own) => self.rate_of_rotation(&own, variable),
             Rule::Cosine(rule) => {
-                let rate = self.angle_rate(rule, variable);
+                let rate = self.rate_of_angle(rule, variable);
                 -(rule.unit[1] * rate)
             }
             Rule::Sine(rule) => {
-                let rate = self.angle_rate(rule, variable);
+                let rate = self.rate_of_angle(rule, variable);
                 rule.unit[0] * rate
             }
-            Rule::Value(rule) => self.angle_rate(rule, variable),
-            Rule::Turning(turning) => self.turning_rate(&turning, variable),
-            Rule::Seen(seen) => self.seen_rate(&seen, variable),
-            Rule::Shown(shown) => self.shown_rate(&shown, variable),
+            Rule::Value(rule) => self.rate_of_angle(rule, variable),
+            Rule::TurnedVector(turning) => self.rate_of_turned_vector(&turning, variable),
+            Rule::ToFrame(seen) => self.rate_of_to_frame(&seen, variable),
+            Rule::FromFrame(shown) => self.rate_of_from_frame(&shown, variable),
             Rule::Axis(own) => {
                 let (carrier, component) = *own;
-                self.turning_of(carrier, variable) * carrier.axis.perp()[component]
+                self.rotation_of_frame(carrier, variable) * carrier.axis.perp()[component]
             }
             Rule::Unknown { group, position } => self.rate(group, position, Vec::new(), variable),
             Rule::Rate {
@@ -78,44 +78,44 @@ pub(super) trait Implicit<'m>: Calculus<'m> {
     }
 
     /// The derivative of a component of a turn.
-    fn rate_of_turn(&mut self, own: &TurnRule<'m>, variable: SymbolId) -> Ex<'m> {
+    fn rate_of_rotation(&mut self, own: &RotationRule<'m>, variable: SymbolId) -> Ex<'m> {
         self.slope(own.equal, variable)
     }
 
-    fn angle_rate(&mut self, rule: AngleRule<'m>, variable: SymbolId) -> Ex<'m> {
+    fn rate_of_angle(&mut self, rule: AngleRule<'m>, variable: SymbolId) -> Ex<'m> {
         let rate = self.rate(rule.group, rule.position, Vec::new(), variable);
         let rate = match rule.carrier {
-            Some(carrier) => rate + self.turning_of(carrier, variable),
+            Some(carrier) => rate + self.rotation_of_frame(carrier, variable),
             None => rate,
         };
         rule.sensed(rate)
     }
 
     /// What changes seen from the carrier and by its turning, in fixed coordinates.
-    fn shown_rate(&mut self, shown: &Shown<'m>, variable: SymbolId) -> Ex<'m> {
+    fn rate_of_from_frame(&mut self, shown: &FromFrame<'m>, variable: SymbolId) -> Ex<'m> {
         let [change, base] =
             [shown.vector, shown.base].map(|own| own.map(|x| self.slope(x, variable)));
-        let turned = self.turning_of(shown.carrier, variable) * shown.vector.perp();
-        rotating_frame::shown(self.algebra(), shown.carrier, change + turned, base)[shown.component]
+        let turned = self.rotation_of_frame(shown.carrier, variable) * shown.vector.perp();
+        rotating_frame::from_frame(self.algebra(), shown.carrier, change + turned, base)[shown.component]
     }
 
     /// By how much a carrier turns.
-    fn turning_of(&mut self, carrier: Carrier<'m>, variable: SymbolId) -> Ex<'m> {
+    fn rotation_of_frame(&mut self, carrier: RotatingFrame<'m>, variable: SymbolId) -> Ex<'m> {
         let start = carrier.start.map(|x| self.slope(x, variable));
         self.slope(carrier.angle, variable) + carrier.start.cross(start)
     }
 
     /// What changes in fixed coordinates, seen from the carrier, which turns itself.
-    fn seen_rate(&mut self, seen: &Seen<'m>, variable: SymbolId) -> Ex<'m> {
+    fn rate_of_to_frame(&mut self, seen: &ToFrame<'m>, variable: SymbolId) -> Ex<'m> {
         let change = seen.vector.map(|x| self.slope(x, variable));
-        let changed = rotating_frame::seen(self.algebra(), seen.carrier, change);
-        let turned = self.turning_of(seen.carrier, variable) * seen.own.perp();
+        let changed = rotating_frame::to_frame(self.algebra(), seen.carrier, change);
+        let turned = self.rotation_of_frame(seen.carrier, variable) * seen.in_frame.perp();
         (changed - turned)[seen.component]
     }
 
     /// `z' u + rate perp(z u)`
-    fn turning_rate(&mut self, turning: &Turning<'m>, variable: SymbolId) -> Ex<'m> {
-        let &Turning {
+    fn rate_of_turned_vector(&mut self, turning: &TurnedVector<'m>, variable: SymbolId) -> Ex<'m> {
+        let &TurnedVector {
             group,
             position,
             component,
@@ -141,7 +141,7 @@ impl<'m> Calculus<'m> for Algebra<'m> {
     }
 
     fn known_derivative(&mut self, node: NodeId, variable: SymbolId) -> Option<NodeId> {
-        body_vectors::slope_aboard(self, node, variable)
+        body_vectors::slope_of_body_vector(self, node, variable)
     }
 
     fn symbol_derivative(&mut self, symbol: SymbolId, variable: SymbolId) -> NodeId {
@@ -149,13 +149,13 @@ impl<'m> Calculus<'m> for Algebra<'m> {
     }
 }
 
-impl<'m> Implicit<'m> for Algebra<'m> {
+impl<'m> RuleCalculus<'m> for Algebra<'m> {
     fn algebra(&mut self) -> &mut Algebra<'m> {
         self
     }
 
-    fn rate_of_turn(&mut self, own: &TurnRule<'m>, variable: SymbolId) -> Ex<'m> {
-        match turns::second_turn(self, own, variable) {
+    fn rate_of_rotation(&mut self, own: &RotationRule<'m>, variable: SymbolId) -> Ex<'m> {
+        match rotation_variation::second_rotation(self, own, variable) {
             Some(turn) => turn,
             None => self.slope(own.equal, variable),
         }

@@ -6,7 +6,7 @@ use linkage_symbolic::Ex;
 use linkage_symbolic::program::Unary;
 
 use super::choice::Choice;
-use super::course::filled;
+use super::motion_law::filled;
 use crate::model::Law;
 
 pub(crate) use zones::ends;
@@ -73,14 +73,14 @@ impl<'m> Coefficients<'_, 'm> {
                 .iter()
                 .map(|own| self.x.number(own.from))
                 .collect();
-            Some(Choice::new(self.x, &borders).of(&values))
+            Some(Choice::new(self.x, &borders).among_pieces(&values))
         };
         let values: Vec<Option<Ex>> = self.laws.iter().map(of_law).collect();
         let Some(first) = values.iter().flatten().next() else {
             return self.x.number(0.0);
         };
         let values: Vec<Ex> = filled(&values, first).into_iter().copied().collect();
-        self.choice.of(&values)
+        self.choice.among_pieces(&values)
     }
 
     /// The sine and its derivatives, without the signs that these have.

@@ -8,8 +8,8 @@ use linkage_symbolic::{Ex, SymbolId, V2, V3, Vector};
 
 use super::Algebra;
 use super::adjoint::Multiplier;
-use super::derivatives::Derivatives;
-use super::implicit::Implicit;
+use super::derivatives::DerivativeMemos;
+use super::implicit::RuleCalculus;
 use super::solutions::Shortcuts;
 
 /// A vector that turns with an unknown: its derivative by that is the unknown's column of the Jacobian.
@@ -53,7 +53,7 @@ pub(crate) fn use_shortcuts(algebra: &mut Algebra<'_>, shortcuts: Shortcuts) -> 
     let is_new = algebra.solutions.shortcuts != shortcuts;
     if is_new {
         algebra.solutions.shortcuts = shortcuts;
-        algebra.derivatives = Derivatives::default();
+        algebra.derivatives = DerivativeMemos::default();
     }
     is_new
 }

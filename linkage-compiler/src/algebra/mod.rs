@@ -12,7 +12,7 @@ pub(crate) mod calls;
 pub(crate) mod carried;
 pub(crate) mod choice;
 pub(crate) mod constant_ratio;
-pub(crate) mod course;
+pub(crate) mod motion_law;
 pub(crate) mod dependence;
 pub(crate) mod derivatives;
 pub(crate) mod elimination;
@@ -34,7 +34,7 @@ pub(crate) mod rows;
 pub(crate) mod scalar;
 pub(crate) mod solutions;
 pub(crate) mod translate;
-pub(crate) mod turns;
+pub(crate) mod rotation_variation;
 pub(crate) mod via_slider;
 
 use linkage_symbolic::program::Source;
@@ -42,24 +42,24 @@ use linkage_symbolic::{Ex, Graph, SymbolId};
 
 use crate::model::{Mechanism, Variable};
 
-use derivatives::Derivatives;
+use derivatives::DerivativeMemos;
 
 pub(crate) use adjoint::Direction;
 pub(crate) use angle_reference::{AngleReference, Phasor};
 pub(crate) use bodies::{Bodies, Body, Scheme};
 pub(crate) use carried::{coordinates, directions};
 pub(crate) use constant_ratio::{ALIKE, ConstantRatio};
-pub(crate) use course::clamped_curvatures;
+pub(crate) use motion_law::clamped_curvatures;
 pub(crate) use elimination::{CoreRow, Elimination, PrivateColumn};
 pub(crate) use law::ends as ends_of_law;
 pub(crate) use links::{Link, Rod};
 pub(crate) use names::{Angle, Bound, Names, StandsFor};
 pub(crate) use nominal::Nominal;
 pub(crate) use pivots::{InOrder, Order};
-pub(crate) use rotating_frame::Carrier;
-pub(crate) use rows::{Carried, Distance, Links, Written};
+pub(crate) use rotating_frame::RotatingFrame;
+pub(crate) use rows::{ArmOnBody, Distance, Links, WrittenRow};
 pub(crate) use scalar::{Atom, Scalar};
-pub(crate) use solutions::{AngleRule, Rule, Shortcuts, Solution, Solutions, Term, Turning};
+pub(crate) use solutions::{AngleRule, Rule, Shortcuts, Solution, Solutions, Term, TurnedVector};
 pub(crate) use translate::{Translate, Value};
 pub(crate) use via_slider::ViaSlider;
 
@@ -73,7 +73,7 @@ pub(crate) struct Algebra<'m> {
     /// How the unknowns are found, and so how they are differentiated.
     pub(crate) solutions: Solutions<'m>,
     /// Derivatives found already.
-    derivatives: Derivatives<'m>,
+    derivatives: DerivativeMemos<'m>,
 }
 
 impl<'m> Algebra<'m> {
@@ -84,7 +84,7 @@ impl<'m> Algebra<'m> {
             graph,
             names: Names::new(mechanism, graph),
             solutions: Solutions::default(),
-            derivatives: Derivatives::default(),
+            derivatives: DerivativeMemos::default(),
         }
     }
 

@@ -23,7 +23,7 @@ pub(crate) struct Angle<'m> {
     /// Where it is estimated if it is no unknown and stands for none.
     pub(crate) estimated: f64,
     /// Where its closed form says so.
-    pub(crate) bearing: Option<AngleReference<'m>>,
+    pub(crate) reference: Option<AngleReference<'m>>,
 }
 
 /// What an introduced angle stands for.
@@ -133,7 +133,7 @@ impl<'m> Names<'m> {
             unknown,
             stands_for: None,
             estimated: 0.0,
-            bearing: None,
+            reference: None,
         });
         self.angles.len() - 1
     }

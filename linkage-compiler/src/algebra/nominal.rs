@@ -29,11 +29,11 @@ struct Wanted<'t> {
 
 impl Nominal {
     /// Of what it is computed from nothing stays in the graph: the order of its nodes is that of the mechanism's formulas.
-    pub(crate) fn of(algebra: &mut Algebra) -> Self {
-        algebra.tried(Self::found)
+    pub(crate) fn from_mechanism(algebra: &mut Algebra) -> Self {
+        algebra.tried(Self::evaluate_written)
     }
 
-    fn found(algebra: &mut Algebra) -> Self {
+    fn evaluate_written(algebra: &mut Algebra) -> Self {
         let mechanism = algebra.mechanism;
         let mut nominal = Self::default();
         for parameter in &mechanism.parameters {

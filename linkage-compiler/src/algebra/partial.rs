@@ -8,7 +8,7 @@ use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Calculus, DerivativeMemo, Ex, Graph, Node, NodeId, SymbolId};
 
 use super::acting::Acting;
-use super::implicit::Implicit;
+use super::implicit::RuleCalculus;
 use super::{Algebra, Rule, Term};
 
 /// What is solved together: a group's unknowns, or their derivatives by some variables. In the order in which they
@@ -64,7 +64,7 @@ impl<'m> Calculus<'m> for Partial<'_, 'm> {
     }
 }
 
-impl<'m> Implicit<'m> for Partial<'_, 'm> {
+impl<'m> RuleCalculus<'m> for Partial<'_, 'm> {
     fn algebra(&mut self) -> &mut Algebra<'m> {
         self.0
     }
@@ -169,19 +169,19 @@ fn behind(algebra: &mut Algebra<'_>, symbol: SymbolId) -> BTreeSet<Solved> {
     let behind = match algebra.solutions.rule(symbol).cloned() {
         None => BTreeSet::new(),
         Some(Rule::Follow(equal)) => mentioned_in(algebra, &[equal]),
-        Some(Rule::Turn(own)) => mentioned_in(algebra, &[own.equal]),
-        Some(Rule::Seen(seen)) => {
+        Some(Rule::Rotation(own)) => mentioned_in(algebra, &[own.equal]),
+        Some(Rule::ToFrame(seen)) => {
             let mut behind = mentioned_in(algebra, &seen.vector.0);
             behind.extend(mentioned_in(algebra, &[seen.carrier.angle]));
             behind
         }
-        Some(Rule::Shown(shown)) => {
+        Some(Rule::FromFrame(shown)) => {
             let [x, y] = shown.vector.0;
             let [base_x, base_y] = shown.base.0;
             mentioned_in(algebra, &[x, y, base_x, base_y, shown.carrier.angle])
         }
         Some(Rule::Axis(own)) => mentioned_in(algebra, &[own.0.angle]),
-        Some(Rule::Turning(turning)) => {
+        Some(Rule::TurnedVector(turning)) => {
             let mut behind = mentioned_in(algebra, &turning.z.0);
             behind.insert(result(turning.group, turning.position, Vec::new()));
             behind

@@ -8,7 +8,7 @@ use linkage_symbolic::{Ex, Node, NodeId, V2, Vector, agree};
 use super::Algebra;
 
 /// An angle by the nodes of its cosine and sine.
-pub(crate) type Turning = (NodeId, NodeId);
+pub(crate) type AnglePair = (NodeId, NodeId);
 
 /// A vector as a sum.
 #[derive(Clone, Debug)]
@@ -18,12 +18,12 @@ pub(crate) struct Parts<'m> {
     /// Whether that is known before a call.
     pub(crate) rest_is_fixed: bool,
     /// What turns with the same angles.
-    pub(crate) turning: Vec<(Vec<Turning>, Part<'m>)>,
+    pub(crate) turning: Vec<(Vec<AnglePair>, TurningPart<'m>)>,
 }
 
 /// The coefficients of the products of cosines and sines of some angles: the first bit of an index is set for the sine of the first angle.
 #[derive(Clone, Debug)]
-pub(crate) struct Part<'m> {
+pub(crate) struct TurningPart<'m> {
     pub(super) rows: [Vec<Ex<'m>>; 2],
 }
 
@@ -32,9 +32,9 @@ pub(crate) fn parts<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Parts<'m> {
     let zero = algebra.zero();
     let mut fixed = Vector([zero; 2]);
     let mut rest_is_fixed = true;
-    let mut turning: BTreeMap<Vec<Turning>, Part<'m>> = BTreeMap::new();
+    let mut turning: BTreeMap<Vec<AnglePair>, TurningPart<'m>> = BTreeMap::new();
     for (row, x) in vector.components().enumerate() {
-        for (known, term) in spread(x) {
+        for (known, term) in terms_of_sum(x) {
             let (angles, sines, factor) = factors(algebra, term);
             let signed = known * factor;
             if angles.is_empty() {
@@ -43,7 +43,7 @@ pub(crate) fn parts<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Parts<'m> {
                 continue;
             }
             let count = 1 << angles.len();
-            let part = turning.entry(angles).or_insert_with(|| Part {
+            let part = turning.entry(angles).or_insert_with(|| TurningPart {
                 rows: [vec![zero; count], vec![zero; count]],
             });
             part.rows[row][sines] += signed;
@@ -58,8 +58,8 @@ pub(crate) fn parts<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Parts<'m> {
 
 /// A product's angles, in order, which of them it has the sines of, and its other factors. A power of a cosine is no direction: it stays
 /// among the factors.
-pub(super) fn factors<'m>(algebra: &Algebra<'m>, term: Ex<'m>) -> (Vec<Turning>, usize, Ex<'m>) {
-    let mut angles: Vec<(Turning, bool)> = Vec::new();
+pub(super) fn factors<'m>(algebra: &Algebra<'m>, term: Ex<'m>) -> (Vec<AnglePair>, usize, Ex<'m>) {
+    let mut angles: Vec<(AnglePair, bool)> = Vec::new();
     let mut factor = term.number(1.0);
     let mut open = vec![term];
     while let Some(x) = open.pop() {
@@ -70,7 +70,7 @@ pub(super) fn factors<'m>(algebra: &Algebra<'m>, term: Ex<'m>) -> (Vec<Turning>,
                 factor = -factor;
                 open.push(ex(a));
             }
-            _ => match turning_of(algebra, x) {
+            _ => match angle_pair_of(algebra, x) {
                 Some((angle, sine)) if angles.iter().all(|(own, _)| *own != angle) => {
                     angles.push((angle, sine));
                 }
@@ -86,7 +86,7 @@ pub(super) fn factors<'m>(algebra: &Algebra<'m>, term: Ex<'m>) -> (Vec<Turning>,
 }
 
 /// The angle whose cosine or, then true, sine this is, if it is known only in a call.
-fn turning_of<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> Option<(Turning, bool)> {
+fn angle_pair_of<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> Option<(AnglePair, bool)> {
     if x.is_fixed() {
         return None;
     }
@@ -107,7 +107,7 @@ fn turning_of<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> Option<(Turning, bool)> {
 }
 
 /// The terms of a sum with factors that are known before a call, which may stand before a sum themselves.
-pub(super) fn spread(x: Ex) -> Vec<(Ex, Ex)> {
+pub(super) fn terms_of_sum(x: Ex) -> Vec<(Ex, Ex)> {
     let ex = |id| x.graph().ex(id);
     let mut found = Vec::new();
     let mut open = vec![(x.number(1.0), x)];
@@ -131,7 +131,7 @@ pub(super) fn spread(x: Ex) -> Vec<(Ex, Ex)> {
     found
 }
 
-impl<'m> Part<'m> {
+impl<'m> TurningPart<'m> {
     /// Where it points when all angles are 0.
     pub(crate) fn arm(&self) -> V2<'m> {
         Vector([self.rows[0][0], self.rows[1][0]])

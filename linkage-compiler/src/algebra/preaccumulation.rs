@@ -21,23 +21,23 @@ use super::partial::{Solved, System};
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Behind {
     Result(usize),
-    Place(Solved),
+    Intermediate(Solved),
 }
 
 /// The way from a number backwards through all narrow places.
 #[derive(Clone, Debug)]
-pub(super) struct Through<'m> {
+pub(super) struct ThroughIntermediates<'m> {
     /// To the first ones.
     flow: Flow<'m>,
     /// All of them in order, with the derivatives of the number with respect to each.
-    places: Vec<(Solved, Ex<'m>)>,
+    intermediates: Vec<(Solved, Ex<'m>)>,
     /// The narrow places between which and those before a parameter acts.
     acting: ByParameter,
 }
 
 /// Finds the narrow places between parameters and `results`: what is used of a group, if that is less than what
 /// hangs on it. What the results themselves use may be more: what is behind it is gone through once.
-pub(crate) fn find_narrow_places<'m>(algebra: &mut Algebra<'m>, results: &[Ex<'m>]) {
+pub(crate) fn find_intermediates<'m>(algebra: &mut Algebra<'m>, results: &[Ex<'m>]) {
     let mut hanging: BTreeMap<Solved, BTreeSet<Behind>> = BTreeMap::new();
     for (index, &result) in results.iter().enumerate() {
         for solved in partial::mentioned_in(algebra, &[result]) {
@@ -56,7 +56,7 @@ pub(crate) fn find_narrow_places<'m>(algebra: &mut Algebra<'m>, results: &[Ex<'m
             for earlier in mentioned_by_group(algebra, &solved.system) {
                 let all = hanging.entry(earlier).or_default();
                 match is_narrow {
-                    true => _ = all.insert(Behind::Place(solved.clone())),
+                    true => _ = all.insert(Behind::Intermediate(solved.clone())),
                     false => all.extend(behind.iter().cloned()),
                 }
             }
@@ -65,7 +65,7 @@ pub(crate) fn find_narrow_places<'m>(algebra: &mut Algebra<'m>, results: &[Ex<'m
             narrow.extend(used.into_keys());
         }
     }
-    algebra.solutions.narrow = narrow;
+    algebra.solutions.intermediates = narrow;
 }
 
 /// What the equations of a system, and those of its group that it mentions, mention of earlier groups.
@@ -93,25 +93,25 @@ pub(super) fn derivative_through<'m>(
 ) -> Ex<'m> {
     let known = algebra.derivatives.adjoints.flows.get(&x.id()).cloned();
     let through = known.unwrap_or_else(|| {
-        let through = Rc::new(way_through(algebra, x));
+        let through = Rc::new(through_intermediates(algebra, x));
         let all = &mut algebra.derivatives.adjoints.flows;
         all.insert(x.id(), Rc::clone(&through));
         through
     });
     let start = partial::partial(algebra, x, parameter);
     let direct = adjoint::minus_slopes(algebra, start, &through.flow, parameter);
-    let acting = through.acting.of(parameter).iter();
+    let acting = through.acting.positions_for(parameter).iter();
     acting.fold(direct, |sum, &index| {
-        let (place, weight) = &through.places[index];
+        let (place, weight) = &through.intermediates[index];
         sum + *weight * rate_between(algebra, place, parameter)
     })
 }
 
 /// From a number backwards, with its derivatives by all narrow places, also by those before others.
-fn way_through<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> Through<'m> {
+fn through_intermediates<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> ThroughIntermediates<'m> {
     let zero = algebra.zero();
     let weights = adjoint::weights_of(algebra, x);
-    let mut flow = adjoint::sweep(algebra, weights, |own, solved| is_narrow(own, solved));
+    let mut flow = adjoint::sweep(algebra, weights, |own, solved| is_intermediate(own, solved));
     let mut open = std::mem::take(&mut flow.ends);
     let mut places = BTreeMap::new();
     while let Some((place, weight)) = open.pop_last() {
@@ -126,28 +126,28 @@ fn way_through<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> Through<'m> {
             acting.add(index, &acting::acting_on_system(algebra, &own.system));
         }
     }
-    Through {
+    ThroughIntermediates {
         flow,
-        places: places.into_iter().collect(),
+        intermediates: places.into_iter().collect(),
         acting,
     }
 }
 
-fn is_narrow(algebra: &Algebra<'_>, solved: &Solved) -> bool {
-    algebra.solutions.narrow.contains(solved)
+fn is_intermediate(algebra: &Algebra<'_>, solved: &Solved) -> bool {
+    algebra.solutions.intermediates.contains(solved)
 }
 
 /// From a narrow place to those of earlier groups.
 fn flow_of<'m>(algebra: &mut Algebra<'m>, place: &Solved) -> Rc<Flow<'m>> {
-    if let Some(known) = algebra.derivatives.adjoints.of_places.get(place) {
+    if let Some(known) = algebra.derivatives.adjoints.of_intermediates.get(place) {
         return Rc::clone(known);
     }
     let group = place.system.group;
     let weights = vec![(place.clone(), algebra.one())];
     let flow = Rc::new(adjoint::sweep(algebra, weights, |own, solved| {
-        solved.system.group < group && is_narrow(own, solved)
+        solved.system.group < group && is_intermediate(own, solved)
     }));
-    let all = &mut algebra.derivatives.adjoints.of_places;
+    let all = &mut algebra.derivatives.adjoints.of_intermediates;
     all.insert(place.clone(), Rc::clone(&flow));
     flow
 }

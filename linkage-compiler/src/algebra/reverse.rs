@@ -11,7 +11,7 @@ use linkage_symbolic::unordered::{Map, Set};
 use linkage_symbolic::{Ex, Node, NodeId, SymbolId, Vector, pull_back};
 
 use super::partial::System;
-use super::{Algebra, AngleRule, Carrier, Rule};
+use super::{Algebra, AngleRule, RotatingFrame, Rule};
 
 /// What a sweep visits.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -114,16 +114,16 @@ fn below_node<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> Vec<Item> {
     match algebra.solutions.rule(symbol) {
         None => Vec::new(),
         Some(Rule::Follow(equal)) => vec![Item::Node(equal.id())],
-        Some(Rule::Turn(own)) => vec![Item::Node(own.equal.id())],
-        Some(Rule::Turning(turning)) => {
+        Some(Rule::Rotation(own)) => vec![Item::Node(own.equal.id())],
+        Some(Rule::TurnedVector(turning)) => {
             let z = turning.z.ids().map(Item::Node);
             [&z[..], &[system(turning.group, &[])]].concat()
         }
-        Some(Rule::Seen(seen)) => {
+        Some(Rule::ToFrame(seen)) => {
             let vector = seen.vector.ids().map(Item::Node);
             [&vector[..], &below_carrier(seen.carrier)].concat()
         }
-        Some(Rule::Shown(shown)) => {
+        Some(Rule::FromFrame(shown)) => {
             let [vector, base] = [shown.vector, shown.base].map(|own| own.ids().map(Item::Node));
             [&vector[..], &base[..], &below_carrier(shown.carrier)].concat()
         }
@@ -150,11 +150,11 @@ fn symbol_back<'m>(
     };
     match rule {
         Rule::Follow(equal) => add_to_node(algebra, weights, equal.id(), weight),
-        Rule::Turn(own) => add_to_node(algebra, weights, own.equal.id(), weight),
+        Rule::Rotation(own) => add_to_node(algebra, weights, own.equal.id(), weight),
         Rule::Cosine(rule) => add_to_angle(algebra, weights, rule, -(rule.unit[1] * weight)),
         Rule::Sine(rule) => add_to_angle(algebra, weights, rule, rule.unit[0] * weight),
         Rule::Value(rule) => add_to_angle(algebra, weights, rule, weight),
-        Rule::Turning(turning) => {
+        Rule::TurnedVector(turning) => {
             // The component of `z' u + rate perp(z u)`.
             let component = turning.component;
             let [c, s] = turning.unit.0;
@@ -166,16 +166,16 @@ fn symbol_back<'m>(
             let system = System::new(turning.group, Vec::new());
             add_to_system(algebra, weights, system, turning.position, share);
         }
-        Rule::Seen(seen) => {
+        Rule::ToFrame(seen) => {
             let [x, y] = seen.carrier.axis.0;
             let factors = [[x, y], [-y, x]][seen.component];
             for (own, factor) in seen.vector.components().zip(factors) {
                 add_to_node(algebra, weights, own.id(), factor * weight);
             }
-            let share = -(seen.own.perp()[seen.component] * weight);
+            let share = -(seen.in_frame.perp()[seen.component] * weight);
             add_to_carrier(algebra, weights, seen.carrier, share);
         }
-        Rule::Shown(shown) => {
+        Rule::FromFrame(shown) => {
             let component = shown.component;
             add_to_node(algebra, weights, shown.base[component].id(), weight);
             let [x, y] = shown.carrier.axis.0;
@@ -257,7 +257,7 @@ fn add_to_angle<'m>(
 fn add_to_carrier<'m>(
     algebra: &mut Algebra<'m>,
     weights: &mut Weights<'m>,
-    carrier: Carrier<'m>,
+    carrier: RotatingFrame<'m>,
     share: Ex<'m>,
 ) {
     add_to_node(algebra, weights, carrier.angle.id(), share);
@@ -297,7 +297,7 @@ fn add_to_system<'m>(
 }
 
 /// What a carrier turns by.
-fn below_carrier(carrier: Carrier) -> Vec<Item> {
+fn below_carrier(carrier: RotatingFrame) -> Vec<Item> {
     let nodes = std::iter::once(carrier.angle).chain(carrier.start.components());
     nodes.map(|x| Item::Node(x.id())).collect()
 }

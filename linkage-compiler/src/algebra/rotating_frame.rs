@@ -4,13 +4,13 @@ use crate::algebra::parts;
 use linkage_symbolic::program::Unary;
 use linkage_symbolic::{Ex, Node, V2, Vector};
 
-use super::parts::{Part, Turning, spread};
-use super::solutions::{Seen, Shown};
+use super::parts::{TurningPart, AnglePair, terms_of_sum};
+use super::solutions::{ToFrame, FromFrame};
 use super::{Algebra, Rule};
 
 /// A link by a direction that is fixed to it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Carrier<'m> {
+pub(crate) struct RotatingFrame<'m> {
     /// By which it turns.
     pub(crate) angle: Ex<'m>,
     /// Where it points when that is 0; of length 1.
@@ -21,30 +21,30 @@ pub(crate) struct Carrier<'m> {
 
 /// A vector from its carrier.
 #[derive(Clone, Debug)]
-pub(crate) struct Carried<'m> {
-    pub(crate) carrier: Carrier<'m>,
+pub(crate) struct InRotatingFrame<'m> {
+    pub(crate) carrier: RotatingFrame<'m>,
     /// The part that the link carries, along its axis and across.
     pub(crate) arm: V2<'m>,
     /// All else, in fixed coordinates.
     pub(crate) rest: V2<'m>,
-    pub(crate) turns: Turns,
+    pub(crate) turns: AngleSum,
 }
 
 /// What a vector turns with.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Turns {
-    pub(super) angles: Vec<Turning>,
+pub(crate) struct AngleSum {
+    pub(super) angles: Vec<AnglePair>,
     /// A bit for each that it turns against.
     pub(super) backward: usize,
 }
 
 /// A vector from the link that carries `guide`, which points along `axis`, if that link carries a part of the vector.
-pub(crate) fn carried<'m>(
+pub(crate) fn in_rotating_frame<'m>(
     algebra: &mut Algebra<'m>,
     guide: V2<'m>,
     axis: V2<'m>,
     vector: V2<'m>,
-) -> Option<Carried<'m>> {
+) -> Option<InRotatingFrame<'m>> {
     let parts = parts::parts(algebra, guide);
     let [(angles, own)] = &parts.turning[..] else {
         return None;
@@ -53,7 +53,7 @@ pub(crate) fn carried<'m>(
         return None;
     }
     let backward = own.backward()?;
-    let turns = Turns {
+    let turns = AngleSum {
         angles: angles.clone(),
         backward,
     };
@@ -61,7 +61,7 @@ pub(crate) fn carried<'m>(
     let zero = algebra.zero();
     let numbered = angles.iter().enumerate();
     let angle = numbered.fold(zero, |sum, (k, &turning)| {
-        let angle = number_of(algebra, turning);
+        let angle = angle_of(algebra, turning);
         match backward >> k & 1 {
             0 => sum + angle,
             _ => sum - angle,
@@ -73,8 +73,8 @@ pub(crate) fn carried<'m>(
         start.mark_unit();
     }
     let (_, start) = start.length_and_unit();
-    let carrier = carrier(algebra, angle, start, axis);
-    Some(Carried {
+    let carrier = rotating_frame(algebra, angle, start, axis);
+    Some(InRotatingFrame {
         carrier,
         arm: arm.turned(start.conjugate()),
         rest,
@@ -86,7 +86,7 @@ pub(crate) fn carried<'m>(
 pub(super) fn split<'m>(
     algebra: &Algebra<'m>,
     vector: V2<'m>,
-    turns: &Turns,
+    turns: &AngleSum,
 ) -> Option<(V2<'m>, V2<'m>)> {
     let mut parts = parts::parts(algebra, vector).turning.into_iter();
     let (angles, part) = parts.find(|(angles, _)| *angles == turns.angles)?;
@@ -98,18 +98,18 @@ pub(super) fn split<'m>(
 }
 
 /// The carrier whose axis is computed as `axis`.
-fn carrier<'m>(
+fn rotating_frame<'m>(
     algebra: &mut Algebra<'m>,
     angle: Ex<'m>,
     start: V2<'m>,
     axis: V2<'m>,
-) -> Carrier<'m> {
+) -> RotatingFrame<'m> {
     let symbols = axis.map(|value| {
         let (symbol, node) = algebra.graph.unknown("axis".to_owned());
         algebra.graph.define(symbol, value.id());
         algebra.graph.ex(node)
     });
-    let carrier = Carrier {
+    let carrier = RotatingFrame {
         angle,
         start,
         axis: symbols,
@@ -125,8 +125,8 @@ fn carrier<'m>(
 }
 
 /// The terms of a sum that turn otherwise than with these angles alone.
-pub(super) fn without<'m>(algebra: &Algebra<'m>, x: Ex<'m>, angles: &[Turning]) -> Ex<'m> {
-    let terms = spread(x).into_iter();
+pub(super) fn without<'m>(algebra: &Algebra<'m>, x: Ex<'m>, angles: &[AnglePair]) -> Ex<'m> {
+    let terms = terms_of_sum(x).into_iter();
     let terms = terms.filter(|(_, term)| parts::factors(algebra, *term).0 != angles);
     let (early, late): (Vec<Ex>, Vec<Ex>) = terms
         .map(|(known, term)| known * term)
@@ -136,7 +136,7 @@ pub(super) fn without<'m>(algebra: &Algebra<'m>, x: Ex<'m>, angles: &[Turning]) 
 }
 
 /// The angle of a cosine and a sine.
-fn number_of<'m>(algebra: &Algebra<'m>, (cosine, _): Turning) -> Ex<'m> {
+fn angle_of<'m>(algebra: &Algebra<'m>, (cosine, _): AnglePair) -> Ex<'m> {
     let cosine = algebra.graph.ex(cosine);
     match cosine.node() {
         Node::Unary(Unary::Cos, argument) => algebra.graph.ex(argument),
@@ -149,7 +149,7 @@ fn number_of<'m>(algebra: &Algebra<'m>, (cosine, _): Turning) -> Ex<'m> {
 }
 
 /// A vector of fixed coordinates along the axis of a carrier and across.
-pub(crate) fn seen<'m>(algebra: &mut Algebra<'m>, carrier: Carrier<'m>, vector: V2<'m>) -> V2<'m> {
+pub(crate) fn to_frame<'m>(algebra: &mut Algebra<'m>, carrier: RotatingFrame<'m>, vector: V2<'m>) -> V2<'m> {
     if vector.is_zero() {
         return vector;
     }
@@ -161,23 +161,23 @@ pub(crate) fn seen<'m>(algebra: &mut Algebra<'m>, carrier: Carrier<'m>, vector: 
     });
     let own = Vector(symbols.map(|(_, x)| x));
     for (component, (symbol, _)) in symbols.into_iter().enumerate() {
-        let seen = Seen {
+        let seen = ToFrame {
             carrier,
             vector,
-            own,
+            in_frame: own,
             component,
         };
         algebra
             .solutions
-            .set_rule(symbol, Rule::Seen(Box::new(seen)));
+            .set_rule(symbol, Rule::ToFrame(Box::new(seen)));
     }
     own
 }
 
 /// `base` and a vector along the axis of a carrier and across, in fixed coordinates.
-pub(crate) fn shown<'m>(
+pub(crate) fn from_frame<'m>(
     algebra: &mut Algebra<'m>,
-    carrier: Carrier<'m>,
+    carrier: RotatingFrame<'m>,
     vector: V2<'m>,
     base: V2<'m>,
 ) -> V2<'m> {
@@ -189,7 +189,7 @@ pub(crate) fn shown<'m>(
         (symbol, algebra.graph.ex(node))
     });
     for (component, (symbol, _)) in made.into_iter().enumerate() {
-        let shown = Shown {
+        let shown = FromFrame {
             carrier,
             vector,
             base,
@@ -197,12 +197,12 @@ pub(crate) fn shown<'m>(
         };
         algebra
             .solutions
-            .set_rule(symbol, Rule::Shown(Box::new(shown)));
+            .set_rule(symbol, Rule::FromFrame(Box::new(shown)));
     }
     Vector(made.map(|(_, x)| x))
 }
 
-impl<'m> Part<'m> {
+impl<'m> TurningPart<'m> {
     fn is_fixed(&self) -> bool {
         self.rows.iter().flatten().all(|x| x.is_fixed())
     }

@@ -13,12 +13,12 @@ use std::mem;
 use linkage_symbolic::{Ex, SymbolId, V3};
 
 use super::Algebra;
-use super::implicit::{Implicit, Rates};
-use super::turns::Turns;
+use super::implicit::{RuleCalculus, Rates};
+use super::rotation_variation::BodyRotations;
 
 /// An equation as it was written.
 #[derive(Clone, Debug)]
-pub(crate) struct Written<'m> {
+pub(crate) struct WrittenRow<'m> {
     pub(crate) row: Ex<'m>,
     /// If it says how long a link is, or by how much its square differs from that of another one.
     pub(crate) links: Option<Links<'m>>,
@@ -36,12 +36,12 @@ pub(crate) struct Links<'m> {
 pub(crate) struct Distance<'m> {
     pub(crate) vector: V3<'m>,
     pub(crate) length: Ex<'m>,
-    pub(crate) carried: Option<Carried<'m>>,
+    pub(crate) carried: Option<ArmOnBody<'m>>,
 }
 
 /// What a body carries of a vector as it is.
 #[derive(Clone, Debug)]
-pub(crate) struct Carried<'m> {
+pub(crate) struct ArmOnBody<'m> {
     pub(crate) body: usize,
     pub(crate) arm: V3<'m>,
     pub(crate) rest: V3<'m>,
@@ -56,7 +56,7 @@ pub(super) fn right_of_rows<'m>(
     group: usize,
     by: &[SymbolId],
     held: Vec<Ex<'m>>,
-    turns: Option<&Turns<'m>>,
+    turns: Option<&BodyRotations<'m>>,
 ) -> Vec<Ex<'m>> {
     with_rates(algebra, (group, by.to_vec()), held, |algebra, own| {
         let by_turns = own.links.zip(turns);
@@ -105,7 +105,7 @@ fn with_rates<'m, R>(
     algebra: &mut Algebra<'m>,
     key: (usize, Vec<SymbolId>),
     rates: Vec<Ex<'m>>,
-    mut of: impl FnMut(&mut Algebra<'m>, Written<'m>) -> R,
+    mut of: impl FnMut(&mut Algebra<'m>, WrittenRow<'m>) -> R,
 ) -> Vec<R> {
     let rows = algebra.solutions.groups[key.0].rows.clone();
     let rates = Rates {
@@ -124,7 +124,7 @@ fn with_rates<'m, R>(
 }
 
 /// The second derivative, if lengths and arms are not changed by the variables.
-fn of_links<'m>(algebra: &mut Algebra<'m>, links: &Links<'m>, turns: &Turns<'m>) -> Option<Ex<'m>> {
+fn of_links<'m>(algebra: &mut Algebra<'m>, links: &Links<'m>, turns: &BodyRotations<'m>) -> Option<Ex<'m>> {
     let graph = algebra.graph;
     let both = [Some(&links.first), links.less.as_ref()];
     let given = both.into_iter().flatten().flat_map(|own| {
@@ -145,7 +145,7 @@ fn of_links<'m>(algebra: &mut Algebra<'m>, links: &Links<'m>, turns: &Turns<'m>)
 }
 
 /// The second derivative of half of the square of a vector.
-fn bend<'m>(algebra: &mut Algebra<'m>, own: &Distance<'m>, turns: &Turns<'m>) -> Ex<'m> {
+fn bend<'m>(algebra: &mut Algebra<'m>, own: &Distance<'m>, turns: &BodyRotations<'m>) -> Ex<'m> {
     let vector = own.vector;
     let rest = own.carried.as_ref().map_or(vector, |carried| carried.rest);
     let [mut first, mut second] = turns

@@ -6,9 +6,9 @@ use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, NodeId, SymbolId, V2};
 
-use super::body_vectors::Aboard;
+use super::body_vectors::BodyVector;
 use super::partial::Solved;
-use super::{Carrier, Elimination, Link, Rod, ViaSlider, Written};
+use super::{RotatingFrame, Elimination, Link, Rod, ViaSlider, WrittenRow};
 
 /// How a symbol that lives by its definition is differentiated.
 #[derive(Clone, Debug)]
@@ -16,19 +16,19 @@ pub(crate) enum Rule<'m> {
     /// Like this expression, which is equal to the definition.
     Follow(Ex<'m>),
     /// A component of the turn of a body.
-    Turn(Box<TurnRule<'m>>),
+    Rotation(Box<RotationRule<'m>>),
     /// The cosine, sine or value of an angle that a group solves for.
     Cosine(AngleRule<'m>),
     Sine(AngleRule<'m>),
     Value(AngleRule<'m>),
     /// A component of `z u`, a vector that turns with unknown `position` of a group.
-    Turning(Box<Turning<'m>>),
+    TurnedVector(Box<TurnedVector<'m>>),
     /// A component of a vector as seen from a link that turns.
-    Seen(Box<Seen<'m>>),
+    ToFrame(Box<ToFrame<'m>>),
     /// The other way round.
-    Shown(Box<Shown<'m>>),
+    FromFrame(Box<FromFrame<'m>>),
     /// A component of the axis of such a link.
-    Axis(Box<(Carrier<'m>, usize)>),
+    Axis(Box<(RotatingFrame<'m>, usize)>),
     /// Unknown `position` of a group.
     Unknown {
         group: usize,
@@ -44,7 +44,7 @@ pub(crate) enum Rule<'m> {
 
 /// See [`Rule::Turn`].
 #[derive(Clone, Debug)]
-pub(crate) struct TurnRule<'m> {
+pub(crate) struct RotationRule<'m> {
     pub(super) group: usize,
     pub(super) body: usize,
     pub(super) component: usize,
@@ -64,7 +64,7 @@ pub(crate) struct AngleRule<'m> {
     /// Cosine and sine.
     pub(crate) unit: V2<'m>,
     /// The link that the group's unknown is measured from.
-    pub(crate) carrier: Option<Carrier<'m>>,
+    pub(crate) carrier: Option<RotatingFrame<'m>>,
 }
 
 impl AngleRule<'_> {
@@ -76,7 +76,7 @@ impl AngleRule<'_> {
 
 /// See [`Rule::Turning`].
 #[derive(Clone, Debug)]
-pub(crate) struct Turning<'m> {
+pub(crate) struct TurnedVector<'m> {
     pub(crate) group: usize,
     pub(crate) position: usize,
     pub(crate) component: usize,
@@ -88,19 +88,19 @@ pub(crate) struct Turning<'m> {
 
 /// See [`Rule::Seen`].
 #[derive(Clone, Debug)]
-pub(crate) struct Seen<'m> {
-    pub(crate) carrier: Carrier<'m>,
+pub(crate) struct ToFrame<'m> {
+    pub(crate) carrier: RotatingFrame<'m>,
     /// In fixed coordinates.
     pub(crate) vector: V2<'m>,
     /// Along the axis and across.
-    pub(crate) own: V2<'m>,
+    pub(crate) in_frame: V2<'m>,
     pub(crate) component: usize,
 }
 
 /// See [`Rule::Shown`].
 #[derive(Clone, Debug)]
-pub(crate) struct Shown<'m> {
-    pub(crate) carrier: Carrier<'m>,
+pub(crate) struct FromFrame<'m> {
+    pub(crate) carrier: RotatingFrame<'m>,
     /// Along the axis and across.
     pub(crate) vector: V2<'m>,
     /// What is added in fixed coordinates.
@@ -121,7 +121,7 @@ pub(crate) struct Term<'m> {
 pub(crate) struct Solution<'m> {
     pub(crate) terms: Vec<Term<'m>>,
     /// The equations as they were written, for groups whose derivatives are found from these; no rows for others.
-    pub(crate) rows: Vec<Written<'m>>,
+    pub(crate) rows: Vec<WrittenRow<'m>>,
     /// Columns: the derivatives of the equations by each unknown.
     pub(crate) jacobian: Vec<Vec<Ex<'m>>>,
     pub(crate) determinant: Ex<'m>,
@@ -149,13 +149,13 @@ pub(crate) struct Solutions<'m> {
     /// By group.
     pub(crate) groups: Vec<Solution<'m>>,
     /// Loops with a guide on a link that turns, in order.
-    pub(crate) other_sides: Vec<ViaSlider<'m>>,
+    pub(crate) via_sliders: Vec<ViaSlider<'m>>,
     /// What derivatives make use of.
     pub(super) shortcuts: Shortcuts,
     /// What bodies carry, by component.
-    pub(super) aboard: Map<NodeId, Aboard<'m>>,
+    pub(super) body_vectors: Map<NodeId, BodyVector<'m>>,
     /// The places between parameters and the results of a function that all paths of some groups lead through.
-    pub(super) narrow: BTreeSet<Solved>,
+    pub(super) intermediates: BTreeSet<Solved>,
 }
 
 impl<'m> Solutions<'m> {

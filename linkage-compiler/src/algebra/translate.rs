@@ -7,7 +7,7 @@ use linkage_symbolic::{Ex, NodeId, Vn};
 
 use crate::model::{BinaryOp, Expr, ExprKind, Name, Type};
 
-use super::{Algebra, Atom, Bound, Scalar, course};
+use super::{Algebra, Atom, Bound, Scalar, motion_law};
 
 /// The value of an expression.
 #[derive(Clone, Debug)]
@@ -74,7 +74,7 @@ pub(crate) trait Translate<'m> {
                 let knots: Vec<(Ex, Ex)> = knots.collect();
                 let slopes = course.knots.iter().filter_map(|own| own.slope.as_ref());
                 let slopes: Vec<Ex> = slopes.map(|own| self.translate_number(own)).collect();
-                course::value(argument, course, &knots, &slopes).into()
+                motion_law::value(argument, course, &knots, &slopes).into()
             }
             ExprKind::Derivative(..)
             | ExprKind::InputDerivative(..)

@@ -65,7 +65,7 @@ impl<'m> Choice<'m> {
     ) {
         // One after the other: each choice is made with those before.
         if !self.sensed.is_empty() {
-            preaccumulation::find_narrow_places(state.algebra, &self.sensed);
+            preaccumulation::find_intermediates(state.algebra, &self.sensed);
             for &direction in directions {
                 let way = Way {
                     direction,
@@ -74,7 +74,7 @@ impl<'m> Choice<'m> {
                 self.try_way(state, inliner, definition, way, 0.0);
             }
         }
-        if !state.algebra.solutions.other_sides.is_empty() {
+        if !state.algebra.solutions.via_sliders.is_empty() {
             let way = Way {
                 other_sides: true,
                 ..self.way

@@ -128,7 +128,7 @@ impl Alone {
             settled,
             fields: fields::fields(algebra.mechanism, definition, picture, &columns),
             columns,
-            sensitivities: self.direction.map(Direction::words),
+            sensitivities: self.direction.map(Direction::doc_text),
         }
     }
 }

@@ -6,7 +6,7 @@ use crate::algebra::frame;
 use crate::algebra::links;
 use crate::algebra::scalar;
 use crate::algebra::translate;
-use crate::algebra::turns;
+use crate::algebra::rotation_variation;
 use crate::algebra::via_slider;
 use crate::forces::quantities;
 use linkage_symbolic::{Ex, SymbolId, Vector, Vn};
@@ -114,7 +114,7 @@ impl<'m> Request<'_, 'm> {
             value if !self.way.other_sides => value,
             Value::Vector(vector) if vector.len() == 2 => {
                 let plane = Vector([vector.at(0), vector.at(1)]);
-                Value::Vector(via_slider::by_other_sides(self.algebra, plane).into())
+                Value::Vector(via_slider::via_sliders(self.algebra, plane).into())
             }
             Value::Array(entries) => {
                 let entries = entries.into_iter();
@@ -241,7 +241,7 @@ impl<'m> Request<'_, 'm> {
     fn turning(&mut self, frame: &Value<'m>, order: u8) -> Value<'m> {
         self.by_each_input(|request, input| {
             let variable = request.algebra.variable(Variable::Input(input));
-            let turning = match turns::turn_of_frame(request.algebra, frame, variable) {
+            let turning = match rotation_variation::rotation_of_frame(request.algebra, frame, variable) {
                 Some(turn) => turn,
                 None => {
                     let slope = request.derivative(frame, Variable::Input(input));

@@ -43,7 +43,7 @@ fn expect_agreement(items: &str, function: &str) {
 
     let graph = Graph::new();
     let mut algebra = Algebra::new(&mechanism, &graph);
-    let mut nominal = Nominal::of(&mut algebra);
+    let mut nominal = Nominal::from_mechanism(&mut algebra);
     let mut reporter = Reporter {
         origins: &origins,
         diagnostics: &mut diagnostics,
@@ -78,7 +78,7 @@ fn expect_agreement(items: &str, function: &str) {
         let requested = request(&mut state, function, way);
         assert!(!requested.sensed.is_empty());
         // Forward is the first.
-        preaccumulation::find_narrow_places(&mut algebra, &requested.sensed);
+        preaccumulation::find_intermediates(&mut algebra, &requested.sensed);
         requested.scalars
     });
     let results: Vec<Vec<Ex>> = results.collect();

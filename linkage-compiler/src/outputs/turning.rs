@@ -15,7 +15,7 @@ pub(super) fn continuous<'m>(
     let mut coefficients = Vec::new();
     let angles = angles.iter().map(|&index| {
         let angle = algebra.names.angles[index].clone();
-        let phasors = angle.bearing.and_then(|bearing| bearing.phasors(algebra));
+        let phasors = angle.reference.and_then(|bearing| bearing.phasors(algebra));
         let phasors = phasors.unwrap_or_default();
         coefficients.extend(phasors.iter().flat_map(|own| own.coefficient.components()));
         ContinuousAngle {

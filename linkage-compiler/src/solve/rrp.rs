@@ -24,11 +24,11 @@ pub(super) fn rotor_and_slide<'m>(
     let (stretch, g) = guide.length_and_unit();
     let w = solver.mode_sign();
 
-    let carried = rotating_frame::carried(solver.algebra, guide, g, c);
+    let carried = rotating_frame::in_rotating_frame(solver.algebra, guide, g, c);
     // What the guide carries has a size of its own.
     let (from_guide, size) = match &carried {
         Some(own) => (
-            own.arm + rotating_frame::seen(solver.algebra, own.carrier, own.rest),
+            own.arm + rotating_frame::to_frame(solver.algebra, own.carrier, own.rest),
             r + own.arm.length(),
         ),
         None => (Vector([g.dot(c), g.cross(c)]), r),
@@ -94,7 +94,7 @@ pub(super) fn rotor_and_slide<'m>(
             carrier: own.carrier,
             carried: own.turns,
         };
-        solver.algebra.solutions.other_sides.push(other_side);
+        solver.algebra.solutions.via_sliders.push(other_side);
     }
 
     let mut terms = rotor_terms(rotor.z, equation.unit);

@@ -20,7 +20,7 @@ use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
 use crate::algebra::{
-    Algebra, AngleReference, AngleRule, Carrier, Nominal, Rule, Solution, Turning,
+    Algebra, AngleReference, AngleRule, RotatingFrame, Nominal, Rule, Solution, TurnedVector,
 };
 use crate::model::Dimension;
 use crate::structure::{Form, Rotor};
@@ -159,7 +159,7 @@ impl<'m> Solver<'_, 'm> {
     /// The same of an angle whose unknown is measured from a carrier.
     pub(super) fn define_angle_from(
         &mut self,
-        carrier: Option<Carrier<'m>>,
+        carrier: Option<RotatingFrame<'m>>,
         angle: usize,
         sense: f64,
         unit: V2<'m>,
@@ -184,7 +184,7 @@ impl<'m> Solver<'_, 'm> {
 
     /// Says what an angle keeps within a quarter turn of.
     pub(super) fn bear(&mut self, angle: usize, bearing: AngleReference<'m>) {
-        self.algebra.names.angles[angle].bearing = Some(bearing);
+        self.algebra.names.angles[angle].reference = Some(bearing);
     }
 
     /// Says how an unknown angle is differentiated.
@@ -194,7 +194,7 @@ impl<'m> Solver<'_, 'm> {
 
     fn declare_angle_from(
         &mut self,
-        carrier: Option<Carrier<'m>>,
+        carrier: Option<RotatingFrame<'m>>,
         angle: usize,
         sense: f64,
         position: usize,
@@ -269,7 +269,7 @@ impl<'m> Solver<'_, 'm> {
         });
         let vector = Vector(symbols.map(|symbol| self.unknown(symbol)));
         for (component, symbol) in symbols.into_iter().enumerate() {
-            let turning = Turning {
+            let turning = TurnedVector {
                 group,
                 position,
                 component,
@@ -277,7 +277,7 @@ impl<'m> Solver<'_, 'm> {
                 z,
                 unit,
             };
-            let rule = Rule::Turning(Box::new(turning));
+            let rule = Rule::TurnedVector(Box::new(turning));
             self.algebra.solutions.set_rule(symbol, rule);
         }
         vector

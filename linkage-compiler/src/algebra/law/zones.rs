@@ -147,7 +147,7 @@ mod tests {
     use crate::syntax::Word;
 
     /// A zone's value and two derivatives.
-    fn at(zone: &Zone, x: f64) -> [f64; 3] {
+    fn value_and_rates(zone: &Zone, x: f64) -> [f64; 3] {
         let y = x - zone.origin;
         let mut all = [0, 1, 2].map(|order| {
             let powers = (order..zone.polynomial.len()).rev();
@@ -167,11 +167,11 @@ mod tests {
     fn laws_go_from_exactly_zero_to_one_and_are_smooth_between_zones() {
         for law in Law::all() {
             let zones = zones(law);
-            assert_eq!(at(&zones[0], 0.0)[0], 0.0, "{}", law.word());
-            let end = at(&zones[zones.len() - 1], 1.0)[0];
+            assert_eq!(value_and_rates(&zones[0], 0.0)[0], 0.0, "{}", law.word());
+            let end = value_and_rates(&zones[zones.len() - 1], 1.0)[0];
             assert!((end - 1.0).abs() <= f64::EPSILON, "{}: {end}", law.word());
             for pair in zones.windows(2) {
-                let [before, behind] = [&pair[0], &pair[1]].map(|own| at(own, pair[1].from));
+                let [before, behind] = [&pair[0], &pair[1]].map(|own| value_and_rates(own, pair[1].from));
                 for order in 0..3 {
                     let gap = (before[order] - behind[order]).abs();
                     assert!(

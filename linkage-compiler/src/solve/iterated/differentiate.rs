@@ -3,7 +3,7 @@
 use crate::algebra::partial;
 use linkage_symbolic::{Ex, V2};
 
-use crate::algebra::{Body, Distance, Elimination, Links, PrivateColumn, Solution, Term, Written};
+use crate::algebra::{Body, Distance, Elimination, Links, PrivateColumn, Solution, Term, WrittenRow};
 use crate::solve::Solver;
 use crate::structure::{Block, Link, Private};
 
@@ -117,8 +117,8 @@ fn terms_of<'m>(
 }
 
 /// The rows of a loop. The difference of two links is that of their squares: as products its derivatives have more terms.
-fn written<'m>(block: &Block<'m>, bodies: &[Body<'m>]) -> Vec<Written<'m>> {
-    let row = |&row: &Ex<'m>| Written { row, links: None };
+fn written<'m>(block: &Block<'m>, bodies: &[Body<'m>]) -> Vec<WrittenRow<'m>> {
+    let row = |&row: &Ex<'m>| WrittenRow { row, links: None };
     let (Some(link), [own]) = (&block.distance, &block.rows[..]) else {
         return block.rows.iter().map(row).collect();
     };
@@ -140,7 +140,7 @@ fn written<'m>(block: &Block<'m>, bodies: &[Body<'m>]) -> Vec<Written<'m>> {
         first: distance(link),
         less: less.map(|own| distance(own)),
     };
-    vec![Written {
+    vec![WrittenRow {
         row,
         links: Some(links),
     }]

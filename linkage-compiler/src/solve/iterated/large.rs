@@ -97,7 +97,7 @@ pub(super) fn large<'m>(solver: &mut Solver<'_, 'm>, equations: &Equations<'_, '
         Core::Angle(_) => None,
         Core::Length { symbol, .. } => Some(graph.ex(graph.symbol_node(symbol))),
     });
-    let bodies = Bodies::of(&equations.matrix, &unknowns.collect::<Vec<_>>());
+    let bodies = Bodies::in_matrix(&equations.matrix, &unknowns.collect::<Vec<_>>());
     let freedoms = turns::freedoms(solver, equations, &bodies);
     let order = pivot_order(solver, &freedoms);
     let rows = rows_of_step(solver, equations, &bodies, &freedoms);

@@ -6,7 +6,7 @@
 
 use linkage_symbolic::{Ex, SymbolId, V3, Vector, agree, substitute};
 
-use crate::algebra::{Bodies, Body, Carried, coordinates, directions};
+use crate::algebra::{Bodies, Body, ArmOnBody, coordinates, directions};
 use crate::solve::Solver;
 use crate::structure::Block;
 
@@ -80,13 +80,13 @@ pub(super) fn same<'m>(proposed: V3<'m>, any: V3<'m>) -> bool {
 }
 
 /// What one of the bodies carries of a vector as it is.
-pub(super) fn carried<'m>(vector: V3<'m>, bodies: &[Body<'m>]) -> Option<Carried<'m>> {
+pub(super) fn carried<'m>(vector: V3<'m>, bodies: &[Body<'m>]) -> Option<ArmOnBody<'m>> {
     let graph = vector[0].graph();
     let mut all = bodies.iter().enumerate().filter_map(|(index, body)| {
         let Parts { carried, rest } = parts(body, vector)?;
         // Of directions alone, but not as they are: a shadow, or a product with a fixed direction, turns otherwise.
         let own = coordinates(carried, body.axes)?;
-        (!carried.is_zero()).then(|| Carried {
+        (!carried.is_zero()).then(|| ArmOnBody {
             body: index,
             arm: carried,
             rest,

@@ -48,7 +48,7 @@ pub(super) fn value<'m>(
     let choice = Choice::new(along, borders);
     let [from, value, slope, half, bend] = [0, 1, 2, 3, 4].map(|k| {
         let all: Vec<Ex> = pieces.iter().map(|own| own[k]).collect();
-        choice.of(&all)
+        choice.among_pieces(&all)
     });
     let way = along - from;
     match order {

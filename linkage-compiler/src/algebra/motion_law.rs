@@ -12,7 +12,7 @@ use super::choice::Choice;
 use super::law::profile;
 use crate::model::{Law, MotionLaw, MotionLawKind, Pieces, Repeats};
 
-mod blocks;
+mod spline_blocks;
 mod quintic;
 mod spline;
 
@@ -115,7 +115,7 @@ fn by_laws<'m>(
     };
     let choice = Choice::new(along, borders);
     let base = match order {
-        0 => choice.of(&bases),
+        0 => choice.among_pieces(&bases),
         // Values of which each piece has another are no part of a slope.
         _ => along.number(0.0),
     };
@@ -128,17 +128,17 @@ fn by_laws<'m>(
         .map(|own| own.as_ref().map_or(rest, |own| own.rate))
         .collect();
     let with_neighbour = filled(&pieces, some);
-    let from = choice.of(&with_neighbour
+    let from = choice.among_pieces(&with_neighbour
         .iter()
         .map(|own| own.from)
         .collect::<Vec<_>>());
-    let height = choice.of(&with_neighbour
+    let height = choice.among_pieces(&with_neighbour
         .iter()
         .map(|own| own.height)
         .collect::<Vec<_>>());
     let laws: Vec<Law> = with_neighbour.iter().map(|own| own.law).collect();
     let way = along - from;
-    let rate = choice.of(&rates);
+    let rate = choice.among_pieces(&rates);
     let x = way * rate;
     // Each derivative by the place brings the rate once more.
     let height = (0..order).fold(height, |height, _| height * rate);

@@ -7,7 +7,7 @@
 
 use linkage_symbolic::Ex;
 
-use super::blocks::{Block, Row, Shape, added, eliminated, in_circle, plus};
+use super::spline_blocks::{Block, Row, Shape, added, eliminated, in_circle, plus};
 use super::spline::{solved, solved_in_circle};
 use crate::algebra::choice::Choice;
 use crate::algebra::law::{ORDERS, falling, scheme};
@@ -66,7 +66,7 @@ pub(super) fn value<'m>(
     let choice = Choice::new(along, borders);
     let [from, coefficients @ ..] = [0, 1, 2, 3, 4, 5, 6].map(|k| {
         let all: Vec<Ex> = pieces.iter().map(|own| own[k]).collect();
-        choice.of(&all)
+        choice.among_pieces(&all)
     });
     let way = along - from;
     // From the last one down: each derivative is known when what it is the slope of is made.
