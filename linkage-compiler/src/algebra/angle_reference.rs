@@ -1,37 +1,13 @@
 //! Which way an angle points, as long as its group can be assembled: what its turns are counted by.
 
-use crate::algebra::parts;
 use linkage_symbolic::program::{Binary, Source, Unary};
 use linkage_symbolic::{Ex, Node, V2, Vector, agree};
 
-use super::Algebra;
-use super::parts::{TurningPart, AnglePair};
-
-/// A vector that an angle keeps within a quarter turn of, wherever its group can be assembled.
-///
-/// A closed form says that the vector `z u`, which the angle turns, is `a B + w h C` with a root `h`, where `B` and `C` are perpendicular: it never
-/// gets from the side of `w C` to the other one.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct AngleReference<'m> {
-    /// `C`, or where that is `across`, `C` turned by -90 degrees.
-    pub(crate) vector: V2<'m>,
-    pub(crate) across: bool,
-    /// `w`, 1 or -1 by the assembly, and whether its opposite is meant.
-    pub(crate) mode: Ex<'m>,
-    pub(crate) opposite: bool,
-    /// What `u` turns; its direction is that of `z u` where there is none.
-    pub(crate) z: Option<V2<'m>>,
-    /// -1 if `u` turns with the negative angle.
-    pub(crate) sense: f64,
-}
-
-/// A vector `coefficient e^(i a)`, where `a` is a sum of angles.
-#[derive(Clone, Debug)]
-pub(crate) struct Phasor<'m> {
-    pub(crate) coefficient: V2<'m>,
-    /// By how much each input turns it; `None` where something else turns it, too.
-    pub(crate) rates: Option<Vec<(usize, f64)>>,
-}
+use crate::algebra::context::Algebra;
+use crate::algebra::equations::AnglePair;
+use crate::algebra::names::{AngleReference, Phasor};
+use crate::algebra::parts;
+use crate::algebra::parts::TurningPart;
 
 impl<'m> AngleReference<'m> {
     /// As a sum of vectors of fixed lengths, each turning with a sum of angles; `None` if a length changes.

@@ -7,11 +7,11 @@
 #[cfg(test)]
 mod tests;
 
-use crate::algebra::pivots;
 use linkage_symbolic::{Ex, V3, Vector, agree};
 
-use super::pivots::parity;
-use super::{Algebra, InOrder, Order};
+use crate::algebra::context::Algebra;
+use crate::algebra::pivots;
+use crate::algebra::pivots::{InOrder, Order, parity};
 
 /// Two directions of a core that their own equations keep perpendicular and of length 1.
 #[derive(Clone, Debug)]
@@ -118,7 +118,7 @@ impl<'m> Bodies<'m> {
     }
 
     /// How the directions change to make up for what the equations of the bodies miss.
-    pub(super) fn shifts(&self, right: &[Ex<'m>]) -> Vec<Shifts<'m>> {
+    pub(crate) fn shifts(&self, right: &[Ex<'m>]) -> Vec<Shifts<'m>> {
         let shifts = self.all.iter().map(|body| {
             let ([p, q, r], [u, w]) = (body.rows.map(|row| right[row]), body.axes);
             let half = 0.5 * r;
@@ -135,7 +135,7 @@ impl<'m> Bodies<'m> {
     }
 
     /// The unknowns from the freedoms, where directions change by `shifts` besides.
-    pub(super) fn unknowns(&self, freedoms: &[Ex<'m>], shifts: &[Shifts<'m>]) -> Vec<Ex<'m>> {
+    pub(crate) fn unknowns(&self, freedoms: &[Ex<'m>], shifts: &[Shifts<'m>]) -> Vec<Ex<'m>> {
         let mut all = vec![None; self.columns.len() + 6 * self.all.len()];
         let (others, turns) = freedoms.split_at(self.columns.len());
         for (&column, &own) in self.columns.iter().zip(others) {
@@ -169,20 +169,20 @@ impl<'m> Body<'m> {
 }
 
 /// How the directions of a body change besides its turn.
-pub(super) type Shifts<'m> = [V3<'m>; 2];
+pub(crate) type Shifts<'m> = [V3<'m>; 2];
 
 /// The solution of a system by a scheme.
 pub(crate) struct SolvedByScheme<'m> {
     pub(crate) solution: Vec<Ex<'m>>,
     pub(crate) determinant: Ex<'m>,
     /// Of the bodies, if these do nothing but turn.
-    pub(super) turns: Option<Vec<V3<'m>>>,
+    pub(crate) turns: Option<Vec<V3<'m>>>,
 }
 
 /// The solution where directions of bodies change besides, and the turns that are left.
-pub(super) struct SolvedBeside<'m> {
-    pub(super) solution: Vec<Ex<'m>>,
-    pub(super) turns: Vec<V3<'m>>,
+pub(crate) struct SolvedBeside<'m> {
+    pub(crate) solution: Vec<Ex<'m>>,
+    pub(crate) turns: Vec<V3<'m>>,
 }
 
 /// Solves a linear system by a scheme.
@@ -215,7 +215,7 @@ pub(crate) fn solve_by_scheme<'m>(
 }
 
 /// The same system where `left` is what shifts of directions leave of the right-hand side in the other equations.
-pub(super) fn solve_left_by_scheme<'m>(
+pub(crate) fn solve_left_by_scheme<'m>(
     algebra: &Algebra<'m>,
     scheme: &Scheme<'m>,
     shifts: &[Shifts<'m>],

@@ -3,25 +3,13 @@
 //! By the derivatives of the body's directions it would take those of the third one, a product of the others, too, and in second derivatives three
 //! times as many.
 
-use crate::algebra::rotation_variation;
-use linkage_symbolic::{Node, NodeId, SymbolId, V3};
+use linkage_symbolic::{Node, SymbolId, V3, Vector, agree, substitute};
 
-use super::Algebra;
-use super::implicit::RuleCalculus;
-
-/// A component of a vector that a body carries.
-#[derive(Clone, Debug)]
-pub(super) struct BodyVector<'m> {
-    /// The body's two directions.
-    axes: [V3<'m>; 2],
-    vector: V3<'m>,
-    component: usize,
-    /// Its coordinates on the body.
-    coordinates: V3<'m>,
-}
+use crate::algebra::context::Algebra;
+use crate::algebra::solutions::BodyVector;
 
 /// Notes that the body with two directions carries a vector.
-pub(super) fn note_body_vector<'m>(
+pub(crate) fn note_body_vector<'m>(
     algebra: &mut Algebra<'m>,
     vector: V3<'m>,
     coordinates: V3<'m>,
@@ -40,29 +28,57 @@ pub(super) fn note_body_vector<'m>(
                 component,
                 coordinates,
             };
-            algebra.solutions.body_vectors.insert(vector[component].id(), own);
+            algebra
+                .solutions
+                .body_vectors
+                .insert(vector[component].id(), own);
         }
     }
 }
 
-/// The derivative of a component of what a body carries, where it is known how the body turns.
-pub(super) fn slope_of_body_vector(
-    algebra: &mut Algebra<'_>,
-    node: NodeId,
-    variable: SymbolId,
-) -> Option<NodeId> {
-    if algebra.derivatives.held > 0 {
-        return None;
+/// The components of a body's two directions, if they are symbols.
+pub(crate) fn directions(axes: [V3<'_>; 2]) -> Option<[SymbolId; 6]> {
+    let components = axes.iter().flat_map(|axis| axis.0);
+    let symbols = components.map(|x| match x.node() {
+        Node::Symbol(symbol) => Some(symbol),
+        _ => None,
+    });
+    let symbols: Vec<SymbolId> = symbols.collect::<Option<_>>()?;
+    symbols.try_into().ok()
+}
+
+/// The coordinates of a vector along both directions and their cross product; nothing if it is not carried, since it changes otherwise as they turn.
+pub(crate) fn coordinates<'m>(vector: V3<'m>, axes: [V3<'m>; 2]) -> Option<V3<'m>> {
+    let seen = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0].map(|x| vector[0].number(x));
+    let seen = directions(axes)?.into_iter().zip(seen).collect();
+    let own: V3 = Vector(substitute(&vector.0, &seen).try_into().ok()?);
+    let [first, second] = axes;
+    let shown = own[0] * first + own[1] * second + own[2] * first.cross(second);
+    let mut pairs = shown.0.into_iter().zip(vector.0);
+    pairs.all(|(shown, own)| agree(shown, own)).then_some(own)
+}
+
+/// Notes that an unknown frame carries a vector, if it does.
+pub(crate) fn note_if_on_body<'m>(algebra: &mut Algebra<'m>, v: V3<'m>) {
+    if let Some((own, axes)) = coordinates_on_body(algebra, v) {
+        note_body_vector(algebra, v, own, axes);
     }
-    let own = algebra.solutions.body_vectors.get(&node)?.clone();
-    algebra.derivatives.offered.turns = true;
-    if !algebra.solutions.shortcuts.turns {
-        return None;
-    }
-    let mut coordinates = own.coordinates.0.into_iter();
-    if !coordinates.all(|x| algebra.slope(x, variable).is_zero()) {
-        return None;
-    }
-    let turn = rotation_variation::rotation_of_body_with(algebra, &own.axes, variable)?;
-    Some(turn.cross(own.vector)[own.component].id())
+}
+
+/// The coordinates of a vector that one of the unknown frames carries as it is, if they are dimensions, along two of its axes and across these.
+pub(crate) fn coordinates_on_body<'m>(
+    algebra: &Algebra<'m>,
+    v: V3<'m>,
+) -> Option<(V3<'m>, [V3<'m>; 2])> {
+    let bodies = algebra.mechanism.bodies_of_space().into_iter();
+    let mut own = bodies.filter_map(|(_, parts)| {
+        let axes = [parts[1], parts[2]].map(|axis| algebra.names.numbers_of(axis).try_into());
+        let [Ok(first), Ok(second)] = axes else {
+            return None;
+        };
+        let axes = [first, second].map(Vector);
+        let own = coordinates(v, axes)?;
+        own.is_fixed().then_some((own, axes))
+    });
+    own.next()
 }

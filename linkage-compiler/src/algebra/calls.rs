@@ -1,14 +1,12 @@
 //! The functions of the language.
 
-use crate::algebra::frame;
-use crate::algebra::scalar;
-use crate::algebra::translate;
 use linkage_symbolic::program::{Binary, Unary};
 use linkage_symbolic::{Ex, V2, V3, Vector, Vn};
 
+use crate::algebra::context::Algebra;
+use crate::algebra::value::Value;
+use crate::algebra::{frame, scalar};
 use crate::model::Function;
-
-use super::{Algebra, Value};
 
 pub(crate) fn call<'m>(
     algebra: &mut Algebra<'m>,
@@ -16,8 +14,8 @@ pub(crate) fn call<'m>(
     arguments: Vec<Value<'m>>,
 ) -> Value<'m> {
     use Function::*;
-    let number = |k: usize| translate::number(algebra, &arguments[k]);
-    let vector = |k: usize| translate::vector(algebra, &arguments[k]);
+    let number = |k: usize| scalar::number(algebra, &arguments[k]);
+    let vector = |k: usize| scalar::vector(algebra, &arguments[k]);
     match function {
         Polar => {
             let length = number(0);
@@ -83,7 +81,7 @@ pub(crate) fn call<'m>(
 }
 
 fn direction_of<'m>(algebra: &mut Algebra<'m>, angle: &Value<'m>) -> V2<'m> {
-    let angle = translate::scalar(algebra, angle);
+    let angle = scalar::scalar(algebra, angle);
     scalar::direction(algebra, &angle)
 }
 

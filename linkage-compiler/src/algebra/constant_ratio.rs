@@ -1,7 +1,9 @@
 //! Angles that turn evenly with an input.
 
-use super::{Algebra, Atom};
 use linkage_core::range_check::significant;
+
+use crate::algebra::context::Algebra;
+use crate::algebra::value::Atom;
 
 /// Angles that differ by less turn alike.
 pub(crate) const ALIKE: f64 = 1e-9;

@@ -5,26 +5,29 @@
 //! rate `1 / (b - a)` is 0, so that `x` and `s` are, and whatever else the piece might choose is left as its neighbour has it. At a
 //! knot the piece behind it counts.
 
+mod piecewise;
+mod profile;
+mod quintic;
+mod spline;
+mod spline_blocks;
+pub(crate) mod zones;
+
 use linkage_symbolic::Ex;
 use linkage_symbolic::program::Unary;
 
-use super::choice::Choice;
-use super::law::profile;
+use crate::algebra::motion_law::piecewise::Choice;
 use crate::model::{Law, MotionLaw, MotionLawKind, Pieces, Repeats};
-
-mod spline_blocks;
-mod quintic;
-mod spline;
 
 pub(crate) use spline::clamped_curvatures;
 
 /// A turn in two parts, the first one so short that its products with whole numbers are exact, in single precision, too.
 const TURN_HIGH: f64 = 6.28125;
+
 /// The rest: `2 pi - TURN_HIGH`.
 const TURN_LOW: f64 = 1.935_307_179_586_476_9e-3;
 
 /// The value of a course at `argument`, or its derivative by that, its knots given as places and values, those of some splines as slopes, too.
-pub(super) fn value<'m>(
+pub(crate) fn value<'m>(
     argument: Ex<'m>,
     course: &MotionLaw,
     knots: &[(Ex<'m>, Ex<'m>)],
@@ -127,32 +130,26 @@ fn by_laws<'m>(
         .iter()
         .map(|own| own.as_ref().map_or(rest, |own| own.rate))
         .collect();
-    let with_neighbour = filled(&pieces, some);
-    let from = choice.among_pieces(&with_neighbour
-        .iter()
-        .map(|own| own.from)
-        .collect::<Vec<_>>());
-    let height = choice.among_pieces(&with_neighbour
-        .iter()
-        .map(|own| own.height)
-        .collect::<Vec<_>>());
+    let with_neighbour = piecewise::filled(&pieces, some);
+    let from = choice.among_pieces(
+        &with_neighbour
+            .iter()
+            .map(|own| own.from)
+            .collect::<Vec<_>>(),
+    );
+    let height = choice.among_pieces(
+        &with_neighbour
+            .iter()
+            .map(|own| own.height)
+            .collect::<Vec<_>>(),
+    );
     let laws: Vec<Law> = with_neighbour.iter().map(|own| own.law).collect();
     let way = along - from;
     let rate = choice.among_pieces(&rates);
     let x = way * rate;
     // Each derivative by the place brings the rate once more.
     let height = (0..order).fold(height, |height, _| height * rate);
-    base + height * profile(x, &choice, &laws)[order]
-}
-
-/// What pieces have; those that have nothing have what the last one before them has, or else the first one of all.
-pub(super) fn filled<'p, T>(pieces: &'p [Option<T>], first: &'p T) -> Vec<&'p T> {
-    let mut last = first;
-    let next = |own: &'p Option<T>| {
-        last = own.as_ref().unwrap_or(last);
-        last
-    };
-    pieces.iter().map(next).collect()
+    base + height * profile::profile(x, &choice, &laws)[order]
 }
 
 /// The place, or NaN if knots that are no numbers are out of order, which other dimensions may lead to: that is found in `assemble()`.

@@ -2,9 +2,8 @@
 
 use linkage_symbolic::{Ex, Graph, SymbolId, V2, Vector};
 
+use crate::algebra::value::{Atom, Value};
 use crate::model::{COMPONENTS, Mechanism, Type};
-
-use super::{AngleReference, Atom, Value};
 
 /// An unknown angle. Loops see its cosine and sine; its value is computed only where somebody asks for it.
 #[derive(Clone, Debug)]
@@ -57,14 +56,14 @@ pub(crate) struct Names<'m> {
     pub(crate) angles: Vec<Angle<'m>>,
     /// By unknown.
     pub(crate) bound: Vec<Bound<'m>>,
-    pub(super) lets: Vec<Option<Value<'m>>>,
-    pub(super) constants: Vec<Option<Value<'m>>>,
+    pub(crate) lets: Vec<Option<Value<'m>>>,
+    pub(crate) constants: Vec<Option<Value<'m>>>,
     /// Factors with which input angles turn vectors.
     turning: Vec<(Atom, f64)>,
 }
 
 impl<'m> Names<'m> {
-    pub(super) fn new(mechanism: &Mechanism, graph: &'m Graph) -> Self {
+    pub(crate) fn new(mechanism: &Mechanism, graph: &'m Graph) -> Self {
         let mut names = Self {
             graph,
             angles: Vec::new(),
@@ -139,7 +138,7 @@ impl<'m> Names<'m> {
     }
 
     /// Remembers that vectors turn with an input angle times a factor.
-    pub(super) fn add_rate(&mut self, input: Atom, factor: f64) {
+    pub(crate) fn add_rate(&mut self, input: Atom, factor: f64) {
         if !self.turning.contains(&(input, factor)) {
             self.turning.push((input, factor));
         }
@@ -152,4 +151,30 @@ impl<'m> Names<'m> {
             .filter(move |(atom, _)| *atom == input)
             .map(|(_, k)| *k)
     }
+}
+
+/// A vector that an angle keeps within a quarter turn of, wherever its group can be assembled.
+///
+/// A closed form says that the vector `z u`, which the angle turns, is `a B + w h C` with a root `h`, where `B` and `C` are perpendicular: it never
+/// gets from the side of `w C` to the other one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AngleReference<'m> {
+    /// `C`, or where that is `across`, `C` turned by -90 degrees.
+    pub(crate) vector: V2<'m>,
+    pub(crate) across: bool,
+    /// `w`, 1 or -1 by the assembly, and whether its opposite is meant.
+    pub(crate) mode: Ex<'m>,
+    pub(crate) opposite: bool,
+    /// What `u` turns; its direction is that of `z u` where there is none.
+    pub(crate) z: Option<V2<'m>>,
+    /// -1 if `u` turns with the negative angle.
+    pub(crate) sense: f64,
+}
+
+/// A vector `coefficient e^(i a)`, where `a` is a sum of angles.
+#[derive(Clone, Debug)]
+pub(crate) struct Phasor<'m> {
+    pub(crate) coefficient: V2<'m>,
+    /// By how much each input turns it; `None` where something else turns it, too.
+    pub(crate) rates: Option<Vec<(usize, f64)>>,
 }

@@ -1,13 +1,15 @@
 //! The numbers of the mechanism as written: defaults, tolerances, reference position, estimates.
 
-use crate::algebra::translate;
 use linkage_symbolic::program::Source;
 use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, evaluate, evaluate_given};
 
+use crate::algebra::context::Algebra;
+use crate::algebra::names::{Angle, Bound, Names};
+use crate::algebra::translate::Translate;
+use crate::algebra::value::Value;
+use crate::algebra::{scalar, translate};
 use crate::model::{Expr, ExprKind, Name, Type};
-
-use super::{Algebra, Angle, Bound, Names, Translate, Value};
 
 /// Values known at compile time.
 #[derive(Clone, Debug, Default)]
@@ -202,7 +204,7 @@ pub(crate) fn evaluated(
 ) -> Vec<f64> {
     let numbers = match algebra.translate(expr) {
         Value::Vector(vector) => vector.iter().collect(),
-        scalar => vec![translate::number(algebra, &scalar)],
+        scalar => vec![scalar::number(algebra, &scalar)],
     };
     let given = |numbers: &[f64], index: usize| numbers.get(index).copied().unwrap_or(f64::NAN);
     evaluate(&numbers, |source| match source {

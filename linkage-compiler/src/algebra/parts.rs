@@ -3,12 +3,10 @@
 use std::collections::BTreeMap;
 
 use linkage_symbolic::program::{Binary, Unary};
-use linkage_symbolic::{Ex, Node, NodeId, V2, Vector, agree};
+use linkage_symbolic::{Ex, Node, V2, Vector, agree};
 
-use super::Algebra;
-
-/// An angle by the nodes of its cosine and sine.
-pub(crate) type AnglePair = (NodeId, NodeId);
+use crate::algebra::context::Algebra;
+use crate::algebra::equations::AnglePair;
 
 /// A vector as a sum.
 #[derive(Clone, Debug)]
@@ -24,7 +22,7 @@ pub(crate) struct Parts<'m> {
 /// The coefficients of the products of cosines and sines of some angles: the first bit of an index is set for the sine of the first angle.
 #[derive(Clone, Debug)]
 pub(crate) struct TurningPart<'m> {
-    pub(super) rows: [Vec<Ex<'m>>; 2],
+    pub(crate) rows: [Vec<Ex<'m>>; 2],
 }
 
 /// The parts of a vector, by the angles that they turn with.
@@ -58,7 +56,7 @@ pub(crate) fn parts<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Parts<'m> {
 
 /// A product's angles, in order, which of them it has the sines of, and its other factors. A power of a cosine is no direction: it stays
 /// among the factors.
-pub(super) fn factors<'m>(algebra: &Algebra<'m>, term: Ex<'m>) -> (Vec<AnglePair>, usize, Ex<'m>) {
+pub(crate) fn factors<'m>(algebra: &Algebra<'m>, term: Ex<'m>) -> (Vec<AnglePair>, usize, Ex<'m>) {
     let mut angles: Vec<(AnglePair, bool)> = Vec::new();
     let mut factor = term.number(1.0);
     let mut open = vec![term];
@@ -107,7 +105,7 @@ fn angle_pair_of<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> Option<(AnglePair, boo
 }
 
 /// The terms of a sum with factors that are known before a call, which may stand before a sum themselves.
-pub(super) fn terms_of_sum(x: Ex) -> Vec<(Ex, Ex)> {
+pub(crate) fn terms_of_sum(x: Ex) -> Vec<(Ex, Ex)> {
     let ex = |id| x.graph().ex(id);
     let mut found = Vec::new();
     let mut open = vec![(x.number(1.0), x)];
@@ -143,7 +141,7 @@ impl<'m> TurningPart<'m> {
     }
 
     /// If it is its arm, turned by a sum of its angles: a bit for each of them with the other sign.
-    pub(super) fn backward(&self) -> Option<usize> {
+    pub(crate) fn backward(&self) -> Option<usize> {
         let all = 0..self.rows[0].len();
         all.clone().find(|conjugate| {
             all.clone().all(|sines| {

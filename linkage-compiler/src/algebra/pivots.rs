@@ -4,12 +4,12 @@
 //! although the matrix is regular: then it is NaN, and so is the solution. The last unknowns are solved by cofactors, which need no pivot.
 
 #[cfg(test)]
-pub(super) mod tests;
+pub(crate) mod tests;
 
-use crate::algebra::elimination;
 use linkage_symbolic::Ex;
 
-use super::Algebra;
+use crate::algebra::cofactors;
+use crate::algebra::context::Algebra;
 
 /// So many unknowns are left to cofactors: their determinant takes as many products as elimination, and no division but one.
 const REST: usize = 3;
@@ -172,7 +172,7 @@ impl Left {
 }
 
 /// 1 for an even permutation, -1 for an odd one.
-pub(super) fn parity(permutation: &[usize]) -> f64 {
+pub(crate) fn parity(permutation: &[usize]) -> f64 {
     let pairs = permutation.iter().enumerate();
     let inversions = pairs.flat_map(|(k, a)| permutation[..k].iter().filter(move |&b| b > a));
     if inversions.count() % 2 == 0 {
@@ -193,9 +193,9 @@ pub(crate) fn solve_in_order<'m>(
     right: &[Ex<'m>],
 ) -> InOrder<'m> {
     eliminate_in_order(algebra, order, matrix, right, |rest, known| {
-        let determinant = elimination::determinant(algebra, rest);
+        let determinant = cofactors::determinant(algebra, rest);
         (
-            elimination::cofactor_products(algebra, rest, known),
+            cofactors::cofactor_products(algebra, rest, known),
             determinant,
         )
     })
@@ -210,7 +210,7 @@ pub(crate) fn solve_once_in_order<'m>(
 ) -> InOrder<'m> {
     match order.pivots.is_empty() {
         true => eliminate_in_order(algebra, order, matrix, right, |rest, own| {
-            elimination::cramer(algebra, rest, own)
+            cofactors::cramer(algebra, rest, own)
         }),
         false => solve_in_order(algebra, order, matrix, right),
     }
@@ -261,7 +261,7 @@ fn eliminate_in_order<'m>(
     for (pivot, &inverse) in order.pivots.iter().zip(&inverses).rev() {
         let row = pivot.row;
         // Columns of earlier pivots are not solved yet, and 0 in this row.
-        let known = elimination::product_sum(algebra, &matrix[row], &solution);
+        let known = cofactors::product_sum(algebra, &matrix[row], &solution);
         solution[pivot.column] = (right[row] - known) * inverse;
     }
     InOrder {

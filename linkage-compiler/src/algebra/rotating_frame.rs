@@ -1,23 +1,13 @@
 //! Vectors as seen from a link that turns: what the link carries along stands still there.
 
-use crate::algebra::parts;
 use linkage_symbolic::program::Unary;
 use linkage_symbolic::{Ex, Node, V2, Vector};
 
-use super::parts::{TurningPart, AnglePair, terms_of_sum};
-use super::solutions::{ToFrame, FromFrame};
-use super::{Algebra, Rule};
-
-/// A link by a direction that is fixed to it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct RotatingFrame<'m> {
-    /// By which it turns.
-    pub(crate) angle: Ex<'m>,
-    /// Where it points when that is 0; of length 1.
-    pub(crate) start: V2<'m>,
-    /// Where it points.
-    pub(crate) axis: V2<'m>,
-}
+use crate::algebra::context::Algebra;
+use crate::algebra::equations::{AnglePair, AngleSum};
+use crate::algebra::parts;
+use crate::algebra::parts::{TurningPart, terms_of_sum};
+use crate::algebra::rules::{FromFrame, RotatingFrame, Rule, ToFrame};
 
 /// A vector from its carrier.
 #[derive(Clone, Debug)]
@@ -28,14 +18,6 @@ pub(crate) struct InRotatingFrame<'m> {
     /// All else, in fixed coordinates.
     pub(crate) rest: V2<'m>,
     pub(crate) turns: AngleSum,
-}
-
-/// What a vector turns with.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct AngleSum {
-    pub(super) angles: Vec<AnglePair>,
-    /// A bit for each that it turns against.
-    pub(super) backward: usize,
 }
 
 /// A vector from the link that carries `guide`, which points along `axis`, if that link carries a part of the vector.
@@ -83,7 +65,7 @@ pub(crate) fn in_rotating_frame<'m>(
 }
 
 /// The part of a vector that turns with some angles, where these are 0, and the rest.
-pub(super) fn split<'m>(
+pub(crate) fn split<'m>(
     algebra: &Algebra<'m>,
     vector: V2<'m>,
     turns: &AngleSum,
@@ -125,7 +107,7 @@ fn rotating_frame<'m>(
 }
 
 /// The terms of a sum that turn otherwise than with these angles alone.
-pub(super) fn without<'m>(algebra: &Algebra<'m>, x: Ex<'m>, angles: &[AnglePair]) -> Ex<'m> {
+pub(crate) fn without<'m>(algebra: &Algebra<'m>, x: Ex<'m>, angles: &[AnglePair]) -> Ex<'m> {
     let terms = terms_of_sum(x).into_iter();
     let terms = terms.filter(|(_, term)| parts::factors(algebra, *term).0 != angles);
     let (early, late): (Vec<Ex>, Vec<Ex>) = terms
@@ -149,7 +131,11 @@ fn angle_of<'m>(algebra: &Algebra<'m>, (cosine, _): AnglePair) -> Ex<'m> {
 }
 
 /// A vector of fixed coordinates along the axis of a carrier and across.
-pub(crate) fn to_frame<'m>(algebra: &mut Algebra<'m>, carrier: RotatingFrame<'m>, vector: V2<'m>) -> V2<'m> {
+pub(crate) fn to_frame<'m>(
+    algebra: &mut Algebra<'m>,
+    carrier: RotatingFrame<'m>,
+    vector: V2<'m>,
+) -> V2<'m> {
     if vector.is_zero() {
         return vector;
     }

@@ -1,34 +1,13 @@
 //! Model expressions as graph nodes.
 
-use crate::algebra::calls;
-use crate::algebra::scalar;
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, NodeId, Vn};
 
+use crate::algebra::context::Algebra;
+use crate::algebra::names::Bound;
+use crate::algebra::value::{Atom, Scalar, Value};
+use crate::algebra::{calls, motion_law, scalar};
 use crate::model::{BinaryOp, Expr, ExprKind, Name, Type};
-
-use super::{Algebra, Atom, Bound, Scalar, motion_law};
-
-/// The value of an expression.
-#[derive(Clone, Debug)]
-pub(crate) enum Value<'m> {
-    Scalar(Scalar<'m>),
-    Vector(Vn<'m>),
-    /// A frame has four entries: its origin and its axes.
-    Array(Vec<Value<'m>>),
-}
-
-impl<'m> From<Ex<'m>> for Value<'m> {
-    fn from(x: Ex<'m>) -> Self {
-        Self::Scalar(x.into())
-    }
-}
-
-impl<'m> From<Vn<'m>> for Value<'m> {
-    fn from(v: Vn<'m>) -> Self {
-        Self::Vector(v)
-    }
-}
 
 /// Translation of expressions. What only quantities may contain (derivatives, margins) goes to [`Translate::quantity`].
 pub(crate) trait Translate<'m> {
@@ -89,7 +68,7 @@ pub(crate) trait Translate<'m> {
     /// An expression that is a number.
     fn translate_number(&mut self, expr: &Expr) -> Ex<'m> {
         let value = self.translate(expr);
-        number(self.algebra(), &value)
+        scalar::number(self.algebra(), &value)
     }
 
     /// An expression that is a vector; a number counts as a vector of one component.
@@ -97,7 +76,7 @@ pub(crate) trait Translate<'m> {
         match self.translate(expr) {
             Value::Vector(vector) => vector,
             other => {
-                let number = number(self.algebra(), &other);
+                let number = scalar::number(self.algebra(), &other);
                 number.graph().components(&[number.id()])
             }
         }
@@ -111,43 +90,6 @@ impl<'m> Translate<'m> for Algebra<'m> {
 
     fn quantity(&mut self, _: &Expr) -> Value<'m> {
         unreachable!("the model allows quantities in functions only")
-    }
-}
-
-impl<'m> Value<'m> {
-    fn negative(self) -> Self {
-        match self {
-            Self::Scalar(scalar) => Self::Scalar(scalar.scaled(-1.0)),
-            Self::Vector(vector) => Self::Vector(-vector),
-            Self::Array(entries) => Self::Array(entries.into_iter().map(Self::negative).collect()),
-        }
-    }
-}
-
-/// A scalar value as one expression.
-pub(crate) fn number<'m>(algebra: &Algebra<'m>, value: &Value<'m>) -> Ex<'m> {
-    match value {
-        Value::Scalar(scalar) => scalar::value_of(algebra, scalar),
-        Value::Vector(vector) => vector.at(0),
-        Value::Array(entries) => number(algebra, &entries[0]),
-    }
-}
-
-pub(crate) fn scalar<'m>(algebra: &Algebra<'m>, value: &Value<'m>) -> Scalar<'m> {
-    match value {
-        Value::Scalar(scalar) => scalar.clone(),
-        other => number(algebra, other).into(),
-    }
-}
-
-/// A vector value; a scalar (the literal 0 where a vector is meant) has two equal components.
-pub(crate) fn vector<'m>(algebra: &Algebra<'m>, value: &Value<'m>) -> Vn<'m> {
-    match value {
-        Value::Vector(vector) => *vector,
-        other => {
-            let number = number(algebra, other).id();
-            algebra.graph.components(&[number, number])
-        }
     }
 }
 
@@ -243,17 +185,17 @@ fn arithmetic<'m>(algebra: &Algebra<'m>, op: BinaryOp, a: Value<'m>, b: Value<'m
     match (op, a, b) {
         (BinaryOp::Add, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(a.combined(&b, 1.0)),
         (BinaryOp::Sub, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(a.combined(&b, -1.0)),
-        (BinaryOp::Add, a, b) => (vector(algebra, &a) + vector(algebra, &b)).into(),
-        (BinaryOp::Sub, a, b) => (vector(algebra, &a) - vector(algebra, &b)).into(),
+        (BinaryOp::Add, a, b) => (scalar::vector(algebra, &a) + scalar::vector(algebra, &b)).into(),
+        (BinaryOp::Sub, a, b) => (scalar::vector(algebra, &a) - scalar::vector(algebra, &b)).into(),
         (BinaryOp::Mul, Value::Scalar(a), Value::Scalar(b)) => product(algebra, &a, &b),
         (BinaryOp::Mul, Value::Scalar(a), v) | (BinaryOp::Mul, v, Value::Scalar(a)) => {
             let factor = scalar::value_of(algebra, &a);
-            (factor * vector(algebra, &v)).into()
+            (factor * scalar::vector(algebra, &v)).into()
         }
         (BinaryOp::Div, Value::Scalar(a), Value::Scalar(b)) => quotient(algebra, &a, &b),
         (BinaryOp::Div, v, b) => {
-            let divisor = number(algebra, &b);
-            (vector(algebra, &v) / divisor).into()
+            let divisor = scalar::number(algebra, &b);
+            (scalar::vector(algebra, &v) / divisor).into()
         }
         (BinaryOp::Mul, a, _) => a,
     }

@@ -1,25 +1,11 @@
 //! A point at the end of a link by the other side of the loop that the link closes: along the guide that carries a slider there.
 
-use crate::algebra::rotating_frame;
 use linkage_symbolic::{Ex, NodeId, V2, Vector};
 
-use super::Algebra;
-use super::parts::terms_of_sum;
-use super::rotating_frame::{RotatingFrame, AngleSum};
-
-/// A loop `z u + slide * guide + known = 0`, the guide on a link that turns.
-#[derive(Clone, Debug)]
-pub(crate) struct ViaSlider<'m> {
-    /// The angle of `u`, and whether it turns against that.
-    pub(crate) angle: usize,
-    pub(crate) sense: f64,
-    pub(crate) z: V2<'m>,
-    /// The slide times the guide's length.
-    pub(crate) slide: Ex<'m>,
-    pub(crate) known: V2<'m>,
-    pub(crate) carrier: RotatingFrame<'m>,
-    pub(crate) carried: AngleSum,
-}
+use crate::algebra::context::Algebra;
+use crate::algebra::equations::{AngleSum, ViaSlider};
+use crate::algebra::parts::terms_of_sum;
+use crate::algebra::rotating_frame;
 
 /// A vector with every link that leads to a slider on a turning guide replaced by the way along the guide.
 pub(crate) fn via_sliders<'m>(algebra: &mut Algebra<'m>, vector: V2<'m>) -> V2<'m> {
@@ -53,7 +39,12 @@ fn via_slider<'m>(
     let (arm, rest) = rotating_frame::split(algebra, rest, &side.carried).unwrap_or((zero, rest));
     let arm = arm.turned(side.carrier.start.conjugate());
     let vector = Vector([arm[0] - sign * side.slide, arm[1]]);
-    Some(rotating_frame::from_frame(algebra, side.carrier, vector, rest))
+    Some(rotating_frame::from_frame(
+        algebra,
+        side.carrier,
+        vector,
+        rest,
+    ))
 }
 
 /// The difference of two sums without the terms that both have.

@@ -2,7 +2,7 @@
 //! with their reciprocals. Loops may be written in any way, so which they are is found by numbers, with other
 //! dimensions and in other assemblies, too.
 
-use crate::algebra::elimination;
+use crate::algebra::cofactors;
 use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, NodeId, Vn};
@@ -104,7 +104,7 @@ pub(super) fn find_determinants<'m>(
     }
     let own = blocks
         .iter()
-        .map(|block| elimination::determinant(mechanics.algebra, &system.matrix_of(block)));
+        .map(|block| cofactors::determinant(mechanics.algebra, &system.matrix_of(block)));
     let all: Vec<Ex> = own.chain(known.iter().copied()).collect();
     let numbers = positions.numbers_anyhow(mechanics.algebra.mechanism, nominal, &all);
     for (index, block) in blocks.iter().enumerate() {

@@ -3,7 +3,7 @@
 //! A joint is driven if its motion depends on inputs alone: the drive holds it, with a couple (or a force along the guide) that is no
 //! unknown here. Gears tie the turns of several bodies, by couples that are unknowns of their own.
 
-use crate::algebra::partial;
+use crate::algebra::derivatives::partial;
 use crate::forces::motion;
 use linkage_symbolic::{Ex, Vector, Vn};
 

@@ -1,6 +1,6 @@
 //! The declared points, axes and angles as expressions.
 
-use crate::algebra::translate;
+use crate::algebra::scalar;
 use linkage_symbolic::{Graph, Vector, Vn};
 
 use crate::algebra::{Algebra, Scalar, Translate, Value};
@@ -55,7 +55,7 @@ impl<'m> Geometry<'m> {
             let Some(turns) = &own.turns else { continue };
             turning[body] = match algebra.translate(turns) {
                 Value::Array(parts) => {
-                    Turning::Frame([1, 2, 3].map(|axis| translate::vector(algebra, &parts[axis])))
+                    Turning::Frame([1, 2, 3].map(|axis| scalar::vector(algebra, &parts[axis])))
                 }
                 Value::Vector(along) => Turning::Rod(along),
                 Value::Scalar(angle) => match directions[own.joint] {
@@ -134,7 +134,7 @@ impl<'m> Geometry<'m> {
 /// A point or vector.
 pub(super) fn vector_of<'m>(algebra: &mut Algebra<'m>, expr: &Expr) -> Vn<'m> {
     let value = algebra.translate(expr);
-    translate::vector(algebra, &value)
+    scalar::vector(algebra, &value)
 }
 
 /// The direction of a vector.

@@ -1,7 +1,8 @@
 //! How points and bodies move: by each input or unknown, and in time at given speeds.
 
-use crate::algebra::adjoint;
-use crate::algebra::partial;
+use crate::algebra::derivatives::direction;
+use crate::algebra::derivatives::partial;
+
 use crate::algebra::scalar;
 use linkage_symbolic::unordered::Map;
 
@@ -75,7 +76,7 @@ pub(super) fn slope<'m>(mechanics: &mut Mechanics<'_, 'm>, x: Ex<'m>, by: By) ->
     match by {
         By::Input(input) => {
             let variable = mechanics.algebra.variable(Variable::Input(input));
-            adjoint::derivative(mechanics.algebra, x, variable, Direction::Forward)
+            direction::derivative(mechanics.algebra, x, variable, Direction::Forward)
         }
         By::Alone(variable) => partial::partial(mechanics.algebra, x, variable),
     }

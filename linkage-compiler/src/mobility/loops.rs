@@ -1,5 +1,6 @@
 //! All loops on numbers, as they are written.
 
+use crate::algebra::scalar;
 use crate::algebra::translate;
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, Graph, SymbolId, evaluate_given, unordered::Map};
@@ -84,10 +85,10 @@ pub(crate) fn difference<'m>(algebra: &mut Algebra<'m>, own: &Loop) -> Vec<Ex<'m
     let [left, right] = [&own.left, &own.right].map(|side| algebra.translate(side));
     match (&left, &right) {
         (Value::Scalar(_), Value::Scalar(_)) => {
-            vec![translate::number(algebra, &left) - translate::number(algebra, &right)]
+            vec![scalar::number(algebra, &left) - scalar::number(algebra, &right)]
         }
         _ => {
-            let difference = translate::vector(algebra, &left) - translate::vector(algebra, &right);
+            let difference = scalar::vector(algebra, &left) - scalar::vector(algebra, &right);
             difference.iter().collect()
         }
     }

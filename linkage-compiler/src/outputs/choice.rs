@@ -1,7 +1,8 @@
 //! The way to the results, and the direction of sensitivities: every function takes what costs it least.
 
-use crate::algebra::links;
-use crate::algebra::preaccumulation;
+use crate::algebra::derivatives::links;
+use crate::algebra::derivatives::preaccumulation;
+
 use linkage_symbolic::count::time;
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::passes::polished;

@@ -1,7 +1,7 @@
 //! What a unit says beside its programs: what goes in, and what was found out about the groups.
 
 use crate::algebra::constant_ratio;
-use crate::algebra::dependence;
+use crate::algebra::derivatives::dependence;
 use std::collections::BTreeSet;
 
 use linkage_core::range_check::Slack;

@@ -6,7 +6,7 @@ mod forces;
 mod space;
 mod units;
 
-use crate::algebra::preaccumulation;
+use crate::algebra::derivatives::preaccumulation;
 use linkage_core::numeric::continuation::Terms;
 use linkage_random::Random;
 use linkage_symbolic::program::Source;

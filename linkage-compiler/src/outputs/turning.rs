@@ -1,6 +1,6 @@
 //! The angles whose values are used, and what their turns are counted by.
 
-use crate::algebra::dependence;
+use crate::algebra::derivatives::dependence;
 use linkage_symbolic::Ex;
 
 use crate::algebra::{Algebra, Nominal, Phasor};

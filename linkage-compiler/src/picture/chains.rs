@@ -1,6 +1,6 @@
 //! Sums of vectors as chains: from a point, each term is a step to the next.
 
-use crate::algebra::translate;
+use crate::algebra::scalar;
 use crate::picture::frames;
 use crate::picture::loops;
 use crate::picture::parts;
@@ -211,7 +211,7 @@ impl<'a, 'm> Sketch<'a, 'm> {
 
     pub(super) fn vector(&mut self, expr: &Expr) -> Vn<'m> {
         let value = self.algebra.translate(expr);
-        translate::vector(self.algebra, &value).resized(self.dimension)
+        scalar::vector(self.algebra, &value).resized(self.dimension)
     }
 
     /// The point with these coordinates.

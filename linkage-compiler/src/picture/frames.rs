@@ -1,7 +1,7 @@
 //! Parts of a machine that stand elsewhere: where the coordinates that they are written in are in the drawing.
 
 use crate::algebra::calls;
-use crate::algebra::translate;
+use crate::algebra::scalar;
 use linkage_symbolic::{Ex, NodeId, Vector, Vn};
 
 use crate::algebra::{Algebra, Translate, Value};
@@ -35,10 +35,10 @@ impl<'m> Pose<'m> {
         let moves = both.map(|own| roles.moves(own)).max();
         let place = placed.at.as_ref().map(|at| match algebra.translate(at) {
             Value::Array(parts) => {
-                let axes = [1, 2, 3].map(|axis| translate::vector(algebra, &parts[axis]));
+                let axes = [1, 2, 3].map(|axis| scalar::vector(algebra, &parts[axis]));
                 Place::Frame(Value::Array(parts), axes)
             }
-            value => Place::Point(translate::vector(algebra, &value)),
+            value => Place::Point(scalar::vector(algebra, &value)),
         });
         Self {
             place,
@@ -53,7 +53,7 @@ impl<'m> Pose<'m> {
             Some(Place::Point(at)) => at.resized(own.len()) + self.way(own, algebra),
             Some(Place::Frame(frame, _)) => {
                 let seen = calls::call(algebra, Function::PointIn, vec![frame.clone(), own.into()]);
-                translate::vector(algebra, &seen)
+                scalar::vector(algebra, &seen)
             }
         }
     }
@@ -64,7 +64,7 @@ impl<'m> Pose<'m> {
             (Some(angle), _) => {
                 let turned =
                     calls::call(algebra, Function::Rotate, vec![own.into(), angle.clone()]);
-                let turned = translate::vector(algebra, &turned);
+                let turned = scalar::vector(algebra, &turned);
                 // In a picture of space it turns about z.
                 let third = own.iter().skip(2);
                 let components: Vec<NodeId> = turned.iter().chain(third).map(Ex::id).collect();

@@ -1,8 +1,9 @@
 //! Lines along which points slide.
 
 use crate::algebra::calls;
-use crate::algebra::dependence;
-use crate::algebra::translate;
+use crate::algebra::derivatives::dependence;
+use crate::algebra::scalar;
+
 use crate::picture::drives;
 use crate::picture::frames;
 use crate::picture::parts;
@@ -204,7 +205,7 @@ pub(super) fn direction_of<'m>(sketch: &mut Sketch<'_, 'm>, term: &'m Expr) -> O
             let angle = sketch.algebra.translate(&arguments[1]);
             let unit = calls::call(sketch.algebra, Function::Dir, vec![angle]);
             // In a picture of space, the plane is that of x and y.
-            let along = translate::vector(sketch.algebra, &unit).resized(sketch.dimension);
+            let along = scalar::vector(sketch.algebra, &unit).resized(sketch.dimension);
             Some(straight(along))
         }
         ExprKind::Binary(BinaryOp::Mul, a, b) => {
@@ -251,7 +252,7 @@ fn varying<'m>(sketch: &mut Sketch<'_, 'm>, components: &'m [Expr]) -> Option<(u
     let numbers: Vec<Ex> = numbers
         .map(|own| {
             let value = sketch.algebra.translate(own);
-            translate::number(sketch.algebra, &value)
+            scalar::number(sketch.algebra, &value)
         })
         .collect();
     let changes = 0..numbers.len();

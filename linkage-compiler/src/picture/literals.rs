@@ -1,7 +1,7 @@
 //! Vectors written by their components, `(d + c * cos(psi), c * sin(psi))`: the sum of what does not move, of a point, and of steps, each
 //! with a length of its own.
 
-use crate::algebra::translate;
+use crate::algebra::scalar;
 use crate::picture::drives;
 use crate::picture::guides;
 use crate::picture::terms;
@@ -231,7 +231,7 @@ fn assembled<'m>(
     for (component, summand) in &group.summands {
         let mut number = |expr: &Expr| {
             let value = sketch.algebra.translate(expr);
-            translate::number(sketch.algebra, &value)
+            scalar::number(sketch.algebra, &value)
         };
         let factors = summand.factors.iter();
         let factors = factors.filter(|own| without.is_none_or(|other| ***own != *other));

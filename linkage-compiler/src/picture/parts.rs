@@ -1,7 +1,7 @@
 //! Parts of what is written as one term: of literals, and of turned sums.
 
 use crate::algebra::calls;
-use crate::algebra::translate;
+use crate::algebra::scalar;
 use crate::picture::guides;
 use crate::picture::literals;
 use crate::picture::terms;
@@ -186,7 +186,7 @@ pub(super) fn turned_vector<'m>(
         values.push(sketch.algebra.translate(own));
     }
     let value = calls::call(sketch.algebra, function, values);
-    translate::vector(sketch.algebra, &value)
+    scalar::vector(sketch.algebra, &value)
 }
 
 /// In space: what turns a term, from outside to inside.

@@ -15,8 +15,9 @@ mod system;
 mod turns;
 
 use crate::algebra::bodies;
-use crate::algebra::dependence;
-use crate::algebra::elimination;
+use crate::algebra::cofactors;
+use crate::algebra::derivatives::dependence;
+
 use linkage_core::numeric::continuation::Terms;
 use linkage_symbolic::{Ex, Graph, NodeId, SymbolId, Vn, substitute};
 
@@ -224,7 +225,7 @@ pub(super) fn coupled<'m>(solver: &mut Solver<'_, 'm>, form: &Coupled<'m>) -> Cl
                 bodies::solve_by_scheme(solver.algebra, &large.scheme, &equations.matrix, &nothing);
             solved.determinant
         }
-        None => elimination::determinant(solver.algebra, &equations.matrix),
+        None => cofactors::determinant(solver.algebra, &equations.matrix),
     };
     let determinant = solver.alias("det", determinant, determinant);
     differentiate::push_coupled(solver, &equations, determinant);

@@ -22,7 +22,7 @@ pub(crate) mod space;
 pub(crate) mod three_slides;
 pub(crate) mod trigonometric;
 
-use crate::algebra::dependence;
+use crate::algebra::derivatives::dependence;
 use std::borrow::Cow;
 
 use linkage_core::numeric::continuation::Terms;

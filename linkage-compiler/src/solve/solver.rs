@@ -1,7 +1,8 @@
 //! What the closed forms of all kinds of groups share: giving unknowns their definitions and rules.
 
-use crate::algebra::dependence;
-use crate::algebra::implicit;
+use crate::algebra::derivatives::by_rule;
+use crate::algebra::derivatives::dependence;
+
 use crate::solve::iterated;
 use crate::solve::point;
 use crate::solve::prp;
@@ -20,7 +21,7 @@ use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
 use crate::algebra::{
-    Algebra, AngleReference, AngleRule, RotatingFrame, Nominal, Rule, Solution, TurnedVector,
+    Algebra, AngleReference, AngleRule, Nominal, RotatingFrame, Rule, Solution, TurnedVector,
 };
 use crate::model::Dimension;
 use crate::structure::{Form, Rotor};
@@ -250,7 +251,7 @@ impl<'m> Solver<'_, 'm> {
     pub(super) fn alias(&mut self, name: &str, definition: Ex<'m>, equal: Ex<'m>) -> Ex<'m> {
         let name = format!("{name} {}", self.index);
         let rule = Rule::Follow(equal);
-        implicit::symbol_for_value(self.algebra, name, definition, rule)
+        by_rule::symbol_for_value(self.algebra, name, definition, rule)
     }
 
     /// The vector `z u` that turns with unknown `position`, computed as `value`.

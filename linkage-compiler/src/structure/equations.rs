@@ -97,8 +97,8 @@ fn equation<'m>(analysis: &mut Analysis<'_, 'm>, index: usize, item: &Loop) -> E
         }
         _ => {
             let (a, b) = (
-                translate::vector(analysis.algebra, &left),
-                translate::vector(analysis.algebra, &right),
+                scalar::vector(analysis.algebra, &left),
+                scalar::vector(analysis.algebra, &right),
             );
             ((a - b).iter().collect(), None)
         }

@@ -1,6 +1,6 @@
 //! What is said of a group that no method solves: what is too much of which term, and that the limit is ours.
 
-use crate::algebra::translate;
+use crate::algebra::scalar;
 use crate::structure::classify;
 use crate::structure::coupled_core;
 use crate::structure::equations;
@@ -97,7 +97,7 @@ fn worst_obstacle<'m>(
         let term = terms.into_iter().find(|term| {
             let rows = match analysis.algebra.translate(term) {
                 Value::Vector(vector) => vector.iter().collect(),
-                scalar => vec![translate::number(analysis.algebra, &scalar)],
+                scalar => vec![scalar::number(analysis.algebra, &scalar)],
             };
             rows.into_iter()
                 .any(|row| obstacle(row, &symbols) == Some(found))

@@ -7,10 +7,13 @@
 
 use linkage_symbolic::Ex;
 
-use super::spline_blocks::{Block, Row, Shape, added, eliminated, in_circle, plus};
-use super::spline::{solved, solved_in_circle};
-use crate::algebra::choice::Choice;
-use crate::algebra::law::{ORDERS, falling, scheme};
+use crate::algebra::motion_law::piecewise::Choice;
+use crate::algebra::motion_law::spline::{solved, solved_in_circle};
+use crate::algebra::motion_law::spline_blocks::{
+    Block, Row, Shape, added, eliminated, in_circle, plus,
+};
+use crate::algebra::motion_law::zones::ORDERS;
+use crate::algebra::motion_law::{profile, zones};
 use crate::model::Ends;
 
 /// What the values at the ends of a piece are, and how wide it is.
@@ -20,7 +23,7 @@ struct Span<'m> {
 }
 
 /// The value of a spline through points at `along`, or a derivative.
-pub(super) fn value<'m>(
+pub(crate) fn value<'m>(
     along: Ex<'m>,
     points: &[(Ex<'m>, Ex<'m>)],
     slopes: Option<&[Ex<'m>]>,
@@ -73,8 +76,8 @@ pub(super) fn value<'m>(
     let mut all = [along; ORDERS];
     for order in (0..ORDERS).rev() {
         let own = coefficients.iter().enumerate().skip(order);
-        let own: Vec<Ex> = own.map(|(k, &c)| falling(k, order) * c).collect();
-        let sum = scheme(&own, way);
+        let own: Vec<Ex> = own.map(|(k, &c)| zones::falling(k, order) * c).collect();
+        let sum = profile::scheme(&own, way);
         all[order] = match all.get(order + 1) {
             // Coefficients that are no numbers are differentiated, too.
             Some(&slope) if known => sum.with_slope(along, slope),

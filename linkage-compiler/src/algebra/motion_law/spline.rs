@@ -3,11 +3,11 @@
 
 use linkage_symbolic::Ex;
 
-use crate::algebra::choice::Choice;
+use crate::algebra::motion_law::piecewise::Choice;
 use crate::model::Ends;
 
 /// The value of a spline through points at `along`.
-pub(super) fn value<'m>(
+pub(crate) fn value<'m>(
     along: Ex<'m>,
     points: &[(Ex<'m>, Ex<'m>)],
     ends: Ends,
@@ -109,7 +109,7 @@ fn curvatures<'m>(points: &[(Ex<'m>, Ex<'m>)], ends: Ends) -> Vec<Ex<'m>> {
 }
 
 /// A tridiagonal system.
-pub(super) fn solved<'m>(rows: &[[Ex<'m>; 4]]) -> Vec<Ex<'m>> {
+pub(crate) fn solved<'m>(rows: &[[Ex<'m>; 4]]) -> Vec<Ex<'m>> {
     let columns: Vec<Vec<Ex>> = rows.iter().map(|own| vec![own[3]]).collect();
     eliminated(rows, columns)
         .into_iter()
@@ -119,7 +119,7 @@ pub(super) fn solved<'m>(rows: &[[Ex<'m>; 4]]) -> Vec<Ex<'m>> {
 
 /// A system whose first and last rows mention each other: the first unknown is moved to the right-hand side, and its own row
 /// says what it is.
-pub(super) fn solved_in_circle<'m>(rows: &[[Ex<'m>; 4]]) -> Vec<Ex<'m>> {
+pub(crate) fn solved_in_circle<'m>(rows: &[[Ex<'m>; 4]]) -> Vec<Ex<'m>> {
     let (first, rest) = (rows[0], &rows[1..]);
     let zero = first[0].number(0.0);
     let right = rest.iter().enumerate().map(|(k, own)| {

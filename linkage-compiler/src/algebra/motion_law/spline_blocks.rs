@@ -3,21 +3,21 @@
 use linkage_symbolic::Ex;
 
 /// Slope and curvature at a point.
-pub(super) type Shape<'m> = [Ex<'m>; 2];
+pub(crate) type Shape<'m> = [Ex<'m>; 2];
 
 /// Two rows of a system, by the slope and the curvature of one point.
-pub(super) type Block<'m> = [[Ex<'m>; 2]; 2];
+pub(crate) type Block<'m> = [[Ex<'m>; 2]; 2];
 
 /// A point's rows: by the point before, its own, by the point behind, and what they make, a column for each system.
-pub(super) struct Row<'m> {
-    pub(super) before: Block<'m>,
-    pub(super) own: Block<'m>,
-    pub(super) behind: Block<'m>,
-    pub(super) right: Vec<Shape<'m>>,
+pub(crate) struct Row<'m> {
+    pub(crate) before: Block<'m>,
+    pub(crate) own: Block<'m>,
+    pub(crate) behind: Block<'m>,
+    pub(crate) right: Vec<Shape<'m>>,
 }
 
 /// A system whose first and last rows mention each other: the first point is moved to the right-hand side, and its own rows say what it is.
-pub(super) fn in_circle<'m>(first: Row<'m>, mut rest: Vec<Row<'m>>) -> Vec<Shape<'m>> {
+pub(crate) fn in_circle<'m>(first: Row<'m>, mut rest: Vec<Row<'m>>) -> Vec<Shape<'m>> {
     let zero = first.own[0][0].number(0.0);
     let last = rest.len() - 1;
     for (k, row) in rest.iter_mut().enumerate() {
@@ -57,7 +57,7 @@ pub(super) fn in_circle<'m>(first: Row<'m>, mut rest: Vec<Row<'m>>) -> Vec<Shape
 }
 
 /// Solutions for all right-hand sides, by row.
-pub(super) fn eliminated<'m>(mut rows: Vec<Row<'m>>) -> Vec<Vec<Shape<'m>>> {
+pub(crate) fn eliminated<'m>(mut rows: Vec<Row<'m>>) -> Vec<Vec<Shape<'m>>> {
     for k in 1..rows.len() {
         let (done, open) = rows.split_at_mut(k);
         let (above, row) = (&done[k - 1], &mut open[0]);
@@ -89,11 +89,11 @@ pub(super) fn eliminated<'m>(mut rows: Vec<Row<'m>>) -> Vec<Vec<Shape<'m>>> {
     found
 }
 
-pub(super) fn plus<'m>(a: Block<'m>, b: Block<'m>) -> Block<'m> {
+pub(crate) fn plus<'m>(a: Block<'m>, b: Block<'m>) -> Block<'m> {
     [added(a[0], b[0]), added(a[1], b[1])]
 }
 
-pub(super) fn added<'m>(a: Shape<'m>, b: Shape<'m>) -> Shape<'m> {
+pub(crate) fn added<'m>(a: Shape<'m>, b: Shape<'m>) -> Shape<'m> {
     [a[0] + b[0], a[1] + b[1]]
 }
 

@@ -1,9 +1,11 @@
 //! What differentiation needs of a coupled group: private unknowns, terms, columns and how they are eliminated.
 
-use crate::algebra::partial;
+use crate::algebra::derivatives::partial;
 use linkage_symbolic::{Ex, V2};
 
-use crate::algebra::{Body, Distance, Elimination, Links, PrivateColumn, Solution, Term, WrittenRow};
+use crate::algebra::{
+    Body, Distance, Elimination, Links, PrivateColumn, Solution, Term, WrittenRow,
+};
 use crate::solve::Solver;
 use crate::structure::{Block, Link, Private};
 

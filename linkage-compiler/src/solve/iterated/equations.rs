@@ -1,6 +1,6 @@
 //! The equations of a core: one across each private unknown, and the rows of loops without one.
 
-use crate::algebra::partial;
+use crate::algebra::derivatives::partial;
 use crate::solve::iterated::large;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector, substitute};
 

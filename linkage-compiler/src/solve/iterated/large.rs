@@ -5,8 +5,8 @@
 //! derivatives by the nine components of its directions are not needed. What keeps the directions perpendicular and of length 1 is no equation of a
 //! step: they are made so where it begins, and turned.
 
+use crate::algebra::derivatives::partial;
 use crate::algebra::nominal;
-use crate::algebra::partial;
 use crate::solve::iterated::turns;
 use linkage_symbolic::{Ex, V3, Vector};
 

@@ -1,6 +1,6 @@
 //! Newton steps of a core, from a state to the next, and what a solution must stand.
 
-use crate::algebra::elimination;
+use crate::algebra::cofactors;
 use crate::algebra::pivots;
 use crate::solve::iterated::state;
 use linkage_core::numeric::continuation::{
@@ -129,15 +129,15 @@ pub(super) fn step<'m>(
             (freedoms, large.share * determinant)
         }
         None => {
-            let (numerators, determinant) = elimination::cramer(solver.algebra, &matrix, residuals);
+            let (numerators, determinant) = cofactors::cramer(solver.algebra, &matrix, residuals);
             let corrections = numerators.into_iter().map(|own| -(own / determinant));
             (corrections.collect(), determinant)
         }
     };
     let algebra = &solver.algebra;
     Step {
-        size2: elimination::product_sum(algebra, &freedoms, &freedoms)
-            + elimination::product_sum(algebra, &missed, &missed),
+        size2: cofactors::product_sum(algebra, &freedoms, &freedoms)
+            + cofactors::product_sum(algebra, &missed, &missed),
         corrections: match &equations.large {
             Some(large) => large.corrections(&start, &freedoms),
             None => freedoms,

@@ -6,7 +6,7 @@
 
 use linkage_symbolic::{Ex, SymbolId, V3, Vector, agree, substitute};
 
-use crate::algebra::{Bodies, Body, ArmOnBody, coordinates, directions};
+use crate::algebra::{ArmOnBody, Bodies, Body, coordinates, directions};
 use crate::solve::Solver;
 use crate::structure::Block;
 

@@ -1,6 +1,6 @@
 //! What differentiation needs of a point on spheres and planes.
 
-use crate::algebra::elimination;
+use crate::algebra::cofactors;
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
 use crate::algebra::{CoreRow, Elimination, Solution, Term};
@@ -81,7 +81,7 @@ pub(super) fn push_point<'m>(
         Some(1) => -volume,
         _ => volume,
     };
-    let product = elimination::determinant(solver.algebra, &matrix);
+    let product = cofactors::determinant(solver.algebra, &matrix);
     let determinant = solver.alias("det", value, product);
     solver.push_solution(Solution {
         terms,

@@ -1,6 +1,6 @@
 //! The unknowns of loops of the plane as joints and bodies.
 
-use crate::algebra::partial;
+use crate::algebra::derivatives::partial;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector, agree};
 
 use crate::solve::Solver;

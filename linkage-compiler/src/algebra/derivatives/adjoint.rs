@@ -6,113 +6,19 @@
 //! minus the sum of `l . dF/dp`. One sweep serves all parameters, where going forward solves a system for each;
 //! forward needs no sweep for each result. [`Direction`] names the ways, lowering takes the cheapest.
 
-use crate::algebra::acting;
-use crate::algebra::elimination;
-use crate::algebra::gradient;
-use crate::algebra::implicit;
-use crate::algebra::links;
-use crate::algebra::partial;
-use crate::algebra::preaccumulation;
-use crate::algebra::rows;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
-use linkage_symbolic::{Ex, NodeId, SymbolId, V2, Vector};
+use crate::algebra::context::Algebra;
+use crate::algebra::derivatives::{
+    acting, by_rule, elimination, implicit, links, mentioned, partial, rows,
+};
+use crate::algebra::memo::{Flow, Multiplier, Solved, System};
+use crate::algebra::rules::Rule;
 
-use super::acting::ByParameter;
-use super::implicit::RuleCalculus;
-use super::partial::{Solved, System};
-use super::preaccumulation::ThroughIntermediates;
-use super::{Algebra, Rule};
-
-/// How derivatives by parameters are found.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Direction {
-    /// The rates of all groups by each parameter.
-    #[default]
-    Forward,
-    /// Backwards from each number that is differentiated.
-    FromResults,
-    /// Backwards from the unknowns in it, and anew from each narrow place before these: several results often hang on
-    /// one angle.
-    FromUnknowns,
-    /// Backwards from each number through its whole formula.
-    Gradient,
-}
-
-impl Direction {
-    pub(crate) const ALL: [Self; 4] = [
-        Self::Forward,
-        Self::FromResults,
-        Self::FromUnknowns,
-        Self::Gradient,
-    ];
-
-    /// For the docs.
-    pub(crate) fn doc_text(self) -> &'static str {
-        match self {
-            Self::Forward => "forward",
-            Self::FromResults => "backwards from the results",
-            Self::FromUnknowns => "backwards from the unknowns",
-            Self::Gradient => "backwards through all formulas",
-        }
-    }
-}
-
-/// The multipliers of the equations of one system.
-#[derive(Clone, Debug)]
-pub(super) struct Multiplier<'m> {
-    pub(super) system: System,
-    /// The derivatives by its results.
-    pub(super) weights: Vec<Ex<'m>>,
-    pub(super) factors: Vec<Ex<'m>>,
-}
-
-/// What a sweep backwards finds.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Flow<'m> {
-    /// Of all systems that it visited.
-    pub(super) multipliers: Vec<Multiplier<'m>>,
-    /// The places of multipliers whose equations mention a parameter: each parameter visits its own, not all of them.
-    pub(super) acting: ByParameter,
-    /// The derivatives with respect to unknowns and rates at which it ended.
-    pub(super) ends: BTreeMap<Solved, Ex<'m>>,
-}
-
-/// Multipliers found already.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Adjoints<'m> {
-    of_nodes: Map<NodeId, Rc<Flow<'m>>>,
-    /// Of numbers, with the ends at all narrow places.
-    pub(super) flows: Map<NodeId, Rc<ThroughIntermediates<'m>>>,
-    /// Of narrow places.
-    pub(super) of_intermediates: Map<Solved, Rc<Flow<'m>>>,
-    /// Derivatives of these, without what passes others before them.
-    pub(super) between: Map<(Solved, SymbolId), Ex<'m>>,
-}
-
-/// The derivative by an input, or by a parameter in any direction.
-pub(crate) fn derivative<'m>(
-    algebra: &mut Algebra<'m>,
-    x: Ex<'m>,
-    parameter: SymbolId,
-    direction: Direction,
-) -> Ex<'m> {
-    match direction {
-        Direction::Forward => algebra.slope(x, parameter),
-        Direction::Gradient => gradient::gradient_by(algebra, x, parameter),
-        Direction::FromResults => {
-            let flow = flow_to(algebra, x);
-            let start = partial::partial(algebra, x, parameter);
-            minus_slopes(algebra, start, &flow, parameter)
-        }
-        Direction::FromUnknowns => preaccumulation::derivative_through(algebra, x, parameter),
-    }
-}
-
-fn flow_to<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> Rc<Flow<'m>> {
+pub(crate) fn flow_to<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> Rc<Flow<'m>> {
     if let Some(known) = algebra.derivatives.adjoints.of_nodes.get(&x.id()) {
         return Rc::clone(known);
     }
@@ -124,8 +30,8 @@ fn flow_to<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> Rc<Flow<'m>> {
 }
 
 /// The derivatives by the unknowns and rates in an expression.
-pub(super) fn weights_of<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> Vec<(Solved, Ex<'m>)> {
-    let mentioned = partial::mentioned_in(algebra, &[x]).into_iter();
+pub(crate) fn weights_of<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> Vec<(Solved, Ex<'m>)> {
+    let mentioned = mentioned::mentioned_in(algebra, &[x]).into_iter();
     let weights = mentioned.map(|solved| {
         let variable = partial::symbol_for(algebra, &solved);
         (solved, partial::partial(algebra, x, variable))
@@ -134,7 +40,7 @@ pub(super) fn weights_of<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> Vec<(Solve
 }
 
 /// `start` minus the sum of multiplier times slope by a parameter.
-pub(super) fn minus_slopes<'m>(
+pub(crate) fn minus_slopes<'m>(
     algebra: &mut Algebra<'m>,
     start: Ex<'m>,
     flow: &Flow<'m>,
@@ -161,7 +67,7 @@ fn minus_slope<'m>(
 }
 
 /// From the derivatives by unknowns and rates to all multipliers, the last system first, but not beyond ends.
-pub(super) fn sweep<'m>(
+pub(crate) fn sweep<'m>(
     algebra: &mut Algebra<'m>,
     weights: Vec<(Solved, Ex<'m>)>,
     is_end: impl Fn(&Algebra<'m>, &Solved) -> bool,
@@ -189,7 +95,7 @@ pub(super) fn sweep<'m>(
             weights,
             factors,
         };
-        for solved in mentioned_by(algebra, &found.system) {
+        for solved in mentioned::mentioned_by(algebra, &found.system) {
             let variable = partial::symbol_for(algebra, &solved);
             let weight = minus_slope(algebra, zero, &found, variable);
             add(algebra, &mut open, solved, weight);
@@ -215,23 +121,6 @@ fn add_weight<'m>(
         .entry(solved.system)
         .or_insert_with(|| vec![zero; count]);
     weights[solved.position] += weight;
-}
-
-/// What the equations of a system mention of earlier ones.
-pub(super) fn mentioned_by<'m>(algebra: &mut Algebra<'m>, system: &System) -> Vec<Solved> {
-    let solution = &algebra.solutions.groups[system.group];
-    let mut all: Vec<Ex<'m>> = Vec::new();
-    if system.by.is_empty() {
-        let coefficients = solution.terms.iter().map(|term| &term.coefficient);
-        all.extend(coefficients.flatten());
-    } else {
-        all.extend(solution.jacobian.iter().flatten());
-        all.extend(implicit::rates(algebra, system.group, system.by.clone()).right);
-    }
-    let mentioned = partial::mentioned_in(algebra, &all).into_iter();
-    mentioned
-        .filter(|solved| solved.system != *system)
-        .collect()
 }
 
 /// The derivative of an equation of a system by a variable that is not one of its results.
@@ -265,7 +154,7 @@ fn slope_of_row<'m>(
 /// `J^T l = weights` by Cramer's rule. The determinant is known from the closed form. Computed from the scaled
 /// weights, of which there are fewer; differentiated as the quotients, whose derivatives stay in range for lengths
 /// of any unit.
-pub(super) fn solve_transposed<'m>(
+pub(crate) fn solve_transposed<'m>(
     algebra: &mut Algebra<'m>,
     group: usize,
     weights: &[Ex<'m>],
@@ -290,7 +179,7 @@ pub(super) fn solve_transposed<'m>(
                 return quotient;
             }
             let name = format!("multiplier {group}.{row}");
-            implicit::symbol_for_value(algebra, name, value, Rule::Follow(quotient))
+            by_rule::symbol_for_value(algebra, name, value, Rule::Follow(quotient))
         })
         .to_vec()
 }

@@ -1,19 +1,42 @@
 //! How the bodies of groups turn: what their linear systems are solved for, by variable.
 
-use crate::algebra::frame;
-use crate::algebra::implicit;
-use linkage_symbolic::{Ex, Node, SymbolId, V3, Vector};
+use linkage_symbolic::{Ex, Node, NodeId, SymbolId, V3, Vector};
 
-use super::bodies::Shifts;
-use super::implicit::RuleCalculus;
-use super::solutions::RotationRule;
-use super::{Algebra, Bodies, Rule, Value};
+use crate::algebra::bodies::{Bodies, Shifts};
+use crate::algebra::context::Algebra;
+use crate::algebra::derivatives::by_rule::RuleCalculus;
+use crate::algebra::derivatives::{by_rule, implicit};
+use crate::algebra::frame;
+use crate::algebra::rules::{RotationRule, Rule};
+use crate::algebra::value::Value;
+
+/// The derivative of a component of what a body carries, where it is known how the body turns.
+pub(crate) fn slope_of_body_vector(
+    algebra: &mut Algebra<'_>,
+    node: NodeId,
+    variable: SymbolId,
+) -> Option<NodeId> {
+    if algebra.derivatives.held > 0 {
+        return None;
+    }
+    let own = algebra.solutions.body_vectors.get(&node)?.clone();
+    algebra.derivatives.offered.turns = true;
+    if !algebra.solutions.shortcuts.turns {
+        return None;
+    }
+    let mut coordinates = own.coordinates.0.into_iter();
+    if !coordinates.all(|x| algebra.slope(x, variable).is_zero()) {
+        return None;
+    }
+    let turn = rotation_of_body_with(algebra, &own.axes, variable)?;
+    Some(turn.cross(own.vector)[own.component].id())
+}
 
 /// The turns of the bodies of a group by two variables.
 #[derive(Clone, Debug)]
-pub(super) struct BodyRotations<'m> {
-    pub(super) by: [SymbolId; 2],
-    pub(super) of_bodies: [Vec<V3<'m>>; 2],
+pub(crate) struct BodyRotations<'m> {
+    pub(crate) by: [SymbolId; 2],
+    pub(crate) of_bodies: [Vec<V3<'m>>; 2],
 }
 
 /// The turns of a group's bodies by a variable, if these do nothing but turn.
@@ -23,11 +46,15 @@ fn rotations_by<'m>(
     variable: SymbolId,
 ) -> Option<Vec<V3<'m>>> {
     implicit::rates(algebra, group, vec![variable]);
-    algebra.derivatives.rotations.get(&(group, variable)).cloned()
+    algebra
+        .derivatives
+        .rotations
+        .get(&(group, variable))
+        .cloned()
 }
 
 /// The same by two variables.
-pub(super) fn rotations_by_both<'m>(
+pub(crate) fn rotations_by_both<'m>(
     algebra: &mut Algebra<'m>,
     group: usize,
     by: &[SymbolId],
@@ -37,13 +64,16 @@ pub(super) fn rotations_by_both<'m>(
     };
     Some(BodyRotations {
         by: [x, y],
-        of_bodies: [rotations_by(algebra, group, x)?, rotations_by(algebra, group, y)?],
+        of_bodies: [
+            rotations_by(algebra, group, x)?,
+            rotations_by(algebra, group, y)?,
+        ],
     })
 }
 
 /// What the directions of bodies that turn no further change by in the second derivatives: the turns by one variable times what they change
 /// by the other one.
-pub(super) fn shifts_by_rotations<'m>(
+pub(crate) fn shifts_by_rotations<'m>(
     algebra: &mut Algebra<'m>,
     bodies: &Bodies<'m>,
     group: usize,
@@ -70,7 +100,7 @@ pub(crate) fn rotation_of_frame<'m>(
 }
 
 /// The turn of the body that has two of these directions, as symbols.
-pub(super) fn rotation_of_body_with<'m>(
+pub(crate) fn rotation_of_body_with<'m>(
     algebra: &mut Algebra<'m>,
     axes: &[V3<'m>],
     variable: SymbolId,
@@ -103,7 +133,7 @@ fn rotation_of_directions<'m>(
 }
 
 /// What a component of a turn changes by with a second variable, from the system of second derivatives.
-pub(super) fn second_rotation<'m>(
+pub(crate) fn second_rotation<'m>(
     algebra: &mut Algebra<'m>,
     own: &RotationRule<'m>,
     variable: SymbolId,
@@ -138,7 +168,11 @@ pub(super) fn second_rotation<'m>(
 }
 
 /// A component of a turn.
-fn rotation_as_symbol<'m>(algebra: &mut Algebra<'m>, turn: Ex<'m>, rule: RotationRule<'m>) -> Ex<'m> {
+fn rotation_as_symbol<'m>(
+    algebra: &mut Algebra<'m>,
+    turn: Ex<'m>,
+    rule: RotationRule<'m>,
+) -> Ex<'m> {
     if turn.constant_value().is_some() {
         return turn;
     }
@@ -146,7 +180,7 @@ fn rotation_as_symbol<'m>(algebra: &mut Algebra<'m>, turn: Ex<'m>, rule: Rotatio
         return known;
     }
     let name = format!("turn {:?}", turn.id());
-    let symbol = implicit::symbol_for_value(algebra, name, turn, Rule::Rotation(Box::new(rule)));
+    let symbol = by_rule::symbol_for_value(algebra, name, turn, Rule::Rotation(Box::new(rule)));
     algebra
         .derivatives
         .rotation_symbols
@@ -156,7 +190,10 @@ fn rotation_as_symbol<'m>(algebra: &mut Algebra<'m>, turn: Ex<'m>, rule: Rotatio
 
 /// The body that has two of some directions, by its group and its place there, with them.
 fn body_with<'m>(algebra: &Algebra<'m>, axes: &[V3<'m>]) -> Option<(usize, usize, [V3<'m>; 2])> {
-    let places: Vec<_> = axes.iter().map(|&axis| positions_of(algebra, axis)).collect();
+    let places: Vec<_> = axes
+        .iter()
+        .map(|&axis| positions_of(algebra, axis))
+        .collect();
     let group = places.iter().flatten().map(|(group, _)| *group).next()?;
     let elimination = algebra.solutions.groups[group].elimination.as_ref()?;
     let bodies = &elimination.scheme.as_ref()?.bodies.all;

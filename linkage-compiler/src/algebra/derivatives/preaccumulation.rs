@@ -4,18 +4,14 @@
 //! are differentiated by the angle, the angle by the dimensions, and both are multiplied: what a sweep backwards would
 //! do for each number is done once for all of them.
 
-use crate::algebra::acting;
-use crate::algebra::adjoint;
-use crate::algebra::partial;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use linkage_symbolic::{Ex, SymbolId};
 
-use super::Algebra;
-use super::acting::ByParameter;
-use super::adjoint::Flow;
-use super::partial::{Solved, System};
+use crate::algebra::context::Algebra;
+use crate::algebra::derivatives::{acting, adjoint, mentioned, partial};
+use crate::algebra::memo::{ByParameter, Flow, Solved, System, ThroughIntermediates};
 
 /// What hangs on an unknown or a rate: results, and narrow places behind it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -24,23 +20,12 @@ enum Behind {
     Intermediate(Solved),
 }
 
-/// The way from a number backwards through all narrow places.
-#[derive(Clone, Debug)]
-pub(super) struct ThroughIntermediates<'m> {
-    /// To the first ones.
-    flow: Flow<'m>,
-    /// All of them in order, with the derivatives of the number with respect to each.
-    intermediates: Vec<(Solved, Ex<'m>)>,
-    /// The narrow places between which and those before a parameter acts.
-    acting: ByParameter,
-}
-
 /// Finds the narrow places between parameters and `results`: what is used of a group, if that is less than what
 /// hangs on it. What the results themselves use may be more: what is behind it is gone through once.
 pub(crate) fn find_intermediates<'m>(algebra: &mut Algebra<'m>, results: &[Ex<'m>]) {
     let mut hanging: BTreeMap<Solved, BTreeSet<Behind>> = BTreeMap::new();
     for (index, &result) in results.iter().enumerate() {
-        for solved in partial::mentioned_in(algebra, &[result]) {
+        for solved in mentioned::mentioned_in(algebra, &[result]) {
             let behind = hanging.entry(solved).or_default();
             behind.insert(Behind::Result(index));
         }
@@ -74,7 +59,7 @@ fn mentioned_by_group(algebra: &mut Algebra<'_>, system: &System) -> BTreeSet<So
     let mut entered = BTreeSet::from([system.clone()]);
     let mut open = vec![system.clone()];
     while let Some(next) = open.pop() {
-        for solved in adjoint::mentioned_by(algebra, &next) {
+        for solved in mentioned::mentioned_by(algebra, &next) {
             if solved.system.group < system.group {
                 earlier.insert(solved);
             } else if entered.insert(solved.system.clone()) {
@@ -86,7 +71,7 @@ fn mentioned_by_group(algebra: &mut Algebra<'_>, system: &System) -> BTreeSet<So
 }
 
 /// The derivative by a parameter through the narrow places.
-pub(super) fn derivative_through<'m>(
+pub(crate) fn derivative_through<'m>(
     algebra: &mut Algebra<'m>,
     x: Ex<'m>,
     parameter: SymbolId,

@@ -4,14 +4,13 @@
 //! unknowns, turns them into multipliers, and hands those to its coefficients. Everything is visited once, after all that
 //! depends on it.
 
-use crate::algebra::adjoint;
-use crate::algebra::implicit;
 use linkage_symbolic::unordered::{Map, Set};
-
 use linkage_symbolic::{Ex, Node, NodeId, SymbolId, Vector, pull_back};
 
-use super::partial::System;
-use super::{Algebra, AngleRule, RotatingFrame, Rule};
+use crate::algebra::context::Algebra;
+use crate::algebra::derivatives::{adjoint, implicit};
+use crate::algebra::memo::System;
+use crate::algebra::rules::{AngleRule, RotatingFrame, Rule};
 
 /// What a sweep visits.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -28,7 +27,7 @@ struct Weights<'m> {
 }
 
 /// The derivatives of a number by nodes at which a sweep ends: what is known before the input, and inputs.
-pub(super) fn gradient<'m>(algebra: &mut Algebra<'m>, root: Ex<'m>) -> Vec<(Ex<'m>, Ex<'m>)> {
+pub(crate) fn gradient<'m>(algebra: &mut Algebra<'m>, root: Ex<'m>) -> Vec<(Ex<'m>, Ex<'m>)> {
     let one = algebra.one();
     let mut weights = Weights::default();
     weights.nodes.insert(root.id(), one);

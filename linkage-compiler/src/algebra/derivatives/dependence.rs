@@ -2,19 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use linkage_symbolic::unordered::Map;
-
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, NodeId, SymbolId};
 
-use super::Algebra;
-
-/// Inputs that symbols depend on, under the definitions of some revision of the graph.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Dependence {
-    revision: usize,
-    inputs: Map<SymbolId, Vec<usize>>,
-}
+use crate::algebra::context::Algebra;
 
 /// All symbols that nodes are computed from.
 pub(crate) fn symbols_below<'m>(algebra: &Algebra<'m>, all: &[Ex<'m>]) -> BTreeSet<SymbolId> {

@@ -9,23 +9,23 @@ use std::f64::consts::PI;
 use crate::model::Law;
 
 /// Where a law is one formula: from `from` to the next zone.
-pub(super) struct Zone {
-    pub(super) from: f64,
-    pub(super) origin: f64,
+pub(crate) struct Zone {
+    pub(crate) from: f64,
+    pub(crate) origin: f64,
     /// Coefficients of the powers of `y`.
-    pub(super) polynomial: &'static [f64],
-    pub(super) wave: Option<Wave>,
+    pub(crate) polynomial: &'static [f64],
+    pub(crate) wave: Option<Wave>,
 }
 
 /// What is subtracted: `amplitudes[0] * sin(frequency * y)`.
-pub(super) struct Wave {
-    pub(super) frequency: f64,
+pub(crate) struct Wave {
+    pub(crate) frequency: f64,
     /// Of the sine and of its derivatives, without their signs.
-    pub(super) amplitudes: [f64; ORDERS],
+    pub(crate) amplitudes: [f64; ORDERS],
 }
 
 /// The law itself and three derivatives have formulas of their own; what lies above follows by the rules.
-pub(in crate::algebra) const ORDERS: usize = 4;
+pub(crate) const ORDERS: usize = 4;
 
 const fn zone(from: f64, origin: f64, polynomial: &'static [f64], wave: Option<Wave>) -> Zone {
     Zone {
@@ -48,18 +48,23 @@ const fn wave(amplitude: f64, frequency: f64) -> Option<Wave> {
 
 /// `1 / (4 + pi)`, the scale of the modified sine.
 const SINE: f64 = 1.0 / (4.0 + PI);
+
 /// `8 pi / (2 + pi)`, the largest acceleration of the modified trapezoid.
 const TRAPEZOID: f64 = 8.0 * PI / (2.0 + PI);
+
 /// Its speed where the first quarter of a sine ends, `2 / (2 + pi)`; as much is missing to 2 at the other end of the constant.
 const SPEED: f64 = 2.0 / (2.0 + PI);
+
 /// Its way by a quarter of a sine: `A / (16 pi^2)`.
 const QUARTER: f64 = 0.5 / (PI * (2.0 + PI));
+
 /// In the middle of a constant acceleration: the way there, and the speed.
 const MIDDLE_SPEED: f64 = SPEED + TRAPEZOID / 8.0;
+
 const MIDDLE: f64 = SPEED / 8.0 - QUARTER + SPEED / 8.0 + TRAPEZOID / 128.0;
 
 /// A law from zone to zone.
-pub(super) fn zones(law: Law) -> &'static [Zone] {
+pub(crate) fn zones(law: Law) -> &'static [Zone] {
     match law {
         Law::Line => const { &[zone(0.0, 0.5, &[0.5, 1.0], None)] },
         Law::Cubic => const { &[zone(0.0, 0.5, &[0.5, 1.5, 0.0, -2.0], None)] },
@@ -137,7 +142,7 @@ pub(crate) fn ends(law: Law) -> [[f64; 2]; 2] {
 }
 
 /// `k (k - 1) ...`, so many factors.
-pub(in crate::algebra) fn falling(k: usize, factors: usize) -> f64 {
+pub(crate) fn falling(k: usize, factors: usize) -> f64 {
     (0..factors).map(|own| (k - own) as f64).product()
 }
 
@@ -171,7 +176,8 @@ mod tests {
             let end = value_and_rates(&zones[zones.len() - 1], 1.0)[0];
             assert!((end - 1.0).abs() <= f64::EPSILON, "{}: {end}", law.word());
             for pair in zones.windows(2) {
-                let [before, behind] = [&pair[0], &pair[1]].map(|own| value_and_rates(own, pair[1].from));
+                let [before, behind] =
+                    [&pair[0], &pair[1]].map(|own| value_and_rates(own, pair[1].from));
                 for order in 0..3 {
                     let gap = (before[order] - behind[order]).abs();
                     assert!(

@@ -3,20 +3,23 @@
 use linkage_symbolic::Ex;
 
 /// Chooses by a place between values from border to border.
-pub(super) struct Choice<'c, 'm> {
+pub(crate) struct Choice<'c, 'm> {
     argument: Ex<'m>,
     borders: &'c [Ex<'m>],
 }
 
 impl<'c, 'm> Choice<'c, 'm> {
     /// Of one value more than there are borders, which are in order.
-    pub(super) fn new(at: Ex<'m>, borders: &'c [Ex<'m>]) -> Self {
-        Self { argument: at, borders }
+    pub(crate) fn new(at: Ex<'m>, borders: &'c [Ex<'m>]) -> Self {
+        Self {
+            argument: at,
+            borders,
+        }
     }
 
     /// The value where the place is; at a border that behind it. Equal neighbours are one; the rest is a balanced tree, which
     /// has as many choices as a chain, and waits for few of them.
-    pub(super) fn among_pieces(&self, values: &[Ex<'m>]) -> Ex<'m> {
+    pub(crate) fn among_pieces(&self, values: &[Ex<'m>]) -> Ex<'m> {
         let mut runs: Vec<(usize, Ex)> = Vec::new();
         for (index, &value) in values.iter().enumerate() {
             if runs.last().is_none_or(|(_, last)| *last != value) {
@@ -35,4 +38,14 @@ impl<'c, 'm> Choice<'c, 'm> {
         let [before, value] = [before, behind].map(|own| self.among(own));
         (self.argument - border).select(value, before)
     }
+}
+
+/// What pieces have; those that have nothing have what the last one before them has, or else the first one of all.
+pub(crate) fn filled<'p, T>(pieces: &'p [Option<T>], first: &'p T) -> Vec<&'p T> {
+    let mut last = first;
+    let next = |own: &'p Option<T>| {
+        last = own.as_ref().unwrap_or(last);
+        last
+    };
+    pieces.iter().map(next).collect()
 }

@@ -1,25 +1,20 @@
 //! Laws of motion as expressions: one polynomial and one sine, whose numbers are chosen by zone and by piece.
 
-mod zones;
-
 use linkage_symbolic::Ex;
 use linkage_symbolic::program::Unary;
 
-use super::choice::Choice;
-use super::motion_law::filled;
+use crate::algebra::motion_law::piecewise::Choice;
+use crate::algebra::motion_law::zones::{ORDERS, Zone};
+use crate::algebra::motion_law::{piecewise, zones};
 use crate::model::Law;
 
-pub(crate) use zones::ends;
-pub(super) use zones::{ORDERS, falling};
-use zones::{Zone, zones};
-
 /// `s(x)` of the law that `choice` takes, one for each of its pieces, and its derivatives.
-pub(super) fn profile<'m>(x: Ex<'m>, choice: &Choice<'_, 'm>, laws: &[Law]) -> [Ex<'m>; ORDERS] {
+pub(crate) fn profile<'m>(x: Ex<'m>, choice: &Choice<'_, 'm>, laws: &[Law]) -> [Ex<'m>; ORDERS] {
     let coefficients = Coefficients { x, choice, laws };
     let y = x - coefficients.chosen(|zone| Some(zone.origin));
     let degree = laws
         .iter()
-        .flat_map(|own| zones(*own))
+        .flat_map(|own| zones::zones(*own))
         .map(|own| own.polynomial.len() - 1);
     let degree = degree.max().unwrap_or(0);
     let polynomial: Vec<Ex> = (0..=degree)
@@ -29,14 +24,14 @@ pub(super) fn profile<'m>(x: Ex<'m>, choice: &Choice<'_, 'm>, laws: &[Law]) -> [
         .collect();
     let waves = laws
         .iter()
-        .flat_map(|own| zones(*own))
+        .flat_map(|own| zones::zones(*own))
         .any(|own| own.wave.is_some());
     let waves = waves.then(|| coefficients.waves(y));
     // From the last one down: each derivative is known when what it is the slope of is made.
     let mut all = [x; ORDERS];
     for order in (0..ORDERS).rev() {
         let own = polynomial.iter().enumerate().skip(order);
-        let own: Vec<Ex> = own.map(|(k, &c)| falling(k, order) * c).collect();
+        let own: Vec<Ex> = own.map(|(k, &c)| zones::falling(k, order) * c).collect();
         let mut sum = evaluated(&own, y);
         if let Some(waves) = &waves {
             sum = match order {
@@ -64,10 +59,10 @@ impl<'m> Coefficients<'_, 'm> {
     /// without any that of another.
     fn chosen(&self, of: impl Fn(&Zone) -> Option<f64>) -> Ex<'m> {
         let of_law = |law: &Law| {
-            let zones = zones(*law);
+            let zones = zones::zones(*law);
             let values: Vec<Option<f64>> = zones.iter().map(&of).collect();
             let first = values.iter().flatten().next()?;
-            let values = filled(&values, first).into_iter();
+            let values = piecewise::filled(&values, first).into_iter();
             let values: Vec<Ex> = values.map(|own| self.x.number(*own)).collect();
             let borders: Vec<Ex> = zones[1..]
                 .iter()
@@ -79,7 +74,10 @@ impl<'m> Coefficients<'_, 'm> {
         let Some(first) = values.iter().flatten().next() else {
             return self.x.number(0.0);
         };
-        let values: Vec<Ex> = filled(&values, first).into_iter().copied().collect();
+        let values: Vec<Ex> = piecewise::filled(&values, first)
+            .into_iter()
+            .copied()
+            .collect();
         self.choice.among_pieces(&values)
     }
 
@@ -132,7 +130,7 @@ fn evaluated<'m>(coefficients: &[Ex<'m>], y: Ex<'m>) -> Ex<'m> {
 }
 
 /// Horner's scheme.
-pub(super) fn scheme<'m>(coefficients: &[Ex<'m>], y: Ex<'m>) -> Ex<'m> {
+pub(crate) fn scheme<'m>(coefficients: &[Ex<'m>], y: Ex<'m>) -> Ex<'m> {
     let zero = y.number(0.0);
     coefficients.iter().rev().fold(zero, |sum, &c| c + y * sum)
 }

@@ -4,61 +4,23 @@
 //! A sweep backwards visits every system of a chain, and each system has a few parameters of its own. With these lists each
 //! parameter costs its own systems only, so that the work grows with the number of systems and not with its square.
 
-use crate::algebra::adjoint;
-use crate::algebra::implicit;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, NodeId, SymbolId};
 
-use super::partial::System;
-use super::{Algebra, RotatingFrame, Rule};
-
-/// The symbols without a rule: parameters and inputs.
-pub(crate) type Given = Rc<BTreeSet<SymbolId>>;
-
-/// What acts on symbols and systems, as far as it has been found.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Acting {
-    on_symbols: Map<SymbolId, Given>,
-    on_systems: Map<System, Given>,
-}
-
-/// Places in a list by the parameters that act on what is there.
-#[derive(Clone, Debug, Default)]
-pub(super) struct ByParameter(Map<SymbolId, Vec<usize>>);
-
-impl ByParameter {
-    /// Adds a place, which is not before those added already.
-    pub(super) fn add(&mut self, place: usize, acting: &BTreeSet<SymbolId>) {
-        for &symbol in acting {
-            let places = self.0.entry(symbol).or_default();
-            if places.last() != Some(&place) {
-                places.push(place);
-            }
-        }
-    }
-
-    /// The places that a parameter acts on, in order.
-    pub(super) fn positions_for(&self, parameter: SymbolId) -> &[usize] {
-        self.0.get(&parameter).map_or(&[], Vec::as_slice)
-    }
-}
+use crate::algebra::context::Algebra;
+use crate::algebra::derivatives::implicit;
+use crate::algebra::memo::{Given, System};
+use crate::algebra::rules::{RotatingFrame, Rule};
 
 /// What acts on the equations of a group.
 pub(crate) fn acting_on_group(algebra: &mut Algebra<'_>, group: usize) -> Given {
     acting_on_system(algebra, &System::new(group, Vec::new()))
 }
 
-/// The groups whose unknowns the equations of a group mention.
-pub(crate) fn groups_before(algebra: &mut Algebra<'_>, group: usize) -> BTreeSet<usize> {
-    let mentioned = adjoint::mentioned_by(algebra, &System::new(group, Vec::new()));
-    mentioned.into_iter().map(|own| own.system.group).collect()
-}
-
 /// What acts on expressions.
-pub(super) fn acting_in<'m>(algebra: &mut Algebra<'m>, all: &[Ex<'m>]) -> BTreeSet<SymbolId> {
+pub(crate) fn acting_in<'m>(algebra: &mut Algebra<'m>, all: &[Ex<'m>]) -> BTreeSet<SymbolId> {
     let nodes: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
     let mut acting = BTreeSet::new();
     for symbol in algebra.graph.symbols_of(&nodes) {
@@ -71,7 +33,7 @@ pub(super) fn acting_in<'m>(algebra: &mut Algebra<'m>, all: &[Ex<'m>]) -> BTreeS
 }
 
 /// What acts on the equations of a system.
-pub(super) fn acting_on_system<'m>(algebra: &mut Algebra<'m>, system: &System) -> Given {
+pub(crate) fn acting_on_system<'m>(algebra: &mut Algebra<'m>, system: &System) -> Given {
     if let Some(known) = algebra.derivatives.partials.acting.on_systems.get(system) {
         return Rc::clone(known);
     }

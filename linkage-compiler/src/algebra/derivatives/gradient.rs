@@ -1,25 +1,15 @@
 //! Derivatives of one number by parameters from its gradient: each parameter visits the ends that it acts on.
 
-use crate::algebra::acting;
-use crate::algebra::partial;
-use crate::algebra::reverse;
 use std::rc::Rc;
 
 use linkage_symbolic::{Ex, SymbolId};
 
-use super::Algebra;
-use super::acting::ByParameter;
-
-/// Derivatives of a number by nodes at which a sweep ends: what is known before the input, and inputs.
-#[derive(Clone, Debug)]
-pub(super) struct Gradient<'m> {
-    ends: Vec<(Ex<'m>, Ex<'m>)>,
-    /// The ends that a parameter acts on.
-    acting: ByParameter,
-}
+use crate::algebra::context::Algebra;
+use crate::algebra::derivatives::{acting, partial, reverse};
+use crate::algebra::memo::{ByParameter, Gradient};
 
 /// The derivative of a number by a parameter, from the gradient of the number.
-pub(super) fn gradient_by<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>, parameter: SymbolId) -> Ex<'m> {
+pub(crate) fn gradient_by<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>, parameter: SymbolId) -> Ex<'m> {
     let known = algebra.derivatives.gradients.get(&x.id()).cloned();
     let gradient = known.unwrap_or_else(|| {
         let ends = reverse::gradient(algebra, x);

@@ -1,52 +1,12 @@
 //! Partial derivatives: by one unknown, rate or parameter, while all other unknowns and rates are held.
 
-use crate::algebra::implicit;
-use std::collections::BTreeSet;
-
-use linkage_symbolic::unordered::Map;
-
 use linkage_symbolic::{Calculus, DerivativeMemo, Ex, Graph, Node, NodeId, SymbolId};
 
-use super::acting::Acting;
-use super::implicit::RuleCalculus;
-use super::{Algebra, Rule, Term};
-
-/// What is solved together: a group's unknowns, or their derivatives by some variables. In the order in which they
-/// depend on each other: a system mentions its own results and those of smaller ones.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(super) struct System {
-    pub(super) group: usize,
-    pub(super) order: usize,
-    /// In order; empty for the unknowns themselves.
-    pub(super) by: Vec<SymbolId>,
-}
-
-impl System {
-    pub(super) fn new(group: usize, by: Vec<SymbolId>) -> Self {
-        Self {
-            group,
-            order: by.len(),
-            by,
-        }
-    }
-}
-
-/// One result of a system.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(super) struct Solved {
-    pub(super) system: System,
-    pub(super) position: usize,
-}
-
-/// What is known of partial derivatives.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Partials {
-    memo: DerivativeMemo,
-    /// Symbols that stand for unknowns of groups as variables.
-    unknowns: Map<(usize, usize), SymbolId>,
-    mentioned: Map<SymbolId, BTreeSet<Solved>>,
-    pub(super) acting: Acting,
-}
+use crate::algebra::context::Algebra;
+use crate::algebra::derivatives::by_rule::RuleCalculus;
+use crate::algebra::derivatives::implicit;
+use crate::algebra::equations::Term;
+use crate::algebra::memo::{Solved, System};
 
 struct Partial<'a, 'm>(&'a mut Algebra<'m>);
 
@@ -87,7 +47,7 @@ impl<'m> RuleCalculus<'m> for Partial<'_, 'm> {
 }
 
 /// 0 plus or minus all derivatives of coefficients, which `slope` finds, times their factors.
-pub(super) fn sum_of_slopes<'m>(
+pub(crate) fn sum_of_slopes<'m>(
     algebra: &mut Algebra<'m>,
     terms: &[Term<'m>],
     row: usize,
@@ -118,7 +78,7 @@ pub(crate) fn partial<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>, variable: Symbol
 }
 
 /// The symbol that stands for an unknown or a rate as a variable.
-pub(super) fn symbol_for(algebra: &mut Algebra<'_>, solved: &Solved) -> SymbolId {
+pub(crate) fn symbol_for(algebra: &mut Algebra<'_>, solved: &Solved) -> SymbolId {
     let System { group, by, .. } = &solved.system;
     if by.is_empty() {
         let graph = algebra.graph;
@@ -148,65 +108,6 @@ pub(crate) fn unknown_variable(
             position,
         },
     )
-}
-
-/// The unknowns and rates that expressions mention.
-pub(super) fn mentioned_in<'m>(algebra: &mut Algebra<'m>, all: &[Ex<'m>]) -> BTreeSet<Solved> {
-    let nodes: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
-    let symbols = algebra.graph.symbols_of(&nodes);
-    let behind = symbols.into_iter().map(|symbol| behind(algebra, symbol));
-    behind.flatten().collect()
-}
-
-fn behind(algebra: &mut Algebra<'_>, symbol: SymbolId) -> BTreeSet<Solved> {
-    if let Some(known) = algebra.derivatives.partials.mentioned.get(&symbol) {
-        return known.clone();
-    }
-    let result = |group, position, by| Solved {
-        system: System::new(group, by),
-        position,
-    };
-    let behind = match algebra.solutions.rule(symbol).cloned() {
-        None => BTreeSet::new(),
-        Some(Rule::Follow(equal)) => mentioned_in(algebra, &[equal]),
-        Some(Rule::Rotation(own)) => mentioned_in(algebra, &[own.equal]),
-        Some(Rule::ToFrame(seen)) => {
-            let mut behind = mentioned_in(algebra, &seen.vector.0);
-            behind.extend(mentioned_in(algebra, &[seen.carrier.angle]));
-            behind
-        }
-        Some(Rule::FromFrame(shown)) => {
-            let [x, y] = shown.vector.0;
-            let [base_x, base_y] = shown.base.0;
-            mentioned_in(algebra, &[x, y, base_x, base_y, shown.carrier.angle])
-        }
-        Some(Rule::Axis(own)) => mentioned_in(algebra, &[own.0.angle]),
-        Some(Rule::TurnedVector(turning)) => {
-            let mut behind = mentioned_in(algebra, &turning.z.0);
-            behind.insert(result(turning.group, turning.position, Vec::new()));
-            behind
-        }
-        Some(Rule::Cosine(rule) | Rule::Sine(rule) | Rule::Value(rule)) => {
-            let angle = rule.carrier.map(|carrier| carrier.angle);
-            let mut behind = angle.map_or_else(BTreeSet::new, |x| mentioned_in(algebra, &[x]));
-            behind.insert(result(rule.group, rule.position, Vec::new()));
-            behind
-        }
-        Some(Rule::Unknown { group, position }) => {
-            BTreeSet::from([result(group, position, Vec::new())])
-        }
-        Some(Rule::Rate {
-            group,
-            position,
-            by,
-        }) => BTreeSet::from([result(group, position, by)]),
-    };
-    algebra
-        .derivatives
-        .partials
-        .mentioned
-        .insert(symbol, behind.clone());
-    behind
 }
 
 /// Products of slopes and factors, those of equal slopes put together: a centre that moves alone moves all differences from

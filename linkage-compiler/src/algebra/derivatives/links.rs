@@ -2,49 +2,13 @@
 //!
 //! They stand for components of right-hand sides and of links. Whether that is shorter is a matter of the function.
 
-use crate::algebra::implicit;
-use crate::algebra::partial;
-use linkage_symbolic::{Ex, SymbolId, V2, V3, Vector};
+use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
-use super::Algebra;
-use super::adjoint::Multiplier;
-use super::derivatives::DerivativeMemos;
-use super::implicit::RuleCalculus;
-use super::solutions::Shortcuts;
-
-/// A vector that turns with an unknown: its derivative by that is the unknown's column of the Jacobian.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Link<'m> {
-    /// `z u`
-    pub(crate) vector: V2<'m>,
-    pub(crate) z: V2<'m>,
-    pub(crate) unit: V2<'m>,
-    /// Of its length.
-    pub(crate) square: Ex<'m>,
-    /// `vector x column` of the other unknown.
-    pub(crate) across: Ex<'m>,
-}
-
-/// A rod in space between a known point and one that the unknown of its group moves: the equation says that its length is given.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Rod<'m> {
-    /// `known` and a vector that the unknown moves.
-    pub(crate) vector: V3<'m>,
-    pub(crate) known: V3<'m>,
-    pub(crate) length: Ex<'m>,
-    /// What the unknown moves its end by, and what that is made of.
-    pub(crate) slope: V3<'m>,
-    pub(crate) arms: [V3<'m>; 2],
-    /// The scalar product of the rod and the vector that the unknown turns, 0 for one that it only moves.
-    pub(crate) across: Ex<'m>,
-}
-
-impl<'m> Link<'m> {
-    /// Its derivative where its unknown is held.
-    fn stretched(&self, slope: V2<'m>) -> V2<'m> {
-        slope.turned(self.unit)
-    }
-}
+use crate::algebra::context::Algebra;
+use crate::algebra::derivatives::by_rule::RuleCalculus;
+use crate::algebra::derivatives::{by_rule, implicit, partial};
+use crate::algebra::memo::{DerivativeMemos, Multiplier};
+use crate::algebra::solutions::Shortcuts;
 
 /// Says what derivatives make use of from here on. If that is new, all that is known of derivatives is forgotten: true then, for those who remember
 /// some themselves.
@@ -93,7 +57,7 @@ fn rates_of_rod<'m>(
     let first = known_x + rate_x * rod.slope;
     let second = known_y + rate_y * rod.slope;
     let right = (rate_x * rate_y) * rod.across - rod.vector.dot(known_xy) - first.dot(second);
-    Some(vec![implicit::rate_symbol(
+    Some(vec![by_rule::rate_symbol(
         algebra,
         group,
         0,
@@ -103,7 +67,7 @@ fn rates_of_rod<'m>(
 }
 
 /// Second and further derivatives of two links that turn: the part of the right-hand side that turning makes lies along the links, which it meets in products.
-pub(super) fn rates_by_products<'m>(
+pub(crate) fn rates_by_products<'m>(
     algebra: &mut Algebra<'m>,
     group: usize,
     by: &[SymbolId],
@@ -136,14 +100,14 @@ pub(super) fn rates_by_products<'m>(
     let along2 = right.dot(second.vector) + turned1 * second.across + turned2 * second.square;
     let numerators = [along2, -along1].into_iter().enumerate();
     let rates = numerators.map(|(position, numerator)| {
-        implicit::rate_symbol(algebra, group, position, by, numerator / determinant)
+        by_rule::rate_symbol(algebra, group, position, by, numerator / determinant)
     });
     Some(rates.collect())
 }
 
 /// The multipliers of a group's loop times the derivatives of its links by something else than its unknowns, where the products are used. For the first link
 /// with column `a`, and `b` the other one, `J^T l = w` makes `l . link = (w1 link x b - w2 link . link)/(a x b)`.
-pub(super) fn slope_of_links<'m>(
+pub(crate) fn slope_of_links<'m>(
     algebra: &mut Algebra<'m>,
     own: &Multiplier<'m>,
     variable: SymbolId,
@@ -183,7 +147,7 @@ pub(super) fn slope_of_links<'m>(
 }
 
 /// How many of a group's terms belong to its links: those that [`Self::slope_of_links`] is about.
-pub(super) fn terms_of_links(algebra: &Algebra<'_>, group: usize) -> usize {
+pub(crate) fn terms_of_links(algebra: &Algebra<'_>, group: usize) -> usize {
     let links = algebra.solutions.groups[group].links.iter().flatten();
     match algebra.solutions.shortcuts.products {
         true => 2 * links.count(),

@@ -10,48 +10,17 @@
 
 use std::mem;
 
-use linkage_symbolic::{Ex, SymbolId, V3};
+use linkage_symbolic::{Ex, SymbolId};
 
-use super::Algebra;
-use super::implicit::{RuleCalculus, Rates};
-use super::rotation_variation::BodyRotations;
-
-/// An equation as it was written.
-#[derive(Clone, Debug)]
-pub(crate) struct WrittenRow<'m> {
-    pub(crate) row: Ex<'m>,
-    /// If it says how long a link is, or by how much its square differs from that of another one.
-    pub(crate) links: Option<Links<'m>>,
-}
-
-/// Half of what the first square of a distance is off by, less the same of another one, over the first length.
-#[derive(Clone, Debug)]
-pub(crate) struct Links<'m> {
-    pub(crate) first: Distance<'m>,
-    pub(crate) less: Option<Distance<'m>>,
-}
-
-/// A vector and the length that it should have.
-#[derive(Clone, Debug)]
-pub(crate) struct Distance<'m> {
-    pub(crate) vector: V3<'m>,
-    pub(crate) length: Ex<'m>,
-    pub(crate) carried: Option<ArmOnBody<'m>>,
-}
-
-/// What a body carries of a vector as it is.
-#[derive(Clone, Debug)]
-pub(crate) struct ArmOnBody<'m> {
-    pub(crate) body: usize,
-    pub(crate) arm: V3<'m>,
-    pub(crate) rest: V3<'m>,
-    /// What the coordinates of the arm are made of.
-    pub(crate) dimensions: Vec<SymbolId>,
-}
+use crate::algebra::context::Algebra;
+use crate::algebra::derivatives::by_rule::RuleCalculus;
+use crate::algebra::derivatives::rotation_variation::BodyRotations;
+use crate::algebra::equations::{Distance, Links, WrittenRow};
+use crate::algebra::memo::Rates;
 
 /// What the derivatives by these variables leave of the right-hand side where those of the unknowns are `held`: bodies turn by `turns`, if that is
 /// known, and no further.
-pub(super) fn right_of_rows<'m>(
+pub(crate) fn right_of_rows<'m>(
     algebra: &mut Algebra<'m>,
     group: usize,
     by: &[SymbolId],
@@ -70,7 +39,7 @@ pub(super) fn right_of_rows<'m>(
 }
 
 /// The right-hand sides of the first derivatives by a variable, of equations about links.
-pub(super) fn right_of_links<'m>(
+pub(crate) fn right_of_links<'m>(
     algebra: &mut Algebra<'m>,
     group: usize,
     variable: SymbolId,
@@ -86,7 +55,7 @@ pub(super) fn right_of_links<'m>(
 
 /// The first derivative of an equation about links, by what `slope` finds: `(V.V' - l l')/l`. As a polynomial it has a multiple of the equation
 /// itself besides, in all of its terms. Where loops close both are equal, so derivatives along solutions are, too.
-pub(super) fn slope_of_squares<'m>(
+pub(crate) fn slope_of_squares<'m>(
     algebra: &mut Algebra<'m>,
     links: &Links<'m>,
     slope: &mut dyn FnMut(&mut Algebra<'m>, Ex<'m>) -> Ex<'m>,
@@ -124,7 +93,11 @@ fn with_rates<'m, R>(
 }
 
 /// The second derivative, if lengths and arms are not changed by the variables.
-fn of_links<'m>(algebra: &mut Algebra<'m>, links: &Links<'m>, turns: &BodyRotations<'m>) -> Option<Ex<'m>> {
+fn of_links<'m>(
+    algebra: &mut Algebra<'m>,
+    links: &Links<'m>,
+    turns: &BodyRotations<'m>,
+) -> Option<Ex<'m>> {
     let graph = algebra.graph;
     let both = [Some(&links.first), links.less.as_ref()];
     let given = both.into_iter().flatten().flat_map(|own| {

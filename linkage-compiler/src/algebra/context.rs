@@ -1,0 +1,82 @@
+//! The mechanism as algebra: its names, its solved groups, and the derivatives that were found.
+
+use linkage_symbolic::program::Source;
+use linkage_symbolic::{Ex, Graph, SymbolId};
+
+use crate::algebra::memo::DerivativeMemos;
+use crate::algebra::names::Names;
+use crate::algebra::solutions::Solutions;
+use crate::algebra::vanish;
+use crate::model::{Mechanism, Variable};
+
+/// The graph and all that is known about its symbols.
+#[derive(Debug)]
+pub(crate) struct Algebra<'m> {
+    pub(crate) mechanism: &'m Mechanism,
+    pub(crate) graph: &'m Graph,
+    /// What the names of the model are.
+    pub(crate) names: Names<'m>,
+    /// How the unknowns are found, and so how they are differentiated.
+    pub(crate) solutions: Solutions<'m>,
+    /// Derivatives found already.
+    pub(crate) derivatives: DerivativeMemos<'m>,
+}
+
+impl<'m> Algebra<'m> {
+    /// The unknowns as symbols of an empty graph.
+    pub(crate) fn new(mechanism: &'m Mechanism, graph: &'m Graph) -> Self {
+        Self {
+            mechanism,
+            graph,
+            names: Names::new(mechanism, graph),
+            solutions: Solutions::default(),
+            derivatives: DerivativeMemos::default(),
+        }
+    }
+
+    /// What something answers that may add to the graph and to what is known, as if it had not been asked.
+    pub(crate) fn tried<R>(&mut self, question: impl FnOnce(&mut Self) -> R) -> R {
+        let names = self.names.clone();
+        let solutions = self.solutions.clone();
+        let derivatives = self.derivatives.clone();
+        let graph = self.graph.snapshot();
+        let answer = question(self);
+        self.graph.restore(graph);
+        self.derivatives = derivatives;
+        self.solutions = solutions;
+        self.names = names;
+        answer
+    }
+
+    /// The symbol that derivatives by a model variable refer to.
+    pub(crate) fn variable(&self, variable: Variable) -> SymbolId {
+        let source = match variable {
+            Variable::Input(index) => Source::Input(index),
+            Variable::Parameter(id) => Source::Parameter(id.0),
+        };
+        self.graph.source(source);
+        self.graph.find_source(source).expect("just made")
+    }
+
+    pub(crate) fn input(&self, index: usize) -> Ex<'m> {
+        self.source(Source::Input(index))
+    }
+
+    /// What a program loads from `source`.
+    pub(crate) fn source(&self, source: Source) -> Ex<'m> {
+        self.graph.ex(self.graph.source(source))
+    }
+
+    pub(crate) fn zero(&self) -> Ex<'m> {
+        self.graph.number(0.0)
+    }
+
+    pub(crate) fn one(&self) -> Ex<'m> {
+        self.graph.number(1.0)
+    }
+
+    /// True if an expression is zero wherever it is evaluated.
+    pub(crate) fn vanishes(&self, x: Ex<'m>) -> bool {
+        vanish::vanishes(x)
+    }
+}

@@ -1,0 +1,152 @@
+//! Derivatives of symbols by their rules, for total and for partial derivatives.
+
+use linkage_symbolic::{Calculus, Ex, NodeId, SymbolId, differentiate};
+
+use crate::algebra::context::Algebra;
+use crate::algebra::rotating_frame;
+use crate::algebra::rules::{
+    AngleRule, FromFrame, RotatingFrame, RotationRule, Rule, ToFrame, TurnedVector,
+};
+
+/// The rules of differentiation, given how unknowns and rates depend on a variable.
+pub(crate) trait RuleCalculus<'m>: Calculus<'m> {
+    fn algebra(&mut self) -> &mut Algebra<'m>;
+
+    /// The derivative by `variable` of unknown `position` of a group, or of its derivative `by` some variables.
+    fn rate(
+        &mut self,
+        group: usize,
+        position: usize,
+        by: Vec<SymbolId>,
+        variable: SymbolId,
+    ) -> Ex<'m>;
+
+    fn slope(&mut self, x: Ex<'m>, variable: SymbolId) -> Ex<'m> {
+        let graph = self.graph();
+        graph.ex(differentiate(self, x.id(), variable))
+    }
+
+    fn derivative_by_rule(&mut self, symbol: SymbolId, variable: SymbolId) -> NodeId {
+        let Some(rule) = self.algebra().solutions.rule(symbol).cloned() else {
+            return self.graph().zero();
+        };
+        let rate = match rule {
+            Rule::Follow(equal) => self.slope(equal, variable),
+            Rule::Rotation(own) => self.rate_of_rotation(&own, variable),
+            Rule::Cosine(rule) => {
+                let rate = self.rate_of_angle(rule, variable);
+                -(rule.unit[1] * rate)
+            }
+            Rule::Sine(rule) => {
+                let rate = self.rate_of_angle(rule, variable);
+                rule.unit[0] * rate
+            }
+            Rule::Value(rule) => self.rate_of_angle(rule, variable),
+            Rule::TurnedVector(turning) => self.rate_of_turned_vector(&turning, variable),
+            Rule::ToFrame(seen) => self.rate_of_to_frame(&seen, variable),
+            Rule::FromFrame(shown) => self.rate_of_from_frame(&shown, variable),
+            Rule::Axis(own) => {
+                let (carrier, component) = *own;
+                self.rotation_of_frame(carrier, variable) * carrier.axis.perp()[component]
+            }
+            Rule::Unknown { group, position } => self.rate(group, position, Vec::new(), variable),
+            Rule::Rate {
+                group,
+                position,
+                by,
+            } => self.rate(group, position, by, variable),
+        };
+        rate.id()
+    }
+
+    /// The derivative of a component of a turn.
+    fn rate_of_rotation(&mut self, own: &RotationRule<'m>, variable: SymbolId) -> Ex<'m> {
+        self.slope(own.equal, variable)
+    }
+
+    fn rate_of_angle(&mut self, rule: AngleRule<'m>, variable: SymbolId) -> Ex<'m> {
+        let rate = self.rate(rule.group, rule.position, Vec::new(), variable);
+        let rate = match rule.carrier {
+            Some(carrier) => rate + self.rotation_of_frame(carrier, variable),
+            None => rate,
+        };
+        rule.sensed(rate)
+    }
+
+    /// What changes seen from the carrier and by its turning, in fixed coordinates.
+    fn rate_of_from_frame(&mut self, shown: &FromFrame<'m>, variable: SymbolId) -> Ex<'m> {
+        let [change, base] =
+            [shown.vector, shown.base].map(|own| own.map(|x| self.slope(x, variable)));
+        let turned = self.rotation_of_frame(shown.carrier, variable) * shown.vector.perp();
+        rotating_frame::from_frame(self.algebra(), shown.carrier, change + turned, base)
+            [shown.component]
+    }
+
+    /// By how much a carrier turns.
+    fn rotation_of_frame(&mut self, carrier: RotatingFrame<'m>, variable: SymbolId) -> Ex<'m> {
+        let start = carrier.start.map(|x| self.slope(x, variable));
+        self.slope(carrier.angle, variable) + carrier.start.cross(start)
+    }
+
+    /// What changes in fixed coordinates, seen from the carrier, which turns itself.
+    fn rate_of_to_frame(&mut self, seen: &ToFrame<'m>, variable: SymbolId) -> Ex<'m> {
+        let change = seen.vector.map(|x| self.slope(x, variable));
+        let changed = rotating_frame::to_frame(self.algebra(), seen.carrier, change);
+        let turned = self.rotation_of_frame(seen.carrier, variable) * seen.in_frame.perp();
+        (changed - turned)[seen.component]
+    }
+
+    /// `z' u + rate perp(z u)`
+    fn rate_of_turned_vector(&mut self, turning: &TurnedVector<'m>, variable: SymbolId) -> Ex<'m> {
+        let &TurnedVector {
+            group,
+            position,
+            component,
+            vector,
+            z,
+            unit,
+        } = turning;
+        let stretch = z.map(|x| self.slope(x, variable));
+        let stretched = stretch.turned(unit);
+        let rate = self.rate(group, position, Vec::new(), variable);
+        let across = vector.perp();
+        stretched[component] + rate * across[component]
+    }
+}
+
+/// A rate as a symbol of its own.
+pub(crate) fn rate_symbol<'m>(
+    algebra: &mut Algebra<'m>,
+    group: usize,
+    position: usize,
+    by: &[SymbolId],
+    value: Ex<'m>,
+) -> Ex<'m> {
+    if value.constant_value().is_some() {
+        return value;
+    }
+    let rule = Rule::Rate {
+        group,
+        position,
+        by: by.to_vec(),
+    };
+    symbol_for_value(
+        algebra,
+        format!("rate {group}.{position} {by:?}"),
+        value,
+        rule,
+    )
+}
+
+/// A new symbol that is computed as `value` and differentiated by a rule.
+pub(crate) fn symbol_for_value<'m>(
+    algebra: &mut Algebra<'m>,
+    name: String,
+    value: Ex<'m>,
+    rule: Rule<'m>,
+) -> Ex<'m> {
+    let (symbol, node) = algebra.graph.unknown(name);
+    algebra.graph.define(symbol, value.id());
+    algebra.solutions.set_rule(symbol, rule);
+    algebra.graph.ex(node)
+}

@@ -1,0 +1,164 @@
+//! Derivatives that were found already, by the group, variable or number that they belong to.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+use linkage_symbolic::unordered::Map;
+use linkage_symbolic::{DerivativeMemo, Ex, NodeId, SymbolId, V3};
+
+use crate::algebra::solutions::Shortcuts;
+
+/// Derivatives found already: total ones, those of the unknowns of groups, and what the sweeps backwards left.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct DerivativeMemos<'m> {
+    pub(crate) memo: DerivativeMemo,
+    /// By group and variables.
+    pub(crate) rates: Map<(usize, Vec<SymbolId>), Rates<'m>>,
+    /// By group and variable: the turns of its bodies.
+    pub(crate) rotations: Map<(usize, SymbolId), Vec<V3<'m>>>,
+    /// By group and two variables: what the first one's turns change by with the second one.
+    pub(crate) second_rotations: Map<(usize, [SymbolId; 2]), Vec<V3<'m>>>,
+    /// How many times derivatives of unknowns are given others in place of their own: bodies do not turn then as they do.
+    pub(crate) held: usize,
+    /// The symbols that stand for components of turns.
+    pub(crate) rotation_symbols: Map<NodeId, Ex<'m>>,
+    /// The shortcuts that could be made use of in one of them.
+    pub(crate) offered: Shortcuts,
+    pub(crate) partials: Partials,
+    pub(crate) adjoints: Adjoints<'m>,
+    pub(crate) gradients: Map<NodeId, Rc<Gradient<'m>>>,
+    pub(crate) dependence: Dependence,
+}
+
+/// Derivatives of a group's unknowns by some variables, and the right-hand side that they solve.
+#[derive(Clone, Debug)]
+pub(crate) struct Rates<'m> {
+    pub(crate) right: Vec<Ex<'m>>,
+    pub(crate) rates: Vec<Ex<'m>>,
+}
+
+/// What is solved together: a group's unknowns, or their derivatives by some variables. In the order in which they
+/// depend on each other: a system mentions its own results and those of smaller ones.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct System {
+    pub(crate) group: usize,
+    pub(crate) order: usize,
+    /// In order; empty for the unknowns themselves.
+    pub(crate) by: Vec<SymbolId>,
+}
+
+impl System {
+    pub(crate) fn new(group: usize, by: Vec<SymbolId>) -> Self {
+        Self {
+            group,
+            order: by.len(),
+            by,
+        }
+    }
+}
+
+/// One result of a system.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct Solved {
+    pub(crate) system: System,
+    pub(crate) position: usize,
+}
+
+/// What is known of partial derivatives.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Partials {
+    pub(crate) memo: DerivativeMemo,
+    /// Symbols that stand for unknowns of groups as variables.
+    pub(crate) unknowns: Map<(usize, usize), SymbolId>,
+    pub(crate) mentioned: Map<SymbolId, BTreeSet<Solved>>,
+    pub(crate) acting: Acting,
+}
+
+/// The symbols without a rule: parameters and inputs.
+pub(crate) type Given = Rc<BTreeSet<SymbolId>>;
+
+/// What acts on symbols and systems, as far as it has been found.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Acting {
+    pub(crate) on_symbols: Map<SymbolId, Given>,
+    pub(crate) on_systems: Map<System, Given>,
+}
+
+/// Places in a list by the parameters that act on what is there.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ByParameter(Map<SymbolId, Vec<usize>>);
+
+impl ByParameter {
+    /// Adds a place, which is not before those added already.
+    pub(crate) fn add(&mut self, place: usize, acting: &BTreeSet<SymbolId>) {
+        for &symbol in acting {
+            let places = self.0.entry(symbol).or_default();
+            if places.last() != Some(&place) {
+                places.push(place);
+            }
+        }
+    }
+
+    /// The places that a parameter acts on, in order.
+    pub(crate) fn positions_for(&self, parameter: SymbolId) -> &[usize] {
+        self.0.get(&parameter).map_or(&[], Vec::as_slice)
+    }
+}
+
+/// The multipliers of the equations of one system.
+#[derive(Clone, Debug)]
+pub(crate) struct Multiplier<'m> {
+    pub(crate) system: System,
+    /// The derivatives by its results.
+    pub(crate) weights: Vec<Ex<'m>>,
+    pub(crate) factors: Vec<Ex<'m>>,
+}
+
+/// What a sweep backwards finds.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Flow<'m> {
+    /// Of all systems that it visited.
+    pub(crate) multipliers: Vec<Multiplier<'m>>,
+    /// The places of multipliers whose equations mention a parameter: each parameter visits its own, not all of them.
+    pub(crate) acting: ByParameter,
+    /// The derivatives with respect to unknowns and rates at which it ended.
+    pub(crate) ends: BTreeMap<Solved, Ex<'m>>,
+}
+
+/// Multipliers found already.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Adjoints<'m> {
+    pub(crate) of_nodes: Map<NodeId, Rc<Flow<'m>>>,
+    /// Of numbers, with the ends at all narrow places.
+    pub(crate) flows: Map<NodeId, Rc<ThroughIntermediates<'m>>>,
+    /// Of narrow places.
+    pub(crate) of_intermediates: Map<Solved, Rc<Flow<'m>>>,
+    /// Derivatives of these, without what passes others before them.
+    pub(crate) between: Map<(Solved, SymbolId), Ex<'m>>,
+}
+
+/// The way from a number backwards through all narrow places.
+#[derive(Clone, Debug)]
+pub(crate) struct ThroughIntermediates<'m> {
+    /// To the first ones.
+    pub(crate) flow: Flow<'m>,
+    /// All of them in order, with the derivatives of the number with respect to each.
+    pub(crate) intermediates: Vec<(Solved, Ex<'m>)>,
+    /// The narrow places between which and those before a parameter acts.
+    pub(crate) acting: ByParameter,
+}
+
+/// Derivatives of a number by nodes at which a sweep ends: what is known before the input, and inputs.
+#[derive(Clone, Debug)]
+pub(crate) struct Gradient<'m> {
+    pub(crate) ends: Vec<(Ex<'m>, Ex<'m>)>,
+    /// The ends that a parameter acts on.
+    pub(crate) acting: ByParameter,
+}
+
+/// Inputs that symbols depend on, under the definitions of some revision of the graph.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Dependence {
+    pub(crate) revision: usize,
+    pub(crate) inputs: Map<SymbolId, Vec<usize>>,
+}
