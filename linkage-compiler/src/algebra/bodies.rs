@@ -7,9 +7,8 @@
 #[cfg(test)]
 mod tests;
 
-use linkage_symbolic::{Ex, V3, Vector, agree};
+use linkage_symbolic::{Ex, Graph, V3, Vector, agree};
 
-use crate::algebra::context::Algebra;
 use crate::algebra::pivots;
 use crate::algebra::pivots::{InOrder, Order, parity};
 
@@ -187,7 +186,7 @@ pub(crate) struct SolvedBeside<'m> {
 
 /// Solves a linear system by a scheme.
 pub(crate) fn solve_by_scheme<'m>(
-    algebra: &Algebra<'m>,
+    graph: &'m Graph,
     scheme: &Scheme<'m>,
     matrix: &[Vec<Ex<'m>>],
     right: &[Ex<'m>],
@@ -205,7 +204,7 @@ pub(crate) fn solve_by_scheme<'m>(
     let InOrder {
         solution,
         determinant,
-    } = pivots::solve_in_order(algebra, &scheme.order, &scheme.freedoms, &known);
+    } = pivots::solve_in_order(graph, &scheme.order, &scheme.freedoms, &known);
     let still = shifts.iter().flatten().all(|shift| shift.is_zero());
     SolvedByScheme {
         turns: still.then(|| bodies.turns(&solution)),
@@ -216,14 +215,14 @@ pub(crate) fn solve_by_scheme<'m>(
 
 /// The same system where `left` is what shifts of directions leave of the right-hand side in the other equations.
 pub(crate) fn solve_left_by_scheme<'m>(
-    algebra: &Algebra<'m>,
+    graph: &'m Graph,
     scheme: &Scheme<'m>,
     shifts: &[Shifts<'m>],
     left: &[Ex<'m>],
 ) -> SolvedBeside<'m> {
     let bodies = &scheme.bodies;
     let left: Vec<Ex> = bodies.rows.iter().map(|&row| left[row]).collect();
-    let freedoms = pivots::solve_in_order(algebra, &scheme.order, &scheme.freedoms, &left);
+    let freedoms = pivots::solve_in_order(graph, &scheme.order, &scheme.freedoms, &left);
     SolvedBeside {
         solution: bodies.unknowns(&freedoms.solution, shifts),
         turns: bodies.turns(&freedoms.solution),
@@ -232,7 +231,7 @@ pub(crate) fn solve_left_by_scheme<'m>(
 
 /// Solves the transposed system: one number for each equation.
 pub(crate) fn solve_transposed_by_scheme<'m>(
-    algebra: &Algebra<'m>,
+    graph: &'m Graph,
     scheme: &Scheme<'m>,
     matrix: &[Vec<Ex<'m>>],
     right: &[Ex<'m>],
@@ -243,8 +242,8 @@ pub(crate) fn solve_transposed_by_scheme<'m>(
         .collect();
     let known = bodies.by_freedoms(right);
     let order = scheme.order.transposed();
-    let others = pivots::solve_in_order(algebra, &order, &transposed, &known).solution;
-    let mut all = vec![algebra.zero(); right.len()];
+    let others = pivots::solve_in_order(graph, &order, &transposed, &known).solution;
+    let mut all = vec![graph.number(0.0); right.len()];
     for (&row, &own) in bodies.rows.iter().zip(&others) {
         all[row] = own;
     }

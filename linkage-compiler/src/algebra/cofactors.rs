@@ -3,24 +3,22 @@
 use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, Graph};
 
-use crate::algebra::context::Algebra;
-
 /// The sum of products, of any number.
-pub(crate) fn product_sum<'m>(algebra: &Algebra<'m>, a: &[Ex<'m>], b: &[Ex<'m>]) -> Ex<'m> {
+pub(crate) fn product_sum<'m>(graph: &'m Graph, a: &[Ex<'m>], b: &[Ex<'m>]) -> Ex<'m> {
     let pairs = a.iter().zip(b);
-    pairs.fold(algebra.zero(), |sum, (&x, &y)| sum + x * y)
+    pairs.fold(graph.number(0.0), |sum, (&x, &y)| sum + x * y)
 }
 
 /// The adjugate of a matrix times a vector: the solution of the linear system times the determinant.
 pub(crate) fn cofactor_products<'m>(
-    algebra: &Algebra<'m>,
+    graph: &'m Graph,
     matrix: &[Vec<Ex<'m>>],
     right: &[Ex<'m>],
 ) -> Vec<Ex<'m>> {
     let size = matrix.len();
     let all = (1_u32 << size) - 1;
-    let mut minors = Minors::new(algebra.graph, matrix);
-    let zero = algebra.zero();
+    let mut minors = Minors::new(graph, matrix);
+    let zero = graph.number(0.0);
     (0..size)
         .map(|column| {
             (0..size).fold(zero, |sum, row| {
@@ -38,21 +36,21 @@ pub(crate) fn cofactor_products<'m>(
 /// Cramer's rule for one right-hand side: what the solution is times the determinant, and that. The right-hand side is a further column, so that
 /// fewer minors are needed than for several.
 pub(crate) fn cramer<'m>(
-    algebra: &Algebra<'m>,
+    graph: &'m Graph,
     matrix: &[Vec<Ex<'m>>],
     right: &[Ex<'m>],
 ) -> (Vec<Ex<'m>>, Ex<'m>) {
     let size = matrix.len();
     if size < 3 {
         // There is nothing to save.
-        let numerators = cofactor_products(algebra, matrix, right);
-        return (numerators, determinant(algebra, matrix));
+        let numerators = cofactor_products(graph, matrix, right);
+        return (numerators, determinant(graph, matrix));
     }
     let pairs = matrix.iter().zip(right);
     let wide: Vec<Vec<Ex>> = pairs
         .map(|(row, &own)| [&row[..], &[own]].concat())
         .collect();
-    let mut minors = Minors::new(algebra.graph, &wide);
+    let mut minors = Minors::new(graph, &wide);
     let (rows, all) = ((1_u32 << size) - 1, (1_u32 << (size + 1)) - 1);
     let numerators = (0..size).map(|column| {
         // The last column instead of this one: behind those that it passes.
@@ -66,9 +64,9 @@ pub(crate) fn cramer<'m>(
     (numerators, minors.minor(rows, rows))
 }
 
-pub(crate) fn determinant<'m>(algebra: &Algebra<'m>, matrix: &[Vec<Ex<'m>>]) -> Ex<'m> {
+pub(crate) fn determinant<'m>(graph: &'m Graph, matrix: &[Vec<Ex<'m>>]) -> Ex<'m> {
     let all = (1_u32 << matrix.len()) - 1;
-    Minors::new(algebra.graph, matrix).minor(all, all)
+    Minors::new(graph, matrix).minor(all, all)
 }
 
 /// The minors of a matrix that are known already.

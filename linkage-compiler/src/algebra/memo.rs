@@ -7,6 +7,7 @@ use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{DerivativeMemo, Ex, NodeId, SymbolId, V3};
 
 use crate::algebra::solutions::Shortcuts;
+use crate::algebra::systems::{Solved, System};
 
 /// Derivatives found already: total ones, those of the unknowns of groups, and what the sweeps backwards left.
 #[derive(Clone, Debug, Default)]
@@ -35,33 +36,6 @@ pub(crate) struct DerivativeMemos<'m> {
 pub(crate) struct Rates<'m> {
     pub(crate) right: Vec<Ex<'m>>,
     pub(crate) rates: Vec<Ex<'m>>,
-}
-
-/// What is solved together: a group's unknowns, or their derivatives by some variables. In the order in which they
-/// depend on each other: a system mentions its own results and those of smaller ones.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(crate) struct System {
-    pub(crate) group: usize,
-    pub(crate) order: usize,
-    /// In order; empty for the unknowns themselves.
-    pub(crate) by: Vec<SymbolId>,
-}
-
-impl System {
-    pub(crate) fn new(group: usize, by: Vec<SymbolId>) -> Self {
-        Self {
-            group,
-            order: by.len(),
-            by,
-        }
-    }
-}
-
-/// One result of a system.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(crate) struct Solved {
-    pub(crate) system: System,
-    pub(crate) position: usize,
 }
 
 /// What is known of partial derivatives.

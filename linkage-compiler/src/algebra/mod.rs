@@ -24,6 +24,7 @@ pub(crate) mod rotating_frame;
 pub(crate) mod rules;
 pub(crate) mod scalar;
 pub(crate) mod solutions;
+pub(crate) mod systems;
 pub(crate) mod translate;
 pub(crate) mod value;
 pub(crate) mod vanish;

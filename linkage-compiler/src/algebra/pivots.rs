@@ -6,10 +6,9 @@
 #[cfg(test)]
 pub(crate) mod tests;
 
-use linkage_symbolic::Ex;
+use linkage_symbolic::{Ex, Graph};
 
 use crate::algebra::cofactors;
-use crate::algebra::context::Algebra;
 
 /// So many unknowns are left to cofactors: their determinant takes as many products as elimination, and no division but one.
 const REST: usize = 3;
@@ -187,15 +186,15 @@ type Numerators<'m> = (Vec<Ex<'m>>, Ex<'m>);
 
 /// Solves a linear system in an order, for one of several right-hand sides: they share the cofactors.
 pub(crate) fn solve_in_order<'m>(
-    algebra: &Algebra<'m>,
+    graph: &'m Graph,
     order: &Order,
     matrix: &[Vec<Ex<'m>>],
     right: &[Ex<'m>],
 ) -> InOrder<'m> {
-    eliminate_in_order(algebra, order, matrix, right, |rest, known| {
-        let determinant = cofactors::determinant(algebra, rest);
+    eliminate_in_order(graph, order, matrix, right, |rest, known| {
+        let determinant = cofactors::determinant(graph, rest);
         (
-            cofactors::cofactor_products(algebra, rest, known),
+            cofactors::cofactor_products(graph, rest, known),
             determinant,
         )
     })
@@ -203,21 +202,21 @@ pub(crate) fn solve_in_order<'m>(
 
 /// The same for a right-hand side that is the only one. Of the three unknowns that are left behind pivots all minors are few.
 pub(crate) fn solve_once_in_order<'m>(
-    algebra: &Algebra<'m>,
+    graph: &'m Graph,
     order: &Order,
     matrix: &[Vec<Ex<'m>>],
     right: &[Ex<'m>],
 ) -> InOrder<'m> {
     match order.pivots.is_empty() {
-        true => eliminate_in_order(algebra, order, matrix, right, |rest, own| {
-            cofactors::cramer(algebra, rest, own)
+        true => eliminate_in_order(graph, order, matrix, right, |rest, own| {
+            cofactors::cramer(graph, rest, own)
         }),
-        false => solve_in_order(algebra, order, matrix, right),
+        false => solve_in_order(graph, order, matrix, right),
     }
 }
 
 fn eliminate_in_order<'m>(
-    algebra: &Algebra<'m>,
+    graph: &'m Graph,
     order: &Order,
     matrix: &[Vec<Ex<'m>>],
     right: &[Ex<'m>],
@@ -225,14 +224,14 @@ fn eliminate_in_order<'m>(
 ) -> InOrder<'m> {
     let mut matrix = matrix.to_vec();
     let mut right = right.to_vec();
-    let mut determinant = algebra.graph.number(order.sign);
+    let mut determinant = graph.number(order.sign);
     let mut open: Vec<usize> = (0..right.len()).collect();
     let mut inverses = Vec::new();
     for &Pivot { row, column, least } in &order.pivots {
         open.retain(|&own| own != row);
         let pivot = guarded(matrix[row][column], least);
         determinant = determinant * pivot;
-        let inverse = algebra.one() / pivot;
+        let inverse = graph.number(1.0) / pivot;
         inverses.push(inverse);
         let (own, known) = (matrix[row].clone(), right[row]);
         for &i in &open {
@@ -243,7 +242,7 @@ fn eliminate_in_order<'m>(
             for (entry, &above) in matrix[i].iter_mut().zip(&own) {
                 *entry -= factor * above;
             }
-            matrix[i][column] = algebra.zero();
+            matrix[i][column] = graph.number(0.0);
             right[i] -= factor * known;
         }
     }
@@ -254,14 +253,14 @@ fn eliminate_in_order<'m>(
         .collect();
     let known: Vec<Ex> = order.rows.iter().map(|&row| right[row]).collect();
     let (numerators, of_rest) = solve(&rest, &known);
-    let mut solution = vec![algebra.zero(); right.len()];
+    let mut solution = vec![graph.number(0.0); right.len()];
     for (&column, own) in order.columns.iter().zip(numerators) {
         solution[column] = own / of_rest;
     }
     for (pivot, &inverse) in order.pivots.iter().zip(&inverses).rev() {
         let row = pivot.row;
         // Columns of earlier pivots are not solved yet, and 0 in this row.
-        let known = cofactors::product_sum(algebra, &matrix[row], &solution);
+        let known = cofactors::product_sum(graph, &matrix[row], &solution);
         solution[pivot.column] = (right[row] - known) * inverse;
     }
     InOrder {

@@ -6,8 +6,8 @@ use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{NodeId, SymbolId, V3};
 
 use crate::algebra::equations::{Solution, ViaSlider};
-use crate::algebra::memo::Solved;
 use crate::algebra::rules::Rule;
+use crate::algebra::systems::Solved;
 
 /// What derivatives may make use of: it changes what they cost and not what they are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

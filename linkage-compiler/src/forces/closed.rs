@@ -104,7 +104,7 @@ pub(super) fn find_determinants<'m>(
     }
     let own = blocks
         .iter()
-        .map(|block| cofactors::determinant(mechanics.algebra, &system.matrix_of(block)));
+        .map(|block| cofactors::determinant(mechanics.algebra.graph, &system.matrix_of(block)));
     let all: Vec<Ex> = own.chain(known.iter().copied()).collect();
     let numbers = positions.numbers_anyhow(mechanics.algebra.mechanism, nominal, &all);
     for (index, block) in blocks.iter().enumerate() {

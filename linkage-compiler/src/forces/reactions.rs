@@ -59,8 +59,9 @@ pub(super) fn solved<'m>(mechanics: &mut Mechanics<'_, 'm>, unknown: usize) -> E
         .collect();
     let matrix = system.matrix_of(block);
     let known = mechanics.forces.closed.determinant(block);
-    let determinant = known.unwrap_or_else(|| cofactors::determinant(mechanics.algebra, &matrix));
-    let numerators = cofactors::cofactor_products(mechanics.algebra, &matrix, &right);
+    let determinant =
+        known.unwrap_or_else(|| cofactors::determinant(mechanics.algebra.graph, &matrix));
+    let numerators = cofactors::cofactor_products(mechanics.algebra.graph, &matrix, &right);
     // The determinant is known long before the loads.
     let factor = 1.0 / determinant;
     for (&unknown, numerator) in own.iter().zip(numerators) {

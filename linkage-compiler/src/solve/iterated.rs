@@ -221,11 +221,15 @@ pub(super) fn coupled<'m>(solver: &mut Solver<'_, 'm>, form: &Coupled<'m>) -> Cl
     let determinant = match &equations.large {
         Some(large) => {
             let nothing = vec![solver.algebra.zero(); equations.matrix.len()];
-            let solved =
-                bodies::solve_by_scheme(solver.algebra, &large.scheme, &equations.matrix, &nothing);
+            let solved = bodies::solve_by_scheme(
+                solver.algebra.graph,
+                &large.scheme,
+                &equations.matrix,
+                &nothing,
+            );
             solved.determinant
         }
-        None => cofactors::determinant(solver.algebra, &equations.matrix),
+        None => cofactors::determinant(solver.algebra.graph, &equations.matrix),
     };
     let determinant = solver.alias("det", determinant, determinant);
     differentiate::push_coupled(solver, &equations, determinant);

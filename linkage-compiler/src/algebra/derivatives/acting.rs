@@ -10,9 +10,10 @@ use std::rc::Rc;
 use linkage_symbolic::{Ex, NodeId, SymbolId};
 
 use crate::algebra::context::Algebra;
-use crate::algebra::derivatives::implicit;
-use crate::algebra::memo::{Given, System};
+use crate::algebra::derivatives::by_rule::GroupRates;
+use crate::algebra::memo::Given;
 use crate::algebra::rules::{RotatingFrame, Rule};
+use crate::algebra::systems::System;
 
 /// What acts on the equations of a group.
 pub(crate) fn acting_on_group(algebra: &mut Algebra<'_>, group: usize) -> Given {
@@ -55,7 +56,7 @@ pub(crate) fn acting_on_system<'m>(algebra: &mut Algebra<'m>, system: &System) -
         }
     } else {
         all.extend(solution.jacobian.iter().flatten());
-        all.extend(implicit::rates(algebra, system.group, system.by.clone()).right);
+        all.extend(algebra.rates(system.group, system.by.clone()).right);
     }
     let acting = Rc::new(acting_in(algebra, &all));
     let known = &mut algebra.derivatives.partials.acting.on_systems;

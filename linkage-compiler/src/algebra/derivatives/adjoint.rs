@@ -12,11 +12,11 @@ use std::rc::Rc;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
 use crate::algebra::context::Algebra;
-use crate::algebra::derivatives::{
-    acting, by_rule, elimination, implicit, links, mentioned, partial, rows,
-};
-use crate::algebra::memo::{Flow, Multiplier, Solved, System};
+use crate::algebra::derivatives::by_rule::GroupRates;
+use crate::algebra::derivatives::{acting, by_rule, elimination, links, mentioned, partial, rows};
+use crate::algebra::memo::{Flow, Multiplier};
 use crate::algebra::rules::Rule;
+use crate::algebra::systems::{Solved, System};
 
 pub(crate) fn flow_to<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> Rc<Flow<'m>> {
     if let Some(known) = algebra.derivatives.adjoints.of_nodes.get(&x.id()) {
@@ -143,7 +143,7 @@ fn slope_of_row<'m>(
         return partial::sum_of_slopes(algebra, terms, row, |a, b| a + b, &mut slope);
     }
     // J r - right
-    let rates = implicit::rates(algebra, system.group, system.by.clone());
+    let rates = algebra.rates(system.group, system.by.clone());
     let right = partial::partial(algebra, rates.right[row], variable);
     let columns = solution.jacobian.iter().zip(&rates.rates);
     columns.fold(-right, |sum, (column, &rate)| {

@@ -3,10 +3,20 @@
 use linkage_symbolic::{Calculus, Ex, NodeId, SymbolId, differentiate};
 
 use crate::algebra::context::Algebra;
+use crate::algebra::memo::Rates;
 use crate::algebra::rotating_frame;
 use crate::algebra::rules::{
     AngleRule, FromFrame, RotatingFrame, RotationRule, Rule, ToFrame, TurnedVector,
 };
+
+/// The derivatives of the unknowns of groups.
+///
+/// A trait, since they are built from the functions that use them: rows, links and rotations
+/// differentiate with it, and `implicit`, above these files, implements it.
+pub(crate) trait GroupRates<'m> {
+    /// Returns the derivatives of a group's unknowns by the variables `by`, which are in order.
+    fn rates(&mut self, group: usize, by: Vec<SymbolId>) -> Rates<'m>;
+}
 
 /// The rules of differentiation, given how unknowns and rates depend on a variable.
 pub(crate) trait RuleCalculus<'m>: Calculus<'m> {

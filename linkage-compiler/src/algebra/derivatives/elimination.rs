@@ -26,7 +26,7 @@ pub(crate) fn eliminate<'m>(
     };
     let of_core = |algebra: &Algebra<'m>, right: &[Ex<'m>]| -> Vec<Ex<'m>> {
         let rows = elimination.rows.iter();
-        rows.map(|row| cofactors::product_sum(algebra, &row.factors, &right[row.first..]))
+        rows.map(|row| cofactors::product_sum(algebra.graph, &row.factors, &right[row.first..]))
             .collect()
     };
     let core = of_core(algebra, right);
@@ -47,7 +47,7 @@ pub(crate) fn eliminate<'m>(
             let held = pairs.map(|(&unit, &shift)| unit * shift).collect();
             let left = rows::right_of_rows(algebra, group, by, held, turns.as_ref());
             let left = of_core(algebra, &left);
-            let solved = bodies::solve_left_by_scheme(algebra, scheme, &shifts, &left);
+            let solved = bodies::solve_left_by_scheme(algebra.graph, scheme, &shifts, &left);
             if let Some(BodyRotations { by, .. }) = turns {
                 let second = &mut algebra.derivatives.second_rotations;
                 second.insert((group, by), solved.turns);
@@ -55,7 +55,7 @@ pub(crate) fn eliminate<'m>(
             solved.solution
         }
         Some(scheme) => {
-            let solved = bodies::solve_by_scheme(algebra, scheme, &elimination.matrix, &core);
+            let solved = bodies::solve_by_scheme(algebra.graph, scheme, &elimination.matrix, &core);
             if let (&[variable], Some(turns)) = (by, solved.turns) {
                 algebra
                     .derivatives
@@ -79,7 +79,7 @@ pub(crate) fn eliminate<'m>(
             columns.fold(right[row], |sum, (column, &rate)| sum - column[row] * rate)
         });
         let own = rows.map(|row| solution.jacobian[count + k][row]);
-        let rate = cofactors::product_sum(algebra, &own, &left) / private.square;
+        let rate = cofactors::product_sum(algebra.graph, &own, &left) / private.square;
         rates.push(name(algebra, count + k, rate));
     }
     rates
@@ -106,19 +106,21 @@ pub(crate) fn eliminate_transposed<'m>(
     }
     let core: Vec<Ex> = (0..count)
         .map(|position| {
-            let known = cofactors::product_sum(algebra, &multipliers, &solution.jacobian[position]);
+            let known =
+                cofactors::product_sum(algebra.graph, &multipliers, &solution.jacobian[position]);
             elimination.units[position] * (weights[position] - known)
         })
         .collect();
     let factors: Vec<Ex> = match &elimination.scheme {
         Some(scheme) => {
-            bodies::solve_transposed_by_scheme(algebra, scheme, &elimination.matrix, &core)
+            bodies::solve_transposed_by_scheme(algebra.graph, scheme, &elimination.matrix, &core)
         }
         None => {
             let transposed: Vec<Vec<Ex>> = (0..count)
                 .map(|column| elimination.matrix.iter().map(|row| row[column]).collect())
                 .collect();
-            let numerators = cofactors::cofactor_products(algebra, &transposed, &core).into_iter();
+            let numerators =
+                cofactors::cofactor_products(algebra.graph, &transposed, &core).into_iter();
             numerators.map(|own| own / solution.determinant).collect()
         }
     };
@@ -140,9 +142,9 @@ fn solve_core<'m>(
     let entries = right.iter().filter(|x| !x.is_zero()).count();
     if entries < right.len() {
         let right: Vec<Ex> = right.iter().map(|&x| x / determinant).collect();
-        return cofactors::cofactor_products(algebra, matrix, &right);
+        return cofactors::cofactor_products(algebra.graph, matrix, &right);
     }
-    let numerators = cofactors::cofactor_products(algebra, matrix, right).into_iter();
+    let numerators = cofactors::cofactor_products(algebra.graph, matrix, right).into_iter();
     numerators
         .map(|numerator| numerator / determinant)
         .collect()

@@ -8,7 +8,7 @@
 use linkage_symbolic::{Calculus, DerivativeMemo, Ex, Graph, NodeId, SymbolId, Vector};
 
 use crate::algebra::context::Algebra;
-use crate::algebra::derivatives::by_rule::RuleCalculus;
+use crate::algebra::derivatives::by_rule::{GroupRates, RuleCalculus};
 use crate::algebra::derivatives::{by_rule, elimination, links, partial, rotation_variation, rows};
 use crate::algebra::memo::Rates;
 use crate::algebra::rules::RotationRule;
@@ -52,24 +52,25 @@ impl<'m> RuleCalculus<'m> for Algebra<'m> {
     ) -> Ex<'m> {
         by.push(variable);
         by.sort_unstable();
-        rates(self, group, by).rates[position]
+        self.rates(group, by).rates[position]
     }
 }
 
-/// The derivatives of a group's unknowns by the variables `by`, which are in order.
-pub(crate) fn rates<'m>(algebra: &mut Algebra<'m>, group: usize, by: Vec<SymbolId>) -> Rates<'m> {
-    let key = (group, by);
-    if let Some(known) = algebra.derivatives.rates.get(&key) {
-        return known.clone();
+impl<'m> GroupRates<'m> for Algebra<'m> {
+    fn rates(&mut self, group: usize, by: Vec<SymbolId>) -> Rates<'m> {
+        let key = (group, by);
+        if let Some(known) = self.derivatives.rates.get(&key) {
+            return known.clone();
+        }
+        let right = right_hand_side(self, group, &key.1);
+        let rates = match links::rates_by_products(self, group, &key.1) {
+            Some(rates) => rates,
+            None => solve(self, group, &right, &key.1),
+        };
+        let rates = Rates { right, rates };
+        self.derivatives.rates.insert(key, rates.clone());
+        rates
     }
-    let right = right_hand_side(algebra, group, &key.1);
-    let rates = match links::rates_by_products(algebra, group, &key.1) {
-        Some(rates) => rates,
-        None => solve(algebra, group, &right, &key.1),
-    };
-    let rates = Rates { right, rates };
-    algebra.derivatives.rates.insert(key, rates.clone());
-    rates
 }
 
 fn right_hand_side<'m>(algebra: &mut Algebra<'m>, group: usize, by: &[SymbolId]) -> Vec<Ex<'m>> {
@@ -95,7 +96,7 @@ fn right_hand_side<'m>(algebra: &mut Algebra<'m>, group: usize, by: &[SymbolId])
         let nothing = vec![algebra.zero(); solution.jacobian.len()];
         return rows::right_of_rows(algebra, group, by, nothing, None);
     }
-    let lower = rates(algebra, group, before.to_vec());
+    let lower = algebra.rates(group, before.to_vec());
     (0..equations)
         .map(|row| {
             let start = algebra.slope(lower.right[row], last);

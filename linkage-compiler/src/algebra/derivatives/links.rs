@@ -5,8 +5,8 @@
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
 use crate::algebra::context::Algebra;
-use crate::algebra::derivatives::by_rule::RuleCalculus;
-use crate::algebra::derivatives::{by_rule, implicit, partial};
+use crate::algebra::derivatives::by_rule::{GroupRates, RuleCalculus};
+use crate::algebra::derivatives::{by_rule, partial};
 use crate::algebra::memo::{DerivativeMemos, Multiplier};
 use crate::algebra::solutions::Shortcuts;
 
@@ -50,7 +50,7 @@ fn rates_of_rod<'m>(
         return None;
     }
     let determinant = algebra.solutions.groups[group].determinant;
-    let [rate_x, rate_y] = [x, y].map(|v| implicit::rates(algebra, group, vec![v]).rates[0]);
+    let [rate_x, rate_y] = [x, y].map(|v| algebra.rates(group, vec![v]).rates[0]);
     let known_x = rod.known.map(|c| algebra.slope(c, x));
     let known_y = rod.known.map(|c| algebra.slope(c, y));
     let known_xy = known_x.map(|c| algebra.slope(c, y));
@@ -88,8 +88,8 @@ pub(crate) fn rates_by_products<'m>(
         return None;
     }
     let determinant = solution.determinant;
-    let lower = implicit::rates(algebra, group, before.to_vec());
-    let own = implicit::rates(algebra, group, vec![last]).rates;
+    let lower = algebra.rates(group, before.to_vec());
+    let own = algebra.rates(group, vec![last]).rates;
     let mut right = Vector([0, 1].map(|row| algebra.slope(lower.right[row], last)));
     for (link, &rate) in [first, second].iter().zip(&lower.rates) {
         let slope = link.z.map(|x| algebra.slope(x, last));

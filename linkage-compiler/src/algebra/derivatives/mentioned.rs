@@ -5,9 +5,9 @@ use std::collections::BTreeSet;
 use linkage_symbolic::{Ex, NodeId, SymbolId};
 
 use crate::algebra::context::Algebra;
-use crate::algebra::derivatives::implicit;
-use crate::algebra::memo::{Solved, System};
+use crate::algebra::derivatives::by_rule::GroupRates;
 use crate::algebra::rules::Rule;
+use crate::algebra::systems::{Solved, System};
 
 /// The unknowns and rates that expressions mention.
 pub(crate) fn mentioned_in<'m>(algebra: &mut Algebra<'m>, all: &[Ex<'m>]) -> BTreeSet<Solved> {
@@ -77,7 +77,7 @@ pub(crate) fn mentioned_by<'m>(algebra: &mut Algebra<'m>, system: &System) -> Ve
         all.extend(coefficients.flatten());
     } else {
         all.extend(solution.jacobian.iter().flatten());
-        all.extend(implicit::rates(algebra, system.group, system.by.clone()).right);
+        all.extend(algebra.rates(system.group, system.by.clone()).right);
     }
     let mentioned = mentioned_in(algebra, &all).into_iter();
     mentioned

@@ -3,10 +3,9 @@
 use linkage_symbolic::{Calculus, DerivativeMemo, Ex, Graph, Node, NodeId, SymbolId};
 
 use crate::algebra::context::Algebra;
-use crate::algebra::derivatives::by_rule::RuleCalculus;
-use crate::algebra::derivatives::implicit;
+use crate::algebra::derivatives::by_rule::{GroupRates, RuleCalculus};
 use crate::algebra::equations::Term;
-use crate::algebra::memo::{Solved, System};
+use crate::algebra::systems::{Solved, System};
 
 struct Partial<'a, 'm>(&'a mut Algebra<'m>);
 
@@ -88,7 +87,7 @@ pub(crate) fn symbol_for(algebra: &mut Algebra<'_>, solved: &Solved) -> SymbolId
             .entry(key)
             .or_insert_with(|| graph.unknown(format!("unknown {key:?}")).0);
     }
-    let rate = implicit::rates(algebra, *group, by.clone()).rates[solved.position];
+    let rate = algebra.rates(*group, by.clone()).rates[solved.position];
     match rate.node() {
         Node::Symbol(symbol) => symbol,
         _ => unreachable!("only rates that are symbols are mentioned"),

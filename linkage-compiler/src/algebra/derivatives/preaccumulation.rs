@@ -11,7 +11,8 @@ use linkage_symbolic::{Ex, SymbolId};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::{acting, adjoint, mentioned, partial};
-use crate::algebra::memo::{ByParameter, Flow, Solved, System, ThroughIntermediates};
+use crate::algebra::memo::{ByParameter, Flow, ThroughIntermediates};
+use crate::algebra::systems::{Solved, System};
 
 /// What hangs on an unknown or a rate: results, and narrow places behind it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -8,9 +8,10 @@ use linkage_symbolic::unordered::{Map, Set};
 use linkage_symbolic::{Ex, Node, NodeId, SymbolId, Vector, pull_back};
 
 use crate::algebra::context::Algebra;
-use crate::algebra::derivatives::{adjoint, implicit};
-use crate::algebra::memo::System;
+use crate::algebra::derivatives::adjoint;
+use crate::algebra::derivatives::by_rule::GroupRates;
 use crate::algebra::rules::{AngleRule, RotatingFrame, Rule};
+use crate::algebra::systems::System;
 
 /// What a sweep visits.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -95,7 +96,7 @@ fn below(algebra: &mut Algebra<'_>, item: &Item) -> Vec<Item> {
                 all.extend(coefficients.flatten());
             } else {
                 all.extend(solution.jacobian.iter().flatten());
-                all.extend(implicit::rates(algebra, system.group, system.by.clone()).right);
+                all.extend(algebra.rates(system.group, system.by.clone()).right);
             }
             all.into_iter().map(|x| Item::Node(x.id())).collect()
         }
@@ -217,7 +218,7 @@ fn system_back<'m>(algebra: &mut Algebra<'m>, weights: &mut Weights<'m>, system:
     let solution = algebra.solutions.groups[system.group].clone();
     let rates = match system.by.is_empty() {
         true => None,
-        false => Some(implicit::rates(algebra, system.group, system.by.clone())),
+        false => Some(algebra.rates(system.group, system.by.clone())),
     };
     for (row, multiplier) in multipliers.into_iter().enumerate() {
         let minus = -multiplier;

@@ -4,8 +4,8 @@ use linkage_symbolic::{Ex, Node, NodeId, SymbolId, V3, Vector};
 
 use crate::algebra::bodies::{Bodies, Shifts};
 use crate::algebra::context::Algebra;
-use crate::algebra::derivatives::by_rule::RuleCalculus;
-use crate::algebra::derivatives::{by_rule, implicit};
+use crate::algebra::derivatives::by_rule;
+use crate::algebra::derivatives::by_rule::{GroupRates, RuleCalculus};
 use crate::algebra::frame;
 use crate::algebra::rules::{RotationRule, Rule};
 use crate::algebra::value::Value;
@@ -45,7 +45,7 @@ fn rotations_by<'m>(
     group: usize,
     variable: SymbolId,
 ) -> Option<Vec<V3<'m>>> {
-    implicit::rates(algebra, group, vec![variable]);
+    algebra.rates(group, vec![variable]);
     algebra
         .derivatives
         .rotations
@@ -79,7 +79,7 @@ pub(crate) fn shifts_by_rotations<'m>(
     group: usize,
     turns: &BodyRotations<'m>,
 ) -> Vec<Shifts<'m>> {
-    let rates = implicit::rates(algebra, group, vec![turns.by[1]]).rates;
+    let rates = algebra.rates(group, vec![turns.by[1]]).rates;
     let pairs = bodies.all.iter().zip(&turns.of_bodies[0]);
     let shifts = pairs.map(|(body, turn)| {
         let changes = |columns: [usize; 3]| Vector(columns.map(|k| rates[k]));
@@ -150,7 +150,7 @@ pub(crate) fn second_rotation<'m>(
     }
     let mut by = [first, variable];
     by.sort_unstable();
-    implicit::rates(algebra, own.group, by.to_vec());
+    algebra.rates(own.group, by.to_vec());
     let turns = algebra.derivatives.second_rotations.get(&(own.group, by))?;
     let mut turn = turns[own.body][own.component];
     if by[0] != first {

@@ -50,7 +50,7 @@ fn product_of_sides<'m>(solver: &Solver<'_, 'm>, matrix: &[Vec<Ex<'m>>]) -> Ex<'
     };
     let of_rows: Vec<Ex> = matrix
         .iter()
-        .map(|row| cofactors::product_sum(solver.algebra, row, row))
+        .map(|row| cofactors::product_sum(solver.algebra.graph, row, row))
         .collect();
     let columns = (0..matrix.len()).map(|column| {
         let entries = matrix.iter().zip(&of_rows);
@@ -96,7 +96,7 @@ fn largest_of_links<'m>(
             unknowns.clone().map(entry).collect()
         })
         .collect();
-    cofactors::determinant(solver.algebra, &gram).sqrt()
+    cofactors::determinant(solver.algebra.graph, &gram).sqrt()
 }
 
 /// The derivatives of a link's vector, scaled as the columns of the core are.

@@ -120,7 +120,7 @@ pub(super) fn step<'m>(
     let (freedoms, determinant): (Vec<Ex>, Ex) = match &equations.large {
         Some(large) => {
             let solved =
-                pivots::solve_once_in_order(solver.algebra, &large.order, &matrix, residuals);
+                pivots::solve_once_in_order(solver.algebra.graph, &large.order, &matrix, residuals);
             let InOrder {
                 solution,
                 determinant,
@@ -129,15 +129,16 @@ pub(super) fn step<'m>(
             (freedoms, large.share * determinant)
         }
         None => {
-            let (numerators, determinant) = cofactors::cramer(solver.algebra, &matrix, residuals);
+            let (numerators, determinant) =
+                cofactors::cramer(solver.algebra.graph, &matrix, residuals);
             let corrections = numerators.into_iter().map(|own| -(own / determinant));
             (corrections.collect(), determinant)
         }
     };
     let algebra = &solver.algebra;
     Step {
-        size2: cofactors::product_sum(algebra, &freedoms, &freedoms)
-            + cofactors::product_sum(algebra, &missed, &missed),
+        size2: cofactors::product_sum(algebra.graph, &freedoms, &freedoms)
+            + cofactors::product_sum(algebra.graph, &missed, &missed),
         corrections: match &equations.large {
             Some(large) => large.corrections(&start, &freedoms),
             None => freedoms,

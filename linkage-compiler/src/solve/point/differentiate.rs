@@ -81,7 +81,7 @@ pub(super) fn push_point<'m>(
         Some(1) => -volume,
         _ => volume,
     };
-    let product = cofactors::determinant(solver.algebra, &matrix);
+    let product = cofactors::determinant(solver.algebra.graph, &matrix);
     let determinant = solver.alias("det", value, product);
     solver.push_solution(Solution {
         terms,
