@@ -24,7 +24,7 @@ pub(crate) use nearest::Nearest;
 
 /// What can change on its own.
 #[derive(Clone, Debug)]
-enum Mover {
+enum Movable {
     /// A body in space, by its name, its origin and two of its axes: three shifts and three turns.
     Body {
         name: String,
@@ -48,11 +48,11 @@ pub(crate) struct Position<'w, 'm> {
     length: f64,
     /// By unknown, with all components; NaN for what is not known.
     values: Vec<Vec<f64>>,
-    movers: Vec<Mover>,
+    movers: Vec<Movable>,
 }
 
 /// The rows of the loops, each with the loop that it is of.
-struct Rows {
+struct LoopRows {
     /// Their numbers among all rows: some cannot be evaluated.
     kept: Vec<usize>,
     loops: Vec<usize>,
@@ -72,7 +72,7 @@ impl<'w, 'm> Position<'w, 'm> {
         let mechanism = words.mechanism();
         let movers = movers(mechanism);
         for mover in &movers {
-            if let Mover::Body { axes, .. } = mover {
+            if let Movable::Body { axes, .. } = mover {
                 make_rigid(&mut values, *axes);
             }
         }
@@ -90,17 +90,17 @@ impl<'w, 'm> Position<'w, 'm> {
     pub(crate) fn freedom(&self) -> Option<String> {
         let graph = Graph::new();
         let rows = self.rows(&Loops::new(self.mechanism, &graph))?;
-        self.told(&rows, null_space::NEARLY_ZERO)
+        self.sentence(&rows, null_space::NEARLY_ZERO)
     }
 
     /// How the mechanism moves where too few loops hold it.
     pub(crate) fn motion_left(&self) -> Option<String> {
         let graph = Graph::new();
         let rows = self.rows(&Loops::new(self.mechanism, &graph))?;
-        self.told(&rows, null_space::ZERO)
+        self.sentence(&rows, null_space::ZERO)
     }
 
-    fn told(&self, rows: &Rows, last: f64) -> Option<String> {
+    fn sentence(&self, rows: &LoopRows, last: f64) -> Option<String> {
         let motion = motion::motion(self, rows, last)?;
         let dependent = self.dependent(rows, last).into_iter().next();
         Some(
@@ -113,15 +113,15 @@ impl<'w, 'm> Position<'w, 'm> {
 }
 
 /// Bodies, and what is no part of one.
-fn movers(mechanism: &Mechanism) -> Vec<Mover> {
+fn movers(mechanism: &Mechanism) -> Vec<Movable> {
     let bodies = mechanism.bodies_of_space();
     let is_part = |unknown: &usize| bodies.iter().any(|(_, parts)| parts.contains(unknown));
     let alone = (0..mechanism.unknowns.len()).filter(|unknown| !is_part(unknown));
     let alone = alone.flat_map(|unknown| {
         let count = mechanism.unknowns[unknown].ty.components().unwrap_or(1);
-        (0..count).map(move |component| Mover::Component { unknown, component })
+        (0..count).map(move |component| Movable::Component { unknown, component })
     });
-    let bodies = bodies.iter().map(|(name, parts)| Mover::Body {
+    let bodies = bodies.iter().map(|(name, parts)| Movable::Body {
         name: name.clone(),
         origin: parts[0],
         axes: [parts[1], parts[2]],
@@ -131,7 +131,7 @@ fn movers(mechanism: &Mechanism) -> Vec<Mover> {
 
 impl Position<'_, '_> {
     /// The derivatives of all loops that can be evaluated, by all that is known to be somewhere.
-    fn rows(&self, loops: &Loops) -> Option<Rows> {
+    fn rows(&self, loops: &Loops) -> Option<LoopRows> {
         let at = |values: &[Vec<f64>]| loops.missed(self, values);
         let here = at(&self.values);
         let kept: Vec<usize> = (0..here.len()).filter(|&k| here[k].is_finite()).collect();
@@ -145,7 +145,7 @@ impl Position<'_, '_> {
         }
         let finite = matrix.iter().flatten().all(|x| x.is_finite());
         let loops = kept.iter().map(|&k| loops.of_row(k)).collect();
-        finite.then(|| Rows {
+        finite.then(|| LoopRows {
             loops,
             missed: kept.iter().map(|&k| here[k]).collect(),
             kept,
@@ -157,12 +157,12 @@ impl Position<'_, '_> {
     fn columns(&self) -> Vec<Column> {
         let movers = self.movers.iter().enumerate();
         let ways = movers.filter_map(|(index, mover)| match mover {
-            Mover::Body { origin, axes, .. } => {
+            Movable::Body { origin, axes, .. } => {
                 let mut parts = [*origin, axes[0], axes[1]].into_iter();
                 let known = parts.all(|part| self.values[part].iter().all(|x| x.is_finite()));
                 known.then_some((index, 6))
             }
-            Mover::Component { unknown, component } => {
+            Movable::Component { unknown, component } => {
                 let known = self.values[*unknown][*component].is_finite();
                 known.then_some((index, 1))
             }
@@ -180,8 +180,8 @@ impl Position<'_, '_> {
 
     fn shift(&self, values: &mut [Vec<f64>], (mover, way): Column, step: f64) {
         match &self.movers[mover] {
-            Mover::Body { origin, .. } if way < 3 => values[*origin][way] += step * self.length,
-            Mover::Body { axes, .. } => {
+            Movable::Body { origin, .. } if way < 3 => values[*origin][way] += step * self.length,
+            Movable::Body { axes, .. } => {
                 let about: Vector = [0, 1, 2].map(|k| if k == way - 3 { 1.0 } else { 0.0 });
                 let (sin, cos) = step.sin_cos();
                 for &axis in axes {
@@ -193,7 +193,7 @@ impl Position<'_, '_> {
                         .for_each(|k| values[axis][k] = own[k] * cos + across[k] * sin);
                 }
             }
-            Mover::Component { unknown, component } => {
+            Movable::Component { unknown, component } => {
                 values[*unknown][*component] += step * self.unit(*unknown);
             }
         }
@@ -208,14 +208,14 @@ impl Position<'_, '_> {
     }
 
     /// The rows of each set that does not hold independently, none of which could be left out of it.
-    fn dependent(&self, rows: &Rows, last: f64) -> Vec<Vec<usize>> {
+    fn dependent(&self, rows: &LoopRows, last: f64) -> Vec<Vec<usize>> {
         let transposed = null_space::transposed(&rows.matrix);
-        let all = null_space::vectors(&transposed, rows.matrix.len(), last).into_iter();
+        let all = null_space::null_vectors(&transposed, rows.matrix.len(), last).into_iter();
         all.map(|weights| null_space::used(&weights)).collect()
     }
 
     /// Which loops say the same, if these rows do.
-    fn dependence(&self, rows: &Rows, dependent: &[usize]) -> Option<String> {
+    fn dependence(&self, rows: &LoopRows, dependent: &[usize]) -> Option<String> {
         let loops: Vec<usize> = dependent.iter().map(|&k| rows.loops[k]).collect();
         if let Some(shape) = line::shape_of_links(self, rows, dependent) {
             return Some(format!("the links of {} {shape}", loop_list(&loops)));

@@ -3,7 +3,7 @@
 use crate::vector::{Vector, cross, dot, minus, norm};
 
 use super::null_space::{LITTLE, largest};
-use super::{Mover, Position, Rows};
+use super::{LoopRows, Movable, Position};
 
 /// Where a link pulls a body: a direction of length 1, and the moment about the body's origin.
 struct Line {
@@ -20,7 +20,7 @@ impl Line {
 /// What is special about these rows, if each is a link between one and the same body and what is known.
 pub(super) fn shape_of_links(
     position: &Position<'_, '_>,
-    rows: &Rows,
+    rows: &LoopRows,
     bound: &[usize],
 ) -> Option<&'static str> {
     let lines: Vec<Line> = bound
@@ -47,14 +47,14 @@ pub(super) fn shape_of_links(
 }
 
 /// A row as a line, if it is one of a body alone.
-fn line(position: &Position<'_, '_>, rows: &Rows, row: usize) -> Option<Line> {
+fn line(position: &Position<'_, '_>, rows: &LoopRows, row: usize) -> Option<Line> {
     let own = &rows.matrix[row];
     let most = largest(own);
     let used = (0..own.len()).filter(|&k| own[k].abs() > LITTLE * most);
     let mut movers: Vec<usize> = used.map(|k| rows.columns[k].0).collect();
     movers.dedup();
     let [mover] = movers[..] else { return None };
-    let Mover::Body { .. } = position.movers[mover] else {
+    let Movable::Body { .. } = position.movers[mover] else {
         return None;
     };
     let first = rows

@@ -5,12 +5,12 @@ use std::f64::consts::TAU;
 use crate::model::{Dimension, Type};
 use crate::vector::{Vector, cross, dot, norm};
 
-use super::null_space::{LITTLE, largest, vectors};
-use super::{Mover, Position, Rows};
+use super::null_space::{LITTLE, largest, null_vectors};
+use super::{LoopRows, Movable, Position};
 use crate::message_format::numbers;
 
 /// So many motions are told.
-const TOLD: usize = 3;
+const MOST_MOTIONS: usize = 3;
 
 /// Shown shares are rounded to this.
 const THOUSANDTH: f64 = 1e-3;
@@ -19,26 +19,30 @@ const THOUSANDTH: f64 = 1e-3;
 const SHOWN: f64 = 1e-4;
 
 /// `body` can turn about ..., `a` and `b` can change in the ratio ...
-pub(super) fn motion(position: &Position<'_, '_>, rows: &Rows, last: f64) -> Option<String> {
+pub(super) fn motion(position: &Position<'_, '_>, rows: &LoopRows, last: f64) -> Option<String> {
     let all = simple(
-        vectors(&rows.matrix, rows.columns.len(), last),
+        null_vectors(&rows.matrix, rows.columns.len(), last),
         rows,
         position,
     );
     let count = all.len();
     let told = all
         .iter()
-        .take(TOLD)
-        .map(|one| words_of(position, one, rows));
+        .take(MOST_MOTIONS)
+        .map(|one| motion_text(position, one, rows));
     let told: Vec<String> = told.collect();
     match count {
         0 => None,
-        _ if count > TOLD => Some(format!("{}, and {} more", told.join("; "), count - TOLD)),
+        _ if count > MOST_MOTIONS => Some(format!(
+            "{}, and {} more",
+            told.join("; "),
+            count - MOST_MOTIONS
+        )),
         _ => Some(told.join("; ")),
     }
 }
 
-fn words_of(position: &Position<'_, '_>, vector: &[f64], rows: &Rows) -> String {
+fn motion_text(position: &Position<'_, '_>, vector: &[f64], rows: &LoopRows) -> String {
     let most = largest(vector);
     let mut parts: Vec<String> = Vec::new();
     let mut unknowns: Vec<(usize, Vec<f64>)> = Vec::new();
@@ -48,11 +52,11 @@ fn words_of(position: &Position<'_, '_>, vector: &[f64], rows: &Rows) -> String 
             continue;
         }
         match mover {
-            Mover::Body { name, origin, .. } => {
+            Movable::Body { name, origin, .. } => {
                 let origin = [0, 1, 2].map(|k| position.values[*origin][k]);
                 parts.push(format!("`{name}` can {}", twist(position, &own, origin)));
             }
-            Mover::Component { unknown, component } => {
+            Movable::Component { unknown, component } => {
                 let count = position.values[*unknown].len();
                 if unknowns.last().is_none_or(|(last, _)| last != unknown) {
                     unknowns.push((*unknown, vec![0.0; count]));
@@ -149,16 +153,16 @@ fn direction(v: Vector) -> String {
 }
 
 /// The shares of one that moves.
-fn own_part(vector: &[f64], rows: &Rows, mover: usize) -> Vec<f64> {
+fn own_part(vector: &[f64], rows: &LoopRows, mover: usize) -> Vec<f64> {
     let pairs = vector.iter().zip(&rows.columns);
     let own = pairs.filter(|(_, column)| column.0 == mover);
     own.map(|(x, _)| *x).collect()
 }
 
 /// Motions that are easy to tell: shifts by themselves, and turns without shifts that are possible without them.
-fn simple(mut all: Vec<Vec<f64>>, rows: &Rows, position: &Position) -> Vec<Vec<f64>> {
+fn simple(mut all: Vec<Vec<f64>>, rows: &LoopRows, position: &Position) -> Vec<Vec<f64>> {
     let is_turn = |(mover, way): (usize, usize)| {
-        matches!(position.movers[mover], Mover::Body { .. }) && way >= 3
+        matches!(position.movers[mover], Movable::Body { .. }) && way >= 3
     };
     let turns: Vec<usize> = (0..rows.columns.len())
         .filter(|&k| is_turn(rows.columns[k]))

@@ -10,7 +10,7 @@ use linkage_symbolic::Graph;
 use super::loops::Loops;
 use super::motion::list;
 use super::null_space::{LITTLE, NEARLY_ZERO, largest};
-use super::{Position, Rows};
+use super::{LoopRows, Position};
 use crate::model::Type;
 
 /// So many loops are told.
@@ -37,7 +37,7 @@ pub(crate) fn nearest(position: &Position<'_, '_>) -> Option<Nearest> {
 }
 
 /// By how much each loop misses, the largest first.
-fn missing(position: &Position<'_, '_>, rows: &Rows, loops: &Loops) -> String {
+fn missing(position: &Position<'_, '_>, rows: &LoopRows, loops: &Loops) -> String {
     let mut all: Vec<(usize, f64, Vec<f64>)> = Vec::new();
     for (row, (&index, missed)) in rows.loops.iter().zip(&rows.missed).enumerate() {
         let value = missed * loops.unit(rows.kept[row], position.length);
@@ -72,18 +72,23 @@ fn missing(position: &Position<'_, '_>, rows: &Rows, loops: &Loops) -> String {
 }
 
 impl<'w, 'm> Equations<Position<'w, 'm>> for Loops<'_> {
-    type Rows = Rows;
+    type Rows = LoopRows;
 
-    fn rows(&mut self, at: &Position<'w, 'm>) -> Option<Rows> {
+    fn rows(&mut self, at: &Position<'w, 'm>) -> Option<LoopRows> {
         at.rows(self)
     }
 
-    fn misses(&mut self, at: &Position<'w, 'm>, rows: &Rows) -> Vec<f64> {
+    fn misses(&mut self, at: &Position<'w, 'm>, rows: &LoopRows) -> Vec<f64> {
         let all = self.missed(at, &at.values);
         rows.kept.iter().map(|&k| all[k]).collect()
     }
 
-    fn after(&mut self, at: &Position<'w, 'm>, rows: &Rows, changes: &[f64]) -> Position<'w, 'm> {
+    fn after(
+        &mut self,
+        at: &Position<'w, 'm>,
+        rows: &LoopRows,
+        changes: &[f64],
+    ) -> Position<'w, 'm> {
         let mut next = at.clone();
         for (&column, own) in rows.columns.iter().zip(changes) {
             at.shift(&mut next.values, column, *own);
@@ -92,7 +97,7 @@ impl<'w, 'm> Equations<Position<'w, 'm>> for Loops<'_> {
     }
 }
 
-impl least::Rows for Rows {
+impl least::Rows for LoopRows {
     fn missed(&self) -> &[f64] {
         &self.missed
     }

@@ -28,7 +28,7 @@ pub(super) fn used(vector: &[f64]) -> Vec<usize> {
 
 /// The null vectors of a matrix with so many columns, one for each column that is free; none if it is regular. The last pivot is zero below
 /// `last`, a part of the largest entry.
-pub(super) fn vectors(matrix: &[Vec<f64>], width: usize, last: f64) -> Vec<Vec<f64>> {
+pub(super) fn null_vectors(matrix: &[Vec<f64>], width: usize, last: f64) -> Vec<Vec<f64>> {
     let mut rows = matrix.to_vec();
     for row in &mut rows {
         let most = largest(row);
@@ -88,7 +88,7 @@ mod tests {
             vec![2.0, -1.0, 0.5, 1.0],
             vec![3.0, 1.0, 3.5, 5.0],
         ];
-        let found = vectors(&matrix, 4, ZERO);
+        let found = null_vectors(&matrix, 4, ZERO);
         assert_eq!(found.len(), 2);
         for vector in &found {
             for row in &matrix {
@@ -96,11 +96,11 @@ mod tests {
                 assert!(product.abs() < 1e-14, "{product}");
             }
         }
-        let [weights] = &vectors(&transposed(&matrix), 3, ZERO)[..] else {
+        let [weights] = &null_vectors(&transposed(&matrix), 3, ZERO)[..] else {
             panic!("the third row is the sum of the others")
         };
         assert!((weights[0] / weights[2] + 1.0).abs() < 1e-14);
         assert!((weights[1] / weights[2] + 1.0).abs() < 1e-14);
-        assert!(vectors(&[vec![1.0, 2.0], vec![2.0, 1.0]], 2, ZERO).is_empty());
+        assert!(null_vectors(&[vec![1.0, 2.0], vec![2.0, 1.0]], 2, ZERO).is_empty());
     }
 }

@@ -5,15 +5,15 @@ use crate::mobility::motion;
 use linkage_symbolic::Graph;
 
 use super::loops::Loops;
-use super::null_space::{ZERO, transposed, used, vectors};
-use super::{Position, Rows};
+use super::null_space::{ZERO, null_vectors, transposed, used};
+use super::{LoopRows, Position};
 use crate::message_format::loop_list;
 
 /// So many dependences are told.
 const TOLD: usize = 3;
 
 /// What is too much where the unknowns stand.
-pub(crate) struct Surplus {
+pub(crate) struct Overconstraint {
     /// Loops that could be left out, all together.
     pub(crate) spare: Vec<usize>,
     /// `loop 7 depends on loops 1, 2 and 3`, one behind the other.
@@ -23,7 +23,7 @@ pub(crate) struct Surplus {
 }
 
 /// The last loops that others make superfluous; nothing if there are none.
-pub(crate) fn surplus(position: &Position<'_, '_>) -> Option<Surplus> {
+pub(crate) fn surplus(position: &Position<'_, '_>) -> Option<Overconstraint> {
     let graph = Graph::new();
     let rows = position.rows(&Loops::new(position.mechanism, &graph))?;
     let mut held: Vec<usize> = Vec::new();
@@ -51,14 +51,19 @@ pub(crate) fn surplus(position: &Position<'_, '_>) -> Option<Surplus> {
         0 => String::new(),
         more => format!("; and {more} more"),
     };
-    (!dependences.is_empty()).then(|| Surplus {
+    (!dependences.is_empty()).then(|| Overconstraint {
         spare,
         dependences: format!("{}{more}", told.join("; ")),
         motion: motion::motion(position, &rows, ZERO),
     })
 }
 
-fn dependence_of(position: &Position<'_, '_>, rows: &Rows, row: usize, set: &[usize]) -> String {
+fn dependence_of(
+    position: &Position<'_, '_>,
+    rows: &LoopRows,
+    row: usize,
+    set: &[usize],
+) -> String {
     let others = set.iter().filter(|&&other| other != row);
     let others: Vec<usize> = others.map(|&other| rows.loops[other]).collect();
     let own = loop_list([&rows.loops[row]]);
@@ -73,11 +78,11 @@ fn dependence_of(position: &Position<'_, '_>, rows: &Rows, row: usize, set: &[us
     }
 }
 
-impl Rows {
+impl LoopRows {
     /// Those of some rows on which the last one depends, with itself; nothing if it does not. The rows before it are independent.
     fn dependent_set(&self, rows: &[usize]) -> Option<Vec<usize>> {
         let matrix: Vec<Vec<f64>> = rows.iter().map(|&row| self.matrix[row].clone()).collect();
-        let weights = vectors(&transposed(&matrix), rows.len(), ZERO)
+        let weights = null_vectors(&transposed(&matrix), rows.len(), ZERO)
             .into_iter()
             .next()?;
         Some(used(&weights).into_iter().map(|k| rows[k]).collect())

@@ -13,7 +13,7 @@ use crate::assembly::{Reference, followed_range};
 use crate::ir::{Argument, CompiledMechanism, Group, Input, Parameter, Role, Scalar, Unknown};
 use crate::model::{Mechanism, Shape};
 use crate::solve::{Formulation, Prepared, Solved};
-use crate::structure::Most;
+use crate::structure::SolutionBound;
 
 use super::AtReference;
 
@@ -134,7 +134,7 @@ fn method(algebra: &Algebra, solved: &Solved, reference: &Reference) -> String {
         return solved.closed.method.to_owned();
     };
     let how = own.method();
-    let solutions = Most::of(algebra, &solved.group);
+    let solutions = SolutionBound::of_group(algebra, &solved.group);
     format!("followed from the estimates; {solutions} not listed; {how}")
 }
 

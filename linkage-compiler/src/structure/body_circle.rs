@@ -141,7 +141,7 @@ fn on_one_circle<'m>(
             }
         }
     }
-    analysis.whole.extend(&body.symbols[3..]);
+    analysis.kept_axes.extend(&body.symbols[3..]);
     let mut rod = equations[first.place].clone();
     rod.absorb(&equations[second.place], &of_origin);
     let mut kept = kept(

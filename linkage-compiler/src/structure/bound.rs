@@ -14,17 +14,17 @@ use crate::model::{Expr, ExprKind, Function, Mechanism, Name};
 const OF_A_BODY: u64 = 40;
 
 /// What is known of the number of complex solutions.
-pub(crate) enum Most {
+pub(crate) enum SolutionBound {
     /// One body on six distances.
-    OfABody,
+    BodyOnDistances,
     /// Bezout's number for directions and lengths apart.
     ByDegrees(u64),
 }
 
-impl fmt::Display for Most {
+impl fmt::Display for SolutionBound {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::OfABody => write!(
+            Self::BodyOnDistances => write!(
                 f,
                 "up to {OF_A_BODY} complex solutions (a body on six distances)"
             ),
@@ -35,15 +35,15 @@ impl fmt::Display for Most {
     }
 }
 
-impl Most {
+impl SolutionBound {
     /// How many isolated complex solutions a coupled group has at most.
-    pub(crate) fn of(algebra: &Algebra, group: &Group) -> Self {
+    pub(crate) fn of_group(algebra: &Algebra, group: &Group) -> Self {
         let by_degrees = match &group.form {
             Form::Coupled(coupled) => coupled.bezout(&algebra.names),
             _ => u64::MAX,
         };
         match algebra.mechanism.is_body_on_distances(group) && OF_A_BODY < by_degrees {
-            true => Self::OfABody,
+            true => Self::BodyOnDistances,
             false => Self::ByDegrees(by_degrees),
         }
     }
@@ -77,11 +77,11 @@ impl Mechanism {
 
     /// `distance(point_in(body, v), q)` of a body that consists of these unknowns.
     fn is_distance(&self, side: &Expr, parts: &[usize]) -> bool {
-        let ExprKind::Call(Function::Distance, points) = &self.plain(side).kind else {
+        let ExprKind::Call(Function::Distance, points) = &self.definition_of(side).kind else {
             return false;
         };
         let [a, b] = &points[..] else { return false };
-        let on_body = |point: &Expr| match &self.plain(point).kind {
+        let on_body = |point: &Expr| match &self.definition_of(point).kind {
             ExprKind::Call(Function::PointIn, own) => {
                 self.is_body(&own[0], parts) && !self.mentions(&own[1], parts)
             }
@@ -94,15 +94,15 @@ impl Mechanism {
 
     /// `body.origin.z`
     fn is_coordinate_of_origin(&self, side: &Expr, parts: &[usize]) -> bool {
-        let ExprKind::Component(point, _) = &self.plain(side).kind else {
+        let ExprKind::Component(point, _) = &self.definition_of(side).kind else {
             return false;
         };
-        matches!(&self.plain(point).kind, ExprKind::Index(frame, 0) if self.is_body(frame, parts))
+        matches!(&self.definition_of(point).kind, ExprKind::Index(frame, 0) if self.is_body(frame, parts))
     }
 
     /// Whether this is the frame that consists of these unknowns.
     fn is_body(&self, frame: &Expr, parts: &[usize]) -> bool {
-        let ExprKind::Call(Function::Frame, own) = &self.plain(frame).kind else {
+        let ExprKind::Call(Function::Frame, own) = &self.definition_of(frame).kind else {
             return false;
         };
         let own = own.iter().filter_map(Expr::as_name);
@@ -112,9 +112,9 @@ impl Mechanism {
     }
 
     /// What a name stands for.
-    fn plain<'e>(&'e self, expr: &'e Expr) -> &'e Expr {
+    fn definition_of<'e>(&'e self, expr: &'e Expr) -> &'e Expr {
         match expr.kind {
-            ExprKind::Name(Name::Let(index)) => self.plain(&self.lets[index].value),
+            ExprKind::Name(Name::Let(index)) => self.definition_of(&self.lets[index].value),
             _ => expr,
         }
     }

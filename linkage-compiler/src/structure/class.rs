@@ -82,7 +82,7 @@ fn contour<'m>(
 }
 
 /// The legs of a triad by their joints, the outer one first.
-pub(super) fn kind<'m>(
+pub(super) fn kind_of_group<'m>(
     analysis: &Analysis<'_, 'm>,
     private: &[Option<(Private<'m>, usize)>],
     polynomials: &[Polynomials<'m>],

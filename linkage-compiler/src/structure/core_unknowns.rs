@@ -5,7 +5,7 @@ use super::coupled_core::Core;
 use super::equations::{Coordinate, CoordinateKind};
 use crate::model::{Dimension, Type};
 
-pub(super) fn of_core(
+pub(super) fn core_unknown(
     analysis: &Analysis<'_, '_>,
     coordinate: &Coordinate,
 ) -> (Core, Option<usize>) {
@@ -41,7 +41,7 @@ fn is_number(dimension: Option<Dimension>) -> bool {
 }
 
 /// Marks neighbours that are the components of one point of the plane.
-pub(super) fn paired(core: Vec<(Core, Option<usize>)>) -> Vec<Core> {
+pub(super) fn with_paired_components(core: Vec<(Core, Option<usize>)>) -> Vec<Core> {
     let mut marked: Vec<Core> = core.iter().map(|(core, _)| *core).collect();
     for k in 1..core.len() {
         let together = core.iter().filter(|(_, unknown)| *unknown == core[k].1);

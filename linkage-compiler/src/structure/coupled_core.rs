@@ -12,8 +12,8 @@ use crate::structure::product;
 use linkage_symbolic::{Ex, SymbolId, V2, V3, Vector, substitute};
 
 use super::classify::Polynomials;
-use super::core_unknowns::paired;
-use super::distance_polynomials::Link;
+use super::core_unknowns::with_paired_components;
+use super::distance_polynomials::SpaceLink;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::{Analysis, Form, Rotor};
 
@@ -52,7 +52,7 @@ pub(crate) struct Block<'m> {
     /// The rows as polynomials.
     pub(crate) terms: Vec<Product<'m>>,
     /// A link in space, if the row is about the square of its vector.
-    pub(crate) distance: Option<Link<'m>>,
+    pub(crate) distance: Option<SpaceLink<'m>>,
     /// The factors of a row in space that is their scalar product, or its negative, but for what is known.
     pub(crate) product: Option<[V3<'m>; 2]>,
     /// Whether it is about numbers, as those of directions are.
@@ -98,7 +98,7 @@ pub(crate) enum Core {
 }
 
 /// What is known of one coordinate in one loop.
-struct Place<'p, 'm> {
+struct CoordinateInLoop<'p, 'm> {
     polynomials: &'p Polynomials<'m>,
     /// The first symbol of the coordinate among those of the polynomials.
     first: usize,
@@ -106,7 +106,7 @@ struct Place<'p, 'm> {
 }
 
 /// The form of loops that remain coupled, if they are polynomials in their unknowns.
-pub(super) fn coupled<'m>(
+pub(super) fn classify_coupled<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -128,7 +128,7 @@ pub(super) fn coupled<'m>(
         return None;
     }
     let (class, order, contour) = class::class_and_order(analysis, &polynomials, coordinates);
-    let mut kind = class::kind(
+    let mut kind = class::kind_of_group(
         analysis,
         &private,
         &polynomials,
@@ -156,14 +156,14 @@ pub(super) fn coupled<'m>(
     let blocks = blocks.collect();
     let core = core
         .into_iter()
-        .map(|k| core_unknowns::of_core(analysis, &coordinates[k]))
+        .map(|k| core_unknowns::core_unknown(analysis, &coordinates[k]))
         .collect();
     Some(Form::Coupled(Box::new(Coupled {
         kind,
         class,
         order,
         blocks,
-        core: paired(core),
+        core: with_paired_components(core),
     })))
 }
 
@@ -183,9 +183,9 @@ pub(super) fn private_and_core<'m>(
             .collect();
         if let [only] = with[..]
             && privates[only].is_none()
-            && let Some(found) = private(
+            && let Some(found) = private_unknown(
                 analysis,
-                Place {
+                CoordinateInLoop {
                     polynomials: &polynomials[only],
                     first,
                     coordinate,
@@ -211,8 +211,11 @@ pub(super) fn first_symbol(
 }
 
 /// A coordinate as the private unknown of a loop, if the loop can be solved for it.
-fn private<'m>(analysis: &mut Analysis<'_, 'm>, place: Place<'_, 'm>) -> Option<Private<'m>> {
-    let Place {
+fn private_unknown<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    place: CoordinateInLoop<'_, 'm>,
+) -> Option<Private<'m>> {
+    let CoordinateInLoop {
         polynomials,
         first,
         coordinate,
@@ -287,7 +290,7 @@ fn block<'m>(
         None => Vec::new(),
     };
     let product = match equation.rows[..] {
-        [row] => product::product(analysis, row, coordinates),
+        [row] => product::scalar_product(analysis, row, coordinates),
         _ => None,
     };
     let removed = own.into_iter().map(|symbol| (symbol, zero)).collect();

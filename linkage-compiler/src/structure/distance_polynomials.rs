@@ -10,28 +10,28 @@ use super::equations::{Coordinate, CoordinateKind, Equation};
 
 /// A link in space, whose distance was squared.
 #[derive(Clone, Debug)]
-pub(crate) struct Link<'m> {
+pub(crate) struct SpaceLink<'m> {
     pub(crate) vector: V3<'m>,
     pub(crate) length: Ex<'m>,
     /// The link whose square was subtracted.
-    pub(crate) less: Option<Box<Link<'m>>>,
+    pub(crate) less: Option<Box<SpaceLink<'m>>>,
 }
 
 /// `|v| = l` becomes `(v . v / l - l)/2`, a length. Where an earlier distance is about the same point, their difference is taken: it
 /// is of the first degree in that point, which leaves fewer solutions at infinity.
-pub(super) fn squared<'m>(
+pub(super) fn with_squared_distances<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Vec<Equation<'m>> {
     let mut squared = equations.to_vec();
-    let mut links: Vec<Link<'m>> = Vec::new();
+    let mut links: Vec<SpaceLink<'m>> = Vec::new();
     for equation in &mut squared {
         let &[row] = &equation.rows[..] else { continue };
         let Some((vector, length)) = space::space_distance(analysis, row, coordinates) else {
             continue;
         };
-        let mut link = Link {
+        let mut link = SpaceLink {
             vector,
             length,
             less: None,
@@ -57,8 +57,8 @@ pub(super) fn squared<'m>(
 /// first vector contains.
 fn apart<'m>(
     analysis: &mut Analysis<'_, 'm>,
-    link: &Link<'m>,
-    other: &Link<'m>,
+    link: &SpaceLink<'m>,
+    other: &SpaceLink<'m>,
     coordinates: &[Coordinate],
 ) -> Option<[V3<'m>; 2]> {
     let contained = lengths_in(analysis, link.vector, coordinates)?;
@@ -88,15 +88,15 @@ fn lengths_in<'m>(
     Some(contained.collect())
 }
 
-fn square_of_link<'m>(link: &Link<'m>) -> Ex<'m> {
+fn square_of_link<'m>(link: &SpaceLink<'m>) -> Ex<'m> {
     let share = link.vector.square() / link.length;
     0.5 * (share - link.length)
 }
 
 /// `((v - w).(v + w) - (l - m)(l + m))/2 l`
 fn difference_of_links<'m>(
-    link: &Link<'m>,
-    other: &Link<'m>,
+    link: &SpaceLink<'m>,
+    other: &SpaceLink<'m>,
     apart: V3<'m>,
     sum: V3<'m>,
 ) -> Ex<'m> {

@@ -244,7 +244,7 @@ fn eliminate_slide<'m>(
             let CoordinateKind::Length(symbol) = coordinate.kind else {
                 continue;
             };
-            if analysis.whole.contains(&symbol) {
+            if analysis.kept_axes.contains(&symbol) {
                 continue;
             }
             let Some(mut terms) = collect(equation.rows[0], &[symbol], &[]) else {

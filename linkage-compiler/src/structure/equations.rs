@@ -8,7 +8,7 @@ use crate::algebra::{Bound, Scalar, Translate, Value};
 use crate::model::Loop;
 
 use super::Analysis;
-use super::distance_polynomials::Link;
+use super::distance_polynomials::SpaceLink;
 use super::scope::Scope;
 
 /// A loop, or what became of one: one to three scalar equations `row = 0`.
@@ -18,7 +18,7 @@ pub(crate) struct Equation<'m> {
     /// A scalar loop as a linear form in angles.
     pub(crate) relation: Option<Scalar<'m>>,
     /// A link in space, if the row is about the square of its vector.
-    pub(crate) distance: Option<Link<'m>>,
+    pub(crate) distance: Option<SpaceLink<'m>>,
     /// The loop that its rows were written as.
     pub(crate) written: usize,
     /// The loops it comes from.

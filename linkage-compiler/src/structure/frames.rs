@@ -12,7 +12,7 @@ use crate::model::{Expr, ExprKind, Function, Mechanism, Name};
 use crate::structure::redundant;
 
 /// An unknown frame of the model.
-struct Found {
+struct UnknownFrame {
     /// Its origin, and two axes or an angle.
     unknowns: Vec<usize>,
     /// 6 in space, 3 in the plane.
@@ -25,7 +25,7 @@ struct Found {
 }
 
 /// What is said of a body that too many loops hold.
-struct TooMany {
+struct HeldTwice {
     fact: String,
     help: String,
 }
@@ -45,7 +45,7 @@ impl Mechanism {
         frames.filter(|(_, parts)| parts.len() == 3).collect()
     }
 
-    fn unknown_frames(&self) -> Vec<Found> {
+    fn unknown_frames(&self) -> Vec<UnknownFrame> {
         let lets = self.lets.iter();
         let frames = lets.filter_map(|own| Some((own.name.clone(), self.unknowns_of(&own.value)?)));
         let frames = frames.map(|(name, unknowns)| {
@@ -55,7 +55,7 @@ impl Mechanism {
             };
             let loops = (0..self.loops.len()).filter(mentions).collect();
             let in_plane = unknowns.len() == 2;
-            Found {
+            UnknownFrame {
                 loops,
                 name,
                 freedoms: if in_plane { 3 } else { 6 },
@@ -127,12 +127,12 @@ pub(super) fn report_frames<'m>(
 
 fn report_open<'m>(
     analysis: &mut Analysis<'_, 'm>,
-    found: &Found,
+    found: &UnknownFrame,
     open: usize,
     coordinates: usize,
     equations: &[Equation<'m>],
 ) {
-    let Found {
+    let UnknownFrame {
         name,
         unknowns,
         loops,
@@ -171,12 +171,12 @@ fn report_open<'m>(
 
 fn report_held_twice<'m>(
     analysis: &mut Analysis<'_, 'm>,
-    found: &Found,
+    found: &UnknownFrame,
     surplus: usize,
     coordinates: &[Coordinate],
     equations: &[Equation<'m>],
 ) {
-    let Found {
+    let UnknownFrame {
         name,
         loops,
         freedoms,
@@ -214,11 +214,11 @@ fn too_many<'m>(
     surplus: usize,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
-) -> TooMany {
+) -> HeldTwice {
     let closed = redundant::all_closed(analysis, equations, coordinates);
     let at = closed.as_ref().unwrap_or(&analysis.nominal.estimates);
     let Some(found) = position(analysis, at, |at| overconstrained::surplus(at)) else {
-        return TooMany {
+        return HeldTwice {
             fact: String::new(),
             help: "remove a loop, or make a dimension or an input of one an `unknown`".to_owned(),
         };
@@ -247,7 +247,7 @@ fn too_many<'m>(
         _ => "remove loops that depend on others, and write some that hold what can still move"
             .to_owned(),
     };
-    TooMany {
+    HeldTwice {
         fact: format!("{all}{}{motion}", found.dependences),
         help,
     }

@@ -36,9 +36,9 @@ use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::Reporter;
 use crate::model::{Dimension, Mechanism, Type};
 
-pub(crate) use bound::Most;
+pub(crate) use bound::SolutionBound;
 pub(crate) use coupled_core::{Block, Core, Coupled, Private, Product};
-pub(crate) use distance_polynomials::Link;
+pub(crate) use distance_polynomials::SpaceLink;
 pub(crate) use equations::{Coordinate, Equation};
 pub(crate) use form::{Form, Plane, Rotor, Sphere};
 pub(crate) use scope::Scope;
@@ -124,7 +124,7 @@ pub(crate) fn decompose<'m>(
         reporter,
         structure: Structure::default(),
         substitutions: Default::default(),
-        whole: Vec::new(),
+        kept_axes: Vec::new(),
         steps: 0,
     };
     analysis.structure.mobility = analysis.algebra.mechanism.inputs.len();
@@ -142,7 +142,7 @@ struct Analysis<'a, 'm> {
     /// Eliminated symbols and what they stand for.
     substitutions: linkage_symbolic::unordered::Map<SymbolId, Ex<'m>>,
     /// Components of axes that stay unknowns, all six of a body: systems are solved in its turns.
-    whole: Vec<SymbolId>,
+    kept_axes: Vec<SymbolId>,
     /// Reductions so far.
     steps: usize,
 }
@@ -199,8 +199,8 @@ impl<'m> Analysis<'_, 'm> {
         if let Some((equations, coordinates)) = reduced {
             return self.solve(equations, coordinates);
         }
-        let squared = distance_polynomials::squared(self, &equations, &coordinates);
-        match coupled_core::coupled(self, &squared, &coordinates) {
+        let squared = distance_polynomials::with_squared_distances(self, &equations, &coordinates);
+        match coupled_core::classify_coupled(self, &squared, &coordinates) {
             Some(form) => self.push_group(&equations, &coordinates, form),
             None => unsolved::report_unsolved(self, &squared, &coordinates),
         }

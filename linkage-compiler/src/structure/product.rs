@@ -8,7 +8,7 @@ use super::equations::Coordinate;
 use super::space::Sides;
 
 /// The factors of a row `v . w - c` (or its negative) with a known `c`.
-pub(super) fn product<'m>(
+pub(super) fn scalar_product<'m>(
     analysis: &mut Analysis<'_, 'm>,
     row: Ex<'m>,
     coordinates: &[Coordinate],

@@ -3,7 +3,7 @@
 
 use super::Analysis;
 use super::equations::{Coordinate, CoordinateKind, Equation};
-use super::simultaneous::{Together, independent};
+use super::simultaneous::{SimultaneousLoops, independent};
 use crate::algebra::constant_ratio;
 use crate::algebra::{ALIKE, Bound, ConstantRatio, Nominal};
 use crate::message_format::loop_list;
@@ -18,23 +18,23 @@ const TURN: f64 = 0.2;
 const SHIFT: f64 = 0.02;
 
 /// What to say beside the surplus.
-pub(super) struct Repeated {
+pub(super) struct RedundantLoops {
     pub(super) fact: String,
     pub(super) help: String,
 }
 
 /// Whether a loop with more equations than it has unknowns of its own repeats the others, and what to write then.
-pub(super) fn repeated<'m>(
+pub(super) fn redundant_loops<'m>(
     analysis: &Analysis<'_, 'm>,
     surplus: &Equation<'m>,
     too_many: usize,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
-) -> Option<Repeated> {
+) -> Option<RedundantLoops> {
     let places = positions(analysis);
-    let together = together(analysis, equations, coordinates)?;
+    let together = simultaneous_loops(analysis, equations, coordinates)?;
     let found = closed_at(analysis, &together, &places)?;
-    let even = even(analysis, &places, &found, coordinates);
+    let even = constant_ratios(analysis, &places, &found, coordinates);
     let at = Nominal {
         inputs: places[0].clone(),
         ..analysis.nominal.clone()
@@ -43,7 +43,7 @@ pub(super) fn repeated<'m>(
     // The loop itself first; another one where its equations find something better than those that remain.
     let others = equations.iter().filter(|e| e.loops != surplus.loops);
     let spare = std::iter::once(surplus).chain(others).find_map(|left_out| {
-        let own = own(analysis, left_out, equations, coordinates);
+        let own = found_by_itself(analysis, left_out, equations, coordinates);
         let fits = left_out.rows.len() == own.len() + too_many;
         let even: Option<Vec<&ConstantRatio>> = own
             .iter()
@@ -62,7 +62,7 @@ pub(super) fn repeated<'m>(
             if !even.is_empty() {
                 like = ", as a further crank on one rod does that stays parallel";
             }
-            match lets(analysis, &even) {
+            match lets_for(analysis, &even) {
                 Some(lets) => format!("write {lets} and leave {loops} out"),
                 None => format!("leave {loops} out, or write `redundant` at its end"),
             }
@@ -72,7 +72,7 @@ pub(super) fn repeated<'m>(
             loop_list(&surplus.loops)
         ),
     };
-    Some(Repeated {
+    Some(RedundantLoops {
         fact: format!(
             "; with these dimensions it closes all the same and repeats the other loops{like}"
         ),
@@ -86,7 +86,7 @@ pub(super) fn all_closed<'m>(
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<Vec<Vec<f64>>> {
-    let together = together(analysis, equations, coordinates)?;
+    let together = simultaneous_loops(analysis, equations, coordinates)?;
     let found = closed_at(analysis, &together, &positions(analysis))?;
     let mut values: Vec<Vec<f64>> = vec![Vec::new(); analysis.nominal.estimates.len()];
     for (coordinate, x) in coordinates.iter().zip(&found[0]) {
@@ -96,7 +96,7 @@ pub(super) fn all_closed<'m>(
 }
 
 /// The coordinates that no other equation contains.
-fn own<'m>(
+fn found_by_itself<'m>(
     analysis: &Analysis<'_, 'm>,
     equation: &Equation<'m>,
     equations: &[Equation<'m>],
@@ -114,7 +114,7 @@ fn own<'m>(
 }
 
 /// `` `let chi = phi;` instead of the unknown``; nothing for none.
-fn lets(analysis: &Analysis<'_, '_>, even: &[&ConstantRatio]) -> Option<String> {
+fn lets_for(analysis: &Analysis<'_, '_>, even: &[&ConstantRatio]) -> Option<String> {
     let mechanism = analysis.algebra.mechanism;
     let lets = even.iter().map(|own| {
         let unknown = &mechanism.unknowns[own.unknown].name;
@@ -181,11 +181,11 @@ pub(super) fn longest(analysis: &Analysis<'_, '_>) -> f64 {
 }
 
 /// The loops on numbers; `None` if there is an unknown that the compiler introduced, of which nothing is estimated.
-fn together<'m, 'c>(
+fn simultaneous_loops<'m, 'c>(
     analysis: &Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &'c [Coordinate],
-) -> Option<Together<'c, 'm>> {
+) -> Option<SimultaneousLoops<'c, 'm>> {
     let longest = longest(analysis);
     let mut estimates = Vec::new();
     let mut scales = Vec::new();
@@ -199,7 +199,7 @@ fn together<'m, 'c>(
             CoordinateKind::Length(_) => longest,
         });
     }
-    Some(Together {
+    Some(SimultaneousLoops {
         rows: equations.iter().flat_map(|e| e.rows.clone()).collect(),
         coordinates,
         symbols: coordinates
@@ -214,7 +214,7 @@ fn together<'m, 'c>(
 /// The coordinates at all positions, if every loop closes at each.
 fn closed_at(
     analysis: &Analysis<'_, '_>,
-    together: &Together,
+    together: &SimultaneousLoops,
     places: &[Vec<f64>],
 ) -> Option<Vec<Vec<f64>>> {
     // An input that does not move proves nothing.
@@ -232,7 +232,7 @@ fn closed_at(
 }
 
 /// The angles that turn evenly with the only input.
-fn even(
+fn constant_ratios(
     analysis: &Analysis<'_, '_>,
     places: &[Vec<f64>],
     found: &[Vec<f64>],

@@ -3,7 +3,7 @@
 use super::Analysis;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::matching::{self, Matching};
-use super::redundant::Repeated;
+use super::redundant::RedundantLoops;
 use crate::message_format::loop_list;
 use crate::structure::closest_approach;
 use crate::structure::frames;
@@ -37,7 +37,7 @@ pub(super) fn report_mobility<'m>(
     }
     for (k, equation) in equations.iter().enumerate() {
         let surplus = equation.rows.len() - matching.coordinates_of[k].len();
-        if incidence[k].is_empty() && is_told(analysis, equation, &told, coordinates) {
+        if incidence[k].is_empty() && is_reported(analysis, equation, &told, coordinates) {
             continue;
         }
         if surplus > 0 && (complete || incidence[k].is_empty()) {
@@ -56,7 +56,7 @@ pub(super) fn report_mobility<'m>(
 }
 
 /// True for a loop whose unknowns cancel out, if that has been said of one of them.
-fn is_told<'m>(
+fn is_reported<'m>(
     analysis: &Analysis<'_, 'm>,
     equation: &Equation<'m>,
     told: &[usize],
@@ -160,8 +160,9 @@ fn report_surplus<'m>(
             3 => "; a link between two ball joints is one equation, `distance(a, b) = length`",
             _ => "",
         };
-        let repeated = redundant::repeated(analysis, equation, surplus, equations, coordinates);
-        let Repeated { fact, help } = repeated.unwrap_or_else(|| Repeated {
+        let repeated =
+            redundant::redundant_loops(analysis, equation, surplus, equations, coordinates);
+        let RedundantLoops { fact, help } = repeated.unwrap_or_else(|| RedundantLoops {
                 fact: short,
                 help: format!(
                     "make a dimension, an angle or an input of {loops} an `unknown`, or remove a loop{link}"
@@ -231,7 +232,7 @@ fn coordinate_name(analysis: &Analysis<'_, '_>, coordinate: &Coordinate) -> Stri
     }
 }
 
-pub(super) fn names(analysis: &Analysis<'_, '_>, mut unknowns: Vec<usize>) -> String {
+pub(super) fn unknown_list(analysis: &Analysis<'_, '_>, mut unknowns: Vec<usize>) -> String {
     unknowns.sort_unstable();
     unknowns.dedup();
     let name = |&k: &usize| format!("`{}`", analysis.algebra.mechanism.unknowns[k].name);

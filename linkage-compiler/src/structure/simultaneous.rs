@@ -25,7 +25,7 @@ const DAMPING: f64 = 1e-14;
 const ACROSS: f64 = 1e-6;
 
 /// Loops on numbers.
-pub(super) struct Together<'a, 'm> {
+pub(super) struct SimultaneousLoops<'a, 'm> {
     pub(super) rows: Vec<Ex<'m>>,
     pub(super) coordinates: &'a [Coordinate],
     pub(super) symbols: Vec<Vec<SymbolId>>,
@@ -35,7 +35,7 @@ pub(super) struct Together<'a, 'm> {
     pub(super) scales: Vec<f64>,
 }
 
-impl Together<'_, '_> {
+impl SimultaneousLoops<'_, '_> {
     /// By how much every row misses.
     fn missing(&self, x: &[f64], at: &Nominal) -> Vec<f64> {
         let graph = self.rows[0].graph();

@@ -38,7 +38,7 @@ pub(super) fn report_unsolved<'m>(
         .iter()
         .map(|&k| analysis.algebra.names.components_of(k))
         .sum();
-    let names = report::names(analysis, unknowns);
+    let names = report::unknown_list(analysis, unknowns);
     let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
     let (subject, check) = match rows {
         0..=2 => (format!("no closed form for {names} in {loops}"), ""),
@@ -48,7 +48,7 @@ pub(super) fn report_unsolved<'m>(
         ),
     };
     let whole = analysis.algebra.mechanism.loops[equations[0].loops[0]].origin;
-    let valued = valued(analysis, equations, coordinates);
+    let valued = angles_with_values(analysis, equations, coordinates);
     let body = a_body_by_angles(equations, coordinates);
     let (origin, message) = if let Some((origin, why)) =
         worst_obstacle(analysis, equations, coordinates)
@@ -58,7 +58,7 @@ pub(super) fn report_unsolved<'m>(
     } else if !valued.is_empty() {
         (
             whole,
-            format!("{subject}: {}", of_values(analysis, &valued, rows)),
+            format!("{subject}: {}", obstacle_of_values(analysis, &valued, rows)),
         )
     } else {
         let core = core_of(analysis, equations, coordinates);
@@ -123,8 +123,8 @@ fn worst_obstacle<'m>(
 }
 
 /// What is wrong with angles that stand for themselves.
-fn of_values(analysis: &Analysis<'_, '_>, valued: &[usize], rows: usize) -> String {
-    let names = report::names(analysis, valued.to_vec());
+fn obstacle_of_values(analysis: &Analysis<'_, '_>, valued: &[usize], rows: usize) -> String {
+    let names = report::unknown_list(analysis, valued.to_vec());
     if rows <= 2 {
         return format!(
             "the angle {names} itself stands in it, and not its direction alone; {OURS}\nhelp: {MAY_STAND}"
@@ -141,7 +141,7 @@ fn of_values(analysis: &Analysis<'_, '_>, valued: &[usize], rows: usize) -> Stri
 }
 
 /// The unknown angles of which polynomial loops contain the value.
-fn valued<'m>(
+fn angles_with_values<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],

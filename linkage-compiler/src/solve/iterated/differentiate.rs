@@ -7,7 +7,7 @@ use crate::algebra::{
     Body, Distance, Elimination, Links, PrivateColumn, Solution, Term, WrittenRow,
 };
 use crate::solve::Solver;
-use crate::structure::{Block, Link, Private};
+use crate::structure::{Block, Private, SpaceLink};
 
 use super::equations::{Equations, Place};
 use super::turns::carried;
@@ -133,7 +133,7 @@ fn written<'m>(block: &Block<'m>, bodies: &[Body<'m>]) -> Vec<WrittenRow<'m>> {
         }
         None => *own,
     };
-    let distance = |own: &Link<'m>| Distance {
+    let distance = |own: &SpaceLink<'m>| Distance {
         vector: own.vector,
         length: own.length,
         carried: carried(own.vector, bodies),

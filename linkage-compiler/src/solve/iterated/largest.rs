@@ -12,7 +12,7 @@ use crate::algebra::derivatives::partial;
 use linkage_symbolic::{Ex, V3};
 
 use crate::solve::Solver;
-use crate::structure::{Block, Link, Private};
+use crate::structure::{Block, Private, SpaceLink};
 
 use super::equations::Equations;
 use super::vector;
@@ -33,7 +33,7 @@ pub(super) fn largest_core_determinant<'m>(
     if blocks.iter().all(|block| block.rows.len() == 3) {
         return product_of_columns(solver, equations);
     }
-    let links: Option<Vec<&Link>> = blocks.iter().map(|b| b.distance.as_ref()).collect();
+    let links: Option<Vec<&SpaceLink>> = blocks.iter().map(|b| b.distance.as_ref()).collect();
     match links {
         Some(links) => largest_of_links(solver, equations, &links),
         // What a scalar loop measures, nobody knows: the determinant without its signs changes with its scale as the determinant does.
@@ -75,7 +75,7 @@ fn product_of_columns<'m>(solver: &Solver<'_, 'm>, equations: &Equations<'_, 'm>
 fn largest_of_links<'m>(
     solver: &mut Solver<'_, 'm>,
     equations: &Equations<'_, 'm>,
-    links: &[&Link<'m>],
+    links: &[&SpaceLink<'m>],
 ) -> Ex<'m> {
     let ends: Vec<Vec<V3>> = links
         .iter()
@@ -103,7 +103,7 @@ fn largest_of_links<'m>(
 fn motions<'m>(
     solver: &mut Solver<'_, 'm>,
     equations: &Equations<'_, 'm>,
-    link: &Link<'m>,
+    link: &SpaceLink<'m>,
     block: &Block<'m>,
 ) -> Vec<V3<'m>> {
     let unknowns = equations.variables.iter().zip(&equations.form.core);
