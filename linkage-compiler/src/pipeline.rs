@@ -6,15 +6,20 @@ use linkage_core::numeric::continuation::Terms;
 use linkage_symbolic::Graph;
 
 use crate::algebra::{Algebra, Nominal};
+use crate::assembly;
 use crate::assembly::Closed;
 use crate::diagnostic::{Diagnostics, Reporter};
+use crate::forces;
 use crate::forces::Forces;
 use crate::ir::CompiledMechanism;
+use crate::lower;
 use crate::model::Model;
 use crate::observer::PhaseObserver;
+use crate::outputs;
 use crate::outputs::{AtReference, State};
+use crate::solve;
 use crate::structure::Scope;
-use crate::{assembly, forces, lower, outputs, solve, structure};
+use crate::structure::decompose;
 
 /// The middle phases of a resolved mechanism: structure, formulation, checks and lowering.
 pub(crate) fn analyse(
@@ -61,7 +66,7 @@ fn analysed(
         assembly::check_values(mechanism, &nominal, &mut reporter);
     }
     assembly::warn_of_unused(mechanism, &nominal, &mut reporter);
-    let structure = structure::decompose(
+    let structure = decompose::decompose(
         &mut algebra,
         &nominal,
         &Scope::all(mechanism),

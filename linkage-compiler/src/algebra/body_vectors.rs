@@ -3,6 +3,7 @@
 //! By the derivatives of the body's directions it would take those of the third one, a product of the others, too, and in second derivatives three
 //! times as many.
 
+use crate::model::unknown_frames;
 use linkage_symbolic::{Node, SymbolId, V3, Vector, agree, substitute};
 
 use crate::algebra::context::Algebra;
@@ -70,7 +71,7 @@ pub(crate) fn coordinates_on_body<'m>(
     algebra: &Algebra<'m>,
     v: V3<'m>,
 ) -> Option<(V3<'m>, [V3<'m>; 2])> {
-    let bodies = algebra.mechanism.bodies_of_space().into_iter();
+    let bodies = unknown_frames::bodies_of_space(algebra.mechanism).into_iter();
     let mut own = bodies.filter_map(|(_, parts)| {
         let axes = [parts[1], parts[2]].map(|axis| algebra.names.numbers_of(axis).try_into());
         let [Ok(first), Ok(second)] = axes else {

@@ -2,8 +2,8 @@
 
 use crate::vector::{Vector, cross, dot, minus, norm};
 
-use super::null_space::{LITTLE, largest};
-use super::{LoopRows, Movable, Position};
+use crate::mobility::null_space::{LITTLE, largest};
+use crate::mobility::position::{LoopRows, Movable, Position};
 
 /// Where a link pulls a body: a direction of length 1, and the moment about the body's origin.
 struct Line {
@@ -18,7 +18,7 @@ impl Line {
 }
 
 /// What is special about these rows, if each is a link between one and the same body and what is known.
-pub(super) fn shape_of_links(
+pub(crate) fn shape_of_links(
     position: &Position<'_, '_>,
     rows: &LoopRows,
     bound: &[usize],

@@ -2,16 +2,17 @@
 
 use crate::algebra::scalar;
 use crate::algebra::translate;
+use crate::model::unknown_frames;
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, Graph, SymbolId, evaluate_given, unordered::Map};
 
 use crate::algebra::{Algebra, Bound, Translate, Value};
 use crate::model::{Loop, Mechanism};
 
-use super::{Position, halves};
+use crate::mobility::position::{Position, halves};
 
 /// The differences of the sides of all loops, one for each component.
-pub(super) struct Loops<'g> {
+pub(crate) struct Loops<'g> {
     algebra: Algebra<'g>,
     sides: Vec<Ex<'g>>,
     /// By row: its loop, and the dimension of its sides in halves of lengths.
@@ -20,12 +21,12 @@ pub(super) struct Loops<'g> {
 
 impl<'g> Loops<'g> {
     /// In a graph of their own: nodes made in another order would change how sums of the mechanism are written.
-    pub(super) fn new(mechanism: &'g Mechanism, graph: &'g Graph) -> Self {
+    pub(crate) fn new(mechanism: &'g Mechanism, graph: &'g Graph) -> Self {
         let mut algebra = Algebra::new(mechanism, graph);
         translate::translate_lets(&mut algebra);
         let (mut sides, mut rows) = (Vec::new(), Vec::new());
         for (index, own) in mechanism.loops.iter().enumerate() {
-            if mechanism.is_loop_of_frame(index) {
+            if unknown_frames::is_loop_of_frame(mechanism, index) {
                 continue;
             }
             let halves = halves(&own.left.ty).max(halves(&own.right.ty));
@@ -42,17 +43,17 @@ impl<'g> Loops<'g> {
     }
 
     /// The loop that a row is of.
-    pub(super) fn of_row(&self, row: usize) -> usize {
+    pub(crate) fn of_row(&self, row: usize) -> usize {
         self.rows[row].0
     }
 
     /// How much of its unit a row counts, where so much length counts like a radian.
-    pub(super) fn unit(&self, row: usize, length: f64) -> f64 {
+    pub(crate) fn unit(&self, row: usize, length: f64) -> f64 {
         length.powf(0.5 * f64::from(self.rows[row].1))
     }
 
     /// The sides' differences where unknowns have these values, as shares of the length that counts like a radian.
-    pub(super) fn missed(&self, position: &Position, values: &[Vec<f64>]) -> Vec<f64> {
+    pub(crate) fn missed(&self, position: &Position, values: &[Vec<f64>]) -> Vec<f64> {
         let nominal = position.nominal;
         let mut known: Map<SymbolId, f64> = Map::new();
         for (bound, value) in self.algebra.names.bound.iter().zip(values) {

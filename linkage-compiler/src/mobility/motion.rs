@@ -5,9 +5,9 @@ use std::f64::consts::TAU;
 use crate::model::{Dimension, Type};
 use crate::vector::{Vector, cross, dot, norm};
 
-use super::null_space::{LITTLE, largest, null_vectors};
-use super::{LoopRows, Movable, Position};
 use crate::message_format::numbers;
+use crate::mobility::null_space::{LITTLE, largest, null_vectors};
+use crate::mobility::position::{LoopRows, Movable, Position};
 
 /// So many motions are told.
 const MOST_MOTIONS: usize = 3;
@@ -19,7 +19,7 @@ const THOUSANDTH: f64 = 1e-3;
 const SHOWN: f64 = 1e-4;
 
 /// `body` can turn about ..., `a` and `b` can change in the ratio ...
-pub(super) fn motion(position: &Position<'_, '_>, rows: &LoopRows, last: f64) -> Option<String> {
+pub(crate) fn motion(position: &Position<'_, '_>, rows: &LoopRows, last: f64) -> Option<String> {
     let all = simple(
         null_vectors(&rows.matrix, rows.columns.len(), last),
         rows,
@@ -92,11 +92,7 @@ fn shown(position: &Position<'_, '_>, unknown: usize, share: f64) -> f64 {
     let degree = 1_f64.to_radians();
     let dimension = position.mechanism.unknowns[unknown].ty.dimension();
     match dimension.is_some_and(|own| own.half_lengths != 0) {
-        true => rounded(
-            position,
-            share * degree * position.length,
-            degree * position.length,
-        ),
+        true => rounded(share * degree * position.length, degree * position.length),
         // Whole thousandths of a degree.
         false => (share / THOUSANDTH).round() * THOUSANDTH * degree,
     }
@@ -111,7 +107,7 @@ fn twist(position: &Position<'_, '_>, own: &[f64], origin: Vector) -> String {
     }
     let square = dot(turn, turn);
     let foot = cross(turn, shift).map(|x| x / square);
-    let point = [0, 1, 2].map(|k| rounded(position, origin[k] + foot[k], position.length));
+    let point = [0, 1, 2].map(|k| rounded(origin[k] + foot[k], position.length));
     let lengths = Type::Vector(3, Dimension::LENGTH);
     let line = format!(
         "the line through {} along {}",
@@ -122,7 +118,7 @@ fn twist(position: &Position<'_, '_>, own: &[f64], origin: Vector) -> String {
     if pitch.abs() <= LITTLE * position.length {
         return format!("turn about {line}");
     }
-    let pitch = rounded(position, pitch, position.length);
+    let pitch = rounded(pitch, position.length);
     format!(
         "turn about {line} and shift along it, by {} in a turn",
         position.words.scalar(Dimension::LENGTH, pitch)
@@ -130,13 +126,13 @@ fn twist(position: &Position<'_, '_>, own: &[f64], origin: Vector) -> String {
 }
 
 /// Without the digits that are rounding of something of this size.
-fn rounded(_position: &Position<'_, '_>, x: f64, size: f64) -> f64 {
+fn rounded(x: f64, size: f64) -> f64 {
     let step = 10_f64.powf((SHOWN * size).log10().floor());
     (x / step).round() * step + 0.0
 }
 
 /// `a, b and c`
-pub(super) fn list(words: Vec<String>) -> String {
+pub(crate) fn list(words: Vec<String>) -> String {
     match &words[..] {
         [before @ .., last] if !before.is_empty() => format!("{} and {last}", before.join(", ")),
         _ => words.concat(),

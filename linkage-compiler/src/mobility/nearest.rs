@@ -4,13 +4,14 @@
 //! less.
 
 use crate::mobility::motion;
+use crate::mobility::rows;
 use linkage_core::numeric::least::{self, CLOSED, Equations, least};
 use linkage_symbolic::Graph;
 
-use super::loops::Loops;
-use super::motion::list;
-use super::null_space::{LITTLE, NEARLY_ZERO, largest};
-use super::{LoopRows, Position};
+use crate::mobility::loops::Loops;
+use crate::mobility::motion::list;
+use crate::mobility::null_space::{LITTLE, NEARLY_ZERO, largest};
+use crate::mobility::position::{LoopRows, Position};
 use crate::model::Type;
 
 /// So many loops are told.
@@ -75,7 +76,7 @@ impl<'w, 'm> Equations<Position<'w, 'm>> for Loops<'_> {
     type Rows = LoopRows;
 
     fn rows(&mut self, at: &Position<'w, 'm>) -> Option<LoopRows> {
-        at.rows(self)
+        rows::rows(at, self)
     }
 
     fn misses(&mut self, at: &Position<'w, 'm>, rows: &LoopRows) -> Vec<f64> {

@@ -1,26 +1,26 @@
 //! Vectors that a matrix makes zero.
 
 /// A pivot below this part of the largest entry is zero: entries are differences, exact to some 1e-10.
-pub(super) const ZERO: f64 = 1e-6;
+pub(crate) const ZERO: f64 = 1e-6;
 
 /// The same of the last pivot where a way was followed to a dead point: it ends shortly before it.
-pub(super) const NEARLY_ZERO: f64 = 0.02;
+pub(crate) const NEARLY_ZERO: f64 = 0.02;
 
 /// Shares of a null vector below this part of the largest one are none.
-pub(super) const LITTLE: f64 = 1e-3;
+pub(crate) const LITTLE: f64 = 1e-3;
 
-pub(super) fn largest(all: &[f64]) -> f64 {
+pub(crate) fn largest(all: &[f64]) -> f64 {
     all.iter().fold(0.0, |most: f64, x| most.max(x.abs()))
 }
 
-pub(super) fn transposed(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
+pub(crate) fn transposed(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let width = matrix.first().map_or(0, Vec::len);
     let column = |k: usize| matrix.iter().map(|row| row[k]).collect();
     (0..width).map(column).collect()
 }
 
 /// The places of a null vector that count.
-pub(super) fn used(vector: &[f64]) -> Vec<usize> {
+pub(crate) fn used(vector: &[f64]) -> Vec<usize> {
     let most = largest(vector);
     let used = (0..vector.len()).filter(|&k| vector[k].abs() > LITTLE * most);
     used.collect()
@@ -28,7 +28,7 @@ pub(super) fn used(vector: &[f64]) -> Vec<usize> {
 
 /// The null vectors of a matrix with so many columns, one for each column that is free; none if it is regular. The last pivot is zero below
 /// `last`, a part of the largest entry.
-pub(super) fn null_vectors(matrix: &[Vec<f64>], width: usize, last: f64) -> Vec<Vec<f64>> {
+pub(crate) fn null_vectors(matrix: &[Vec<f64>], width: usize, last: f64) -> Vec<Vec<f64>> {
     let mut rows = matrix.to_vec();
     for row in &mut rows {
         let most = largest(row);

@@ -2,12 +2,13 @@
 
 use crate::mobility::line;
 use crate::mobility::motion;
+use crate::mobility::rows;
 use linkage_symbolic::Graph;
 
-use super::loops::Loops;
-use super::null_space::{ZERO, null_vectors, transposed, used};
-use super::{LoopRows, Position};
 use crate::message_format::loop_list;
+use crate::mobility::loops::Loops;
+use crate::mobility::null_space::{ZERO, null_vectors, transposed, used};
+use crate::mobility::position::{LoopRows, Position};
 
 /// So many dependences are told.
 const TOLD: usize = 3;
@@ -25,7 +26,7 @@ pub(crate) struct Overconstraint {
 /// The last loops that others make superfluous; nothing if there are none.
 pub(crate) fn surplus(position: &Position<'_, '_>) -> Option<Overconstraint> {
     let graph = Graph::new();
-    let rows = position.rows(&Loops::new(position.mechanism, &graph))?;
+    let rows = rows::rows(position, &Loops::new(position.mechanism, &graph))?;
     let mut held: Vec<usize> = Vec::new();
     let mut dependences: Vec<(usize, Vec<usize>)> = Vec::new();
     for row in 0..rows.loops.len() {

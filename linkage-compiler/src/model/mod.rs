@@ -18,6 +18,7 @@ mod symbols;
 mod tests;
 mod types;
 mod units;
+pub(crate) mod unknown_frames;
 
 pub(crate) use dump::model::dump;
 pub(crate) use expression::frame_parts::{PARTS as FRAME_PARTS, PLANE_PARTS, VECTORS_OF_PLANE};

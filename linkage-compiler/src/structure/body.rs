@@ -1,44 +1,42 @@
 //! Unknown frames whose place is open, and the rods that hold them.
 
-use crate::structure::equations;
-use crate::structure::point;
-use crate::structure::space;
 use linkage_symbolic::{Ex, SymbolId, V3, Vector, agree, collect};
 
 use crate::algebra::Bound;
-
-use super::Analysis;
-use super::circle::Held;
-use super::equations::{Coordinate, CoordinateKind, Equation};
+use crate::model::unknown_frames;
+use crate::structure::analysis::Analysis;
+use crate::structure::circle::Held;
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
+use crate::structure::{distance, equations, point};
 
 /// An unknown frame: its origin and two axes `p` and `q`; the third one is `p x q`.
-pub(super) struct Body<'m> {
+pub(crate) struct Body<'m> {
     /// The coordinates of its origin, those that are not known, and of its axes.
-    pub(super) open: Vec<Option<Coordinate>>,
-    pub(super) of_axes: Vec<Coordinate>,
+    pub(crate) open: Vec<Option<Coordinate>>,
+    pub(crate) of_axes: Vec<Coordinate>,
     /// Those of the origin, of `p` and of `q`.
-    pub(super) symbols: Vec<SymbolId>,
+    pub(crate) symbols: Vec<SymbolId>,
     /// Origin, `p`, `q` and `p x q`.
-    pub(super) origin: V3<'m>,
-    pub(super) axes: [V3<'m>; 3],
+    pub(crate) origin: V3<'m>,
+    pub(crate) axes: [V3<'m>; 3],
     /// The equations of its axes.
-    pub(super) own: Vec<usize>,
+    pub(crate) own: Vec<usize>,
 }
 
 /// A point of the body, by its coordinates along `p`, `q` and `p x q`, and the rods to it.
-pub(super) struct Joint<'m> {
-    pub(super) local: V3<'m>,
-    pub(super) rods: Vec<Held<'m>>,
+pub(crate) struct Joint<'m> {
+    pub(crate) local: V3<'m>,
+    pub(crate) rods: Vec<Held<'m>>,
 }
 
 impl<'m> Body<'m> {
     /// The coordinates of its origin that are open.
-    pub(super) fn of_origin(&self) -> Vec<Coordinate> {
+    pub(crate) fn of_origin(&self) -> Vec<Coordinate> {
         self.open.iter().flatten().cloned().collect()
     }
 
     /// A joint as seen from the origin.
-    pub(super) fn arm(&self, joint: &Joint<'m>) -> V3<'m> {
+    pub(crate) fn arm(&self, joint: &Joint<'m>) -> V3<'m> {
         let [p, q, r] = self.axes;
         let Vector([x, y, z]) = joint.local;
         x * p + y * q + z * r
@@ -46,7 +44,7 @@ impl<'m> Body<'m> {
 }
 
 /// A frame of which both axes are open, and two coordinates of the origin at least.
-pub(super) fn body<'m>(
+pub(crate) fn body<'m>(
     analysis: &Analysis<'_, 'm>,
     unknowns: &[usize],
     equations: &[Equation<'m>],
@@ -79,7 +77,7 @@ pub(super) fn body<'m>(
         let written = equation
             .loops
             .iter()
-            .all(|&k| mechanism.is_loop_of_frame(k));
+            .all(|&k| unknown_frames::is_loop_of_frame(mechanism, k));
         let about = coordinates
             .iter()
             .filter(|c| equations::contains(analysis, equation.rows[0], c));
@@ -106,7 +104,7 @@ pub(super) fn body<'m>(
 }
 
 /// Its points at which two rods from fixed points end.
-pub(super) fn joints<'m>(
+pub(crate) fn joints<'m>(
     analysis: &mut Analysis<'_, 'm>,
     body: &Body<'m>,
     equations: &[Equation<'m>],
@@ -145,7 +143,7 @@ fn rod<'m>(
     let [row] = equation.rows[..] else {
         return None;
     };
-    let (vector, length) = space::space_distance(analysis, row, coordinates)?;
+    let (vector, length) = distance::space_distance(analysis, row, coordinates)?;
     let (places, factor, known) = point::moved_point(analysis, vector, &body.symbols[..3])?;
     let is_whole = factor.constant_value().is_some_and(|own| own.abs() == 1.0);
     if !is_whole || places != [0, 1, 2] {

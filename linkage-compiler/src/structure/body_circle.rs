@@ -3,27 +3,25 @@
 //! Three such points say where the frame is, so that three angles remain of nine unknowns, and of the loops the distances between the points.
 //! Of fewer, one says where the origin is: an angle instead of its coordinates, and two loops less.
 
-use crate::structure::body;
-use crate::structure::circle;
-use crate::structure::eliminate;
 use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, V3, Vector, substitute};
 
-use super::Analysis;
-use super::body::{Body, Joint};
-use super::eliminate::System;
-use super::equations::{Coordinate, Equation};
+use crate::model::unknown_frames;
+use crate::structure::analysis::Analysis;
+use crate::structure::body::{Body, Joint};
+use crate::structure::equations::{Coordinate, Equation, System};
+use crate::structure::{body, circle, explicit};
 
 /// Points of which one is nearer to the line through the others than this share of their distance determine no frame.
 const ON_A_LINE: f64 = 1e-3;
 
 /// One body of which points run on circles: three, or the first.
-pub(super) fn body_to_circles<'m>(
+pub(crate) fn body_to_circles<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
-    for (_, unknowns) in analysis.algebra.mechanism.bodies_of_space() {
+    for (_, unknowns) in unknown_frames::bodies_of_space(analysis.algebra.mechanism) {
         let Some(body) = body::body(analysis, &unknowns, equations, coordinates) else {
             continue;
         };
@@ -88,7 +86,7 @@ fn on_three_circles<'m>(
     let parts = frame_of(points, locals).into_iter();
     let values = parts.flat_map(|part| part.0);
     for (&symbol, value) in body.symbols.iter().zip(values) {
-        eliminate::make_explicit(analysis, symbol, value);
+        explicit::make_explicit(analysis, symbol, value);
     }
     let explained = [body.of_origin(), body.of_axes.clone()].concat();
     let rods = joints.iter().flat_map(|joint| &joint.rods);
@@ -134,7 +132,7 @@ fn on_one_circle<'m>(
     for (place, open) in body.open.iter().enumerate() {
         let (symbol, own) = (body.symbols[place], origin[place]);
         match open {
-            Some(_) => eliminate::make_explicit(analysis, symbol, own),
+            Some(_) => explicit::make_explicit(analysis, symbol, own),
             None => {
                 known.insert(symbol, own);
                 rows.push(circle::along(analysis, place).product(origin - given));
@@ -183,7 +181,7 @@ fn kept<'m>(
     for (place, equation) in equations.iter().enumerate() {
         if !solved.contains(&place) {
             let mut equation = equation.clone();
-            eliminate::substitute_in(analysis, &mut equation, &gone, explained);
+            explicit::substitute_in(analysis, &mut equation, &gone, explained);
             kept.push(equation);
         }
     }

@@ -1,21 +1,18 @@
 //! A point at given distances from two fixed points runs on a circle: three unknowns and two loops become one angle.
 
-use crate::algebra::nominal;
-use crate::structure::eliminate;
-use crate::structure::point;
-use crate::structure::space;
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
-use super::Analysis;
-use super::eliminate::{System, point_symbols};
-use super::equations::{Coordinate, CoordinateKind, Equation};
+use crate::algebra::nominal;
+use crate::structure::analysis::Analysis;
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
+use crate::structure::{distance, equations, explicit, point};
 
 /// A distance of an unknown point from a fixed one.
-pub(super) struct Held<'m> {
+pub(crate) struct Held<'m> {
     /// The equation that says so.
-    pub(super) place: usize,
-    pub(super) end: V3<'m>,
-    pub(super) length: Ex<'m>,
+    pub(crate) place: usize,
+    pub(crate) end: V3<'m>,
+    pub(crate) length: Ex<'m>,
 }
 
 /// The points `middle + cos axes[0] + sin axes[1]`.
@@ -25,19 +22,19 @@ struct Circle<'m> {
 }
 
 /// A point that runs on a circle, by a new angle.
-pub(super) struct Running<'m> {
-    pub(super) point: V3<'m>,
-    pub(super) angle: Coordinate,
+pub(crate) struct Running<'m> {
+    pub(crate) point: V3<'m>,
+    pub(crate) angle: Coordinate,
 }
 
 /// An unknown point that two distances from fixed points hold, and other loops determine.
-pub(super) fn point_to_circle<'m>(
+pub(crate) fn point_to_circle<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
     for point in coordinates.windows(3) {
-        let Some(symbols) = point_symbols(point) else {
+        let Some(symbols) = equations::point_symbols(point) else {
             continue;
         };
         let held = held_by(analysis, &symbols, equations, coordinates);
@@ -62,7 +59,7 @@ fn held_by<'m>(
     let mut held = Vec::new();
     for (place, equation) in equations.iter().enumerate() {
         let [row] = equation.rows[..] else { continue };
-        let Some((vector, length)) = space::space_distance(analysis, row, coordinates) else {
+        let Some((vector, length)) = distance::space_distance(analysis, row, coordinates) else {
             continue;
         };
         let Some((places, factor, known)) = point::moved_point(analysis, vector, point) else {
@@ -85,12 +82,12 @@ fn on_circle<'m>(
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
-    let symbols = point_symbols(point)?;
+    let symbols = equations::point_symbols(point)?;
     let graph = analysis.algebra.graph;
     let own = Vector([0, 1, 2].map(|k| graph.ex(graph.symbol_node(symbols[k]))));
     let running = running(analysis, own, [first, second]);
     for (symbol, value) in symbols.into_iter().zip(running.point.0) {
-        eliminate::make_explicit(analysis, symbol, value);
+        explicit::make_explicit(analysis, symbol, value);
     }
     let mut gone = equations[first.place].clone();
     gone.absorb(&equations[second.place], &[]);
@@ -98,7 +95,7 @@ fn on_circle<'m>(
     let kept = kept.filter(|(place, _)| ![first.place, second.place].contains(place));
     let mut kept: Vec<Equation> = kept.map(|(_, equation)| equation.clone()).collect();
     for equation in &mut kept {
-        eliminate::substitute_in(analysis, equation, &gone, point);
+        explicit::substitute_in(analysis, equation, &gone, point);
     }
     let mut left: Vec<Coordinate> = coordinates.to_vec();
     left.retain(|own| !point.contains(own));
@@ -107,7 +104,7 @@ fn on_circle<'m>(
 }
 
 /// A point that two distances hold, by the angle on its circle; `point` is what it is by the unknowns so far.
-pub(super) fn running<'m>(
+pub(crate) fn running<'m>(
     analysis: &mut Analysis<'_, 'm>,
     point: V3<'m>,
     held: [&Held<'m>; 2],
@@ -149,7 +146,7 @@ fn least_along<'m>(analysis: &Analysis<'_, 'm>, direction: V3<'m>) -> V3<'m> {
 }
 
 /// The direction of an axis of coordinates.
-pub(super) fn along<'m>(analysis: &Analysis<'_, 'm>, place: usize) -> V3<'m> {
+pub(crate) fn along<'m>(analysis: &Analysis<'_, 'm>, place: usize) -> V3<'m> {
     let (zero, one) = (analysis.algebra.zero(), analysis.algebra.one());
     Vector([0, 1, 2].map(|k| if k == place { one } else { zero }))
 }

@@ -1,14 +1,12 @@
 //! Directions in which a loop in space is moved by its unknowns, for messages.
 
 use linkage_symbolic::unordered::Map;
-
 use linkage_symbolic::{Ex, SymbolId, substitute};
 
 use crate::algebra::Bound;
+use crate::structure::analysis::Analysis;
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::vector::{Vector as Direction, cross, dot, norm};
-
-use super::Analysis;
-use super::equations::{Coordinate, CoordinateKind, Equation};
 
 /// Step of central differences, in radians or as a share of a length: near the cube root of a double's precision, where truncation and
 /// rounding are alike.
@@ -22,7 +20,7 @@ const DIGITS: f64 = 1000.0;
 
 /// What the unknowns do to a loop of three rows at their estimates: `none of them moves it along (0, 0, 1)`. Nothing if they
 /// move it in all directions.
-pub(super) fn short_of<'m>(
+pub(crate) fn short_of<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equation: &Equation<'m>,
     own: &[Coordinate],

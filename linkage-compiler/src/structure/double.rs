@@ -1,20 +1,15 @@
 //! An angle of which only products of two of cosine and sine occur: vectors turn with its double, which is solved for.
 
-use crate::algebra::scalar;
-use crate::structure::classify;
-use crate::structure::eliminate;
-use crate::structure::space;
 use linkage_symbolic::{Ex, V2, collect};
 
-use crate::algebra::{Atom, StandsFor};
-
-use super::Analysis;
-use super::eliminate::System;
-use super::equations::{Coordinate, CoordinateKind, Equation};
-use super::space::Distance;
+use crate::algebra::{Atom, StandsFor, scalar};
+use crate::structure::analysis::Analysis;
+use crate::structure::distance::Distance;
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
+use crate::structure::{classify, distance, explicit, polynomials};
 
 /// An angle that turns vectors twice as fast only: they turn with its double, which is solved for.
-pub(super) fn double_angle<'m>(
+pub(crate) fn double_angle<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -25,7 +20,7 @@ pub(super) fn double_angle<'m>(
 
 /// A distance between points that go around one centre on ellipses, as the foot of scissors and a point of an arm: its square contains products
 /// of two of cosine and sine only.
-pub(super) fn distance_of_double_angle<'m>(
+pub(crate) fn distance_of_double_angle<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -36,8 +31,8 @@ pub(super) fn distance_of_double_angle<'m>(
     let &[row] = &equation.rows[..] else {
         return None;
     };
-    let Distance { vector, length } = space::distance(analysis, row, coordinates)?;
-    let polynomials = classify::polynomials(analysis, &vector, coordinates)?;
+    let Distance { vector, length } = distance::distance(analysis, row, coordinates)?;
+    let polynomials = polynomials::polynomials(analysis, &vector, coordinates)?;
     let mut monomials = polynomials.rows.iter().flat_map(|row| row.keys());
     if !monomials.all(|powers| powers.iter().sum::<u8>() == 1) {
         return None;
@@ -87,7 +82,7 @@ fn by_double_angle<'m>(
         };
         if classify::classify(analysis, &changed, &coordinates).is_some() {
             let value = scalar::atom(analysis.algebra, Atom::Angle(double)).scaled(0.5);
-            eliminate::replace_angle(analysis, half, &value);
+            explicit::replace_angle(analysis, half, &value);
             return Some((vec![changed], coordinates));
         }
     }

@@ -1,21 +1,11 @@
 //! Bringing a coupled set of loops to known forms: unknowns that are explicit expressions of others go.
 
-use crate::algebra::scalar;
-use crate::structure::body_circle;
-use crate::structure::circle;
-use crate::structure::double;
-use crate::structure::equations;
-use crate::structure::rewrite;
-use crate::structure::space;
 use linkage_symbolic::{Ex, SymbolId, collect};
 
-use crate::algebra::{Atom, Scalar};
-
-use super::equations::{Coordinate, CoordinateKind, Equation};
-use super::{Analysis, Explicit};
-
-/// Equations and the coordinates that they are solved for.
-pub(super) type System<'m> = (Vec<Equation<'m>>, Vec<Coordinate>);
+use crate::algebra::{Atom, Scalar, scalar};
+use crate::structure::analysis::Analysis;
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
+use crate::structure::{body_circle, circle, double, equations, explicit, rewrite};
 
 /// An angle relation (`psi = theta + 30deg`) shows which vectors turn together.
 fn eliminate_relation<'m>(
@@ -24,8 +14,8 @@ fn eliminate_relation<'m>(
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
     let (place, angle) = find_relation(analysis, equations, coordinates)?;
-    let value = solved_relation(analysis, &equations[place], angle)?;
-    replace_angle(analysis, angle, &value);
+    let value = explicit::solved_relation(analysis, &equations[place], angle)?;
+    explicit::replace_angle(analysis, angle, &value);
     let (gone, kept): (Vec<Coordinate>, Vec<Coordinate>) = coordinates
         .iter()
         .cloned()
@@ -39,7 +29,7 @@ fn eliminate_relation<'m>(
                 equation.relation = Some(relation);
                 equation.absorb(&eliminated, &gone);
             }
-            None => substitute_in(analysis, equation, &eliminated, &gone),
+            None => explicit::substitute_in(analysis, equation, &eliminated, &gone),
         }
     }
     Some((equations, kept))
@@ -107,55 +97,8 @@ fn replaced_in_relation<'m>(
     Some(relation.combined(&value.scaled(factor), 1.0))
 }
 
-/// An angle relation solved for one angle.
-pub(super) fn solved_relation<'m>(
-    analysis: &mut Analysis<'_, 'm>,
-    equation: &Equation<'m>,
-    angle: usize,
-) -> Option<Scalar<'m>> {
-    let relation = equation.relation.clone()?;
-    let own = relation.coefficient(Atom::Angle(angle));
-    let own_symbols = analysis.algebra.names.angles[angle].symbols();
-    let present = equations::symbols_of(analysis, &[relation.rest]);
-    if own == 0.0 || own_symbols.iter().any(|s| present.contains(s)) {
-        return None;
-    }
-    let mut value = relation;
-    value.terms.retain(|(atom, _)| *atom != Atom::Angle(angle));
-    Some(value.scaled(-1.0 / own))
-}
-
-/// Makes an angle an explicit expression of others.
-pub(super) fn replace_angle<'m>(analysis: &mut Analysis<'_, 'm>, angle: usize, value: &Scalar<'m>) {
-    let [cos, sin] = scalar::direction(analysis.algebra, value).0;
-    let number = scalar::value_of(analysis.algebra, value);
-    let symbols = analysis.algebra.names.angles[angle].symbols();
-    for (symbol, value) in symbols.into_iter().zip([cos, sin, number]) {
-        make_explicit(analysis, symbol, value);
-    }
-}
-
-pub(super) fn make_explicit<'m>(analysis: &mut Analysis<'_, 'm>, symbol: SymbolId, value: Ex<'m>) {
-    analysis.substitutions.insert(symbol, value);
-    analysis.structure.explicit.push(Explicit { symbol, value });
-}
-
-/// Substitutes in an equation; if that changes it, it also answers for the eliminated loop and unknowns.
-pub(super) fn substitute_in<'m>(
-    analysis: &mut Analysis<'_, 'm>,
-    equation: &mut Equation<'m>,
-    eliminated: &Equation<'m>,
-    gone: &[Coordinate],
-) {
-    let changed = equations::substituted(analysis, equation);
-    if changed.rows != equation.rows {
-        *equation = changed;
-        equation.absorb(eliminated, gone);
-    }
-}
-
 /// One step towards known forms; `None` if there is none.
-pub(super) fn reduce<'m>(
+pub(crate) fn reduce<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -168,7 +111,7 @@ pub(super) fn reduce<'m>(
         .or_else(|| double::distance_of_double_angle(analysis, equations, coordinates))
         .or_else(|| rewrite::distance_to_link(analysis, equations, coordinates))
         .or_else(|| rewrite::split_along_guide(analysis, equations, coordinates))
-        .or_else(|| space::split_across_guides(analysis, equations, coordinates))
+        .or_else(|| rewrite::split_across_guides(analysis, equations, coordinates))
         .or_else(|| double::double_angle(analysis, equations, coordinates))
         .or_else(|| rewrite::relative_angle(analysis, equations, coordinates))
         .or_else(|| circle::point_to_circle(analysis, equations, coordinates))
@@ -189,14 +132,14 @@ fn eliminate_point<'m>(
         .filter(|(_, e)| e.rows.len() > 1)
     {
         for point in coordinates.windows(equation.rows.len()) {
-            let Some(symbols) = point_symbols(point) else {
+            let Some(symbols) = equations::point_symbols(point) else {
                 continue;
             };
             let Some(values) = solve_point(analysis, equation, &symbols) else {
                 continue;
             };
             for (symbol, value) in symbols.into_iter().zip(values) {
-                make_explicit(analysis, symbol, value);
+                explicit::make_explicit(analysis, symbol, value);
             }
             return Some(without(analysis, equations, coordinates, place, point));
         }
@@ -258,7 +201,7 @@ fn eliminate_slide<'m>(
                 continue;
             }
             let rest = rest.unwrap_or(analysis.algebra.zero());
-            make_explicit(analysis, symbol, -(rest / factor));
+            explicit::make_explicit(analysis, symbol, -(rest / factor));
             return Some(without(
                 analysis,
                 equations,
@@ -282,7 +225,7 @@ fn without<'m>(
     let mut equations = equations.to_vec();
     let eliminated = equations.remove(place);
     for equation in &mut equations {
-        substitute_in(analysis, equation, &eliminated, gone);
+        explicit::substitute_in(analysis, equation, &eliminated, gone);
     }
     let kept = coordinates
         .iter()
@@ -290,16 +233,4 @@ fn without<'m>(
         .cloned()
         .collect();
     (equations, kept)
-}
-
-/// The symbols of coordinates that are components of one unknown.
-pub(super) fn point_symbols(coordinates: &[Coordinate]) -> Option<Vec<SymbolId>> {
-    let first = coordinates.first()?.unknown;
-    coordinates
-        .iter()
-        .map(|c| match c.kind {
-            CoordinateKind::Length(symbol) if c.unknown == first => Some(symbol),
-            _ => None,
-        })
-        .collect()
 }

@@ -1,15 +1,13 @@
 //! Equations and coordinates: the two sides of the bipartite graph.
 
-use crate::algebra::scalar;
-use crate::algebra::translate;
 use linkage_symbolic::{Ex, NodeId, SymbolId, substitute};
 
-use crate::algebra::{Bound, Scalar, Translate, Value};
+use crate::algebra::translate::Translate;
+use crate::algebra::{Bound, Scalar, Value, scalar, translate};
 use crate::model::Loop;
-
-use super::Analysis;
-use super::distance_polynomials::SpaceLink;
-use super::scope::Scope;
+use crate::structure::analysis::Analysis;
+use crate::structure::elements::SpaceLink;
+use crate::structure::scope::Scope;
 
 /// A loop, or what became of one: one to three scalar equations `row = 0`.
 #[derive(Clone, Debug)]
@@ -29,7 +27,7 @@ pub(crate) struct Equation<'m> {
 
 impl Equation<'_> {
     /// Takes over the loops and unknowns of an equation that was eliminated into this one.
-    pub(super) fn absorb(&mut self, eliminated: &Equation, gone: &[Coordinate]) {
+    pub(crate) fn absorb(&mut self, eliminated: &Equation, gone: &[Coordinate]) {
         self.loops.extend(&eliminated.loops);
         self.loops.sort_unstable();
         self.loops.dedup();
@@ -54,7 +52,7 @@ pub(crate) enum CoordinateKind {
 }
 
 /// Loops as equations, unknowns as coordinates.
-pub(super) fn equations<'m>(
+pub(crate) fn equations<'m>(
     analysis: &mut Analysis<'_, 'm>,
     scope: &Scope,
 ) -> (Vec<Equation<'m>>, Vec<Coordinate>) {
@@ -114,7 +112,7 @@ fn equation<'m>(analysis: &mut Analysis<'_, 'm>, index: usize, item: &Loop) -> E
 }
 
 /// The symbols of a coordinate.
-pub(super) fn symbols(analysis: &Analysis<'_, '_>, coordinate: &Coordinate) -> Vec<SymbolId> {
+pub(crate) fn symbols(analysis: &Analysis<'_, '_>, coordinate: &Coordinate) -> Vec<SymbolId> {
     match coordinate.kind {
         CoordinateKind::Length(symbol) => vec![symbol],
         CoordinateKind::Angle(index) => analysis.algebra.names.angles[index].symbols().to_vec(),
@@ -122,7 +120,7 @@ pub(super) fn symbols(analysis: &Analysis<'_, '_>, coordinate: &Coordinate) -> V
 }
 
 /// Which coordinates an equation contains.
-pub(super) fn incidence<'m>(
+pub(crate) fn incidence<'m>(
     analysis: &Analysis<'_, 'm>,
     equation: &Equation<'m>,
     coordinates: &[Coordinate],
@@ -137,7 +135,7 @@ pub(super) fn incidence<'m>(
         .collect()
 }
 
-pub(super) fn contains<'m>(
+pub(crate) fn contains<'m>(
     analysis: &Analysis<'_, 'm>,
     x: Ex<'m>,
     coordinate: &Coordinate,
@@ -149,7 +147,7 @@ pub(super) fn contains<'m>(
 }
 
 /// Replaces eliminated symbols in an equation.
-pub(super) fn substituted<'m>(
+pub(crate) fn substituted<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equation: &Equation<'m>,
 ) -> Equation<'m> {
@@ -165,7 +163,22 @@ pub(super) fn substituted<'m>(
 }
 
 /// The symbols that expressions are made of.
-pub(super) fn symbols_of<'m>(analysis: &Analysis<'_, 'm>, all: &[Ex<'m>]) -> Vec<SymbolId> {
+pub(crate) fn symbols_of<'m>(analysis: &Analysis<'_, 'm>, all: &[Ex<'m>]) -> Vec<SymbolId> {
     let nodes: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
     analysis.algebra.graph.symbols_of(&nodes)
+}
+
+/// Equations and the coordinates that they are solved for.
+pub(crate) type System<'m> = (Vec<Equation<'m>>, Vec<Coordinate>);
+
+/// The symbols of coordinates that are components of one unknown.
+pub(crate) fn point_symbols(coordinates: &[Coordinate]) -> Option<Vec<SymbolId>> {
+    let first = coordinates.first()?.unknown;
+    coordinates
+        .iter()
+        .map(|c| match c.kind {
+            CoordinateKind::Length(symbol) if c.unknown == first => Some(symbol),
+            _ => None,
+        })
+        .collect()
 }

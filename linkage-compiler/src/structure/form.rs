@@ -3,32 +3,8 @@
 use linkage_symbolic::{Ex, SymbolId, V2, V3};
 
 use crate::algebra::Scalar;
-
-use super::{Coupled, Private};
-
-/// A vector that turns with an unknown angle: `z (cos + i sense sin)` in complex numbers.
-#[derive(Clone, Debug)]
-pub(crate) struct Rotor<'m> {
-    pub(crate) angle: usize,
-    /// -1 if the vector turns against the angle.
-    pub(crate) sense: f64,
-    pub(crate) z: V2<'m>,
-}
-
-/// `|known + factor * point| = radius`
-#[derive(Clone, Debug)]
-pub(crate) struct Sphere<'m> {
-    pub(crate) known: V3<'m>,
-    pub(crate) factor: Ex<'m>,
-    pub(crate) radius: Ex<'m>,
-}
-
-/// `normal . point + offset = 0`
-#[derive(Clone, Debug)]
-pub(crate) struct Plane<'m> {
-    pub(crate) normal: V3<'m>,
-    pub(crate) offset: Ex<'m>,
-}
+use crate::structure::coupled::group::{Coupled, Private};
+use crate::structure::elements::{Plane, Rotor, Sphere};
 
 /// A group in the form in which it is solved. Each equation is `sum = 0`.
 #[derive(Clone, Debug)]

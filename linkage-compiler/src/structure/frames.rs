@@ -1,15 +1,12 @@
 //! Unknown frames in words: a body in space has six freedoms, one in the plane three, whatever unknowns and loops of its own it is made of.
 
-use super::Analysis;
-use super::equations::{Coordinate, Equation};
-use super::matching::{self, Matching};
-use super::report::counted;
-use crate::message_format::MessageFormat;
-use crate::message_format::loop_list;
-use crate::mobility::Position;
-use crate::mobility::overconstrained;
-use crate::model::{Expr, ExprKind, Function, Mechanism, Name};
-use crate::structure::redundant;
+use crate::message_format::{MessageFormat, loop_list};
+use crate::mobility::{Position, freedom, overconstrained};
+use crate::model::{Mechanism, unknown_frames};
+use crate::structure::analysis::Analysis;
+use crate::structure::equations::{Coordinate, Equation};
+use crate::structure::matching::Matching;
+use crate::structure::{matching, naming, redundant};
 
 /// An unknown frame of the model.
 struct UnknownFrame {
@@ -30,64 +27,38 @@ struct HeldTwice {
     help: String,
 }
 
-impl Mechanism {
-    /// True for a loop that says what the axes of an unknown frame are.
-    pub(crate) fn is_loop_of_frame(&self, index: usize) -> bool {
-        let origin = self.loops[index].origin;
-        let mut unknowns = self.unknowns.iter();
-        unknowns.any(|unknown| unknown.origin == origin)
-    }
-
-    /// The bodies of space that are unknowns, each with its name, its origin and two of its axes.
-    pub(crate) fn bodies_of_space(&self) -> Vec<(String, Vec<usize>)> {
-        let lets = self.lets.iter();
-        let frames = lets.filter_map(|own| Some((own.name.clone(), self.unknowns_of(&own.value)?)));
-        frames.filter(|(_, parts)| parts.len() == 3).collect()
-    }
-
-    fn unknown_frames(&self) -> Vec<UnknownFrame> {
-        let lets = self.lets.iter();
-        let frames = lets.filter_map(|own| Some((own.name.clone(), self.unknowns_of(&own.value)?)));
-        let frames = frames.map(|(name, unknowns)| {
-            let mentions = |&k: &usize| {
-                let written = self.usage(&[k]).unknowns;
-                !self.is_loop_of_frame(k) && unknowns.iter().any(|&own| written[own])
-            };
-            let loops = (0..self.loops.len()).filter(mentions).collect();
-            let in_plane = unknowns.len() == 2;
-            UnknownFrame {
-                loops,
-                name,
-                freedoms: if in_plane { 3 } else { 6 },
-                example: match in_plane {
-                    true => "distance(point_in(BODY, p), q) = l` for a link with two pins",
-                    false => "distance(point_in(BODY, p), q) = l` for a rod with two ball joints",
-                },
-                unknowns,
-            }
-        });
-        frames.collect()
-    }
-
-    /// The unknowns of a frame that is unknown.
-    fn unknowns_of(&self, value: &Expr) -> Option<Vec<usize>> {
-        let ExprKind::Call(Function::Frame, parts) = &value.kind else {
-            return None;
+fn unknown_frames(mechanism: &Mechanism) -> Vec<UnknownFrame> {
+    let lets = mechanism.lets.iter();
+    let frames = lets.filter_map(|own| {
+        Some((
+            own.name.clone(),
+            unknown_frames::unknowns_of(mechanism, &own.value)?,
+        ))
+    });
+    let frames = frames.map(|(name, unknowns)| {
+        let mentions = |&k: &usize| {
+            let written = mechanism.usage(&[k]).unknowns;
+            !unknown_frames::is_loop_of_frame(mechanism, k)
+                && unknowns.iter().any(|&own| written[own])
         };
-        let names = parts.iter().filter_map(Expr::as_name);
-        let unknowns = names.filter_map(|name| match name {
-            Name::Unknown(index) => Some(index),
-            // Other frames have other parts.
-            _ => None,
-        });
-        let of_frame = |index: &usize| self.unknowns[*index].origin == value.origin;
-        let unknowns: Vec<usize> = unknowns.filter(of_frame).collect();
-        (!unknowns.is_empty()).then_some(unknowns)
-    }
+        let loops = (0..mechanism.loops.len()).filter(mentions).collect();
+        let in_plane = unknowns.len() == 2;
+        UnknownFrame {
+            loops,
+            name,
+            freedoms: if in_plane { 3 } else { 6 },
+            example: match in_plane {
+                true => "distance(point_in(BODY, p), q) = l` for a link with two pins",
+                false => "distance(point_in(BODY, p), q) = l` for a rod with two ball joints",
+            },
+            unknowns,
+        }
+    });
+    frames.collect()
 }
 
 /// Reports bodies that too few loops hold, or too many; the coordinates of which something has been said.
-pub(super) fn report_frames<'m>(
+pub(crate) fn report_frames<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -95,7 +66,7 @@ pub(super) fn report_frames<'m>(
     matching: &Matching,
 ) -> Vec<usize> {
     let mut told = Vec::new();
-    for found in analysis.algebra.mechanism.unknown_frames() {
+    for found in unknown_frames(analysis.algebra.mechanism) {
         let is_own = |&k: &usize| {
             let unknown = coordinates[k].unknown;
             unknown.is_some_and(|own| found.unknowns.contains(&own))
@@ -153,7 +124,7 @@ fn report_open<'m>(
     // Without a loop it moves in every way.
     let motion = match loops.is_empty() {
         true => None,
-        false => position(analysis, &analysis.nominal.estimates, |at| at.motion_left()),
+        false => position(analysis, &analysis.nominal.estimates, freedom::motion_left),
     };
     let motion = motion.map_or_else(String::new, |motion| {
         format!("; where the estimates are, {motion}")
@@ -162,7 +133,7 @@ fn report_open<'m>(
         "more unknowns than equations: the frame `{name}` has {freedoms} freedoms, and {by}; mobility {mobility}, driven \
              inputs {inputs}{motion}\n\
              help: add {}, like `{example}",
-        counted(open, "equation"),
+        naming::counted(open, "equation"),
     );
     analysis
         .reporter

@@ -121,7 +121,7 @@ pub(crate) fn components(incidence: &[Vec<usize>], matching: &Matching) -> Vec<V
 
 /// The coordinates that alternating paths reach from `start`, and the equations on the way: what shares the lack of
 /// equations that leaves `start` undetermined.
-pub(super) fn undetermined_with(
+pub(crate) fn undetermined_with(
     start: usize,
     incidence: &[Vec<usize>],
     matching: &Matching,

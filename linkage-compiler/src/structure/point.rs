@@ -1,13 +1,15 @@
 //! Recognising an unknown point, or a direction, by its distances from known points and planes.
 
-use crate::structure::space;
 use linkage_symbolic::{Ex, SymbolId, V3, Vector, agree};
 
-use super::equations::{Coordinate, CoordinateKind, Equation};
-use super::{Analysis, Form, Plane, Sphere};
+use crate::structure::analysis::Analysis;
+use crate::structure::elements::{Plane, Sphere};
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
+use crate::structure::form::Form;
+use crate::structure::{distance, space};
 
 /// Two or three numbers given by distances in space and planes: a point, or a direction.
-pub(super) fn classify_point<'m>(
+pub(crate) fn classify_point<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -28,7 +30,7 @@ pub(super) fn classify_point<'m>(
     let mut linear = Vec::new();
     for equation in equations {
         let row = equation.rows[0];
-        let Some((vector, radius)) = space::space_distance(analysis, row, coordinates) else {
+        let Some((vector, radius)) = distance::space_distance(analysis, row, coordinates) else {
             linear.push(space::linear_row(analysis, row, &symbols)?);
             continue;
         };
@@ -72,7 +74,7 @@ fn smallest_first(analysis: &Analysis<'_, '_>, spheres: &mut [Sphere]) {
 }
 
 /// `k + f p`, where each symbol is a component of `p`: the components, `f` and `k`.
-pub(super) fn moved_point<'m>(
+pub(crate) fn moved_point<'m>(
     analysis: &mut Analysis<'_, 'm>,
     vector: V3<'m>,
     symbols: &[SymbolId],

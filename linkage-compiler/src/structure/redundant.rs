@@ -1,30 +1,30 @@
 //! Loops that are one too many and close all the same: with the dimensions as they are they repeat others, as a third crank on one rod does that stays
 //! parallel to the first two. Whether they do is found by numbers: all loops are closed together at several positions.
 
-use super::Analysis;
-use super::equations::{Coordinate, CoordinateKind, Equation};
-use super::simultaneous::{SimultaneousLoops, independent};
-use crate::algebra::constant_ratio;
-use crate::algebra::{ALIKE, Bound, ConstantRatio, Nominal};
+use crate::algebra::{ALIKE, Bound, ConstantRatio, Nominal, constant_ratio};
 use crate::message_format::loop_list;
 use crate::model::Dimension;
+use crate::structure::analysis::Analysis;
 use crate::structure::equations;
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
+use crate::structure::simultaneous::{SimultaneousLoops, independent};
 
 /// Positions besides the reference, as shares of a small motion to both sides.
 const POSITIONS: [f64; 5] = [0.0, 0.5, 1.0, -0.5, -1.0];
 
 /// The motion at most: so far the assembly is not left, and lengths that fit by chance at the reference fit no more.
 const TURN: f64 = 0.2;
+
 const SHIFT: f64 = 0.02;
 
 /// What to say beside the surplus.
-pub(super) struct RedundantLoops {
-    pub(super) fact: String,
-    pub(super) help: String,
+pub(crate) struct RedundantLoops {
+    pub(crate) fact: String,
+    pub(crate) help: String,
 }
 
 /// Whether a loop with more equations than it has unknowns of its own repeats the others, and what to write then.
-pub(super) fn redundant_loops<'m>(
+pub(crate) fn redundant_loops<'m>(
     analysis: &Analysis<'_, 'm>,
     surplus: &Equation<'m>,
     too_many: usize,
@@ -81,7 +81,7 @@ pub(super) fn redundant_loops<'m>(
 }
 
 /// The unknowns with all components where all loops close, if they do so wherever the inputs go.
-pub(super) fn all_closed<'m>(
+pub(crate) fn all_closed<'m>(
     analysis: &Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -162,7 +162,7 @@ fn positions(analysis: &Analysis<'_, '_>) -> Vec<Vec<f64>> {
 }
 
 /// The largest length among parameters and estimates.
-pub(super) fn longest(analysis: &Analysis<'_, '_>) -> f64 {
+pub(crate) fn longest(analysis: &Analysis<'_, '_>) -> f64 {
     let parameters = &analysis.algebra.mechanism.scalar_parameters;
     let lengths = parameters.iter().zip(&analysis.nominal.parameters);
     let lengths = lengths.filter(|(p, _)| p.dimension.fits(Dimension::LENGTH));

@@ -1,22 +1,16 @@
 //! Bringing a coupled set of loops to known forms: distances become links, components become vectors, a sum of angles
 //! becomes an angle.
 
-use crate::algebra::scalar;
-use crate::structure::classify;
-use crate::structure::eliminate;
-use crate::structure::equations;
-use crate::structure::space;
 use linkage_symbolic::{Ex, SymbolId, Vector, collect};
 
-use crate::algebra::{Atom, StandsFor};
-
-use super::Analysis;
-use super::eliminate::System;
-use super::equations::{Coordinate, CoordinateKind, Equation};
-use super::space::Distance;
+use crate::algebra::{Atom, StandsFor, scalar};
+use crate::structure::analysis::Analysis;
+use crate::structure::distance::Distance;
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
+use crate::structure::{classify, distance, equations, explicit, space};
 
 /// Two scalar loops, the components of one vector loop.
-pub(super) fn join_rows<'m>(
+pub(crate) fn join_rows<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -41,7 +35,7 @@ pub(super) fn join_rows<'m>(
 }
 
 /// `distance(a, b) = l` is a link of length `l` between `a` and `b`, at an angle of its own.
-pub(super) fn distance_to_link<'m>(
+pub(crate) fn distance_to_link<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -52,7 +46,7 @@ pub(super) fn distance_to_link<'m>(
         .filter(|(_, e)| e.rows.len() == 1)
     {
         let Some(Distance { vector, length }) =
-            space::distance(analysis, equation.rows[0], coordinates)
+            distance::distance(analysis, equation.rows[0], coordinates)
         else {
             continue;
         };
@@ -76,7 +70,7 @@ pub(super) fn distance_to_link<'m>(
 }
 
 /// An angle whose vectors do not simply turn, with a slide: the equation across the guide contains the angle alone.
-pub(super) fn split_along_guide<'m>(
+pub(crate) fn split_along_guide<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -120,7 +114,7 @@ pub(super) fn split_along_guide<'m>(
 }
 
 /// Angles measured from link to link: their sum is the angle of the second link.
-pub(super) fn relative_angle<'m>(
+pub(crate) fn relative_angle<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -142,7 +136,7 @@ pub(super) fn relative_angle<'m>(
                 analysis.substitutions.clone(),
                 analysis.structure.explicit.len(),
             );
-            eliminate::replace_angle(analysis, relative, &value);
+            explicit::replace_angle(analysis, relative, &value);
             let mut changed = equations::substituted(analysis, equation);
             changed
                 .eliminated
@@ -189,4 +183,58 @@ fn linear_part(row: Ex, slide: SymbolId) -> Option<Ex> {
     let terms = collect(row, &[slide], &[])?;
     let cancelled = terms.keys().all(|exponents| exponents[0] == 0);
     terms.get(&vec![0]).copied().filter(|_| cancelled)
+}
+
+/// Two slides and an angle in a loop of three rows: the equation across both guides contains the angle alone, those across
+/// one of them the other slide.
+pub(crate) fn split_across_guides<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> Option<System<'m>> {
+    let ([equation], [_, _, _]) = (equations, coordinates) else {
+        return None;
+    };
+    let [x, y, z] = equation.rows[..] else {
+        return None;
+    };
+    let slides: Vec<SymbolId> = coordinates
+        .iter()
+        .filter_map(|c| match c.kind {
+            CoordinateKind::Length(symbol) => Some(symbol),
+            CoordinateKind::Angle(_) => None,
+        })
+        .collect();
+    let (guides, rest) = space::guides(analysis, Vector([x, y, z]), &slides)?;
+    let &[first, second] = &guides[..] else {
+        return None;
+    };
+    let mut across = first.cross(second);
+    let turns = |x| {
+        coordinates
+            .iter()
+            .any(|c| equations::contains(analysis, x, c))
+    };
+    if !across.components().any(turns) {
+        across = across.unit();
+    }
+    let mut rows = vec![across.dot(rest)];
+    for (slide, guide, other) in [(0, first, second), (1, second, first)] {
+        let direction = other.cross(across);
+        let factor = direction.dot(guide);
+        let graph = analysis.algebra.graph;
+        let slide = graph.ex(graph.symbol_node(slides[slide]));
+        rows.push(factor * slide + direction.dot(rest));
+    }
+    let angle = coordinates
+        .iter()
+        .find(|c| matches!(c.kind, CoordinateKind::Angle(_)))?;
+    let row = |x| Equation {
+        rows: vec![x],
+        relation: None,
+        ..equation.clone()
+    };
+    let rows: Vec<Equation> = rows.into_iter().map(row).collect();
+    classify::classify(analysis, &rows[0], std::slice::from_ref(angle))?;
+    Some((rows, coordinates.to_vec()))
 }

@@ -4,8 +4,8 @@ use linkage_core::numeric::cholesky;
 use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, substitute};
 
-use super::equations::{Coordinate, CoordinateKind};
 use crate::algebra::Nominal;
+use crate::structure::equations::{Coordinate, CoordinateKind};
 
 /// Loops that miss by no more than this share of their links close: rounding is thousand times less.
 const CLOSED: f64 = 1e-12;
@@ -15,6 +15,7 @@ const STEP: f64 = 1e-5;
 
 /// Newton's method from an estimate 60 degrees away takes about ten steps of at most half a radian each.
 const STEPS: usize = 40;
+
 const LONGEST_STEP: f64 = 0.5;
 
 /// Keeps a matrix regular where unknowns are not determined at all; too small to slow anything down.
@@ -25,14 +26,14 @@ const DAMPING: f64 = 1e-14;
 const ACROSS: f64 = 1e-6;
 
 /// Loops on numbers.
-pub(super) struct SimultaneousLoops<'a, 'm> {
-    pub(super) rows: Vec<Ex<'m>>,
-    pub(super) coordinates: &'a [Coordinate],
-    pub(super) symbols: Vec<Vec<SymbolId>>,
+pub(crate) struct SimultaneousLoops<'a, 'm> {
+    pub(crate) rows: Vec<Ex<'m>>,
+    pub(crate) coordinates: &'a [Coordinate],
+    pub(crate) symbols: Vec<Vec<SymbolId>>,
     /// Where the search begins.
-    pub(super) estimates: Vec<f64>,
+    pub(crate) estimates: Vec<f64>,
     /// What counts like a radian, by coordinate.
-    pub(super) scales: Vec<f64>,
+    pub(crate) scales: Vec<f64>,
 }
 
 impl SimultaneousLoops<'_, '_> {
@@ -52,7 +53,7 @@ impl SimultaneousLoops<'_, '_> {
     }
 
     /// How the rows change with each coordinate, measured by its scale.
-    pub(super) fn slopes(&self, x: &[f64], at: &Nominal) -> Vec<Vec<f64>> {
+    pub(crate) fn slopes(&self, x: &[f64], at: &Nominal) -> Vec<Vec<f64>> {
         let slopes = (0..x.len()).map(|k| {
             let side = |sign: f64| {
                 let mut x = x.to_vec();
@@ -67,7 +68,7 @@ impl SimultaneousLoops<'_, '_> {
     }
 
     /// Newton's method in the sense of least squares: more equations than coordinates.
-    pub(super) fn closed(&self, mut x: Vec<f64>, at: &Nominal) -> Option<Vec<f64>> {
+    pub(crate) fn closed(&self, mut x: Vec<f64>, at: &Nominal) -> Option<Vec<f64>> {
         for _ in 0..STEPS {
             let missing = self.missing(&x, at);
             let slopes = self.slopes(&x, at);
@@ -99,7 +100,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// True if no column is a combination of those before it.
-pub(super) fn independent(columns: &[Vec<f64>]) -> bool {
+pub(crate) fn independent(columns: &[Vec<f64>]) -> bool {
     let mut units: Vec<Vec<f64>> = Vec::new();
     for column in columns {
         let mut across = column.clone();

@@ -1,19 +1,17 @@
 //! What is said of a group that no method solves: what is too much of which term, and that the limit is ours.
 
-use crate::algebra::scalar;
-use crate::structure::classify;
-use crate::structure::coupled_core;
-use crate::structure::equations;
-use crate::structure::report;
 use linkage_symbolic::{MAX_DEGREE, Obstacle, SymbolId, obstacle};
 
-use super::Analysis;
-use super::coupled_core::MOST_CORE;
-use super::equations::{Coordinate, CoordinateKind, Equation};
-use crate::algebra::{Translate, Value};
+use crate::algebra::translate::Translate;
+use crate::algebra::{Value, scalar};
 use crate::diagnostic::OriginId;
 use crate::message_format::loop_list;
 use crate::model::Expr;
+use crate::structure::analysis::Analysis;
+use crate::structure::coupled::classify_coupled;
+use crate::structure::coupled::classify_coupled::MOST_CORE;
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
+use crate::structure::{equations, naming, polynomials};
 
 /// How every limit is called what it is.
 pub(crate) const OURS: &str = "this is a limit of linkage, not a mistake of yours";
@@ -23,7 +21,7 @@ const MAY_STAND: &str = "an unknown angle may stand in `polar`, `dir`, `rotate`,
                          multiplied by known quantities or by a direction";
 
 /// A group without a closed form that is no coupled one.
-pub(super) fn report_unsolved<'m>(
+pub(crate) fn report_unsolved<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -38,7 +36,7 @@ pub(super) fn report_unsolved<'m>(
         .iter()
         .map(|&k| analysis.algebra.names.components_of(k))
         .sum();
-    let names = report::unknown_list(analysis, unknowns);
+    let names = naming::unknown_list(analysis, unknowns);
     let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
     let (subject, check) = match rows {
         0..=2 => (format!("no closed form for {names} in {loops}"), ""),
@@ -85,7 +83,7 @@ fn worst_obstacle<'m>(
     let worst = |obstacles: Vec<Obstacle>| obstacles.into_iter().max_by_key(weight);
     for equation in equations {
         // What cancels makes no degree.
-        if classify::polynomials(analysis, &equation.rows, coordinates).is_some() {
+        if polynomials::polynomials(analysis, &equation.rows, coordinates).is_some() {
             continue;
         }
         let rows = equation.rows.iter();
@@ -124,7 +122,7 @@ fn worst_obstacle<'m>(
 
 /// What is wrong with angles that stand for themselves.
 fn obstacle_of_values(analysis: &Analysis<'_, '_>, valued: &[usize], rows: usize) -> String {
-    let names = report::unknown_list(analysis, valued.to_vec());
+    let names = naming::unknown_list(analysis, valued.to_vec());
     if rows <= 2 {
         return format!(
             "the angle {names} itself stands in it, and not its direction alone; {OURS}\nhelp: {MAY_STAND}"
@@ -148,10 +146,10 @@ fn angles_with_values<'m>(
 ) -> Vec<usize> {
     let polynomials: Vec<_> = equations
         .iter()
-        .filter_map(|e| classify::polynomials(analysis, &e.rows, coordinates))
+        .filter_map(|e| polynomials::polynomials(analysis, &e.rows, coordinates))
         .collect();
     let angles = coordinates.iter().enumerate().filter(|(k, coordinate)| {
-        let value = coupled_core::first_symbol(analysis, coordinates, *k) + 2;
+        let value = polynomials::first_symbol(analysis, coordinates, *k) + 2;
         matches!(coordinate.kind, CoordinateKind::Angle(_))
             && polynomials.iter().any(|p| p.mention(value))
     });
@@ -166,9 +164,9 @@ fn core_of<'m>(
 ) -> usize {
     let polynomials: Vec<_> = equations
         .iter()
-        .filter_map(|e| classify::polynomials(analysis, &e.rows, coordinates))
+        .filter_map(|e| polynomials::polynomials(analysis, &e.rows, coordinates))
         .collect();
-    coupled_core::private_and_core(analysis, &polynomials, coordinates)
+    classify_coupled::private_and_core(analysis, &polynomials, coordinates)
         .1
         .len()
 }

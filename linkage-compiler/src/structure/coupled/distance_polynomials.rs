@@ -1,25 +1,15 @@
 //! Distances in space as polynomials of low degree, for the general machinery.
 
-use crate::structure::classify;
-use crate::structure::coupled_core;
-use crate::structure::space;
 use linkage_symbolic::{Ex, V3};
 
-use super::Analysis;
-use super::equations::{Coordinate, CoordinateKind, Equation};
-
-/// A link in space, whose distance was squared.
-#[derive(Clone, Debug)]
-pub(crate) struct SpaceLink<'m> {
-    pub(crate) vector: V3<'m>,
-    pub(crate) length: Ex<'m>,
-    /// The link whose square was subtracted.
-    pub(crate) less: Option<Box<SpaceLink<'m>>>,
-}
+use crate::structure::analysis::Analysis;
+use crate::structure::elements::SpaceLink;
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
+use crate::structure::{distance, polynomials};
 
 /// `|v| = l` becomes `(v . v / l - l)/2`, a length. Where an earlier distance is about the same point, their difference is taken: it
 /// is of the first degree in that point, which leaves fewer solutions at infinity.
-pub(super) fn with_squared_distances<'m>(
+pub(crate) fn with_squared_distances<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -28,7 +18,7 @@ pub(super) fn with_squared_distances<'m>(
     let mut links: Vec<SpaceLink<'m>> = Vec::new();
     for equation in &mut squared {
         let &[row] = &equation.rows[..] else { continue };
-        let Some((vector, length)) = space::space_distance(analysis, row, coordinates) else {
+        let Some((vector, length)) = distance::space_distance(analysis, row, coordinates) else {
             continue;
         };
         let mut link = SpaceLink {
@@ -80,11 +70,11 @@ fn lengths_in<'m>(
     vector: V3<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Vec<usize>> {
-    let polynomials = classify::polynomials(analysis, &vector.0, coordinates)?;
+    let polynomials = polynomials::polynomials(analysis, &vector.0, coordinates)?;
     let is_length = |k: &usize| matches!(coordinates[*k].kind, CoordinateKind::Length(_));
     let contained = (0..coordinates.len())
         .filter(is_length)
-        .filter(|&k| polynomials.mention(coupled_core::first_symbol(analysis, coordinates, k)));
+        .filter(|&k| polynomials.mention(polynomials::first_symbol(analysis, coordinates, k)));
     Some(contained.collect())
 }
 

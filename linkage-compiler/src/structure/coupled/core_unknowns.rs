@@ -1,11 +1,11 @@
 //! The unknowns of a core: what is an angle, a length or a number, and which lengths are a point together.
 
-use super::Analysis;
-use super::coupled_core::Core;
-use super::equations::{Coordinate, CoordinateKind};
 use crate::model::{Dimension, Type};
+use crate::structure::analysis::Analysis;
+use crate::structure::coupled::group::Core;
+use crate::structure::equations::{Coordinate, CoordinateKind};
 
-pub(super) fn core_unknown(
+pub(crate) fn core_unknown(
     analysis: &Analysis<'_, '_>,
     coordinate: &Coordinate,
 ) -> (Core, Option<usize>) {
@@ -30,7 +30,7 @@ fn is_number_unknown(analysis: &Analysis<'_, '_>, unknown: usize) -> bool {
 }
 
 /// True for a loop without a length in it.
-pub(super) fn is_number_loop(analysis: &Analysis<'_, '_>, index: usize) -> bool {
+pub(crate) fn is_number_loop(analysis: &Analysis<'_, '_>, index: usize) -> bool {
     let own = &analysis.algebra.mechanism.loops[index];
     let dimensions = [&own.left.ty, &own.right.ty].map(Type::dimension);
     is_number(dimensions.into_iter().flatten().next())
@@ -41,7 +41,7 @@ fn is_number(dimension: Option<Dimension>) -> bool {
 }
 
 /// Marks neighbours that are the components of one point of the plane.
-pub(super) fn with_paired_components(core: Vec<(Core, Option<usize>)>) -> Vec<Core> {
+pub(crate) fn with_paired_components(core: Vec<(Core, Option<usize>)>) -> Vec<Core> {
     let mut marked: Vec<Core> = core.iter().map(|(core, _)| *core).collect();
     for k in 1..core.len() {
         let together = core.iter().filter(|(_, unknown)| *unknown == core[k].1);

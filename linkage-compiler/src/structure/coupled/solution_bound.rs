@@ -4,9 +4,11 @@ use std::fmt;
 
 use linkage_symbolic::SymbolId;
 
-use super::{Block, Core, Coupled, Form, Group};
 use crate::algebra::{Algebra, Names};
-use crate::model::{Expr, ExprKind, Function, Mechanism, Name};
+use crate::model::{Expr, ExprKind, Function, Mechanism, Name, unknown_frames};
+use crate::structure::coupled::group::{Block, Core, Coupled};
+use crate::structure::form::Form;
+use crate::structure::group::Group;
 
 /// Places of a body in space by six distances of its points from known ones: F. Ronga, T. Vust, "Stewart platforms without computer?", 1992; D. Lazard,
 /// "Stewart platforms and Groebner basis", 1992; and M. Raghavan, "The Stewart platform of general geometry has 40 configurations", 1993. Known
@@ -42,81 +44,79 @@ impl SolutionBound {
             Form::Coupled(coupled) => coupled.bezout(&algebra.names),
             _ => u64::MAX,
         };
-        match algebra.mechanism.is_body_on_distances(group) && OF_A_BODY < by_degrees {
+        match is_body_on_distances(algebra.mechanism, group) && OF_A_BODY < by_degrees {
             true => Self::BodyOnDistances,
             false => Self::ByDegrees(by_degrees),
         }
     }
 }
 
-impl Mechanism {
-    /// Whether a group finds where one body of space is, by distances of its points from known ones. Coordinates of its origin may be known.
-    fn is_body_on_distances(&self, group: &Group) -> bool {
-        let bodies = self.bodies_of_space();
-        let mut bodies = bodies.iter().map(|(_, parts)| parts);
-        let Some(parts) = bodies.find(|parts| group.unknowns.iter().all(|own| parts.contains(own)))
-        else {
-            return false;
+/// Whether a group finds where one body of space is, by distances of its points from known ones. Coordinates of its origin may be known.
+fn is_body_on_distances(mechanism: &Mechanism, group: &Group) -> bool {
+    let bodies = unknown_frames::bodies_of_space(mechanism);
+    let mut bodies = bodies.iter().map(|(_, parts)| parts);
+    let Some(parts) = bodies.find(|parts| group.unknowns.iter().all(|own| parts.contains(own)))
+    else {
+        return false;
+    };
+    let all = (0..mechanism.loops.len())
+        .filter(|&index| !unknown_frames::is_loop_of_frame(mechanism, index));
+    let mut about = all.filter(|&index| {
+        let own = &mechanism.loops[index];
+        mechanism.mentions(&own.left, parts) || mechanism.mentions(&own.right, parts)
+    });
+    about.all(|index| {
+        let own = &mechanism.loops[index];
+        let [left, right] = [&own.left, &own.right];
+        let known = |side| !mechanism.mentions(side, parts);
+        let holds = |side| match group.loops.contains(&index) {
+            true => is_distance(mechanism, side, parts),
+            false => is_coordinate_of_origin(mechanism, side, parts),
         };
-        let all = (0..self.loops.len()).filter(|&index| !self.is_loop_of_frame(index));
-        let mut about = all.filter(|&index| {
-            let own = &self.loops[index];
-            self.mentions(&own.left, parts) || self.mentions(&own.right, parts)
-        });
-        about.all(|index| {
-            let own = &self.loops[index];
-            let [left, right] = [&own.left, &own.right];
-            let known = |side| !self.mentions(side, parts);
-            let holds = |side| match group.loops.contains(&index) {
-                true => self.is_distance(side, parts),
-                false => self.is_coordinate_of_origin(side, parts),
-            };
-            (holds(left) && known(right)) || (holds(right) && known(left))
-        })
-    }
+        (holds(left) && known(right)) || (holds(right) && known(left))
+    })
+}
 
-    /// `distance(point_in(body, v), q)` of a body that consists of these unknowns.
-    fn is_distance(&self, side: &Expr, parts: &[usize]) -> bool {
-        let ExprKind::Call(Function::Distance, points) = &self.definition_of(side).kind else {
-            return false;
-        };
-        let [a, b] = &points[..] else { return false };
-        let on_body = |point: &Expr| match &self.definition_of(point).kind {
-            ExprKind::Call(Function::PointIn, own) => {
-                self.is_body(&own[0], parts) && !self.mentions(&own[1], parts)
-            }
-            ExprKind::Index(frame, 0) => self.is_body(frame, parts),
-            _ => false,
-        };
-        let known = |point: &Expr| !self.mentions(point, parts);
-        (on_body(a) && known(b)) || (on_body(b) && known(a))
-    }
-
-    /// `body.origin.z`
-    fn is_coordinate_of_origin(&self, side: &Expr, parts: &[usize]) -> bool {
-        let ExprKind::Component(point, _) = &self.definition_of(side).kind else {
-            return false;
-        };
-        matches!(&self.definition_of(point).kind, ExprKind::Index(frame, 0) if self.is_body(frame, parts))
-    }
-
-    /// Whether this is the frame that consists of these unknowns.
-    fn is_body(&self, frame: &Expr, parts: &[usize]) -> bool {
-        let ExprKind::Call(Function::Frame, own) = &self.definition_of(frame).kind else {
-            return false;
-        };
-        let own = own.iter().filter_map(Expr::as_name);
-        let unknowns =
-            own.filter(|name| matches!(name, Name::Unknown(index) if parts.contains(index)));
-        unknowns.count() == parts.len()
-    }
-
-    /// What a name stands for.
-    fn definition_of<'e>(&'e self, expr: &'e Expr) -> &'e Expr {
-        match expr.kind {
-            ExprKind::Name(Name::Let(index)) => self.definition_of(&self.lets[index].value),
-            _ => expr,
+/// `distance(point_in(body, v), q)` of a body that consists of these unknowns.
+fn is_distance(mechanism: &Mechanism, side: &Expr, parts: &[usize]) -> bool {
+    let ExprKind::Call(Function::Distance, points) = &definition_of(mechanism, side).kind else {
+        return false;
+    };
+    let [a, b] = &points[..] else { return false };
+    let on_body = |point: &Expr| match &definition_of(mechanism, point).kind {
+        ExprKind::Call(Function::PointIn, own) => {
+            is_body(mechanism, &own[0], parts) && !mechanism.mentions(&own[1], parts)
         }
+        ExprKind::Index(frame, 0) => is_body(mechanism, frame, parts),
+        _ => false,
+    };
+    let known = |point: &Expr| !mechanism.mentions(point, parts);
+    (on_body(a) && known(b)) || (on_body(b) && known(a))
+}
+
+/// `body.origin.z`
+fn is_coordinate_of_origin(mechanism: &Mechanism, side: &Expr, parts: &[usize]) -> bool {
+    let ExprKind::Component(point, _) = &definition_of(mechanism, side).kind else {
+        return false;
+    };
+    matches!(&definition_of(mechanism, point).kind, ExprKind::Index(frame, 0) if is_body(mechanism, frame, parts))
+}
+
+/// Whether this is the frame that consists of these unknowns.
+fn is_body(mechanism: &Mechanism, frame: &Expr, parts: &[usize]) -> bool {
+    let ExprKind::Call(Function::Frame, own) = &definition_of(mechanism, frame).kind else {
+        return false;
+    };
+    let own = own.iter().filter_map(Expr::as_name);
+    let unknowns = own.filter(|name| matches!(name, Name::Unknown(index) if parts.contains(index)));
+    unknowns.count() == parts.len()
+}
+
+/// What a name stands for.
+fn definition_of<'e>(mechanism: &'e Mechanism, expr: &'e Expr) -> &'e Expr {
+    match expr.kind {
+        ExprKind::Name(Name::Let(index)) => definition_of(mechanism, &mechanism.lets[index].value),
+        _ => expr,
     }
 }
 

@@ -1,18 +1,17 @@
 //! Class, order and kind of coupled groups, read from their loops.
 
-use crate::structure::coupled_core;
-use crate::structure::equations;
 use linkage_symbolic::agree;
 
-use super::Analysis;
-use super::classify::Polynomials;
-use super::coupled_core::Private;
-use super::equations::{Coordinate, CoordinateKind};
+use crate::structure::analysis::Analysis;
+use crate::structure::coupled::group::Private;
+use crate::structure::equations::{Coordinate, CoordinateKind};
+use crate::structure::polynomials::Polynomials;
+use crate::structure::{equations, polynomials};
 
 /// Class, order, and the number of links in the closed contour that changes its shape (0 without one). Loops whose known
 /// parts are the same, and a loop without any, close a contour that leaves the frame out; every other loop adds a place where
 /// the group is attached.
-pub(super) fn class_and_order<'m>(
+pub(crate) fn class_and_order<'m>(
     analysis: &mut Analysis<'_, 'm>,
     polynomials: &[Polynomials<'m>],
     coordinates: &[Coordinate],
@@ -72,7 +71,7 @@ fn contour<'m>(
             }
         }
         let in_contour = |k: &usize| {
-            let first = coupled_core::first_symbol(analysis, coordinates, *k);
+            let first = polynomials::first_symbol(analysis, coordinates, *k);
             let width = equations::symbols(analysis, &coordinates[*k]).len();
             left.iter()
                 .any(|m| m[first..first + width].iter().any(|&e| e > 0))
@@ -82,7 +81,7 @@ fn contour<'m>(
 }
 
 /// The legs of a triad by their joints, the outer one first.
-pub(super) fn kind_of_group<'m>(
+pub(crate) fn kind_of_group<'m>(
     analysis: &Analysis<'_, 'm>,
     private: &[Option<(Private<'m>, usize)>],
     polynomials: &[Polynomials<'m>],
@@ -105,7 +104,7 @@ pub(super) fn kind_of_group<'m>(
         .into();
     let together = |monomial: &Vec<u8>| {
         [a, b].into_iter().all(|k| {
-            let first = coupled_core::first_symbol(analysis, coordinates, *k);
+            let first = polynomials::first_symbol(analysis, coordinates, *k);
             let width = equations::symbols(analysis, &coordinates[*k]).len();
             monomial[first..first + width].iter().any(|&e| e > 0)
         })

@@ -4,98 +4,18 @@
 //! equation without it: a link keeps its length, or a point stays on its guide. What remains are the *core* unknowns, two for a
 //! triad, whatever its joints.
 
-use crate::structure::class;
-use crate::structure::classify;
-use crate::structure::core_unknowns;
-use crate::structure::equations;
-use crate::structure::product;
-use linkage_symbolic::{Ex, SymbolId, V2, V3, Vector, substitute};
+use linkage_symbolic::{Ex, SymbolId, Vector, substitute};
 
-use super::classify::Polynomials;
-use super::core_unknowns::with_paired_components;
-use super::distance_polynomials::SpaceLink;
-use super::equations::{Coordinate, CoordinateKind, Equation};
-use super::{Analysis, Form, Rotor};
-
-/// Of more core unknowns than this the assemblies are not listed, a work that grows without bound: one is followed from its estimates.
-const MOST_LISTED: usize = 6;
+use crate::structure::analysis::Analysis;
+use crate::structure::coupled::group::{Block, Coupled, Private, Product};
+use crate::structure::coupled::{class, core_unknowns, scalar_product};
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
+use crate::structure::form::Form;
+use crate::structure::polynomials::Polynomials;
+use crate::structure::{equations, polynomials};
 
 /// More core unknowns than this, those of four bodies, are refused: the operations of a step grow with the cube, two bodies on rods take a thousand.
-pub(super) const MOST_CORE: usize = 36;
-
-/// A coupled group.
-#[derive(Clone, Debug)]
-pub(crate) struct Coupled<'m> {
-    /// `RR-RR-PR`, or a general word.
-    pub(crate) kind: String,
-    pub(crate) class: u8,
-    pub(crate) order: u8,
-    pub(crate) blocks: Vec<Block<'m>>,
-    pub(crate) core: Vec<Core>,
-}
-
-impl Coupled<'_> {
-    /// Whether its assemblies can be too many to be listed, and its matrix too large for cofactors.
-    pub(crate) fn is_large(&self) -> bool {
-        self.core.len() > MOST_LISTED
-    }
-}
-
-/// One loop of a coupled group.
-#[derive(Clone, Debug)]
-pub(crate) struct Block<'m> {
-    /// Each row is 0.
-    pub(crate) rows: Vec<Ex<'m>>,
-    /// The rows without the private unknown.
-    pub(crate) rest: Vec<Ex<'m>>,
-    pub(crate) private: Option<Private<'m>>,
-    /// The rows as polynomials.
-    pub(crate) terms: Vec<Product<'m>>,
-    /// A link in space, if the row is about the square of its vector.
-    pub(crate) distance: Option<SpaceLink<'m>>,
-    /// The factors of a row in space that is their scalar product, or its negative, but for what is known.
-    pub(crate) product: Option<[V3<'m>; 2]>,
-    /// Whether it is about numbers, as those of directions are.
-    pub(crate) number: bool,
-}
-
-impl Block<'_> {
-    /// True if its rows are lengths: what a scalar loop is, nobody knows.
-    pub(crate) fn is_length(&self) -> bool {
-        !self.number && (self.rows.len() > 1 || self.distance.is_some())
-    }
-}
-
-/// A product of unknowns with one coefficient for each row.
-#[derive(Clone, Debug)]
-pub(crate) struct Product<'m> {
-    pub(crate) coefficient: Vec<Ex<'m>>,
-    /// Symbols and their exponents, which are not 0.
-    pub(crate) powers: Vec<(SymbolId, u8)>,
-}
-
-/// The unknown that a loop of two rows contains alone.
-#[derive(Clone, Debug)]
-pub(crate) enum Private<'m> {
-    /// A link of fixed length.
-    Rotor(Rotor<'m>),
-    /// A slide; the guide may turn with unknowns of the core.
-    Slide { slide: SymbolId, guide: V2<'m> },
-}
-
-/// An unknown of the core.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Core {
-    Angle(usize),
-    /// A slide or a component of a point.
-    Length {
-        symbol: SymbolId,
-        /// Whether it is a number and no length: a component of a direction.
-        number: bool,
-        /// 0 or 1 if both components of a point are in the core.
-        component: Option<usize>,
-    },
-}
+pub(crate) const MOST_CORE: usize = 36;
 
 /// What is known of one coordinate in one loop.
 struct CoordinateInLoop<'p, 'm> {
@@ -106,17 +26,17 @@ struct CoordinateInLoop<'p, 'm> {
 }
 
 /// The form of loops that remain coupled, if they are polynomials in their unknowns.
-pub(super) fn classify_coupled<'m>(
+pub(crate) fn classify_coupled<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<Form<'m>> {
     let polynomials = equations
         .iter()
-        .map(|equation| classify::polynomials(analysis, &equation.rows, coordinates))
+        .map(|equation| polynomials::polynomials(analysis, &equation.rows, coordinates))
         .collect::<Option<Vec<_>>>()?;
     let values_free = coordinates.iter().enumerate().all(|(k, coordinate)| {
-        let first = first_symbol(analysis, coordinates, k);
+        let first = polynomials::first_symbol(analysis, coordinates, k);
         !matches!(coordinate.kind, CoordinateKind::Angle(_))
             || polynomials.iter().all(|p| !p.mention(first + 2))
     });
@@ -163,12 +83,12 @@ pub(super) fn classify_coupled<'m>(
         class,
         order,
         blocks,
-        core: with_paired_components(core),
+        core: core_unknowns::with_paired_components(core),
     })))
 }
 
 /// The unknowns that one loop alone contains, by loop with their coordinate, and the coordinates that remain.
-pub(super) fn private_and_core<'m>(
+pub(crate) fn private_and_core<'m>(
     analysis: &mut Analysis<'_, 'm>,
     polynomials: &[Polynomials<'m>],
     coordinates: &[Coordinate],
@@ -176,7 +96,7 @@ pub(super) fn private_and_core<'m>(
     let mut privates = vec![None; polynomials.len()];
     let mut core = Vec::new();
     for (k, coordinate) in coordinates.iter().enumerate() {
-        let first = first_symbol(analysis, coordinates, k);
+        let first = polynomials::first_symbol(analysis, coordinates, k);
         let width = equations::symbols(analysis, coordinate).len();
         let with: Vec<usize> = (0..polynomials.len())
             .filter(|&e| (first..first + width).any(|s| polynomials[e].mention(s)))
@@ -200,16 +120,6 @@ pub(super) fn private_and_core<'m>(
     (privates, core)
 }
 
-/// The place of a coordinate's first symbol among the symbols of polynomials.
-pub(super) fn first_symbol(
-    analysis: &Analysis<'_, '_>,
-    coordinates: &[Coordinate],
-    index: usize,
-) -> usize {
-    let before = coordinates[..index].iter();
-    before.map(|c| equations::symbols(analysis, c).len()).sum()
-}
-
 /// A coordinate as the private unknown of a loop, if the loop can be solved for it.
 fn private_unknown<'m>(
     analysis: &mut Analysis<'_, 'm>,
@@ -226,7 +136,7 @@ fn private_unknown<'m>(
     match coordinate.kind {
         CoordinateKind::Angle(angle) => {
             let mut rest = polynomials.clone();
-            let rotor = classify::take_rotor(analysis, &mut rest, angle, &[])?;
+            let rotor = polynomials::take_rotor(analysis, &mut rest, angle, &[])?;
             let gone = !rest.mention(first) && !rest.mention(first + 1);
             (gone && !rotor.z.is_zero()).then_some(Private::Rotor(rotor))
         }
@@ -290,7 +200,7 @@ fn block<'m>(
         None => Vec::new(),
     };
     let product = match equation.rows[..] {
-        [row] => product::scalar_product(analysis, row, coordinates),
+        [row] => scalar_product::scalar_product(analysis, row, coordinates),
         _ => None,
     };
     let removed = own.into_iter().map(|symbol| (symbol, zero)).collect();

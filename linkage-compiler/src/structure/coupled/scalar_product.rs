@@ -1,14 +1,14 @@
 //! Recognising rows that are scalar products: a slide whose direction a body carries, a guide across it.
 
-use crate::structure::space;
 use linkage_symbolic::{Ex, V3};
 
-use super::Analysis;
-use super::equations::Coordinate;
-use super::space::Sides;
+use crate::structure::analysis::Analysis;
+use crate::structure::distance;
+use crate::structure::distance::Sides;
+use crate::structure::equations::Coordinate;
 
 /// The factors of a row `v . w - c` (or its negative) with a known `c`.
-pub(super) fn scalar_product<'m>(
+pub(crate) fn scalar_product<'m>(
     analysis: &mut Analysis<'_, 'm>,
     row: Ex<'m>,
     coordinates: &[Coordinate],
@@ -22,6 +22,6 @@ pub(super) fn scalar_product<'m>(
         if let Some(factors) = graph.factors_of_product(sides.measured.id()) {
             return Some(factors);
         }
-        sides = space::without_term(analysis, sides, coordinates)?;
+        sides = distance::without_term(analysis, sides, coordinates)?;
     }
 }

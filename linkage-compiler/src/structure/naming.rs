@@ -1,0 +1,67 @@
+//! Names of coordinates and unknowns in messages.
+
+use crate::structure::analysis::Analysis;
+use crate::structure::equations::{Coordinate, CoordinateKind};
+
+/// The unknowns behind coordinates; of a vector that is not there as a whole, the components.
+pub(crate) fn unknown_names<'c>(
+    analysis: &Analysis<'_, '_>,
+    coordinates: impl Iterator<Item = &'c Coordinate>,
+) -> String {
+    let coordinates: Vec<&Coordinate> = coordinates.filter(|c| c.unknown.is_some()).collect();
+    let mut names: Vec<(usize, String)> = Vec::new();
+    for coordinate in &coordinates {
+        let Some(unknown) = coordinate.unknown else {
+            continue;
+        };
+        let of_it = coordinates.iter().filter(|c| c.unknown == Some(unknown));
+        let name = match of_it.count() == analysis.algebra.names.components_of(unknown) {
+            true => analysis.algebra.mechanism.unknowns[unknown].name.clone(),
+            false => coordinate_name(analysis, coordinate),
+        };
+        names.push((unknown, format!("`{name}`")));
+    }
+    names.sort_by_key(|(unknown, _)| *unknown);
+    names.dedup();
+    let names: Vec<String> = names.into_iter().map(|(_, name)| name).collect();
+    names.join(", ")
+}
+
+/// True if these are not all components of the first one's unknown.
+pub(crate) fn is_component(
+    _analysis: &Analysis<'_, '_>,
+    own: &[usize],
+    coordinates: &[Coordinate],
+) -> bool {
+    let Some(unknown) = own.first().and_then(|&k| coordinates[k].unknown) else {
+        return false;
+    };
+    let of_it = own
+        .iter()
+        .filter(|&&k| coordinates[k].unknown == Some(unknown));
+    let missing = coordinates.iter().filter(|c| c.unknown == Some(unknown));
+    of_it.count() < missing.count()
+}
+
+/// `theta`, or a component: `p.x`.
+pub(crate) fn coordinate_name(analysis: &Analysis<'_, '_>, coordinate: &Coordinate) -> String {
+    match coordinate.kind {
+        CoordinateKind::Length(symbol) => analysis.algebra.graph.symbol(symbol).name,
+        CoordinateKind::Angle(angle) => {
+            let value = analysis.algebra.names.angles[angle].value;
+            analysis.algebra.graph.symbol(value).name
+        }
+    }
+}
+
+pub(crate) fn unknown_list(analysis: &Analysis<'_, '_>, mut unknowns: Vec<usize>) -> String {
+    unknowns.sort_unstable();
+    unknowns.dedup();
+    let name = |&k: &usize| format!("`{}`", analysis.algebra.mechanism.unknowns[k].name);
+    unknowns.iter().map(name).collect::<Vec<_>>().join(", ")
+}
+
+/// `1 unknown`, `3 unknowns`
+pub(crate) fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
