@@ -3,6 +3,7 @@
 use linkage_symbolic::{Ex, SymbolId, V3, Vector, agree, collect};
 
 use crate::algebra::Bound;
+use crate::algebra::context::Algebra;
 use crate::model::unknown_frames;
 use crate::structure::analysis::Analysis;
 use crate::structure::circle::Held;
@@ -80,7 +81,7 @@ pub(crate) fn body<'m>(
             .all(|&k| unknown_frames::is_loop_of_frame(mechanism, k));
         let about = coordinates
             .iter()
-            .filter(|c| equations::contains(analysis, equation.rows[0], c));
+            .filter(|c| equations::contains(analysis.algebra, equation.rows[0], c));
         let mut about = about;
         written && equation.rows.len() == 1 && about.all(|c| axes.contains(c))
     };
@@ -105,14 +106,14 @@ pub(crate) fn body<'m>(
 
 /// Its points at which two rods from fixed points end.
 pub(crate) fn joints<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     body: &Body<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Vec<Joint<'m>> {
     let mut joints: Vec<Joint<'m>> = Vec::new();
     for (place, equation) in equations.iter().enumerate() {
-        let Some((local, held)) = rod(analysis, body, place, equation, coordinates) else {
+        let Some((local, held)) = rod(algebra, body, place, equation, coordinates) else {
             continue;
         };
         let same = |joint: &&mut Joint<'m>| {
@@ -134,7 +135,7 @@ pub(crate) fn joints<'m>(
 
 /// The point of the body at which a rod from a fixed point ends, and the rod.
 fn rod<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     body: &Body<'m>,
     place: usize,
     equation: &Equation<'m>,
@@ -143,13 +144,13 @@ fn rod<'m>(
     let [row] = equation.rows[..] else {
         return None;
     };
-    let (vector, length) = distance::space_distance(analysis, row, coordinates)?;
-    let (places, factor, known) = point::moved_point(analysis, vector, &body.symbols[..3])?;
+    let (vector, length) = distance::space_distance(algebra, row, coordinates)?;
+    let (places, factor, known) = point::moved_point(algebra, vector, &body.symbols[..3])?;
     let is_whole = factor.constant_value().is_some_and(|own| own.abs() == 1.0);
     if !is_whole || places != [0, 1, 2] {
         return None;
     }
-    let (local, end) = local(analysis, body, known / factor)?;
+    let (local, end) = local(algebra, body, known / factor)?;
     let end = -end;
     let is_fixed = local.is_fixed() && end.is_fixed();
     is_fixed.then_some((local, Held { place, end, length }))
@@ -157,11 +158,11 @@ fn rod<'m>(
 
 /// `a` and the rest of `a.x p + a.y q + a.z (p x q) + rest`.
 fn local<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     body: &Body<'m>,
     vector: V3<'m>,
 ) -> Option<(V3<'m>, V3<'m>)> {
-    let zero = analysis.algebra.zero();
+    let zero = algebra.zero();
     let mut found: [Option<Ex<'m>>; 3] = [None; 3];
     let mut rest = [zero; 3];
     for (k, row) in vector.components().enumerate() {

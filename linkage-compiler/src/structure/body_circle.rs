@@ -25,7 +25,7 @@ pub(crate) fn body_to_circles<'m>(
         let Some(body) = body::body(analysis, &unknowns, equations, coordinates) else {
             continue;
         };
-        let joints = body::joints(analysis, &body, equations, coordinates);
+        let joints = body::joints(analysis.algebra, &body, equations, coordinates);
         if body.of_origin().len() == 3
             && let Some(three) = three_of(analysis, &joints)
         {
@@ -135,7 +135,7 @@ fn on_one_circle<'m>(
             Some(_) => explicit::make_explicit(analysis, symbol, own),
             None => {
                 known.insert(symbol, own);
-                rows.push(circle::along(analysis, place).product(origin - given));
+                rows.push(circle::along(analysis.algebra, place).product(origin - given));
             }
         }
     }

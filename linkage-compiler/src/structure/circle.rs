@@ -2,6 +2,7 @@
 
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
+use crate::algebra::context::Algebra;
 use crate::algebra::nominal;
 use crate::structure::analysis::Analysis;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
@@ -37,7 +38,7 @@ pub(crate) fn point_to_circle<'m>(
         let Some(symbols) = equations::point_symbols(point) else {
             continue;
         };
-        let held = held_by(analysis, &symbols, equations, coordinates);
+        let held = held_by(analysis.algebra, &symbols, equations, coordinates);
         let [first, second] = &held[..] else { continue };
         if equations.len() > 2
             && let Some(system) =
@@ -51,7 +52,7 @@ pub(crate) fn point_to_circle<'m>(
 
 /// The distances from fixed points that contain nothing but this point.
 fn held_by<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     point: &[SymbolId],
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -59,10 +60,10 @@ fn held_by<'m>(
     let mut held = Vec::new();
     for (place, equation) in equations.iter().enumerate() {
         let [row] = equation.rows[..] else { continue };
-        let Some((vector, length)) = distance::space_distance(analysis, row, coordinates) else {
+        let Some((vector, length)) = distance::space_distance(algebra, row, coordinates) else {
             continue;
         };
-        let Some((places, factor, known)) = point::moved_point(analysis, vector, point) else {
+        let Some((places, factor, known)) = point::moved_point(algebra, vector, point) else {
             continue;
         };
         let is_whole = factor.constant_value().is_some_and(|own| own.abs() == 1.0);
@@ -142,12 +143,12 @@ fn least_along<'m>(analysis: &Analysis<'_, 'm>, direction: V3<'m>) -> V3<'m> {
     let values = analysis.nominal.evaluate(&direction.0);
     let sizes = values.iter().map(|x| x.abs()).enumerate();
     let least = sizes.min_by(|(_, a), (_, b)| a.total_cmp(b));
-    along(analysis, least.map_or(0, |(place, _)| place))
+    along(analysis.algebra, least.map_or(0, |(place, _)| place))
 }
 
 /// The direction of an axis of coordinates.
-pub(crate) fn along<'m>(analysis: &Analysis<'_, 'm>, place: usize) -> V3<'m> {
-    let (zero, one) = (analysis.algebra.zero(), analysis.algebra.one());
+pub(crate) fn along<'m>(algebra: &Algebra<'m>, place: usize) -> V3<'m> {
+    let (zero, one) = (algebra.zero(), algebra.one());
     Vector([0, 1, 2].map(|k| if k == place { one } else { zero }))
 }
 

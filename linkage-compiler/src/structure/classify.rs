@@ -2,7 +2,7 @@
 
 use linkage_symbolic::{Ex, SymbolId};
 
-use crate::structure::analysis::Analysis;
+use crate::algebra::context::Algebra;
 use crate::structure::distance::Distance;
 use crate::structure::elements::Rotor;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
@@ -12,39 +12,39 @@ use crate::structure::{distance, explicit, polynomials, space};
 
 /// The form in which one equation is solved for all its coordinates, if it has one of the known forms.
 pub(crate) fn classify<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equation: &Equation<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Form<'m>> {
     use CoordinateKind::{Angle, Length};
     if let ([coordinate], 1) = (coordinates, equation.rows.len()) {
-        return classify_scalar(analysis, equation, coordinate);
+        return classify_scalar(algebra, equation, coordinate);
     }
     if equation.rows.len() == 3 {
-        return space::classify_three_slides(analysis, equation, coordinates);
+        return space::classify_three_slides(algebra, equation, coordinates);
     }
     if equation.rows.len() != 2 || coordinates.len() != 2 {
         return None;
     }
-    let polynomials = polynomials::polynomials(analysis, &equation.rows, coordinates)?;
+    let polynomials = polynomials::polynomials(algebra, &equation.rows, coordinates)?;
     match (coordinates[0].kind, coordinates[1].kind) {
-        (Angle(first), Angle(second)) => two_rotors(analysis, polynomials, first, second),
+        (Angle(first), Angle(second)) => two_rotors(algebra, polynomials, first, second),
         (Angle(angle), Length(slide)) | (Length(slide), Angle(angle)) => {
-            rotor_and_slide(analysis, polynomials, angle, slide)
+            rotor_and_slide(algebra, polynomials, angle, slide)
         }
-        (Length(first), Length(second)) => two_slides(analysis, polynomials, [first, second]),
+        (Length(first), Length(second)) => two_slides(algebra, polynomials, [first, second]),
     }
 }
 
 fn two_rotors<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     mut rest: Polynomials<'m>,
     first: usize,
     second: usize,
 ) -> Option<Form<'m>> {
-    let first = polynomials::take_rotor(analysis, &mut rest, first, &[])?;
-    let second = polynomials::take_rotor(analysis, &mut rest, second, &[])?;
-    let zero = analysis.algebra.zero();
+    let first = polynomials::take_rotor(algebra, &mut rest, first, &[])?;
+    let second = polynomials::take_rotor(algebra, &mut rest, second, &[])?;
+    let zero = algebra.zero();
     let known = rest.take_pair(&[], zero);
     let complete = rest.is_exhausted() && !first.z.is_zero() && !second.z.is_zero();
     complete.then_some(Form::TwoRotors {
@@ -55,14 +55,14 @@ fn two_rotors<'m>(
 }
 
 fn rotor_and_slide<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     mut rest: Polynomials<'m>,
     angle: usize,
     slide: SymbolId,
 ) -> Option<Form<'m>> {
-    let zero = analysis.algebra.zero();
-    let rotor = polynomials::take_rotor(analysis, &mut rest, angle, &[])?;
-    let moving = polynomials::take_rotor(analysis, &mut rest, angle, &[slide])?;
+    let zero = algebra.zero();
+    let rotor = polynomials::take_rotor(algebra, &mut rest, angle, &[])?;
+    let moving = polynomials::take_rotor(algebra, &mut rest, angle, &[slide])?;
     let fixed = rest.take_pair(&[slide], zero);
     let known = rest.take_pair(&[], zero);
     if !rest.is_exhausted() {
@@ -92,11 +92,11 @@ fn rotor_and_slide<'m>(
 }
 
 fn two_slides<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     mut rest: Polynomials<'m>,
     slides: [SymbolId; 2],
 ) -> Option<Form<'m>> {
-    let zero = analysis.algebra.zero();
+    let zero = algebra.zero();
     let guides = slides.map(|slide| rest.take_pair(&[slide], zero));
     let known = rest.take_pair(&[], zero);
     rest.is_exhausted().then_some(Form::TwoSlides {
@@ -108,21 +108,21 @@ fn two_slides<'m>(
 
 /// True for a distance in the plane from a point that turns with an angle or slides along a line: a link, whether its length or the square
 /// of it is given.
-fn is_link<'m>(analysis: &mut Analysis<'_, 'm>, row: Ex<'m>, coordinate: &Coordinate) -> bool {
+fn is_link<'m>(algebra: &mut Algebra<'m>, row: Ex<'m>, coordinate: &Coordinate) -> bool {
     let own = std::slice::from_ref(coordinate);
-    let Some(Distance { vector, length }) = distance::distance(analysis, row, own) else {
+    let Some(Distance { vector, length }) = distance::distance(algebra, row, own) else {
         return false;
     };
     if vector.len() != 2 || length.is_zero() {
         return false;
     }
-    let Some(mut rest) = polynomials::polynomials(analysis, &vector, own) else {
+    let Some(mut rest) = polynomials::polynomials(algebra, &vector, own) else {
         return false;
     };
-    let zero = analysis.algebra.zero();
+    let zero = algebra.zero();
     let moving = match coordinate.kind {
         CoordinateKind::Angle(angle) => {
-            let rotor = polynomials::take_rotor(analysis, &mut rest, angle, &[]);
+            let rotor = polynomials::take_rotor(algebra, &mut rest, angle, &[]);
             rotor.map(|rotor| rotor.z)
         }
         CoordinateKind::Length(slide) => Some(rest.take_pair(&[slide], zero)),
@@ -132,32 +132,32 @@ fn is_link<'m>(analysis: &mut Analysis<'_, 'm>, row: Ex<'m>, coordinate: &Coordi
 }
 
 fn classify_scalar<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equation: &Equation<'m>,
     coordinate: &Coordinate,
 ) -> Option<Form<'m>> {
     if let CoordinateKind::Angle(angle) = coordinate.kind
-        && let Some(value) = explicit::solved_relation(analysis, equation, angle)
+        && let Some(value) = explicit::solved_relation(algebra, equation, angle)
     {
         return Some(Form::Relation { angle, value });
     }
-    if let Some(form) = space::classify_distance(analysis, equation.rows[0], coordinate) {
+    if let Some(form) = space::classify_distance(algebra, equation.rows[0], coordinate) {
         return Some(form);
     }
-    if is_link(analysis, equation.rows[0], coordinate) {
+    if is_link(algebra, equation.rows[0], coordinate) {
         // As squares it has another solution with another margin, less accurate where the link meets others at a needle's angle.
         return None;
     }
     let mut rest =
-        polynomials::polynomials(analysis, &equation.rows, std::slice::from_ref(coordinate))?;
+        polynomials::polynomials(algebra, &equation.rows, std::slice::from_ref(coordinate))?;
     if let CoordinateKind::Angle(_) = coordinate.kind {
-        polynomials::drop_cancelled(analysis, &mut rest);
+        polynomials::drop_cancelled(algebra, &mut rest);
     }
-    let zero = analysis.algebra.zero();
+    let zero = algebra.zero();
     let mut take = |symbols: &[SymbolId]| rest.take(symbols, zero)[0];
     let form = match coordinate.kind {
         CoordinateKind::Angle(angle) => {
-            let symbols = analysis.algebra.names.angles[angle].clone();
+            let symbols = algebra.names.angles[angle].clone();
             let (a, b) = (take(&[symbols.cos]), take(&[symbols.sin]));
             let (factor, c) = (take(&[symbols.value]), take(&[]));
             match (a.is_zero() && b.is_zero(), factor.is_zero()) {

@@ -28,7 +28,7 @@ pub(crate) fn decompose<'m>(
         steps: 0,
     };
     analysis.structure.mobility = analysis.algebra.mechanism.inputs.len();
-    let (equations, coordinates) = equations::equations(&mut analysis, scope);
+    let (equations, coordinates) = equations::equations(analysis.algebra, scope);
     solve(&mut analysis, equations, coordinates);
     analysis.structure
 }
@@ -44,7 +44,7 @@ fn solve<'m>(
 ) {
     let incidence: Vec<Vec<usize>> = equations
         .iter()
-        .map(|e| equations::incidence(analysis, e, &coordinates))
+        .map(|e| equations::incidence(analysis.algebra, e, &coordinates))
         .collect();
     let rows: Vec<usize> = equations.iter().map(|e| e.rows.len()).collect();
     let matching = matching::maximum(&rows, &incidence, coordinates.len());
@@ -74,7 +74,7 @@ fn solve_component<'m>(
     coordinates: Vec<Coordinate>,
 ) {
     if let [equation] = &equations[..]
-        && let Some(form) = classify::classify(analysis, equation, &coordinates)
+        && let Some(form) = classify::classify(analysis.algebra, equation, &coordinates)
     {
         return push_group(analysis, &equations, &coordinates, form);
     }
@@ -91,8 +91,9 @@ fn solve_component<'m>(
     if let Some((equations, coordinates)) = reduced {
         return solve(analysis, equations, coordinates);
     }
-    let squared = distance_polynomials::with_squared_distances(analysis, &equations, &coordinates);
-    match classify_coupled::classify_coupled(analysis, &squared, &coordinates) {
+    let squared =
+        distance_polynomials::with_squared_distances(analysis.algebra, &equations, &coordinates);
+    match classify_coupled::classify_coupled(analysis.algebra, &squared, &coordinates) {
         Some(form) => push_group(analysis, &equations, &coordinates, form),
         None => unsolved::report_unsolved(analysis, &squared, &coordinates),
     }

@@ -3,7 +3,7 @@
 use linkage_symbolic::program::{Binary, Unary};
 use linkage_symbolic::{Ex, Node, V3, Vector};
 
-use crate::structure::analysis::Analysis;
+use crate::algebra::context::Algebra;
 use crate::structure::equations;
 use crate::structure::equations::Coordinate;
 
@@ -22,28 +22,28 @@ pub(crate) struct Sides<'m> {
 
 /// A row `|v| - l` or `v . v - l^2` (or its negative) with a known `l`.
 pub(crate) fn distance<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     row: Ex<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Distance<'m>> {
-    measured(analysis, row, coordinates).or_else(|| written_squares(analysis, row, coordinates))
+    measured(algebra, row, coordinates).or_else(|| written_squares(algebra, row, coordinates))
 }
 
 /// A length or its square on one side, known numbers on the other.
 fn measured<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     row: Ex<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Distance<'m>> {
     let mut sides = Sides {
         measured: row,
-        given: analysis.algebra.zero(),
+        given: algebra.zero(),
     };
     loop {
         // Squares of what is known may belong to the vector: one term after the other.
-        sides = without_term(analysis, sides, coordinates)?;
-        let Sides { measured, given } = without_factors(analysis, sides, coordinates);
-        let graph = analysis.algebra.graph;
+        sides = without_term(algebra, sides, coordinates)?;
+        let Sides { measured, given } = without_factors(algebra, sides, coordinates);
+        let graph = algebra.graph;
         let lift = |vector: Vec<_>| vector.into_iter().map(|id| graph.ex(id)).collect();
         if let Some(vector) = graph.vector_of_length(measured.id()) {
             // No distance is negative.
@@ -61,7 +61,7 @@ fn measured<'m>(
 
 /// Both sides less a known term of the first.
 pub(crate) fn without_term<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     Sides { measured, given }: Sides<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Sides<'m>> {
@@ -77,7 +77,7 @@ pub(crate) fn without_term<'m>(
     let known = |x| {
         !coordinates
             .iter()
-            .any(|c| equations::contains(analysis, x, c))
+            .any(|c| equations::contains(algebra, x, c))
     };
     match (op, known(a), known(b)) {
         (Binary::Add, _, true) => sides(a, given - b),
@@ -90,7 +90,7 @@ pub(crate) fn without_term<'m>(
 
 /// Both sides divided by the known factors of the first.
 fn without_factors<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     Sides {
         mut measured,
         mut given,
@@ -105,7 +105,7 @@ fn without_factors<'m>(
         let known = |x| {
             !coordinates
                 .iter()
-                .any(|c| equations::contains(analysis, x, c))
+                .any(|c| equations::contains(algebra, x, c))
         };
         match op {
             Binary::Div if known(b) => {
@@ -124,19 +124,19 @@ fn without_factors<'m>(
 
 /// `x x + y y - ...` or `x x + y y + z z - ...` with a known rest.
 fn written_squares<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     row: Ex<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Distance<'m>> {
     let unknown = |x| {
         coordinates
             .iter()
-            .any(|c| equations::contains(analysis, x, c))
+            .any(|c| equations::contains(algebra, x, c))
     };
     let terms = summands(row);
     let sign = terms.iter().find(|(_, x)| unknown(*x))?.0;
     let mut vector = Vec::new();
-    let mut wanted = analysis.algebra.zero();
+    let mut wanted = algebra.zero();
     for (own, term) in terms {
         match term.node() {
             Node::Binary(Binary::Mul, a, b) if a == b && own == sign => {
@@ -153,11 +153,11 @@ fn written_squares<'m>(
 
 /// A row that is a distance in space.
 pub(crate) fn space_distance<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     row: Ex<'m>,
     coordinates: &[Coordinate],
 ) -> Option<(V3<'m>, Ex<'m>)> {
-    let Distance { vector, length } = distance(analysis, row, coordinates)?;
+    let Distance { vector, length } = distance(algebra, row, coordinates)?;
     let vector = vector.try_into().ok()?;
     Some((Vector(vector), length))
 }

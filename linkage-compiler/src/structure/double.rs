@@ -2,6 +2,7 @@
 
 use linkage_symbolic::{Ex, V2, collect};
 
+use crate::algebra::context::Algebra;
 use crate::algebra::{Atom, StandsFor, scalar};
 use crate::structure::analysis::Analysis;
 use crate::structure::distance::Distance;
@@ -31,8 +32,8 @@ pub(crate) fn distance_of_double_angle<'m>(
     let &[row] = &equation.rows[..] else {
         return None;
     };
-    let Distance { vector, length } = distance::distance(analysis, row, coordinates)?;
-    let polynomials = polynomials::polynomials(analysis, &vector, coordinates)?;
+    let Distance { vector, length } = distance::distance(analysis.algebra, row, coordinates)?;
+    let polynomials = polynomials::polynomials(analysis.algebra, &vector, coordinates)?;
     let mut monomials = polynomials.rows.iter().flat_map(|row| row.keys());
     if !monomials.all(|powers| powers.iter().sum::<u8>() == 1) {
         return None;
@@ -56,7 +57,7 @@ fn by_double_angle<'m>(
         let CoordinateKind::Angle(half) = coordinate.kind else {
             continue;
         };
-        let Some(rows) = squares_of(analysis, half, equation) else {
+        let Some(rows) = squares_of(analysis.algebra, half, equation) else {
             continue;
         };
         let double = analysis.algebra.names.add_angle("double", None);
@@ -80,7 +81,7 @@ fn by_double_angle<'m>(
             kind: CoordinateKind::Angle(double),
             unknown: None,
         };
-        if classify::classify(analysis, &changed, &coordinates).is_some() {
+        if classify::classify(analysis.algebra, &changed, &coordinates).is_some() {
             let value = scalar::atom(analysis.algebra, Atom::Angle(double)).scaled(0.5);
             explicit::replace_angle(analysis, half, &value);
             return Some((vec![changed], coordinates));
@@ -91,13 +92,13 @@ fn by_double_angle<'m>(
 
 /// The rows of an equation, if they contain nothing of an angle but products of two of its cosine and sine.
 fn squares_of<'m>(
-    analysis: &Analysis<'_, 'm>,
+    algebra: &Algebra<'m>,
     angle: usize,
     equation: &Equation<'m>,
 ) -> Option<Vec<SquaresOf<'m>>> {
-    let own = &analysis.algebra.names.angles[angle];
+    let own = &algebra.names.angles[angle];
     let symbols = own.symbols();
-    let zero = analysis.algebra.zero();
+    let zero = algebra.zero();
     let rows = equation.rows.iter().map(|&row| {
         let mut terms = collect(row, &symbols, &[])?;
         let mut take = |cos, sin| terms.remove(&vec![cos, sin, 0]).unwrap_or(zero);

@@ -2,6 +2,7 @@
 
 use linkage_symbolic::{Ex, SymbolId, collect};
 
+use crate::algebra::context::Algebra;
 use crate::algebra::{Atom, Scalar, scalar};
 use crate::structure::analysis::Analysis;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
@@ -13,8 +14,8 @@ fn eliminate_relation<'m>(
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
-    let (place, angle) = find_relation(analysis, equations, coordinates)?;
-    let value = explicit::solved_relation(analysis, &equations[place], angle)?;
+    let (place, angle) = find_relation(analysis.algebra, equations, coordinates)?;
+    let value = explicit::solved_relation(analysis.algebra, &equations[place], angle)?;
     explicit::replace_angle(analysis, angle, &value);
     let (gone, kept): (Vec<Coordinate>, Vec<Coordinate>) = coordinates
         .iter()
@@ -23,7 +24,7 @@ fn eliminate_relation<'m>(
     let mut equations = equations.to_vec();
     let eliminated = equations.remove(place);
     for equation in &mut equations {
-        match replaced_in_relation(analysis, equation, angle, &value) {
+        match replaced_in_relation(analysis.algebra, equation, angle, &value) {
             Some(relation) => {
                 equation.rows = vec![scalar::value_of(analysis.algebra, &relation)];
                 equation.relation = Some(relation);
@@ -38,7 +39,7 @@ fn eliminate_relation<'m>(
 /// A relation between angles that contains no other unknown, and the angle it is best solved for: one that other
 /// loops use too, after whose removal the rest counts in whole multiples.
 fn find_relation<'m>(
-    analysis: &Analysis<'_, 'm>,
+    algebra: &Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<(usize, usize)> {
@@ -46,7 +47,7 @@ fn find_relation<'m>(
         let relation = equation.relation.as_ref()?;
         if coordinates
             .iter()
-            .any(|c| equations::contains(analysis, relation.rest, c))
+            .any(|c| equations::contains(algebra, relation.rest, c))
         {
             return None;
         }
@@ -54,7 +55,7 @@ fn find_relation<'m>(
             let others = equations.iter().enumerate().filter(|(k, _)| *k != place);
             others
                 .flat_map(|(_, e)| &e.rows)
-                .any(|&row| equations::contains(analysis, row, c))
+                .any(|&row| equations::contains(algebra, row, c))
         };
         let angles: Vec<usize> = coordinates
             .iter()
@@ -81,7 +82,7 @@ fn find_relation<'m>(
 
 /// A relation between angles stays a linear form when one of its angles is replaced.
 fn replaced_in_relation<'m>(
-    _analysis: &mut Analysis<'_, 'm>,
+    _algebra: &mut Algebra<'m>,
     equation: &Equation<'m>,
     angle: usize,
     value: &Scalar<'m>,
@@ -107,11 +108,11 @@ pub(crate) fn reduce<'m>(
         .or_else(|| eliminate_point(analysis, equations, coordinates))
         .or_else(|| body_circle::body_to_circles(analysis, equations, coordinates))
         .or_else(|| eliminate_slide(analysis, equations, coordinates))
-        .or_else(|| rewrite::join_rows(analysis, equations, coordinates))
+        .or_else(|| rewrite::join_rows(analysis.algebra, equations, coordinates))
         .or_else(|| double::distance_of_double_angle(analysis, equations, coordinates))
-        .or_else(|| rewrite::distance_to_link(analysis, equations, coordinates))
-        .or_else(|| rewrite::split_along_guide(analysis, equations, coordinates))
-        .or_else(|| rewrite::split_across_guides(analysis, equations, coordinates))
+        .or_else(|| rewrite::distance_to_link(analysis.algebra, equations, coordinates))
+        .or_else(|| rewrite::split_along_guide(analysis.algebra, equations, coordinates))
+        .or_else(|| rewrite::split_across_guides(analysis.algebra, equations, coordinates))
         .or_else(|| double::double_angle(analysis, equations, coordinates))
         .or_else(|| rewrite::relative_angle(analysis, equations, coordinates))
         .or_else(|| circle::point_to_circle(analysis, equations, coordinates))
@@ -135,7 +136,7 @@ fn eliminate_point<'m>(
             let Some(symbols) = equations::point_symbols(point) else {
                 continue;
             };
-            let Some(values) = solve_point(analysis, equation, &symbols) else {
+            let Some(values) = solve_point(analysis.algebra, equation, &symbols) else {
                 continue;
             };
             for (symbol, value) in symbols.into_iter().zip(values) {
@@ -149,11 +150,11 @@ fn eliminate_point<'m>(
 
 /// All components of a point that enters an equation as `k (x, y)` with a `k` that is known before the input.
 fn solve_point<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equation: &Equation<'m>,
     point: &[SymbolId],
 ) -> Option<Vec<Ex<'m>>> {
-    let zero = analysis.algebra.zero();
+    let zero = algebra.zero();
     let mut values = Vec::new();
     for (row, &x) in equation.rows.iter().enumerate() {
         let mut terms = collect(x, point, &[])?;

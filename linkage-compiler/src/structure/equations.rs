@@ -2,6 +2,7 @@
 
 use linkage_symbolic::{Ex, NodeId, SymbolId, substitute};
 
+use crate::algebra::context::Algebra;
 use crate::algebra::translate::Translate;
 use crate::algebra::{Bound, Scalar, Value, scalar, translate};
 use crate::model::Loop;
@@ -53,18 +54,18 @@ pub(crate) enum CoordinateKind {
 
 /// Loops as equations, unknowns as coordinates.
 pub(crate) fn equations<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     scope: &Scope,
 ) -> (Vec<Equation<'m>>, Vec<Coordinate>) {
-    let mechanism = analysis.algebra.mechanism;
-    translate::translate_these_lets(analysis.algebra, |index| scope.lets[index]);
+    let mechanism = algebra.mechanism;
+    translate::translate_these_lets(algebra, |index| scope.lets[index]);
     let loops = mechanism.loops.iter().enumerate();
     let equations = loops
         .filter(|(index, _)| scope.loops[*index])
-        .map(|(index, item)| equation(analysis, index, item))
+        .map(|(index, item)| equation(algebra, index, item))
         .collect();
     let mut coordinates = Vec::new();
-    let bound = analysis.algebra.names.bound.iter().enumerate();
+    let bound = algebra.names.bound.iter().enumerate();
     for (unknown, bound) in bound.filter(|(unknown, _)| scope.unknowns[*unknown]) {
         let kinds: Vec<CoordinateKind> = match bound {
             Bound::Angle(angle) => vec![CoordinateKind::Angle(*angle)],
@@ -82,21 +83,18 @@ pub(crate) fn equations<'m>(
     (equations, coordinates)
 }
 
-fn equation<'m>(analysis: &mut Analysis<'_, 'm>, index: usize, item: &Loop) -> Equation<'m> {
-    let left = analysis.algebra.translate(&item.left);
-    let right = analysis.algebra.translate(&item.right);
+fn equation<'m>(algebra: &mut Algebra<'m>, index: usize, item: &Loop) -> Equation<'m> {
+    let left = algebra.translate(&item.left);
+    let right = algebra.translate(&item.right);
     let (rows, relation) = match (&left, &right) {
         (Value::Scalar(a), Value::Scalar(b)) => {
             let relation = a.combined(b, -1.0);
-            (
-                vec![scalar::value_of(analysis.algebra, &relation)],
-                Some(relation),
-            )
+            (vec![scalar::value_of(algebra, &relation)], Some(relation))
         }
         _ => {
             let (a, b) = (
-                scalar::vector(analysis.algebra, &left),
-                scalar::vector(analysis.algebra, &right),
+                scalar::vector(algebra, &left),
+                scalar::vector(algebra, &right),
             );
             ((a - b).iter().collect(), None)
         }
@@ -112,36 +110,32 @@ fn equation<'m>(analysis: &mut Analysis<'_, 'm>, index: usize, item: &Loop) -> E
 }
 
 /// The symbols of a coordinate.
-pub(crate) fn symbols(analysis: &Analysis<'_, '_>, coordinate: &Coordinate) -> Vec<SymbolId> {
+pub(crate) fn symbols(algebra: &Algebra<'_>, coordinate: &Coordinate) -> Vec<SymbolId> {
     match coordinate.kind {
         CoordinateKind::Length(symbol) => vec![symbol],
-        CoordinateKind::Angle(index) => analysis.algebra.names.angles[index].symbols().to_vec(),
+        CoordinateKind::Angle(index) => algebra.names.angles[index].symbols().to_vec(),
     }
 }
 
 /// Which coordinates an equation contains.
 pub(crate) fn incidence<'m>(
-    analysis: &Analysis<'_, 'm>,
+    algebra: &Algebra<'m>,
     equation: &Equation<'m>,
     coordinates: &[Coordinate],
 ) -> Vec<usize> {
-    let present = symbols_of(analysis, &equation.rows);
+    let present = symbols_of(algebra, &equation.rows);
     (0..coordinates.len())
         .filter(|&k| {
-            symbols(analysis, &coordinates[k])
+            symbols(algebra, &coordinates[k])
                 .iter()
                 .any(|s| present.contains(s))
         })
         .collect()
 }
 
-pub(crate) fn contains<'m>(
-    analysis: &Analysis<'_, 'm>,
-    x: Ex<'m>,
-    coordinate: &Coordinate,
-) -> bool {
-    let present = symbols_of(analysis, &[x]);
-    symbols(analysis, coordinate)
+pub(crate) fn contains<'m>(algebra: &Algebra<'m>, x: Ex<'m>, coordinate: &Coordinate) -> bool {
+    let present = symbols_of(algebra, &[x]);
+    symbols(algebra, coordinate)
         .iter()
         .any(|s| present.contains(s))
 }
@@ -163,9 +157,9 @@ pub(crate) fn substituted<'m>(
 }
 
 /// The symbols that expressions are made of.
-pub(crate) fn symbols_of<'m>(analysis: &Analysis<'_, 'm>, all: &[Ex<'m>]) -> Vec<SymbolId> {
+pub(crate) fn symbols_of<'m>(algebra: &Algebra<'m>, all: &[Ex<'m>]) -> Vec<SymbolId> {
     let nodes: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
-    analysis.algebra.graph.symbols_of(&nodes)
+    algebra.graph.symbols_of(&nodes)
 }
 
 /// Equations and the coordinates that they are solved for.

@@ -2,6 +2,7 @@
 
 use linkage_symbolic::{Ex, SymbolId};
 
+use crate::algebra::context::Algebra;
 use crate::algebra::{Atom, Scalar, scalar};
 use crate::structure::analysis::Analysis;
 use crate::structure::equations;
@@ -10,14 +11,14 @@ use crate::structure::group::Explicit;
 
 /// An angle relation solved for one angle.
 pub(crate) fn solved_relation<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equation: &Equation<'m>,
     angle: usize,
 ) -> Option<Scalar<'m>> {
     let relation = equation.relation.clone()?;
     let own = relation.coefficient(Atom::Angle(angle));
-    let own_symbols = analysis.algebra.names.angles[angle].symbols();
-    let present = equations::symbols_of(analysis, &[relation.rest]);
+    let own_symbols = algebra.names.angles[angle].symbols();
+    let present = equations::symbols_of(algebra, &[relation.rest]);
     if own == 0.0 || own_symbols.iter().any(|s| present.contains(s)) {
         return None;
     }

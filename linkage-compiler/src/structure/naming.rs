@@ -1,11 +1,11 @@
 //! Names of coordinates and unknowns in messages.
 
-use crate::structure::analysis::Analysis;
+use crate::algebra::context::Algebra;
 use crate::structure::equations::{Coordinate, CoordinateKind};
 
 /// The unknowns behind coordinates; of a vector that is not there as a whole, the components.
 pub(crate) fn unknown_names<'c>(
-    analysis: &Analysis<'_, '_>,
+    algebra: &Algebra<'_>,
     coordinates: impl Iterator<Item = &'c Coordinate>,
 ) -> String {
     let coordinates: Vec<&Coordinate> = coordinates.filter(|c| c.unknown.is_some()).collect();
@@ -15,9 +15,9 @@ pub(crate) fn unknown_names<'c>(
             continue;
         };
         let of_it = coordinates.iter().filter(|c| c.unknown == Some(unknown));
-        let name = match of_it.count() == analysis.algebra.names.components_of(unknown) {
-            true => analysis.algebra.mechanism.unknowns[unknown].name.clone(),
-            false => coordinate_name(analysis, coordinate),
+        let name = match of_it.count() == algebra.names.components_of(unknown) {
+            true => algebra.mechanism.unknowns[unknown].name.clone(),
+            false => coordinate_name(algebra, coordinate),
         };
         names.push((unknown, format!("`{name}`")));
     }
@@ -29,7 +29,7 @@ pub(crate) fn unknown_names<'c>(
 
 /// True if these are not all components of the first one's unknown.
 pub(crate) fn is_component(
-    _analysis: &Analysis<'_, '_>,
+    _algebra: &Algebra<'_>,
     own: &[usize],
     coordinates: &[Coordinate],
 ) -> bool {
@@ -44,20 +44,20 @@ pub(crate) fn is_component(
 }
 
 /// `theta`, or a component: `p.x`.
-pub(crate) fn coordinate_name(analysis: &Analysis<'_, '_>, coordinate: &Coordinate) -> String {
+pub(crate) fn coordinate_name(algebra: &Algebra<'_>, coordinate: &Coordinate) -> String {
     match coordinate.kind {
-        CoordinateKind::Length(symbol) => analysis.algebra.graph.symbol(symbol).name,
+        CoordinateKind::Length(symbol) => algebra.graph.symbol(symbol).name,
         CoordinateKind::Angle(angle) => {
-            let value = analysis.algebra.names.angles[angle].value;
-            analysis.algebra.graph.symbol(value).name
+            let value = algebra.names.angles[angle].value;
+            algebra.graph.symbol(value).name
         }
     }
 }
 
-pub(crate) fn unknown_list(analysis: &Analysis<'_, '_>, mut unknowns: Vec<usize>) -> String {
+pub(crate) fn unknown_list(algebra: &Algebra<'_>, mut unknowns: Vec<usize>) -> String {
     unknowns.sort_unstable();
     unknowns.dedup();
-    let name = |&k: &usize| format!("`{}`", analysis.algebra.mechanism.unknowns[k].name);
+    let name = |&k: &usize| format!("`{}`", algebra.mechanism.unknowns[k].name);
     unknowns.iter().map(name).collect::<Vec<_>>().join(", ")
 }
 

@@ -2,6 +2,7 @@
 
 use linkage_symbolic::{Ex, SymbolId, V3, Vector, agree};
 
+use crate::algebra::context::Algebra;
 use crate::structure::analysis::Analysis;
 use crate::structure::elements::{Plane, Sphere};
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
@@ -30,11 +31,12 @@ pub(crate) fn classify_point<'m>(
     let mut linear = Vec::new();
     for equation in equations {
         let row = equation.rows[0];
-        let Some((vector, radius)) = distance::space_distance(analysis, row, coordinates) else {
-            linear.push(space::linear_row(analysis, row, &symbols)?);
+        let Some((vector, radius)) = distance::space_distance(analysis.algebra, row, coordinates)
+        else {
+            linear.push(space::linear_row(analysis.algebra, row, &symbols)?);
             continue;
         };
-        let (own, factor, known) = moved_point(analysis, vector, &symbols)?;
+        let (own, factor, known) = moved_point(analysis.algebra, vector, &symbols)?;
         if places.get_or_insert_with(|| own.clone()) != &own {
             return None;
         }
@@ -75,15 +77,15 @@ fn smallest_first(analysis: &Analysis<'_, '_>, spheres: &mut [Sphere]) {
 
 /// `k + f p`, where each symbol is a component of `p`: the components, `f` and `k`.
 pub(crate) fn moved_point<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     vector: V3<'m>,
     symbols: &[SymbolId],
 ) -> Option<(Vec<usize>, Ex<'m>, V3<'m>)> {
     let mut places = vec![None; symbols.len()];
     let mut factor = None;
-    let mut known = Vector([analysis.algebra.zero(); 3]);
+    let mut known = Vector([algebra.zero(); 3]);
     for (component, row) in vector.components().enumerate() {
-        let (factors, rest) = space::linear_row(analysis, row, symbols)?;
+        let (factors, rest) = space::linear_row(algebra, row, symbols)?;
         known.0[component] = rest;
         for (place, own) in places.iter_mut().zip(factors) {
             if own.is_zero() {

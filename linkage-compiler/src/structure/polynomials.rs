@@ -2,7 +2,7 @@
 
 use linkage_symbolic::{Ex, Polynomial, SymbolId, V2, V3, Vector, agree, agree_within, collect};
 
-use crate::structure::analysis::Analysis;
+use crate::algebra::context::Algebra;
 use crate::structure::elements::Rotor;
 use crate::structure::equations;
 use crate::structure::equations::{Coordinate, CoordinateKind};
@@ -67,7 +67,7 @@ impl<'m> Polynomials<'m> {
 
 /// The rows of an equation as polynomials in coordinates; `None` if they are none (a square root, an angle's value).
 pub(crate) fn polynomials<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     rows: &[Ex<'m>],
     coordinates: &[Coordinate],
 ) -> Option<Polynomials<'m>> {
@@ -77,7 +77,7 @@ pub(crate) fn polynomials<'m>(
         if let CoordinateKind::Angle(_) = coordinate.kind {
             unit_pairs.push((symbols.len(), symbols.len() + 1));
         }
-        symbols.extend(equations::symbols(analysis, coordinate));
+        symbols.extend(equations::symbols(algebra, coordinate));
     }
     let rows = rows
         .iter()
@@ -87,8 +87,8 @@ pub(crate) fn polynomials<'m>(
 }
 
 /// Removes terms in a direction whose coefficients are 0 in a spelling that constructors do not see, or by rounding.
-pub(crate) fn drop_cancelled<'m>(analysis: &Analysis<'_, 'm>, polynomials: &mut Polynomials<'m>) {
-    let zero = analysis.algebra.zero();
+pub(crate) fn drop_cancelled<'m>(algebra: &Algebra<'m>, polynomials: &mut Polynomials<'m>) {
+    let zero = algebra.zero();
     for row in &mut polynomials.rows {
         let squares = row.values().map(|coefficient| coefficient.square());
         let size = squares.fold(zero, |sum, square| sum + square).sqrt();
@@ -101,14 +101,14 @@ pub(crate) fn drop_cancelled<'m>(analysis: &Analysis<'_, 'm>, polynomials: &mut 
 
 /// The terms with an angle's unit vector (times `with`), if they are a vector turning with it.
 pub(crate) fn take_rotor<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     polynomials: &mut Polynomials<'m>,
     index: usize,
     with: &[SymbolId],
 ) -> Option<Rotor<'m>> {
-    let angle = &analysis.algebra.names.angles[index];
+    let angle = &algebra.names.angles[index];
     let (cos, sin) = (angle.cos, angle.sin);
-    let zero = analysis.algebra.zero();
+    let zero = algebra.zero();
     let along = polynomials.take_pair(&[&[cos], with].concat(), zero);
     let across = polynomials.take_pair(&[&[sin], with].concat(), zero);
     let perp = along.perp();
@@ -128,10 +128,10 @@ pub(crate) fn take_rotor<'m>(
 
 /// The place of a coordinate's first symbol among the symbols of polynomials.
 pub(crate) fn first_symbol(
-    analysis: &Analysis<'_, '_>,
+    algebra: &Algebra<'_>,
     coordinates: &[Coordinate],
     index: usize,
 ) -> usize {
     let before = coordinates[..index].iter();
-    before.map(|c| equations::symbols(analysis, c).len()).sum()
+    before.map(|c| equations::symbols(algebra, c).len()).sum()
 }

@@ -1,6 +1,7 @@
 //! Loops that are one too many and close all the same: with the dimensions as they are they repeat others, as a third crank on one rod does that stays
 //! parallel to the first two. Whether they do is found by numbers: all loops are closed together at several positions.
 
+use crate::algebra::context::Algebra;
 use crate::algebra::{ALIKE, Bound, ConstantRatio, Nominal, constant_ratio};
 use crate::message_format::loop_list;
 use crate::model::Dimension;
@@ -34,7 +35,7 @@ pub(crate) fn redundant_loops<'m>(
     let places = positions(analysis);
     let together = simultaneous_loops(analysis, equations, coordinates)?;
     let found = closed_at(analysis, &together, &places)?;
-    let even = constant_ratios(analysis, &places, &found, coordinates);
+    let even = constant_ratios(analysis.algebra, &places, &found, coordinates);
     let at = Nominal {
         inputs: places[0].clone(),
         ..analysis.nominal.clone()
@@ -43,7 +44,7 @@ pub(crate) fn redundant_loops<'m>(
     // The loop itself first; another one where its equations find something better than those that remain.
     let others = equations.iter().filter(|e| e.loops != surplus.loops);
     let spare = std::iter::once(surplus).chain(others).find_map(|left_out| {
-        let own = found_by_itself(analysis, left_out, equations, coordinates);
+        let own = found_by_itself(analysis.algebra, left_out, equations, coordinates);
         let fits = left_out.rows.len() == own.len() + too_many;
         let even: Option<Vec<&ConstantRatio>> = own
             .iter()
@@ -62,7 +63,7 @@ pub(crate) fn redundant_loops<'m>(
             if !even.is_empty() {
                 like = ", as a further crank on one rod does that stays parallel";
             }
-            match lets_for(analysis, &even) {
+            match lets_for(analysis.algebra, &even) {
                 Some(lets) => format!("write {lets} and leave {loops} out"),
                 None => format!("leave {loops} out, or write `redundant` at its end"),
             }
@@ -97,14 +98,14 @@ pub(crate) fn all_closed<'m>(
 
 /// The coordinates that no other equation contains.
 fn found_by_itself<'m>(
-    analysis: &Analysis<'_, 'm>,
+    algebra: &Algebra<'m>,
     equation: &Equation<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Vec<usize> {
     let within = |e: &Equation<'m>, k: usize| {
         let mut rows = e.rows.iter();
-        rows.any(|&row| equations::contains(analysis, row, &coordinates[k]))
+        rows.any(|&row| equations::contains(algebra, row, &coordinates[k]))
     };
     let alone = |k: &usize| {
         let mut others = equations.iter().filter(|e| e.loops != equation.loops);
@@ -114,8 +115,8 @@ fn found_by_itself<'m>(
 }
 
 /// `` `let chi = phi;` instead of the unknown``; nothing for none.
-fn lets_for(analysis: &Analysis<'_, '_>, even: &[&ConstantRatio]) -> Option<String> {
-    let mechanism = analysis.algebra.mechanism;
+fn lets_for(algebra: &Algebra<'_>, even: &[&ConstantRatio]) -> Option<String> {
+    let mechanism = algebra.mechanism;
     let lets = even.iter().map(|own| {
         let unknown = &mechanism.unknowns[own.unknown].name;
         let input = &mechanism.inputs[0].name;
@@ -204,7 +205,7 @@ fn simultaneous_loops<'m, 'c>(
         coordinates,
         symbols: coordinates
             .iter()
-            .map(|c| equations::symbols(analysis, c))
+            .map(|c| equations::symbols(analysis.algebra, c))
             .collect(),
         estimates,
         scales,
@@ -233,12 +234,12 @@ fn closed_at(
 
 /// The angles that turn evenly with the only input.
 fn constant_ratios(
-    analysis: &Analysis<'_, '_>,
+    algebra: &Algebra<'_>,
     places: &[Vec<f64>],
     found: &[Vec<f64>],
     coordinates: &[Coordinate],
 ) -> Vec<ConstantRatio> {
-    if analysis.algebra.mechanism.inputs.len() != 1 {
+    if algebra.mechanism.inputs.len() != 1 {
         return Vec::new();
     }
     let even = coordinates
@@ -249,7 +250,7 @@ fn constant_ratios(
                 return None;
             };
             let (x, angle) = (places[0][0], found[0][k]);
-            let rates = constant_ratio::candidate_rates(analysis.algebra, 0).into_iter();
+            let rates = constant_ratio::candidate_rates(algebra, 0).into_iter();
             let rate = rates.into_iter().find(|rate| {
                 let mut all = places.iter().zip(found);
                 all.all(|(place, own)| (own[k] - angle - rate * (place[0] - x)).abs() < ALIKE)

@@ -1,5 +1,6 @@
 //! Messages of the structural analysis: mobility.
 
+use crate::algebra::context::Algebra;
 use crate::message_format::loop_list;
 use crate::structure::analysis::Analysis;
 use crate::structure::equations::{Coordinate, Equation};
@@ -35,7 +36,7 @@ pub(crate) fn report_mobility<'m>(
     }
     for (k, equation) in equations.iter().enumerate() {
         let surplus = equation.rows.len() - matching.coordinates_of[k].len();
-        if incidence[k].is_empty() && is_reported(analysis, equation, &told, coordinates) {
+        if incidence[k].is_empty() && is_reported(analysis.algebra, equation, &told, coordinates) {
             continue;
         }
         if surplus > 0 && (complete || incidence[k].is_empty()) {
@@ -55,12 +56,12 @@ pub(crate) fn report_mobility<'m>(
 
 /// True for a loop whose unknowns cancel out, if that has been said of one of them.
 fn is_reported<'m>(
-    analysis: &Analysis<'_, 'm>,
+    algebra: &Algebra<'m>,
     equation: &Equation<'m>,
     told: &[usize],
     coordinates: &[Coordinate],
 ) -> bool {
-    let written = analysis.algebra.mechanism.usage(&equation.loops).unknowns;
+    let written = algebra.mechanism.usage(&equation.loops).unknowns;
     let mut told = told.iter().filter_map(|&k| coordinates[k].unknown);
     told.any(|unknown| written[unknown])
 }
@@ -78,8 +79,8 @@ fn report_undetermined<'m>(
     };
     let origin = analysis.algebra.mechanism.unknowns[unknown].origin;
     let name = &analysis.algebra.mechanism.unknowns[unknown].name;
-    if sharing.is_empty() && naming::is_component(analysis, undetermined, coordinates) {
-        let component = naming::coordinate_name(analysis, coordinate);
+    if sharing.is_empty() && naming::is_component(analysis.algebra, undetermined, coordinates) {
+        let component = naming::coordinate_name(analysis.algebra, coordinate);
         let dimension = analysis.algebra.mechanism.unknowns[unknown].ty.dimension();
         let norm = match dimension.is_some_and(|d| d.half_lengths == 0) {
             true => format!("; the loop of a direction is `norm({name}) = 1`"),
@@ -119,7 +120,10 @@ fn report_undetermined<'m>(
         "more unknowns than equations: {} ({}) but {} from {}; mobility {}, driven inputs {inputs}\n\
              help: add a loop, or make {}",
         naming::counted(undetermined.len(), "unknown"),
-        naming::unknown_names(analysis, undetermined.iter().map(|&k| &coordinates[k])),
+        naming::unknown_names(
+            analysis.algebra,
+            undetermined.iter().map(|&k| &coordinates[k])
+        ),
         naming::counted(rows, "equation"),
         loop_list(sharing.iter().flat_map(|&k| &equations[k].loops)),
         inputs + surplus,
@@ -175,7 +179,7 @@ fn report_surplus<'m>(
             } else {
                 format!("has {surplus} equations")
             },
-            naming::unknown_names(analysis, contained.iter().map(|&k| &coordinates[k])),
+            naming::unknown_names(analysis.algebra, contained.iter().map(|&k| &coordinates[k])),
             naming::counted(rows, "equation"),
             naming::counted(coordinates.len(), "unknown"),
         )

@@ -3,6 +3,7 @@
 
 use linkage_symbolic::{Ex, SymbolId, Vector, collect};
 
+use crate::algebra::context::Algebra;
 use crate::algebra::{Atom, StandsFor, scalar};
 use crate::structure::analysis::Analysis;
 use crate::structure::distance::Distance;
@@ -11,7 +12,7 @@ use crate::structure::{classify, distance, equations, explicit, space};
 
 /// Two scalar loops, the components of one vector loop.
 pub(crate) fn join_rows<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -30,13 +31,13 @@ pub(crate) fn join_rows<'m>(
     });
     joined
         .into_iter()
-        .find(|equation| classify::classify(analysis, equation, coordinates).is_some())
+        .find(|equation| classify::classify(algebra, equation, coordinates).is_some())
         .map(|equation| (vec![equation], coordinates.to_vec()))
 }
 
 /// `distance(a, b) = l` is a link of length `l` between `a` and `b`, at an angle of its own.
 pub(crate) fn distance_to_link<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -46,7 +47,7 @@ pub(crate) fn distance_to_link<'m>(
         .filter(|(_, e)| e.rows.len() == 1)
     {
         let Some(Distance { vector, length }) =
-            distance::distance(analysis, equation.rows[0], coordinates)
+            distance::distance(algebra, equation.rows[0], coordinates)
         else {
             continue;
         };
@@ -55,8 +56,8 @@ pub(crate) fn distance_to_link<'m>(
         }
         let mut equations = equations.to_vec();
         let mut coordinates = coordinates.to_vec();
-        let angle = analysis.algebra.names.add_angle("link", None);
-        let unit = analysis.algebra.names.angles[angle].unit;
+        let angle = algebra.names.add_angle("link", None);
+        let unit = algebra.names.angles[angle].unit;
         let rows = (0..2).map(|k| vector[k] - length * unit[k]);
         equations[place].rows = rows.collect();
         equations[place].relation = None;
@@ -71,7 +72,7 @@ pub(crate) fn distance_to_link<'m>(
 
 /// An angle whose vectors do not simply turn, with a slide: the equation across the guide contains the angle alone.
 pub(crate) fn split_along_guide<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -86,7 +87,7 @@ pub(crate) fn split_along_guide<'m>(
     let [x, y] = equation.rows[..] else {
         return None;
     };
-    let zero = analysis.algebra.zero();
+    let zero = algebra.zero();
     let mut guide = Vector([zero; 2]);
     for (row, direction) in [x, y].into_iter().zip(&mut guide.0) {
         let terms = collect(row, &[slide], &[])?;
@@ -97,7 +98,7 @@ pub(crate) fn split_along_guide<'m>(
     }
     if guide
         .components()
-        .any(|g| equations::contains(analysis, g, angle))
+        .any(|g| equations::contains(algebra, g, angle))
     {
         return None;
     }
@@ -128,7 +129,8 @@ pub(crate) fn relative_angle<'m>(
     for (base, relative, kept) in [(first, second, a), (second, first, b)] {
         for sign in [1.0, -1.0] {
             let sum = analysis.algebra.names.add_angle("sum", None);
-            analysis.algebra.names.angles[sum].stands_for = sum_of(analysis, base, relative, sign);
+            analysis.algebra.names.angles[sum].stands_for =
+                sum_of(analysis.algebra, base, relative, sign);
             let mut value = scalar::atom(analysis.algebra, Atom::Angle(sum));
             value.terms.insert(0, (Atom::Angle(base), -sign));
             value.terms.sort_by_key(|(atom, _)| *atom);
@@ -146,7 +148,7 @@ pub(crate) fn relative_angle<'m>(
                 unknown: None,
             };
             let coordinates = vec![kept.clone(), summed];
-            if classify::classify(analysis, &changed, &coordinates).is_some() {
+            if classify::classify(analysis.algebra, &changed, &coordinates).is_some() {
                 return Some((vec![changed], coordinates));
             }
             analysis.substitutions = saved.0;
@@ -157,13 +159,8 @@ pub(crate) fn relative_angle<'m>(
 }
 
 /// The sum of an angle and the one it is measured from stands for the former.
-fn sum_of(
-    analysis: &Analysis<'_, '_>,
-    base: usize,
-    relative: usize,
-    sign: f64,
-) -> Option<StandsFor> {
-    let [base, relative] = [base, relative].map(|k| &analysis.algebra.names.angles[k]);
+fn sum_of(algebra: &Algebra<'_>, base: usize, relative: usize, sign: f64) -> Option<StandsFor> {
+    let [base, relative] = [base, relative].map(|k| &algebra.names.angles[k]);
     let mut summands = relative.summands();
     let base = base.summands().into_iter();
     summands.extend(base.map(|(unknown, own)| (unknown, sign * own)));
@@ -188,7 +185,7 @@ fn linear_part(row: Ex, slide: SymbolId) -> Option<Ex> {
 /// Two slides and an angle in a loop of three rows: the equation across both guides contains the angle alone, those across
 /// one of them the other slide.
 pub(crate) fn split_across_guides<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -205,7 +202,7 @@ pub(crate) fn split_across_guides<'m>(
             CoordinateKind::Angle(_) => None,
         })
         .collect();
-    let (guides, rest) = space::guides(analysis, Vector([x, y, z]), &slides)?;
+    let (guides, rest) = space::guides(algebra, Vector([x, y, z]), &slides)?;
     let &[first, second] = &guides[..] else {
         return None;
     };
@@ -213,7 +210,7 @@ pub(crate) fn split_across_guides<'m>(
     let turns = |x| {
         coordinates
             .iter()
-            .any(|c| equations::contains(analysis, x, c))
+            .any(|c| equations::contains(algebra, x, c))
     };
     if !across.components().any(turns) {
         across = across.unit();
@@ -222,7 +219,7 @@ pub(crate) fn split_across_guides<'m>(
     for (slide, guide, other) in [(0, first, second), (1, second, first)] {
         let direction = other.cross(across);
         let factor = direction.dot(guide);
-        let graph = analysis.algebra.graph;
+        let graph = algebra.graph;
         let slide = graph.ex(graph.symbol_node(slides[slide]));
         rows.push(factor * slide + direction.dot(rest));
     }
@@ -235,6 +232,6 @@ pub(crate) fn split_across_guides<'m>(
         ..equation.clone()
     };
     let rows: Vec<Equation> = rows.into_iter().map(row).collect();
-    classify::classify(analysis, &rows[0], std::slice::from_ref(angle))?;
+    classify::classify(algebra, &rows[0], std::slice::from_ref(angle))?;
     Some((rows, coordinates.to_vec()))
 }

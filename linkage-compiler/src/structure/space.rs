@@ -2,24 +2,24 @@
 
 use linkage_symbolic::{Ex, SymbolId, V3, Vector, Vn, collect};
 
-use crate::structure::analysis::Analysis;
+use crate::algebra::context::Algebra;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::structure::form::Form;
 use crate::structure::{distance, polynomials};
 
 /// A link with two ball joints to a point that turns about an axis (RSSR) or slides along a line (RSSP).
 pub(crate) fn classify_distance<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     row: Ex<'m>,
     coordinate: &Coordinate,
 ) -> Option<Form<'m>> {
     let own = std::slice::from_ref(coordinate);
-    let (vector, length) = distance::space_distance(analysis, row, own)?;
-    let mut rest = polynomials::polynomials(analysis, &vector.0, own)?;
-    let zero = analysis.algebra.zero();
+    let (vector, length) = distance::space_distance(algebra, row, own)?;
+    let mut rest = polynomials::polynomials(algebra, &vector.0, own)?;
+    let zero = algebra.zero();
     match coordinate.kind {
         CoordinateKind::Angle(angle) => {
-            let symbols = analysis.algebra.names.angles[angle].clone();
+            let symbols = algebra.names.angles[angle].clone();
             let cosine = rest.take_space(&[symbols.cos], zero);
             let sine = rest.take_space(&[symbols.sin], zero);
             let known = rest.take_space(&[], zero);
@@ -47,11 +47,11 @@ pub(crate) fn classify_distance<'m>(
 
 /// A row that is linear in some symbols: their factors and the rest.
 pub(crate) fn linear_row<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     row: Ex<'m>,
     symbols: &[SymbolId],
 ) -> Option<(Vec<Ex<'m>>, Ex<'m>)> {
-    let zero = analysis.algebra.zero();
+    let zero = algebra.zero();
     let mut terms = collect(row, symbols, &[])?;
     let factors = (0..symbols.len())
         .map(|k| {
@@ -66,7 +66,7 @@ pub(crate) fn linear_row<'m>(
 
 /// A vector loop with three slides.
 pub(crate) fn classify_three_slides<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equation: &Equation<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Form<'m>> {
@@ -81,7 +81,7 @@ pub(crate) fn classify_three_slides<'m>(
         }
     }
     let slides: [SymbolId; 3] = slides.try_into().ok()?;
-    let (guides, known) = guides(analysis, Vector([x, y, z]), &slides)?;
+    let (guides, known) = guides(algebra, Vector([x, y, z]), &slides)?;
     Some(Form::ThreeSlides {
         slides,
         guides: guides.try_into().ok()?,
@@ -91,14 +91,14 @@ pub(crate) fn classify_three_slides<'m>(
 
 /// Three rows that are linear in slides: the guide of each, and the rest.
 pub(crate) fn guides<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     rows: V3<'m>,
     slides: &[SymbolId],
 ) -> Option<(Vec<V3<'m>>, V3<'m>)> {
-    let mut known = Vector([analysis.algebra.zero(); 3]);
+    let mut known = Vector([algebra.zero(); 3]);
     let mut guides = vec![known; slides.len()];
     for (row, x) in rows.components().enumerate() {
-        let (factors, rest) = linear_row(analysis, x, slides)?;
+        let (factors, rest) = linear_row(algebra, x, slides)?;
         known.0[row] = rest;
         for (guide, factor) in guides.iter_mut().zip(factors) {
             guide.0[row] = factor;

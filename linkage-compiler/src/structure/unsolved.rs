@@ -2,6 +2,7 @@
 
 use linkage_symbolic::{MAX_DEGREE, Obstacle, SymbolId, obstacle};
 
+use crate::algebra::context::Algebra;
 use crate::algebra::translate::Translate;
 use crate::algebra::{Value, scalar};
 use crate::diagnostic::OriginId;
@@ -36,7 +37,7 @@ pub(crate) fn report_unsolved<'m>(
         .iter()
         .map(|&k| analysis.algebra.names.components_of(k))
         .sum();
-    let names = naming::unknown_list(analysis, unknowns);
+    let names = naming::unknown_list(analysis.algebra, unknowns);
     let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
     let (subject, check) = match rows {
         0..=2 => (format!("no closed form for {names} in {loops}"), ""),
@@ -46,20 +47,23 @@ pub(crate) fn report_unsolved<'m>(
         ),
     };
     let whole = analysis.algebra.mechanism.loops[equations[0].loops[0]].origin;
-    let valued = angles_with_values(analysis, equations, coordinates);
+    let valued = angles_with_values(analysis.algebra, equations, coordinates);
     let body = a_body_by_angles(equations, coordinates);
     let (origin, message) = if let Some((origin, why)) =
-        worst_obstacle(analysis, equations, coordinates)
+        worst_obstacle(analysis.algebra, equations, coordinates)
     {
         let message = format!("{subject}: {why}{check}{body}");
         (origin.unwrap_or(whole), message)
     } else if !valued.is_empty() {
         (
             whole,
-            format!("{subject}: {}", obstacle_of_values(analysis, &valued, rows)),
+            format!(
+                "{subject}: {}",
+                obstacle_of_values(analysis.algebra, &valued, rows)
+            ),
         )
     } else {
-        let core = core_of(analysis, equations, coordinates);
+        let core = core_of(analysis.algebra, equations, coordinates);
         let message = format!(
             "{subject}: {core} unknowns remain when links between two joints are left out, and {MOST_CORE} are the most that are \
                  solved together; {OURS}\n\
@@ -72,30 +76,30 @@ pub(crate) fn report_unsolved<'m>(
 
 /// Why an equation is no polynomial that is solved, with what to do, and the term of a loop at fault, if there is one.
 fn worst_obstacle<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<(Option<OriginId>, String)> {
     let symbols: Vec<SymbolId> = coordinates
         .iter()
-        .flat_map(|c| equations::symbols(analysis, c))
+        .flat_map(|c| equations::symbols(algebra, c))
         .collect();
     let worst = |obstacles: Vec<Obstacle>| obstacles.into_iter().max_by_key(weight);
     for equation in equations {
         // What cancels makes no degree.
-        if polynomials::polynomials(analysis, &equation.rows, coordinates).is_some() {
+        if polynomials::polynomials(algebra, &equation.rows, coordinates).is_some() {
             continue;
         }
         let rows = equation.rows.iter();
         let Some(found) = worst(rows.filter_map(|&row| obstacle(row, &symbols)).collect()) else {
             continue;
         };
-        let written = &analysis.algebra.mechanism.loops[equation.written];
+        let written = &algebra.mechanism.loops[equation.written];
         let terms = [&written.left, &written.right].map(terms).concat();
         let term = terms.into_iter().find(|term| {
-            let rows = match analysis.algebra.translate(term) {
+            let rows = match algebra.translate(term) {
                 Value::Vector(vector) => vector.iter().collect(),
-                scalar => vec![scalar::number(analysis.algebra, &scalar)],
+                scalar => vec![scalar::number(algebra, &scalar)],
             };
             rows.into_iter()
                 .any(|row| obstacle(row, &symbols) == Some(found))
@@ -121,8 +125,8 @@ fn worst_obstacle<'m>(
 }
 
 /// What is wrong with angles that stand for themselves.
-fn obstacle_of_values(analysis: &Analysis<'_, '_>, valued: &[usize], rows: usize) -> String {
-    let names = naming::unknown_list(analysis, valued.to_vec());
+fn obstacle_of_values(algebra: &Algebra<'_>, valued: &[usize], rows: usize) -> String {
+    let names = naming::unknown_list(algebra, valued.to_vec());
     if rows <= 2 {
         return format!(
             "the angle {names} itself stands in it, and not its direction alone; {OURS}\nhelp: {MAY_STAND}"
@@ -140,16 +144,16 @@ fn obstacle_of_values(analysis: &Analysis<'_, '_>, valued: &[usize], rows: usize
 
 /// The unknown angles of which polynomial loops contain the value.
 fn angles_with_values<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Vec<usize> {
     let polynomials: Vec<_> = equations
         .iter()
-        .filter_map(|e| polynomials::polynomials(analysis, &e.rows, coordinates))
+        .filter_map(|e| polynomials::polynomials(algebra, &e.rows, coordinates))
         .collect();
     let angles = coordinates.iter().enumerate().filter(|(k, coordinate)| {
-        let value = polynomials::first_symbol(analysis, coordinates, *k) + 2;
+        let value = polynomials::first_symbol(algebra, coordinates, *k) + 2;
         matches!(coordinate.kind, CoordinateKind::Angle(_))
             && polynomials.iter().any(|p| p.mention(value))
     });
@@ -158,15 +162,15 @@ fn angles_with_values<'m>(
 
 /// How many unknowns of polynomial loops are in the core.
 fn core_of<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> usize {
     let polynomials: Vec<_> = equations
         .iter()
-        .filter_map(|e| polynomials::polynomials(analysis, &e.rows, coordinates))
+        .filter_map(|e| polynomials::polynomials(algebra, &e.rows, coordinates))
         .collect();
-    classify_coupled::private_and_core(analysis, &polynomials, coordinates)
+    classify_coupled::private_and_core(algebra, &polynomials, coordinates)
         .1
         .len()
 }

@@ -2,7 +2,7 @@
 
 use linkage_symbolic::agree;
 
-use crate::structure::analysis::Analysis;
+use crate::algebra::context::Algebra;
 use crate::structure::coupled::group::Private;
 use crate::structure::equations::{Coordinate, CoordinateKind};
 use crate::structure::polynomials::Polynomials;
@@ -12,7 +12,7 @@ use crate::structure::{equations, polynomials};
 /// parts are the same, and a loop without any, close a contour that leaves the frame out; every other loop adds a place where
 /// the group is attached.
 pub(crate) fn class_and_order<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     polynomials: &[Polynomials<'m>],
     coordinates: &[Coordinate],
 ) -> (u8, u8, usize) {
@@ -27,7 +27,7 @@ pub(crate) fn class_and_order<'m>(
         let with_others = polynomials[..index].iter().map(Some);
         let contour = alone
             .chain(with_others)
-            .find_map(|b| contour(analysis, a, b, coordinates));
+            .find_map(|b| contour(algebra, a, b, coordinates));
         if let Some(length) = contour {
             contours += 1;
             longest = longest.max(length);
@@ -40,7 +40,7 @@ pub(crate) fn class_and_order<'m>(
 
 /// The number of unknowns in a vector loop, or in the sum or difference of two, if the known parts cancel.
 fn contour<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     a: &Polynomials<'m>,
     b: Option<&Polynomials<'m>>,
     coordinates: &[Coordinate],
@@ -52,7 +52,7 @@ fn contour<'m>(
     [1.0, -1.0].into_iter().find_map(|sign| {
         let cancels = |monomial: &[u8]| {
             (0..2).all(|row| {
-                let zero = analysis.algebra.zero();
+                let zero = algebra.zero();
                 let of = |p: &Polynomials<'m>| p.rows[row].get(monomial).copied().unwrap_or(zero);
                 let (x, y) = (of(a), b.map_or(zero, of));
                 let y = if sign < 0.0 { -y } else { y };
@@ -71,8 +71,8 @@ fn contour<'m>(
             }
         }
         let in_contour = |k: &usize| {
-            let first = polynomials::first_symbol(analysis, coordinates, *k);
-            let width = equations::symbols(analysis, &coordinates[*k]).len();
+            let first = polynomials::first_symbol(algebra, coordinates, *k);
+            let width = equations::symbols(algebra, &coordinates[*k]).len();
             left.iter()
                 .any(|m| m[first..first + width].iter().any(|&e| e > 0))
         };
@@ -82,7 +82,7 @@ fn contour<'m>(
 
 /// The legs of a triad by their joints, the outer one first.
 pub(crate) fn kind_of_group<'m>(
-    analysis: &Analysis<'_, 'm>,
+    algebra: &Algebra<'m>,
     private: &[Option<(Private<'m>, usize)>],
     polynomials: &[Polynomials<'m>],
     coordinates: &[Coordinate],
@@ -100,12 +100,12 @@ pub(crate) fn kind_of_group<'m>(
         return general();
     };
     let mut legs: Vec<&str> = [first, second]
-        .map(|(p, _)| leg(analysis, p, coordinates))
+        .map(|(p, _)| leg(algebra, p, coordinates))
         .into();
     let together = |monomial: &Vec<u8>| {
         [a, b].into_iter().all(|k| {
-            let first = polynomials::first_symbol(analysis, coordinates, *k);
-            let width = equations::symbols(analysis, &coordinates[*k]).len();
+            let first = polynomials::first_symbol(algebra, coordinates, *k);
+            let width = equations::symbols(algebra, &coordinates[*k]).len();
             monomial[first..first + width].iter().any(|&e| e > 0)
         })
     };
@@ -130,7 +130,7 @@ pub(crate) fn kind_of_group<'m>(
 }
 
 fn leg<'m>(
-    analysis: &Analysis<'_, 'm>,
+    algebra: &Algebra<'m>,
     private: &Private<'m>,
     coordinates: &[Coordinate],
 ) -> &'static str {
@@ -140,7 +140,7 @@ fn leg<'m>(
             let turns = |c: &Coordinate| {
                 guide
                     .components()
-                    .any(|g| equations::contains(analysis, g, c))
+                    .any(|g| equations::contains(algebra, g, c))
             };
             match coordinates.iter().any(turns) {
                 true => "RP",

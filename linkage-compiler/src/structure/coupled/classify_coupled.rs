@@ -6,7 +6,7 @@
 
 use linkage_symbolic::{Ex, SymbolId, Vector, substitute};
 
-use crate::structure::analysis::Analysis;
+use crate::algebra::context::Algebra;
 use crate::structure::coupled::group::{Block, Coupled, Private, Product};
 use crate::structure::coupled::{class, core_unknowns, scalar_product};
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
@@ -27,29 +27,29 @@ struct CoordinateInLoop<'p, 'm> {
 
 /// The form of loops that remain coupled, if they are polynomials in their unknowns.
 pub(crate) fn classify_coupled<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<Form<'m>> {
     let polynomials = equations
         .iter()
-        .map(|equation| polynomials::polynomials(analysis, &equation.rows, coordinates))
+        .map(|equation| polynomials::polynomials(algebra, &equation.rows, coordinates))
         .collect::<Option<Vec<_>>>()?;
     let values_free = coordinates.iter().enumerate().all(|(k, coordinate)| {
-        let first = polynomials::first_symbol(analysis, coordinates, k);
+        let first = polynomials::first_symbol(algebra, coordinates, k);
         !matches!(coordinate.kind, CoordinateKind::Angle(_))
             || polynomials.iter().all(|p| !p.mention(first + 2))
     });
     if !values_free {
         return None;
     }
-    let (private, core) = private_and_core(analysis, &polynomials, coordinates);
+    let (private, core) = private_and_core(algebra, &polynomials, coordinates);
     if core.len() > MOST_CORE {
         return None;
     }
-    let (class, order, contour) = class::class_and_order(analysis, &polynomials, coordinates);
+    let (class, order, contour) = class::class_and_order(algebra, &polynomials, coordinates);
     let mut kind = class::kind_of_group(
-        analysis,
+        algebra,
         &private,
         &polynomials,
         coordinates,
@@ -71,12 +71,12 @@ pub(crate) fn classify_coupled<'m>(
     let blocks = equations.iter().zip(&polynomials).zip(private);
     let blocks = blocks.map(|((equation, polynomials), private)| {
         let private = private.map(|(private, _)| private);
-        block(analysis, equation, polynomials, private, coordinates)
+        block(algebra, equation, polynomials, private, coordinates)
     });
     let blocks = blocks.collect();
     let core = core
         .into_iter()
-        .map(|k| core_unknowns::core_unknown(analysis, &coordinates[k]))
+        .map(|k| core_unknowns::core_unknown(algebra, &coordinates[k]))
         .collect();
     Some(Form::Coupled(Box::new(Coupled {
         kind,
@@ -89,22 +89,22 @@ pub(crate) fn classify_coupled<'m>(
 
 /// The unknowns that one loop alone contains, by loop with their coordinate, and the coordinates that remain.
 pub(crate) fn private_and_core<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     polynomials: &[Polynomials<'m>],
     coordinates: &[Coordinate],
 ) -> (Vec<Option<(Private<'m>, usize)>>, Vec<usize>) {
     let mut privates = vec![None; polynomials.len()];
     let mut core = Vec::new();
     for (k, coordinate) in coordinates.iter().enumerate() {
-        let first = polynomials::first_symbol(analysis, coordinates, k);
-        let width = equations::symbols(analysis, coordinate).len();
+        let first = polynomials::first_symbol(algebra, coordinates, k);
+        let width = equations::symbols(algebra, coordinate).len();
         let with: Vec<usize> = (0..polynomials.len())
             .filter(|&e| (first..first + width).any(|s| polynomials[e].mention(s)))
             .collect();
         if let [only] = with[..]
             && privates[only].is_none()
             && let Some(found) = private_unknown(
-                analysis,
+                algebra,
                 CoordinateInLoop {
                     polynomials: &polynomials[only],
                     first,
@@ -122,7 +122,7 @@ pub(crate) fn private_and_core<'m>(
 
 /// A coordinate as the private unknown of a loop, if the loop can be solved for it.
 fn private_unknown<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     place: CoordinateInLoop<'_, 'm>,
 ) -> Option<Private<'m>> {
     let CoordinateInLoop {
@@ -136,12 +136,12 @@ fn private_unknown<'m>(
     match coordinate.kind {
         CoordinateKind::Angle(angle) => {
             let mut rest = polynomials.clone();
-            let rotor = polynomials::take_rotor(analysis, &mut rest, angle, &[])?;
+            let rotor = polynomials::take_rotor(algebra, &mut rest, angle, &[])?;
             let gone = !rest.mention(first) && !rest.mention(first + 1);
             (gone && !rotor.z.is_zero()).then_some(Private::Rotor(rotor))
         }
         CoordinateKind::Length(slide) => {
-            let mut guide = Vector([analysis.algebra.zero(); 2]);
+            let mut guide = Vector([algebra.zero(); 2]);
             for (row, sum) in polynomials.rows.iter().zip(&mut guide.0) {
                 for (monomial, &coefficient) in row {
                     match monomial[first] {
@@ -151,7 +151,7 @@ fn private_unknown<'m>(
                     }
                     let mut others = monomial.clone();
                     others[first] = 0;
-                    let factor = product_of_powers(analysis, polynomials.powers(&others));
+                    let factor = product_of_powers(algebra, polynomials.powers(&others));
                     *sum += coefficient * factor;
                 }
             }
@@ -160,9 +160,9 @@ fn private_unknown<'m>(
     }
 }
 
-fn product_of_powers<'m>(analysis: &Analysis<'_, 'm>, powers: Vec<(SymbolId, u8)>) -> Ex<'m> {
-    let graph = analysis.algebra.graph;
-    let mut product = analysis.algebra.one();
+fn product_of_powers<'m>(algebra: &Algebra<'m>, powers: Vec<(SymbolId, u8)>) -> Ex<'m> {
+    let graph = algebra.graph;
+    let mut product = algebra.one();
     for (symbol, power) in powers {
         for _ in 0..power {
             let factor = graph.ex(graph.symbol_node(symbol));
@@ -173,13 +173,13 @@ fn product_of_powers<'m>(analysis: &Analysis<'_, 'm>, powers: Vec<(SymbolId, u8)
 }
 
 fn block<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equation: &Equation<'m>,
     polynomials: &Polynomials<'m>,
     private: Option<Private<'m>>,
     coordinates: &[Coordinate],
 ) -> Block<'m> {
-    let zero = analysis.algebra.zero();
+    let zero = algebra.zero();
     let mut monomials: Vec<_> = polynomials.rows.iter().flat_map(|row| row.keys()).collect();
     monomials.sort();
     monomials.dedup();
@@ -193,14 +193,14 @@ fn block<'m>(
     });
     let own: Vec<SymbolId> = match &private {
         Some(Private::Rotor(rotor)) => {
-            let angle = &analysis.algebra.names.angles[rotor.angle];
+            let angle = &algebra.names.angles[rotor.angle];
             vec![angle.cos, angle.sin]
         }
         Some(Private::Slide { slide, .. }) => vec![*slide],
         None => Vec::new(),
     };
     let product = match equation.rows[..] {
-        [row] => scalar_product::scalar_product(analysis, row, coordinates),
+        [row] => scalar_product::scalar_product(algebra, row, coordinates),
         _ => None,
     };
     let removed = own.into_iter().map(|symbol| (symbol, zero)).collect();
@@ -211,6 +211,6 @@ fn block<'m>(
         private,
         distance: equation.distance.clone(),
         product,
-        number: core_unknowns::is_number_loop(analysis, equation.written),
+        number: core_unknowns::is_number_loop(algebra, equation.written),
     }
 }

@@ -1,12 +1,12 @@
 //! The unknowns of a core: what is an angle, a length or a number, and which lengths are a point together.
 
+use crate::algebra::context::Algebra;
 use crate::model::{Dimension, Type};
-use crate::structure::analysis::Analysis;
 use crate::structure::coupled::group::Core;
 use crate::structure::equations::{Coordinate, CoordinateKind};
 
 pub(crate) fn core_unknown(
-    analysis: &Analysis<'_, '_>,
+    algebra: &Algebra<'_>,
     coordinate: &Coordinate,
 ) -> (Core, Option<usize>) {
     match coordinate.kind {
@@ -16,7 +16,7 @@ pub(crate) fn core_unknown(
                 symbol,
                 number: coordinate
                     .unknown
-                    .is_some_and(|k| is_number_unknown(analysis, k)),
+                    .is_some_and(|k| is_number_unknown(algebra, k)),
                 component: None,
             },
             coordinate.unknown,
@@ -25,13 +25,13 @@ pub(crate) fn core_unknown(
 }
 
 /// True for an unknown without a length in it.
-fn is_number_unknown(analysis: &Analysis<'_, '_>, unknown: usize) -> bool {
-    is_number(analysis.algebra.mechanism.unknowns[unknown].ty.dimension())
+fn is_number_unknown(algebra: &Algebra<'_>, unknown: usize) -> bool {
+    is_number(algebra.mechanism.unknowns[unknown].ty.dimension())
 }
 
 /// True for a loop without a length in it.
-pub(crate) fn is_number_loop(analysis: &Analysis<'_, '_>, index: usize) -> bool {
-    let own = &analysis.algebra.mechanism.loops[index];
+pub(crate) fn is_number_loop(algebra: &Algebra<'_>, index: usize) -> bool {
+    let own = &algebra.mechanism.loops[index];
     let dimensions = [&own.left.ty, &own.right.ty].map(Type::dimension);
     is_number(dimensions.into_iter().flatten().next())
 }

@@ -2,7 +2,7 @@
 
 use linkage_symbolic::{Ex, V3};
 
-use crate::structure::analysis::Analysis;
+use crate::algebra::context::Algebra;
 use crate::structure::elements::SpaceLink;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::structure::{distance, polynomials};
@@ -10,7 +10,7 @@ use crate::structure::{distance, polynomials};
 /// `|v| = l` becomes `(v . v / l - l)/2`, a length. Where an earlier distance is about the same point, their difference is taken: it
 /// is of the first degree in that point, which leaves fewer solutions at infinity.
 pub(crate) fn with_squared_distances<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Vec<Equation<'m>> {
@@ -18,7 +18,7 @@ pub(crate) fn with_squared_distances<'m>(
     let mut links: Vec<SpaceLink<'m>> = Vec::new();
     for equation in &mut squared {
         let &[row] = &equation.rows[..] else { continue };
-        let Some((vector, length)) = distance::space_distance(analysis, row, coordinates) else {
+        let Some((vector, length)) = distance::space_distance(algebra, row, coordinates) else {
             continue;
         };
         let mut link = SpaceLink {
@@ -28,7 +28,7 @@ pub(crate) fn with_squared_distances<'m>(
         };
         let partner = links
             .iter()
-            .find_map(|other| Some((apart(analysis, &link, other, coordinates)?, other)));
+            .find_map(|other| Some((apart(algebra, &link, other, coordinates)?, other)));
         let row = match partner {
             Some(([apart, sum], other)) => {
                 link.less = Some(Box::new(other.clone()));
@@ -46,18 +46,18 @@ pub(crate) fn with_squared_distances<'m>(
 /// Difference and sum of two links' vectors (one of them reversed if need be), if the difference is free of a length that the
 /// first vector contains.
 fn apart<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     link: &SpaceLink<'m>,
     other: &SpaceLink<'m>,
     coordinates: &[Coordinate],
 ) -> Option<[V3<'m>; 2]> {
-    let contained = lengths_in(analysis, link.vector, coordinates)?;
+    let contained = lengths_in(algebra, link.vector, coordinates)?;
     let sum = link.vector + other.vector;
     let difference = link.vector - other.vector;
     [[difference, sum], [sum, difference]]
         .into_iter()
         .find(|[apart, _]| {
-            let left = lengths_in(analysis, *apart, coordinates);
+            let left = lengths_in(algebra, *apart, coordinates);
             left.is_some_and(|left| {
                 left.len() < contained.len() && left.iter().all(|k| contained.contains(k))
             })
@@ -66,15 +66,15 @@ fn apart<'m>(
 
 /// The unknown lengths that a vector contains.
 fn lengths_in<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     vector: V3<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Vec<usize>> {
-    let polynomials = polynomials::polynomials(analysis, &vector.0, coordinates)?;
+    let polynomials = polynomials::polynomials(algebra, &vector.0, coordinates)?;
     let is_length = |k: &usize| matches!(coordinates[*k].kind, CoordinateKind::Length(_));
     let contained = (0..coordinates.len())
         .filter(is_length)
-        .filter(|&k| polynomials.mention(polynomials::first_symbol(analysis, coordinates, k)));
+        .filter(|&k| polynomials.mention(polynomials::first_symbol(algebra, coordinates, k)));
     Some(contained.collect())
 }
 

@@ -2,26 +2,26 @@
 
 use linkage_symbolic::{Ex, V3};
 
-use crate::structure::analysis::Analysis;
+use crate::algebra::context::Algebra;
 use crate::structure::distance;
 use crate::structure::distance::Sides;
 use crate::structure::equations::Coordinate;
 
 /// The factors of a row `v . w - c` (or its negative) with a known `c`.
 pub(crate) fn scalar_product<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     row: Ex<'m>,
     coordinates: &[Coordinate],
 ) -> Option<[V3<'m>; 2]> {
     let mut sides = Sides {
         measured: row,
-        given: analysis.algebra.zero(),
+        given: algebra.zero(),
     };
     loop {
-        let graph = analysis.algebra.graph;
+        let graph = algebra.graph;
         if let Some(factors) = graph.factors_of_product(sides.measured.id()) {
             return Some(factors);
         }
-        sides = distance::without_term(analysis, sides, coordinates)?;
+        sides = distance::without_term(algebra, sides, coordinates)?;
     }
 }
