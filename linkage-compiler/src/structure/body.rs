@@ -106,7 +106,7 @@ pub(crate) fn body<'m>(
 
 /// Its points at which two rods from fixed points end.
 pub(crate) fn joints<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     body: &Body<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -135,7 +135,7 @@ pub(crate) fn joints<'m>(
 
 /// The point of the body at which a rod from a fixed point ends, and the rod.
 fn rod<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     body: &Body<'m>,
     place: usize,
     equation: &Equation<'m>,
@@ -157,11 +157,7 @@ fn rod<'m>(
 }
 
 /// `a` and the rest of `a.x p + a.y q + a.z (p x q) + rest`.
-fn local<'m>(
-    algebra: &mut Algebra<'m>,
-    body: &Body<'m>,
-    vector: V3<'m>,
-) -> Option<(V3<'m>, V3<'m>)> {
+fn local<'m>(algebra: &Algebra<'m>, body: &Body<'m>, vector: V3<'m>) -> Option<(V3<'m>, V3<'m>)> {
     let zero = algebra.zero();
     let mut found: [Option<Ex<'m>>; 3] = [None; 3];
     let mut rest = [zero; 3];

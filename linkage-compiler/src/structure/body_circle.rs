@@ -168,7 +168,7 @@ fn on_one_circle<'m>(
 
 /// The equations without those that were solved, in which some unknowns are expressions now.
 fn kept<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    analysis: &Analysis<'_, 'm>,
     solved: Vec<usize>,
     explained: &[Coordinate],
     equations: &[Equation<'m>],

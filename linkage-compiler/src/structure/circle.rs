@@ -52,7 +52,7 @@ pub(crate) fn point_to_circle<'m>(
 
 /// The distances from fixed points that contain nothing but this point.
 fn held_by<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     point: &[SymbolId],
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],

@@ -12,7 +12,7 @@ use crate::structure::{distance, explicit, polynomials, space};
 
 /// The form in which one equation is solved for all its coordinates, if it has one of the known forms.
 pub(crate) fn classify<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     equation: &Equation<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Form<'m>> {
@@ -37,7 +37,7 @@ pub(crate) fn classify<'m>(
 }
 
 fn two_rotors<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     mut rest: Polynomials<'m>,
     first: usize,
     second: usize,
@@ -55,7 +55,7 @@ fn two_rotors<'m>(
 }
 
 fn rotor_and_slide<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     mut rest: Polynomials<'m>,
     angle: usize,
     slide: SymbolId,
@@ -92,7 +92,7 @@ fn rotor_and_slide<'m>(
 }
 
 fn two_slides<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     mut rest: Polynomials<'m>,
     slides: [SymbolId; 2],
 ) -> Option<Form<'m>> {
@@ -108,7 +108,7 @@ fn two_slides<'m>(
 
 /// True for a distance in the plane from a point that turns with an angle or slides along a line: a link, whether its length or the square
 /// of it is given.
-fn is_link<'m>(algebra: &mut Algebra<'m>, row: Ex<'m>, coordinate: &Coordinate) -> bool {
+fn is_link<'m>(algebra: &Algebra<'m>, row: Ex<'m>, coordinate: &Coordinate) -> bool {
     let own = std::slice::from_ref(coordinate);
     let Some(Distance { vector, length }) = distance::distance(algebra, row, own) else {
         return false;
@@ -132,7 +132,7 @@ fn is_link<'m>(algebra: &mut Algebra<'m>, row: Ex<'m>, coordinate: &Coordinate) 
 }
 
 fn classify_scalar<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     equation: &Equation<'m>,
     coordinate: &Coordinate,
 ) -> Option<Form<'m>> {

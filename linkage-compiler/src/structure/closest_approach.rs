@@ -21,7 +21,7 @@ const DIGITS: f64 = 1000.0;
 /// What the unknowns do to a loop of three rows at their estimates: `none of them moves it along (0, 0, 1)`. Nothing if they
 /// move it in all directions.
 pub(crate) fn short_of<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    analysis: &Analysis<'_, 'm>,
     equation: &Equation<'m>,
     own: &[Coordinate],
 ) -> Option<String> {
@@ -50,7 +50,7 @@ pub(crate) fn short_of<'m>(
 
 /// How the rows change with one coordinate, at the estimates.
 fn column<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    analysis: &Analysis<'_, 'm>,
     rows: [Ex<'m>; 3],
     coordinate: &Coordinate,
 ) -> Option<Direction> {
@@ -67,7 +67,7 @@ fn column<'m>(
 
 /// The rows at the estimates with one coordinate moved: by radians, or by a share of the estimate.
 fn rows_at<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    analysis: &Analysis<'_, 'm>,
     rows: [Ex<'m>; 3],
     moved: &Coordinate,
     step: f64,

@@ -22,7 +22,7 @@ pub(crate) struct Sides<'m> {
 
 /// A row `|v| - l` or `v . v - l^2` (or its negative) with a known `l`.
 pub(crate) fn distance<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     row: Ex<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Distance<'m>> {
@@ -31,7 +31,7 @@ pub(crate) fn distance<'m>(
 
 /// A length or its square on one side, known numbers on the other.
 fn measured<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     row: Ex<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Distance<'m>> {
@@ -61,7 +61,7 @@ fn measured<'m>(
 
 /// Both sides less a known term of the first.
 pub(crate) fn without_term<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     Sides { measured, given }: Sides<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Sides<'m>> {
@@ -90,7 +90,7 @@ pub(crate) fn without_term<'m>(
 
 /// Both sides divided by the known factors of the first.
 fn without_factors<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     Sides {
         mut measured,
         mut given,
@@ -124,7 +124,7 @@ fn without_factors<'m>(
 
 /// `x x + y y - ...` or `x x + y y + z z - ...` with a known rest.
 fn written_squares<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     row: Ex<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Distance<'m>> {
@@ -153,7 +153,7 @@ fn written_squares<'m>(
 
 /// A row that is a distance in space.
 pub(crate) fn space_distance<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     row: Ex<'m>,
     coordinates: &[Coordinate],
 ) -> Option<(V3<'m>, Ex<'m>)> {

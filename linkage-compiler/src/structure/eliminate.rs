@@ -82,7 +82,7 @@ fn find_relation<'m>(
 
 /// A relation between angles stays a linear form when one of its angles is replaced.
 fn replaced_in_relation<'m>(
-    _algebra: &mut Algebra<'m>,
+    _algebra: &Algebra<'m>,
     equation: &Equation<'m>,
     angle: usize,
     value: &Scalar<'m>,
@@ -150,7 +150,7 @@ fn eliminate_point<'m>(
 
 /// All components of a point that enters an equation as `k (x, y)` with a `k` that is known before the input.
 fn solve_point<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     equation: &Equation<'m>,
     point: &[SymbolId],
 ) -> Option<Vec<Ex<'m>>> {
@@ -217,7 +217,7 @@ fn eliminate_slide<'m>(
 
 /// What remains when one equation has given some coordinates.
 fn without<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    analysis: &Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
     place: usize,

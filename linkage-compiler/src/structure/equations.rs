@@ -142,7 +142,7 @@ pub(crate) fn contains<'m>(algebra: &Algebra<'m>, x: Ex<'m>, coordinate: &Coordi
 
 /// Replaces eliminated symbols in an equation.
 pub(crate) fn substituted<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    analysis: &Analysis<'_, 'm>,
     equation: &Equation<'m>,
 ) -> Equation<'m> {
     let graph = analysis.algebra.graph;

@@ -11,7 +11,7 @@ use crate::structure::group::Explicit;
 
 /// An angle relation solved for one angle.
 pub(crate) fn solved_relation<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     equation: &Equation<'m>,
     angle: usize,
 ) -> Option<Scalar<'m>> {
@@ -44,7 +44,7 @@ pub(crate) fn make_explicit<'m>(analysis: &mut Analysis<'_, 'm>, symbol: SymbolI
 
 /// Substitutes in an equation; if that changes it, it also answers for the eliminated loop and unknowns.
 pub(crate) fn substitute_in<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    analysis: &Analysis<'_, 'm>,
     equation: &mut Equation<'m>,
     eliminated: &Equation<'m>,
     gone: &[Coordinate],

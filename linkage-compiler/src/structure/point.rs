@@ -11,7 +11,7 @@ use crate::structure::{distance, space};
 
 /// Two or three numbers given by distances in space and planes: a point, or a direction.
 pub(crate) fn classify_point<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    analysis: &Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<Form<'m>> {
@@ -77,7 +77,7 @@ fn smallest_first(analysis: &Analysis<'_, '_>, spheres: &mut [Sphere]) {
 
 /// `k + f p`, where each symbol is a component of `p`: the components, `f` and `k`.
 pub(crate) fn moved_point<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     vector: V3<'m>,
     symbols: &[SymbolId],
 ) -> Option<(Vec<usize>, Ex<'m>, V3<'m>)> {

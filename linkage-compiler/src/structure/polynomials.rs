@@ -67,7 +67,7 @@ impl<'m> Polynomials<'m> {
 
 /// The rows of an equation as polynomials in coordinates; `None` if they are none (a square root, an angle's value).
 pub(crate) fn polynomials<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     rows: &[Ex<'m>],
     coordinates: &[Coordinate],
 ) -> Option<Polynomials<'m>> {
@@ -101,7 +101,7 @@ pub(crate) fn drop_cancelled<'m>(algebra: &Algebra<'m>, polynomials: &mut Polyno
 
 /// The terms with an angle's unit vector (times `with`), if they are a vector turning with it.
 pub(crate) fn take_rotor<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     polynomials: &mut Polynomials<'m>,
     index: usize,
     with: &[SymbolId],

@@ -12,7 +12,7 @@ use crate::structure::{classify, distance, equations, explicit, space};
 
 /// Two scalar loops, the components of one vector loop.
 pub(crate) fn join_rows<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -72,7 +72,7 @@ pub(crate) fn distance_to_link<'m>(
 
 /// An angle whose vectors do not simply turn, with a slide: the equation across the guide contains the angle alone.
 pub(crate) fn split_along_guide<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -185,7 +185,7 @@ fn linear_part(row: Ex, slide: SymbolId) -> Option<Ex> {
 /// Two slides and an angle in a loop of three rows: the equation across both guides contains the angle alone, those across
 /// one of them the other slide.
 pub(crate) fn split_across_guides<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {

@@ -9,7 +9,7 @@ use crate::structure::{distance, polynomials};
 
 /// A link with two ball joints to a point that turns about an axis (RSSR) or slides along a line (RSSP).
 pub(crate) fn classify_distance<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     row: Ex<'m>,
     coordinate: &Coordinate,
 ) -> Option<Form<'m>> {
@@ -47,7 +47,7 @@ pub(crate) fn classify_distance<'m>(
 
 /// A row that is linear in some symbols: their factors and the rest.
 pub(crate) fn linear_row<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     row: Ex<'m>,
     symbols: &[SymbolId],
 ) -> Option<(Vec<Ex<'m>>, Ex<'m>)> {
@@ -66,7 +66,7 @@ pub(crate) fn linear_row<'m>(
 
 /// A vector loop with three slides.
 pub(crate) fn classify_three_slides<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     equation: &Equation<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Form<'m>> {
@@ -91,7 +91,7 @@ pub(crate) fn classify_three_slides<'m>(
 
 /// Three rows that are linear in slides: the guide of each, and the rest.
 pub(crate) fn guides<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     rows: V3<'m>,
     slides: &[SymbolId],
 ) -> Option<(Vec<V3<'m>>, V3<'m>)> {

@@ -144,7 +144,7 @@ fn obstacle_of_values(algebra: &Algebra<'_>, valued: &[usize], rows: usize) -> S
 
 /// The unknown angles of which polynomial loops contain the value.
 fn angles_with_values<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Vec<usize> {
@@ -162,7 +162,7 @@ fn angles_with_values<'m>(
 
 /// How many unknowns of polynomial loops are in the core.
 fn core_of<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> usize {

@@ -87,7 +87,7 @@ pub(crate) fn eliminate<'m>(
 
 /// The multipliers of `J^T l = weights`.
 pub(crate) fn eliminate_transposed<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     group: usize,
     weights: &[Ex<'m>],
 ) -> Vec<Ex<'m>> {
@@ -134,7 +134,7 @@ pub(crate) fn eliminate_transposed<'m>(
 
 /// The solution of a linear system. What is divided by the determinant is the right-hand side where that is mostly 0.
 fn solve_core<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     matrix: &[Vec<Ex<'m>>],
     right: &[Ex<'m>],
     determinant: Ex<'m>,

@@ -140,7 +140,7 @@ fn below_node<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> Vec<Item> {
 
 /// Hands the weight of a symbol to what its rule is about.
 fn symbol_back<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     weights: &mut Weights<'m>,
     symbol: SymbolId,
     weight: Ex<'m>,
@@ -240,7 +240,7 @@ fn system_back<'m>(algebra: &mut Algebra<'m>, weights: &mut Weights<'m>, system:
 }
 
 fn add_to_angle<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     weights: &mut Weights<'m>,
     rule: AngleRule<'m>,
     share: Ex<'m>,
@@ -255,7 +255,7 @@ fn add_to_angle<'m>(
 
 /// Hands the weight of a carrier's turning to its angle and to where it starts.
 fn add_to_carrier<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     weights: &mut Weights<'m>,
     carrier: RotatingFrame<'m>,
     share: Ex<'m>,
@@ -267,12 +267,7 @@ fn add_to_carrier<'m>(
     }
 }
 
-fn add_to_node<'m>(
-    algebra: &mut Algebra<'m>,
-    weights: &mut Weights<'m>,
-    node: NodeId,
-    share: Ex<'m>,
-) {
+fn add_to_node<'m>(algebra: &Algebra<'m>, weights: &mut Weights<'m>, node: NodeId, share: Ex<'m>) {
     if share.is_zero() || algebra.graph.constant_value(node).is_some() {
         return;
     }
@@ -281,7 +276,7 @@ fn add_to_node<'m>(
 }
 
 fn add_to_system<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     weights: &mut Weights<'m>,
     system: System,
     position: usize,

@@ -12,7 +12,7 @@ use crate::structure::{equations, polynomials};
 /// parts are the same, and a loop without any, close a contour that leaves the frame out; every other loop adds a place where
 /// the group is attached.
 pub(crate) fn class_and_order<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     polynomials: &[Polynomials<'m>],
     coordinates: &[Coordinate],
 ) -> (u8, u8, usize) {
@@ -40,7 +40,7 @@ pub(crate) fn class_and_order<'m>(
 
 /// The number of unknowns in a vector loop, or in the sum or difference of two, if the known parts cancel.
 fn contour<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     a: &Polynomials<'m>,
     b: Option<&Polynomials<'m>>,
     coordinates: &[Coordinate],

@@ -27,7 +27,7 @@ struct CoordinateInLoop<'p, 'm> {
 
 /// The form of loops that remain coupled, if they are polynomials in their unknowns.
 pub(crate) fn classify_coupled<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<Form<'m>> {
@@ -89,7 +89,7 @@ pub(crate) fn classify_coupled<'m>(
 
 /// The unknowns that one loop alone contains, by loop with their coordinate, and the coordinates that remain.
 pub(crate) fn private_and_core<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     polynomials: &[Polynomials<'m>],
     coordinates: &[Coordinate],
 ) -> (Vec<Option<(Private<'m>, usize)>>, Vec<usize>) {
@@ -122,7 +122,7 @@ pub(crate) fn private_and_core<'m>(
 
 /// A coordinate as the private unknown of a loop, if the loop can be solved for it.
 fn private_unknown<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     place: CoordinateInLoop<'_, 'm>,
 ) -> Option<Private<'m>> {
     let CoordinateInLoop {
@@ -173,7 +173,7 @@ fn product_of_powers<'m>(algebra: &Algebra<'m>, powers: Vec<(SymbolId, u8)>) -> 
 }
 
 fn block<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     equation: &Equation<'m>,
     polynomials: &Polynomials<'m>,
     private: Option<Private<'m>>,

@@ -10,7 +10,7 @@ use crate::structure::{distance, polynomials};
 /// `|v| = l` becomes `(v . v / l - l)/2`, a length. Where an earlier distance is about the same point, their difference is taken: it
 /// is of the first degree in that point, which leaves fewer solutions at infinity.
 pub(crate) fn with_squared_distances<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Vec<Equation<'m>> {
@@ -46,7 +46,7 @@ pub(crate) fn with_squared_distances<'m>(
 /// Difference and sum of two links' vectors (one of them reversed if need be), if the difference is free of a length that the
 /// first vector contains.
 fn apart<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     link: &SpaceLink<'m>,
     other: &SpaceLink<'m>,
     coordinates: &[Coordinate],
@@ -66,7 +66,7 @@ fn apart<'m>(
 
 /// The unknown lengths that a vector contains.
 fn lengths_in<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     vector: V3<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Vec<usize>> {

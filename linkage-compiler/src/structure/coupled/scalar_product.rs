@@ -9,7 +9,7 @@ use crate::structure::equations::Coordinate;
 
 /// The factors of a row `v . w - c` (or its negative) with a known `c`.
 pub(crate) fn scalar_product<'m>(
-    algebra: &mut Algebra<'m>,
+    algebra: &Algebra<'m>,
     row: Ex<'m>,
     coordinates: &[Coordinate],
 ) -> Option<[V3<'m>; 2]> {
