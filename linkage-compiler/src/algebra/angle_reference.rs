@@ -1,4 +1,5 @@
-//! Which way an angle points, as long as its group can be assembled: what its turns are counted by.
+//! Directions near which an angle stays as long as its group can be assembled. Turns are counted
+//! from them.
 
 use linkage_symbolic::program::{Binary, Source, Unary};
 use linkage_symbolic::{Ex, Node, V2, Vector, agree};
@@ -10,7 +11,8 @@ use crate::algebra::parts;
 use crate::algebra::parts::TurningPart;
 
 impl<'m> AngleReference<'m> {
-    /// As a sum of vectors of fixed lengths, each turning with a sum of angles; `None` if a length changes.
+    /// Returns the vector as a sum of vectors of fixed lengths, each turning with a sum of angles.
+    /// `None` if a length changes.
     pub(crate) fn phasors(&self, algebra: &Algebra<'m>) -> Option<Vec<Phasor<'m>>> {
         let vector = match self.across {
             true => self.vector.perp(),
@@ -33,7 +35,8 @@ impl<'m> AngleReference<'m> {
     }
 }
 
-/// A vector as a sum of vectors of fixed lengths, each turning with a sum of angles; `None` if a length changes.
+/// A vector as a sum of vectors of fixed lengths, each turning with a sum of angles; `None` if a
+/// length changes.
 fn phasors<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Option<Vec<Phasor<'m>>> {
     /// Products of more directions would be sums of too many.
     const MOST_ANGLES: usize = 3;
@@ -98,8 +101,9 @@ fn rate_of(algebra: &Algebra<'_>, (cosine, _): AnglePair) -> Option<(usize, f64)
 }
 
 impl<'m> TurningPart<'m> {
-    /// The vectors that it is the sum of: as `cos a = (e^(i a) + e^(-i a))/2` and `sin a = (e^(i a) - e^(-i a))/(2 i)`, one for each choice of
-    /// the angles' signs. Those that vanish, as half of a rotor's do, are left out.
+    /// The vectors that it is the sum of: as `cos a = (e^(i a) + e^(-i a))/2` and `sin a = (e^(i a)
+    /// - e^(-i a))/(2 i)`, one for each choice of the angles' signs. Those that vanish, as half of
+    /// a rotor's do, are left out.
     fn phasors(&self, rates: &[Option<(usize, f64)>]) -> Vec<Phasor<'m>> {
         let zero = self.rows[0][0].number(0.0);
         let choices = 0..self.rows[0].len();
@@ -108,7 +112,8 @@ impl<'m> TurningPart<'m> {
             let mut sum = Vector([zero; 2]);
             for sines in choices.clone() {
                 let own = Vector([self.rows[0][sines], self.rows[1][sines]]);
-                // Each sine divides by i, and turns the other way round for an angle taken backward.
+                // Each sine divides by i, and turns the other way round for an angle taken
+                // backward.
                 let turned = (0..sines.count_ones()).fold(own, |own, _| -own.perp());
                 let negative = (sines & backward).count_ones() % 2 == 1;
                 sum = sum + if negative { -turned } else { turned };

@@ -1,8 +1,10 @@
 //! Linear systems of cores in the freedoms of their bodies.
 //!
-//! Two perpendicular directions `u` and `w` of length 1 are six unknowns with three equations of their own, `u.du = p`, `w.dw = q`,
-//! `w.du + u.dw = r`. All their solutions are `du = t x u + p u + r w/2`, `dw = t x w + q w + r u/2` with a turn `t`. So a system is solved in the
-//! turns instead: three unknowns and three equations less for each body, and fewer pivots that can vanish where nothing is singular.
+//! Two perpendicular directions `u` and `w` of length 1 are six unknowns with three equations of
+//! their own, `u.du = p`, `w.dw = q`, `w.du + u.dw = r`. All their solutions are `du = t x u + p u
+//! + r w/2`, `dw = t x w + q w + r u/2` with a turn `t`. So a system is solved in the turns
+//! instead: three unknowns and three equations less for each body, and fewer pivots that can vanish
+//! where nothing is singular.
 
 #[cfg(test)]
 mod tests;
@@ -23,7 +25,7 @@ pub(crate) struct Body<'m> {
     pub(crate) axes: [V3<'m>; 2],
 }
 
-/// The bodies of a core, and what is not theirs.
+/// The bodies of a core, and the equations and unknowns of no body.
 #[derive(Clone, Debug)]
 pub(crate) struct Bodies<'m> {
     pub(crate) all: Vec<Body<'m>>,
@@ -33,13 +35,13 @@ pub(crate) struct Bodies<'m> {
     sign: f64,
 }
 
-/// How a system that is too large for cofactors is solved.
+/// The way in which a system is solved that is too large for cofactors.
 #[derive(Clone, Debug)]
 pub(crate) struct Scheme<'m> {
     pub(crate) bodies: Bodies<'m>,
     /// The matrix by the freedoms, without the equations of the bodies.
     pub(crate) freedoms: Vec<Vec<Ex<'m>>>,
-    /// Of the freedoms: the other unknowns, then three turns for each body.
+    /// The order of the freedoms: the other unknowns, then three turns for each body.
     pub(crate) order: Order,
 }
 
@@ -91,7 +93,8 @@ impl<'m> Bodies<'m> {
         let others =
             |taken: &[usize]| -> Vec<usize> { (0..size).filter(|k| !taken.contains(k)).collect() };
         let (rows, columns) = (others(&of_bodies), others(&in_bodies));
-        // Turns and what is missed are of one volume with the components; the turns of all bodies stand before all that is missed.
+        // Turns and errors are of one volume with the components; the turns of all bodies come
+        // before all errors.
         let between = 9 * all.len() * all.len().saturating_sub(1) / 2;
         let sign = parity(&[&rows[..], &of_bodies].concat())
             * parity(&[&columns[..], &in_bodies].concat())
@@ -116,7 +119,7 @@ impl<'m> Bodies<'m> {
         others.chain(turns).collect()
     }
 
-    /// How the directions change to make up for what the equations of the bodies miss.
+    /// Returns the changes of the directions that make up for the errors of the bodies' equations.
     pub(crate) fn shifts(&self, right: &[Ex<'m>]) -> Vec<Shifts<'m>> {
         let shifts = self.all.iter().map(|body| {
             let ([p, q, r], [u, w]) = (body.rows.map(|row| right[row]), body.axes);
@@ -167,14 +170,14 @@ impl<'m> Body<'m> {
     }
 }
 
-/// How the directions of a body change besides its turn.
+/// The changes of the directions of a body besides its turn.
 pub(crate) type Shifts<'m> = [V3<'m>; 2];
 
 /// The solution of a system by a scheme.
 pub(crate) struct SolvedByScheme<'m> {
     pub(crate) solution: Vec<Ex<'m>>,
     pub(crate) determinant: Ex<'m>,
-    /// Of the bodies, if these do nothing but turn.
+    /// The turns of the bodies, if these do nothing but turn.
     pub(crate) turns: Option<Vec<V3<'m>>>,
 }
 
@@ -213,7 +216,8 @@ pub(crate) fn solve_by_scheme<'m>(
     }
 }
 
-/// The same system where `left` is what shifts of directions leave of the right-hand side in the other equations.
+/// Solves the same system where `left` is the right-hand side of the other equations after the
+/// shifts of directions.
 pub(crate) fn solve_left_by_scheme<'m>(
     graph: &'m Graph,
     scheme: &Scheme<'m>,

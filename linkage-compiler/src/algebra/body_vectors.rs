@@ -1,7 +1,8 @@
-//! What bodies carry changes as they turn: a vector `v` with coordinates of its own on a body that turns by `t` changes by `t x v`.
+//! Vectors that a body carries: with coordinates of its own on a body that turns by `t`, a vector
+//! `v` changes by `t x v`.
 //!
-//! By the derivatives of the body's directions it would take those of the third one, a product of the others, too, and in second derivatives three
-//! times as many.
+//! By the derivatives of the body's directions it would take those of the third one, a product of
+//! the others, too, and in second derivatives three times as many.
 
 use crate::model::unknown_frames;
 use linkage_symbolic::{Node, SymbolId, V3, Vector, agree, substitute};
@@ -48,7 +49,8 @@ pub(crate) fn directions(axes: [V3<'_>; 2]) -> Option<[SymbolId; 6]> {
     symbols.try_into().ok()
 }
 
-/// The coordinates of a vector along both directions and their cross product; nothing if it is not carried, since it changes otherwise as they turn.
+/// The coordinates of a vector along both directions and their cross product; nothing if it is not
+/// carried, since it changes otherwise as they turn.
 pub(crate) fn coordinates<'m>(vector: V3<'m>, axes: [V3<'m>; 2]) -> Option<V3<'m>> {
     let seen = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0].map(|x| vector[0].number(x));
     let seen = directions(axes)?.into_iter().zip(seen).collect();
@@ -66,7 +68,8 @@ pub(crate) fn note_if_on_body<'m>(algebra: &mut Algebra<'m>, v: V3<'m>) {
     }
 }
 
-/// The coordinates of a vector that one of the unknown frames carries as it is, if they are dimensions, along two of its axes and across these.
+/// The coordinates of a vector that one of the unknown frames carries as it is, if they are
+/// dimensions, along two of its axes and across these.
 pub(crate) fn coordinates_on_body<'m>(
     algebra: &Algebra<'m>,
     v: V3<'m>,

@@ -102,8 +102,8 @@ fn turn<'m>(algebra: &mut Algebra<'m>, v: V3<'m>, axis: V3<'m>, angle: &Value<'m
     let (turning, sideways, along) = if algebra.vanishes(along) {
         (v, sideways, algebra.zero())
     } else if v.is_fixed() && axis.is_fixed() {
-        // Of a vector that is prepared only the part across the axis turns: what is left of a long part along it by
-        // rounding would tilt the circle.
+        // Only the part of a prepared vector across the axis turns: the rest of a long part along
+        // it by rounding would tilt the circle.
         let across = sideways.cross(axis);
         (across, axis.cross(across), along)
     } else {
@@ -142,8 +142,8 @@ fn binary<'m>(op: Binary, [a, b]: [Ex<'m>; 2]) -> Value<'m> {
     a.binary(op, b).into()
 }
 
-/// The angle between the first two sides, opposite to the last, by Kahan's formula, which needle triangles do not hurt
-/// (W. Kahan, "Miscalculating Area and Angles of a Needle-like Triangle").
+/// The angle between the first two sides, opposite to the last, by Kahan's formula, which needle
+/// triangles do not hurt (W. Kahan, "Miscalculating Area and Angles of a Needle-like Triangle").
 fn triangle_angle([first, second, c]: [Ex; 3]) -> Ex {
     let a = first.max(second);
     let b = first.min(second);

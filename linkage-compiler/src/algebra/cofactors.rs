@@ -9,7 +9,8 @@ pub(crate) fn product_sum<'m>(graph: &'m Graph, a: &[Ex<'m>], b: &[Ex<'m>]) -> E
     pairs.fold(graph.number(0.0), |sum, (&x, &y)| sum + x * y)
 }
 
-/// The adjugate of a matrix times a vector: the solution of the linear system times the determinant.
+/// The adjugate of a matrix times a vector: the solution of the linear system times the
+/// determinant.
 pub(crate) fn cofactor_products<'m>(
     graph: &'m Graph,
     matrix: &[Vec<Ex<'m>>],
@@ -33,8 +34,9 @@ pub(crate) fn cofactor_products<'m>(
         .collect()
 }
 
-/// Cramer's rule for one right-hand side: what the solution is times the determinant, and that. The right-hand side is a further column, so that
-/// fewer minors are needed than for several.
+/// Returns the solution for one right-hand side times the determinant, and the determinant, by
+/// Cramer's rule. The right-hand side is a further column, so that fewer minors are needed than for
+/// several.
 pub(crate) fn cramer<'m>(
     graph: &'m Graph,
     matrix: &[Vec<Ex<'m>>],
@@ -73,7 +75,7 @@ pub(crate) fn determinant<'m>(graph: &'m Graph, matrix: &[Vec<Ex<'m>>]) -> Ex<'m
 struct Minors<'a, 'm> {
     graph: &'m Graph,
     matrix: &'a [Vec<Ex<'m>>],
-    /// By the sets of rows and of columns, as bits.
+    /// Minors by the sets of rows and of columns, as bits.
     known: Map<(u32, u32), Ex<'m>>,
 }
 

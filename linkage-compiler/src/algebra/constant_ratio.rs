@@ -37,8 +37,8 @@ impl ConstantRatio {
     }
 }
 
-/// Turns that an unknown angle may make for each turn of an input: the rates at which vectors turn with it, and simple
-/// multiples.
+/// Turns that an unknown angle may make for each turn of an input: the rates at which vectors turn
+/// with it, and simple multiples.
 pub(crate) fn candidate_rates(algebra: &Algebra<'_>, input: usize) -> Vec<f64> {
     let mut rates = vec![0.0];
     if algebra.mechanism.inputs[input].dimension.half_lengths != 0 {

@@ -14,9 +14,9 @@ use crate::model::{Mechanism, Variable};
 pub(crate) struct Algebra<'m> {
     pub(crate) mechanism: &'m Mechanism,
     pub(crate) graph: &'m Graph,
-    /// What the names of the model are.
+    /// The symbols and values of the model's names.
     pub(crate) names: Names<'m>,
-    /// How the unknowns are found, and so how they are differentiated.
+    /// The ways in which the unknowns are found, and with them the rules of their derivatives.
     pub(crate) solutions: Solutions<'m>,
     /// Derivatives found already.
     pub(crate) derivatives: DerivativeMemos<'m>,
@@ -34,7 +34,8 @@ impl<'m> Algebra<'m> {
         }
     }
 
-    /// What something answers that may add to the graph and to what is known, as if it had not been asked.
+    /// Returns the answer to a question that may add to the graph and to the algebra, and undoes
+    /// all that it added.
     pub(crate) fn tried<R>(&mut self, question: impl FnOnce(&mut Self) -> R) -> R {
         let names = self.names.clone();
         let solutions = self.solutions.clone();
@@ -62,7 +63,7 @@ impl<'m> Algebra<'m> {
         self.source(Source::Input(index))
     }
 
-    /// What a program loads from `source`.
+    /// Returns the value that a program loads from `source`.
     pub(crate) fn source(&self, source: Source) -> Ex<'m> {
         self.graph.ex(self.graph.source(source))
     }

@@ -5,14 +5,15 @@ use linkage_symbolic::{Ex, NodeId, SymbolId, V2, V3};
 use crate::algebra::bodies::Scheme;
 use crate::algebra::rules::RotatingFrame;
 
-/// A vector that turns with an unknown: its derivative by that is the unknown's column of the Jacobian.
+/// A vector that turns with an unknown: its derivative by that is the unknown's column of the
+/// Jacobian.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Link<'m> {
     /// `z u`
     pub(crate) vector: V2<'m>,
     pub(crate) z: V2<'m>,
     pub(crate) unit: V2<'m>,
-    /// Of its length.
+    /// The square of its length.
     pub(crate) square: Ex<'m>,
     /// `vector x column` of the other unknown.
     pub(crate) across: Ex<'m>,
@@ -25,17 +26,19 @@ impl<'m> Link<'m> {
     }
 }
 
-/// A rod in space between a known point and one that the unknown of its group moves: the equation says that its length is given.
+/// A rod in space between a known point and one that the unknown of its group moves: the equation
+/// says that its length is given.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rod<'m> {
     /// `known` and a vector that the unknown moves.
     pub(crate) vector: V3<'m>,
     pub(crate) known: V3<'m>,
     pub(crate) length: Ex<'m>,
-    /// What the unknown moves its end by, and what that is made of.
+    /// The derivative of its end by the unknown, and the vectors that this is made of.
     pub(crate) slope: V3<'m>,
     pub(crate) arms: [V3<'m>; 2],
-    /// The scalar product of the rod and the vector that the unknown turns, 0 for one that it only moves.
+    /// The scalar product of the rod and the vector that the unknown turns, 0 for one that it only
+    /// moves.
     pub(crate) across: Ex<'m>,
 }
 
@@ -43,11 +46,12 @@ pub(crate) struct Rod<'m> {
 #[derive(Clone, Debug)]
 pub(crate) struct WrittenRow<'m> {
     pub(crate) row: Ex<'m>,
-    /// If it says how long a link is, or by how much its square differs from that of another one.
+    /// The links, if the row is about the length of a link, or about the difference of two squares.
     pub(crate) links: Option<Links<'m>>,
 }
 
-/// Half of what the first square of a distance is off by, less the same of another one, over the first length.
+/// Half of the error of the first square of a distance, less the same of another one, over the
+/// first length.
 #[derive(Clone, Debug)]
 pub(crate) struct Links<'m> {
     pub(crate) first: Distance<'m>,
@@ -62,13 +66,13 @@ pub(crate) struct Distance<'m> {
     pub(crate) carried: Option<ArmOnBody<'m>>,
 }
 
-/// What a body carries of a vector as it is.
+/// The part of a vector that a body carries.
 #[derive(Clone, Debug)]
 pub(crate) struct ArmOnBody<'m> {
     pub(crate) body: usize,
     pub(crate) arm: V3<'m>,
     pub(crate) rest: V3<'m>,
-    /// What the coordinates of the arm are made of.
+    /// The dimensions that the coordinates of the arm are made of.
     pub(crate) dimensions: Vec<SymbolId>,
 }
 
@@ -80,11 +84,12 @@ pub(crate) struct Term<'m> {
     pub(crate) factor: Ex<'m>,
 }
 
-/// What differentiation needs to know of a solved group.
+/// The equations of a solved group, as its derivatives need them.
 #[derive(Clone, Debug)]
 pub(crate) struct Solution<'m> {
     pub(crate) terms: Vec<Term<'m>>,
-    /// The equations as they were written, for groups whose derivatives are found from these; no rows for others.
+    /// The equations as they were written, for groups whose derivatives are found from these; no
+    /// rows for others.
     pub(crate) rows: Vec<WrittenRow<'m>>,
     /// Columns: the derivatives of the equations by each unknown.
     pub(crate) jacobian: Vec<Vec<Ex<'m>>>,
@@ -97,7 +102,7 @@ pub(crate) struct Solution<'m> {
     pub(crate) rod: Option<Rod<'m>>,
 }
 
-/// How a group's Jacobian is brought down to its core.
+/// The steps that bring a group's Jacobian down to its core.
 #[derive(Clone, Debug)]
 pub(crate) struct Elimination<'m> {
     /// One for each equation of the core.
@@ -108,7 +113,7 @@ pub(crate) struct Elimination<'m> {
     pub(crate) units: Vec<Ex<'m>>,
     /// In the order of the columns after those of the core.
     pub(crate) privates: Vec<PrivateColumn<'m>>,
-    /// How the matrix is solved if it is too large for cofactors.
+    /// The way to solve the matrix, if it is too large for cofactors.
     pub(crate) scheme: Option<Scheme<'m>>,
 }
 
@@ -143,7 +148,7 @@ pub(crate) struct ViaSlider<'m> {
     pub(crate) carried: AngleSum,
 }
 
-/// What a vector turns with.
+/// The angles that a vector turns with.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct AngleSum {
     pub(crate) angles: Vec<AnglePair>,

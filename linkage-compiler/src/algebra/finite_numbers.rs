@@ -1,4 +1,5 @@
-//! Are the numbers of the mechanism numbers? Defaults such as `1 / zero`, tolerances such as `1um - 2um`.
+//! Are the numbers of the mechanism numbers? Defaults such as `1 / zero`, tolerances such as `1um -
+//! 2um`.
 
 use crate::algebra::nominal::Nominal;
 use crate::diagnostic::Reporter;

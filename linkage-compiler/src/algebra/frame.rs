@@ -6,7 +6,8 @@ use crate::algebra::context::Algebra;
 use crate::algebra::value::Value;
 use crate::algebra::{body_vectors, scalar, vanish};
 
-/// Origin and axes: `X = x / |x|`, `Y = (z x X) / |z x X|`, `Z = X x Y`; of unknown frames what they are made of.
+/// Returns origin and axes: `X = x / |x|`, `Y = (z x X) / |z x X|`, `Z = X x Y`. An unknown frame
+/// consists of its parts.
 pub(crate) fn frame<'m>(algebra: &mut Algebra<'m>, arguments: &[Value<'m>]) -> Value<'m> {
     match arguments {
         [origin, direction] => return plane_frame(algebra, origin, direction),
@@ -33,8 +34,8 @@ pub(crate) fn frame<'m>(algebra: &mut Algebra<'m>, arguments: &[Value<'m>]) -> V
     Value::Array(parts.to_vec())
 }
 
-/// The direction of a vector. What an unknown frame carries is as long as its coordinates there are, which the derivatives of its length do not
-/// know.
+/// Returns the direction of a vector. A vector on an unknown frame is as long as its coordinates
+/// there are, which the derivatives of its length do not know.
 pub(crate) fn unit_in_space<'m>(algebra: &mut Algebra<'m>, v: V3<'m>) -> V3<'m> {
     let Some((own, axes)) = body_vectors::coordinates_on_body(algebra, v) else {
         return v.unit();
@@ -46,7 +47,8 @@ pub(crate) fn unit_in_space<'m>(algebra: &mut Algebra<'m>, v: V3<'m>) -> V3<'m> 
     unit
 }
 
-/// Origin and axes of an unknown frame, of which its own loops say that they are perpendicular and of length 1.
+/// Origin and axes of an unknown frame, of which its own loops say that they are perpendicular and
+/// of length 1.
 fn frame_of_axes<'m>(algebra: &mut Algebra<'m>, parts: &[Value<'m>]) -> Value<'m> {
     for axis in &parts[1..] {
         let axis = space_vector(algebra, axis);
@@ -109,7 +111,8 @@ pub(crate) fn coordinates_in<'m>(algebra: &Algebra<'m>, arguments: &[Value<'m>])
     Value::Vector(Vector(coordinates).into())
 }
 
-/// The vector by which a frame turns, from the derivatives of its parts: `(Y' . Z) X + (Z' . X) Y + (X' . Y) Z`.
+/// The vector by which a frame turns, from the derivatives of its parts: `(Y' . Z) X + (Z' . X) Y +
+/// (X' . Y) Z`.
 pub(crate) fn turning_of_frame<'m>(
     algebra: &Algebra<'m>,
     frame: &Value<'m>,

@@ -9,17 +9,19 @@ use linkage_symbolic::{DerivativeMemo, Ex, NodeId, SymbolId, V3};
 use crate::algebra::solutions::Shortcuts;
 use crate::algebra::systems::{Solved, System};
 
-/// Derivatives found already: total ones, those of the unknowns of groups, and what the sweeps backwards left.
+/// Derivatives found already: total ones, those of the unknowns of groups, and the results of
+/// sweeps backwards.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct DerivativeMemos<'m> {
     pub(crate) memo: DerivativeMemo,
-    /// By group and variables.
+    /// Derivatives of unknowns, by group and variables.
     pub(crate) rates: Map<(usize, Vec<SymbolId>), Rates<'m>>,
-    /// By group and variable: the turns of its bodies.
+    /// Turns of the bodies, by group and variable.
     pub(crate) rotations: Map<(usize, SymbolId), Vec<V3<'m>>>,
-    /// By group and two variables: what the first one's turns change by with the second one.
+    /// Changes of the first variable's turns with the second one, by group and two variables.
     pub(crate) second_rotations: Map<(usize, [SymbolId; 2]), Vec<V3<'m>>>,
-    /// How many times derivatives of unknowns are given others in place of their own: bodies do not turn then as they do.
+    /// The number of times that derivatives of unknowns are replaced: bodies do not turn then as
+    /// they do.
     pub(crate) held: usize,
     /// The symbols that stand for components of turns.
     pub(crate) rotation_symbols: Map<NodeId, Ex<'m>>,
@@ -38,7 +40,7 @@ pub(crate) struct Rates<'m> {
     pub(crate) rates: Vec<Ex<'m>>,
 }
 
-/// What is known of partial derivatives.
+/// Partial derivatives found already.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Partials {
     pub(crate) memo: DerivativeMemo,
@@ -51,14 +53,14 @@ pub(crate) struct Partials {
 /// The symbols without a rule: parameters and inputs.
 pub(crate) type Given = Rc<BTreeSet<SymbolId>>;
 
-/// What acts on symbols and systems, as far as it has been found.
+/// Parameters that act on symbols and systems, as far as they have been found.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Acting {
     pub(crate) on_symbols: Map<SymbolId, Given>,
     pub(crate) on_systems: Map<System, Given>,
 }
 
-/// Places in a list by the parameters that act on what is there.
+/// Positions in a list, by the parameters that act on the entries there.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ByParameter(Map<SymbolId, Vec<usize>>);
 
@@ -88,12 +90,13 @@ pub(crate) struct Multiplier<'m> {
     pub(crate) factors: Vec<Ex<'m>>,
 }
 
-/// What a sweep backwards finds.
+/// The results of a sweep backwards.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Flow<'m> {
-    /// Of all systems that it visited.
+    /// The multipliers of all systems that it visited.
     pub(crate) multipliers: Vec<Multiplier<'m>>,
-    /// The places of multipliers whose equations mention a parameter: each parameter visits its own, not all of them.
+    /// The places of multipliers whose equations mention a parameter: each parameter visits its
+    /// own, not all of them.
     pub(crate) acting: ByParameter,
     /// The derivatives with respect to unknowns and rates at which it ended.
     pub(crate) ends: BTreeMap<Solved, Ex<'m>>,
@@ -103,11 +106,11 @@ pub(crate) struct Flow<'m> {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Adjoints<'m> {
     pub(crate) of_nodes: Map<NodeId, Rc<Flow<'m>>>,
-    /// Of numbers, with the ends at all narrow places.
+    /// Sweeps from numbers, with the ends at all intermediates.
     pub(crate) flows: Map<NodeId, Rc<ThroughIntermediates<'m>>>,
-    /// Of narrow places.
+    /// Sweeps from intermediates.
     pub(crate) of_intermediates: Map<Solved, Rc<Flow<'m>>>,
-    /// Derivatives of these, without what passes others before them.
+    /// Derivatives of intermediates, without the part through earlier ones.
     pub(crate) between: Map<(Solved, SymbolId), Ex<'m>>,
 }
 
@@ -122,7 +125,8 @@ pub(crate) struct ThroughIntermediates<'m> {
     pub(crate) acting: ByParameter,
 }
 
-/// Derivatives of a number by nodes at which a sweep ends: what is known before the input, and inputs.
+/// Derivatives of a number by the nodes at which a sweep ends: inputs, and values known before the
+/// input.
 #[derive(Clone, Debug)]
 pub(crate) struct Gradient<'m> {
     pub(crate) ends: Vec<(Ex<'m>, Ex<'m>)>,

@@ -1,7 +1,7 @@
 //! The mechanism as algebra: its expressions as graph nodes, its unknowns as symbols.
 //!
-//! Shared by the phases below the model: `structure` looks at the loops as polynomials in the unknowns, `solve`
-//! gives the unknowns their definitions, `outputs` differentiates.
+//! Shared by the phases below the model: `structure` looks at the loops as polynomials in the
+//! unknowns, `solve` gives the unknowns their definitions, `outputs` differentiates.
 
 pub(crate) mod angle_reference;
 pub(crate) mod bodies;

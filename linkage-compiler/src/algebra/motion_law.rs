@@ -1,9 +1,10 @@
-//! Courses as expressions: one law of each kind, whose coefficients are chosen by the place, so that a course of many pieces costs
-//! little more than one piece.
+//! Courses as expressions: one law of each kind, whose coefficients are chosen by the place, so
+//! that a course of many pieces costs little more than one piece.
 //!
-//! A piece from place `a` to `b` and from value `p` to `q` is `p + (q - p) s(x)` with `x = (u - a) / (b - a)`; where nothing moves the
-//! rate `1 / (b - a)` is 0, so that `x` and `s` are, and whatever else the piece might choose is left as its neighbour has it. At a
-//! knot the piece behind it counts.
+//! A piece from place `a` to `b` and from value `p` to `q` is `p + (q - p) s(x)` with `x = (u - a)
+//! / (b - a)`; where nothing moves the rate `1 / (b - a)` is 0, so that `x` and `s` are, and
+//! whatever else the piece might choose is left as its neighbour has it. At a knot the piece behind
+//! it counts.
 
 mod piecewise;
 mod profile;
@@ -20,13 +21,15 @@ use crate::model::{Law, MotionLaw, MotionLawKind, Pieces, Repeats};
 
 pub(crate) use spline::clamped_curvatures;
 
-/// A turn in two parts, the first one so short that its products with whole numbers are exact, in single precision, too.
+/// A turn in two parts, the first one so short that its products with whole numbers are exact, in
+/// single precision, too.
 const TURN_HIGH: f64 = 6.28125;
 
 /// The rest: `2 pi - TURN_HIGH`.
 const TURN_LOW: f64 = 1.935_307_179_586_476_9e-3;
 
-/// The value of a course at `argument`, or its derivative by that, its knots given as places and values, those of some splines as slopes, too.
+/// The value of a course at `argument`, or its derivative by that, its knots given as places and
+/// values, those of some splines as slopes, too.
 pub(crate) fn value<'m>(
     argument: Ex<'m>,
     course: &MotionLaw,
@@ -50,7 +53,8 @@ pub(crate) fn value<'m>(
     }
 }
 
-/// The argument within the first period. It is as it was where it is there already, and its rate is the same everywhere.
+/// The argument within the first period. It is as it was where it is there already, and its rate is
+/// the same everywhere.
 fn wound<'m>(argument: Ex<'m>, repeats: Repeats, knots: &[(Ex<'m>, Ex<'m>)]) -> Ex<'m> {
     let (first, last) = (knots[0].0, knots[knots.len() - 1].0);
     match repeats {
@@ -66,17 +70,18 @@ fn wound<'m>(argument: Ex<'m>, repeats: Repeats, knots: &[(Ex<'m>, Ex<'m>)]) -> 
     }
 }
 
-/// How many whole periods lie between `first` and `argument`: the nearest number of them, less one if that is too many.
+/// Returns the number of whole periods between `first` and `argument`: the nearest one, less one if
+/// that is too many.
 fn periods<'m>(argument: Ex<'m>, first: Ex<'m>, period: Ex<'m>) -> Ex<'m> {
     let from_first = argument - first;
     let frequency = 1.0 / period;
     let nearest = (from_first * frequency).whole();
     let rest = from_first - nearest * period;
-    // As a sign, since a choice between neighbouring numbers becomes a branch.
+    // A sign, since a choice between neighbouring numbers becomes a branch.
     (nearest - 0.5) + 0.5 * rest.unary(Unary::Sign)
 }
 
-/// What a piece is made of; `None` where nothing moves.
+/// The numbers of a piece; `None` where nothing moves.
 struct Moving<'m> {
     from: Ex<'m>,
     rate: Ex<'m>,
@@ -152,7 +157,8 @@ fn by_laws<'m>(
     base + height * profile::profile(x, &choice, &laws)[order]
 }
 
-/// The place, or NaN if knots that are no numbers are out of order, which other dimensions may lead to: that is found in `assemble()`.
+/// The place, or NaN if knots that are no numbers are out of order, which other dimensions may lead
+/// to: that is found in `assemble()`.
 fn if_ordered<'m>(along: Ex<'m>, knots: &[(Ex<'m>, Ex<'m>)]) -> Ex<'m> {
     let widths = knots.windows(2).map(|own| own[1].0 - own[0].0);
     let open = widths.filter(|own| own.constant_value().is_none());

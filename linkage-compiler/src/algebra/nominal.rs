@@ -18,11 +18,12 @@ pub(crate) struct Nominal {
     pub(crate) tolerances: Vec<f64>,
     pub(crate) inputs: Vec<f64>,
     pub(crate) ranges: Vec<Option<(f64, f64)>>,
-    /// Components of each unknown's start estimate; zeros where none is given, until the loops are closed.
+    /// Components of each unknown's start estimate; zeros where none is given, until the loops are
+    /// closed.
     pub(crate) estimates: Vec<Vec<f64>>,
 }
 
-/// How many numbers, in the unit of which type.
+/// A number of values, in the unit of a type.
 #[derive(Clone, Copy)]
 struct Wanted<'t> {
     count: usize,
@@ -30,7 +31,8 @@ struct Wanted<'t> {
 }
 
 impl Nominal {
-    /// Of what it is computed from nothing stays in the graph: the order of its nodes is that of the mechanism's formulas.
+    /// Evaluates the numbers of a mechanism. Nothing of it stays in the graph: the order of its
+    /// nodes is that of the mechanism's formulas.
     pub(crate) fn from_mechanism(algebra: &mut Algebra) -> Self {
         algebra.tried(Self::evaluate_written)
     }
@@ -77,14 +79,15 @@ impl Nominal {
 }
 
 impl Nominal {
-    /// What was found stands for estimates that are not given.
+    /// Replaces the estimates that are not given by values that were found.
     pub(crate) fn complete(&mut self, found: &[(usize, Vec<f64>)]) {
         for (unknown, value) in found {
             self.estimates[*unknown].clone_from(value);
         }
     }
 
-    /// Expressions at the defaults and the reference position; NaN for what depends on modes, prepared states or arguments.
+    /// Evaluates expressions at the defaults and the reference position. Modes, prepared states and
+    /// arguments are NaN.
     pub(crate) fn evaluate(&self, all: &[Ex]) -> Vec<f64> {
         evaluate(all, |source| self.load(source))
     }
@@ -105,7 +108,8 @@ impl Angle<'_> {
         self.unknown.or(stands_for.map(|own| own.unknown))
     }
 
-    /// Its start estimate; 0 for a link that the compiler introduced, whose angle nobody can ask for.
+    /// Its start estimate; 0 for a link that the compiler introduced, whose angle nobody can ask
+    /// for.
     pub(crate) fn estimate(&self, nominal: &Nominal) -> f64 {
         let summands = self.summands().into_iter();
         summands
@@ -113,7 +117,8 @@ impl Angle<'_> {
             .fold(self.estimated, |sum, term| sum + term)
     }
 
-    /// The unknowns of which it is the sum, with their signs; none for a link that the compiler introduced.
+    /// The unknowns of which it is the sum, with their signs; none for a link that the compiler
+    /// introduced.
     pub(crate) fn summands(&self) -> Vec<(usize, f64)> {
         match (self.unknown, &self.stands_for) {
             (Some(unknown), _) => vec![(unknown, 1.0)],
@@ -124,7 +129,8 @@ impl Angle<'_> {
 }
 
 impl Names<'_> {
-    /// The start estimate of a length or a component; 0 for what the compiler introduced.
+    /// Returns the start estimate of a length or a component; 0 for one that the compiler
+    /// introduced.
     pub(crate) fn estimate(&self, symbol: SymbolId, nominal: &Nominal) -> f64 {
         let mut all = self.bound.iter().zip(&nominal.estimates);
         let found = all.find_map(|(bound, estimates)| match bound {
@@ -138,7 +144,8 @@ impl Names<'_> {
     }
 }
 
-/// Expressions at the defaults and the reference position, with all unknowns where they are estimated.
+/// Expressions at the defaults and the reference position, with all unknowns where they are
+/// estimated.
 pub(crate) fn at_estimates(algebra: &Algebra<'_>, nominal: &Nominal, all: &[Ex]) -> Vec<f64> {
     let mut unknowns: Map<SymbolId, f64> = Map::new();
     for angle in &algebra.names.angles {
@@ -172,7 +179,8 @@ fn numbers(algebra: &mut Algebra<'_>, expr: &Expr, wanted: Wanted, parameters: &
     numbers
 }
 
-/// Numbers as they are written, if an expression is nothing else, in a unit of this scale: not rounded again.
+/// Numbers as they are written, if an expression is nothing else, in a unit of this scale: not
+/// rounded again.
 fn written(algebra: &Algebra<'_>, expr: &Expr, scale: f64) -> Option<Vec<f64>> {
     match &expr.kind {
         ExprKind::Number(value) => {

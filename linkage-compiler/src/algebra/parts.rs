@@ -11,15 +11,16 @@ use crate::algebra::equations::AnglePair;
 /// A vector as a sum.
 #[derive(Clone, Debug)]
 pub(crate) struct Parts<'m> {
-    /// What has no cosine or sine as a factor.
+    /// The part without a cosine or sine as a factor.
     pub(crate) fixed: V2<'m>,
-    /// Whether that is known before a call.
+    /// True if that part is known before a call.
     pub(crate) rest_is_fixed: bool,
-    /// What turns with the same angles.
+    /// The parts that turn, by their angles.
     pub(crate) turning: Vec<(Vec<AnglePair>, TurningPart<'m>)>,
 }
 
-/// The coefficients of the products of cosines and sines of some angles: the first bit of an index is set for the sine of the first angle.
+/// The coefficients of the products of cosines and sines of some angles: the first bit of an index
+/// is set for the sine of the first angle.
 #[derive(Clone, Debug)]
 pub(crate) struct TurningPart<'m> {
     pub(crate) rows: [Vec<Ex<'m>>; 2],
@@ -54,8 +55,8 @@ pub(crate) fn parts<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Parts<'m> {
     }
 }
 
-/// A product's angles, in order, which of them it has the sines of, and its other factors. A power of a cosine is no direction: it stays
-/// among the factors.
+/// A product's angles, in order, which of them it has the sines of, and its other factors. A power
+/// of a cosine is no direction: it stays among the factors.
 pub(crate) fn factors<'m>(algebra: &Algebra<'m>, term: Ex<'m>) -> (Vec<AnglePair>, usize, Ex<'m>) {
     let mut angles: Vec<(AnglePair, bool)> = Vec::new();
     let mut factor = term.number(1.0);
@@ -104,7 +105,8 @@ fn angle_pair_of<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> Option<(AnglePair, boo
     }
 }
 
-/// The terms of a sum with factors that are known before a call, which may stand before a sum themselves.
+/// The terms of a sum with factors that are known before a call, which may stand before a sum
+/// themselves.
 pub(crate) fn terms_of_sum(x: Ex) -> Vec<(Ex, Ex)> {
     let ex = |id| x.graph().ex(id);
     let mut found = Vec::new();
@@ -130,17 +132,18 @@ pub(crate) fn terms_of_sum(x: Ex) -> Vec<(Ex, Ex)> {
 }
 
 impl<'m> TurningPart<'m> {
-    /// Where it points when all angles are 0.
+    /// Returns its vector where all angles are 0.
     pub(crate) fn arm(&self) -> V2<'m> {
         Vector([self.rows[0][0], self.rows[1][0]])
     }
 
-    /// Whether it is its arm, turned by the sum of its angles, some of them with the other sign.
+    /// True if it is its arm, turned by the sum of its angles, some of them with the other sign.
     pub(crate) fn is_rotor(&self) -> bool {
         self.backward().is_some()
     }
 
-    /// If it is its arm, turned by a sum of its angles: a bit for each of them with the other sign.
+    /// Returns a bit for each angle with the other sign, if it is its arm, turned by a sum of its
+    /// angles.
     pub(crate) fn backward(&self) -> Option<usize> {
         let all = 0..self.rows[0].len();
         all.clone().find(|conjugate| {

@@ -1,7 +1,9 @@
-//! Linear systems that are too large for cofactors: elimination in an order of pivots that is chosen once, from numbers at the reference.
+//! Linear systems that are too large for cofactors: elimination in an order of pivots that is
+//! chosen once, from numbers at the reference.
 //!
-//! No pivot is looked for where the system is solved, so there is no branch. What was a good pivot at the reference may vanish elsewhere
-//! although the matrix is regular: then it is NaN, and so is the solution. The last unknowns are solved by cofactors, which need no pivot.
+//! No pivot is chosen where the system is solved, so there is no branch. A good pivot at the
+//! reference may vanish elsewhere although the matrix is regular: then it is NaN, and so is the
+//! solution. The last unknowns are solved by cofactors, which need no pivot.
 
 #[cfg(test)]
 pub(crate) mod tests;
@@ -10,24 +12,27 @@ use linkage_symbolic::{Ex, Graph};
 
 use crate::algebra::cofactors;
 
-/// So many unknowns are left to cofactors: their determinant takes as many products as elimination, and no division but one.
+/// The number of unknowns that are left to cofactors: their determinant takes as many products as
+/// elimination, and no division but one.
 const REST: usize = 3;
 
-/// Systems of no more unknowns have no pivot that could vanish: those of one body on rods whose travel is given. Beyond, minors are too many.
+/// Systems of no more unknowns have no pivot that could vanish: those of one body on rods whose
+/// travel is given. Beyond, minors are too many.
 const WHOLE: usize = 5;
 
-/// A pivot may be this part of the largest entry that could be one, if that keeps more zeros: multipliers stay small.
+/// A pivot may be this part of the largest entry that could be one, if that keeps more zeros:
+/// multipliers stay small.
 const THRESHOLD: f64 = 0.25;
 
-/// A pivot that falls below this part of what it is at the reference, or changes its sign, is NaN: some three digits of the solution are lost
-/// there.
+/// The least part of its value at the reference: a smaller pivot, or one of another sign, is NaN.
+/// Some three digits of the solution are lost there.
 const LEAST: f64 = 1.0 / 1024.0;
 
 /// An order of pivots.
 #[derive(Clone, Debug)]
 pub(crate) struct Order {
     pivots: Vec<Pivot>,
-    /// What cofactors solve.
+    /// The rows and columns that cofactors solve.
     rows: Vec<usize>,
     columns: Vec<usize>,
     /// The sign of the permutations of rows and columns together.
@@ -50,7 +55,8 @@ pub(crate) struct InOrder<'m> {
 }
 
 impl Order {
-    /// The order for a matrix with these values at the reference; what vanishes everywhere is `zero`. Rows may be of any size.
+    /// Returns the order for a matrix with these values at the reference; `zero` marks entries that
+    /// vanish everywhere. Rows may be of any size.
     pub(crate) fn new(values: &[Vec<f64>], zero: &[Vec<bool>]) -> Self {
         let size = values.len();
         let largest = |row: &[f64]| row.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
@@ -106,7 +112,7 @@ impl Order {
     }
 }
 
-/// What is left of a matrix of numbers.
+/// The rest of a matrix of numbers.
 struct Left {
     values: Vec<Vec<f64>>,
     zero: Vec<Vec<bool>>,
@@ -146,7 +152,7 @@ impl Left {
             let by_size = size(b.0, b.1).total_cmp(&size(a.0, a.1));
             filled(*a).cmp(&filled(*b)).then(by_size)
         };
-        // Where all is 0 the reference is singular, and that is said of it.
+        // A matrix of zeros means a singular reference, which is reported there.
         let best = all().filter(large).min_by(order);
         best.unwrap_or((self.rows[0], self.columns[0]))
     }
@@ -184,7 +190,8 @@ pub(crate) fn parity(permutation: &[usize]) -> f64 {
 /// The solution of a linear system times its determinant, and that.
 type Numerators<'m> = (Vec<Ex<'m>>, Ex<'m>);
 
-/// Solves a linear system in an order, for one of several right-hand sides: they share the cofactors.
+/// Solves a linear system in an order, for one of several right-hand sides: they share the
+/// cofactors.
 pub(crate) fn solve_in_order<'m>(
     graph: &'m Graph,
     order: &Order,
@@ -200,7 +207,8 @@ pub(crate) fn solve_in_order<'m>(
     })
 }
 
-/// The same for a right-hand side that is the only one. Of the three unknowns that are left behind pivots all minors are few.
+/// The same for a right-hand side that is the only one. Of the three unknowns that are left behind
+/// pivots all minors are few.
 pub(crate) fn solve_once_in_order<'m>(
     graph: &'m Graph,
     order: &Order,

@@ -1,4 +1,4 @@
-//! Vectors as seen from a link that turns: what the link carries along stands still there.
+//! Vectors as seen from a link that turns: vectors that the link carries stand still there.
 
 use linkage_symbolic::program::Unary;
 use linkage_symbolic::{Ex, Node, V2, Vector};
@@ -20,7 +20,8 @@ pub(crate) struct InRotatingFrame<'m> {
     pub(crate) turns: AngleSum,
 }
 
-/// A vector from the link that carries `guide`, which points along `axis`, if that link carries a part of the vector.
+/// A vector from the link that carries `guide`, which points along `axis`, if that link carries a
+/// part of the vector.
 pub(crate) fn in_rotating_frame<'m>(
     algebra: &mut Algebra<'m>,
     guide: V2<'m>,

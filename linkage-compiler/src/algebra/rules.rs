@@ -2,7 +2,7 @@
 
 use linkage_symbolic::{Ex, SymbolId, V2};
 
-/// How a symbol that lives by its definition is differentiated.
+/// The rule by which a symbol with a definition is differentiated.
 #[derive(Clone, Debug)]
 pub(crate) enum Rule<'m> {
     /// Like this expression, which is equal to the definition.
@@ -42,7 +42,8 @@ pub(crate) struct RotationRule<'m> {
     pub(crate) component: usize,
     /// It is the turn by the first one, differentiated by the others.
     pub(crate) by: Vec<SymbolId>,
-    /// The same, of the body's directions and their derivatives: it is a quotient of large sums itself.
+    /// The same, of the body's directions and their derivatives: it is a quotient of large sums
+    /// itself.
     pub(crate) equal: Ex<'m>,
 }
 
@@ -51,7 +52,7 @@ pub(crate) struct RotationRule<'m> {
 pub(crate) struct AngleRule<'m> {
     pub(crate) group: usize,
     pub(crate) position: usize,
-    /// -1 if the group works with its negative.
+    /// The sense: -1 if the group works with its negative.
     pub(crate) sense: f64,
     /// Cosine and sine.
     pub(crate) unit: V2<'m>,
@@ -95,7 +96,7 @@ pub(crate) struct FromFrame<'m> {
     pub(crate) carrier: RotatingFrame<'m>,
     /// Along the axis and across.
     pub(crate) vector: V2<'m>,
-    /// What is added in fixed coordinates.
+    /// The vector that is added in fixed coordinates.
     pub(crate) base: V2<'m>,
     pub(crate) component: usize,
 }
@@ -103,10 +104,10 @@ pub(crate) struct FromFrame<'m> {
 /// A link by a direction that is fixed to it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RotatingFrame<'m> {
-    /// By which it turns.
+    /// The angle by which it turns.
     pub(crate) angle: Ex<'m>,
-    /// Where it points when that is 0; of length 1.
+    /// The axis at the angle 0, of length 1.
     pub(crate) start: V2<'m>,
-    /// Where it points.
+    /// The axis.
     pub(crate) axis: V2<'m>,
 }

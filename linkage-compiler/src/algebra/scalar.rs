@@ -1,4 +1,5 @@
-//! Scalars that may be angles: linear in driving and unknown angles, so that directions need no arc tangent.
+//! Scalars that may be angles: linear in driving and unknown angles, so that directions need no arc
+//! tangent.
 
 use linkage_symbolic::program::{Binary, Unary};
 use linkage_symbolic::{Ex, Node, V2, Vector, Vn};
@@ -63,8 +64,8 @@ fn unit_power<'m>(algebra: &Algebra<'m>, angle: usize, power: i32) -> V2<'m> {
     (1..power.unsigned_abs()).fold(unit, |product, _| product.turned(unit))
 }
 
-/// Cosine and sine of an expression. Quarter turns are exact, also as summands, and the argument of a vector is not taken
-/// to be undone.
+/// Cosine and sine of an expression. Quarter turns are exact, also as summands, and the argument of
+/// a vector is not taken to be undone.
 fn cos_sin(argument: Ex) -> V2 {
     if let Some(value) = argument.constant_value() {
         return numbers(argument, cos_sin_exact(value));
@@ -82,7 +83,8 @@ fn numbers<'m>(beside: Ex<'m>, values: [f64; 2]) -> V2<'m> {
     Vector(values.map(|value| beside.number(value)))
 }
 
-/// Cosine and sine of the argument of a vector, or of an angle in a triangle, without any arc function; also as a summand.
+/// Cosine and sine of the argument of a vector, or of an angle in a triangle, without any arc
+/// function; also as a summand.
 fn undone(argument: Ex) -> Option<V2> {
     let ex = |id| argument.graph().ex(id);
     match argument.node() {

@@ -1,4 +1,4 @@
-//! How the unknowns are found: the equations of each group, and the rules by which symbols are differentiated.
+//! Solved groups: the equations of each, and the rules by which symbols are differentiated.
 
 use std::collections::BTreeSet;
 
@@ -9,28 +9,29 @@ use crate::algebra::equations::{Solution, ViaSlider};
 use crate::algebra::rules::Rule;
 use crate::algebra::systems::Solved;
 
-/// What derivatives may make use of: it changes what they cost and not what they are.
+/// Shortcuts that derivatives may take: these change the number of operations and no value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Shortcuts {
     /// Products that are known of links.
     pub(crate) products: bool,
-    /// How bodies turn: what they carry turns with them.
+    /// The turns of bodies: vectors on a body turn with it.
     pub(crate) turns: bool,
 }
 
-/// The groups that are solved, and what follows for symbols.
+/// The groups that are solved, and the rules of their symbols.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Solutions<'m> {
     rules: Map<SymbolId, Rule<'m>>,
-    /// By group.
+    /// The equations of each group.
     pub(crate) groups: Vec<Solution<'m>>,
     /// Loops with a guide on a link that turns, in order.
     pub(crate) via_sliders: Vec<ViaSlider<'m>>,
-    /// What derivatives make use of.
+    /// The shortcuts that derivatives take.
     pub(crate) shortcuts: Shortcuts,
-    /// What bodies carry, by component.
+    /// The vectors that bodies carry, by component.
     pub(crate) body_vectors: Map<NodeId, BodyVector<'m>>,
-    /// The places between parameters and the results of a function that all paths of some groups lead through.
+    /// The places between parameters and the results of a function that all paths of some groups
+    /// lead through.
     pub(crate) intermediates: BTreeSet<Solved>,
 }
 
@@ -40,7 +41,7 @@ impl<'m> Solutions<'m> {
         self.rules.insert(symbol, rule);
     }
 
-    /// How a symbol is differentiated; `None` for what is given.
+    /// Returns the rule by which a symbol is differentiated; `None` for inputs and parameters.
     pub(crate) fn rule(&self, symbol: SymbolId) -> Option<&Rule<'m>> {
         self.rules.get(&symbol)
     }

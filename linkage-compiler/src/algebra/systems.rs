@@ -2,8 +2,9 @@
 
 use linkage_symbolic::SymbolId;
 
-/// What is solved together: a group's unknowns, or their derivatives by some variables. In the order in which they
-/// depend on each other: a system mentions its own results and those of smaller ones.
+/// Values that are solved together: a group's unknowns, or their derivatives by some variables.
+/// Systems are in the order in which they depend on each other: a system mentions its own results
+/// and those of smaller ones.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct System {
     pub(crate) group: usize,

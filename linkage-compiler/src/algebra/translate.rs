@@ -9,7 +9,8 @@ use crate::algebra::value::{Atom, Scalar, Value};
 use crate::algebra::{calls, motion_law, scalar};
 use crate::model::{BinaryOp, Expr, ExprKind, Name, Type};
 
-/// Translation of expressions. What only quantities may contain (derivatives, margins) goes to [`Translate::quantity`].
+/// Translation of expressions. Parts that only quantities may contain (derivatives, margins) go to
+/// [`Translate::quantity`].
 pub(crate) trait Translate<'m> {
     fn algebra(&mut self) -> &mut Algebra<'m>;
 
@@ -93,7 +94,8 @@ impl<'m> Translate<'m> for Algebra<'m> {
     }
 }
 
-/// Translates the derived names in order: each then finds those before it done, and a long chain does not recurse.
+/// Translates the derived names in order: each then finds those before it done, and a long chain
+/// does not recurse.
 pub(crate) fn translate_lets(algebra: &mut Algebra<'_>) {
     translate_these_lets(algebra, |_| true);
 }
@@ -105,7 +107,7 @@ pub(crate) fn translate_these_lets(algebra: &mut Algebra<'_>, which: impl Fn(usi
     }
 }
 
-/// What a name stands for.
+/// Returns the value of a name.
 pub(crate) fn value_of_name<'m>(algebra: &mut Algebra<'m>, name: Name) -> Value<'m> {
     match name {
         Name::Pi => algebra.graph.number(std::f64::consts::PI).into(),
@@ -169,7 +171,7 @@ pub(crate) fn value_of_name<'m>(algebra: &mut Algebra<'m>, name: Name) -> Value<
     }
 }
 
-/// What is given in a unit with kilograms, as the program computes with it.
+/// Returns a source with a unit of kilograms, in the unit in which the program computes.
 fn scaled<'m>(algebra: &Algebra<'m>, source: Source, internal_per_unit: f64) -> Ex<'m> {
     internal_per_unit * algebra.source(source)
 }

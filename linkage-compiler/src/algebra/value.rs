@@ -10,7 +10,8 @@ pub(crate) enum Atom {
     Angle(usize),
 }
 
-/// `sum of coefficient * atom + rest`; atoms in order, coefficients never 0. Anything that is no angle has no atoms.
+/// `sum of coefficient * atom + rest`; atoms in order, coefficients never 0. Anything that is no
+/// angle has no atoms.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Scalar<'m> {
     pub(crate) terms: Vec<(Atom, f64)>,

@@ -2,7 +2,7 @@
 
 use linkage_symbolic::{Ex, agree_within};
 
-/// What rounding may leave of a product that is zero.
+/// The rest that rounding may leave of a product that is zero.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// True if an expression is zero wherever it is evaluated.

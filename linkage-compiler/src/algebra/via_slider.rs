@@ -1,4 +1,5 @@
-//! A point at the end of a link by the other side of the loop that the link closes: along the guide that carries a slider there.
+//! A point at the end of a link by the other side of the loop that the link closes: along the guide
+//! that carries a slider there.
 
 use linkage_symbolic::{Ex, NodeId, V2, Vector};
 
@@ -7,7 +8,8 @@ use crate::algebra::equations::{AngleSum, ViaSlider};
 use crate::algebra::parts::terms_of_sum;
 use crate::algebra::rotating_frame;
 
-/// A vector with every link that leads to a slider on a turning guide replaced by the way along the guide.
+/// A vector with every link that leads to a slider on a turning guide replaced by the way along the
+/// guide.
 pub(crate) fn via_sliders<'m>(algebra: &mut Algebra<'m>, vector: V2<'m>) -> V2<'m> {
     let sides = algebra.solutions.via_sliders.clone().into_iter().rev();
     sides.fold(vector, |vector, side| {

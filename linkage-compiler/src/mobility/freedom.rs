@@ -7,14 +7,15 @@ use crate::mobility::loops::Loops;
 use crate::mobility::position::{LoopRows, Position};
 use crate::mobility::{line, motion, null_space, rows};
 
-/// How the mechanism moves at a dead point, or shortly before one, and which loops leave it free; nothing where it is not singular.
+/// Returns the motion of the mechanism at a dead point, or shortly before one, and the loops that
+/// leave it free; nothing where it is not singular.
 pub(crate) fn freedom(position: &Position<'_, '_>) -> Option<String> {
     let graph = Graph::new();
     let rows = rows::rows(position, &Loops::new(position.mechanism, &graph))?;
     sentence(position, &rows, null_space::NEARLY_ZERO)
 }
 
-/// How the mechanism moves where too few loops hold it.
+/// Returns the motion of the mechanism where too few loops hold it.
 pub(crate) fn motion_left(position: &Position<'_, '_>) -> Option<String> {
     let graph = Graph::new();
     let rows = rows::rows(position, &Loops::new(position.mechanism, &graph))?;
@@ -39,7 +40,7 @@ fn dependent(rows: &LoopRows, last: f64) -> Vec<Vec<usize>> {
     all.map(|weights| null_space::used(&weights)).collect()
 }
 
-/// Which loops say the same, if these rows do.
+/// Returns the loops that depend on each other, if these rows do.
 fn dependence(position: &Position<'_, '_>, rows: &LoopRows, dependent: &[usize]) -> Option<String> {
     let loops: Vec<usize> = dependent.iter().map(|&k| rows.loops[k]).collect();
     if let Some(shape) = line::shape_of_links(position, rows, dependent) {

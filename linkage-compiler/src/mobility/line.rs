@@ -5,7 +5,8 @@ use crate::vector::{Vector, cross, dot, minus, norm};
 use crate::mobility::null_space::{LITTLE, largest};
 use crate::mobility::position::{LoopRows, Movable, Position};
 
-/// Where a link pulls a body: a direction of length 1, and the moment about the body's origin.
+/// The line along which a link pulls a body: a direction of length 1, and the moment about the
+/// body's origin.
 struct Line {
     along: Vector,
     moment: Vector,
@@ -17,7 +18,8 @@ impl Line {
     }
 }
 
-/// What is special about these rows, if each is a link between one and the same body and what is known.
+/// Returns the special position of these rows, if each is a link between one and the same body and
+/// known points.
 pub(crate) fn shape_of_links(
     position: &Position<'_, '_>,
     rows: &LoopRows,

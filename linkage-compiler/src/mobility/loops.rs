@@ -15,12 +15,13 @@ use crate::mobility::position::{Position, halves};
 pub(crate) struct Loops<'g> {
     algebra: Algebra<'g>,
     sides: Vec<Ex<'g>>,
-    /// By row: its loop, and the dimension of its sides in halves of lengths.
+    /// The loop of each row, and the dimension of its sides in halves of lengths.
     rows: Vec<(usize, i32)>,
 }
 
 impl<'g> Loops<'g> {
-    /// In a graph of their own: nodes made in another order would change how sums of the mechanism are written.
+    /// In a graph of their own: nodes made in another order would change how sums of the mechanism
+    /// are written.
     pub(crate) fn new(mechanism: &'g Mechanism, graph: &'g Graph) -> Self {
         let mut algebra = Algebra::new(mechanism, graph);
         translate::translate_lets(&mut algebra);
@@ -47,12 +48,13 @@ impl<'g> Loops<'g> {
         self.rows[row].0
     }
 
-    /// How much of its unit a row counts, where so much length counts like a radian.
+    /// Returns the size of a row in its unit, where this length counts like a radian.
     pub(crate) fn unit(&self, row: usize, length: f64) -> f64 {
         length.powf(0.5 * f64::from(self.rows[row].1))
     }
 
-    /// The sides' differences where unknowns have these values, as shares of the length that counts like a radian.
+    /// The sides' differences where unknowns have these values, as shares of the length that counts
+    /// like a radian.
     pub(crate) fn missed(&self, position: &Position, values: &[Vec<f64>]) -> Vec<f64> {
         let nominal = position.nominal;
         let mut known: Map<SymbolId, f64> = Map::new();

@@ -1,6 +1,8 @@
-//! In which ways unknowns can still move, in words, and what holds them too often: the null vectors of the loops, whether these close or not.
+//! Texts about the ways in which unknowns can still move, and about loops that hold them too often:
+//! the null vectors of the loops, closed or not.
 //!
-//! A body counts as a whole: its loops are differentiated by shifts and turns, not by the unknowns that it consists of.
+//! A body counts as a whole: its loops are differentiated by shifts and turns, not by the unknowns
+//! that it consists of.
 
 pub(crate) mod freedom;
 pub(crate) mod line;

@@ -9,7 +9,7 @@ use crate::message_format::numbers;
 use crate::mobility::null_space::{LITTLE, largest, null_vectors};
 use crate::mobility::position::{LoopRows, Movable, Position};
 
-/// So many motions are told.
+/// The greatest number of motions in a message.
 const MOST_MOTIONS: usize = 3;
 
 /// Shown shares are rounded to this.
@@ -87,7 +87,8 @@ fn motion_text(position: &Position<'_, '_>, vector: &[f64], rows: &LoopRows) -> 
     parts.join(" while ")
 }
 
-/// A share of an unknown as the change of an angle by a degree, or as far as the longest length turns by it.
+/// A share of an unknown as the change of an angle by a degree, or as far as the longest length
+/// turns by it.
 fn shown(position: &Position<'_, '_>, unknown: usize, share: f64) -> f64 {
     let degree = 1_f64.to_radians();
     let dimension = position.mechanism.unknowns[unknown].ty.dimension();
@@ -155,7 +156,8 @@ fn own_part(vector: &[f64], rows: &LoopRows, mover: usize) -> Vec<f64> {
     own.map(|(x, _)| *x).collect()
 }
 
-/// Motions that are easy to tell: shifts by themselves, and turns without shifts that are possible without them.
+/// Motions that are easy to tell: shifts by themselves, and turns without shifts that are possible
+/// without them.
 fn simple(mut all: Vec<Vec<f64>>, rows: &LoopRows, position: &Position) -> Vec<Vec<f64>> {
     let is_turn = |(mover, way): (usize, usize)| {
         matches!(position.movers[mover], Movable::Body { .. }) && way >= 3
@@ -163,7 +165,8 @@ fn simple(mut all: Vec<Vec<f64>>, rows: &LoopRows, position: &Position) -> Vec<V
     let turns: Vec<usize> = (0..rows.columns.len())
         .filter(|&k| is_turn(rows.columns[k]))
         .collect();
-    // Turns are eliminated from one motion after the other, the largest first: what is left only shifts.
+    // Turns are eliminated from one motion after the other, the largest first: the rest only
+    // shifts.
     let mut turning = Vec::new();
     while let Some((index, place)) = largest_of(&all, &turns) {
         let own = all.swap_remove(index);

@@ -1,7 +1,8 @@
-//! Where loops that do not close come nearest to it: by how much each misses there, and how its unknowns can move.
+//! Positions in which loops that do not close come nearest to it: the error of each there, and the
+//! motion of its unknowns.
 //!
-//! There the misses are a left null vector of the loops: like the forces of stretched links they hold each other, and no motion makes all of them
-//! less.
+//! There the misses are a left null vector of the loops: like the forces of stretched links they
+//! hold each other, and no motion makes all of them less.
 
 use crate::mobility::motion;
 use crate::mobility::rows;
@@ -14,10 +15,10 @@ use crate::mobility::null_space::{LITTLE, NEARLY_ZERO, largest};
 use crate::mobility::position::{LoopRows, Position};
 use crate::model::Type;
 
-/// So many loops are told.
+/// The greatest number of loops in a message.
 const TOLD: usize = 6;
 
-/// Where loops come nearest to closing, in words.
+/// The text about the position in which loops come nearest to closing.
 pub(crate) struct Nearest {
     /// `loop 1 by 12.3mm and loop 4 by -2.1mm`, the largest first.
     pub(crate) missing: String,
@@ -25,7 +26,8 @@ pub(crate) struct Nearest {
     pub(crate) motion: Option<String>,
 }
 
-/// Where the loops come nearest to closing; nothing if they close, or if that is not found out.
+/// Returns the position in which the loops come nearest to closing; nothing if they close, or if
+/// that is not found.
 pub(crate) fn nearest(position: &Position<'_, '_>) -> Option<Nearest> {
     let graph = Graph::new();
     let mut loops = Loops::new(position.mechanism, &graph);
@@ -37,7 +39,7 @@ pub(crate) fn nearest(position: &Position<'_, '_>) -> Option<Nearest> {
     })
 }
 
-/// By how much each loop misses, the largest first.
+/// Returns the error of each loop, the largest first.
 fn missing(position: &Position<'_, '_>, rows: &LoopRows, loops: &Loops) -> String {
     let mut all: Vec<(usize, f64, Vec<f64>)> = Vec::new();
     for (row, (&index, missed)) in rows.loops.iter().zip(&rows.missed).enumerate() {

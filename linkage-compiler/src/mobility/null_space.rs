@@ -1,6 +1,7 @@
 //! Vectors that a matrix makes zero.
 
-/// A pivot below this part of the largest entry is zero: entries are differences, exact to some 1e-10.
+/// A pivot below this part of the largest entry is zero: entries are differences, exact to some
+/// 1e-10.
 pub(crate) const ZERO: f64 = 1e-6;
 
 /// The same of the last pivot where a way was followed to a dead point: it ends shortly before it.
@@ -26,8 +27,8 @@ pub(crate) fn used(vector: &[f64]) -> Vec<usize> {
     used.collect()
 }
 
-/// The null vectors of a matrix with so many columns, one for each column that is free; none if it is regular. The last pivot is zero below
-/// `last`, a part of the largest entry.
+/// The null vectors of a matrix with so many columns, one for each column that is free; none if it
+/// is regular. The last pivot is zero below `last`, a part of the largest entry.
 pub(crate) fn null_vectors(matrix: &[Vec<f64>], width: usize, last: f64) -> Vec<Vec<f64>> {
     let mut rows = matrix.to_vec();
     for row in &mut rows {

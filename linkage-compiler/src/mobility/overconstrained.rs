@@ -10,16 +10,16 @@ use crate::mobility::loops::Loops;
 use crate::mobility::null_space::{ZERO, null_vectors, transposed, used};
 use crate::mobility::position::{LoopRows, Position};
 
-/// So many dependences are told.
+/// The greatest number of dependences in a message.
 const TOLD: usize = 3;
 
-/// What is too much where the unknowns stand.
+/// The surplus of loops at a position.
 pub(crate) struct Overconstraint {
     /// Loops that could be left out, all together.
     pub(crate) spare: Vec<usize>,
     /// `loop 7 depends on loops 1, 2 and 3`, one behind the other.
     pub(crate) dependences: String,
-    /// How the mechanism moves all the same.
+    /// The motion of the mechanism all the same.
     pub(crate) motion: Option<String>,
 }
 
@@ -80,7 +80,8 @@ fn dependence_of(
 }
 
 impl LoopRows {
-    /// Those of some rows on which the last one depends, with itself; nothing if it does not. The rows before it are independent.
+    /// Those of some rows on which the last one depends, with itself; nothing if it does not. The
+    /// rows before it are independent.
     fn dependent_set(&self, rows: &[usize]) -> Option<Vec<usize>> {
         let matrix: Vec<Vec<f64>> = rows.iter().map(|&row| self.matrix[row].clone()).collect();
         let weights = null_vectors(&transposed(&matrix), rows.len(), ZERO)

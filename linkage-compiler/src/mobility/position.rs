@@ -5,7 +5,7 @@ use crate::message_format::MessageFormat;
 use crate::model::{Mechanism, Type, unknown_frames};
 use crate::vector::{Vector, cross, dot, norm};
 
-/// What can change on its own.
+/// A part that can change on its own.
 #[derive(Clone, Debug)]
 pub(crate) enum Movable {
     /// A body in space, by its name, its origin and two of its axes: three shifts and three turns.
@@ -18,7 +18,7 @@ pub(crate) enum Movable {
     Component { unknown: usize, component: usize },
 }
 
-/// A column of the matrix: what changes, and in which of its ways.
+/// A column of the matrix: the part that changes, and one of its ways.
 pub(crate) type Column = (usize, usize);
 
 /// Unknowns somewhere.
@@ -29,7 +29,7 @@ pub(crate) struct Position<'w, 'm> {
     pub(crate) words: &'w MessageFormat<'m>,
     /// The length that counts like a radian.
     pub(crate) length: f64,
-    /// By unknown, with all components; NaN for what is not known.
+    /// The values of each unknown, with all components; NaN for unknown ones.
     pub(crate) values: Vec<Vec<f64>>,
     pub(crate) movers: Vec<Movable>,
 }
@@ -45,7 +45,8 @@ pub(crate) struct LoopRows {
 }
 
 impl<'w, 'm> Position<'w, 'm> {
-    /// The unknowns of a mechanism at these values, with all components; NaN for what is not known. `length` counts like a radian.
+    /// Builds the position of a mechanism with these values, with all components; NaN for unknown
+    /// ones. `length` counts like a radian.
     pub(crate) fn new(
         words: &'w MessageFormat<'m>,
         nominal: &'w Nominal,
@@ -104,7 +105,7 @@ impl Position<'_, '_> {
                 for &axis in axes {
                     let own = [0, 1, 2].map(|k| values[axis][k]);
                     let across = cross(about, own);
-                    // What lies along the axis of the turn stays.
+                    // The part along the axis of the turn stays.
                     (0..3)
                         .filter(|&k| k != way - 3)
                         .for_each(|k| values[axis][k] = own[k] * cos + across[k] * sin);
@@ -116,7 +117,7 @@ impl Position<'_, '_> {
         }
     }
 
-    /// What of an unknown counts like a radian.
+    /// Returns the size of an unknown that counts like a radian.
     pub(crate) fn unit(&self, unknown: usize) -> f64 {
         match halves(&self.mechanism.unknowns[unknown].ty) {
             0 => 1.0,
@@ -125,7 +126,7 @@ impl Position<'_, '_> {
     }
 }
 
-/// Bodies, and what is no part of one.
+/// Returns the bodies, and the components outside of bodies.
 fn movers(mechanism: &Mechanism) -> Vec<Movable> {
     let bodies = unknown_frames::bodies_of_space(mechanism);
     let is_part = |unknown: &usize| bodies.iter().any(|(_, parts)| parts.contains(unknown));
@@ -142,7 +143,8 @@ fn movers(mechanism: &Mechanism) -> Vec<Movable> {
     bodies.chain(alone).collect()
 }
 
-/// Axes of length 1 and perpendicular, if both are known: on a way to an assembly they are so but for what steps leave.
+/// Makes axes perpendicular and of length 1, if both are known: on the way to an assembly they are
+/// so except for the steps' errors.
 fn make_rigid(values: &mut [Vec<f64>], axes: [usize; 2]) {
     let [first, second]: [Vector; 2] = axes.map(|axis| [0, 1, 2].map(|k| values[axis][k]));
     let first = first.map(|x| x / norm(first));

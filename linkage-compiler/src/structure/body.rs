@@ -65,7 +65,7 @@ pub(crate) fn body<'m>(
     let (of_origin, of_axes) = symbols.split_at_checked(3)?;
     let axes: Vec<Coordinate> = of_axes.iter().map(open).collect::<Option<_>>()?;
     let open_of_origin: Vec<Option<Coordinate>> = of_origin.iter().map(open).collect();
-    // What is no unknown any more is known, or something else by now.
+    // A coordinate that is no unknown any more is known, or another expression by now.
     let mut others = of_origin.iter().zip(&open_of_origin);
     let replaced =
         others.any(|(symbol, open)| open.is_none() && analysis.substitutions.contains_key(symbol));
@@ -128,7 +128,7 @@ pub(crate) fn joints<'m>(
             }),
         }
     }
-    // What a third rod holds runs nowhere.
+    // A point that a third rod holds runs nowhere.
     joints.retain(|joint| joint.rods.len() == 2);
     joints
 }

@@ -1,7 +1,9 @@
-//! An unknown frame that rods hold, two and two in a point of it: each of these points runs on a circle.
+//! An unknown frame that rods hold, two and two in a point of it: each of these points runs on a
+//! circle.
 //!
-//! Three such points say where the frame is, so that three angles remain of nine unknowns, and of the loops the distances between the points.
-//! Of fewer, one says where the origin is: an angle instead of its coordinates, and two loops less.
+//! Three such points say where the frame is, so that three angles remain of nine unknowns, and of
+//! the loops the distances between the points. Of fewer, one says where the origin is: an angle
+//! instead of its coordinates, and two loops less.
 
 use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, V3, Vector, substitute};
@@ -12,7 +14,8 @@ use crate::structure::body::{Body, Joint};
 use crate::structure::equations::{Coordinate, Equation, System};
 use crate::structure::{body, circle, explicit};
 
-/// Points of which one is nearer to the line through the others than this share of their distance determine no frame.
+/// Points of which one is nearer to the line through the others than this share of their distance
+/// determine no frame.
 const ON_A_LINE: f64 = 1e-3;
 
 /// One body of which points run on circles: three, or the first.
@@ -108,7 +111,7 @@ fn on_three_circles<'m>(
     (kept, left)
 }
 
-/// The origin by one of its points, which runs on a circle; the axes stay what they are.
+/// Replaces the origin by one of its points, which runs on a circle; the axes stay unknowns.
 fn on_one_circle<'m>(
     analysis: &mut Analysis<'_, 'm>,
     body: &Body<'m>,
@@ -121,7 +124,8 @@ fn on_one_circle<'m>(
     let running = circle::running(analysis, body.origin + arm, [first, second]);
     let origin = running.point - arm;
     let of_origin = body.of_origin();
-    // What is left of the place is no unknown: where it is an expression by now, a row that remembers it would be about itself.
+    // The rest of the position is no unknown: where it is an expression by now, a row that
+    // remembers it would be about itself.
     let zero = analysis.algebra.zero();
     let given = Vector([0, 1, 2].map(|k| match body.open[k] {
         Some(_) => zero,
@@ -149,7 +153,7 @@ fn on_one_circle<'m>(
         equations,
     );
     for equation in &mut kept {
-        // As if it were not known: the body carries all that the loops are about as one.
+        // The point counts as unknown: the body carries all points of the loops together.
         analysis
             .algebra
             .graph
@@ -193,8 +197,8 @@ fn without(coordinates: &[Coordinate], gone: &[Coordinate]) -> Vec<Coordinate> {
     left.cloned().collect()
 }
 
-/// The origin and the axes `p` and `q` of a frame of which three points are known: the edges of their triangle and its normal are what they are
-/// in the frame, turned.
+/// Returns the origin and the axes `p` and `q` of a frame of which three points are known: the
+/// edges of their triangle and its normal are those in the frame, turned.
 fn frame_of<'m>(points: [V3<'m>; 3], locals: [V3<'m>; 3]) -> [V3<'m>; 3] {
     let edges = |[a, b, c]: [V3<'m>; 3]| {
         let [along, beside] = [b - a, c - a];
@@ -202,7 +206,8 @@ fn frame_of<'m>(points: [V3<'m>; 3], locals: [V3<'m>; 3]) -> [V3<'m>; 3] {
     };
     let [along, beside, normal] = edges(locals);
     let size = normal.square();
-    // The edges and the normal of what is known are 1 along one of these each, and 0 along the others.
+    // The edges and the normal of the known points are 1 along one of these each, and 0 along the
+    // others.
     let duals = [beside.cross(normal), normal.cross(along), normal].map(|own| own / size);
     let turned = edges(points);
     let image = |shares: [Ex<'m>; 3]| {

@@ -1,4 +1,5 @@
-//! A point at given distances from two fixed points runs on a circle: three unknowns and two loops become one angle.
+//! A point at given distances from two fixed points runs on a circle: three unknowns and two loops
+//! become one angle.
 
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
@@ -104,7 +105,8 @@ fn on_circle<'m>(
     Some((kept, left))
 }
 
-/// A point that two distances hold, by the angle on its circle; `point` is what it is by the unknowns so far.
+/// A point that two distances hold, by the angle on its circle; `point` is its expression in the
+/// unknowns so far.
 pub(crate) fn running<'m>(
     analysis: &mut Analysis<'_, 'm>,
     point: V3<'m>,
@@ -124,7 +126,7 @@ pub(crate) fn running<'m>(
     }
 }
 
-/// Where two spheres meet.
+/// The circle in which two spheres meet.
 fn circle<'m>(analysis: &Analysis<'_, 'm>, first: &Held<'m>, second: &Held<'m>) -> Circle<'m> {
     let (distance, along) = (second.end - first.end).length_and_unit();
     let shares = first.length.difference_of_squares(second.length) / distance;

@@ -10,7 +10,8 @@ use crate::structure::form::Form;
 use crate::structure::polynomials::Polynomials;
 use crate::structure::{distance, explicit, polynomials, space};
 
-/// The form in which one equation is solved for all its coordinates, if it has one of the known forms.
+/// The form in which one equation is solved for all its coordinates, if it has one of the known
+/// forms.
 pub(crate) fn classify<'m>(
     algebra: &Algebra<'m>,
     equation: &Equation<'m>,
@@ -106,8 +107,8 @@ fn two_slides<'m>(
     })
 }
 
-/// True for a distance in the plane from a point that turns with an angle or slides along a line: a link, whether its length or the square
-/// of it is given.
+/// True for a distance in the plane from a point that turns with an angle or slides along a line: a
+/// link, whether its length or the square of it is given.
 fn is_link<'m>(algebra: &Algebra<'m>, row: Ex<'m>, coordinate: &Coordinate) -> bool {
     let own = std::slice::from_ref(coordinate);
     let Some(Distance { vector, length }) = distance::distance(algebra, row, own) else {
@@ -145,7 +146,8 @@ fn classify_scalar<'m>(
         return Some(form);
     }
     if is_link(algebra, equation.rows[0], coordinate) {
-        // As squares it has another solution with another margin, less accurate where the link meets others at a needle's angle.
+        // Squares have another solution with another margin, less accurate where the link meets
+        // others at a needle's angle.
         return None;
     }
     let mut rest =

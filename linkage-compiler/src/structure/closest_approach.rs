@@ -8,18 +8,19 @@ use crate::structure::analysis::Analysis;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::vector::{Vector as Direction, cross, dot, norm};
 
-/// Step of central differences, in radians or as a share of a length: near the cube root of a double's precision, where truncation and
-/// rounding are alike.
+/// Step of central differences, in radians or as a share of a length: near the cube root of a
+/// double's precision, where truncation and rounding are alike.
 const STEP: f64 = 1e-5;
 
-/// A column of which less than this share points across those before it adds no direction: far above the error of the differences.
+/// A column of which less than this share points across those before it adds no direction: far
+/// above the error of the differences.
 const ALONG: f64 = 1e-6;
 
 /// Three digits are enough to recognise a direction.
 const DIGITS: f64 = 1000.0;
 
-/// What the unknowns do to a loop of three rows at their estimates: `none of them moves it along (0, 0, 1)`. Nothing if they
-/// move it in all directions.
+/// Returns the directions in which no unknown moves a loop of three rows at their estimates: `none
+/// of them moves it along (0, 0, 1)`. Nothing if they move it in all directions.
 pub(crate) fn short_of<'m>(
     analysis: &Analysis<'_, 'm>,
     equation: &Equation<'m>,
@@ -48,7 +49,7 @@ pub(crate) fn short_of<'m>(
     }
 }
 
-/// How the rows change with one coordinate, at the estimates.
+/// Returns the change of the rows with one coordinate, at the estimates.
 fn column<'m>(
     analysis: &Analysis<'_, 'm>,
     rows: [Ex<'m>; 3],
@@ -103,7 +104,8 @@ fn rows_at<'m>(
     analysis.nominal.evaluate(&rows)
 }
 
-/// A unit vector to three digits; of the two signs, the one whose first component other than 0 is positive.
+/// A unit vector to three digits; of the two signs, the one whose first component other than 0 is
+/// positive.
 fn words(direction: Direction) -> String {
     let rounded = direction.map(|x| (DIGITS * x).round() / DIGITS);
     let first = rounded.into_iter().find(|x| *x != 0.0).unwrap_or(1.0);

@@ -11,7 +11,7 @@ use crate::structure::group::{Group, Structure};
 use crate::structure::scope::Scope;
 use crate::structure::{classify, eliminate, equations, matching, point, report, unsolved};
 
-/// Finds the groups of what is looked at; what cannot be solved is reported.
+/// Finds the groups of a scope, and reports those that cannot be solved.
 pub(crate) fn decompose<'m>(
     algebra: &mut Algebra<'m>,
     nominal: &Nominal,
@@ -51,7 +51,8 @@ fn solve<'m>(
     let before = analysis.reporter.errors();
     if !report::report_mobility(analysis, &equations, &coordinates, &incidence, &matching) {
         if analysis.reporter.errors() == before {
-            // What lacks an equation, or an unknown, has been introduced here: the loop before that has no known form.
+            // Equations or unknowns that are missing here have been introduced here: the loop
+            // before has no known form.
             unsolved::report_unsolved(analysis, &equations, &coordinates);
         }
         return;
@@ -114,7 +115,7 @@ fn push_group<'m>(
         .iter()
         .any(|&k| !unknown_frames::is_loop_of_frame(mechanism, k))
     {
-        // What the user did not write has no number.
+        // Loops that the user did not write have no number.
         loops.retain(|&k| !unknown_frames::is_loop_of_frame(mechanism, k));
     }
     let sorted = |numbers: Vec<usize>| {

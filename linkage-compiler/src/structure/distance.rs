@@ -13,7 +13,7 @@ pub(crate) struct Distance<'m> {
     pub(crate) length: Ex<'m>,
 }
 
-/// Two sides of an equation: what measures a distance, and what is known.
+/// Two sides of an equation: one that measures a distance, and a known one.
 #[derive(Clone, Copy)]
 pub(crate) struct Sides<'m> {
     pub(crate) measured: Ex<'m>,
@@ -40,7 +40,7 @@ fn measured<'m>(
         given: algebra.zero(),
     };
     loop {
-        // Squares of what is known may belong to the vector: one term after the other.
+        // Squares of known values may belong to the vector: one term after the other.
         sides = without_term(algebra, sides, coordinates)?;
         let Sides { measured, given } = without_factors(algebra, sides, coordinates);
         let graph = algebra.graph;

@@ -1,4 +1,5 @@
-//! An angle of which only products of two of cosine and sine occur: vectors turn with its double, which is solved for.
+//! An angle of which only products of two of cosine and sine occur: vectors turn with its double,
+//! which is solved for.
 
 use linkage_symbolic::{Ex, V2, collect};
 
@@ -19,8 +20,8 @@ pub(crate) fn double_angle<'m>(
     by_double_angle(analysis, equation, coordinates)
 }
 
-/// A distance between points that go around one centre on ellipses, as the foot of scissors and a point of an arm: its square contains products
-/// of two of cosine and sine only.
+/// A distance between points that go around one centre on ellipses, as the foot of scissors and a
+/// point of an arm: its square contains products of two of cosine and sine only.
 pub(crate) fn distance_of_double_angle<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
@@ -90,7 +91,8 @@ fn by_double_angle<'m>(
     None
 }
 
-/// The rows of an equation, if they contain nothing of an angle but products of two of its cosine and sine.
+/// The rows of an equation, if they contain nothing of an angle but products of two of its cosine
+/// and sine.
 fn squares_of<'m>(
     algebra: &Algebra<'m>,
     angle: usize,

@@ -6,7 +6,7 @@ use linkage_symbolic::{Ex, V2, V3};
 #[derive(Clone, Debug)]
 pub(crate) struct Rotor<'m> {
     pub(crate) angle: usize,
-    /// -1 if the vector turns against the angle.
+    /// The sense: -1 if the vector turns against the angle.
     pub(crate) sense: f64,
     pub(crate) z: V2<'m>,
 }

@@ -1,4 +1,5 @@
-//! Bringing a coupled set of loops to known forms: unknowns that are explicit expressions of others go.
+//! Bringing a coupled set of loops to known forms: unknowns that are explicit expressions of others
+//! go.
 
 use linkage_symbolic::{Ex, SymbolId, collect};
 
@@ -36,8 +37,8 @@ fn eliminate_relation<'m>(
     Some((equations, kept))
 }
 
-/// A relation between angles that contains no other unknown, and the angle it is best solved for: one that other
-/// loops use too, after whose removal the rest counts in whole multiples.
+/// A relation between angles that contains no other unknown, and the angle it is best solved for:
+/// one that other loops use too, after whose removal the rest counts in whole multiples.
 fn find_relation<'m>(
     algebra: &Algebra<'m>,
     equations: &[Equation<'m>],
@@ -148,7 +149,8 @@ fn eliminate_point<'m>(
     None
 }
 
-/// All components of a point that enters an equation as `k (x, y)` with a `k` that is known before the input.
+/// All components of a point that enters an equation as `k (x, y)` with a `k` that is known before
+/// the input.
 fn solve_point<'m>(
     algebra: &Algebra<'m>,
     equation: &Equation<'m>,
@@ -215,7 +217,7 @@ fn eliminate_slide<'m>(
     None
 }
 
-/// What remains when one equation has given some coordinates.
+/// Returns the rest when one equation has given some coordinates.
 fn without<'m>(
     analysis: &Analysis<'_, 'm>,
     equations: &[Equation<'m>],

@@ -10,7 +10,7 @@ use crate::structure::analysis::Analysis;
 use crate::structure::elements::SpaceLink;
 use crate::structure::scope::Scope;
 
-/// A loop, or what became of one: one to three scalar equations `row = 0`.
+/// A loop, or an equation that was made of loops: one to three scalar equations `row = 0`.
 #[derive(Clone, Debug)]
 pub(crate) struct Equation<'m> {
     pub(crate) rows: Vec<Ex<'m>>,
@@ -117,7 +117,7 @@ pub(crate) fn symbols(algebra: &Algebra<'_>, coordinate: &Coordinate) -> Vec<Sym
     }
 }
 
-/// Which coordinates an equation contains.
+/// Returns the coordinates that an equation contains.
 pub(crate) fn incidence<'m>(
     algebra: &Algebra<'m>,
     equation: &Equation<'m>,

@@ -42,7 +42,8 @@ pub(crate) fn make_explicit<'m>(analysis: &mut Analysis<'_, 'm>, symbol: SymbolI
     analysis.structure.explicit.push(Explicit { symbol, value });
 }
 
-/// Substitutes in an equation; if that changes it, it also answers for the eliminated loop and unknowns.
+/// Substitutes in an equation; if that changes it, it also answers for the eliminated loop and
+/// unknowns.
 pub(crate) fn substitute_in<'m>(
     analysis: &Analysis<'_, 'm>,
     equation: &mut Equation<'m>,

@@ -22,7 +22,8 @@ pub(crate) enum Form<'m> {
         guide: V2<'m>,
         known: V2<'m>,
     },
-    /// `(rotor + slide * guide) turning with one angle + known = 0`: RPR. The rotor's vector is the offset.
+    /// `(rotor + slide * guide) turning with one angle + known = 0`: RPR. The rotor's vector is the
+    /// offset.
     SlideOnRotor {
         rotor: Rotor<'m>,
         slide: SymbolId,
@@ -55,7 +56,8 @@ pub(crate) enum Form<'m> {
         a: Ex<'m>,
         b: Ex<'m>,
     },
-    /// `|cosine cos + sine sin + known| = length` in space, the two perpendicular and equally long: RSSR
+    /// `|cosine cos + sine sin + known| = length` in space, the two perpendicular and equally long:
+    /// RSSR
     LinkToRotor {
         angle: usize,
         cosine: V3<'m>,
@@ -70,7 +72,8 @@ pub(crate) enum Form<'m> {
         known: V3<'m>,
         length: Ex<'m>,
     },
-    /// A point on spheres and planes, three in all; a component that is no coordinate is 0, which counts as a plane.
+    /// A point on spheres and planes, three in all; a component that is no coordinate is 0, which
+    /// counts as a plane.
     Point {
         /// With the components that they are.
         coordinates: Vec<(SymbolId, usize)>,

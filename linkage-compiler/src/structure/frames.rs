@@ -1,4 +1,5 @@
-//! Unknown frames in words: a body in space has six freedoms, one in the plane three, whatever unknowns and loops of its own it is made of.
+//! Messages about unknown frames: a body in space has six freedoms, one in the plane three,
+//! whatever unknowns and loops of its own it is made of.
 
 use crate::message_format::{MessageFormat, loop_list};
 use crate::mobility::{Position, freedom, overconstrained};
@@ -21,7 +22,7 @@ struct UnknownFrame {
     loops: Vec<usize>,
 }
 
-/// What is said of a body that too many loops hold.
+/// The text about a body that too many loops hold.
 struct HeldTwice {
     fact: String,
     help: String,
@@ -57,7 +58,8 @@ fn unknown_frames(mechanism: &Mechanism) -> Vec<UnknownFrame> {
     frames.collect()
 }
 
-/// Reports bodies that too few loops hold, or too many; the coordinates of which something has been said.
+/// Reports bodies that too few loops hold, or too many; the coordinates of which something has been
+/// said.
 pub(crate) fn report_frames<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
@@ -179,7 +181,7 @@ fn report_held_twice<'m>(
         .error(mechanism.loops[*last].origin, message);
 }
 
-/// Which loops about a frame depend on which, and what to do about that.
+/// Returns the loops about a frame that depend on others, and the remedy.
 fn too_many<'m>(
     analysis: &Analysis<'_, 'm>,
     surplus: usize,
@@ -224,7 +226,7 @@ fn too_many<'m>(
     }
 }
 
-/// What is found out about the loops where the unknowns have these values; nothing if one has no estimate.
+/// Runs a check of the loops where the unknowns have these values; nothing if one has no estimate.
 fn position<'m, R>(
     analysis: &Analysis<'_, 'm>,
     values: &[Vec<f64>],

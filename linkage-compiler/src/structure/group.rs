@@ -57,7 +57,8 @@ impl Group<'_> {
     }
 }
 
-/// An unknown that is an explicit expression of others and was eliminated before its group was solved.
+/// An unknown that is an explicit expression of others and was eliminated before its group was
+/// solved.
 #[derive(Clone, Debug)]
 pub(crate) struct Explicit<'m> {
     pub(crate) symbol: SymbolId,

@@ -1,8 +1,10 @@
-//! The structural analysis: which unknowns can be solved together, in which order, and in which form.
+//! The structural analysis: which unknowns can be solved together, in which order, and in which
+//! form.
 //!
-//! Loops and unknowns form a bipartite graph. A maximum matching and the strongly connected components of the
-//! directed matching graph (Dulmage and Mendelsohn; Tarjan) are the Assur groups, in order. Each group is then brought
-//! to one of the [`Form`]s that have a closed solution, by looking at its loops as polynomials in its unknowns.
+//! Loops and unknowns form a bipartite graph. A maximum matching and the strongly connected
+//! components of the directed matching graph (Dulmage and Mendelsohn; Tarjan) are the Assur groups,
+//! in order. Each group is then brought to one of the [`Form`]s that have a closed solution, by
+//! looking at its loops as polynomials in its unknowns.
 
 pub(crate) mod analysis;
 pub(crate) mod body;

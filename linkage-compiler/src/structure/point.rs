@@ -66,7 +66,8 @@ pub(crate) fn classify_point<'m>(
     })
 }
 
-/// The accuracy of the solution is that of the first sphere: at the defaults and the reference position, it is the smallest.
+/// The accuracy of the solution is that of the first sphere: at the defaults and the reference
+/// position, it is the smallest.
 fn smallest_first(analysis: &Analysis<'_, '_>, spheres: &mut [Sphere]) {
     let size = |sphere: &Sphere| {
         let values = analysis.nominal.evaluate(&[sphere.radius, sphere.factor]);

@@ -28,7 +28,8 @@ impl<'m> Polynomials<'m> {
         exponents
     }
 
-    /// Removes and returns the coefficients of a product of symbols, one for each row; 0 where there is none.
+    /// Removes and returns the coefficients of a product of symbols, one for each row; 0 where
+    /// there is none.
     pub(crate) fn take(&mut self, symbols: &[SymbolId], zero: Ex<'m>) -> Vec<Ex<'m>> {
         let monomial = self.monomial(symbols);
         self.rows
@@ -65,7 +66,8 @@ impl<'m> Polynomials<'m> {
     }
 }
 
-/// The rows of an equation as polynomials in coordinates; `None` if they are none (a square root, an angle's value).
+/// The rows of an equation as polynomials in coordinates; `None` if they are none (a square root,
+/// an angle's value).
 pub(crate) fn polynomials<'m>(
     algebra: &Algebra<'m>,
     rows: &[Ex<'m>],
@@ -86,7 +88,8 @@ pub(crate) fn polynomials<'m>(
     Some(Polynomials { rows, symbols })
 }
 
-/// Removes terms in a direction whose coefficients are 0 in a spelling that constructors do not see, or by rounding.
+/// Removes terms in a direction whose coefficients are 0 in a spelling that constructors do not
+/// see, or by rounding.
 pub(crate) fn drop_cancelled<'m>(algebra: &Algebra<'m>, polynomials: &mut Polynomials<'m>) {
     let zero = algebra.zero();
     for row in &mut polynomials.rows {

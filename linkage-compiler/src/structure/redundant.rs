@@ -1,5 +1,6 @@
-//! Loops that are one too many and close all the same: with the dimensions as they are they repeat others, as a third crank on one rod does that stays
-//! parallel to the first two. Whether they do is found by numbers: all loops are closed together at several positions.
+//! Loops that are one too many and close all the same: with the dimensions as they are they repeat
+//! others, as a third crank on one rod does that stays parallel to the first two. Whether they do
+//! is found by numbers: all loops are closed together at several positions.
 
 use crate::algebra::context::Algebra;
 use crate::algebra::{ALIKE, Bound, ConstantRatio, Nominal, constant_ratio};
@@ -13,18 +14,20 @@ use crate::structure::simultaneous::{SimultaneousLoops, independent};
 /// Positions besides the reference, as shares of a small motion to both sides.
 const POSITIONS: [f64; 5] = [0.0, 0.5, 1.0, -0.5, -1.0];
 
-/// The motion at most: so far the assembly is not left, and lengths that fit by chance at the reference fit no more.
+/// The motion at most: so far the assembly is not left, and lengths that fit by chance at the
+/// reference fit no more.
 const TURN: f64 = 0.2;
 
 const SHIFT: f64 = 0.02;
 
-/// What to say beside the surplus.
+/// The text besides the surplus.
 pub(crate) struct RedundantLoops {
     pub(crate) fact: String,
     pub(crate) help: String,
 }
 
-/// Whether a loop with more equations than it has unknowns of its own repeats the others, and what to write then.
+/// Checks if a loop with more equations than it has unknowns of its own repeats the others, and
+/// returns the remedy.
 pub(crate) fn redundant_loops<'m>(
     analysis: &Analysis<'_, 'm>,
     surplus: &Equation<'m>,
@@ -41,7 +44,8 @@ pub(crate) fn redundant_loops<'m>(
         ..analysis.nominal.clone()
     };
     let slopes = together.slopes(&found[0], &at);
-    // The loop itself first; another one where its equations find something better than those that remain.
+    // The loop itself first; another one where its equations find something better than those that
+    // remain.
     let others = equations.iter().filter(|e| e.loops != surplus.loops);
     let spare = std::iter::once(surplus).chain(others).find_map(|left_out| {
         let own = found_by_itself(analysis.algebra, left_out, equations, coordinates);
@@ -181,7 +185,8 @@ pub(crate) fn longest(analysis: &Analysis<'_, '_>) -> f64 {
     if longest > 0.0 { longest } else { 1.0 }
 }
 
-/// The loops on numbers; `None` if there is an unknown that the compiler introduced, of which nothing is estimated.
+/// The loops on numbers; `None` if there is an unknown that the compiler introduced, of which
+/// nothing is estimated.
 fn simultaneous_loops<'m, 'c>(
     analysis: &Analysis<'_, 'm>,
     equations: &[Equation<'m>],

@@ -1,5 +1,5 @@
-//! Bringing a coupled set of loops to known forms: distances become links, components become vectors, a sum of angles
-//! becomes an angle.
+//! Bringing a coupled set of loops to known forms: distances become links, components become
+//! vectors, a sum of angles becomes an angle.
 
 use linkage_symbolic::{Ex, SymbolId, Vector, collect};
 
@@ -70,7 +70,8 @@ pub(crate) fn distance_to_link<'m>(
     None
 }
 
-/// An angle whose vectors do not simply turn, with a slide: the equation across the guide contains the angle alone.
+/// An angle whose vectors do not simply turn, with a slide: the equation across the guide contains
+/// the angle alone.
 pub(crate) fn split_along_guide<'m>(
     algebra: &Algebra<'m>,
     equations: &[Equation<'m>],
@@ -182,8 +183,8 @@ fn linear_part(row: Ex, slide: SymbolId) -> Option<Ex> {
     terms.get(&vec![0]).copied().filter(|_| cancelled)
 }
 
-/// Two slides and an angle in a loop of three rows: the equation across both guides contains the angle alone, those across
-/// one of them the other slide.
+/// Two slides and an angle in a loop of three rows: the equation across both guides contains the
+/// angle alone, those across one of them the other slide.
 pub(crate) fn split_across_guides<'m>(
     algebra: &Algebra<'m>,
     equations: &[Equation<'m>],

@@ -7,22 +7,26 @@ use linkage_symbolic::{Ex, SymbolId, substitute};
 use crate::algebra::Nominal;
 use crate::structure::equations::{Coordinate, CoordinateKind};
 
-/// Loops that miss by no more than this share of their links close: rounding is thousand times less.
+/// Loops that miss by no more than this share of their links close: rounding is thousand times
+/// less.
 const CLOSED: f64 = 1e-12;
 
-/// Differences for slopes: the error of a central difference is about this squared, its rounding the last place divided by it.
+/// Differences for slopes: the error of a central difference is about this squared, its rounding
+/// the last place divided by it.
 const STEP: f64 = 1e-5;
 
-/// Newton's method from an estimate 60 degrees away takes about ten steps of at most half a radian each.
+/// Newton's method from an estimate 60 degrees away takes about ten steps of at most half a radian
+/// each.
 const STEPS: usize = 40;
 
 const LONGEST_STEP: f64 = 0.5;
 
-/// Keeps a matrix regular where unknowns are not determined at all; too small to slow anything down.
+/// Keeps a matrix regular where unknowns are not determined at all; too small to slow anything
+/// down.
 const DAMPING: f64 = 1e-14;
 
-/// A column of which less than this share points across those before it is a combination of them: far above the error of differences, and the
-/// limit of a dead point.
+/// A column of which less than this share points across those before it is a combination of them:
+/// far above the error of differences, and the limit of a dead point.
 const ACROSS: f64 = 1e-6;
 
 /// Loops on numbers.
@@ -30,14 +34,14 @@ pub(crate) struct SimultaneousLoops<'a, 'm> {
     pub(crate) rows: Vec<Ex<'m>>,
     pub(crate) coordinates: &'a [Coordinate],
     pub(crate) symbols: Vec<Vec<SymbolId>>,
-    /// Where the search begins.
+    /// The values at which the search begins.
     pub(crate) estimates: Vec<f64>,
-    /// What counts like a radian, by coordinate.
+    /// The size that counts like a radian, for each coordinate.
     pub(crate) scales: Vec<f64>,
 }
 
 impl SimultaneousLoops<'_, '_> {
-    /// By how much every row misses.
+    /// Returns the error of every row.
     fn missing(&self, x: &[f64], at: &Nominal) -> Vec<f64> {
         let graph = self.rows[0].graph();
         let mut values = Map::new();
@@ -52,7 +56,7 @@ impl SimultaneousLoops<'_, '_> {
         at.evaluate(&substitute(&self.rows, &values))
     }
 
-    /// How the rows change with each coordinate, measured by its scale.
+    /// Returns the change of the rows with each coordinate, measured by its scale.
     pub(crate) fn slopes(&self, x: &[f64], at: &Nominal) -> Vec<Vec<f64>> {
         let slopes = (0..x.len()).map(|k| {
             let side = |sign: f64| {

@@ -7,7 +7,8 @@ use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::structure::form::Form;
 use crate::structure::{distance, polynomials};
 
-/// A link with two ball joints to a point that turns about an axis (RSSR) or slides along a line (RSSP).
+/// A link with two ball joints to a point that turns about an axis (RSSR) or slides along a line
+/// (RSSP).
 pub(crate) fn classify_distance<'m>(
     algebra: &Algebra<'m>,
     row: Ex<'m>,

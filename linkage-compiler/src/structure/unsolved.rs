@@ -1,4 +1,5 @@
-//! What is said of a group that no method solves: what is too much of which term, and that the limit is ours.
+//! Messages about a group that no method solves: the term of too high a degree, and that the limit
+//! is that of the compiler.
 
 use linkage_symbolic::{MAX_DEGREE, Obstacle, SymbolId, obstacle};
 
@@ -14,10 +15,10 @@ use crate::structure::coupled::classify_coupled::MOST_CORE;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::structure::{equations, naming, polynomials};
 
-/// How every limit is called what it is.
+/// The text that marks every limit of the compiler.
 pub(crate) const OURS: &str = "this is a limit of linkage, not a mistake of yours";
 
-/// What a method can have to do with.
+/// The terms that a method can solve.
 const MAY_STAND: &str = "an unknown angle may stand in `polar`, `dir`, `rotate`, `turn`, `sin`, `cos`, an unknown length may be \
                          multiplied by known quantities or by a direction";
 
@@ -74,7 +75,8 @@ pub(crate) fn report_unsolved<'m>(
     analysis.reporter.error(origin, message);
 }
 
-/// Why an equation is no polynomial that is solved, with what to do, and the term of a loop at fault, if there is one.
+/// Returns the reason why an equation is no polynomial that is solved, with the remedy, and the
+/// term of a loop at fault, if there is one.
 fn worst_obstacle<'m>(
     algebra: &mut Algebra<'m>,
     equations: &[Equation<'m>],
@@ -86,7 +88,7 @@ fn worst_obstacle<'m>(
         .collect();
     let worst = |obstacles: Vec<Obstacle>| obstacles.into_iter().max_by_key(weight);
     for equation in equations {
-        // What cancels makes no degree.
+        // Terms that cancel make no degree.
         if polynomials::polynomials(algebra, &equation.rows, coordinates).is_some() {
             continue;
         }
@@ -124,7 +126,7 @@ fn worst_obstacle<'m>(
     None
 }
 
-/// What is wrong with angles that stand for themselves.
+/// Returns the text about angles that stand for themselves.
 fn obstacle_of_values(algebra: &Algebra<'_>, valued: &[usize], rows: usize) -> String {
     let names = naming::unknown_list(algebra, valued.to_vec());
     if rows <= 2 {
@@ -160,7 +162,7 @@ fn angles_with_values<'m>(
     angles.filter_map(|(_, c)| c.unknown).collect()
 }
 
-/// How many unknowns of polynomial loops are in the core.
+/// Returns the number of unknowns of polynomial loops in the core.
 fn core_of<'m>(
     algebra: &Algebra<'m>,
     equations: &[Equation<'m>],

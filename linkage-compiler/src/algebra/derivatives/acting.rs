@@ -1,8 +1,9 @@
-//! The parameters that act on expressions directly: those whose partial derivative may differ from zero where unknowns and
-//! rates are held.
+//! The parameters that act on expressions directly: those whose partial derivative may differ from
+//! zero where unknowns and rates are held.
 //!
-//! A sweep backwards visits every system of a chain, and each system has a few parameters of its own. With these lists each
-//! parameter costs its own systems only, so that the work grows with the number of systems and not with its square.
+//! A sweep backwards visits every system of a chain, and each system has a few parameters of its
+//! own. With these lists each parameter costs its own systems only, so that the work grows with the
+//! number of systems and not with its square.
 
 use std::collections::BTreeSet;
 use std::rc::Rc;
@@ -15,12 +16,12 @@ use crate::algebra::memo::Given;
 use crate::algebra::rules::{RotatingFrame, Rule};
 use crate::algebra::systems::System;
 
-/// What acts on the equations of a group.
+/// Returns the parameters that act on the equations of a group.
 pub(crate) fn acting_on_group(algebra: &mut Algebra<'_>, group: usize) -> Given {
     acting_on_system(algebra, &System::new(group, Vec::new()))
 }
 
-/// What acts on expressions.
+/// Returns the parameters that act on expressions.
 pub(crate) fn acting_in<'m>(algebra: &mut Algebra<'m>, all: &[Ex<'m>]) -> BTreeSet<SymbolId> {
     let nodes: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
     let mut acting = BTreeSet::new();
@@ -33,7 +34,7 @@ pub(crate) fn acting_in<'m>(algebra: &mut Algebra<'m>, all: &[Ex<'m>]) -> BTreeS
     acting
 }
 
-/// What acts on the equations of a system.
+/// Returns the parameters that act on the equations of a system.
 pub(crate) fn acting_on_system<'m>(algebra: &mut Algebra<'m>, system: &System) -> Given {
     if let Some(known) = algebra.derivatives.partials.acting.on_systems.get(system) {
         return Rc::clone(known);
@@ -64,7 +65,7 @@ pub(crate) fn acting_on_system<'m>(algebra: &mut Algebra<'m>, system: &System) -
     acting
 }
 
-/// What acts on a symbol with a rule: on all that the rule differentiates.
+/// Returns the parameters that act on a symbol with a rule: on all that the rule differentiates.
 fn acting_on_symbol<'m>(algebra: &mut Algebra<'m>, symbol: SymbolId) -> Given {
     if let Some(known) = algebra.derivatives.partials.acting.on_symbols.get(&symbol) {
         return Rc::clone(known);
@@ -89,7 +90,7 @@ fn acting_on_symbol<'m>(algebra: &mut Algebra<'m>, symbol: SymbolId) -> Given {
     acting
 }
 
-/// What the turning of a carrier is differentiated by.
+/// Returns the expressions whose derivatives give the rotation of a frame.
 fn parts_of(carrier: RotatingFrame) -> [Ex; 3] {
     let [x, y] = carrier.start.0;
     [carrier.angle, x, y]

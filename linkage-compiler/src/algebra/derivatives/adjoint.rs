@@ -1,10 +1,11 @@
 //! Derivatives by parameters from the results backwards.
 //!
-//! A quantity `q` is a function of parameters, unknowns and rates; the unknowns solve `F = 0`, the rates linear
-//! systems with the same Jacobian. Each system gets multipliers `l` with `J^T l = dq/du`, the last system first: what
-//! the equations mention of earlier systems is added to their `dq/du`. Then `dq/dp` is the partial derivative of `q`
-//! minus the sum of `l . dF/dp`. One sweep serves all parameters, where going forward solves a system for each;
-//! forward needs no sweep for each result. [`Direction`] names the ways, lowering takes the cheapest.
+//! A quantity `q` is a function of parameters, unknowns and rates; the unknowns solve `F = 0`, the
+//! rates linear systems with the same Jacobian. Each system gets multipliers `l` with `J^T l =
+//! dq/du`, the last system first. Its equations add to the `dq/du` of the earlier systems that they
+//! mention. Then `dq/dp` is the partial derivative of `q` minus the sum of `l . dF/dp`. One sweep
+//! serves all parameters, where going forward solves a system for each; forward needs no sweep for
+//! each result. `Direction` names the choices, and the cheapest is taken.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -66,7 +67,8 @@ fn minus_slope<'m>(
     })
 }
 
-/// From the derivatives by unknowns and rates to all multipliers, the last system first, but not beyond ends.
+/// Sweeps from the derivatives by unknowns and rates to all multipliers, the last system first, but
+/// not beyond ends.
 pub(crate) fn sweep<'m>(
     algebra: &mut Algebra<'m>,
     weights: Vec<(Solved, Ex<'m>)>,
@@ -151,9 +153,9 @@ fn slope_of_row<'m>(
     })
 }
 
-/// `J^T l = weights` by Cramer's rule. The determinant is known from the closed form. Computed from the scaled
-/// weights, of which there are fewer; differentiated as the quotients, whose derivatives stay in range for lengths
-/// of any unit.
+/// `J^T l = weights` by Cramer's rule. The determinant is known from the closed form. Computed from
+/// the scaled weights, of which there are fewer; differentiated as the quotients, whose derivatives
+/// stay in range for lengths of any unit.
 pub(crate) fn solve_transposed<'m>(
     algebra: &mut Algebra<'m>,
     group: usize,

@@ -22,7 +22,8 @@ pub(crate) trait GroupRates<'m> {
 pub(crate) trait RuleCalculus<'m>: Calculus<'m> {
     fn algebra(&mut self) -> &mut Algebra<'m>;
 
-    /// The derivative by `variable` of unknown `position` of a group, or of its derivative `by` some variables.
+    /// The derivative by `variable` of unknown `position` of a group, or of its derivative `by`
+    /// some variables.
     fn rate(
         &mut self,
         group: usize,
@@ -83,7 +84,7 @@ pub(crate) trait RuleCalculus<'m>: Calculus<'m> {
         rule.sensed(rate)
     }
 
-    /// What changes seen from the carrier and by its turning, in fixed coordinates.
+    /// Returns the change as seen from the frame, and by its rotation, in fixed coordinates.
     fn rate_of_from_frame(&mut self, shown: &FromFrame<'m>, variable: SymbolId) -> Ex<'m> {
         let [change, base] =
             [shown.vector, shown.base].map(|own| own.map(|x| self.slope(x, variable)));
@@ -92,13 +93,13 @@ pub(crate) trait RuleCalculus<'m>: Calculus<'m> {
             [shown.component]
     }
 
-    /// By how much a carrier turns.
+    /// Returns the rotation of a frame.
     fn rotation_of_frame(&mut self, carrier: RotatingFrame<'m>, variable: SymbolId) -> Ex<'m> {
         let start = carrier.start.map(|x| self.slope(x, variable));
         self.slope(carrier.angle, variable) + carrier.start.cross(start)
     }
 
-    /// What changes in fixed coordinates, seen from the carrier, which turns itself.
+    /// Returns the change in fixed coordinates, as seen from the frame, which rotates itself.
     fn rate_of_to_frame(&mut self, seen: &ToFrame<'m>, variable: SymbolId) -> Ex<'m> {
         let change = seen.vector.map(|x| self.slope(x, variable));
         let changed = rotating_frame::to_frame(self.algebra(), seen.carrier, change);

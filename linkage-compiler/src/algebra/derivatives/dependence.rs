@@ -1,4 +1,4 @@
-//! What values depend on, definitions followed.
+//! Symbols and inputs that values depend on, through all definitions.
 
 use std::collections::BTreeSet;
 
@@ -14,7 +14,8 @@ pub(crate) fn symbols_below<'m>(algebra: &Algebra<'m>, all: &[Ex<'m>]) -> BTreeS
     found
 }
 
-/// Adds all symbols that nodes are computed from; returns those that were not there, whose own were not followed again.
+/// Adds all symbols that nodes are computed from; returns those that were not there, whose own were
+/// not followed again.
 pub(crate) fn add_symbols_below<'m>(
     algebra: &Algebra<'m>,
     all: &[Ex<'m>],

@@ -6,7 +6,7 @@ use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::by_rule::RuleCalculus;
 use crate::algebra::derivatives::{adjoint, gradient, partial, preaccumulation};
 
-/// How derivatives by parameters are found.
+/// The direction in which derivatives by parameters are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Direction {
     /// The rates of all groups by each parameter.
@@ -14,8 +14,8 @@ pub(crate) enum Direction {
     Forward,
     /// Backwards from each number that is differentiated.
     FromResults,
-    /// Backwards from the unknowns in it, and anew from each narrow place before these: several results often hang on
-    /// one angle.
+    /// Backwards from the unknowns in it, with a new sweep from each intermediate before these:
+    /// several results often hang on one angle.
     FromUnknowns,
     /// Backwards from each number through its whole formula.
     Gradient,

@@ -1,8 +1,10 @@
-//! The linear systems of coupled groups: private unknowns are eliminated, the core is solved by cofactors.
+//! The linear systems of coupled groups: private unknowns are eliminated, the core is solved by
+//! cofactors.
 //!
-//! In a loop with a private unknown, whose column is `c`, a multiplier `m` across `c` gives one equation without it: `m . column`
-//! for every other unknown. What remains is a small square matrix, the same for every right-hand side. Cofactors need no choice
-//! of pivots, which would be a branch, and no division but the last. They grow with the factorial of the size: larger matrices are
+//! In a loop with a private unknown, whose column is `c`, a multiplier `m` across `c` gives one
+//! equation without it: `m . column` for every other unknown. The rest is a small square matrix,
+//! the same for every right-hand side. Cofactors need no choice of pivots, which would be a branch,
+//! and no division but the last. They grow with the factorial of the size: larger matrices are
 //! eliminated in an order that is known before (`pivots`).
 
 use linkage_symbolic::{Ex, SymbolId};
@@ -40,7 +42,8 @@ pub(crate) fn eliminate<'m>(
                 }
                 None => bodies.shifts(&core),
             };
-            // What that leaves in the other equations is a derivative like others: by the entries of the matrix it takes more.
+            // The rest in the other equations is a derivative like others: by the entries of the
+            // matrix it takes more.
             let nothing = vec![algebra.zero(); scheme.freedoms.len()];
             let held = bodies.unknowns(&nothing, &shifts);
             let pairs = elimination.units.iter().zip(&held);
@@ -132,7 +135,7 @@ pub(crate) fn eliminate_transposed<'m>(
     multipliers
 }
 
-/// The solution of a linear system. What is divided by the determinant is the right-hand side where that is mostly 0.
+/// Solves a linear system. A right-hand side that is mostly 0 is divided by the determinant itself.
 fn solve_core<'m>(
     algebra: &Algebra<'m>,
     matrix: &[Vec<Ex<'m>>],

@@ -1,4 +1,5 @@
-//! Derivatives of one number by parameters from its gradient: each parameter visits the ends that it acts on.
+//! Derivatives of one number by parameters from its gradient: each parameter visits the ends that
+//! it acts on.
 
 use std::rc::Rc;
 

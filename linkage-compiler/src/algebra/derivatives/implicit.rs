@@ -1,9 +1,10 @@
 //! Derivatives of the solutions of loops, by the implicit function theorem.
 //!
-//! A group of loops is `F = sum of coefficient * factor = 0`, where the factors are made of the group's own unknowns and
-//! the coefficients of everything known before. Its rates by `x` solve `J r = -sum of d(coefficient)/dx * factor`, and
-//! every further derivative follows by differentiating that linear system, so that the square root of the
-//! closed form is never differentiated. Each rate is a symbol of its own: common parts are computed once.
+//! A group of loops is `F = sum of coefficient * factor = 0`, where the factors are made of the
+//! group's own unknowns and the coefficients of everything known before. Its rates by `x` solve `J
+//! r = -sum of d(coefficient)/dx * factor`, and every further derivative follows by differentiating
+//! that linear system, so that the square root of the closed form is never differentiated. Each
+//! rate is a symbol of its own: common parts are computed once.
 
 use linkage_symbolic::{Calculus, DerivativeMemo, Ex, Graph, NodeId, SymbolId, Vector};
 
@@ -108,7 +109,8 @@ fn right_hand_side<'m>(algebra: &mut Algebra<'m>, group: usize, by: &[SymbolId])
         .collect()
 }
 
-/// Cramer's rule, the determinant being known from the closed form; coupled groups are brought down to their core.
+/// Cramer's rule, the determinant being known from the closed form; coupled groups are brought down
+/// to their core.
 fn solve<'m>(
     algebra: &mut Algebra<'m>,
     group: usize,
@@ -148,7 +150,7 @@ fn solve<'m>(
             by_rule::rate_symbol(algebra, group, position, by, quotient)
         })
         .collect();
-    // Where the other one does not change, only the determinant says whether the loop closes.
+    // The determinant alone shows whether the loop closes where the other one does not change.
     if let Some((alone, row)) = triangular(&jacobian)
         && !rates[1 - alone].is_zero()
     {
@@ -159,7 +161,7 @@ fn solve<'m>(
     rates
 }
 
-/// Of two equations, the unknown that only one of them contains, and which.
+/// Returns the unknown that only one of two equations contains, and the number of that equation.
 fn triangular(jacobian: &[Vec<Ex>]) -> Option<(usize, usize)> {
     if jacobian.len() != 2 {
         return None;

@@ -1,6 +1,8 @@
-//! Derivatives by scalar products that are known: of a link with itself, and with the other unknown's column of the Jacobian.
+//! Derivatives by scalar products that are known: of a link with itself, and with the other
+//! unknown's column of the Jacobian.
 //!
-//! They stand for components of right-hand sides and of links. Whether that is shorter is a matter of the function.
+//! They stand for components of right-hand sides and of links. Whether that is shorter is a matter
+//! of the function.
 
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
@@ -10,8 +12,8 @@ use crate::algebra::derivatives::{by_rule, partial};
 use crate::algebra::memo::{DerivativeMemos, Multiplier};
 use crate::algebra::solutions::Shortcuts;
 
-/// Says what derivatives make use of from here on. If that is new, all that is known of derivatives is forgotten: true then, for those who remember
-/// some themselves.
+/// Sets the shortcuts of derivatives from here on. A new choice forgets all derivatives and returns
+/// true, for callers that remember some themselves.
 #[must_use]
 pub(crate) fn use_shortcuts(algebra: &mut Algebra<'_>, shortcuts: Shortcuts) -> bool {
     let is_new = algebra.solutions.shortcuts != shortcuts;
@@ -22,12 +24,13 @@ pub(crate) fn use_shortcuts(algebra: &mut Algebra<'_>, shortcuts: Shortcuts) -> 
     is_new
 }
 
-/// What would change a derivative that has been asked for.
+/// Returns the shortcuts that would change a derivative that was found.
 pub(crate) fn offered_shortcuts(algebra: &Algebra<'_>) -> Shortcuts {
     algebra.derivatives.offered
 }
 
-/// Second derivatives of a rod's unknown: with `V'` the rod's first derivative, `V . V'' + V' . V' = 0`, where `V` meets what turns in a product that is known.
+/// Returns second derivatives of a rod's unknown: with `V'` the rod's first derivative, `V . V'' +
+/// V' . V' = 0`, where `V` meets the turning vector in a product that is known.
 fn rates_of_rod<'m>(
     algebra: &mut Algebra<'m>,
     group: usize,
@@ -66,7 +69,8 @@ fn rates_of_rod<'m>(
     )])
 }
 
-/// Second and further derivatives of two links that turn: the part of the right-hand side that turning makes lies along the links, which it meets in products.
+/// Second and further derivatives of two links that turn: the part of the right-hand side that
+/// turning makes lies along the links, which it meets in products.
 pub(crate) fn rates_by_products<'m>(
     algebra: &mut Algebra<'m>,
     group: usize,
@@ -105,8 +109,9 @@ pub(crate) fn rates_by_products<'m>(
     Some(rates.collect())
 }
 
-/// The multipliers of a group's loop times the derivatives of its links by something else than its unknowns, where the products are used. For the first link
-/// with column `a`, and `b` the other one, `J^T l = w` makes `l . link = (w1 link x b - w2 link . link)/(a x b)`.
+/// The multipliers of a group's loop times the derivatives of its links by something else than its
+/// unknowns, where the products are used. For the first link with column `a`, and `b` the other
+/// one, `J^T l = w` makes `l . link = (w1 link x b - w2 link . link)/(a x b)`.
 pub(crate) fn slope_of_links<'m>(
     algebra: &mut Algebra<'m>,
     own: &Multiplier<'m>,
@@ -129,7 +134,7 @@ pub(crate) fn slope_of_links<'m>(
         if !algebra.solutions.shortcuts.products {
             return sum;
         }
-        // By how much it becomes longer, and turns.
+        // The relative change of its length, and its turn.
         let change = slope.turned_back(link.z);
         let [w1, w2] = [0, 1].map(|k| own.weights[k] / solution.determinant);
         let [across, square] = [link.across, link.square].map(|x| change[0] * x);
@@ -146,7 +151,8 @@ pub(crate) fn slope_of_links<'m>(
     sum
 }
 
-/// How many of a group's terms belong to its links: those that [`Self::slope_of_links`] is about.
+/// Returns the number of a group's terms that belong to its links: those that [`slope_of_links`]
+/// covers.
 pub(crate) fn terms_of_links(algebra: &Algebra<'_>, group: usize) -> usize {
     let links = algebra.solutions.groups[group].links.iter().flatten();
     match algebra.solutions.shortcuts.products {

@@ -68,7 +68,7 @@ fn behind(algebra: &mut Algebra<'_>, symbol: SymbolId) -> BTreeSet<Solved> {
     behind
 }
 
-/// What the equations of a system mention of earlier ones.
+/// Returns the unknowns and rates of earlier systems that the equations of a system mention.
 pub(crate) fn mentioned_by<'m>(algebra: &mut Algebra<'m>, system: &System) -> Vec<Solved> {
     let solution = &algebra.solutions.groups[system.group];
     let mut all: Vec<Ex<'m>> = Vec::new();

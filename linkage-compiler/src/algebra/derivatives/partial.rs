@@ -1,4 +1,5 @@
-//! Partial derivatives: by one unknown, rate or parameter, while all other unknowns and rates are held.
+//! Partial derivatives: by one unknown, rate or parameter, while all other unknowns and rates are
+//! held.
 
 use linkage_symbolic::{Calculus, DerivativeMemo, Ex, Graph, Node, NodeId, SymbolId};
 
@@ -71,7 +72,8 @@ pub(crate) fn sum_of_slopes<'m>(
     gathered.fold(zero, |sum, (slope, factor)| join(sum, slope * factor))
 }
 
-/// The derivative of an expression that mentions `variable`, a parameter or a symbol from [`Self::symbol_for`].
+/// The derivative of an expression that mentions `variable`, a parameter or a symbol from
+/// [`Self::symbol_for`].
 pub(crate) fn partial<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>, variable: SymbolId) -> Ex<'m> {
     Partial(algebra).slope(x, variable)
 }
@@ -109,8 +111,8 @@ pub(crate) fn unknown_variable(
     )
 }
 
-/// Products of slopes and factors, those of equal slopes put together: a centre that moves alone moves all differences from
-/// it.
+/// Products of slopes and factors, those of equal slopes put together: a centre that moves alone
+/// moves all differences from it.
 fn gathered<'m>(products: &[(Ex<'m>, Ex<'m>)]) -> Vec<(Ex<'m>, Ex<'m>)> {
     let mut gathered: Vec<(Ex, Ex)> = Vec::new();
     for &(slope, factor) in products {

@@ -1,8 +1,8 @@
 //! Derivatives by parameters through the narrow places of a mechanism.
 //!
-//! All that the dimensions of a dyad do to the numbers behind it, they often do through one angle. Then those numbers
-//! are differentiated by the angle, the angle by the dimensions, and both are multiplied: what a sweep backwards would
-//! do for each number is done once for all of them.
+//! The dimensions of a dyad often change the numbers behind it through one angle only. Then those
+//! numbers are differentiated by the angle, the angle by the dimensions, and both are multiplied:
+//! the sweep backwards of each number is done once for all of them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
@@ -14,15 +14,16 @@ use crate::algebra::derivatives::{acting, adjoint, mentioned, partial};
 use crate::algebra::memo::{ByParameter, Flow, ThroughIntermediates};
 use crate::algebra::systems::{Solved, System};
 
-/// What hangs on an unknown or a rate: results, and narrow places behind it.
+/// A dependent of an unknown or a rate: a result, or an intermediate behind it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Behind {
     Result(usize),
     Intermediate(Solved),
 }
 
-/// Finds the narrow places between parameters and `results`: what is used of a group, if that is less than what
-/// hangs on it. What the results themselves use may be more: what is behind it is gone through once.
+/// Finds the intermediates between parameters and `results`: the used unknowns of a group, if they
+/// are fewer than the dependents. Results themselves may use more: everything behind is visited
+/// once.
 pub(crate) fn find_intermediates<'m>(algebra: &mut Algebra<'m>, results: &[Ex<'m>]) {
     let mut hanging: BTreeMap<Solved, BTreeSet<Behind>> = BTreeMap::new();
     for (index, &result) in results.iter().enumerate() {
@@ -54,7 +55,8 @@ pub(crate) fn find_intermediates<'m>(algebra: &mut Algebra<'m>, results: &[Ex<'m
     algebra.solutions.intermediates = narrow;
 }
 
-/// What the equations of a system, and those of its group that it mentions, mention of earlier groups.
+/// Returns the mentions of earlier groups by a system and the systems of its group that it
+/// mentions.
 fn mentioned_by_group(algebra: &mut Algebra<'_>, system: &System) -> BTreeSet<Solved> {
     let mut earlier = BTreeSet::new();
     let mut entered = BTreeSet::from([system.clone()]);
@@ -93,7 +95,8 @@ pub(crate) fn derivative_through<'m>(
     })
 }
 
-/// From a number backwards, with its derivatives by all narrow places, also by those before others.
+/// Sweeps from a number backwards, with its derivatives by all intermediates, also by those before
+/// others.
 fn through_intermediates<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> ThroughIntermediates<'m> {
     let zero = algebra.zero();
     let weights = adjoint::weights_of(algebra, x);
@@ -123,7 +126,7 @@ fn is_intermediate(algebra: &Algebra<'_>, solved: &Solved) -> bool {
     algebra.solutions.intermediates.contains(solved)
 }
 
-/// From a narrow place to those of earlier groups.
+/// Sweeps from an intermediate to those of earlier groups.
 fn flow_of<'m>(algebra: &mut Algebra<'m>, place: &Solved) -> Rc<Flow<'m>> {
     if let Some(known) = algebra.derivatives.adjoints.of_intermediates.get(place) {
         return Rc::clone(known);
@@ -138,7 +141,8 @@ fn flow_of<'m>(algebra: &mut Algebra<'m>, place: &Solved) -> Rc<Flow<'m>> {
     flow
 }
 
-/// The derivative of a narrow place by a parameter, without what passes those of earlier groups.
+/// Returns the derivative of an intermediate by a parameter, without the part through those of
+/// earlier groups.
 fn rate_between<'m>(algebra: &mut Algebra<'m>, place: &Solved, parameter: SymbolId) -> Ex<'m> {
     let key = (place.clone(), parameter);
     if let Some(&known) = algebra.derivatives.adjoints.between.get(&key) {
@@ -151,7 +155,7 @@ fn rate_between<'m>(algebra: &mut Algebra<'m>, place: &Solved, parameter: Symbol
     rate
 }
 
-/// The smallest of what is solved in a group.
+/// Returns the smallest result of a group.
 fn first_of(group: usize) -> Solved {
     Solved {
         system: System::new(group, Vec::new()),

@@ -1,8 +1,9 @@
-//! All derivatives of one number by parameters in a single sweep backwards through its formula, the loops and their rates.
+//! All derivatives of one number by parameters in a single sweep backwards through its formula, the
+//! loops and their rates.
 //!
-//! Each operation hands its weight, the derivative of the result by it, to its operands; a system of loops or rates gathers the weights of its
-//! unknowns, turns them into multipliers, and hands those to its coefficients. Everything is visited once, after all that
-//! depends on it.
+//! Each operation hands its weight, the derivative of the result by it, to its operands; a system
+//! of loops or rates gathers the weights of its unknowns, turns them into multipliers, and hands
+//! those to its coefficients. Everything is visited once, after all that depends on it.
 
 use linkage_symbolic::unordered::{Map, Set};
 use linkage_symbolic::{Ex, Node, NodeId, SymbolId, Vector, pull_back};
@@ -13,7 +14,7 @@ use crate::algebra::derivatives::by_rule::GroupRates;
 use crate::algebra::rules::{AngleRule, RotatingFrame, Rule};
 use crate::algebra::systems::System;
 
-/// What a sweep visits.
+/// An item that a sweep visits.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 enum Item {
     Node(NodeId),
@@ -27,7 +28,8 @@ struct Weights<'m> {
     systems: Map<System, Vec<Ex<'m>>>,
 }
 
-/// The derivatives of a number by nodes at which a sweep ends: what is known before the input, and inputs.
+/// Returns the derivatives of a number by the nodes at which a sweep ends: inputs, and values known
+/// before the input.
 pub(crate) fn gradient<'m>(algebra: &mut Algebra<'m>, root: Ex<'m>) -> Vec<(Ex<'m>, Ex<'m>)> {
     let one = algebra.one();
     let mut weights = Weights::default();
@@ -56,7 +58,7 @@ pub(crate) fn gradient<'m>(algebra: &mut Algebra<'m>, root: Ex<'m>) -> Vec<(Ex<'
     gradient
 }
 
-/// True where a sweep ends: what follows is known before the input, and its derivatives, too.
+/// True where a sweep ends: all that follows is known before the input, and its derivatives, too.
 fn is_end<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> bool {
     match x.node() {
         Node::Symbol(symbol) => algebra.solutions.rule(symbol).is_none(),
@@ -84,7 +86,7 @@ fn order_below<'m>(algebra: &mut Algebra<'m>, root: Ex<'m>) -> Vec<Item> {
     order
 }
 
-/// What an item is computed from.
+/// Returns the items that an item is computed from.
 fn below(algebra: &mut Algebra<'_>, item: &Item) -> Vec<Item> {
     match item {
         Item::Node(id) => below_node(algebra, algebra.graph.ex(*id)),
@@ -138,7 +140,7 @@ fn below_node<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> Vec<Item> {
     }
 }
 
-/// Hands the weight of a symbol to what its rule is about.
+/// Hands the weight of a symbol to the operands of its rule.
 fn symbol_back<'m>(
     algebra: &Algebra<'m>,
     weights: &mut Weights<'m>,
@@ -209,7 +211,8 @@ fn symbol_back<'m>(
     }
 }
 
-/// Hands the multipliers of a system to its coefficients: `-l . F` for loops, `-l . (J r - right)` for rates.
+/// Hands the multipliers of a system to its coefficients: `-l . F` for loops, `-l . (J r - right)`
+/// for rates.
 fn system_back<'m>(algebra: &mut Algebra<'m>, weights: &mut Weights<'m>, system: &System) {
     let Some(own) = weights.systems.get(system).cloned() else {
         return;
@@ -291,7 +294,7 @@ fn add_to_system<'m>(
     own[position] += share;
 }
 
-/// What a carrier turns by.
+/// Returns the nodes that a frame rotates with.
 fn below_carrier(carrier: RotatingFrame) -> Vec<Item> {
     let nodes = std::iter::once(carrier.angle).chain(carrier.start.components());
     nodes.map(|x| Item::Node(x.id())).collect()

@@ -1,4 +1,4 @@
-//! How the bodies of groups turn: what their linear systems are solved for, by variable.
+//! Rotation variations of the bodies of groups, by variable: the unknowns of their linear systems.
 
 use linkage_symbolic::{Ex, Node, NodeId, SymbolId, V3, Vector};
 
@@ -10,7 +10,8 @@ use crate::algebra::frame;
 use crate::algebra::rules::{RotationRule, Rule};
 use crate::algebra::value::Value;
 
-/// The derivative of a component of what a body carries, where it is known how the body turns.
+/// Returns the derivative of a component of a vector on a body, where the rotation of the body is
+/// known.
 pub(crate) fn slope_of_body_vector(
     algebra: &mut Algebra<'_>,
     node: NodeId,
@@ -71,8 +72,8 @@ pub(crate) fn rotations_by_both<'m>(
     })
 }
 
-/// What the directions of bodies that turn no further change by in the second derivatives: the turns by one variable times what they change
-/// by the other one.
+/// Returns the changes of the directions of bodies that turn no further, in the second derivatives:
+/// the turns by one variable times the changes by the other one.
 pub(crate) fn shifts_by_rotations<'m>(
     algebra: &mut Algebra<'m>,
     bodies: &Bodies<'m>,
@@ -122,7 +123,8 @@ pub(crate) fn rotation_of_body_with<'m>(
     Some(Vector(own))
 }
 
-/// By how much two perpendicular directions turn, from their derivatives: `u x u' + (w' . (u x w)) u`.
+/// Returns the turn of two perpendicular directions, from their derivatives: `u x u' + (w' . (u x
+/// w)) u`.
 fn rotation_of_directions<'m>(
     algebra: &mut Algebra<'m>,
     [u, w]: [V3<'m>; 2],
@@ -132,7 +134,8 @@ fn rotation_of_directions<'m>(
     u.cross(u1) + w1.dot(u.cross(w)) * u
 }
 
-/// What a component of a turn changes by with a second variable, from the system of second derivatives.
+/// Returns the change of a component of a turn with a second variable, from the system of second
+/// derivatives.
 pub(crate) fn second_rotation<'m>(
     algebra: &mut Algebra<'m>,
     own: &RotationRule<'m>,
@@ -154,7 +157,8 @@ pub(crate) fn second_rotation<'m>(
     let turns = algebra.derivatives.second_rotations.get(&(own.group, by))?;
     let mut turn = turns[own.body][own.component];
     if by[0] != first {
-        // Turns by both do not commute: `dt/dx` of the turn by y is `ds/dy` of that by x and `s x t`.
+        // Turns by both do not commute: `dt/dx` of the turn by y is `ds/dy` of that by x and `s x
+        // t`.
         let [s, t] = [variable, first].map(|v| rotations_by(algebra, own.group, v));
         turn += s?[own.body].cross(t?[own.body])[own.component];
     }

@@ -1,12 +1,14 @@
 //! Right-hand sides of derivatives from the loops as they were written.
 //!
-//! With some values in place of those derivatives of a group's unknowns, what remains of a loop's derivative is what the linear system must make up
-//! for. It says the same as the columns differentiated term by term, but a link is differentiated as the square of its vector, `V.V'' + V'.V'`, where
+//! The derivatives of a group's unknowns are replaced by given values: the rest of a loop's
+//! derivative is the right-hand side of the linear system. It equals the columns differentiated
+//! term by term, but a link is differentiated as the square of its vector, `V.V'' + V'.V'`, where
 //! columns of directions have four factors in a term.
 //!
-//! A body that turns by `s` and by `t` moves an arm `r` by `t x r`, and that by `s x (t x r)`, if it turns no further. So the second derivative of
-//! half of the square of a link that ends on it contains `V.(s x (t x r)) = (V.t)(s.r) - (V.r)(s.t)`: five scalar products, most of which several
-//! variables share.
+//! A body that turns by `s` and by `t` moves an arm `r` by `t x r`, and that by `s x (t x r)`, if
+//! it turns no further. So the second derivative of half of the square of a link that ends on it
+//! contains `V.(s x (t x r)) = (V.t)(s.r) - (V.r)(s.t)`: five scalar products, most of which
+//! several variables share.
 
 use std::mem;
 
@@ -18,8 +20,8 @@ use crate::algebra::derivatives::rotation_variation::BodyRotations;
 use crate::algebra::equations::{Distance, Links, WrittenRow};
 use crate::algebra::memo::Rates;
 
-/// What the derivatives by these variables leave of the right-hand side where those of the unknowns are `held`: bodies turn by `turns`, if that is
-/// known, and no further.
+/// Returns the rest of the right-hand side of the derivatives by these variables where those of the
+/// unknowns are `held`: bodies turn by `turns`, if that is known, and no further.
 pub(crate) fn right_of_rows<'m>(
     algebra: &mut Algebra<'m>,
     group: usize,
@@ -53,8 +55,9 @@ pub(crate) fn right_of_links<'m>(
     })
 }
 
-/// The first derivative of an equation about links, by what `slope` finds: `(V.V' - l l')/l`. As a polynomial it has a multiple of the equation
-/// itself besides, in all of its terms. Where loops close both are equal, so derivatives along solutions are, too.
+/// Returns the first derivative of an equation about links, with derivatives by `slope`: `(V.V' - l
+/// l')/l`. The polynomial has a multiple of the equation itself besides, in all of its terms. Both
+/// are equal where loops close, so derivatives along solutions are, too.
 pub(crate) fn slope_of_squares<'m>(
     algebra: &mut Algebra<'m>,
     links: &Links<'m>,
@@ -81,7 +84,7 @@ fn with_rates<'m, R>(
         right: Vec::new(),
         rates,
     };
-    // What is made of them must not be found again.
+    // Derivatives made of them must not be found again.
     let memo = mem::take(&mut algebra.derivatives.memo);
     algebra.derivatives.held += 1;
     algebra.derivatives.rates.insert(key.clone(), rates);

@@ -9,7 +9,7 @@ pub(crate) struct Choice<'c, 'm> {
 }
 
 impl<'c, 'm> Choice<'c, 'm> {
-    /// Of one value more than there are borders, which are in order.
+    /// Builds the choice of one value more than there are borders, which are in order.
     pub(crate) fn new(at: Ex<'m>, borders: &'c [Ex<'m>]) -> Self {
         Self {
             argument: at,
@@ -17,8 +17,8 @@ impl<'c, 'm> Choice<'c, 'm> {
         }
     }
 
-    /// The value where the place is; at a border that behind it. Equal neighbours are one; the rest is a balanced tree, which
-    /// has as many choices as a chain, and waits for few of them.
+    /// The value where the place is; at a border that behind it. Equal neighbours are one; the rest
+    /// is a balanced tree, which has as many choices as a chain, and waits for few of them.
     pub(crate) fn among_pieces(&self, values: &[Ex<'m>]) -> Ex<'m> {
         let mut runs: Vec<(usize, Ex)> = Vec::new();
         for (index, &value) in values.iter().enumerate() {
@@ -40,7 +40,8 @@ impl<'c, 'm> Choice<'c, 'm> {
     }
 }
 
-/// What pieces have; those that have nothing have what the last one before them has, or else the first one of all.
+/// Returns the values of pieces. A piece without one has that of the last one before it, or else
+/// the first one of all.
 pub(crate) fn filled<'p, T>(pieces: &'p [Option<T>], first: &'p T) -> Vec<&'p T> {
     let mut last = first;
     let next = |own: &'p Option<T>| {

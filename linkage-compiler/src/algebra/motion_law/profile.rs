@@ -1,4 +1,5 @@
-//! Laws of motion as expressions: one polynomial and one sine, whose numbers are chosen by zone and by piece.
+//! Laws of motion as expressions: one polynomial and one sine, whose numbers are chosen by zone and
+//! by piece.
 
 use linkage_symbolic::Ex;
 use linkage_symbolic::program::Unary;
@@ -27,7 +28,8 @@ pub(crate) fn profile<'m>(x: Ex<'m>, choice: &Choice<'_, 'm>, laws: &[Law]) -> [
         .flat_map(|own| zones::zones(*own))
         .any(|own| own.wave.is_some());
     let waves = waves.then(|| coefficients.waves(y));
-    // From the last one down: each derivative is known when what it is the slope of is made.
+    // The last one comes first: each derivative is known when the expression is made whose slope it
+    // is.
     let mut all = [x; ORDERS];
     for order in (0..ORDERS).rev() {
         let own = polynomial.iter().enumerate().skip(order);
@@ -55,8 +57,8 @@ struct Coefficients<'c, 'm> {
 }
 
 impl<'m> Coefficients<'_, 'm> {
-    /// A number of the zone in which `x` lies, of the law that is chosen. A zone that needs none takes that of its neighbour, a law
-    /// without any that of another.
+    /// A number of the zone in which `x` lies, of the law that is chosen. A zone that needs none
+    /// takes that of its neighbour, a law without any that of another.
     fn chosen(&self, of: impl Fn(&Zone) -> Option<f64>) -> Ex<'m> {
         let of_law = |law: &Law| {
             let zones = zones::zones(*law);
@@ -96,7 +98,7 @@ impl<'m> Coefficients<'_, 'm> {
         for order in 1..ORDERS {
             amplitudes[order] = match first.constant_value() {
                 Some(_) => amplitude(order),
-                // A product costs less than choosing anew.
+                // A product costs less than another choice.
                 None => amplitudes[order - 1] * frequency,
             };
         }

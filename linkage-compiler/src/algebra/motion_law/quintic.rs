@@ -1,7 +1,9 @@
-//! Quintic splines: pieces by values, slopes and curvatures at their ends. Where slopes are given, curvatures follow from continuous third
-//! derivatives, a tridiagonal system whose diagonal dominates; where they are not, slopes and curvatures follow from continuous third and
-//! fourth derivatives, in blocks of two. That system says where the integral of the squared third derivative is least, so it is symmetric
-//! and positive, and needs no search for pivots. Points that are numbers give numbers; parameters among them stay parameters.
+//! Quintic splines: pieces by values, slopes and curvatures at their ends. Where slopes are given,
+//! curvatures follow from continuous third derivatives, a tridiagonal system whose diagonal
+//! dominates; where they are not, slopes and curvatures follow from continuous third and fourth
+//! derivatives, in blocks of two. That system says where the integral of the squared third
+//! derivative is least, so it is symmetric and positive, and needs no search for pivots. Points
+//! that are numbers give numbers; parameters among them stay parameters.
 //!
 //! Source: C. de Boor, A Practical Guide to Splines; the pieces are Hermite's.
 
@@ -16,7 +18,7 @@ use crate::algebra::motion_law::zones::ORDERS;
 use crate::algebra::motion_law::{profile, zones};
 use crate::model::Ends;
 
-/// What the values at the ends of a piece are, and how wide it is.
+/// The width of a piece, and the difference of the values at its ends.
 struct Span<'m> {
     width: Ex<'m>,
     height: Ex<'m>,
@@ -42,7 +44,8 @@ pub(crate) fn value<'m>(
         None => by_points(&spans, ends),
     };
     let zero = along.number(0.0);
-    // The middle of each piece, then the coefficients of the powers of the way from there, which is short: little cancels.
+    // The middle of each piece, then the coefficients of the powers of the way from there, which is
+    // short: little cancels.
     let pieces = points.windows(2).zip(&spans).zip(shapes.windows(2));
     let mut pieces: Vec<[Ex; 7]> = pieces
         .map(|((ends, span), shapes)| {
@@ -72,7 +75,8 @@ pub(crate) fn value<'m>(
         choice.among_pieces(&all)
     });
     let way = along - from;
-    // From the last one down: each derivative is known when what it is the slope of is made.
+    // The last one comes first: each derivative is known when the expression is made whose slope it
+    // is.
     let mut all = [along; ORDERS];
     for order in (0..ORDERS).rev() {
         let own = coefficients.iter().enumerate().skip(order);
@@ -88,12 +92,14 @@ pub(crate) fn value<'m>(
 }
 
 impl<'m> Span<'m> {
-    /// The coefficients of the powers of the way from its middle, by the values at its ends and what goes with them.
+    /// Returns the coefficients of the powers of the distance from its middle, from the values,
+    /// slopes and curvatures at its ends.
     fn powers(&self, values: [Ex<'m>; 2], shapes: [Shape<'m>; 2]) -> [Ex<'m>; 6] {
         let half = 0.5 * self.width;
         let [[p, c], [q, e]] = shapes;
         let square = half * half;
-        // Halves of sums and differences of what stands at the ends, as if the piece went from -1 to 1: sums belong to even derivatives.
+        // Halves of sums and differences of the values at the ends, as if the piece went from -1 to
+        // 1: sums belong to even derivatives.
         let (middle, rise) = (0.5 * (values[0] + values[1]), 0.5 * self.height);
         let (slope, turn) = (0.5 * half * (p + q), 0.5 * half * (q - p));
         let (bend, twist) = (0.5 * square * (c + e), 0.5 * square * (e - c));
@@ -118,7 +124,7 @@ impl<'m> Span<'m> {
         })
     }
 
-    /// By what its begin leaves to the end, in the equations of the end: `24 / h^2` and the like.
+    /// Returns the part of the begin in the equations of the end: `24 / h^2` and the like.
     fn by_begin(&self) -> Block<'m> {
         let [first, second, third] = self.inverses();
         [
@@ -140,14 +146,14 @@ impl<'m> Span<'m> {
         [first, second, second * first]
     }
 
-    /// What it adds to the block of a point at its begin (1) or end (-1).
+    /// Returns its part of the block of a point at its begin (1) or end (-1).
     fn own(&self, side: f64) -> Block<'m> {
         let [first, second, third] = self.inverses();
         let mixed = side * 36.0 * second;
         [[192.0 * third, mixed], [mixed, 9.0 * first]]
     }
 
-    /// What it adds to the right-hand side there.
+    /// Returns its part of the right-hand side there.
     fn right(&self, side: f64) -> Shape<'m> {
         let [_, _, third] = self.inverses();
         let cubed = self.height * third;
@@ -198,7 +204,8 @@ fn by_slopes<'m>(spans: &[Span<'m>], slopes: &[Ex<'m>], ends: Ends) -> Vec<Shape
         .collect()
 }
 
-/// Slopes and curvatures that make the third and the fourth derivative continuous. Natural ends have none of them.
+/// Slopes and curvatures that make the third and the fourth derivative continuous. Natural ends
+/// have none of them.
 fn by_points<'m>(spans: &[Span<'m>], ends: Ends) -> Vec<Shape<'m>> {
     let zero = spans[0].width.number(0.0);
     let row = |left: Option<usize>, right: Option<usize>| {

@@ -1,5 +1,6 @@
-//! Cubic splines: the second derivatives at the points solve a tridiagonal system, without search for pivots, since its diagonal
-//! dominates. Points that are numbers give numbers; parameters among them stay parameters, with exact derivatives.
+//! Cubic splines: the second derivatives at the points solve a tridiagonal system, without search
+//! for pivots, since its diagonal dominates. Points that are numbers give numbers; parameters among
+//! them stay parameters, with exact derivatives.
 
 use linkage_symbolic::Ex;
 
@@ -15,7 +16,7 @@ pub(crate) fn value<'m>(
 ) -> Ex<'m> {
     let curvatures = curvatures(points, ends);
     let zero = along.number(0.0);
-    // From each point: its place, and the coefficients of the powers of the way from there.
+    // The position of each point, and the coefficients of the powers of the distance from there.
     let mut pieces: Vec<[Ex; 5]> = Vec::new();
     for (ends, curvature) in points.windows(2).zip(curvatures.windows(2)) {
         let [(from, before), (to, after)] = [ends[0], ends[1]];
@@ -73,7 +74,7 @@ fn curvatures<'m>(points: &[(Ex<'m>, Ex<'m>)], ends: Ends) -> Vec<Ex<'m>> {
         .map(|(own, &width)| (own[1].1 - own[0].1) / width)
         .collect();
     let zero = points[0].0.number(0.0);
-    // Each row: the coefficients of the curvature before, here and behind, and what they make.
+    // Each row: the coefficients of the curvature before, here and behind, and the right-hand side.
     let inner = |left: usize, right: usize| {
         let (before, behind) = (widths[left], widths[right]);
         [
@@ -117,13 +118,14 @@ pub(crate) fn solved<'m>(rows: &[[Ex<'m>; 4]]) -> Vec<Ex<'m>> {
         .collect()
 }
 
-/// A system whose first and last rows mention each other: the first unknown is moved to the right-hand side, and its own row
-/// says what it is.
+/// Solves a system whose first and last rows mention each other: the first unknown is moved to the
+/// right-hand side, and its own row determines it.
 pub(crate) fn solved_in_circle<'m>(rows: &[[Ex<'m>; 4]]) -> Vec<Ex<'m>> {
     let (first, rest) = (rows[0], &rows[1..]);
     let zero = first[0].number(0.0);
     let right = rest.iter().enumerate().map(|(k, own)| {
-        // The unknown before the first of these rows and behind the last one is the one that was moved.
+        // The unknown before the first of these rows and behind the last one is the one that was
+        // moved.
         let before = if k == 0 { own[0] } else { zero };
         let behind = if k == rest.len() - 1 { own[2] } else { zero };
         vec![own[3], -(before + behind)]

@@ -1,4 +1,5 @@
-//! Linear systems in blocks of two, each point's rows by the point itself and its neighbours, without search for pivots.
+//! Linear systems in blocks of two, each point's rows by the point itself and its neighbours,
+//! without search for pivots.
 
 use linkage_symbolic::Ex;
 
@@ -8,7 +9,8 @@ pub(crate) type Shape<'m> = [Ex<'m>; 2];
 /// Two rows of a system, by the slope and the curvature of one point.
 pub(crate) type Block<'m> = [[Ex<'m>; 2]; 2];
 
-/// A point's rows: by the point before, its own, by the point behind, and what they make, a column for each system.
+/// A point's rows: by the point before, its own, by the point behind, and the right-hand sides, a
+/// column for each system.
 pub(crate) struct Row<'m> {
     pub(crate) before: Block<'m>,
     pub(crate) own: Block<'m>,
@@ -16,7 +18,8 @@ pub(crate) struct Row<'m> {
     pub(crate) right: Vec<Shape<'m>>,
 }
 
-/// A system whose first and last rows mention each other: the first point is moved to the right-hand side, and its own rows say what it is.
+/// Solves a system whose first and last rows mention each other: the first point is moved to the
+/// right-hand side, and its own rows determine it.
 pub(crate) fn in_circle<'m>(first: Row<'m>, mut rest: Vec<Row<'m>>) -> Vec<Shape<'m>> {
     let zero = first.own[0][0].number(0.0);
     let last = rest.len() - 1;
@@ -33,7 +36,8 @@ pub(crate) fn in_circle<'m>(first: Row<'m>, mut rest: Vec<Row<'m>>) -> Vec<Shape
     }
     let found = eliminated(rest);
     let (next, end) = (&found[0], &found[last]);
-    // What the neighbours add to the first rows: beside the number, by its slope and by its curvature.
+    // The parts of the neighbours in the first rows: besides the number, by its slope and by its
+    // curvature.
     let known = |column: usize| {
         added(
             times(first.behind, next[column]),

@@ -1,14 +1,16 @@
 //! The laws of motion: `s(x)` from 0 to 1, with their derivatives.
 //!
-//! A law consists of zones. In each it is a polynomial in `y = x - origin` less `amplitude * sin(frequency * y)`. Origins lie so
-//! that `y` is small where terms would cancel each other: all derivatives are then right to a few roundings of their largest value,
-//! and at 0 a law is exactly 0. Sources of the definitions: VDI 2143 part 1; R. L. Norton, Cam Design and Manufacturing Handbook.
+//! A law consists of zones. In each it is a polynomial in `y = x - origin` less `amplitude *
+//! sin(frequency * y)`. Origins lie so that `y` is small where terms would cancel each other: all
+//! derivatives are then right to a few roundings of their largest value, and at 0 a law is exactly
+//! 0. Sources of the definitions: VDI 2143 part 1; R. L. Norton, Cam Design and Manufacturing
+//! Handbook.
 
 use std::f64::consts::PI;
 
 use crate::model::Law;
 
-/// Where a law is one formula: from `from` to the next zone.
+/// A zone in which a law is one formula: from `from` to the next zone.
 pub(crate) struct Zone {
     pub(crate) from: f64,
     pub(crate) origin: f64,
@@ -17,14 +19,15 @@ pub(crate) struct Zone {
     pub(crate) wave: Option<Wave>,
 }
 
-/// What is subtracted: `amplitudes[0] * sin(frequency * y)`.
+/// The subtracted term: `amplitudes[0] * sin(frequency * y)`.
 pub(crate) struct Wave {
     pub(crate) frequency: f64,
-    /// Of the sine and of its derivatives, without their signs.
+    /// The amplitudes of the sine and of its derivatives, without their signs.
     pub(crate) amplitudes: [f64; ORDERS],
 }
 
-/// The law itself and three derivatives have formulas of their own; what lies above follows by the rules.
+/// The law itself and three derivatives have formulas of their own; higher derivatives follow by
+/// the rules.
 pub(crate) const ORDERS: usize = 4;
 
 const fn zone(from: f64, origin: f64, polynomial: &'static [f64], wave: Option<Wave>) -> Zone {
@@ -52,7 +55,8 @@ const SINE: f64 = 1.0 / (4.0 + PI);
 /// `8 pi / (2 + pi)`, the largest acceleration of the modified trapezoid.
 const TRAPEZOID: f64 = 8.0 * PI / (2.0 + PI);
 
-/// Its speed where the first quarter of a sine ends, `2 / (2 + pi)`; as much is missing to 2 at the other end of the constant.
+/// Its speed where the first quarter of a sine ends, `2 / (2 + pi)`; as much is missing to 2 at the
+/// other end of the constant.
 const SPEED: f64 = 2.0 / (2.0 + PI);
 
 /// Its way by a quarter of a sine: `A / (16 pi^2)`.

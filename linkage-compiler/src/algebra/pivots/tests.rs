@@ -36,7 +36,7 @@ fn solved(order: &Order, matrix: &[Vec<f64>], right: &[f64]) -> (Vec<f64>, f64) 
     (all, determinant)
 }
 
-/// By the first row, column by column.
+/// Returns the determinant by the first row, column by column.
 fn determinant(matrix: &[Vec<f64>]) -> f64 {
     let Some((first, below)) = matrix.split_first() else {
         return 1.0;

@@ -8,9 +8,9 @@ use crate::structure::equations::{Coordinate, CoordinateKind};
 use crate::structure::polynomials::Polynomials;
 use crate::structure::{equations, polynomials};
 
-/// Class, order, and the number of links in the closed contour that changes its shape (0 without one). Loops whose known
-/// parts are the same, and a loop without any, close a contour that leaves the frame out; every other loop adds a place where
-/// the group is attached.
+/// Class, order, and the number of links in the closed contour that changes its shape (0 without
+/// one). Loops whose known parts are the same, and a loop without any, close a contour that leaves
+/// the frame out; every other loop adds a place where the group is attached.
 pub(crate) fn class_and_order<'m>(
     algebra: &Algebra<'m>,
     polynomials: &[Polynomials<'m>],
@@ -38,7 +38,8 @@ pub(crate) fn class_and_order<'m>(
     (class as u8, order as u8, longest)
 }
 
-/// The number of unknowns in a vector loop, or in the sum or difference of two, if the known parts cancel.
+/// The number of unknowns in a vector loop, or in the sum or difference of two, if the known parts
+/// cancel.
 fn contour<'m>(
     algebra: &Algebra<'m>,
     a: &Polynomials<'m>,

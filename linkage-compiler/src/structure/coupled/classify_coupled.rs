@@ -1,8 +1,8 @@
 //! Loops that must be solved together: class III and higher.
 //!
-//! A loop that alone contains some angle or slide gives that *private* unknown once the others are known, and one
-//! equation without it: a link keeps its length, or a point stays on its guide. What remains are the *core* unknowns, two for a
-//! triad, whatever its joints.
+//! A loop that alone contains some angle or slide gives that *private* unknown once the others are
+//! known, and one equation without it: a link keeps its length, or a point stays on its guide. The
+//! rest are the *core* unknowns, two for a triad, whatever its joints.
 
 use linkage_symbolic::{Ex, SymbolId, Vector, substitute};
 
@@ -14,10 +14,11 @@ use crate::structure::form::Form;
 use crate::structure::polynomials::Polynomials;
 use crate::structure::{equations, polynomials};
 
-/// More core unknowns than this, those of four bodies, are refused: the operations of a step grow with the cube, two bodies on rods take a thousand.
+/// More core unknowns than this, those of four bodies, are refused: the operations of a step grow
+/// with the cube, two bodies on rods take a thousand.
 pub(crate) const MOST_CORE: usize = 36;
 
-/// What is known of one coordinate in one loop.
+/// A coordinate with its terms in one loop.
 struct CoordinateInLoop<'p, 'm> {
     polynomials: &'p Polynomials<'m>,
     /// The first symbol of the coordinate among those of the polynomials.
@@ -87,7 +88,8 @@ pub(crate) fn classify_coupled<'m>(
     })))
 }
 
-/// The unknowns that one loop alone contains, by loop with their coordinate, and the coordinates that remain.
+/// The unknowns that one loop alone contains, by loop with their coordinate, and the coordinates
+/// that remain.
 pub(crate) fn private_and_core<'m>(
     algebra: &Algebra<'m>,
     polynomials: &[Polynomials<'m>],

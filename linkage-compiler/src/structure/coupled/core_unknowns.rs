@@ -1,4 +1,4 @@
-//! The unknowns of a core: what is an angle, a length or a number, and which lengths are a point together.
+//! The unknowns of a core: angles, lengths and numbers, and the lengths that are a point together.
 
 use crate::algebra::context::Algebra;
 use crate::model::{Dimension, Type};

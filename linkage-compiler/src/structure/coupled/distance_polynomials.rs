@@ -7,8 +7,9 @@ use crate::structure::elements::SpaceLink;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::structure::{distance, polynomials};
 
-/// `|v| = l` becomes `(v . v / l - l)/2`, a length. Where an earlier distance is about the same point, their difference is taken: it
-/// is of the first degree in that point, which leaves fewer solutions at infinity.
+/// `|v| = l` becomes `(v . v / l - l)/2`, a length. Where an earlier distance is about the same
+/// point, their difference is taken: it is of the first degree in that point, which leaves fewer
+/// solutions at infinity.
 pub(crate) fn with_squared_distances<'m>(
     algebra: &Algebra<'m>,
     equations: &[Equation<'m>],
@@ -43,8 +44,8 @@ pub(crate) fn with_squared_distances<'m>(
     squared
 }
 
-/// Difference and sum of two links' vectors (one of them reversed if need be), if the difference is free of a length that the
-/// first vector contains.
+/// Difference and sum of two links' vectors (one of them reversed if need be), if the difference is
+/// free of a length that the first vector contains.
 fn apart<'m>(
     algebra: &Algebra<'m>,
     link: &SpaceLink<'m>,

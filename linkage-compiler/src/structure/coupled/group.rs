@@ -4,7 +4,8 @@ use linkage_symbolic::{Ex, SymbolId, V2, V3};
 
 use crate::structure::elements::{Rotor, SpaceLink};
 
-/// Of more core unknowns than this the assemblies are not listed, a work that grows without bound: one is followed from its estimates.
+/// The greatest number of core unknowns whose assemblies are listed, a work that grows without
+/// bound: of more, one is followed from its estimates.
 const MOST_LISTED: usize = 6;
 
 /// A coupled group.
@@ -19,7 +20,7 @@ pub(crate) struct Coupled<'m> {
 }
 
 impl Coupled<'_> {
-    /// Whether its assemblies can be too many to be listed, and its matrix too large for cofactors.
+    /// True if its assemblies can be too many to be listed, and its matrix too large for cofactors.
     pub(crate) fn is_large(&self) -> bool {
         self.core.len() > MOST_LISTED
     }
@@ -37,14 +38,15 @@ pub(crate) struct Block<'m> {
     pub(crate) terms: Vec<Product<'m>>,
     /// A link in space, if the row is about the square of its vector.
     pub(crate) distance: Option<SpaceLink<'m>>,
-    /// The factors of a row in space that is their scalar product, or its negative, but for what is known.
+    /// The factors of a row in space that is their scalar product, or its negative, except for
+    /// known terms.
     pub(crate) product: Option<[V3<'m>; 2]>,
-    /// Whether it is about numbers, as those of directions are.
+    /// True if it is about numbers, as those of directions are.
     pub(crate) number: bool,
 }
 
 impl Block<'_> {
-    /// True if its rows are lengths: what a scalar loop is, nobody knows.
+    /// True if its rows are lengths: the dimension of a scalar loop is unknown.
     pub(crate) fn is_length(&self) -> bool {
         !self.number && (self.rows.len() > 1 || self.distance.is_some())
     }
@@ -74,7 +76,7 @@ pub(crate) enum Core {
     /// A slide or a component of a point.
     Length {
         symbol: SymbolId,
-        /// Whether it is a number and no length: a component of a direction.
+        /// True if it is a number and no length: a component of a direction.
         number: bool,
         /// 0 or 1 if both components of a point are in the core.
         component: Option<usize>,

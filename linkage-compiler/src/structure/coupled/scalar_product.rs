@@ -1,4 +1,5 @@
-//! Recognising rows that are scalar products: a slide whose direction a body carries, a guide across it.
+//! Recognising rows that are scalar products: a slide whose direction a body carries, a guide
+//! across it.
 
 use linkage_symbolic::{Ex, V3};
 

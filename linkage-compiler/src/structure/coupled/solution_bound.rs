@@ -1,4 +1,4 @@
-//! How many complex solutions the loops of a coupled group have at most, where they are not listed.
+//! Bounds on the number of complex solutions of a coupled group whose assemblies are not listed.
 
 use std::fmt;
 
@@ -10,12 +10,14 @@ use crate::structure::coupled::group::{Block, Core, Coupled};
 use crate::structure::form::Form;
 use crate::structure::group::Group;
 
-/// Places of a body in space by six distances of its points from known ones: F. Ronga, T. Vust, "Stewart platforms without computer?", 1992; D. Lazard,
-/// "Stewart platforms and Groebner basis", 1992; and M. Raghavan, "The Stewart platform of general geometry has 40 configurations", 1993. Known
-/// coordinates of a point are distances from centres infinitely far off, which leaves no more isolated solutions.
+/// Places of a body in space by six distances of its points from known ones: F. Ronga, T. Vust,
+/// "Stewart platforms without computer?", 1992; D. Lazard, "Stewart platforms and Groebner basis",
+/// 1992; and M. Raghavan, "The Stewart platform of general geometry has 40 configurations", 1993.
+/// Known coordinates of a point are distances from centres infinitely far off, which leaves no more
+/// isolated solutions.
 const OF_A_BODY: u64 = 40;
 
-/// What is known of the number of complex solutions.
+/// A bound on the number of complex solutions.
 pub(crate) enum SolutionBound {
     /// One body on six distances.
     BodyOnDistances,
@@ -38,7 +40,7 @@ impl fmt::Display for SolutionBound {
 }
 
 impl SolutionBound {
-    /// How many isolated complex solutions a coupled group has at most.
+    /// Returns a bound on the number of isolated complex solutions of a coupled group.
     pub(crate) fn of_group(algebra: &Algebra, group: &Group) -> Self {
         let by_degrees = match &group.form {
             Form::Coupled(coupled) => coupled.bezout(&algebra.names),
@@ -51,7 +53,8 @@ impl SolutionBound {
     }
 }
 
-/// Whether a group finds where one body of space is, by distances of its points from known ones. Coordinates of its origin may be known.
+/// True if a group finds the position of one body of space, by distances of its points from known
+/// ones. Coordinates of its origin may be known.
 fn is_body_on_distances(mechanism: &Mechanism, group: &Group) -> bool {
     let bodies = unknown_frames::bodies_of_space(mechanism);
     let mut bodies = bodies.iter().map(|(_, parts)| parts);
@@ -102,7 +105,7 @@ fn is_coordinate_of_origin(mechanism: &Mechanism, side: &Expr, parts: &[usize]) 
     matches!(&definition_of(mechanism, point).kind, ExprKind::Index(frame, 0) if is_body(mechanism, frame, parts))
 }
 
-/// Whether this is the frame that consists of these unknowns.
+/// True if this is the frame that consists of these unknowns.
 fn is_body(mechanism: &Mechanism, frame: &Expr, parts: &[usize]) -> bool {
     let ExprKind::Call(Function::Frame, own) = &definition_of(mechanism, frame).kind else {
         return false;
@@ -112,7 +115,7 @@ fn is_body(mechanism: &Mechanism, frame: &Expr, parts: &[usize]) -> bool {
     unknowns.count() == parts.len()
 }
 
-/// What a name stands for.
+/// Returns the definition of a name.
 fn definition_of<'e>(mechanism: &'e Mechanism, expr: &'e Expr) -> &'e Expr {
     match expr.kind {
         ExprKind::Name(Name::Let(index)) => definition_of(mechanism, &mechanism.lets[index].value),
@@ -121,9 +124,11 @@ fn definition_of<'e>(mechanism: &'e Mechanism, expr: &'e Expr) -> &'e Expr {
 }
 
 impl Coupled<'_> {
-    /// Bezout's number where all lengths are of one kind and every angle is of its own: the coefficient, in the product of all equations' degrees as
-    /// sums, of the product of all unknowns (A. Morgan, A. Sommese, "A homotopy for solving general polynomial systems that respects m-homogeneous
-    /// structures", 1987). An angle counts twice: a polynomial in its cosine and sine is one of twice the degree in the unit vector.
+    /// Bezout's number where all lengths are of one kind and every angle is of its own: the
+    /// coefficient, in the product of all equations' degrees as sums, of the product of all
+    /// unknowns (A. Morgan, A. Sommese, "A homotopy for solving general polynomial systems that
+    /// respects m-homogeneous structures", 1987). An angle counts twice: a polynomial in its cosine
+    /// and sine is one of twice the degree in the unit vector.
     fn bezout(&self, names: &Names) -> u64 {
         let angles: Vec<usize> = (0..self.core.len())
             .filter(|&k| matches!(self.core[k], Core::Angle(_)))
@@ -133,7 +138,8 @@ impl Coupled<'_> {
         if degrees.len() != self.core.len() {
             return u64::MAX;
         }
-        // Ways of taking one factor of each equation so far such that the angles of a set occur; all others are lengths.
+        // Ways of taking one factor of each equation so far such that the angles of a set occur;
+        // all others are lengths.
         let sets = 1_usize << angles.len();
         let mut ways = vec![0_u64; sets];
         ways[0] = 1;
@@ -157,7 +163,7 @@ impl Coupled<'_> {
         ways[sets - 1]
     }
 
-    /// By equation: its degree in all lengths, and in each angle's unit vector.
+    /// The degree of each equation in all lengths, and in each angle's unit vector.
     fn degrees(&self, names: &Names, angles: &[usize]) -> Vec<(u64, Vec<u64>)> {
         let lengths = self.core.iter().filter_map(|own| match own {
             Core::Length { symbol, .. } => Some(*symbol),
