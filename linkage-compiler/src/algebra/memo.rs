@@ -114,14 +114,14 @@ pub(crate) struct Adjoints<'m> {
     pub(crate) between: Map<(Solved, SymbolId), Ex<'m>>,
 }
 
-/// The way from a number backwards through all narrow places.
+/// The way from a number backwards through all intermediates.
 #[derive(Clone, Debug)]
 pub(crate) struct ThroughIntermediates<'m> {
     /// To the first ones.
     pub(crate) flow: Flow<'m>,
     /// All of them in order, with the derivatives of the number with respect to each.
     pub(crate) intermediates: Vec<(Solved, Ex<'m>)>,
-    /// The narrow places between which and those before a parameter acts.
+    /// The intermediates between which and those before a parameter acts.
     pub(crate) acting: ByParameter,
 }
 

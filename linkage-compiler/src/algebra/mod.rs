@@ -1,7 +1,18 @@
 //! The mechanism as algebra: its expressions as graph nodes, its unknowns as symbols.
 //!
-//! Shared by the phases below the model: `structure` looks at the loops as polynomials in the
+//! Shared by the phases below the model: `structure` recognises the loops as polynomials in the
 //! unknowns, `solve` gives the unknowns their definitions, `outputs` differentiates.
+//!
+//! The files form floors, and each uses those of lower floors only:
+//!
+//! 1. data: `value`, `names`, `rules`, `equations`, `systems`, `solutions`, `memo`, and linear
+//! systems of expressions (`cofactors`, `pivots`, `bodies`);
+//! 2. `context`: the struct [`Algebra`] that holds them;
+//! 3. expressions of the language: `scalar`, `body_vectors`, `frame`, `calls`, `motion_law`, and
+//! `translate` above them;
+//! 4. numbers at the reference: `nominal`, `finite_numbers`, `constant_ratio`;
+//! 5. vectors that turn: `parts`, `angle_reference`, `rotating_frame`, `via_slider`;
+//! 6. `derivatives`, with a page of their own.
 
 pub(crate) mod angle_reference;
 pub(crate) mod bodies;

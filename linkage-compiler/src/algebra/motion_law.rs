@@ -1,5 +1,5 @@
-//! Courses as expressions: one law of each kind, whose coefficients are chosen by the place, so
-//! that a course of many pieces costs little more than one piece.
+//! Motion laws as expressions: one law of each kind, whose coefficients are chosen by the piece, so
+//! that a motion law of many pieces costs little more than one piece.
 //!
 //! A piece from place `a` to `b` and from value `p` to `q` is `p + (q - p) s(x)` with `x = (u - a)
 //! / (b - a)`; where nothing moves the rate `1 / (b - a)` is 0, so that `x` and `s` are, and
@@ -28,8 +28,8 @@ const TURN_HIGH: f64 = 6.28125;
 /// The rest: `2 pi - TURN_HIGH`.
 const TURN_LOW: f64 = 1.935_307_179_586_476_9e-3;
 
-/// The value of a course at `argument`, or its derivative by that, its knots given as places and
-/// values, those of some splines as slopes, too.
+/// The value of a motion law at `argument`, or its derivative by that, its knots given as places
+/// and values, those of some splines as slopes, too.
 pub(crate) fn value<'m>(
     argument: Ex<'m>,
     course: &MotionLaw,

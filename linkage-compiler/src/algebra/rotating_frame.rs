@@ -9,7 +9,7 @@ use crate::algebra::parts;
 use crate::algebra::parts::{TurningPart, terms_of_sum};
 use crate::algebra::rules::{FromFrame, RotatingFrame, Rule, ToFrame};
 
-/// A vector from its carrier.
+/// A vector from its rotating frame.
 #[derive(Clone, Debug)]
 pub(crate) struct InRotatingFrame<'m> {
     pub(crate) carrier: RotatingFrame<'m>,
@@ -80,7 +80,7 @@ pub(crate) fn split<'m>(
     Some((part.arm(), rest))
 }
 
-/// The carrier whose axis is computed as `axis`.
+/// The frame whose axis is computed as `axis`.
 fn rotating_frame<'m>(
     algebra: &mut Algebra<'m>,
     angle: Ex<'m>,
@@ -131,7 +131,7 @@ fn angle_of<'m>(algebra: &Algebra<'m>, (cosine, _): AnglePair) -> Ex<'m> {
     }
 }
 
-/// A vector of fixed coordinates along the axis of a carrier and across.
+/// A vector of fixed coordinates along the axis of a frame and across.
 pub(crate) fn to_frame<'m>(
     algebra: &mut Algebra<'m>,
     carrier: RotatingFrame<'m>,
@@ -161,7 +161,7 @@ pub(crate) fn to_frame<'m>(
     own
 }
 
-/// `base` and a vector along the axis of a carrier and across, in fixed coordinates.
+/// `base` and a vector along the axis of a frame and across, in fixed coordinates.
 pub(crate) fn from_frame<'m>(
     algebra: &mut Algebra<'m>,
     carrier: RotatingFrame<'m>,

@@ -34,7 +34,7 @@ pub(crate) enum Rule<'m> {
     },
 }
 
-/// See [`Rule::Turn`].
+/// The rule of [`Rule::Rotation`].
 #[derive(Clone, Debug)]
 pub(crate) struct RotationRule<'m> {
     pub(crate) group: usize,
@@ -67,7 +67,7 @@ impl AngleRule<'_> {
     }
 }
 
-/// See [`Rule::Turning`].
+/// The rule of [`Rule::TurnedVector`].
 #[derive(Clone, Debug)]
 pub(crate) struct TurnedVector<'m> {
     pub(crate) group: usize,
@@ -79,7 +79,7 @@ pub(crate) struct TurnedVector<'m> {
     pub(crate) unit: V2<'m>,
 }
 
-/// See [`Rule::Seen`].
+/// The rule of [`Rule::ToFrame`].
 #[derive(Clone, Debug)]
 pub(crate) struct ToFrame<'m> {
     pub(crate) carrier: RotatingFrame<'m>,
@@ -90,7 +90,7 @@ pub(crate) struct ToFrame<'m> {
     pub(crate) component: usize,
 }
 
-/// See [`Rule::Shown`].
+/// The rule of [`Rule::FromFrame`].
 #[derive(Clone, Debug)]
 pub(crate) struct FromFrame<'m> {
     pub(crate) carrier: RotatingFrame<'m>,

@@ -5,6 +5,18 @@
 //! components of the directed matching graph (Dulmage and Mendelsohn; Tarjan) are the Assur groups,
 //! in order. Each group is then brought to one of the [`Form`]s that have a closed solution, by
 //! looking at its loops as polynomials in its unknowns.
+//!
+//! The files form floors, and each uses those of lower floors only:
+//!
+//! 1. data: `elements`, `coupled::group`, `form`, `group`, `scope`, and the state in `analysis`;
+//! 2. the two sides of the graph (`equations`) and its matching (`matching`);
+//! 3. expressions in unknowns: `polynomials`, `distance`, `space`, `explicit`;
+//! 4. recognition: `classify`, `point`, `coupled`;
+//! 5. reductions, one step of a coupled set towards known forms: `rewrite`, `double`, `circle`,
+//! `body`, `body_circle`, chosen by `eliminate`;
+//! 6. messages: `naming`, `closest_approach`, `simultaneous`, `redundant`, `frames`, `report`,
+//! `unsolved`;
+//! 7. `decompose`, the entry point.
 
 pub(crate) mod analysis;
 pub(crate) mod body;

@@ -73,7 +73,7 @@ pub(crate) fn sum_of_slopes<'m>(
 }
 
 /// The derivative of an expression that mentions `variable`, a parameter or a symbol from
-/// [`Self::symbol_for`].
+/// [`symbol_for`].
 pub(crate) fn partial<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>, variable: SymbolId) -> Ex<'m> {
     Partial(algebra).slope(x, variable)
 }
@@ -96,7 +96,7 @@ pub(crate) fn symbol_for(algebra: &mut Algebra<'_>, solved: &Solved) -> SymbolId
     }
 }
 
-/// The symbol that stands for an unknown of a group as a variable of [`Self::partial`].
+/// The symbol that stands for an unknown of a group as a variable of [`partial`].
 pub(crate) fn unknown_variable(
     algebra: &mut Algebra<'_>,
     group: usize,

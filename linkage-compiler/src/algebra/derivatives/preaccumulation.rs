@@ -1,4 +1,5 @@
-//! Derivatives by parameters through the narrow places of a mechanism.
+//! Derivatives by parameters through the intermediates of a mechanism: few unknowns that all
+//! effects of some groups pass through.
 //!
 //! The dimensions of a dyad often change the numbers behind it through one angle only. Then those
 //! numbers are differentiated by the angle, the angle by the dimensions, and both are multiplied:
@@ -73,7 +74,7 @@ fn mentioned_by_group(algebra: &mut Algebra<'_>, system: &System) -> BTreeSet<So
     earlier
 }
 
-/// The derivative by a parameter through the narrow places.
+/// The derivative by a parameter through the intermediates.
 pub(crate) fn derivative_through<'m>(
     algebra: &mut Algebra<'m>,
     x: Ex<'m>,

@@ -256,7 +256,7 @@ fn add_to_angle<'m>(
     }
 }
 
-/// Hands the weight of a carrier's turning to its angle and to where it starts.
+/// Hands the weight of a frame's rotation to its angle and to its start.
 fn add_to_carrier<'m>(
     algebra: &Algebra<'m>,
     weights: &mut Weights<'m>,
