@@ -14,17 +14,19 @@ impl<'m> AngleReference<'m> {
     /// Returns the vector as a sum of vectors of fixed lengths, each turning with a sum of angles.
     /// `None` if a length changes.
     pub(crate) fn phasors(&self, algebra: &Algebra<'m>) -> Option<Vec<Phasor<'m>>> {
-        let vector = match self.across {
-            true => self.vector.perp(),
-            false => self.vector,
+        let vector = if self.across {
+            self.vector.perp()
+        } else {
+            self.vector
         };
         let vector = match self.z {
             Some(z) => vector.turned(z.conjugate()),
             None => vector,
         };
-        let vector = match self.sense < 0.0 {
-            true => vector.conjugate(),
-            false => vector,
+        let vector = if self.sense < 0.0 {
+            vector.conjugate()
+        } else {
+            vector
         };
         let sign = if self.opposite { -self.mode } else { self.mode };
         let mut phasors = phasors(algebra, vector)?;

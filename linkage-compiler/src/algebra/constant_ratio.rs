@@ -18,9 +18,10 @@ pub(crate) struct ConstantRatio {
 impl ConstantRatio {
     /// `phi`, `2 * phi - 30deg`, `0deg`
     pub(crate) fn relation(&self, input: &str) -> String {
-        let offset = match self.offset.abs() < ALIKE {
-            true => 0.0,
-            false => self.offset,
+        let offset = if self.offset.abs() < ALIKE {
+            0.0
+        } else {
+            self.offset
         };
         let shown = |x: f64| format!("{}deg", significant(x.to_degrees()));
         let turning = match self.rate {

@@ -22,9 +22,10 @@ pub(crate) fn frame<'m>(algebra: &mut Algebra<'m>, arguments: &[Value<'m>]) -> V
         (sparse_cross(z, x), z)
     } else {
         let across = sparse_cross(z, x);
-        let y = match across.is_zero() {
-            true => across.map(|zero| zero.number(f64::NAN)),
-            false => across.unit(),
+        let y = if across.is_zero() {
+            across.map(|zero| zero.number(f64::NAN))
+        } else {
+            across.unit()
         };
         (y, sparse_cross(x, y))
     };
@@ -148,9 +149,11 @@ fn plane_vector(v: Vn) -> V2 {
 
 /// `a x b`; components that are zero by their formulas are constants.
 fn sparse_cross<'m>(a: V3<'m>, b: V3<'m>) -> V3<'m> {
-    a.cross(b)
-        .map(|component| match vanish::vanishes(component) {
-            true => component.number(0.0),
-            false => component,
-        })
+    a.cross(b).map(|component| {
+        if vanish::vanishes(component) {
+            component.number(0.0)
+        } else {
+            component
+        }
+    })
 }

@@ -123,9 +123,12 @@ struct Left {
 impl Left {
     /// The entry that keeps most zeros among those that are large enough; of those the largest.
     fn best(&self) -> (usize, usize) {
-        let size = |row: usize, column: usize| match self.zero[row][column] {
-            true => 0.0,
-            false => self.values[row][column].abs(),
+        let size = |row: usize, column: usize| {
+            if self.zero[row][column] {
+                0.0
+            } else {
+                self.values[row][column].abs()
+            }
         };
         let all = || {
             let rows = self.rows.iter();
@@ -215,11 +218,12 @@ pub(crate) fn solve_once_in_order<'m>(
     matrix: &[Vec<Ex<'m>>],
     right: &[Ex<'m>],
 ) -> InOrder<'m> {
-    match order.pivots.is_empty() {
-        true => eliminate_in_order(graph, order, matrix, right, |rest, own| {
+    if order.pivots.is_empty() {
+        eliminate_in_order(graph, order, matrix, right, |rest, own| {
             cofactors::cramer(graph, rest, own)
-        }),
-        false => solve_in_order(graph, order, matrix, right),
+        })
+    } else {
+        solve_in_order(graph, order, matrix, right)
     }
 }
 
@@ -279,9 +283,10 @@ fn eliminate_in_order<'m>(
 
 /// A pivot, NaN where it is less than it may be.
 fn guarded(pivot: Ex<'_>, least: f64) -> Ex<'_> {
-    let enough = match least < 0.0 {
-        true => pivot.number(least) - pivot,
-        false => pivot - least,
+    let enough = if least < 0.0 {
+        pivot.number(least) - pivot
+    } else {
+        pivot - least
     };
     enough.select(pivot, pivot.number(f64::NAN))
 }

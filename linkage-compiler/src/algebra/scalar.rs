@@ -57,10 +57,7 @@ pub(crate) fn direction<'m>(algebra: &mut Algebra<'m>, angle: &Scalar<'m>) -> V2
 /// The unit vector of an unknown angle to an integer power.
 fn unit_power<'m>(algebra: &Algebra<'m>, angle: usize, power: i32) -> V2<'m> {
     let unit = algebra.names.angles[angle].unit;
-    let unit = match power < 0 {
-        true => unit.conjugate(),
-        false => unit,
-    };
+    let unit = if power < 0 { unit.conjugate() } else { unit };
     (1..power.unsigned_abs()).fold(unit, |product, _| product.turned(unit))
 }
 

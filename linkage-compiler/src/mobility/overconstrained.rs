@@ -70,12 +70,13 @@ fn dependence_of(
     let own = loop_list([&rows.loops[row]]);
     let shape = line::shape_of_links(position, rows, set);
     let because = shape.map_or_else(String::new, |shape| format!(", since their links {shape}"));
-    match others.is_empty() {
-        true => format!("{own} holds nothing"),
-        false => format!(
+    if others.is_empty() {
+        format!("{own} holds nothing")
+    } else {
+        format!(
             "{own} holds nothing that {} do not hold{because}",
             loop_list(&others)
-        ),
+        )
     }
 }
 

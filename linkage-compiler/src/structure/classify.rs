@@ -174,9 +174,10 @@ fn classify_scalar<'m>(
         CoordinateKind::Length(symbol) => {
             let (a, b) = (take(&[symbol, symbol]), take(&[symbol]));
             let c = take(&[]);
-            match a.is_zero() {
-                true => Form::Linear { symbol, a: b, b: c },
-                false => Form::Quadratic { symbol, a, b, c },
+            if a.is_zero() {
+                Form::Linear { symbol, a: b, b: c }
+            } else {
+                Form::Quadratic { symbol, a, b, c }
             }
         }
     };

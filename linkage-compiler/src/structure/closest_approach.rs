@@ -79,9 +79,10 @@ fn rows_at<'m>(
         match bound {
             Bound::Angle(index) => {
                 let angle = &analysis.algebra.names.angles[*index];
-                let shift = match moved.kind == CoordinateKind::Angle(*index) {
-                    true => step,
-                    false => 0.0,
+                let shift = if moved.kind == CoordinateKind::Angle(*index) {
+                    step
+                } else {
+                    0.0
                 };
                 let value = estimate[0] + shift;
                 let numbers = [value.cos(), value.sin(), value];
@@ -90,9 +91,10 @@ fn rows_at<'m>(
             }
             Bound::Lengths(symbols) => {
                 for ((symbol, _), estimate) in symbols.iter().zip(estimate) {
-                    let shift = match moved.kind == CoordinateKind::Length(*symbol) {
-                        true => step * estimate.abs().max(1.0),
-                        false => 0.0,
+                    let shift = if moved.kind == CoordinateKind::Length(*symbol) {
+                        step * estimate.abs().max(1.0)
+                    } else {
+                        0.0
                     };
                     let value = analysis.algebra.graph.number(estimate + shift);
                     values.insert(*symbol, value);

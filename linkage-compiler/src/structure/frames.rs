@@ -48,9 +48,10 @@ fn unknown_frames(mechanism: &Mechanism) -> Vec<UnknownFrame> {
             loops,
             name,
             freedoms: if in_plane { 3 } else { 6 },
-            example: match in_plane {
-                true => "distance(point_in(BODY, p), q) = l` for a link with two pins",
-                false => "distance(point_in(BODY, p), q) = l` for a rod with two ball joints",
+            example: if in_plane {
+                "distance(point_in(BODY, p), q) = l` for a link with two pins"
+            } else {
+                "distance(point_in(BODY, p), q) = l` for a rod with two ball joints"
             },
             unknowns,
         }
@@ -124,9 +125,10 @@ fn report_open<'m>(
     let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
     let mobility = (inputs + coordinates).saturating_sub(rows);
     // Without a loop it moves in every way.
-    let motion = match loops.is_empty() {
-        true => None,
-        false => position(analysis, &analysis.nominal.estimates, freedom::motion_left),
+    let motion = if loops.is_empty() {
+        None
+    } else {
+        position(analysis, &analysis.nominal.estimates, freedom::motion_left)
     };
     let motion = motion.map_or_else(String::new, |motion| {
         format!("; where the estimates are, {motion}")

@@ -15,9 +15,10 @@ pub(crate) fn unknown_names<'c>(
             continue;
         };
         let of_it = coordinates.iter().filter(|c| c.unknown == Some(unknown));
-        let name = match of_it.count() == algebra.names.components_of(unknown) {
-            true => algebra.mechanism.unknowns[unknown].name.clone(),
-            false => coordinate_name(algebra, coordinate),
+        let name = if of_it.count() == algebra.names.components_of(unknown) {
+            algebra.mechanism.unknowns[unknown].name.clone()
+        } else {
+            coordinate_name(algebra, coordinate)
         };
         names.push((unknown, format!("`{name}`")));
     }

@@ -82,9 +82,10 @@ fn report_undetermined<'m>(
     if sharing.is_empty() && naming::is_component(analysis.algebra, undetermined, coordinates) {
         let component = naming::coordinate_name(analysis.algebra, coordinate);
         let dimension = analysis.algebra.mechanism.unknowns[unknown].ty.dimension();
-        let norm = match dimension.is_some_and(|d| d.half_lengths == 0) {
-            true => format!("; the loop of a direction is `norm({name}) = 1`"),
-            false => String::new(),
+        let norm = if dimension.is_some_and(|d| d.half_lengths == 0) {
+            format!("; the loop of a direction is `norm({name}) = 1`")
+        } else {
+            String::new()
         };
         return analysis.reporter.error(
             origin,

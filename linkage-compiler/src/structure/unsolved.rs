@@ -181,12 +181,11 @@ fn core_of<'m>(
 fn a_body_by_angles(equations: &[Equation], coordinates: &[Coordinate]) -> &'static str {
     let in_space = |e: &Equation| e.rows.len() == 3 || e.distance.is_some();
     let is_angle = |c: &&Coordinate| matches!(c.kind, CoordinateKind::Angle(_));
-    match equations.iter().any(in_space) && coordinates.iter().filter(is_angle).count() > 1 {
-        true => {
-            "; the place of a body in space is `unknown body = frame(origin, x, z);` without angles, and its points are \
+    if equations.iter().any(in_space) && coordinates.iter().filter(is_angle).count() > 1 {
+        "; the place of a body in space is `unknown body = frame(origin, x, z);` without angles, and its points are \
              `point_in(body, (x, y, z))`"
-        }
-        false => "",
+    } else {
+        ""
     }
 }
 

@@ -155,8 +155,9 @@ pub(crate) fn slope_of_links<'m>(
 /// covers.
 pub(crate) fn terms_of_links(algebra: &Algebra<'_>, group: usize) -> usize {
     let links = algebra.solutions.groups[group].links.iter().flatten();
-    match algebra.solutions.shortcuts.products {
-        true => 2 * links.count(),
-        false => 0,
+    if algebra.solutions.shortcuts.products {
+        2 * links.count()
+    } else {
+        0
     }
 }

@@ -43,9 +43,10 @@ pub(crate) fn find_intermediates<'m>(algebra: &mut Algebra<'m>, results: &[Ex<'m
         for (solved, behind) in &used {
             for earlier in mentioned_by_group(algebra, &solved.system) {
                 let all = hanging.entry(earlier).or_default();
-                match is_narrow {
-                    true => _ = all.insert(Behind::Intermediate(solved.clone())),
-                    false => all.extend(behind.iter().cloned()),
+                if is_narrow {
+                    _ = all.insert(Behind::Intermediate(solved.clone()));
+                } else {
+                    all.extend(behind.iter().cloned())
                 }
             }
         }

@@ -107,9 +107,10 @@ fn below(algebra: &mut Algebra<'_>, item: &Item) -> Vec<Item> {
 
 fn below_node<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> Vec<Item> {
     let Node::Symbol(symbol) = x.node() else {
-        return match is_end(algebra, x) {
-            true => Vec::new(),
-            false => x.node().operands().map(Item::Node).collect(),
+        return if is_end(algebra, x) {
+            Vec::new()
+        } else {
+            x.node().operands().map(Item::Node).collect()
         };
     };
     let system = |group: usize, by: &[SymbolId]| Item::System(System::new(group, by.to_vec()));
@@ -219,9 +220,10 @@ fn system_back<'m>(algebra: &mut Algebra<'m>, weights: &mut Weights<'m>, system:
     };
     let multipliers = adjoint::solve_transposed(algebra, system.group, &own);
     let solution = algebra.solutions.groups[system.group].clone();
-    let rates = match system.by.is_empty() {
-        true => None,
-        false => Some(algebra.rates(system.group, system.by.clone())),
+    let rates = if system.by.is_empty() {
+        None
+    } else {
+        Some(algebra.rates(system.group, system.by.clone()))
     };
     for (row, multiplier) in multipliers.into_iter().enumerate() {
         let minus = -multiplier;

@@ -220,9 +220,10 @@ fn by_points<'m>(spans: &[Span<'m>], ends: Ends) -> Vec<Shape<'m>> {
         for (span, side) in sides.into_iter().flatten() {
             row.own = plus(row.own, span.own(side));
             row.right[0] = added(row.right[0], span.right(side));
-            match side < 0.0 {
-                true => row.before = span.by_begin(),
-                false => row.behind = span.by_end(),
+            if side < 0.0 {
+                row.before = span.by_begin()
+            } else {
+                row.behind = span.by_end()
             }
         }
         row

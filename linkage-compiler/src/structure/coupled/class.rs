@@ -143,9 +143,10 @@ fn leg<'m>(
                     .components()
                     .any(|g| equations::contains(algebra, g, c))
             };
-            match coordinates.iter().any(turns) {
-                true => "RP",
-                false => "PR",
+            if coordinates.iter().any(turns) {
+                "RP"
+            } else {
+                "PR"
             }
         }
     }

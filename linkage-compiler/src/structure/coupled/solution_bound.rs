@@ -46,9 +46,10 @@ impl SolutionBound {
             Form::Coupled(coupled) => coupled.bezout(&algebra.names),
             _ => u64::MAX,
         };
-        match is_body_on_distances(algebra.mechanism, group) && OF_A_BODY < by_degrees {
-            true => Self::BodyOnDistances,
-            false => Self::ByDegrees(by_degrees),
+        if is_body_on_distances(algebra.mechanism, group) && OF_A_BODY < by_degrees {
+            Self::BodyOnDistances
+        } else {
+            Self::ByDegrees(by_degrees)
         }
     }
 }
@@ -72,9 +73,12 @@ fn is_body_on_distances(mechanism: &Mechanism, group: &Group) -> bool {
         let own = &mechanism.loops[index];
         let [left, right] = [&own.left, &own.right];
         let known = |side| !mechanism.mentions(side, parts);
-        let holds = |side| match group.loops.contains(&index) {
-            true => is_distance(mechanism, side, parts),
-            false => is_coordinate_of_origin(mechanism, side, parts),
+        let holds = |side| {
+            if group.loops.contains(&index) {
+                is_distance(mechanism, side, parts)
+            } else {
+                is_coordinate_of_origin(mechanism, side, parts)
+            }
         };
         (holds(left) && known(right)) || (holds(right) && known(left))
     })
