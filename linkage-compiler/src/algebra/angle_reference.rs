@@ -65,7 +65,7 @@ fn phasors<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Option<Vec<Phasor<'m>>>
             .collect();
         phasors.extend(part.phasors(&rates));
     }
-    let fixed = phasors.iter().all(|own| own.coefficient.is_fixed());
+    let fixed = phasors.iter().all(|phasor| phasor.coefficient.is_fixed());
     fixed.then_some(phasors)
 }
 
@@ -131,7 +131,7 @@ impl<'m> TurningPart<'m> {
         });
         let vanishes = |x: Ex| agree(x, zero);
         phasors
-            .filter(|own| !own.coefficient.components().all(vanishes))
+            .filter(|phasor| !phasor.coefficient.components().all(vanishes))
             .collect()
     }
 }

@@ -58,7 +58,7 @@ pub(crate) fn coordinates<'m>(vector: V3<'m>, axes: [V3<'m>; 2]) -> Option<V3<'m
     let [first, second] = axes;
     let shown = own[0] * first + own[1] * second + own[2] * first.cross(second);
     let mut pairs = shown.0.into_iter().zip(vector.0);
-    pairs.all(|(shown, own)| agree(shown, own)).then_some(own)
+    pairs.all(|(shown, component)| agree(shown, component)).then_some(own)
 }
 
 /// Notes that an unknown frame carries a vector, if it does.

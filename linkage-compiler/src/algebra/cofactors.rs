@@ -50,7 +50,7 @@ pub(crate) fn cramer<'m>(
     }
     let pairs = matrix.iter().zip(right);
     let wide: Vec<Vec<Ex>> = pairs
-        .map(|(row, &own)| [&row[..], &[own]].concat())
+        .map(|(row, &known)| [&row[..], &[known]].concat())
         .collect();
     let mut minors = Minors::new(graph, &wide);
     let (rows, all) = ((1_u32 << size) - 1, (1_u32 << (size + 1)) - 1);

@@ -40,7 +40,7 @@ pub(crate) fn value<'m>(
     let order = usize::from(course.order);
     match course.kind {
         MotionLawKind::Rise | MotionLawKind::Laws => {
-            let laws: Vec<Option<Law>> = course.knots.iter().map(|own| own.law).collect();
+            let laws: Vec<Option<Law>> = course.knots.iter().map(|knot| knot.law).collect();
             by_laws(along, knots, &laws, course.repeats, order)
         }
         MotionLawKind::Spline(ends, Pieces::Cubic) => spline::value(along, knots, ends, order),
@@ -96,7 +96,7 @@ fn by_laws<'m>(
     repeats: Repeats,
     order: usize,
 ) -> Ex<'m> {
-    let places: Vec<Ex> = knots.iter().map(|own| own.0).collect();
+    let places: Vec<Ex> = knots.iter().map(|knot| knot.0).collect();
     let mut bases: Vec<Ex> = Vec::new();
     let mut pieces: Vec<Option<Moving>> = Vec::new();
     for (ends, law) in knots.windows(2).zip(&laws[1..]) {
@@ -133,7 +133,7 @@ fn by_laws<'m>(
     let rest = along.number(0.0);
     let rates: Vec<Ex> = pieces
         .iter()
-        .map(|own| own.as_ref().map_or(rest, |own| own.rate))
+        .map(|piece| piece.as_ref().map_or(rest, |piece| piece.rate))
         .collect();
     let with_neighbour = piecewise::filled(&pieces, some);
     let from = choice.among_pieces(
@@ -161,7 +161,7 @@ fn by_laws<'m>(
 /// to: that is found in `assemble()`.
 fn if_ordered<'m>(along: Ex<'m>, knots: &[(Ex<'m>, Ex<'m>)]) -> Ex<'m> {
     let widths = knots.windows(2).map(|own| own[1].0 - own[0].0);
-    let open = widths.filter(|own| own.constant_value().is_none());
+    let open = widths.filter(|width| width.constant_value().is_none());
     match open.reduce(Ex::min) {
         Some(least) => along + least.select(along.number(0.0), along.number(f64::NAN)),
         None => along,

@@ -192,8 +192,9 @@ fn written(algebra: &Algebra<'_>, expr: &Expr, scale: f64) -> Option<Vec<f64>> {
         }
         ExprKind::Vector(components) => {
             let components = components.iter();
-            let numbers: Option<Vec<_>> =
-                components.map(|own| written(algebra, own, scale)).collect();
+            let numbers: Option<Vec<_>> = components
+                .map(|component| written(algebra, component, scale))
+                .collect();
             Some(numbers?.concat())
         }
         ExprKind::Name(Name::Const(index)) => {

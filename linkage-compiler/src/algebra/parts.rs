@@ -97,7 +97,7 @@ fn angle_pair_of<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> Option<(AnglePair, boo
         }
         Node::Symbol(symbol) => {
             let mut angles = algebra.names.angles.iter();
-            let angle = angles.find(|own| own.cos == symbol || own.sin == symbol)?;
+            let angle = angles.find(|angle| angle.cos == symbol || angle.sin == symbol)?;
             let [cos, sin] = angle.unit.0.map(Ex::id);
             Some(((cos, sin), angle.sin == symbol))
         }

@@ -125,7 +125,7 @@ fn angle_of<'m>(algebra: &Algebra<'m>, (cosine, _): AnglePair) -> Ex<'m> {
         Node::Unary(Unary::Cos, argument) => algebra.graph.ex(argument),
         _ => {
             let mut angles = algebra.names.angles.iter();
-            let angle = angles.find(|own| own.unit[0] == cosine);
+            let angle = angles.find(|angle| angle.unit[0] == cosine);
             angle.expect("the cosine of an angle").number
         }
     }

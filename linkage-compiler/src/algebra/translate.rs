@@ -25,7 +25,9 @@ pub(crate) trait Translate<'m> {
             }
             ExprKind::Name(name) => value_of_name(self.algebra(), *name),
             ExprKind::Vector(components) => {
-                let components = components.iter().map(|own| self.translate_number(own).id());
+                let components = components
+                    .iter()
+                    .map(|component| self.translate_number(component).id());
                 let components: Vec<NodeId> = components.collect();
                 self.algebra().graph.components(&components).into()
             }
@@ -46,14 +48,14 @@ pub(crate) trait Translate<'m> {
             }
             ExprKind::MotionLaw(course) => {
                 let argument = self.translate_number(&course.argument);
-                let knots = course.knots.iter().map(|own| {
-                    let place = self.translate_number(&own.place);
-                    let value = self.translate_number(&own.value);
+                let knots = course.knots.iter().map(|knot| {
+                    let place = self.translate_number(&knot.place);
+                    let value = self.translate_number(&knot.value);
                     (place, value)
                 });
                 let knots: Vec<(Ex, Ex)> = knots.collect();
-                let slopes = course.knots.iter().filter_map(|own| own.slope.as_ref());
-                let slopes: Vec<Ex> = slopes.map(|own| self.translate_number(own)).collect();
+                let slopes = course.knots.iter().filter_map(|knot| knot.slope.as_ref());
+                let slopes: Vec<Ex> = slopes.map(|slope| self.translate_number(slope)).collect();
                 motion_law::value(argument, course, &knots, &slopes).into()
             }
             ExprKind::Derivative(..)

@@ -193,7 +193,9 @@ fn kept<'m>(
 }
 
 fn without(coordinates: &[Coordinate], gone: &[Coordinate]) -> Vec<Coordinate> {
-    let left = coordinates.iter().filter(|own| !gone.contains(own));
+    let left = coordinates
+        .iter()
+        .filter(|coordinate| !gone.contains(coordinate));
     left.cloned().collect()
 }
 

@@ -30,17 +30,17 @@ struct HeldTwice {
 
 fn unknown_frames(mechanism: &Mechanism) -> Vec<UnknownFrame> {
     let lets = mechanism.lets.iter();
-    let frames = lets.filter_map(|own| {
+    let frames = lets.filter_map(|item| {
         Some((
-            own.name.clone(),
-            unknown_frames::unknowns_of(mechanism, &own.value)?,
+            item.name.clone(),
+            unknown_frames::unknowns_of(mechanism, &item.value)?,
         ))
     });
     let frames = frames.map(|(name, unknowns)| {
         let mentions = |&k: &usize| {
             let written = mechanism.usage(&[k]).unknowns;
             !unknown_frames::is_loop_of_frame(mechanism, k)
-                && unknowns.iter().any(|&own| written[own])
+                && unknowns.iter().any(|&unknown| written[unknown])
         };
         let loops = (0..mechanism.loops.len()).filter(mentions).collect();
         let in_plane = unknowns.len() == 2;

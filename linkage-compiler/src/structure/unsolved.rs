@@ -210,7 +210,7 @@ fn terms(side: &Expr) -> Vec<&Expr> {
         true => vec![side],
         false => summands
             .into_iter()
-            .flat_map(|(_, own)| terms(own))
+            .flat_map(|(_, summand)| terms(summand))
             .collect(),
     }
 }

@@ -45,7 +45,7 @@ pub(crate) fn acting_on_system<'m>(algebra: &mut Algebra<'m>, system: &System) -
         let coefficients = solution.terms.iter().map(|term| &term.coefficient);
         all.extend(coefficients.flatten());
         all.extend(solution.links.iter().flatten().flat_map(|link| link.z.0));
-        let written = solution.rows.iter().filter_map(|own| own.links.as_ref());
+        let written = solution.rows.iter().filter_map(|row| row.links.as_ref());
         for links in written {
             for distance in [Some(&links.first), links.less.as_ref()]
                 .into_iter()

@@ -124,7 +124,9 @@ pub(crate) fn eliminate_transposed<'m>(
                 .collect();
             let numerators =
                 cofactors::cofactor_products(algebra.graph, &transposed, &core).into_iter();
-            numerators.map(|own| own / solution.determinant).collect()
+            numerators
+                .map(|numerator| numerator / solution.determinant)
+                .collect()
         }
     };
     for (row, factor) in elimination.rows.iter().zip(factors) {

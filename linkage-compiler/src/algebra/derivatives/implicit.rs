@@ -85,8 +85,8 @@ fn right_hand_side<'m>(algebra: &mut Algebra<'m>, group: usize, by: &[SymbolId])
         return of_links
             .into_iter()
             .enumerate()
-            .map(|(row, own)| match own {
-                Some(own) => own,
+            .map(|(row, known)| match known {
+                Some(known) => known,
                 None => {
                     partial::sum_of_slopes(algebra, &solution.terms, row, |a, b| a - b, &mut slope)
                 }

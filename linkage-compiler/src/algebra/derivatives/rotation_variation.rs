@@ -204,7 +204,7 @@ fn body_with<'m>(algebra: &Algebra<'m>, axes: &[V3<'m>]) -> Option<(usize, usize
     let place = |columns: &[usize; 3]| {
         places
             .iter()
-            .position(|own| *own == Some((group, *columns)))
+            .position(|axis| *axis == Some((group, *columns)))
     };
     let mut found = bodies.iter().enumerate().filter_map(|(index, body)| {
         let [u, w] = body.columns.each_ref().map(place);

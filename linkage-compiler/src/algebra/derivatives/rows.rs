@@ -88,7 +88,7 @@ fn with_rates<'m, R>(
     let memo = mem::take(&mut algebra.derivatives.memo);
     algebra.derivatives.held += 1;
     algebra.derivatives.rates.insert(key.clone(), rates);
-    let all = rows.into_iter().map(|own| of(algebra, own)).collect();
+    let all = rows.into_iter().map(|row| of(algebra, row)).collect();
     algebra.derivatives.rates.remove(&key);
     algebra.derivatives.held -= 1;
     algebra.derivatives.memo = memo;

@@ -15,7 +15,7 @@ pub(crate) fn profile<'m>(x: Ex<'m>, choice: &Choice<'_, 'm>, laws: &[Law]) -> [
     let y = x - coefficients.chosen(|zone| Some(zone.origin));
     let degree = laws
         .iter()
-        .flat_map(|own| zones::zones(*own))
+        .flat_map(|law| zones::zones(*law))
         .map(|own| own.polynomial.len() - 1);
     let degree = degree.max().unwrap_or(0);
     let polynomial: Vec<Ex> = (0..=degree)
@@ -25,7 +25,7 @@ pub(crate) fn profile<'m>(x: Ex<'m>, choice: &Choice<'_, 'm>, laws: &[Law]) -> [
         .collect();
     let waves = laws
         .iter()
-        .flat_map(|own| zones::zones(*own))
+        .flat_map(|law| zones::zones(*law))
         .any(|own| own.wave.is_some());
     let waves = waves.then(|| coefficients.waves(y));
     // The last one comes first: each derivative is known when the expression is made whose slope it
@@ -65,10 +65,10 @@ impl<'m> Coefficients<'_, 'm> {
             let values: Vec<Option<f64>> = zones.iter().map(&of).collect();
             let first = values.iter().flatten().next()?;
             let values = piecewise::filled(&values, first).into_iter();
-            let values: Vec<Ex> = values.map(|own| self.x.number(*own)).collect();
+            let values: Vec<Ex> = values.map(|value| self.x.number(*value)).collect();
             let borders: Vec<Ex> = zones[1..]
                 .iter()
-                .map(|own| self.x.number(own.from))
+                .map(|zone| self.x.number(zone.from))
                 .collect();
             Some(Choice::new(self.x, &borders).among_pieces(&values))
         };

@@ -53,7 +53,7 @@ pub(crate) fn value<'m>(
             [ends[0].0 + 0.5 * span.width, a, b, c, d, e, f]
         })
         .collect();
-    let places: Vec<Ex> = points.iter().map(|own| own.0).collect();
+    let places: Vec<Ex> = points.iter().map(|point| point.0).collect();
     let borders = match ends {
         Ends::Periodic => &places[1..places.len() - 1],
         Ends::Natural | Ends::Clamped => {
@@ -71,7 +71,7 @@ pub(crate) fn value<'m>(
     let known = pieces.iter().all(are_numbers);
     let choice = Choice::new(along, borders);
     let [from, coefficients @ ..] = [0, 1, 2, 3, 4, 5, 6].map(|k| {
-        let all: Vec<Ex> = pieces.iter().map(|own| own[k]).collect();
+        let all: Vec<Ex> = pieces.iter().map(|piece| piece[k]).collect();
         choice.among_pieces(&all)
     });
     let way = along - from;

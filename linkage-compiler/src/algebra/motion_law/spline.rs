@@ -26,7 +26,7 @@ pub(crate) fn value<'m>(
         let bend = (curvature[1] - curvature[0]) / (6.0 * width);
         pieces.push([from, before, slope, 0.5 * curvature[0], bend]);
     }
-    let places: Vec<Ex> = points.iter().map(|own| own.0).collect();
+    let places: Vec<Ex> = points.iter().map(|point| point.0).collect();
     let borders = match ends {
         Ends::Periodic => &places[1..places.len() - 1],
         Ends::Natural | Ends::Clamped => {
@@ -48,7 +48,7 @@ pub(crate) fn value<'m>(
     };
     let choice = Choice::new(along, borders);
     let [from, value, slope, half, bend] = [0, 1, 2, 3, 4].map(|k| {
-        let all: Vec<Ex> = pieces.iter().map(|own| own[k]).collect();
+        let all: Vec<Ex> = pieces.iter().map(|piece| piece[k]).collect();
         choice.among_pieces(&all)
     });
     let way = along - from;
@@ -71,7 +71,7 @@ fn curvatures<'m>(points: &[(Ex<'m>, Ex<'m>)], ends: Ends) -> Vec<Ex<'m>> {
     let widths: Vec<Ex> = points.windows(2).map(|own| own[1].0 - own[0].0).collect();
     let ways = points.windows(2).zip(&widths);
     let slopes: Vec<Ex> = ways
-        .map(|(own, &width)| (own[1].1 - own[0].1) / width)
+        .map(|(points, &width)| (points[1].1 - points[0].1) / width)
         .collect();
     let zero = points[0].0.number(0.0);
     // Each row: the coefficients of the curvature before, here and behind, and the right-hand side.
@@ -111,7 +111,7 @@ fn curvatures<'m>(points: &[(Ex<'m>, Ex<'m>)], ends: Ends) -> Vec<Ex<'m>> {
 
 /// A tridiagonal system.
 pub(crate) fn solved<'m>(rows: &[[Ex<'m>; 4]]) -> Vec<Ex<'m>> {
-    let columns: Vec<Vec<Ex>> = rows.iter().map(|own| vec![own[3]]).collect();
+    let columns: Vec<Vec<Ex>> = rows.iter().map(|row| vec![row[3]]).collect();
     eliminated(rows, columns)
         .into_iter()
         .map(|own| own[0])
@@ -140,7 +140,7 @@ pub(crate) fn solved_in_circle<'m>(rows: &[[Ex<'m>; 4]]) -> Vec<Ex<'m>> {
 
 /// Solutions for several right-hand sides, by row.
 fn eliminated<'m>(rows: &[[Ex<'m>; 4]], mut right: Vec<Vec<Ex<'m>>>) -> Vec<Vec<Ex<'m>>> {
-    let mut diagonal: Vec<Ex> = rows.iter().map(|own| own[1]).collect();
+    let mut diagonal: Vec<Ex> = rows.iter().map(|row| row[1]).collect();
     for k in 1..rows.len() {
         let factor = rows[k][0] / diagonal[k - 1];
         diagonal[k] -= factor * rows[k - 1][2];

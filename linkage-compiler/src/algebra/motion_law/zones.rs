@@ -199,7 +199,7 @@ mod tests {
     fn ends_are_those_that_the_names_promise() {
         for law in Law::all() {
             let [[begins, starts], [ends, stops]] =
-                ends(law).map(|own| own.map(|x| (1e9 * x).round() / 1e9));
+                ends(law).map(|end| end.map(|x| (1e9 * x).round() / 1e9));
             let expected = match law {
                 Law::Line => [1.0, 0.0],
                 Law::Cubic => [0.0, 6.0],

@@ -59,7 +59,8 @@ impl SolutionBound {
 fn is_body_on_distances(mechanism: &Mechanism, group: &Group) -> bool {
     let bodies = unknown_frames::bodies_of_space(mechanism);
     let mut bodies = bodies.iter().map(|(_, parts)| parts);
-    let Some(parts) = bodies.find(|parts| group.unknowns.iter().all(|own| parts.contains(own)))
+    let Some(parts) =
+        bodies.find(|parts| group.unknowns.iter().all(|unknown| parts.contains(unknown)))
     else {
         return false;
     };
@@ -149,7 +150,7 @@ impl Coupled<'_> {
         ways[0] = 1;
         for (done, (of_lengths, of_angles)) in degrees.iter().enumerate() {
             let mut next = vec![0_u64; sets];
-            for (set, &own) in ways.iter().enumerate().filter(|(_, own)| **own > 0) {
+            for (set, &own) in ways.iter().enumerate().filter(|(_, way)| **way > 0) {
                 let mut add = |set: usize, degree: u64| {
                     next[set] = next[set].saturating_add(own.saturating_mul(degree));
                 };
@@ -186,7 +187,7 @@ impl Coupled<'_> {
                 None => (block.rows.len(), 1),
             };
             let of_lengths = factor * degree(block, &lengths);
-            let of_units = units.iter().map(|own| 2 * factor * degree(block, own));
+            let of_units = units.iter().map(|unit| 2 * factor * degree(block, unit));
             std::iter::repeat_n((of_lengths, of_units.collect()), count)
         });
         all.collect()
