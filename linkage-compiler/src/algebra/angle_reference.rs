@@ -30,8 +30,8 @@ impl<'m> AngleReference<'m> {
         };
         let sign = if self.opposite { -self.mode } else { self.mode };
         let mut phasors = phasors(algebra, vector)?;
-        for own in &mut phasors {
-            own.coefficient = sign * own.coefficient;
+        for phasor in &mut phasors {
+            phasor.coefficient = sign * phasor.coefficient;
         }
         Some(phasors)
     }
@@ -113,20 +113,20 @@ impl<'m> TurningPart<'m> {
         let phasors = choices.clone().map(|backward| {
             let mut sum = Vector([zero; 2]);
             for sines in choices.clone() {
-                let own = Vector([self.rows[0][sines], self.rows[1][sines]]);
+                let vector = Vector([self.rows[0][sines], self.rows[1][sines]]);
                 // Each sine divides by i, and turns the other way round for an angle taken
                 // backward.
-                let turned = (0..sines.count_ones()).fold(own, |own, _| -own.perp());
+                let turned = (0..sines.count_ones()).fold(vector, |vector, _| -vector.perp());
                 let negative = (sines & backward).count_ones() % 2 == 1;
                 sum = sum + if negative { -turned } else { turned };
             }
-            let own = rates.iter().enumerate().map(|(k, rate)| {
+            let signed = rates.iter().enumerate().map(|(k, rate)| {
                 let sign = if backward >> k & 1 == 1 { -1.0 } else { 1.0 };
                 rate.map(|(input, rate)| (input, sign * rate))
             });
             Phasor {
                 coefficient: zero.number(share) * sum,
-                rates: own.collect(),
+                rates: signed.collect(),
             }
         });
         let vanishes = |x: Ex| agree(x, zero);

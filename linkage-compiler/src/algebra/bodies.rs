@@ -56,22 +56,23 @@ impl<'m> Bodies<'m> {
         // The derivative of half the square of a direction is the direction.
         let lengths = matrix.iter().enumerate().filter_map(|(row, entries)| {
             let columns: [usize; 3] = filled(entries).try_into().ok()?;
-            let own = columns.iter().all(|&k| is(entries[k], k));
-            own.then_some((row, columns))
+            let is_length = columns.iter().all(|&k| is(entries[k], k));
+            is_length.then_some((row, columns))
         });
         let lengths: Vec<(usize, [usize; 3])> = lengths.collect();
         let mut all: Vec<Body> = Vec::new();
         for (row, entries) in matrix.iter().enumerate() {
             let filled = filled(entries);
-            let pair = |&(_, own): &&(usize, [usize; 3])| own.iter().all(|k| filled.contains(k));
+            let pair =
+                |&(_, columns): &&(usize, [usize; 3])| columns.iter().all(|k| filled.contains(k));
             let of_pair: Vec<&(usize, [usize; 3])> = lengths.iter().filter(pair).collect();
             let [(first, u), (second, w)] = of_pair[..] else {
                 continue;
             };
             let crossed = (0..3).all(|k| is(entries[u[k]], w[k]) && is(entries[w[k]], u[k]));
             let taken = all.iter().any(|body| {
-                let mut own = body.columns.iter();
-                own.any(|columns| columns == u || columns == w)
+                let mut axes = body.columns.iter();
+                axes.any(|columns| columns == u || columns == w)
             });
             if filled.len() == 6 && crossed && !taken {
                 let axis = |columns: &[usize; 3]| {
@@ -140,15 +141,15 @@ impl<'m> Bodies<'m> {
     pub(crate) fn unknowns(&self, freedoms: &[Ex<'m>], shifts: &[Shifts<'m>]) -> Vec<Ex<'m>> {
         let mut all = vec![None; self.columns.len() + 6 * self.all.len()];
         let (others, turns) = freedoms.split_at(self.columns.len());
-        for (&column, &own) in self.columns.iter().zip(others) {
-            all[column] = Some(own);
+        for (&column, &value) in self.columns.iter().zip(others) {
+            all[column] = Some(value);
         }
         let turns = turns.as_chunks::<3>().0.iter();
         for ((body, &turn), shifts) in self.all.iter().zip(turns).zip(shifts) {
             for (k, columns) in body.columns.iter().enumerate() {
                 let turned = Vector(turn).cross(body.axes[k]) + shifts[k];
-                for (&column, own) in columns.iter().zip(turned.components()) {
-                    all[column] = Some(own);
+                for (&column, value) in columns.iter().zip(turned.components()) {
+                    all[column] = Some(value);
                 }
             }
         }
@@ -197,8 +198,8 @@ pub(crate) fn solve_by_scheme<'m>(
     let bodies = &scheme.bodies;
     let shifts = bodies.shifts(right);
     let known = bodies.rows.iter().map(|&row| {
-        let own = bodies.all.iter().zip(&shifts);
-        own.fold(right[row], |left, (body, shifts)| {
+        let pairs = bodies.all.iter().zip(&shifts);
+        pairs.fold(right[row], |left, (body, shifts)| {
             let pairs = body.entries(&matrix[row]).into_iter().zip(shifts);
             pairs.fold(left, |left, (entries, &shift)| left - entries.dot(shift))
         })
@@ -248,19 +249,19 @@ pub(crate) fn solve_transposed_by_scheme<'m>(
     let order = scheme.order.transposed();
     let others = pivots::solve_in_order(graph, &order, &transposed, &known).solution;
     let mut all = vec![graph.number(0.0); right.len()];
-    for (&row, &own) in bodies.rows.iter().zip(&others) {
-        all[row] = own;
+    for (&row, &multiplier) in bodies.rows.iter().zip(&others) {
+        all[row] = multiplier;
     }
     for body in &bodies.all {
         let [mut by_u, mut by_w] = body.entries(right);
-        for (&row, &own) in bodies.rows.iter().zip(&others) {
+        for (&row, &multiplier) in bodies.rows.iter().zip(&others) {
             let [of_u, of_w] = body.entries(&matrix[row]);
-            (by_u, by_w) = (by_u - own * of_u, by_w - own * of_w);
+            (by_u, by_w) = (by_u - multiplier * of_u, by_w - multiplier * of_w);
         }
         let [u, w] = body.axes;
-        let own = [by_u.dot(u), by_w.dot(w), 0.5 * (by_u.dot(w) + by_w.dot(u))];
-        for (&row, own) in body.rows.iter().zip(own) {
-            all[row] = own;
+        let multipliers = [by_u.dot(u), by_w.dot(w), 0.5 * (by_u.dot(w) + by_w.dot(u))];
+        for (&row, multiplier) in body.rows.iter().zip(multipliers) {
+            all[row] = multiplier;
         }
     }
     all

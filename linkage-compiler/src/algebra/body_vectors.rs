@@ -24,7 +24,7 @@ pub(crate) fn note_body_vector<'m>(
             Node::Symbol(_) | Node::Constant(_)
         );
         if is_operation {
-            let own = BodyVector {
+            let body_vector = BodyVector {
                 axes,
                 vector,
                 component,
@@ -33,7 +33,7 @@ pub(crate) fn note_body_vector<'m>(
             algebra
                 .solutions
                 .body_vectors
-                .insert(vector[component].id(), own);
+                .insert(vector[component].id(), body_vector);
         }
     }
 }
@@ -54,17 +54,19 @@ pub(crate) fn directions(axes: [V3<'_>; 2]) -> Option<[SymbolId; 6]> {
 pub(crate) fn coordinates<'m>(vector: V3<'m>, axes: [V3<'m>; 2]) -> Option<V3<'m>> {
     let seen = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0].map(|x| vector[0].number(x));
     let seen = directions(axes)?.into_iter().zip(seen).collect();
-    let own: V3 = Vector(substitute(&vector.0, &seen).try_into().ok()?);
+    let local: V3 = Vector(substitute(&vector.0, &seen).try_into().ok()?);
     let [first, second] = axes;
-    let shown = own[0] * first + own[1] * second + own[2] * first.cross(second);
+    let shown = local[0] * first + local[1] * second + local[2] * first.cross(second);
     let mut pairs = shown.0.into_iter().zip(vector.0);
-    pairs.all(|(shown, component)| agree(shown, component)).then_some(own)
+    pairs
+        .all(|(shown, component)| agree(shown, component))
+        .then_some(local)
 }
 
 /// Notes that an unknown frame carries a vector, if it does.
 pub(crate) fn note_if_on_body<'m>(algebra: &mut Algebra<'m>, v: V3<'m>) {
-    if let Some((own, axes)) = coordinates_on_body(algebra, v) {
-        note_body_vector(algebra, v, own, axes);
+    if let Some((local, axes)) = coordinates_on_body(algebra, v) {
+        note_body_vector(algebra, v, local, axes);
     }
 }
 
@@ -75,14 +77,14 @@ pub(crate) fn coordinates_on_body<'m>(
     v: V3<'m>,
 ) -> Option<(V3<'m>, [V3<'m>; 2])> {
     let bodies = unknown_frames::bodies_of_space(algebra.mechanism).into_iter();
-    let mut own = bodies.filter_map(|(_, parts)| {
+    let mut found = bodies.filter_map(|(_, parts)| {
         let axes = [parts[1], parts[2]].map(|axis| algebra.names.numbers_of(axis).try_into());
         let [Ok(first), Ok(second)] = axes else {
             return None;
         };
         let axes = [first, second].map(Vector);
-        let own = coordinates(v, axes)?;
-        own.is_fixed().then_some((own, axes))
+        let local = coordinates(v, axes)?;
+        local.is_fixed().then_some((local, axes))
     });
-    own.next()
+    found.next()
 }

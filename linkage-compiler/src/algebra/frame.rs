@@ -38,13 +38,13 @@ pub(crate) fn frame<'m>(algebra: &mut Algebra<'m>, arguments: &[Value<'m>]) -> V
 /// Returns the direction of a vector. A vector on an unknown frame is as long as its coordinates
 /// there are, which the derivatives of its length do not know.
 pub(crate) fn unit_in_space<'m>(algebra: &mut Algebra<'m>, v: V3<'m>) -> V3<'m> {
-    let Some((own, axes)) = body_vectors::coordinates_on_body(algebra, v) else {
+    let Some((local, axes)) = body_vectors::coordinates_on_body(algebra, v) else {
         return v.unit();
     };
-    let length = Vn::from(own).length();
-    let [unit, own] = [v, own].map(|v| v.map(|x| x / length));
+    let length = Vn::from(local).length();
+    let [unit, local] = [v, local].map(|v| v.map(|x| x / length));
     unit.mark_unit();
-    body_vectors::note_body_vector(algebra, unit, own, axes);
+    body_vectors::note_body_vector(algebra, unit, local, axes);
     unit
 }
 

@@ -139,16 +139,16 @@ fn by_laws<'m>(
     let from = choice.among_pieces(
         &with_neighbour
             .iter()
-            .map(|own| own.from)
+            .map(|piece| piece.from)
             .collect::<Vec<_>>(),
     );
     let height = choice.among_pieces(
         &with_neighbour
             .iter()
-            .map(|own| own.height)
+            .map(|piece| piece.height)
             .collect::<Vec<_>>(),
     );
-    let laws: Vec<Law> = with_neighbour.iter().map(|own| own.law).collect();
+    let laws: Vec<Law> = with_neighbour.iter().map(|piece| piece.law).collect();
     let way = along - from;
     let rate = choice.among_pieces(&rates);
     let x = way * rate;
@@ -160,7 +160,7 @@ fn by_laws<'m>(
 /// The place, or NaN if knots that are no numbers are out of order, which other dimensions may lead
 /// to: that is found in `assemble()`.
 fn if_ordered<'m>(along: Ex<'m>, knots: &[(Ex<'m>, Ex<'m>)]) -> Ex<'m> {
-    let widths = knots.windows(2).map(|own| own[1].0 - own[0].0);
+    let widths = knots.windows(2).map(|ends| ends[1].0 - ends[0].0);
     let open = widths.filter(|width| width.constant_value().is_none());
     match open.reduce(Ex::min) {
         Some(least) => along + least.select(along.number(0.0), along.number(f64::NAN)),

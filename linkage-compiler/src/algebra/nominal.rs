@@ -105,7 +105,7 @@ impl Angle<'_> {
     /// The model's unknown that this angle is, or stands for.
     pub(crate) fn meant(&self) -> Option<usize> {
         let stands_for = self.stands_for.as_ref();
-        self.unknown.or(stands_for.map(|own| own.unknown))
+        self.unknown.or(stands_for.map(|other| other.unknown))
     }
 
     /// Its start estimate; 0 for a link that the compiler introduced, whose angle nobody can ask
@@ -122,7 +122,7 @@ impl Angle<'_> {
     pub(crate) fn summands(&self) -> Vec<(usize, f64)> {
         match (self.unknown, &self.stands_for) {
             (Some(unknown), _) => vec![(unknown, 1.0)],
-            (None, Some(own)) => own.summands.clone(),
+            (None, Some(other)) => other.summands.clone(),
             (None, None) => Vec::new(),
         }
     }
@@ -136,8 +136,8 @@ impl Names<'_> {
         let found = all.find_map(|(bound, estimates)| match bound {
             Bound::Angle(_) => None,
             Bound::Lengths(symbols) => {
-                let own = symbols.iter().position(|(own, _)| *own == symbol)?;
-                estimates.get(own).copied()
+                let component = symbols.iter().position(|(other, _)| *other == symbol)?;
+                estimates.get(component).copied()
             }
         });
         found.unwrap_or(0.0)

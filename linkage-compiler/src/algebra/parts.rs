@@ -70,7 +70,7 @@ pub(crate) fn factors<'m>(algebra: &Algebra<'m>, term: Ex<'m>) -> (Vec<AnglePair
                 open.push(ex(a));
             }
             _ => match angle_pair_of(algebra, x) {
-                Some((angle, sine)) if angles.iter().all(|(own, _)| *own != angle) => {
+                Some((angle, sine)) if angles.iter().all(|(found, _)| *found != angle) => {
                     angles.push((angle, sine));
                 }
                 _ => factor = factor * x,

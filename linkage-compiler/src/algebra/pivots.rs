@@ -161,8 +161,8 @@ impl Left {
     }
 
     fn eliminate(&mut self, row: usize, column: usize) {
-        self.rows.retain(|&own| own != row);
-        self.columns.retain(|&own| own != column);
+        self.rows.retain(|&index| index != row);
+        self.columns.retain(|&index| index != column);
         let pivot = self.values[row][column];
         for &i in &self.rows {
             if self.zero[i][column] {
@@ -219,8 +219,8 @@ pub(crate) fn solve_once_in_order<'m>(
     right: &[Ex<'m>],
 ) -> InOrder<'m> {
     if order.pivots.is_empty() {
-        eliminate_in_order(graph, order, matrix, right, |rest, own| {
-            cofactors::cramer(graph, rest, own)
+        eliminate_in_order(graph, order, matrix, right, |rest, known| {
+            cofactors::cramer(graph, rest, known)
         })
     } else {
         solve_in_order(graph, order, matrix, right)
@@ -240,18 +240,18 @@ fn eliminate_in_order<'m>(
     let mut open: Vec<usize> = (0..right.len()).collect();
     let mut inverses = Vec::new();
     for &Pivot { row, column, least } in &order.pivots {
-        open.retain(|&own| own != row);
+        open.retain(|&index| index != row);
         let pivot = guarded(matrix[row][column], least);
         determinant = determinant * pivot;
         let inverse = graph.number(1.0) / pivot;
         inverses.push(inverse);
-        let (own, known) = (matrix[row].clone(), right[row]);
+        let (pivot_row, known) = (matrix[row].clone(), right[row]);
         for &i in &open {
             let factor = matrix[i][column] * inverse;
             if factor.is_zero() {
                 continue;
             }
-            for (entry, &above) in matrix[i].iter_mut().zip(&own) {
+            for (entry, &above) in matrix[i].iter_mut().zip(&pivot_row) {
                 *entry -= factor * above;
             }
             matrix[i][column] = graph.number(0.0);
@@ -266,8 +266,8 @@ fn eliminate_in_order<'m>(
     let known: Vec<Ex> = order.rows.iter().map(|&row| right[row]).collect();
     let (numerators, of_rest) = solve(&rest, &known);
     let mut solution = vec![graph.number(0.0); right.len()];
-    for (&column, own) in order.columns.iter().zip(numerators) {
-        solution[column] = own / of_rest;
+    for (&column, numerator) in order.columns.iter().zip(numerators) {
+        solution[column] = numerator / of_rest;
     }
     for (pivot, &inverse) in order.pivots.iter().zip(&inverses).rev() {
         let row = pivot.row;

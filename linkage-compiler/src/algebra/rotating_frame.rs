@@ -29,13 +29,13 @@ pub(crate) fn in_rotating_frame<'m>(
     vector: V2<'m>,
 ) -> Option<InRotatingFrame<'m>> {
     let parts = parts::parts(algebra, guide);
-    let [(angles, own)] = &parts.turning[..] else {
+    let [(angles, part)] = &parts.turning[..] else {
         return None;
     };
-    if !(parts.fixed.is_zero() && own.is_fixed()) {
+    if !(parts.fixed.is_zero() && part.is_fixed()) {
         return None;
     }
-    let backward = own.backward()?;
+    let backward = part.backward()?;
     let turns = AngleSum {
         angles: angles.clone(),
         backward,
@@ -50,7 +50,7 @@ pub(crate) fn in_rotating_frame<'m>(
             _ => sum - angle,
         }
     });
-    let start = own.arm();
+    let start = part.arm();
     if guide.is_unit() {
         // Turning does not stretch.
         start.mark_unit();
@@ -146,19 +146,19 @@ pub(crate) fn to_frame<'m>(
         algebra.graph.define(symbol, value.id());
         (symbol, algebra.graph.ex(node))
     });
-    let own = Vector(symbols.map(|(_, x)| x));
+    let in_frame = Vector(symbols.map(|(_, x)| x));
     for (component, (symbol, _)) in symbols.into_iter().enumerate() {
         let seen = ToFrame {
             carrier,
             vector,
-            in_frame: own,
+            in_frame,
             component,
         };
         algebra
             .solutions
             .set_rule(symbol, Rule::ToFrame(Box::new(seen)));
     }
-    own
+    in_frame
 }
 
 /// `base` and a vector along the axis of a frame and across, in fixed coordinates.

@@ -55,7 +55,10 @@ fn difference<'m>(algebra: &Algebra<'m>, a: Ex<'m>, b: Ex<'m>) -> Ex<'m> {
     for (sum, sign) in [(a, 1.0), (b, -1.0)] {
         for (known, term) in terms_of_sum(sum) {
             let known = algebra.graph.number(sign) * known;
-            match terms.iter_mut().find(|(own, _)| *own == term.id()) {
+            match terms
+                .iter_mut()
+                .find(|(known_term, _)| *known_term == term.id())
+            {
                 Some((_, factor)) => *factor += known,
                 None => terms.push((term.id(), known)),
             }

@@ -26,7 +26,7 @@ fn sentence(position: &Position<'_, '_>, rows: &LoopRows, last: f64) -> Option<S
     let motion = motion::motion(position, rows, last)?;
     let dependent = dependent(rows, last).into_iter().next();
     Some(
-        match dependent.and_then(|own| dependence(position, rows, &own)) {
+        match dependent.and_then(|rows_of_set| dependence(position, rows, &rows_of_set)) {
             Some(why) => format!("{motion}, since {why}"),
             None => motion,
         },

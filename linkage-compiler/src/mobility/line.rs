@@ -50,9 +50,9 @@ pub(crate) fn shape_of_links(
 
 /// A row as a line, if it is one of a body alone.
 fn line(position: &Position<'_, '_>, rows: &LoopRows, row: usize) -> Option<Line> {
-    let own = &rows.matrix[row];
-    let most = largest(own);
-    let used = (0..own.len()).filter(|&k| own[k].abs() > LITTLE * most);
+    let entries = &rows.matrix[row];
+    let most = largest(entries);
+    let used = (0..entries.len()).filter(|&k| entries[k].abs() > LITTLE * most);
     let mut movers: Vec<usize> = used.map(|k| rows.columns[k].0).collect();
     movers.dedup();
     let [mover] = movers[..] else { return None };
@@ -63,8 +63,8 @@ fn line(position: &Position<'_, '_>, rows: &LoopRows, row: usize) -> Option<Line
         .columns
         .iter()
         .position(|column| *column == (mover, 0))?;
-    let along: Vector = [0, 1, 2].map(|k| own[first + k]);
-    let moment: Vector = [0, 1, 2].map(|k| own[first + 3 + k]);
+    let along: Vector = [0, 1, 2].map(|k| entries[first + k]);
+    let moment: Vector = [0, 1, 2].map(|k| entries[first + 3 + k]);
     let size = norm(along);
     let is_line = size > LITTLE * most && dot(along, moment).abs() <= LITTLE * size * most;
     is_line.then(|| Line {

@@ -26,12 +26,12 @@ impl<'g> Loops<'g> {
         let mut algebra = Algebra::new(mechanism, graph);
         translate::translate_lets(&mut algebra);
         let (mut sides, mut rows) = (Vec::new(), Vec::new());
-        for (index, own) in mechanism.loops.iter().enumerate() {
+        for (index, equation) in mechanism.loops.iter().enumerate() {
             if unknown_frames::is_loop_of_frame(mechanism, index) {
                 continue;
             }
-            let halves = halves(&own.left.ty).max(halves(&own.right.ty));
-            for row in difference(&mut algebra, own) {
+            let halves = halves(&equation.left.ty).max(halves(&equation.right.ty));
+            for row in difference(&mut algebra, equation) {
                 rows.push((index, halves));
                 sides.push(row);
             }
@@ -61,9 +61,13 @@ impl<'g> Loops<'g> {
         for (bound, value) in self.algebra.names.bound.iter().zip(values) {
             match bound {
                 Bound::Angle(angle) => {
-                    let own = &self.algebra.names.angles[*angle];
+                    let symbols = &self.algebra.names.angles[*angle];
                     let (sin, cos) = value[0].sin_cos();
-                    known.extend([(own.cos, cos), (own.sin, sin), (own.value, value[0])]);
+                    known.extend([
+                        (symbols.cos, cos),
+                        (symbols.sin, sin),
+                        (symbols.value, value[0]),
+                    ]);
                 }
                 Bound::Lengths(symbols) => {
                     let symbols = symbols.iter().map(|(symbol, _)| *symbol);
@@ -84,8 +88,8 @@ impl<'g> Loops<'g> {
 }
 
 /// The left side of a loop without the right one, by component.
-pub(crate) fn difference<'m>(algebra: &mut Algebra<'m>, own: &Loop) -> Vec<Ex<'m>> {
-    let [left, right] = [&own.left, &own.right].map(|side| algebra.translate(side));
+pub(crate) fn difference<'m>(algebra: &mut Algebra<'m>, equation: &Loop) -> Vec<Ex<'m>> {
+    let [left, right] = [&equation.left, &equation.right].map(|side| algebra.translate(side));
     match (&left, &right) {
         (Value::Scalar(_), Value::Scalar(_)) => {
             vec![scalar::number(algebra, &left) - scalar::number(algebra, &right)]

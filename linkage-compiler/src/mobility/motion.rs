@@ -47,14 +47,14 @@ fn motion_text(position: &Position<'_, '_>, vector: &[f64], rows: &LoopRows) -> 
     let mut parts: Vec<String> = Vec::new();
     let mut unknowns: Vec<(usize, Vec<f64>)> = Vec::new();
     for (index, mover) in position.movers.iter().enumerate() {
-        let own = own_part(vector, rows, index);
-        if largest(&own) <= LITTLE * most {
+        let share = own_part(vector, rows, index);
+        if largest(&share) <= LITTLE * most {
             continue;
         }
         match mover {
             Movable::Body { name, origin, .. } => {
                 let origin = [0, 1, 2].map(|k| position.values[*origin][k]);
-                parts.push(format!("`{name}` can {}", twist(position, &own, origin)));
+                parts.push(format!("`{name}` can {}", twist(position, &share, origin)));
             }
             Movable::Component { unknown, component } => {
                 let count = position.values[*unknown].len();
@@ -62,7 +62,7 @@ fn motion_text(position: &Position<'_, '_>, vector: &[f64], rows: &LoopRows) -> 
                     unknowns.push((*unknown, vec![0.0; count]));
                 }
                 if let Some((_, change)) = unknowns.last_mut() {
-                    change[*component] = own[0] / most;
+                    change[*component] = share[0] / most;
                 }
             }
         }
@@ -92,7 +92,7 @@ fn motion_text(position: &Position<'_, '_>, vector: &[f64], rows: &LoopRows) -> 
 fn shown(position: &Position<'_, '_>, unknown: usize, share: f64) -> f64 {
     let degree = 1_f64.to_radians();
     let dimension = position.mechanism.unknowns[unknown].ty.dimension();
-    match dimension.is_some_and(|own| own.half_lengths != 0) {
+    match dimension.is_some_and(|dimension| dimension.half_lengths != 0) {
         true => rounded(share * degree * position.length, degree * position.length),
         // Whole thousandths of a degree.
         false => (share / THOUSANDTH).round() * THOUSANDTH * degree,
@@ -100,9 +100,9 @@ fn shown(position: &Position<'_, '_>, unknown: usize, share: f64) -> f64 {
 }
 
 /// A body's shift and turn, both as long as the longest length turns.
-fn twist(position: &Position<'_, '_>, own: &[f64], origin: Vector) -> String {
-    let shift: Vector = [0, 1, 2].map(|k| position.length * own[k]);
-    let turn: Vector = [0, 1, 2].map(|k| own[3 + k]);
+fn twist(position: &Position<'_, '_>, change: &[f64], origin: Vector) -> String {
+    let shift: Vector = [0, 1, 2].map(|k| position.length * change[k]);
+    let turn: Vector = [0, 1, 2].map(|k| change[3 + k]);
     if norm(turn) * position.length <= LITTLE * norm(shift) {
         return format!("shift along {}", direction(shift));
     }
@@ -152,8 +152,8 @@ fn direction(v: Vector) -> String {
 /// The shares of one that moves.
 fn own_part(vector: &[f64], rows: &LoopRows, mover: usize) -> Vec<f64> {
     let pairs = vector.iter().zip(&rows.columns);
-    let own = pairs.filter(|(_, column)| column.0 == mover);
-    own.map(|(x, _)| *x).collect()
+    let shares = pairs.filter(|(_, column)| column.0 == mover);
+    shares.map(|(x, _)| *x).collect()
 }
 
 /// Motions that are easy to tell: shifts by themselves, and turns without shifts that are possible
@@ -169,26 +169,29 @@ fn simple(mut all: Vec<Vec<f64>>, rows: &LoopRows, position: &Position) -> Vec<V
     // shifts.
     let mut turning = Vec::new();
     while let Some((index, place)) = largest_of(&all, &turns) {
-        let own = all.swap_remove(index);
+        let turn = all.swap_remove(index);
         for other in all.iter_mut().chain(&mut turning) {
-            let factor = other[place] / own[place];
-            take(other, factor, &own);
+            let factor = other[place] / turn[place];
+            take(other, factor, &turn);
         }
-        turning.push(own);
+        turning.push(turn);
     }
     let mut shifts: Vec<Vec<f64>> = Vec::new();
-    for mut own in all {
-        shifts.iter().for_each(|before| project(&mut own, before));
-        shifts.push(own);
+    for mut motion in all {
+        shifts
+            .iter()
+            .for_each(|before| project(&mut motion, before));
+        shifts.push(motion);
     }
-    for own in &mut turning {
-        shifts.iter().for_each(|shift| project(own, shift));
+    for motion in &mut turning {
+        shifts.iter().for_each(|shift| project(motion, shift));
     }
     let mut all = turning;
     all.extend(shifts);
-    all.sort_by_key(|own| {
-        own.iter()
-            .filter(|x| x.abs() > LITTLE * largest(own))
+    all.sort_by_key(|motion| {
+        motion
+            .iter()
+            .filter(|x| x.abs() > LITTLE * largest(motion))
             .count()
     });
     all
@@ -202,8 +205,10 @@ fn largest_of(all: &[Vec<f64>], turns: &[usize]) -> Option<(usize, usize)> {
     (share(&best) > LITTLE).then_some(best)
 }
 
-fn take(from: &mut [f64], factor: f64, own: &[f64]) {
-    from.iter_mut().zip(own).for_each(|(x, y)| *x -= factor * y);
+fn take(from: &mut [f64], factor: f64, direction: &[f64]) {
+    from.iter_mut()
+        .zip(direction)
+        .for_each(|(x, y)| *x -= factor * y);
 }
 
 fn project(from: &mut [f64], onto: &[f64]) {

@@ -93,8 +93,8 @@ impl<'w, 'm> Equations<Position<'w, 'm>> for Loops<'_> {
         changes: &[f64],
     ) -> Position<'w, 'm> {
         let mut next = at.clone();
-        for (&column, own) in rows.columns.iter().zip(changes) {
-            at.shift(&mut next.values, column, *own);
+        for (&column, change) in rows.columns.iter().zip(changes) {
+            at.shift(&mut next.values, column, *change);
         }
         next
     }

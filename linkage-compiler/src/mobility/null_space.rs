@@ -41,7 +41,8 @@ pub(crate) fn null_vectors(matrix: &[Vec<f64>], width: usize, last: f64) -> Vec<
     let mut pivots: Vec<usize> = Vec::new();
     while pivots.len() < rows.len() && !free.is_empty() {
         let done = pivots.len();
-        let places = (done..rows.len()).flat_map(|row| free.iter().map(move |&own| (row, own)));
+        let places =
+            (done..rows.len()).flat_map(|row| free.iter().map(move |&column| (row, column)));
         let size = |&(row, column): &(usize, usize)| rows[row][column].abs();
         let Some((row, column)) = places.max_by(|a, b| size(a).total_cmp(&size(b))) else {
             break;
@@ -54,17 +55,17 @@ pub(crate) fn null_vectors(matrix: &[Vec<f64>], width: usize, last: f64) -> Vec<
         }
         rows.swap(done, row);
         rows[done].iter_mut().for_each(|x| *x /= pivot);
-        let own = rows[done].clone();
+        let pivot_row = rows[done].clone();
         for (index, other) in rows.iter_mut().enumerate() {
             let factor = other[column];
             if index != done {
                 other
                     .iter_mut()
-                    .zip(&own)
+                    .zip(&pivot_row)
                     .for_each(|(x, y)| *x -= factor * y);
             }
         }
-        free.retain(|&own| own != column);
+        free.retain(|&index| index != column);
         pivots.push(column);
     }
     let vectors = free.iter().map(|&column| {

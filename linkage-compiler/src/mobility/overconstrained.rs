@@ -67,14 +67,14 @@ fn dependence_of(
 ) -> String {
     let others = set.iter().filter(|&&other| other != row);
     let others: Vec<usize> = others.map(|&other| rows.loops[other]).collect();
-    let own = loop_list([&rows.loops[row]]);
+    let named = loop_list([&rows.loops[row]]);
     let shape = line::shape_of_links(position, rows, set);
     let because = shape.map_or_else(String::new, |shape| format!(", since their links {shape}"));
     if others.is_empty() {
-        format!("{own} holds nothing")
+        format!("{named} holds nothing")
     } else {
         format!(
-            "{own} holds nothing that {} do not hold{because}",
+            "{named} holds nothing that {} do not hold{because}",
             loop_list(&others)
         )
     }

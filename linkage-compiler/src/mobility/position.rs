@@ -103,12 +103,12 @@ impl Position<'_, '_> {
                 let about: Vector = [0, 1, 2].map(|k| if k == way - 3 { 1.0 } else { 0.0 });
                 let (sin, cos) = step.sin_cos();
                 for &axis in axes {
-                    let own = [0, 1, 2].map(|k| values[axis][k]);
-                    let across = cross(about, own);
+                    let axis_before = [0, 1, 2].map(|k| values[axis][k]);
+                    let across = cross(about, axis_before);
                     // The part along the axis of the turn stays.
                     (0..3)
                         .filter(|&k| k != way - 3)
-                        .for_each(|k| values[axis][k] = own[k] * cos + across[k] * sin);
+                        .for_each(|k| values[axis][k] = axis_before[k] * cos + across[k] * sin);
                 }
             }
             Movable::Component { unknown, component } => {
@@ -158,5 +158,5 @@ fn make_rigid(values: &mut [Vec<f64>], axes: [usize; 2]) {
 }
 
 pub(crate) fn halves(ty: &Type) -> i32 {
-    ty.dimension().map_or(0, |own| own.half_lengths)
+    ty.dimension().map_or(0, |dimension| dimension.half_lengths)
 }

@@ -146,7 +146,7 @@ fn rod<'m>(
     };
     let (vector, length) = distance::space_distance(algebra, row, coordinates)?;
     let (places, factor, known) = point::moved_point(algebra, vector, &body.symbols[..3])?;
-    let is_whole = factor.constant_value().is_some_and(|own| own.abs() == 1.0);
+    let is_whole = factor.constant_value().is_some_and(|x| x.abs() == 1.0);
     if !is_whole || places != [0, 1, 2] {
         return None;
     }
@@ -176,8 +176,8 @@ fn local<'m>(algebra: &Algebra<'m>, body: &Body<'m>, vector: V3<'m>) -> Option<(
         if !agree(product, -turned_back) || !terms.is_empty() {
             return None;
         }
-        for (found, own) in found.iter_mut().zip(along) {
-            if !agree(*found.get_or_insert(own), own) {
+        for (found, component) in found.iter_mut().zip(along) {
+            if !agree(*found.get_or_insert(component), component) {
                 return None;
             }
         }

@@ -107,7 +107,7 @@ fn on_three_circles<'m>(
         kept.push(equation);
     }
     let mut left = without(coordinates, &explained);
-    left.extend(running.map(|own| own.angle));
+    left.extend(running.map(|circle| circle.angle));
     (kept, left)
 }
 
@@ -134,11 +134,11 @@ fn on_one_circle<'m>(
     let mut known = Map::new();
     let mut rows = Vec::new();
     for (place, open) in body.open.iter().enumerate() {
-        let (symbol, own) = (body.symbols[place], origin[place]);
+        let (symbol, component) = (body.symbols[place], origin[place]);
         match open {
-            Some(_) => explicit::make_explicit(analysis, symbol, own),
+            Some(_) => explicit::make_explicit(analysis, symbol, component),
             None => {
-                known.insert(symbol, own);
+                known.insert(symbol, component);
                 rows.push(circle::along(analysis.algebra, place).product(origin - given));
             }
         }
@@ -210,7 +210,7 @@ fn frame_of<'m>(points: [V3<'m>; 3], locals: [V3<'m>; 3]) -> [V3<'m>; 3] {
     let size = normal.square();
     // The edges and the normal of the known points are 1 along one of these each, and 0 along the
     // others.
-    let duals = [beside.cross(normal), normal.cross(along), normal].map(|own| own / size);
+    let duals = [beside.cross(normal), normal.cross(along), normal].map(|v| v / size);
     let turned = edges(points);
     let image = |shares: [Ex<'m>; 3]| {
         let parts = [0, 1, 2].map(|k| shares[k] * turned[k]);

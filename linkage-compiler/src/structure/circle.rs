@@ -67,7 +67,7 @@ fn held_by<'m>(
         let Some((places, factor, known)) = point::moved_point(algebra, vector, point) else {
             continue;
         };
-        let is_whole = factor.constant_value().is_some_and(|own| own.abs() == 1.0);
+        let is_whole = factor.constant_value().is_some_and(|x| x.abs() == 1.0);
         let end = -(known / factor);
         // Seen from points that move, a direction across both may vanish on the way.
         if is_whole && places == [0, 1, 2] && end.is_fixed() {
@@ -86,8 +86,8 @@ fn on_circle<'m>(
 ) -> Option<System<'m>> {
     let symbols = equations::point_symbols(point)?;
     let graph = analysis.algebra.graph;
-    let own = Vector([0, 1, 2].map(|k| graph.ex(graph.symbol_node(symbols[k]))));
-    let running = running(analysis, own, [first, second]);
+    let symbols_of_point = Vector([0, 1, 2].map(|k| graph.ex(graph.symbol_node(symbols[k]))));
+    let running = running(analysis, symbols_of_point, [first, second]);
     for (symbol, value) in symbols.into_iter().zip(running.point.0) {
         explicit::make_explicit(analysis, symbol, value);
     }
@@ -100,7 +100,7 @@ fn on_circle<'m>(
         explicit::substitute_in(analysis, equation, &gone, point);
     }
     let mut left: Vec<Coordinate> = coordinates.to_vec();
-    left.retain(|own| !point.contains(own));
+    left.retain(|coordinate| !point.contains(coordinate));
     left.push(running.angle);
     Some((kept, left))
 }

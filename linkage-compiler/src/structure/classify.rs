@@ -110,14 +110,14 @@ fn two_slides<'m>(
 /// True for a distance in the plane from a point that turns with an angle or slides along a line: a
 /// link, whether its length or the square of it is given.
 fn is_link<'m>(algebra: &Algebra<'m>, row: Ex<'m>, coordinate: &Coordinate) -> bool {
-    let own = std::slice::from_ref(coordinate);
-    let Some(Distance { vector, length }) = distance::distance(algebra, row, own) else {
+    let coordinates = std::slice::from_ref(coordinate);
+    let Some(Distance { vector, length }) = distance::distance(algebra, row, coordinates) else {
         return false;
     };
     if vector.len() != 2 || length.is_zero() {
         return false;
     }
-    let Some(mut rest) = polynomials::polynomials(algebra, &vector, own) else {
+    let Some(mut rest) = polynomials::polynomials(algebra, &vector, coordinates) else {
         return false;
     };
     let zero = algebra.zero();

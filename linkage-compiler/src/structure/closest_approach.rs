@@ -24,11 +24,11 @@ const DIGITS: f64 = 1000.0;
 pub(crate) fn short_of<'m>(
     analysis: &Analysis<'_, 'm>,
     equation: &Equation<'m>,
-    own: &[Coordinate],
+    unknowns: &[Coordinate],
 ) -> Option<String> {
     let rows: [Ex<'m>; 3] = equation.rows.clone().try_into().ok()?;
     let mut reached: Vec<Direction> = Vec::new();
-    for coordinate in own {
+    for coordinate in unknowns {
         let column = column(analysis, rows, coordinate)?;
         let across = reached.iter().fold(column, |rest, unit| {
             let along = dot(rest, *unit);
@@ -39,7 +39,7 @@ pub(crate) fn short_of<'m>(
         }
     }
     match reached[..] {
-        [only] if own.len() == 1 => Some(format!("it is moved along {} only", words(only))),
+        [only] if unknowns.len() == 1 => Some(format!("it is moved along {} only", words(only))),
         [only] => Some(format!("they move it along {} only", words(only))),
         [a, b] => Some(format!(
             "none of them moves it along {}",

@@ -58,9 +58,10 @@ fn solve<'m>(
         return;
     }
     for component in matching::components(&incidence, &matching) {
-        let own = |k: &usize| component.contains(&matching.equation_of[*k].unwrap_or(usize::MAX));
+        let is_member =
+            |k: &usize| component.contains(&matching.equation_of[*k].unwrap_or(usize::MAX));
         let coordinates: Vec<Coordinate> = (0..coordinates.len())
-            .filter(own)
+            .filter(is_member)
             .map(|k| coordinates[k].clone())
             .collect();
         let equations = component.iter().map(|&k| equations[k].clone()).collect();
@@ -106,7 +107,7 @@ fn push_group<'m>(
     coordinates: &[Coordinate],
     form: Form<'m>,
 ) {
-    let own = coordinates.iter().filter_map(|c| c.unknown);
+    let found = coordinates.iter().filter_map(|c| c.unknown);
     let eliminated = equations.iter().flat_map(|e| e.eliminated.iter().copied());
     let loops = equations.iter().flat_map(|e| e.loops.iter().copied());
     let mut loops: Vec<usize> = loops.collect();
@@ -127,7 +128,7 @@ fn push_group<'m>(
     analysis.structure.groups.push(Group {
         loops: sorted(loops),
         written: equations[0].written,
-        unknowns: sorted(own.chain(eliminated).collect()),
+        unknowns: sorted(found.chain(eliminated).collect()),
         form,
     });
 }

@@ -137,13 +137,13 @@ fn written_squares<'m>(
     let sign = terms.iter().find(|(_, x)| unknown(*x))?.0;
     let mut vector = Vec::new();
     let mut wanted = algebra.zero();
-    for (own, term) in terms {
+    for (added, term) in terms {
         match term.node() {
-            Node::Binary(Binary::Mul, a, b) if a == b && own == sign => {
+            Node::Binary(Binary::Mul, a, b) if a == b && added == sign => {
                 vector.push(term.graph().ex(a));
             }
             _ if unknown(term) => return None,
-            _ if own == sign => wanted -= term,
+            _ if added == sign => wanted -= term,
             _ => wanted += term,
         }
     }

@@ -62,12 +62,12 @@ fn by_double_angle<'m>(
             continue;
         };
         let double = analysis.algebra.names.add_angle("double", None);
-        let own = &analysis.algebra.names.angles[half];
-        let summands = own.summands().into_iter();
+        let angle = &analysis.algebra.names.angles[half];
+        let summands = angle.summands().into_iter();
         let summands = summands
             .map(|(unknown, sign)| (unknown, 2.0 * sign))
             .collect();
-        let stands_for = own.meant().map(|unknown| StandsFor { unknown, summands });
+        let stands_for = angle.meant().map(|unknown| StandsFor { unknown, summands });
         analysis.algebra.names.angles[double].stands_for = stands_for;
         let unit = analysis.algebra.names.angles[double].unit;
         let rows = rows.into_iter().map(|row| row.turned_with(unit));
@@ -98,8 +98,8 @@ fn squares_of<'m>(
     angle: usize,
     equation: &Equation<'m>,
 ) -> Option<Vec<SquaresOf<'m>>> {
-    let own = &algebra.names.angles[angle];
-    let symbols = own.symbols();
+    let angle = &algebra.names.angles[angle];
+    let symbols = angle.symbols();
     let zero = algebra.zero();
     let rows = equation.rows.iter().map(|&row| {
         let mut terms = collect(row, &symbols, &[])?;

@@ -69,12 +69,12 @@ fn find_relation<'m>(
             .map(|(_, index)| index)
             .collect();
         let whole = |index: &&usize| {
-            let own = relation.coefficient(Atom::Angle(**index));
+            let factor = relation.coefficient(Atom::Angle(**index));
             let mut others = relation
                 .terms
                 .iter()
                 .filter(|(a, _)| matches!(a, Atom::Angle(_)));
-            others.all(|(_, k)| (k / own).fract() == 0.0)
+            others.all(|(_, k)| (k / factor).fract() == 0.0)
         };
         let angle = *angles.iter().rev().find(whole).or(angles.last())?;
         Some((place, angle))
@@ -160,9 +160,9 @@ fn solve_point<'m>(
     let mut values = Vec::new();
     for (row, &x) in equation.rows.iter().enumerate() {
         let mut terms = collect(x, point, &[])?;
-        let mut own = vec![0; point.len()];
-        own[row] = 1;
-        let factor = terms.remove(&own)?;
+        let mut monomial = vec![0; point.len()];
+        monomial[row] = 1;
+        let factor = terms.remove(&monomial)?;
         let rest = terms.remove(&vec![0; point.len()]).unwrap_or(zero);
         if !terms.is_empty() || !factor.is_fixed() {
             return None;

@@ -16,15 +16,15 @@ pub(crate) fn solved_relation<'m>(
     angle: usize,
 ) -> Option<Scalar<'m>> {
     let relation = equation.relation.clone()?;
-    let own = relation.coefficient(Atom::Angle(angle));
+    let factor = relation.coefficient(Atom::Angle(angle));
     let own_symbols = algebra.names.angles[angle].symbols();
     let present = equations::symbols_of(algebra, &[relation.rest]);
-    if own == 0.0 || own_symbols.iter().any(|s| present.contains(s)) {
+    if factor == 0.0 || own_symbols.iter().any(|s| present.contains(s)) {
         return None;
     }
     let mut value = relation;
     value.terms.retain(|(atom, _)| *atom != Atom::Angle(angle));
-    Some(value.scaled(-1.0 / own))
+    Some(value.scaled(-1.0 / factor))
 }
 
 /// Makes an angle an explicit expression of others.

@@ -72,16 +72,16 @@ pub(crate) fn report_frames<'m>(
     for found in unknown_frames(analysis.algebra.mechanism) {
         let is_own = |&k: &usize| {
             let unknown = coordinates[k].unknown;
-            unknown.is_some_and(|own| found.unknowns.contains(&own))
+            unknown.is_some_and(|unknown| found.unknowns.contains(&unknown))
         };
-        let own: Vec<usize> = (0..coordinates.len()).filter(is_own).collect();
-        let open: Vec<usize> = own
+        let members: Vec<usize> = (0..coordinates.len()).filter(is_own).collect();
+        let open: Vec<usize> = members
             .iter()
             .copied()
             .filter(|&k| matching.equation_of[k].is_none())
             .collect();
         let surplus = (0..equations.len()).map(|k| {
-            let is_about = incidence[k].iter().any(|own_k| own.contains(own_k));
+            let is_about = incidence[k].iter().any(|own_k| members.contains(own_k));
             let free = equations[k].rows.len() - matching.coordinates_of[k].len();
             if is_about { free } else { 0 }
         });
@@ -90,10 +90,10 @@ pub(crate) fn report_frames<'m>(
             report_open(analysis, &found, open.len(), coordinates.len(), equations);
             let undetermined = |&k: &usize| matching::undetermined_with(k, incidence, matching).0;
             told.extend(open.iter().flat_map(undetermined));
-            told.extend(own);
+            told.extend(members);
         } else if surplus > 0 && told.is_empty() {
             report_held_twice(analysis, &found, surplus, coordinates, equations);
-            told.extend(own);
+            told.extend(members);
         }
     }
     told

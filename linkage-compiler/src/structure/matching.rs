@@ -139,7 +139,8 @@ pub(crate) fn undetermined_with(
                 equations.push(equation);
                 // Those that it determines, and those that nothing determines.
                 let undetermined = |other: &&usize| {
-                    matching.equation_of[**other].is_none_or(|own| own == equation)
+                    matching.equation_of[**other]
+                        .is_none_or(|determined_by| determined_by == equation)
                 };
                 for &other in contained.iter().filter(undetermined) {
                     if !coordinates.contains(&other) {

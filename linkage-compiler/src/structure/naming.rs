@@ -31,13 +31,13 @@ pub(crate) fn unknown_names<'c>(
 /// True if these are not all components of the first one's unknown.
 pub(crate) fn is_component(
     _algebra: &Algebra<'_>,
-    own: &[usize],
+    indices: &[usize],
     coordinates: &[Coordinate],
 ) -> bool {
-    let Some(unknown) = own.first().and_then(|&k| coordinates[k].unknown) else {
+    let Some(unknown) = indices.first().and_then(|&k| coordinates[k].unknown) else {
         return false;
     };
-    let of_it = own
+    let of_it = indices
         .iter()
         .filter(|&&k| coordinates[k].unknown == Some(unknown));
     let missing = coordinates.iter().filter(|c| c.unknown == Some(unknown));

@@ -36,8 +36,8 @@ pub(crate) fn classify_point<'m>(
             linear.push(space::linear_row(analysis.algebra, row, &symbols)?);
             continue;
         };
-        let (own, factor, known) = moved_point(analysis.algebra, vector, &symbols)?;
-        if places.get_or_insert_with(|| own.clone()) != &own {
+        let (columns, factor, known) = moved_point(analysis.algebra, vector, &symbols)?;
+        if places.get_or_insert_with(|| columns.clone()) != &columns {
             return None;
         }
         spheres.push(Sphere {
@@ -88,12 +88,12 @@ pub(crate) fn moved_point<'m>(
     for (component, row) in vector.components().enumerate() {
         let (factors, rest) = space::linear_row(algebra, row, symbols)?;
         known.0[component] = rest;
-        for (place, own) in places.iter_mut().zip(factors) {
-            if own.is_zero() {
+        for (place, entry) in places.iter_mut().zip(factors) {
+            if entry.is_zero() {
                 continue;
             }
-            let first = *factor.get_or_insert(own);
-            if place.replace(component).is_some() || !agree(first, own) {
+            let first = *factor.get_or_insert(entry);
+            if place.replace(component).is_some() || !agree(first, entry) {
                 return None;
             }
         }

@@ -48,16 +48,17 @@ pub(crate) fn redundant_loops<'m>(
     // remain.
     let others = equations.iter().filter(|e| e.loops != surplus.loops);
     let spare = std::iter::once(surplus).chain(others).find_map(|left_out| {
-        let own = found_by_itself(analysis.algebra, left_out, equations, coordinates);
-        let fits = left_out.rows.len() == own.len() + too_many;
-        let even: Option<Vec<&ConstantRatio>> = own
+        let determined = found_by_itself(analysis.algebra, left_out, equations, coordinates);
+        let fits = left_out.rows.len() == determined.len() + too_many;
+        let even: Option<Vec<&ConstantRatio>> = determined
             .iter()
             .map(|&k| {
                 even.iter()
                     .find(|e| coordinates[k].unknown == Some(e.unknown))
             })
             .collect();
-        let even = even.filter(|_| fits && remain_regular(&slopes, left_out, equations, &own))?;
+        let even =
+            even.filter(|_| fits && remain_regular(&slopes, left_out, equations, &determined))?;
         Some((left_out, even))
     });
     let mut like = "";
@@ -121,10 +122,10 @@ fn found_by_itself<'m>(
 /// `` `let chi = phi;` instead of the unknown``; nothing for none.
 fn lets_for(algebra: &Algebra<'_>, even: &[&ConstantRatio]) -> Option<String> {
     let mechanism = algebra.mechanism;
-    let lets = even.iter().map(|own| {
-        let unknown = &mechanism.unknowns[own.unknown].name;
+    let lets = even.iter().map(|ratio| {
+        let unknown = &mechanism.unknowns[ratio.unknown].name;
         let input = &mechanism.inputs[0].name;
-        format!("`let {unknown} = {};`", own.relation(input))
+        format!("`let {unknown} = {};`", ratio.relation(input))
     });
     let lets: Vec<String> = lets.collect();
     match &lets[..] {
@@ -258,7 +259,7 @@ fn constant_ratios(
             let rates = constant_ratio::candidate_rates(algebra, 0).into_iter();
             let rate = rates.into_iter().find(|rate| {
                 let mut all = places.iter().zip(found);
-                all.all(|(place, own)| (own[k] - angle - rate * (place[0] - x)).abs() < ALIKE)
+                all.all(|(place, angles)| (angles[k] - angle - rate * (place[0] - x)).abs() < ALIKE)
             })?;
             Some(ConstantRatio {
                 unknown: coordinate.unknown?,
@@ -274,13 +275,16 @@ fn remain_regular(
     slopes: &[Vec<f64>],
     left_out: &Equation,
     equations: &[Equation],
-    own: &[usize],
+    found: &[usize],
 ) -> bool {
     let rows = equations
         .iter()
         .flat_map(|e| vec![e.loops != left_out.loops; e.rows.len()]);
     let stays: Vec<bool> = rows.collect();
-    let columns = slopes.iter().enumerate().filter(|(k, _)| !own.contains(k));
+    let columns = slopes
+        .iter()
+        .enumerate()
+        .filter(|(k, _)| !found.contains(k));
     let columns = columns.map(|(_, column)| {
         let rows = column.iter().zip(&stays).filter(|(_, stays)| **stays);
         rows.map(|(x, _)| *x).collect()

@@ -156,8 +156,8 @@ fn report_surplus<'m>(
         let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
         let inputs = analysis.algebra.mechanism.inputs.len();
         let mobility = (inputs + coordinates.len()) as isize - rows as isize;
-        let own: Vec<Coordinate> = contained.iter().map(|&k| coordinates[k].clone()).collect();
-        let short = closest_approach::short_of(analysis, equation, &own);
+        let unknowns: Vec<Coordinate> = contained.iter().map(|&k| coordinates[k].clone()).collect();
+        let short = closest_approach::short_of(analysis, equation, &unknowns);
         let short = short.map_or_else(String::new, |short| format!(": {short}"));
         let link = match equation.rows.len() {
             3 => "; a link between two ball joints is one equation, `distance(a, b) = length`",

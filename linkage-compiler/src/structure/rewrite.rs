@@ -164,7 +164,7 @@ fn sum_of(algebra: &Algebra<'_>, base: usize, relative: usize, sign: f64) -> Opt
     let [base, relative] = [base, relative].map(|k| &algebra.names.angles[k]);
     let mut summands = relative.summands();
     let base = base.summands().into_iter();
-    summands.extend(base.map(|(unknown, own)| (unknown, sign * own)));
+    summands.extend(base.map(|(unknown, factor)| (unknown, sign * factor)));
     let unknown = relative.meant()?;
     Some(StandsFor { unknown, summands })
 }

@@ -130,7 +130,10 @@ pub(crate) fn independent(columns: &[Vec<f64>]) -> bool {
 fn least_squares(columns: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
     let trace: f64 = columns.iter().map(|column| dot(column, column)).sum();
     let lower = columns.iter().enumerate().map(|(i, column)| {
-        let mut row: Vec<f64> = columns[..=i].iter().map(|own| dot(column, own)).collect();
+        let mut row: Vec<f64> = columns[..=i]
+            .iter()
+            .map(|other| dot(column, other))
+            .collect();
         row[i] += DAMPING * trace;
         row
     });

@@ -14,9 +14,9 @@ pub(crate) fn classify_distance<'m>(
     row: Ex<'m>,
     coordinate: &Coordinate,
 ) -> Option<Form<'m>> {
-    let own = std::slice::from_ref(coordinate);
-    let (vector, length) = distance::space_distance(algebra, row, own)?;
-    let mut rest = polynomials::polynomials(algebra, &vector.0, own)?;
+    let coordinates = std::slice::from_ref(coordinate);
+    let (vector, length) = distance::space_distance(algebra, row, coordinates)?;
+    let mut rest = polynomials::polynomials(algebra, &vector.0, coordinates)?;
     let zero = algebra.zero();
     match coordinate.kind {
         CoordinateKind::Angle(angle) => {

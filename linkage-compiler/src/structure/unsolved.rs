@@ -29,9 +29,9 @@ pub(crate) fn report_unsolved<'m>(
     coordinates: &[Coordinate],
 ) {
     let loops = loop_list(equations.iter().flat_map(|e| &e.loops));
-    let own = coordinates.iter().filter_map(|c| c.unknown);
+    let found = coordinates.iter().filter_map(|c| c.unknown);
     let eliminated = equations.iter().flat_map(|e| e.eliminated.iter().copied());
-    let mut unknowns: Vec<usize> = own.chain(eliminated).collect();
+    let mut unknowns: Vec<usize> = found.chain(eliminated).collect();
     unknowns.sort_unstable();
     unknowns.dedup();
     let count: usize = unknowns

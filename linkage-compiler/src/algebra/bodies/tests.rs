@@ -92,16 +92,16 @@ fn check(bodies: usize, seed: u32) {
             assert!(off < 1e-9 * largest, "seed {seed}: {found} {known}");
         }
     };
-    let own = bodies::solve_by_scheme(graph, &scheme, &matrix, &right);
+    let found = bodies::solve_by_scheme(graph, &scheme, &matrix, &right);
     let known = pivots::solve_in_order(graph, &whole, &matrix, &right);
-    near(numbers(&own.solution), numbers(&known.solution));
-    near(numbers(&[own.determinant]), numbers(&[known.determinant]));
+    near(numbers(&found.solution), numbers(&known.solution));
+    near(numbers(&[found.determinant]), numbers(&[known.determinant]));
     let transposed: Vec<Vec<Ex>> = (0..size)
         .map(|column| matrix.iter().map(|row| row[column]).collect())
         .collect();
-    let own = bodies::solve_transposed_by_scheme(graph, &scheme, &matrix, &right);
+    let found = bodies::solve_transposed_by_scheme(graph, &scheme, &matrix, &right);
     let known = pivots::solve_in_order(graph, &whole.transposed(), &transposed, &right);
-    near(numbers(&own), numbers(&known.solution));
+    near(numbers(&found), numbers(&known.solution));
 }
 
 #[test]

@@ -73,13 +73,13 @@ fn acting_on_symbol<'m>(algebra: &mut Algebra<'m>, symbol: SymbolId) -> Given {
     let differentiated: Vec<Ex<'m>> = match algebra.solutions.rule(symbol) {
         None | Some(Rule::Unknown { .. } | Rule::Rate { .. }) => Vec::new(),
         Some(Rule::Follow(equal)) => vec![*equal],
-        Some(Rule::Rotation(own)) => vec![own.equal],
+        Some(Rule::Rotation(rotation)) => vec![rotation.equal],
         Some(Rule::TurnedVector(turning)) => turning.z.0.to_vec(),
         Some(Rule::ToFrame(seen)) => [&seen.vector.0[..], &parts_of(seen.carrier)].concat(),
         Some(Rule::FromFrame(shown)) => {
             [&shown.vector.0[..], &shown.base.0, &parts_of(shown.carrier)].concat()
         }
-        Some(Rule::Axis(own)) => parts_of(own.0).to_vec(),
+        Some(Rule::Axis(axis)) => parts_of(axis.0).to_vec(),
         Some(Rule::Cosine(rule) | Rule::Sine(rule) | Rule::Value(rule)) => {
             rule.carrier.iter().copied().flat_map(parts_of).collect()
         }

@@ -57,13 +57,13 @@ pub(crate) fn minus_slopes<'m>(
 fn minus_slope<'m>(
     algebra: &mut Algebra<'m>,
     sum: Ex<'m>,
-    own: &Multiplier<'m>,
+    multiplier: &Multiplier<'m>,
     variable: SymbolId,
 ) -> Ex<'m> {
-    let sum = sum - links::slope_of_links(algebra, own, variable);
-    let rows = own.factors.iter().enumerate();
+    let sum = sum - links::slope_of_links(algebra, multiplier, variable);
+    let rows = multiplier.factors.iter().enumerate();
     rows.fold(sum, |sum, (row, &factor)| {
-        sum - factor * slope_of_row(algebra, &own.system, row, variable)
+        sum - factor * slope_of_row(algebra, &multiplier.system, row, variable)
     })
 }
 
@@ -77,13 +77,14 @@ pub(crate) fn sweep<'m>(
     let zero = algebra.zero();
     let mut open: BTreeMap<System, Vec<Ex<'m>>> = BTreeMap::new();
     let mut flow = Flow::default();
-    let mut add = |own: &Algebra<'m>, open: &mut BTreeMap<_, _>, solved: Solved, weight: Ex<'m>| {
-        if is_end(own, &solved) {
-            *flow.ends.entry(solved).or_insert(zero) += weight;
-        } else {
-            add_weight(own, open, solved, weight);
-        }
-    };
+    let mut add =
+        |algebra: &Algebra<'m>, open: &mut BTreeMap<_, _>, solved: Solved, weight: Ex<'m>| {
+            if is_end(algebra, &solved) {
+                *flow.ends.entry(solved).or_insert(zero) += weight;
+            } else {
+                add_weight(algebra, open, solved, weight);
+            }
+        };
     for (solved, weight) in weights {
         add(algebra, &mut open, solved, weight);
     }
@@ -104,9 +105,11 @@ pub(crate) fn sweep<'m>(
         }
         flow.multipliers.push(found);
     }
-    for (place, own) in flow.multipliers.iter().enumerate() {
-        flow.acting
-            .add(place, &acting::acting_on_system(algebra, &own.system));
+    for (place, multiplier) in flow.multipliers.iter().enumerate() {
+        flow.acting.add(
+            place,
+            &acting::acting_on_system(algebra, &multiplier.system),
+        );
     }
     flow
 }
@@ -135,7 +138,10 @@ fn slope_of_row<'m>(
     let solution = algebra.solutions.groups[system.group].clone();
     if system.by.is_empty() {
         let mut slope = |algebra: &mut Algebra<'m>, x| partial::partial(algebra, x, variable);
-        let written = solution.rows.get(row).and_then(|own| own.links.as_ref());
+        let written = solution
+            .rows
+            .get(row)
+            .and_then(|written| written.links.as_ref());
         if let Some(links) = written {
             return rows::slope_of_squares(algebra, links, &mut slope);
         }

@@ -43,7 +43,7 @@ pub(crate) trait RuleCalculus<'m>: Calculus<'m> {
         };
         let rate = match rule {
             Rule::Follow(equal) => self.slope(equal, variable),
-            Rule::Rotation(own) => self.rate_of_rotation(&own, variable),
+            Rule::Rotation(rotation) => self.rate_of_rotation(&rotation, variable),
             Rule::Cosine(rule) => {
                 let rate = self.rate_of_angle(rule, variable);
                 -(rule.unit[1] * rate)
@@ -56,8 +56,8 @@ pub(crate) trait RuleCalculus<'m>: Calculus<'m> {
             Rule::TurnedVector(turning) => self.rate_of_turned_vector(&turning, variable),
             Rule::ToFrame(seen) => self.rate_of_to_frame(&seen, variable),
             Rule::FromFrame(shown) => self.rate_of_from_frame(&shown, variable),
-            Rule::Axis(own) => {
-                let (carrier, component) = *own;
+            Rule::Axis(axis) => {
+                let (carrier, component) = *axis;
                 self.rotation_of_frame(carrier, variable) * carrier.axis.perp()[component]
             }
             Rule::Unknown { group, position } => self.rate(group, position, Vec::new(), variable),
@@ -71,8 +71,8 @@ pub(crate) trait RuleCalculus<'m>: Calculus<'m> {
     }
 
     /// The derivative of a component of a turn.
-    fn rate_of_rotation(&mut self, own: &RotationRule<'m>, variable: SymbolId) -> Ex<'m> {
-        self.slope(own.equal, variable)
+    fn rate_of_rotation(&mut self, rule: &RotationRule<'m>, variable: SymbolId) -> Ex<'m> {
+        self.slope(rule.equal, variable)
     }
 
     fn rate_of_angle(&mut self, rule: AngleRule<'m>, variable: SymbolId) -> Ex<'m> {
@@ -87,7 +87,7 @@ pub(crate) trait RuleCalculus<'m>: Calculus<'m> {
     /// Returns the change as seen from the frame, and by its rotation, in fixed coordinates.
     fn rate_of_from_frame(&mut self, shown: &FromFrame<'m>, variable: SymbolId) -> Ex<'m> {
         let [change, base] =
-            [shown.vector, shown.base].map(|own| own.map(|x| self.slope(x, variable)));
+            [shown.vector, shown.base].map(|vector| vector.map(|x| self.slope(x, variable)));
         let turned = self.rotation_of_frame(shown.carrier, variable) * shown.vector.perp();
         rotating_frame::from_frame(self.algebra(), shown.carrier, change + turned, base)
             [shown.component]

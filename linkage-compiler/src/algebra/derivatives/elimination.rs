@@ -81,8 +81,8 @@ pub(crate) fn eliminate<'m>(
             let columns = solution.jacobian[..count].iter().zip(&rates);
             columns.fold(right[row], |sum, (column, &rate)| sum - column[row] * rate)
         });
-        let own = rows.map(|row| solution.jacobian[count + k][row]);
-        let rate = cofactors::product_sum(algebra.graph, &own, &left) / private.square;
+        let column = rows.map(|row| solution.jacobian[count + k][row]);
+        let rate = cofactors::product_sum(algebra.graph, &column, &left) / private.square;
         rates.push(name(algebra, count + k, rate));
     }
     rates
@@ -130,8 +130,8 @@ pub(crate) fn eliminate_transposed<'m>(
         }
     };
     for (row, factor) in elimination.rows.iter().zip(factors) {
-        for (k, &own) in row.factors.iter().enumerate() {
-            multipliers[row.first + k] += factor * own;
+        for (k, &share) in row.factors.iter().enumerate() {
+            multipliers[row.first + k] += factor * share;
         }
     }
     multipliers

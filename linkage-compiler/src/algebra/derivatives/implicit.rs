@@ -37,10 +37,10 @@ impl<'m> RuleCalculus<'m> for Algebra<'m> {
         self
     }
 
-    fn rate_of_rotation(&mut self, own: &RotationRule<'m>, variable: SymbolId) -> Ex<'m> {
-        match rotation_variation::second_rotation(self, own, variable) {
+    fn rate_of_rotation(&mut self, rule: &RotationRule<'m>, variable: SymbolId) -> Ex<'m> {
+        match rotation_variation::second_rotation(self, rule, variable) {
             Some(turn) => turn,
-            None => self.slope(own.equal, variable),
+            None => self.slope(rule.equal, variable),
         }
     }
 

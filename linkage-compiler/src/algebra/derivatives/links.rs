@@ -40,8 +40,10 @@ fn rates_of_rod<'m>(
     let &[x, y] = by else {
         return None;
     };
-    let fixed =
-        |own: &mut Algebra<'m>, v: V3<'m>| v.map(|c| own.slope(c, x) + own.slope(c, y)).is_zero();
+    let fixed = |algebra: &mut Algebra<'m>, v: V3<'m>| {
+        v.map(|c| algebra.slope(c, x) + algebra.slope(c, y))
+            .is_zero()
+    };
     if !rod.arms.into_iter().all(|arm| fixed(algebra, arm))
         || !algebra.slope(rod.length, x).is_zero()
         || !algebra.slope(rod.length, y).is_zero()
@@ -93,13 +95,13 @@ pub(crate) fn rates_by_products<'m>(
     }
     let determinant = solution.determinant;
     let lower = algebra.rates(group, before.to_vec());
-    let own = algebra.rates(group, vec![last]).rates;
+    let rates = algebra.rates(group, vec![last]).rates;
     let mut right = Vector([0, 1].map(|row| algebra.slope(lower.right[row], last)));
     for (link, &rate) in [first, second].iter().zip(&lower.rates) {
         let slope = link.z.map(|x| algebra.slope(x, last));
         right = right - rate * link.stretched(slope).perp();
     }
-    let [turned1, turned2] = [0, 1].map(|k| lower.rates[k] * own[k]);
+    let [turned1, turned2] = [0, 1].map(|k| lower.rates[k] * rates[k]);
     let along1 = right.dot(first.vector) + turned1 * first.square + turned2 * first.across;
     let along2 = right.dot(second.vector) + turned1 * second.across + turned2 * second.square;
     let numerators = [along2, -along1].into_iter().enumerate();
@@ -114,14 +116,14 @@ pub(crate) fn rates_by_products<'m>(
 /// one, `J^T l = w` makes `l . link = (w1 link x b - w2 link . link)/(a x b)`.
 pub(crate) fn slope_of_links<'m>(
     algebra: &mut Algebra<'m>,
-    own: &Multiplier<'m>,
+    multiplier: &Multiplier<'m>,
     variable: SymbolId,
 ) -> Ex<'m> {
     let mut sum = algebra.zero();
-    if !own.system.by.is_empty() {
+    if !multiplier.system.by.is_empty() {
         return sum;
     }
-    let solution = algebra.solutions.groups[own.system.group].clone();
+    let solution = algebra.solutions.groups[multiplier.system.group].clone();
     for (position, link) in solution.links.iter().enumerate() {
         let Some(link) = link else {
             continue;
@@ -136,7 +138,7 @@ pub(crate) fn slope_of_links<'m>(
         }
         // The relative change of its length, and its turn.
         let change = slope.turned_back(link.z);
-        let [w1, w2] = [0, 1].map(|k| own.weights[k] / solution.determinant);
+        let [w1, w2] = [0, 1].map(|k| multiplier.weights[k] / solution.determinant);
         let [across, square] = [link.across, link.square].map(|x| change[0] * x);
         sum += match position {
             0 => w1 * across - w2 * square,
@@ -144,7 +146,7 @@ pub(crate) fn slope_of_links<'m>(
         };
         if !algebra.vanishes(change[1]) {
             // The weight itself would do, but would not be NaN where the loop does not close.
-            let factors = Vector([own.factors[0], own.factors[1]]);
+            let factors = Vector([multiplier.factors[0], multiplier.factors[1]]);
             sum += change[1] * factors.dot(link.vector.perp());
         }
     }

@@ -28,7 +28,7 @@ fn behind(algebra: &mut Algebra<'_>, symbol: SymbolId) -> BTreeSet<Solved> {
     let behind = match algebra.solutions.rule(symbol).cloned() {
         None => BTreeSet::new(),
         Some(Rule::Follow(equal)) => mentioned_in(algebra, &[equal]),
-        Some(Rule::Rotation(own)) => mentioned_in(algebra, &[own.equal]),
+        Some(Rule::Rotation(rotation)) => mentioned_in(algebra, &[rotation.equal]),
         Some(Rule::ToFrame(seen)) => {
             let mut behind = mentioned_in(algebra, &seen.vector.0);
             behind.extend(mentioned_in(algebra, &[seen.carrier.angle]));
@@ -39,7 +39,7 @@ fn behind(algebra: &mut Algebra<'_>, symbol: SymbolId) -> BTreeSet<Solved> {
             let [base_x, base_y] = shown.base.0;
             mentioned_in(algebra, &[x, y, base_x, base_y, shown.carrier.angle])
         }
-        Some(Rule::Axis(own)) => mentioned_in(algebra, &[own.0.angle]),
+        Some(Rule::Axis(axis)) => mentioned_in(algebra, &[axis.0.angle]),
         Some(Rule::TurnedVector(turning)) => {
             let mut behind = mentioned_in(algebra, &turning.z.0);
             behind.insert(result(turning.group, turning.position, Vec::new()));
@@ -88,5 +88,8 @@ pub(crate) fn mentioned_by<'m>(algebra: &mut Algebra<'m>, system: &System) -> Ve
 /// The groups whose unknowns the equations of a group mention.
 pub(crate) fn groups_before(algebra: &mut Algebra<'_>, group: usize) -> BTreeSet<usize> {
     let mentioned = mentioned_by(algebra, &System::new(group, Vec::new()));
-    mentioned.into_iter().map(|own| own.system.group).collect()
+    mentioned
+        .into_iter()
+        .map(|solved| solved.system.group)
+        .collect()
 }

@@ -35,10 +35,12 @@ pub(crate) fn find_intermediates<'m>(algebra: &mut Algebra<'m>, results: &[Ex<'m
     }
     let mut narrow = BTreeSet::new();
     // The last group first.
-    while let Some(group) = hanging.keys().next_back().map(|own| own.system.group) {
+    while let Some(group) = hanging.keys().next_back().map(|solved| solved.system.group) {
         let used = hanging.split_off(&first_of(group));
         let behind: BTreeSet<&Behind> = used.values().flatten().collect();
-        let are_results = behind.iter().all(|own| matches!(own, Behind::Result(_)));
+        let are_results = behind
+            .iter()
+            .all(|dependent| matches!(dependent, Behind::Result(_)));
         let is_narrow = used.len() < behind.len() || are_results;
         for (solved, behind) in &used {
             for earlier in mentioned_by_group(algebra, &solved.system) {
@@ -102,19 +104,24 @@ pub(crate) fn derivative_through<'m>(
 fn through_intermediates<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> ThroughIntermediates<'m> {
     let zero = algebra.zero();
     let weights = adjoint::weights_of(algebra, x);
-    let mut flow = adjoint::sweep(algebra, weights, |own, solved| is_intermediate(own, solved));
+    let mut flow = adjoint::sweep(algebra, weights, |algebra, solved| {
+        is_intermediate(algebra, solved)
+    });
     let mut open = std::mem::take(&mut flow.ends);
     let mut places = BTreeMap::new();
     while let Some((place, weight)) = open.pop_last() {
-        for (earlier, own) in &flow_of(algebra, &place).ends {
-            *open.entry(earlier.clone()).or_insert(zero) += weight * *own;
+        for (earlier, share) in &flow_of(algebra, &place).ends {
+            *open.entry(earlier.clone()).or_insert(zero) += weight * *share;
         }
         places.insert(place, weight);
     }
     let mut acting = ByParameter::default();
     for (index, place) in places.keys().enumerate() {
-        for own in &flow_of(algebra, place).multipliers {
-            acting.add(index, &acting::acting_on_system(algebra, &own.system));
+        for multiplier in &flow_of(algebra, place).multipliers {
+            acting.add(
+                index,
+                &acting::acting_on_system(algebra, &multiplier.system),
+            );
         }
     }
     ThroughIntermediates {
@@ -135,8 +142,8 @@ fn flow_of<'m>(algebra: &mut Algebra<'m>, place: &Solved) -> Rc<Flow<'m>> {
     }
     let group = place.system.group;
     let weights = vec![(place.clone(), algebra.one())];
-    let flow = Rc::new(adjoint::sweep(algebra, weights, |own, solved| {
-        solved.system.group < group && is_intermediate(own, solved)
+    let flow = Rc::new(adjoint::sweep(algebra, weights, |algebra, solved| {
+        solved.system.group < group && is_intermediate(algebra, solved)
     }));
     let all = &mut algebra.derivatives.adjoints.of_intermediates;
     all.insert(place.clone(), Rc::clone(&flow));

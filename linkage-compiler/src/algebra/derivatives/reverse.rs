@@ -117,7 +117,7 @@ fn below_node<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> Vec<Item> {
     match algebra.solutions.rule(symbol) {
         None => Vec::new(),
         Some(Rule::Follow(equal)) => vec![Item::Node(equal.id())],
-        Some(Rule::Rotation(own)) => vec![Item::Node(own.equal.id())],
+        Some(Rule::Rotation(rotation)) => vec![Item::Node(rotation.equal.id())],
         Some(Rule::TurnedVector(turning)) => {
             let z = turning.z.ids().map(Item::Node);
             [&z[..], &[system(turning.group, &[])]].concat()
@@ -127,10 +127,11 @@ fn below_node<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> Vec<Item> {
             [&vector[..], &below_carrier(seen.carrier)].concat()
         }
         Some(Rule::FromFrame(shown)) => {
-            let [vector, base] = [shown.vector, shown.base].map(|own| own.ids().map(Item::Node));
+            let [vector, base] =
+                [shown.vector, shown.base].map(|vector| vector.ids().map(Item::Node));
             [&vector[..], &base[..], &below_carrier(shown.carrier)].concat()
         }
-        Some(Rule::Axis(own)) => below_carrier(own.0),
+        Some(Rule::Axis(axis)) => below_carrier(axis.0),
         Some(Rule::Cosine(rule) | Rule::Sine(rule) | Rule::Value(rule)) => {
             let mut below = vec![system(rule.group, &[])];
             below.extend(rule.carrier.into_iter().flat_map(below_carrier));
@@ -153,7 +154,7 @@ fn symbol_back<'m>(
     };
     match rule {
         Rule::Follow(equal) => add_to_node(algebra, weights, equal.id(), weight),
-        Rule::Rotation(own) => add_to_node(algebra, weights, own.equal.id(), weight),
+        Rule::Rotation(rotation) => add_to_node(algebra, weights, rotation.equal.id(), weight),
         Rule::Cosine(rule) => add_to_angle(algebra, weights, rule, -(rule.unit[1] * weight)),
         Rule::Sine(rule) => add_to_angle(algebra, weights, rule, rule.unit[0] * weight),
         Rule::Value(rule) => add_to_angle(algebra, weights, rule, weight),
@@ -172,8 +173,8 @@ fn symbol_back<'m>(
         Rule::ToFrame(seen) => {
             let [x, y] = seen.carrier.axis.0;
             let factors = [[x, y], [-y, x]][seen.component];
-            for (own, factor) in seen.vector.components().zip(factors) {
-                add_to_node(algebra, weights, own.id(), factor * weight);
+            for (x, factor) in seen.vector.components().zip(factors) {
+                add_to_node(algebra, weights, x.id(), factor * weight);
             }
             let share = -(seen.in_frame.perp()[seen.component] * weight);
             add_to_carrier(algebra, weights, seen.carrier, share);
@@ -183,15 +184,15 @@ fn symbol_back<'m>(
             add_to_node(algebra, weights, shown.base[component].id(), weight);
             let [x, y] = shown.carrier.axis.0;
             let factors = [[x, -y], [y, x]][component];
-            for (own, factor) in shown.vector.components().zip(factors) {
-                add_to_node(algebra, weights, own.id(), factor * weight);
+            for (x, factor) in shown.vector.components().zip(factors) {
+                add_to_node(algebra, weights, x.id(), factor * weight);
             }
             let turned = shown.vector.turned(shown.carrier.axis).perp();
             let share = turned[component] * weight;
             add_to_carrier(algebra, weights, shown.carrier, share);
         }
-        Rule::Axis(own) => {
-            let (carrier, component) = *own;
+        Rule::Axis(axis) => {
+            let (carrier, component) = *axis;
             let share = carrier.axis.perp()[component] * weight;
             add_to_carrier(algebra, weights, carrier, share);
         }
@@ -215,10 +216,10 @@ fn symbol_back<'m>(
 /// Hands the multipliers of a system to its coefficients: `-l . F` for loops, `-l . (J r - right)`
 /// for rates.
 fn system_back<'m>(algebra: &mut Algebra<'m>, weights: &mut Weights<'m>, system: &System) {
-    let Some(own) = weights.systems.get(system).cloned() else {
+    let Some(found) = weights.systems.get(system).cloned() else {
         return;
     };
-    let multipliers = adjoint::solve_transposed(algebra, system.group, &own);
+    let multipliers = adjoint::solve_transposed(algebra, system.group, &found);
     let solution = algebra.solutions.groups[system.group].clone();
     let rates = if system.by.is_empty() {
         None
@@ -289,11 +290,11 @@ fn add_to_system<'m>(
 ) {
     let count = algebra.solutions.groups[system.group].jacobian.len();
     let zero = algebra.zero();
-    let own = weights
+    let found = weights
         .systems
         .entry(system)
         .or_insert_with(|| vec![zero; count]);
-    own[position] += share;
+    found[position] += share;
 }
 
 /// Returns the nodes that a frame rotates with.

@@ -20,17 +20,17 @@ pub(crate) fn slope_of_body_vector(
     if algebra.derivatives.held > 0 {
         return None;
     }
-    let own = algebra.solutions.body_vectors.get(&node)?.clone();
+    let carried = algebra.solutions.body_vectors.get(&node)?.clone();
     algebra.derivatives.offered.turns = true;
     if !algebra.solutions.shortcuts.turns {
         return None;
     }
-    let mut coordinates = own.coordinates.0.into_iter();
+    let mut coordinates = carried.coordinates.0.into_iter();
     if !coordinates.all(|x| algebra.slope(x, variable).is_zero()) {
         return None;
     }
-    let turn = rotation_of_body_with(algebra, &own.axes, variable)?;
-    Some(turn.cross(own.vector)[own.component].id())
+    let turn = rotation_of_body_with(algebra, &carried.axes, variable)?;
+    Some(turn.cross(carried.vector)[carried.component].id())
 }
 
 /// The turns of the bodies of a group by two variables.
@@ -110,7 +110,7 @@ pub(crate) fn rotation_of_body_with<'m>(
     let turn = *rotations_by(algebra, group, variable)?.get(body)?;
     let equal = rotation_of_directions(algebra, [u, w], variable);
     let by = vec![variable];
-    let own = [0, 1, 2].map(|component| {
+    let symbols = [0, 1, 2].map(|component| {
         let rule = RotationRule {
             group,
             body,
@@ -120,7 +120,7 @@ pub(crate) fn rotation_of_body_with<'m>(
         };
         rotation_as_symbol(algebra, turn[component], rule)
     });
-    Some(Vector(own))
+    Some(Vector(symbols))
 }
 
 /// Returns the turn of two perpendicular directions, from their derivatives: `u x u' + (w' . (u x
@@ -138,10 +138,10 @@ fn rotation_of_directions<'m>(
 /// derivatives.
 pub(crate) fn second_rotation<'m>(
     algebra: &mut Algebra<'m>,
-    own: &RotationRule<'m>,
+    rule: &RotationRule<'m>,
     variable: SymbolId,
 ) -> Option<Ex<'m>> {
-    let &[first] = &own.by[..] else {
+    let &[first] = &rule.by[..] else {
         return None;
     };
     if algebra.derivatives.held > 0 {
@@ -153,20 +153,23 @@ pub(crate) fn second_rotation<'m>(
     }
     let mut by = [first, variable];
     by.sort_unstable();
-    algebra.rates(own.group, by.to_vec());
-    let turns = algebra.derivatives.second_rotations.get(&(own.group, by))?;
-    let mut turn = turns[own.body][own.component];
+    algebra.rates(rule.group, by.to_vec());
+    let turns = algebra
+        .derivatives
+        .second_rotations
+        .get(&(rule.group, by))?;
+    let mut turn = turns[rule.body][rule.component];
     if by[0] != first {
         // Turns by both do not commute: `dt/dx` of the turn by y is `ds/dy` of that by x and `s x
         // t`.
-        let [s, t] = [variable, first].map(|v| rotations_by(algebra, own.group, v));
-        turn += s?[own.body].cross(t?[own.body])[own.component];
+        let [s, t] = [variable, first].map(|v| rotations_by(algebra, rule.group, v));
+        turn += s?[rule.body].cross(t?[rule.body])[rule.component];
     }
-    let equal = algebra.slope(own.equal, variable);
+    let equal = algebra.slope(rule.equal, variable);
     let rule = RotationRule {
         by: vec![first, variable],
         equal,
-        ..own.clone()
+        ..rule.clone()
     };
     Some(rotation_as_symbol(algebra, turn, rule))
 }

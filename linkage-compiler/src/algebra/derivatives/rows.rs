@@ -29,12 +29,12 @@ pub(crate) fn right_of_rows<'m>(
     held: Vec<Ex<'m>>,
     turns: Option<&BodyRotations<'m>>,
 ) -> Vec<Ex<'m>> {
-    with_rates(algebra, (group, by.to_vec()), held, |algebra, own| {
-        let by_turns = own.links.zip(turns);
+    with_rates(algebra, (group, by.to_vec()), held, |algebra, equation| {
+        let by_turns = equation.links.zip(turns);
         let by_turns = by_turns.and_then(|(links, turns)| of_links(algebra, &links, turns));
         let slope = by_turns.unwrap_or_else(|| {
             by.iter()
-                .fold(own.row, |x, &variable| algebra.slope(x, variable))
+                .fold(equation.row, |x, &variable| algebra.slope(x, variable))
         });
         -slope
     })
@@ -47,12 +47,17 @@ pub(crate) fn right_of_links<'m>(
     variable: SymbolId,
 ) -> Vec<Option<Ex<'m>>> {
     let nothing = vec![algebra.zero(); algebra.solutions.groups[group].jacobian.len()];
-    with_rates(algebra, (group, vec![variable]), nothing, |algebra, own| {
-        let links = own.links?;
-        Some(-slope_of_squares(algebra, &links, &mut |algebra, x| {
-            algebra.slope(x, variable)
-        }))
-    })
+    with_rates(
+        algebra,
+        (group, vec![variable]),
+        nothing,
+        |algebra, equation| {
+            let links = equation.links?;
+            Some(-slope_of_squares(algebra, &links, &mut |algebra, x| {
+                algebra.slope(x, variable)
+            }))
+        },
+    )
 }
 
 /// Returns the first derivative of an equation about links, with derivatives by `slope`: `(V.V' - l
@@ -63,9 +68,11 @@ pub(crate) fn slope_of_squares<'m>(
     links: &Links<'m>,
     slope: &mut dyn FnMut(&mut Algebra<'m>, Ex<'m>) -> Ex<'m>,
 ) -> Ex<'m> {
-    let mut of = |own: &Distance<'m>| {
-        let moved = own.vector.dot(own.vector.map(|x| slope(algebra, x)));
-        moved - own.length * slope(algebra, own.length)
+    let mut of = |distance: &Distance<'m>| {
+        let moved = distance
+            .vector
+            .dot(distance.vector.map(|x| slope(algebra, x)));
+        moved - distance.length * slope(algebra, distance.length)
     };
     let first = of(&links.first);
     let less = links.less.as_ref().map(of);
@@ -103,13 +110,13 @@ fn of_links<'m>(
 ) -> Option<Ex<'m>> {
     let graph = algebra.graph;
     let both = [Some(&links.first), links.less.as_ref()];
-    let given = both.into_iter().flatten().flat_map(|own| {
-        let dimensions = own.carried.iter().flat_map(|own| &own.dimensions);
+    let given = both.into_iter().flatten().flat_map(|distance| {
+        let dimensions = distance.carried.iter().flat_map(|arm| &arm.dimensions);
         let dimensions = dimensions.map(|&symbol| graph.ex(graph.symbol_node(symbol)));
-        dimensions.chain([own.length])
+        dimensions.chain([distance.length])
     });
     let given: Vec<Ex> = given.collect();
-    let mut is_fixed = |own: Ex<'m>| turns.by.iter().all(|&v| algebra.slope(own, v).is_zero());
+    let mut is_fixed = |x: Ex<'m>| turns.by.iter().all(|&v| algebra.slope(x, v).is_zero());
     if !given.into_iter().all(&mut is_fixed) {
         return None;
     }
@@ -121,14 +128,21 @@ fn of_links<'m>(
 }
 
 /// The second derivative of half of the square of a vector.
-fn bend<'m>(algebra: &mut Algebra<'m>, own: &Distance<'m>, turns: &BodyRotations<'m>) -> Ex<'m> {
-    let vector = own.vector;
-    let rest = own.carried.as_ref().map_or(vector, |carried| carried.rest);
+fn bend<'m>(
+    algebra: &mut Algebra<'m>,
+    distance: &Distance<'m>,
+    turns: &BodyRotations<'m>,
+) -> Ex<'m> {
+    let vector = distance.vector;
+    let rest = distance
+        .carried
+        .as_ref()
+        .map_or(vector, |carried| carried.rest);
     let [mut first, mut second] = turns
         .by
         .map(|variable| rest.map(|c| algebra.slope(c, variable)));
     let mut bend = vector.dot(first.map(|c| algebra.slope(c, turns.by[1])));
-    if let Some(carried) = &own.carried {
+    if let Some(carried) = &distance.carried {
         let arm = carried.arm;
         let [s, t] = [0, 1].map(|k| turns.of_bodies[k][carried.body]);
         first = first + s.cross(arm);

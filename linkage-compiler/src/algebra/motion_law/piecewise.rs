@@ -35,7 +35,7 @@ impl<'c, 'm> Choice<'c, 'm> {
         }
         let (before, behind) = runs.split_at(runs.len() / 2);
         let border = self.borders[behind[0].0 - 1];
-        let [before, value] = [before, behind].map(|own| self.among(own));
+        let [before, value] = [before, behind].map(|part| self.among(part));
         (self.argument - border).select(value, before)
     }
 }
@@ -44,8 +44,8 @@ impl<'c, 'm> Choice<'c, 'm> {
 /// the first one of all.
 pub(crate) fn filled<'p, T>(pieces: &'p [Option<T>], first: &'p T) -> Vec<&'p T> {
     let mut last = first;
-    let next = |own: &'p Option<T>| {
-        last = own.as_ref().unwrap_or(last);
+    let next = |piece: &'p Option<T>| {
+        last = piece.as_ref().unwrap_or(last);
         last
     };
     pieces.iter().map(next).collect()

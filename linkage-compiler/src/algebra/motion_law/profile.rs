@@ -16,7 +16,7 @@ pub(crate) fn profile<'m>(x: Ex<'m>, choice: &Choice<'_, 'm>, laws: &[Law]) -> [
     let degree = laws
         .iter()
         .flat_map(|law| zones::zones(*law))
-        .map(|own| own.polynomial.len() - 1);
+        .map(|zone| zone.polynomial.len() - 1);
     let degree = degree.max().unwrap_or(0);
     let polynomial: Vec<Ex> = (0..=degree)
         .map(|k| {
@@ -26,15 +26,15 @@ pub(crate) fn profile<'m>(x: Ex<'m>, choice: &Choice<'_, 'm>, laws: &[Law]) -> [
     let waves = laws
         .iter()
         .flat_map(|law| zones::zones(*law))
-        .any(|own| own.wave.is_some());
+        .any(|zone| zone.wave.is_some());
     let waves = waves.then(|| coefficients.waves(y));
     // The last one comes first: each derivative is known when the expression is made whose slope it
     // is.
     let mut all = [x; ORDERS];
     for order in (0..ORDERS).rev() {
-        let own = polynomial.iter().enumerate().skip(order);
-        let own: Vec<Ex> = own.map(|(k, &c)| zones::falling(k, order) * c).collect();
-        let mut sum = evaluated(&own, y);
+        let slopes = polynomial.iter().enumerate().skip(order);
+        let slopes: Vec<Ex> = slopes.map(|(k, &c)| zones::falling(k, order) * c).collect();
+        let mut sum = evaluated(&slopes, y);
         if let Some(waves) = &waves {
             sum = match order {
                 0 | 1 => sum - waves[order],
@@ -85,12 +85,16 @@ impl<'m> Coefficients<'_, 'm> {
 
     /// The sine and its derivatives, without the signs that these have.
     fn waves(&self, y: Ex<'m>) -> [Ex<'m>; ORDERS] {
-        let frequency = self.chosen(|zone| zone.wave.as_ref().map(|own| own.frequency));
+        let frequency = self.chosen(|zone| zone.wave.as_ref().map(|wave| wave.frequency));
         let phase = frequency * y;
         let [sin, cos] = [Unary::Sin, Unary::Cos].map(|op| phase.unary(op));
         let amplitude = |order: usize| {
             self.chosen(move |zone| {
-                Some(zone.wave.as_ref().map_or(0.0, |own| own.amplitudes[order]))
+                Some(
+                    zone.wave
+                        .as_ref()
+                        .map_or(0.0, |wave| wave.amplitudes[order]),
+                )
             })
         };
         let first = amplitude(0);
@@ -121,7 +125,7 @@ fn evaluated<'m>(coefficients: &[Ex<'m>], y: Ex<'m>) -> Ex<'m> {
             .collect::<Vec<Ex>>()
     };
     let (odd, even) = (every_second(0), every_second(1));
-    let none = |own: &[Ex]| own.iter().all(|c| c.is_zero());
+    let none = |powers: &[Ex]| powers.iter().all(|c| c.is_zero());
     let square = y * y;
     match (none(&odd), none(&even)) {
         (true, true) => constant,

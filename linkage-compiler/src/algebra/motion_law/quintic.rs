@@ -34,9 +34,9 @@ pub(crate) fn value<'m>(
 ) -> Ex<'m> {
     let spans: Vec<Span> = points
         .windows(2)
-        .map(|own| Span {
-            width: own[1].0 - own[0].0,
-            height: own[1].1 - own[0].1,
+        .map(|ends| Span {
+            width: ends[1].0 - ends[0].0,
+            height: ends[1].1 - ends[0].1,
         })
         .collect();
     let shapes = match slopes {
@@ -67,7 +67,7 @@ pub(crate) fn value<'m>(
             &places[..]
         }
     };
-    let are_numbers = |own: &[Ex; 7]| own.iter().all(|x| x.constant_value().is_some());
+    let are_numbers = |piece: &[Ex; 7]| piece.iter().all(|x| x.constant_value().is_some());
     let known = pieces.iter().all(are_numbers);
     let choice = Choice::new(along, borders);
     let [from, coefficients @ ..] = [0, 1, 2, 3, 4, 5, 6].map(|k| {
@@ -79,9 +79,9 @@ pub(crate) fn value<'m>(
     // is.
     let mut all = [along; ORDERS];
     for order in (0..ORDERS).rev() {
-        let own = coefficients.iter().enumerate().skip(order);
-        let own: Vec<Ex> = own.map(|(k, &c)| zones::falling(k, order) * c).collect();
-        let sum = profile::scheme(&own, way);
+        let powers = coefficients.iter().enumerate().skip(order);
+        let powers: Vec<Ex> = powers.map(|(k, &c)| zones::falling(k, order) * c).collect();
+        let sum = profile::scheme(&powers, way);
         all[order] = match all.get(order + 1) {
             // Coefficients that are no numbers are differentiated, too.
             Some(&slope) if known => sum.with_slope(along, slope),
@@ -117,8 +117,8 @@ impl<'m> Span<'m> {
             fifth,
         ];
         let mut scale = half.number(1.0);
-        all.map(|own| {
-            let scaled = own / scale;
+        all.map(|x| {
+            let scaled = x / scale;
             scale = scale * half;
             scaled
         })
@@ -231,7 +231,7 @@ fn by_points<'m>(spans: &[Span<'m>], ends: Ends) -> Vec<Shape<'m>> {
     let last = spans.len() - 1;
     let mut within: Vec<Row> = (1..=last).map(|k| row(Some(k - 1), Some(k))).collect();
     let only = |rows: Vec<Row<'m>>| -> Vec<Shape<'m>> {
-        eliminated(rows).iter().map(|own| own[0]).collect()
+        eliminated(rows).iter().map(|columns| columns[0]).collect()
     };
     match ends {
         Ends::Natural => {

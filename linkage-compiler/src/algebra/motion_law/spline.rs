@@ -68,7 +68,10 @@ pub(crate) fn clamped_curvatures<'m>(points: &[(Ex<'m>, Ex<'m>)]) -> [Ex<'m>; 2]
 
 /// The second derivatives at the points.
 fn curvatures<'m>(points: &[(Ex<'m>, Ex<'m>)], ends: Ends) -> Vec<Ex<'m>> {
-    let widths: Vec<Ex> = points.windows(2).map(|own| own[1].0 - own[0].0).collect();
+    let widths: Vec<Ex> = points
+        .windows(2)
+        .map(|points| points[1].0 - points[0].0)
+        .collect();
     let ways = points.windows(2).zip(&widths);
     let slopes: Vec<Ex> = ways
         .map(|(points, &width)| (points[1].1 - points[0].1) / width)
@@ -114,7 +117,7 @@ pub(crate) fn solved<'m>(rows: &[[Ex<'m>; 4]]) -> Vec<Ex<'m>> {
     let columns: Vec<Vec<Ex>> = rows.iter().map(|row| vec![row[3]]).collect();
     eliminated(rows, columns)
         .into_iter()
-        .map(|own| own[0])
+        .map(|columns| columns[0])
         .collect()
 }
 
@@ -123,18 +126,18 @@ pub(crate) fn solved<'m>(rows: &[[Ex<'m>; 4]]) -> Vec<Ex<'m>> {
 pub(crate) fn solved_in_circle<'m>(rows: &[[Ex<'m>; 4]]) -> Vec<Ex<'m>> {
     let (first, rest) = (rows[0], &rows[1..]);
     let zero = first[0].number(0.0);
-    let right = rest.iter().enumerate().map(|(k, own)| {
+    let right = rest.iter().enumerate().map(|(k, row)| {
         // The unknown before the first of these rows and behind the last one is the one that was
         // moved.
-        let before = if k == 0 { own[0] } else { zero };
-        let behind = if k == rest.len() - 1 { own[2] } else { zero };
-        vec![own[3], -(before + behind)]
+        let before = if k == 0 { row[0] } else { zero };
+        let behind = if k == rest.len() - 1 { row[2] } else { zero };
+        vec![row[3], -(before + behind)]
     });
     let found = eliminated(rest, right.collect());
     let (next, last) = (&found[0], &found[found.len() - 1]);
     let known = |k: usize| first[2] * next[k] + first[0] * last[k];
     let moved = (first[3] - known(0)) / (first[1] + known(1));
-    let others = found.iter().map(|own| own[0] + own[1] * moved);
+    let others = found.iter().map(|columns| columns[0] + columns[1] * moved);
     std::iter::once(moved).chain(others).collect()
 }
 
@@ -151,8 +154,8 @@ fn eliminated<'m>(rows: &[[Ex<'m>; 4]], mut right: Vec<Vec<Ex<'m>>>) -> Vec<Vec<
     }
     for k in (0..rows.len()).rev() {
         for column in 0..right[k].len() {
-            let behind = right.get(k + 1).map(|own| rows[k][2] * own[column]);
-            let numerator = behind.map_or(right[k][column], |own| right[k][column] - own);
+            let behind = right.get(k + 1).map(|next| rows[k][2] * next[column]);
+            let numerator = behind.map_or(right[k][column], |next| right[k][column] - next);
             right[k][column] = numerator / diagonal[k];
         }
     }

@@ -45,17 +45,17 @@ pub(crate) fn in_circle<'m>(first: Row<'m>, mut rest: Vec<Row<'m>>) -> Vec<Shape
         )
     };
     let [by_slope, by_curvature] = [known(1), known(2)];
-    let own = plus(
+    let block = plus(
         first.own,
         [
             [by_slope[0], by_curvature[0]],
             [by_slope[1], by_curvature[1]],
         ],
     );
-    let moved = quotient(own, less(first.right[0], known(0)));
-    let others = found.iter().map(|own| {
-        let by = added(scaled(own[1], moved[0]), scaled(own[2], moved[1]));
-        added(own[0], by)
+    let moved = quotient(block, less(first.right[0], known(0)));
+    let others = found.iter().map(|columns| {
+        let by = added(scaled(columns[1], moved[0]), scaled(columns[2], moved[1]));
+        added(columns[0], by)
     });
     std::iter::once(moved).chain(others).collect()
 }
@@ -67,27 +67,27 @@ pub(crate) fn eliminated<'m>(mut rows: Vec<Row<'m>>) -> Vec<Vec<Shape<'m>>> {
         let (above, row) = (&done[k - 1], &mut open[0]);
         let removed = |column: Shape<'m>| times(row.before, quotient(above.own, column));
         let columns = [0, 1].map(|k| removed([above.behind[0][k], above.behind[1][k]]));
-        let right: Vec<Shape> = above.right.iter().map(|own| removed(*own)).collect();
-        for (own, removed) in row.right.iter_mut().zip(right) {
-            *own = less(*own, removed);
+        let right: Vec<Shape> = above.right.iter().map(|column| removed(*column)).collect();
+        for (column, removed) in row.right.iter_mut().zip(right) {
+            *column = less(*column, removed);
         }
-        for (r, own) in row.own.iter_mut().enumerate() {
-            for (c, own) in own.iter_mut().enumerate() {
-                *own -= columns[c][r];
+        for (r, entries) in row.own.iter_mut().enumerate() {
+            for (c, entry) in entries.iter_mut().enumerate() {
+                *entry -= columns[c][r];
             }
         }
     }
     let mut found: Vec<Vec<Shape>> = Vec::new();
     for row in rows.iter().rev() {
         let behind = found.last();
-        let own = row.right.iter().enumerate().map(|(column, &right)| {
+        let solved = row.right.iter().enumerate().map(|(column, &right)| {
             let right = match behind {
                 Some(behind) => less(right, times(row.behind, behind[column])),
                 None => right,
             };
             quotient(row.own, right)
         });
-        found.push(own.collect());
+        found.push(solved.collect());
     }
     found.reverse();
     found
@@ -106,7 +106,7 @@ fn less<'m>(a: Shape<'m>, b: Shape<'m>) -> Shape<'m> {
 }
 
 fn scaled<'m>(a: Shape<'m>, by: Ex<'m>) -> Shape<'m> {
-    a.map(|own| own * by)
+    a.map(|x| x * by)
 }
 
 fn times<'m>(block: Block<'m>, by: Shape<'m>) -> Shape<'m> {

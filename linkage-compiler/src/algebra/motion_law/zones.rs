@@ -147,7 +147,7 @@ pub(crate) fn ends(law: Law) -> [[f64; 2]; 2] {
 
 /// `k (k - 1) ...`, so many factors.
 pub(crate) fn falling(k: usize, factors: usize) -> f64 {
-    (0..factors).map(|own| (k - own) as f64).product()
+    (0..factors).map(|less| (k - less) as f64).product()
 }
 
 #[cfg(test)]
@@ -181,7 +181,7 @@ mod tests {
             assert!((end - 1.0).abs() <= f64::EPSILON, "{}: {end}", law.word());
             for pair in zones.windows(2) {
                 let [before, behind] =
-                    [&pair[0], &pair[1]].map(|own| value_and_rates(own, pair[1].from));
+                    [&pair[0], &pair[1]].map(|zone| value_and_rates(zone, pair[1].from));
                 for order in 0..3 {
                     let gap = (before[order] - behind[order]).abs();
                     assert!(

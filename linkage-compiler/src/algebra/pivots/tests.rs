@@ -25,10 +25,10 @@ fn solved(order: &Order, matrix: &[Vec<f64>], right: &[f64]) -> (Vec<f64>, f64) 
         determinant,
     } = pivots::solve_in_order(&graph, order, &rows, &lift(right));
     let once = pivots::solve_once_in_order(&graph, order, &rows, &lift(right));
-    for (own, shared) in once.solution.iter().zip(&solution) {
-        let [own, shared] = [own, shared].map(|x| evaluate(&[*x], |_| f64::NAN)[0]);
-        let both = own.is_nan() && shared.is_nan();
-        assert!(both || (own - shared).abs() <= 1e-9 * shared.abs());
+    for (single, shared) in once.solution.iter().zip(&solution) {
+        let [single, shared] = [single, shared].map(|x| evaluate(&[*x], |_| f64::NAN)[0]);
+        let both = single.is_nan() && shared.is_nan();
+        assert!(both || (single - shared).abs() <= 1e-9 * shared.abs());
     }
     solution.push(determinant);
     let mut all = evaluate(&solution, |_| f64::NAN);
@@ -90,13 +90,13 @@ fn systems_of_all_sizes_are_solved_and_their_determinants_have_the_sign() {
 
 #[test]
 fn the_transposed_matrix_has_the_transposed_order() {
-    let own = matrix(7, 77);
+    let original = matrix(7, 77);
     let transposed: Vec<Vec<f64>> = (0..7)
-        .map(|j| own.iter().map(|row| row[j]).collect())
+        .map(|j| original.iter().map(|row| row[j]).collect())
         .collect();
     let right = numbers(7, 5);
-    let (solution, found) = solved(&order(&own).transposed(), &transposed, &right);
-    assert!((found - determinant(&own)).abs() < 1e-13);
+    let (solution, found) = solved(&order(&original).transposed(), &transposed, &right);
+    assert!((found - determinant(&original)).abs() < 1e-13);
     for (row, right) in transposed.iter().zip(&right) {
         let left: f64 = row.iter().zip(&solution).map(|(a, x)| a * x).sum();
         assert!((left - right).abs() < 1e-12);

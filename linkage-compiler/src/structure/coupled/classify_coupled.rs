@@ -193,7 +193,7 @@ fn block<'m>(
             .collect(),
         powers: polynomials.powers(monomial),
     });
-    let own: Vec<SymbolId> = match &private {
+    let symbols: Vec<SymbolId> = match &private {
         Some(Private::Rotor(rotor)) => {
             let angle = &algebra.names.angles[rotor.angle];
             vec![angle.cos, angle.sin]
@@ -205,7 +205,7 @@ fn block<'m>(
         [row] => scalar_product::scalar_product(algebra, row, coordinates),
         _ => None,
     };
-    let removed = own.into_iter().map(|symbol| (symbol, zero)).collect();
+    let removed = symbols.into_iter().map(|symbol| (symbol, zero)).collect();
     Block {
         terms: terms.collect(),
         rest: substitute(&equation.rows, &removed),

@@ -31,13 +31,13 @@ fn is_number_unknown(algebra: &Algebra<'_>, unknown: usize) -> bool {
 
 /// True for a loop without a length in it.
 pub(crate) fn is_number_loop(algebra: &Algebra<'_>, index: usize) -> bool {
-    let own = &algebra.mechanism.loops[index];
-    let dimensions = [&own.left.ty, &own.right.ty].map(Type::dimension);
+    let equation = &algebra.mechanism.loops[index];
+    let dimensions = [&equation.left.ty, &equation.right.ty].map(Type::dimension);
     is_number(dimensions.into_iter().flatten().next())
 }
 
 fn is_number(dimension: Option<Dimension>) -> bool {
-    dimension.is_some_and(|own| own.half_lengths == 0)
+    dimension.is_some_and(|dimension| dimension.half_lengths == 0)
 }
 
 /// Marks neighbours that are the components of one point of the plane.

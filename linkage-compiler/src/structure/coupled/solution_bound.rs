@@ -67,12 +67,12 @@ fn is_body_on_distances(mechanism: &Mechanism, group: &Group) -> bool {
     let all = (0..mechanism.loops.len())
         .filter(|&index| !unknown_frames::is_loop_of_frame(mechanism, index));
     let mut about = all.filter(|&index| {
-        let own = &mechanism.loops[index];
-        mechanism.mentions(&own.left, parts) || mechanism.mentions(&own.right, parts)
+        let equation = &mechanism.loops[index];
+        mechanism.mentions(&equation.left, parts) || mechanism.mentions(&equation.right, parts)
     });
     about.all(|index| {
-        let own = &mechanism.loops[index];
-        let [left, right] = [&own.left, &own.right];
+        let equation = &mechanism.loops[index];
+        let [left, right] = [&equation.left, &equation.right];
         let known = |side| !mechanism.mentions(side, parts);
         let holds = |side| {
             if group.loops.contains(&index) {
@@ -92,8 +92,8 @@ fn is_distance(mechanism: &Mechanism, side: &Expr, parts: &[usize]) -> bool {
     };
     let [a, b] = &points[..] else { return false };
     let on_body = |point: &Expr| match &definition_of(mechanism, point).kind {
-        ExprKind::Call(Function::PointIn, own) => {
-            is_body(mechanism, &own[0], parts) && !mechanism.mentions(&own[1], parts)
+        ExprKind::Call(Function::PointIn, arguments) => {
+            is_body(mechanism, &arguments[0], parts) && !mechanism.mentions(&arguments[1], parts)
         }
         ExprKind::Index(frame, 0) => is_body(mechanism, frame, parts),
         _ => false,
@@ -112,11 +112,12 @@ fn is_coordinate_of_origin(mechanism: &Mechanism, side: &Expr, parts: &[usize]) 
 
 /// True if this is the frame that consists of these unknowns.
 fn is_body(mechanism: &Mechanism, frame: &Expr, parts: &[usize]) -> bool {
-    let ExprKind::Call(Function::Frame, own) = &definition_of(mechanism, frame).kind else {
+    let ExprKind::Call(Function::Frame, axes) = &definition_of(mechanism, frame).kind else {
         return false;
     };
-    let own = own.iter().filter_map(Expr::as_name);
-    let unknowns = own.filter(|name| matches!(name, Name::Unknown(index) if parts.contains(index)));
+    let axes = axes.iter().filter_map(Expr::as_name);
+    let unknowns =
+        axes.filter(|name| matches!(name, Name::Unknown(index) if parts.contains(index)));
     unknowns.count() == parts.len()
 }
 
@@ -150,9 +151,9 @@ impl Coupled<'_> {
         ways[0] = 1;
         for (done, (of_lengths, of_angles)) in degrees.iter().enumerate() {
             let mut next = vec![0_u64; sets];
-            for (set, &own) in ways.iter().enumerate().filter(|(_, way)| **way > 0) {
+            for (set, &number) in ways.iter().enumerate().filter(|(_, way)| **way > 0) {
                 let mut add = |set: usize, degree: u64| {
-                    next[set] = next[set].saturating_add(own.saturating_mul(degree));
+                    next[set] = next[set].saturating_add(number.saturating_mul(degree));
                 };
                 if done - (set.count_ones() as usize) < lengths {
                     add(set, *of_lengths);
@@ -170,7 +171,7 @@ impl Coupled<'_> {
 
     /// The degree of each equation in all lengths, and in each angle's unit vector.
     fn degrees(&self, names: &Names, angles: &[usize]) -> Vec<(u64, Vec<u64>)> {
-        let lengths = self.core.iter().filter_map(|own| match own {
+        let lengths = self.core.iter().filter_map(|unknown| match unknown {
             Core::Length { symbol, .. } => Some(*symbol),
             Core::Angle(_) => None,
         });
@@ -197,11 +198,11 @@ impl Coupled<'_> {
 /// The degree of a loop's polynomials in some symbols.
 fn degree(block: &Block, symbols: &[SymbolId]) -> u64 {
     let all = block.terms.iter().map(|term| {
-        let own = term
+        let powers = term
             .powers
             .iter()
             .filter(|(symbol, _)| symbols.contains(symbol));
-        own.map(|(_, power)| u64::from(*power)).sum()
+        powers.map(|(_, power)| u64::from(*power)).sum()
     });
     all.max().unwrap_or(0)
 }
