@@ -103,9 +103,9 @@ fn rate_of(algebra: &Algebra<'_>, (cosine, _): AnglePair) -> Option<(usize, f64)
 }
 
 impl<'m> TurningPart<'m> {
-    /// The vectors that it is the sum of: as `cos a = (e^(i a) + e^(-i a))/2` and `sin a = (e^(i a)
-    /// - e^(-i a))/(2 i)`, one for each choice of the angles' signs. Those that vanish, as half of
-    /// a rotor's do, are left out.
+    /// The vectors that it is the sum of, one for each choice of the angles' signs, with
+    /// `cos a = (e^(i a) + e^(-i a))/2` and `sin a = (e^(i a) - e^(-i a))/(2 i)`. Those that
+    /// vanish, as half of a rotor's do, are left out.
     fn phasors(&self, rates: &[Option<(usize, f64)>]) -> Vec<Phasor<'m>> {
         let zero = self.rows[0][0].number(0.0);
         let choices = 0..self.rows[0].len();

@@ -1,10 +1,10 @@
 //! Linear systems of cores in the freedoms of their bodies.
 //!
 //! Two perpendicular directions `u` and `w` of length 1 are six unknowns with three equations of
-//! their own, `u.du = p`, `w.dw = q`, `w.du + u.dw = r`. All their solutions are `du = t x u + p u
-//! + r w/2`, `dw = t x w + q w + r u/2` with a turn `t`. So a system is solved in the turns
-//! instead: three unknowns and three equations less for each body, and fewer pivots that can vanish
-//! where nothing is singular.
+//! their own, `u.du = p`, `w.dw = q`, `w.du + u.dw = r`. All their solutions are
+//! `du = t x u + p u + r w/2`, `dw = t x w + q w + r u/2` with a turn `t`. A system is solved in
+//! the turns instead: three unknowns and three equations less for each body, and fewer pivots that
+//! can vanish where nothing is singular.
 
 #[cfg(test)]
 mod tests;

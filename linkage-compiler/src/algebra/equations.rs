@@ -144,7 +144,7 @@ pub(crate) struct ViaSlider<'m> {
     /// The slide times the guide's length.
     pub(crate) slide: Ex<'m>,
     pub(crate) known: V2<'m>,
-    pub(crate) carrier: RotatingFrame<'m>,
+    pub(crate) link_frame: RotatingFrame<'m>,
     pub(crate) carried: AngleSum,
 }
 

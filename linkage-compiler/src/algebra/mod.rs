@@ -6,10 +6,10 @@
 //! The files form floors, and each uses those of lower floors only:
 //!
 //! 1. data: `value`, `names`, `rules`, `equations`, `systems`, `solutions`, `memo`, and linear
-//! systems of expressions (`cofactors`, `pivots`, `bodies`);
+//!    systems of expressions (`cofactors`, `pivots`, `bodies`);
 //! 2. `context`: the struct [`Algebra`] that holds them;
 //! 3. expressions of the language: `scalar`, `body_vectors`, `frame`, `calls`, `motion_law`, and
-//! `translate` above them;
+//!    `translate` above them;
 //! 4. numbers at the reference: `nominal`, `finite_numbers`, `constant_ratio`;
 //! 5. vectors that turn: `parts`, `angle_reference`, `rotating_frame`, `via_slider`;
 //! 6. `derivatives`, with a page of their own.

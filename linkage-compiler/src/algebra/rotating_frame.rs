@@ -12,7 +12,7 @@ use crate::algebra::rules::{FromFrame, RotatingFrame, Rule, ToFrame};
 /// A vector from its rotating frame.
 #[derive(Clone, Debug)]
 pub(crate) struct InRotatingFrame<'m> {
-    pub(crate) carrier: RotatingFrame<'m>,
+    pub(crate) link_frame: RotatingFrame<'m>,
     /// The part that the link carries, along its axis and across.
     pub(crate) arm: V2<'m>,
     /// All else, in fixed coordinates.
@@ -56,9 +56,9 @@ pub(crate) fn in_rotating_frame<'m>(
         start.mark_unit();
     }
     let (_, start) = start.length_and_unit();
-    let carrier = rotating_frame(algebra, angle, start, axis);
+    let link_frame = rotating_frame(algebra, angle, start, axis);
     Some(InRotatingFrame {
-        carrier,
+        link_frame,
         arm: arm.turned(start.conjugate()),
         rest,
         turns,
@@ -92,7 +92,7 @@ fn rotating_frame<'m>(
         algebra.graph.define(symbol, value.id());
         algebra.graph.ex(node)
     });
-    let carrier = RotatingFrame {
+    let link_frame = RotatingFrame {
         angle,
         start,
         axis: symbols,
@@ -101,10 +101,10 @@ fn rotating_frame<'m>(
         let Node::Symbol(symbol) = x.node() else {
             unreachable!("just made");
         };
-        let rule = Rule::Axis(Box::new((carrier, component)));
+        let rule = Rule::Axis(Box::new((link_frame, component)));
         algebra.solutions.set_rule(symbol, rule);
     }
-    carrier
+    link_frame
 }
 
 /// The terms of a sum that turn otherwise than with these angles alone.
@@ -134,13 +134,13 @@ fn angle_of<'m>(algebra: &Algebra<'m>, (cosine, _): AnglePair) -> Ex<'m> {
 /// A vector of fixed coordinates along the axis of a frame and across.
 pub(crate) fn to_frame<'m>(
     algebra: &mut Algebra<'m>,
-    carrier: RotatingFrame<'m>,
+    link_frame: RotatingFrame<'m>,
     vector: V2<'m>,
 ) -> V2<'m> {
     if vector.is_zero() {
         return vector;
     }
-    let axis = carrier.axis;
+    let axis = link_frame.axis;
     let symbols = [axis.dot(vector), axis.cross(vector)].map(|value| {
         let (symbol, node) = algebra.graph.unknown("seen".to_owned());
         algebra.graph.define(symbol, value.id());
@@ -149,7 +149,7 @@ pub(crate) fn to_frame<'m>(
     let in_frame = Vector(symbols.map(|(_, x)| x));
     for (component, (symbol, _)) in symbols.into_iter().enumerate() {
         let seen = ToFrame {
-            carrier,
+            link_frame,
             vector,
             in_frame,
             component,
@@ -164,11 +164,11 @@ pub(crate) fn to_frame<'m>(
 /// `base` and a vector along the axis of a frame and across, in fixed coordinates.
 pub(crate) fn from_frame<'m>(
     algebra: &mut Algebra<'m>,
-    carrier: RotatingFrame<'m>,
+    link_frame: RotatingFrame<'m>,
     vector: V2<'m>,
     base: V2<'m>,
 ) -> V2<'m> {
-    let [axis, across] = [carrier.axis, carrier.axis.perp()];
+    let [axis, across] = [link_frame.axis, link_frame.axis.perp()];
     let value = base + vector[0] * axis + vector[1] * across;
     let made = value.0.map(|value| {
         let (symbol, node) = algebra.graph.unknown("shown".to_owned());
@@ -177,7 +177,7 @@ pub(crate) fn from_frame<'m>(
     });
     for (component, (symbol, _)) in made.into_iter().enumerate() {
         let shown = FromFrame {
-            carrier,
+            link_frame,
             vector,
             base,
             component,

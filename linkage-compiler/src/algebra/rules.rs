@@ -57,7 +57,7 @@ pub(crate) struct AngleRule<'m> {
     /// Cosine and sine.
     pub(crate) unit: V2<'m>,
     /// The link that the group's unknown is measured from.
-    pub(crate) carrier: Option<RotatingFrame<'m>>,
+    pub(crate) link_frame: Option<RotatingFrame<'m>>,
 }
 
 impl AngleRule<'_> {
@@ -82,7 +82,7 @@ pub(crate) struct TurnedVector<'m> {
 /// The rule of [`Rule::ToFrame`].
 #[derive(Clone, Debug)]
 pub(crate) struct ToFrame<'m> {
-    pub(crate) carrier: RotatingFrame<'m>,
+    pub(crate) link_frame: RotatingFrame<'m>,
     /// In fixed coordinates.
     pub(crate) vector: V2<'m>,
     /// Along the axis and across.
@@ -93,7 +93,7 @@ pub(crate) struct ToFrame<'m> {
 /// The rule of [`Rule::FromFrame`].
 #[derive(Clone, Debug)]
 pub(crate) struct FromFrame<'m> {
-    pub(crate) carrier: RotatingFrame<'m>,
+    pub(crate) link_frame: RotatingFrame<'m>,
     /// Along the axis and across.
     pub(crate) vector: V2<'m>,
     /// The vector that is added in fixed coordinates.

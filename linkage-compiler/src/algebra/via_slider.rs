@@ -39,11 +39,11 @@ fn via_slider<'m>(
     let rest = Vector([0, 1].map(|k| difference(algebra, rest[k], sign * side.known[k])));
     let zero = Vector([algebra.zero(); 2]);
     let (arm, rest) = rotating_frame::split(algebra, rest, &side.carried).unwrap_or((zero, rest));
-    let arm = arm.turned(side.carrier.start.conjugate());
+    let arm = arm.turned(side.link_frame.start.conjugate());
     let vector = Vector([arm[0] - sign * side.slide, arm[1]]);
     Some(rotating_frame::from_frame(
         algebra,
-        side.carrier,
+        side.link_frame,
         vector,
         rest,
     ))

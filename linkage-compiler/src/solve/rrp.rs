@@ -28,7 +28,7 @@ pub(super) fn rotor_and_slide<'m>(
     // What the guide carries has a size of its own.
     let (from_guide, size) = match &carried {
         Some(own) => (
-            own.arm + rotating_frame::to_frame(solver.algebra, own.carrier, own.rest),
+            own.arm + rotating_frame::to_frame(solver.algebra, own.link_frame, own.rest),
             r + own.arm.length(),
         ),
         None => (Vector([g.dot(c), g.cross(c)]), r),
@@ -43,8 +43,8 @@ pub(super) fn rotor_and_slide<'m>(
     let determinant = -(stretch * hw);
 
     let unit = solver.unit_of(rotor);
-    let carrier = carried.as_ref().map(|own| own.carrier);
-    let equation = match carrier {
+    let link_frame = carried.as_ref().map(|own| own.link_frame);
+    let equation = match link_frame {
         None => {
             let value = (hw * g + x * g.perp()).map(|x| guarded(x, h));
             let vector = solver.turning(value, rotor.z, unit, 0);
@@ -62,7 +62,7 @@ pub(super) fn rotor_and_slide<'m>(
             let unit = solver.direction_from_carrier(value.turned_back(rotor.z), 0);
             let vector = solver.turning(value, rotor.z, unit, 0);
             let turned = value.turned(g).map(|x| guarded(x, h)).turned_back(rotor.z);
-            solver.define_angle_from(carrier, rotor.angle, rotor.sense, turned, 0);
+            solver.define_angle_from(link_frame, rotor.angle, rotor.sense, turned, 0);
             let guide = Vector([stretch, solver.algebra.zero()]);
             Equation {
                 vector,
@@ -91,7 +91,7 @@ pub(super) fn rotor_and_slide<'m>(
             z: rotor.z,
             slide: stretch * solver.unknown(slide),
             known,
-            carrier: own.carrier,
+            link_frame: own.link_frame,
             carried: own.turns,
         };
         solver.algebra.solutions.via_sliders.push(other_side);

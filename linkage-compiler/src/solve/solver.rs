@@ -157,16 +157,16 @@ impl<'m> Solver<'_, 'm> {
         self.define_angle_from(None, angle, sense, unit, position);
     }
 
-    /// The same of an angle whose unknown is measured from a carrier.
+    /// The same of an angle whose unknown is measured from a rotating frame.
     pub(super) fn define_angle_from(
         &mut self,
-        carrier: Option<RotatingFrame<'m>>,
+        link_frame: Option<RotatingFrame<'m>>,
         angle: usize,
         sense: f64,
         unit: V2<'m>,
         position: usize,
     ) {
-        self.declare_angle_from(carrier, angle, sense, position);
+        self.declare_angle_from(link_frame, angle, sense, position);
         let unit = if sense < 0.0 { unit.conjugate() } else { unit };
         let graph = self.algebra.graph;
         let symbols = self.algebra.names.angles[angle].clone();
@@ -195,7 +195,7 @@ impl<'m> Solver<'_, 'm> {
 
     fn declare_angle_from(
         &mut self,
-        carrier: Option<RotatingFrame<'m>>,
+        link_frame: Option<RotatingFrame<'m>>,
         angle: usize,
         sense: f64,
         position: usize,
@@ -206,7 +206,7 @@ impl<'m> Solver<'_, 'm> {
             position,
             sense,
             unit: symbols.unit,
-            carrier,
+            link_frame,
         };
         let solutions = &mut self.algebra.solutions;
         solutions.set_rule(symbols.cos, Rule::Cosine(rule));
@@ -214,7 +214,7 @@ impl<'m> Solver<'_, 'm> {
         solutions.set_rule(symbols.value, Rule::Value(rule));
     }
 
-    /// The direction of unknown `position` from a carrier.
+    /// The direction of unknown `position` from a rotating frame.
     pub(super) fn direction_from_carrier(&mut self, unit: V2<'m>, position: usize) -> V2<'m> {
         let (graph, group) = (self.algebra.graph, self.index);
         let made = unit.0.map(|value| {
@@ -229,7 +229,7 @@ impl<'m> Solver<'_, 'm> {
             position,
             sense: 1.0,
             unit: Vector([x, y]),
-            carrier: None,
+            link_frame: None,
         };
         self.algebra.solutions.set_rule(cos, Rule::Cosine(rule));
         self.algebra.solutions.set_rule(sin, Rule::Sine(rule));

@@ -13,9 +13,9 @@
 //! 3. expressions in unknowns: `polynomials`, `distance`, `space`, `explicit`;
 //! 4. recognition: `classify`, `point`, `coupled`;
 //! 5. reductions, one step of a coupled set towards known forms: `rewrite`, `double`, `circle`,
-//! `body`, `body_circle`, chosen by `eliminate`;
+//!    `body`, `body_circle`, chosen by `eliminate`;
 //! 6. messages: `naming`, `closest_approach`, `simultaneous`, `redundant`, `frames`, `report`,
-//! `unsolved`;
+//!    `unsolved`;
 //! 7. `decompose`, the entry point.
 
 pub(crate) mod analysis;

@@ -75,13 +75,18 @@ fn acting_on_symbol<'m>(algebra: &mut Algebra<'m>, symbol: SymbolId) -> Given {
         Some(Rule::Follow(equal)) => vec![*equal],
         Some(Rule::Rotation(rotation)) => vec![rotation.equal],
         Some(Rule::TurnedVector(turning)) => turning.z.0.to_vec(),
-        Some(Rule::ToFrame(seen)) => [&seen.vector.0[..], &parts_of(seen.carrier)].concat(),
-        Some(Rule::FromFrame(shown)) => {
-            [&shown.vector.0[..], &shown.base.0, &parts_of(shown.carrier)].concat()
+        Some(Rule::ToFrame(to_frame)) => {
+            [&to_frame.vector.0[..], &parts_of(to_frame.link_frame)].concat()
         }
+        Some(Rule::FromFrame(from_frame)) => [
+            &from_frame.vector.0[..],
+            &from_frame.base.0,
+            &parts_of(from_frame.link_frame),
+        ]
+        .concat(),
         Some(Rule::Axis(axis)) => parts_of(axis.0).to_vec(),
         Some(Rule::Cosine(rule) | Rule::Sine(rule) | Rule::Value(rule)) => {
-            rule.carrier.iter().copied().flat_map(parts_of).collect()
+            rule.link_frame.iter().copied().flat_map(parts_of).collect()
         }
     };
     let acting = Rc::new(acting_in(algebra, &differentiated));
@@ -91,7 +96,7 @@ fn acting_on_symbol<'m>(algebra: &mut Algebra<'m>, symbol: SymbolId) -> Given {
 }
 
 /// Returns the expressions whose derivatives give the rotation of a frame.
-fn parts_of(carrier: RotatingFrame) -> [Ex; 3] {
-    let [x, y] = carrier.start.0;
-    [carrier.angle, x, y]
+fn parts_of(link_frame: RotatingFrame) -> [Ex; 3] {
+    let [x, y] = link_frame.start.0;
+    [link_frame.angle, x, y]
 }

@@ -54,11 +54,11 @@ pub(crate) trait RuleCalculus<'m>: Calculus<'m> {
             }
             Rule::Value(rule) => self.rate_of_angle(rule, variable),
             Rule::TurnedVector(turning) => self.rate_of_turned_vector(&turning, variable),
-            Rule::ToFrame(seen) => self.rate_of_to_frame(&seen, variable),
-            Rule::FromFrame(shown) => self.rate_of_from_frame(&shown, variable),
+            Rule::ToFrame(to_frame) => self.rate_of_to_frame(&to_frame, variable),
+            Rule::FromFrame(from_frame) => self.rate_of_from_frame(&from_frame, variable),
             Rule::Axis(axis) => {
-                let (carrier, component) = *axis;
-                self.rotation_of_frame(carrier, variable) * carrier.axis.perp()[component]
+                let (link_frame, component) = *axis;
+                self.rotation_of_frame(link_frame, variable) * link_frame.axis.perp()[component]
             }
             Rule::Unknown { group, position } => self.rate(group, position, Vec::new(), variable),
             Rule::Rate {
@@ -77,34 +77,36 @@ pub(crate) trait RuleCalculus<'m>: Calculus<'m> {
 
     fn rate_of_angle(&mut self, rule: AngleRule<'m>, variable: SymbolId) -> Ex<'m> {
         let rate = self.rate(rule.group, rule.position, Vec::new(), variable);
-        let rate = match rule.carrier {
-            Some(carrier) => rate + self.rotation_of_frame(carrier, variable),
+        let rate = match rule.link_frame {
+            Some(link_frame) => rate + self.rotation_of_frame(link_frame, variable),
             None => rate,
         };
         rule.sensed(rate)
     }
 
     /// Returns the change as seen from the frame, and by its rotation, in fixed coordinates.
-    fn rate_of_from_frame(&mut self, shown: &FromFrame<'m>, variable: SymbolId) -> Ex<'m> {
-        let [change, base] =
-            [shown.vector, shown.base].map(|vector| vector.map(|x| self.slope(x, variable)));
-        let turned = self.rotation_of_frame(shown.carrier, variable) * shown.vector.perp();
-        rotating_frame::from_frame(self.algebra(), shown.carrier, change + turned, base)
-            [shown.component]
+    fn rate_of_from_frame(&mut self, from_frame: &FromFrame<'m>, variable: SymbolId) -> Ex<'m> {
+        let [change, base] = [from_frame.vector, from_frame.base]
+            .map(|vector| vector.map(|x| self.slope(x, variable)));
+        let turned =
+            self.rotation_of_frame(from_frame.link_frame, variable) * from_frame.vector.perp();
+        rotating_frame::from_frame(self.algebra(), from_frame.link_frame, change + turned, base)
+            [from_frame.component]
     }
 
     /// Returns the rotation of a frame.
-    fn rotation_of_frame(&mut self, carrier: RotatingFrame<'m>, variable: SymbolId) -> Ex<'m> {
-        let start = carrier.start.map(|x| self.slope(x, variable));
-        self.slope(carrier.angle, variable) + carrier.start.cross(start)
+    fn rotation_of_frame(&mut self, link_frame: RotatingFrame<'m>, variable: SymbolId) -> Ex<'m> {
+        let start = link_frame.start.map(|x| self.slope(x, variable));
+        self.slope(link_frame.angle, variable) + link_frame.start.cross(start)
     }
 
     /// Returns the change in fixed coordinates, as seen from the frame, which rotates itself.
-    fn rate_of_to_frame(&mut self, seen: &ToFrame<'m>, variable: SymbolId) -> Ex<'m> {
-        let change = seen.vector.map(|x| self.slope(x, variable));
-        let changed = rotating_frame::to_frame(self.algebra(), seen.carrier, change);
-        let turned = self.rotation_of_frame(seen.carrier, variable) * seen.in_frame.perp();
-        (changed - turned)[seen.component]
+    fn rate_of_to_frame(&mut self, to_frame: &ToFrame<'m>, variable: SymbolId) -> Ex<'m> {
+        let change = to_frame.vector.map(|x| self.slope(x, variable));
+        let changed = rotating_frame::to_frame(self.algebra(), to_frame.link_frame, change);
+        let turned =
+            self.rotation_of_frame(to_frame.link_frame, variable) * to_frame.in_frame.perp();
+        (changed - turned)[to_frame.component]
     }
 
     /// `z' u + rate perp(z u)`

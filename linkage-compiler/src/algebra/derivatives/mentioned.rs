@@ -29,15 +29,18 @@ fn behind(algebra: &mut Algebra<'_>, symbol: SymbolId) -> BTreeSet<Solved> {
         None => BTreeSet::new(),
         Some(Rule::Follow(equal)) => mentioned_in(algebra, &[equal]),
         Some(Rule::Rotation(rotation)) => mentioned_in(algebra, &[rotation.equal]),
-        Some(Rule::ToFrame(seen)) => {
-            let mut behind = mentioned_in(algebra, &seen.vector.0);
-            behind.extend(mentioned_in(algebra, &[seen.carrier.angle]));
+        Some(Rule::ToFrame(to_frame)) => {
+            let mut behind = mentioned_in(algebra, &to_frame.vector.0);
+            behind.extend(mentioned_in(algebra, &[to_frame.link_frame.angle]));
             behind
         }
-        Some(Rule::FromFrame(shown)) => {
-            let [x, y] = shown.vector.0;
-            let [base_x, base_y] = shown.base.0;
-            mentioned_in(algebra, &[x, y, base_x, base_y, shown.carrier.angle])
+        Some(Rule::FromFrame(from_frame)) => {
+            let [x, y] = from_frame.vector.0;
+            let [base_x, base_y] = from_frame.base.0;
+            mentioned_in(
+                algebra,
+                &[x, y, base_x, base_y, from_frame.link_frame.angle],
+            )
         }
         Some(Rule::Axis(axis)) => mentioned_in(algebra, &[axis.0.angle]),
         Some(Rule::TurnedVector(turning)) => {
@@ -46,7 +49,7 @@ fn behind(algebra: &mut Algebra<'_>, symbol: SymbolId) -> BTreeSet<Solved> {
             behind
         }
         Some(Rule::Cosine(rule) | Rule::Sine(rule) | Rule::Value(rule)) => {
-            let angle = rule.carrier.map(|carrier| carrier.angle);
+            let angle = rule.link_frame.map(|link_frame| link_frame.angle);
             let mut behind = angle.map_or_else(BTreeSet::new, |x| mentioned_in(algebra, &[x]));
             behind.insert(result(rule.group, rule.position, Vec::new()));
             behind

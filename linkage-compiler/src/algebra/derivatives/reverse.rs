@@ -122,19 +122,19 @@ fn below_node<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> Vec<Item> {
             let z = turning.z.ids().map(Item::Node);
             [&z[..], &[system(turning.group, &[])]].concat()
         }
-        Some(Rule::ToFrame(seen)) => {
-            let vector = seen.vector.ids().map(Item::Node);
-            [&vector[..], &below_carrier(seen.carrier)].concat()
+        Some(Rule::ToFrame(to_frame)) => {
+            let vector = to_frame.vector.ids().map(Item::Node);
+            [&vector[..], &below_frame(to_frame.link_frame)].concat()
         }
-        Some(Rule::FromFrame(shown)) => {
+        Some(Rule::FromFrame(from_frame)) => {
             let [vector, base] =
-                [shown.vector, shown.base].map(|vector| vector.ids().map(Item::Node));
-            [&vector[..], &base[..], &below_carrier(shown.carrier)].concat()
+                [from_frame.vector, from_frame.base].map(|vector| vector.ids().map(Item::Node));
+            [&vector[..], &base[..], &below_frame(from_frame.link_frame)].concat()
         }
-        Some(Rule::Axis(axis)) => below_carrier(axis.0),
+        Some(Rule::Axis(axis)) => below_frame(axis.0),
         Some(Rule::Cosine(rule) | Rule::Sine(rule) | Rule::Value(rule)) => {
             let mut below = vec![system(rule.group, &[])];
-            below.extend(rule.carrier.into_iter().flat_map(below_carrier));
+            below.extend(rule.link_frame.into_iter().flat_map(below_frame));
             below
         }
         Some(Rule::Unknown { group, .. }) => vec![system(*group, &[])],
@@ -170,31 +170,31 @@ fn symbol_back<'m>(
             let system = System::new(turning.group, Vec::new());
             add_to_system(algebra, weights, system, turning.position, share);
         }
-        Rule::ToFrame(seen) => {
-            let [x, y] = seen.carrier.axis.0;
-            let factors = [[x, y], [-y, x]][seen.component];
-            for (x, factor) in seen.vector.components().zip(factors) {
+        Rule::ToFrame(to_frame) => {
+            let [x, y] = to_frame.link_frame.axis.0;
+            let factors = [[x, y], [-y, x]][to_frame.component];
+            for (x, factor) in to_frame.vector.components().zip(factors) {
                 add_to_node(algebra, weights, x.id(), factor * weight);
             }
-            let share = -(seen.in_frame.perp()[seen.component] * weight);
-            add_to_carrier(algebra, weights, seen.carrier, share);
+            let share = -(to_frame.in_frame.perp()[to_frame.component] * weight);
+            add_to_frame(algebra, weights, to_frame.link_frame, share);
         }
-        Rule::FromFrame(shown) => {
-            let component = shown.component;
-            add_to_node(algebra, weights, shown.base[component].id(), weight);
-            let [x, y] = shown.carrier.axis.0;
+        Rule::FromFrame(from_frame) => {
+            let component = from_frame.component;
+            add_to_node(algebra, weights, from_frame.base[component].id(), weight);
+            let [x, y] = from_frame.link_frame.axis.0;
             let factors = [[x, -y], [y, x]][component];
-            for (x, factor) in shown.vector.components().zip(factors) {
+            for (x, factor) in from_frame.vector.components().zip(factors) {
                 add_to_node(algebra, weights, x.id(), factor * weight);
             }
-            let turned = shown.vector.turned(shown.carrier.axis).perp();
+            let turned = from_frame.vector.turned(from_frame.link_frame.axis).perp();
             let share = turned[component] * weight;
-            add_to_carrier(algebra, weights, shown.carrier, share);
+            add_to_frame(algebra, weights, from_frame.link_frame, share);
         }
         Rule::Axis(axis) => {
-            let (carrier, component) = *axis;
-            let share = carrier.axis.perp()[component] * weight;
-            add_to_carrier(algebra, weights, carrier, share);
+            let (link_frame, component) = *axis;
+            let share = link_frame.axis.perp()[component] * weight;
+            add_to_frame(algebra, weights, link_frame, share);
         }
         Rule::Unknown { group, position } => {
             add_to_system(
@@ -254,21 +254,21 @@ fn add_to_angle<'m>(
     let system = System::new(rule.group, Vec::new());
     let share = rule.sensed(share);
     add_to_system(algebra, weights, system, rule.position, share);
-    if let Some(carrier) = rule.carrier {
-        add_to_carrier(algebra, weights, carrier, share);
+    if let Some(link_frame) = rule.link_frame {
+        add_to_frame(algebra, weights, link_frame, share);
     }
 }
 
 /// Hands the weight of a frame's rotation to its angle and to its start.
-fn add_to_carrier<'m>(
+fn add_to_frame<'m>(
     algebra: &Algebra<'m>,
     weights: &mut Weights<'m>,
-    carrier: RotatingFrame<'m>,
+    link_frame: RotatingFrame<'m>,
     share: Ex<'m>,
 ) {
-    add_to_node(algebra, weights, carrier.angle.id(), share);
-    let across = carrier.start.perp();
-    for (start, factor) in carrier.start.components().zip(across.components()) {
+    add_to_node(algebra, weights, link_frame.angle.id(), share);
+    let across = link_frame.start.perp();
+    for (start, factor) in link_frame.start.components().zip(across.components()) {
         add_to_node(algebra, weights, start.id(), factor * share);
     }
 }
@@ -298,7 +298,7 @@ fn add_to_system<'m>(
 }
 
 /// Returns the nodes that a frame rotates with.
-fn below_carrier(carrier: RotatingFrame) -> Vec<Item> {
-    let nodes = std::iter::once(carrier.angle).chain(carrier.start.components());
+fn below_frame(link_frame: RotatingFrame) -> Vec<Item> {
+    let nodes = std::iter::once(link_frame.angle).chain(link_frame.start.components());
     nodes.map(|x| Item::Node(x.id())).collect()
 }
