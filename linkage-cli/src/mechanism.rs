@@ -5,7 +5,7 @@ mod describe;
 
 use linkage_compiler::Checked;
 use linkage_compiler::ir::{CompiledMechanism, plain};
-use linkage_runtime::generated::{Angle, CoupledGroup};
+use linkage_runtime::support::{Angle, CoupledGroup};
 use linkage_runtime::{AssemblyMode, Heading, Input, Parameter, Structure};
 
 /// A mechanism without a mistake: its programs, and what they are about.

@@ -1,146 +1,15 @@
-//! Jacobians of mechanisms with as many results as inputs: both ways, for motions and for forces, and where they are singular.
+//! Jacobians of mechanisms with as many results as inputs: both ways, for motions and for forces,
+//! and where they are singular.
 
 mod factors;
+mod matrix;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod search;
 mod singular_values;
-
-#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use search::{Singularity, SingularityKind, singularities};
-
-use linkage_core::Scalar;
-
-use factors::Factors;
-
-/// The derivatives of `N` results by `N` inputs.
-///
-/// Results and inputs can be chosen freely: of an ankle with two motors, the angles of the foot by those of the motors, or the other
-/// way round. Where it is singular, what is divided by zero is not finite.
-///
-/// ```
-/// use linkage_runtime::jacobian::Jacobian;
-///
-/// // Two links of length 1 in the plane, one along x, the other along y: the velocities of the end by both angles.
-/// let arm = Jacobian::of_inputs([[-1.0_f64, 1.0], [-1.0, 0.0]]);
-/// assert_eq!(arm.results_of([0.1, 0.0]), [-0.1, 0.1]);
-/// let [first, second] = arm.inputs_of([-0.1, 0.1]);
-/// assert!((first - 0.1).abs() < 1e-15 && second.abs() < 1e-15);
-/// // A force of 5 along y on the end: the torques that carry it.
-/// assert_eq!(arm.efforts([0.0, 5.0]), [5.0, 0.0]);
-/// assert!((arm.manipulability() - 1.0).abs() < 1e-15);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Jacobian<T, const N: usize> {
-    /// A row for each result.
-    rows: [[T; N]; N],
-}
-
-impl<T: Scalar, const N: usize> Jacobian<T, N> {
-    /// From the derivatives of each result by all inputs, as `velocity(result)` gives them in a function of several inputs.
-    #[must_use]
-    pub fn of_results(rows: [[T; N]; N]) -> Self {
-        Self { rows }
-    }
-
-    /// From the derivatives of all results by each input: `velocity(point)` of a point of as many components as there are inputs, each
-    /// brought to an array by `.into()`.
-    #[must_use]
-    pub fn of_inputs(columns: [[T; N]; N]) -> Self {
-        Self {
-            rows: transposed(columns),
-        }
-    }
-
-    /// A row for each result.
-    #[must_use]
-    pub fn rows(&self) -> [[T; N]; N] {
-        self.rows
-    }
-
-    /// Without dimensions: results in these units, inputs in those. Singular values, condition and manipulability compare what results and
-    /// inputs do, which only means something if they are of one kind; for an angle beside a length the unit is a length that belongs to the
-    /// task.
-    #[must_use]
-    pub fn in_units(&self, results: [T; N], inputs: [T; N]) -> Self {
-        Self {
-            rows: core::array::from_fn(|row| {
-                core::array::from_fn(|column| {
-                    self.rows[row][column] * inputs[column] / results[row]
-                })
-            }),
-        }
-    }
-
-    /// How fast the results are when the inputs are so fast.
-    #[must_use]
-    pub fn results_of(&self, inputs: [T; N]) -> [T; N] {
-        self.rows.map(|row| dot(row, inputs))
-    }
-
-    /// How fast the inputs must be for the results to be so fast.
-    #[must_use]
-    pub fn inputs_of(&self, results: [T; N]) -> [T; N] {
-        Factors::of(self.rows).solve(results)
-    }
-
-    /// The derivatives of the inputs by the results.
-    #[must_use]
-    pub fn inverse(&self) -> Self {
-        let factors = Factors::of(self.rows);
-        let unit = |k| core::array::from_fn(|row| T::from_f64(if row == k { 1.0 } else { 0.0 }));
-        Self::of_inputs(core::array::from_fn(|k| factors.solve(unit(k))))
-    }
-
-    /// The determinant; its sign changes where the mechanism passes a singular position.
-    #[must_use]
-    pub fn determinant(&self) -> T {
-        Factors::of(self.rows).determinant()
-    }
-
-    /// The forces or torques at the inputs that do the same work as these at the results: `J^T` times the loads. Drives that carry the loads
-    /// exert the opposite ones, without friction and masses.
-    #[must_use]
-    pub fn efforts(&self, loads: [T; N]) -> [T; N] {
-        transposed(self.rows).map(|column| dot(column, loads))
-    }
-
-    /// What these forces or torques at the inputs do at the results.
-    #[must_use]
-    pub fn loads(&self, efforts: [T; N]) -> [T; N] {
-        Factors::of(transposed(self.rows)).solve(efforts)
-    }
-
-    /// The singular values, the largest first: the lengths of the half axes of the ellipsoid of velocities that inputs of a total of 1 (the
-    /// root of the sum of their squares) can give, by which loads are divided.
-    #[must_use]
-    pub fn singular_values(&self) -> [T; N] {
-        singular_values::of(transposed(self.rows))
-    }
-
-    /// The largest singular value over the smallest: 1 where all directions are alike, infinite at a singular position. Errors and loads grow
-    /// by at most this factor more in one direction than in another.
-    #[must_use]
-    pub fn condition(&self) -> T {
-        let values = self.singular_values();
-        values[0] / values[N - 1]
-    }
-
-    /// Yoshikawa's measure of how well the results can be moved, `sqrt(det(J J^T))`, here the size of the determinant (T. Yoshikawa,
-    /// "Manipulability of robotic mechanisms", Int. J. Robotics Research 4, 1985).
-    #[must_use]
-    pub fn manipulability(&self) -> T {
-        self.determinant().abs()
-    }
-}
-
-fn dot<T: Scalar, const N: usize>(a: [T; N], b: [T; N]) -> T {
-    let products = a.into_iter().zip(b).map(|(a, b)| a * b);
-    products.fold(T::from_f64(0.0), |sum, product| sum + product)
-}
-
-fn transposed<T: Copy, const N: usize>(matrix: [[T; N]; N]) -> [[T; N]; N] {
-    core::array::from_fn(|row| core::array::from_fn(|column| matrix[column][row]))
-}
-
 #[cfg(test)]
 mod tests;
+mod vectors;
+
+pub use matrix::Jacobian;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use search::{Singularity, SingularityKind, singularities};

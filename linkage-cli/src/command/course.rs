@@ -10,7 +10,7 @@ use crate::normal::normal;
 
 /// Options for the arguments of a function.
 #[derive(Debug, Args)]
-pub(super) struct Course {
+pub(super) struct Curve {
     /// First value of the input, with its unit; the lower end of its range by default
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     from: Option<String>,
@@ -35,7 +35,7 @@ pub(super) struct Along {
     pub(super) positions: Positions,
 }
 
-impl Course {
+impl Curve {
     /// The arguments of a function over as many positions.
     pub(super) fn of(
         &self,

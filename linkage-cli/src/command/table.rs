@@ -9,7 +9,7 @@ use clap::{Args, CommandFactory, value_parser};
 use linkage_runtime::report::CsvStyle;
 
 use super::choose::Chosen;
-use super::course::Course;
+use super::course::Curve;
 use super::output::put;
 use super::range;
 use super::values::Dimensions;
@@ -26,7 +26,7 @@ pub(super) struct Options {
     #[arg(value_parser = normal)]
     function: String,
     #[command(flatten)]
-    course: Course,
+    course: Curve,
     /// How many positions, both ends included
     #[arg(long, default_value_t = 361, value_name = "COUNT", value_parser = value_parser!(u32).range(1..))]
     steps: u32,

@@ -12,7 +12,7 @@ use linkage_runtime::report::CsvStyle;
 use linkage_runtime::tolerance::largest;
 
 use super::choose::Chosen;
-use super::course::{Along, Course};
+use super::course::{Along, Curve};
 use super::output::print;
 use super::range;
 use super::values::Dimensions;
@@ -32,7 +32,7 @@ pub(super) struct Options {
     #[arg(value_parser = normal)]
     function: String,
     #[command(flatten)]
-    course: Course,
+    course: Curve,
     /// How many positions, both ends included
     #[arg(long, default_value_t = 37, value_name = "COUNT", value_parser = value_parser!(u32).range(2..))]
     steps: u32,

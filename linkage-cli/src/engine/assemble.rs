@@ -1,7 +1,9 @@
 //! Closing the loops, and evaluating functions.
 
 use linkage_compiler::ir::Surveyed;
-use linkage_runtime::generated::{Start, Which, assemblies, close, explained, finite, starts_of};
+use linkage_runtime::support::{
+    InitialState, Which, assemblies, close, explained, finite, initial_states_of,
+};
 use linkage_runtime::{AssemblyError, AssemblyMode, Estimate, Scalar};
 
 use super::coupled::Programs;
@@ -16,7 +18,7 @@ pub struct Assembly<'m> {
     mechanism: &'m Mechanism,
     dimensions: Vec<f64>,
     modes: Vec<AssemblyMode>,
-    starts: Vec<Start>,
+    starts: Vec<InitialState>,
     turns: Turns,
     prepared: Vec<f64>,
 }
@@ -213,9 +215,9 @@ impl Mechanism {
         modes: &[AssemblyMode],
         at: &[f64],
         wanted: Which<'_>,
-    ) -> Result<Vec<Vec<Start>>, AssemblyError> {
-        let nothing = vec![Start::Nothing; self.groups.len()];
-        let found = starts_of(
+    ) -> Result<Vec<Vec<InitialState>>, AssemblyError> {
+        let nothing = vec![InitialState::Nothing; self.groups.len()];
+        let found = initial_states_of(
             self.groups,
             nothing.clone(),
             at,
@@ -240,7 +242,7 @@ impl Mechanism {
         dimensions: &[f64],
         modes: Vec<AssemblyMode>,
         at: &[f64],
-        starts: Vec<Start>,
+        starts: Vec<InitialState>,
     ) -> Result<Assembly<'_>, AssemblyError> {
         let turning = Turning {
             mechanism: self,
@@ -270,7 +272,7 @@ impl Mechanism {
         dimensions: &[f64],
         modes: Vec<AssemblyMode>,
         turns: Turns,
-        starts: Vec<Start>,
+        starts: Vec<InitialState>,
     ) -> Assembly<'_> {
         let turning = Turning {
             mechanism: self,

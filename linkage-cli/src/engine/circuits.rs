@@ -1,8 +1,6 @@
 //! Which assemblies run through the range of the input.
 
-use linkage_runtime::generated::{
-    Chosen, CoupledGroup, Levels, Searched, SurveyedUnknown, circuits,
-};
+use linkage_runtime::support::{Chosen, CoupledGroup, Levels, Searched, SurveyedUnknown, circuits};
 use linkage_runtime::{AssemblyError, Circuits};
 
 use super::Assembly;

@@ -1,7 +1,7 @@
 //! The programs of a coupled group, as the runtime prepares it.
 
-use linkage_runtime::generated::{
-    Correction, CoupledPrograms, Residuals, Start, Step, pairs, placed, stepped,
+use linkage_runtime::support::{
+    Correction, CoupledPrograms, InitialState, Residuals, Step, pairs, placed, stepped,
 };
 use linkage_runtime::{AssemblyError, AssemblyMode, Enclosure, Scalar};
 use linkage_symbolic::program::Source;
@@ -19,7 +19,7 @@ pub(crate) struct Programs<'m> {
     modes: Vec<AssemblyMode>,
     turns: Turns,
     prepared: Vec<f64>,
-    starts: Vec<Start>,
+    starts: Vec<InitialState>,
     at: Vec<f64>,
 }
 
@@ -35,7 +35,7 @@ impl<'m> Programs<'m> {
         modes: &[AssemblyMode],
         at: &[f64],
         number: usize,
-        starts: &[Start],
+        starts: &[InitialState],
     ) -> Result<Self, AssemblyError> {
         let turning = Turning {
             mechanism,

@@ -1,6 +1,6 @@
 //! Where programs find what they load.
 
-use linkage_runtime::generated::{Single, Start, inlined, single};
+use linkage_runtime::support::{Dispatch, InitialState, dispatch, inlined};
 use linkage_runtime::{AssemblyMode, Scalar};
 use linkage_symbolic::program::Source;
 
@@ -41,7 +41,7 @@ impl Numbers<'_> {
 #[derive(Clone, Copy)]
 pub(super) struct States<'a> {
     pub(super) mechanism: &'a Mechanism,
-    pub(super) starts: &'a [Start],
+    pub(super) starts: &'a [InitialState],
     pub(super) inputs: &'a [f64],
 }
 
@@ -53,11 +53,11 @@ impl States<'_> {
 
     /// The same with fused multiply-add if the machine has it.
     pub(super) fn by_machine(self) -> Vec<Vec<f64>> {
-        single(&self, [] as [f64; 0])
+        dispatch(&self, [] as [f64; 0])
     }
 }
 
-impl Single<f64, Vec<Vec<f64>>, 0> for States<'_> {
+impl Dispatch<f64, Vec<Vec<f64>>, 0> for States<'_> {
     #[inline(always)]
     fn at<const FUSED: bool>(&self, []: [f64; 0]) -> Vec<Vec<f64>> {
         let mut states = Vec::with_capacity(self.starts.len());

@@ -1,7 +1,7 @@
 //! The check of the declared range.
 
 use linkage_runtime::RangeReport;
-use linkage_runtime::generated::{Ranged, check_range};
+use linkage_runtime::support::{Ranged, check_range};
 
 use super::Assembly;
 

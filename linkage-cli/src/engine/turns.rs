@@ -1,7 +1,7 @@
 //! Centres and windings of continuous angles.
 
 use linkage_runtime::AssemblyMode;
-use linkage_runtime::generated::{Start, pairs, wind_one};
+use linkage_runtime::support::{InitialState, pairs, wind_one};
 
 use super::numbers::{Numbers, States};
 use super::operations::{by_build, by_machine};
@@ -31,7 +31,7 @@ pub(super) struct Turning<'a> {
     pub(super) mechanism: &'a Mechanism,
     pub(super) dimensions: &'a [f64],
     pub(super) modes: &'a [AssemblyMode],
-    pub(super) starts: &'a [Start],
+    pub(super) starts: &'a [InitialState],
 }
 
 impl Turning<'_> {

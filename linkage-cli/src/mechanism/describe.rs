@@ -1,7 +1,7 @@
 //! The runtime's descriptions of a unit, as generated code has them as constants.
 
 use linkage_compiler::ir::{CompiledMechanism, Coupled, Function, Meaning, Picture, Shown};
-use linkage_runtime::generated::{
+use linkage_runtime::support::{
     Along, Angle, CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown, Range, Term,
 };
 use linkage_runtime::{

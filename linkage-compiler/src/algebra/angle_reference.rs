@@ -2,7 +2,7 @@
 //! from them.
 
 use linkage_symbolic::program::{Binary, Source, Unary};
-use linkage_symbolic::{Ex, Node, V2, Vector, agree};
+use linkage_symbolic::{Ex, Node, V2, Vector, numerically_equal};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::equations::AnglePair;
@@ -129,7 +129,7 @@ impl<'m> TurningPart<'m> {
                 rates: signed.collect(),
             }
         });
-        let vanishes = |x: Ex| agree(x, zero);
+        let vanishes = |x: Ex| numerically_equal(x, zero);
         phasors
             .filter(|phasor| !phasor.coefficient.components().all(vanishes))
             .collect()

@@ -9,7 +9,7 @@
 #[cfg(test)]
 mod tests;
 
-use linkage_symbolic::{Ex, Graph, V3, Vector, agree};
+use linkage_symbolic::{Ex, Graph, V3, Vector, numerically_equal};
 
 use crate::algebra::pivots;
 use crate::algebra::pivots::{InOrder, Order, parity};
@@ -52,7 +52,9 @@ impl<'m> Bodies<'m> {
             let columns = 0..row.len();
             columns.filter(|&k| !row[k].is_zero()).collect()
         };
-        let is = |entry: Ex<'m>, column: usize| unknowns[column].is_some_and(|x| agree(entry, x));
+        let is = |entry: Ex<'m>, column: usize| {
+            unknowns[column].is_some_and(|x| numerically_equal(entry, x))
+        };
         // The derivative of half the square of a direction is the direction.
         let lengths = matrix.iter().enumerate().filter_map(|(row, entries)| {
             let columns: [usize; 3] = filled(entries).try_into().ok()?;

@@ -5,7 +5,7 @@
 //! the others, too, and in second derivatives three times as many.
 
 use crate::model::unknown_frames;
-use linkage_symbolic::{Node, SymbolId, V3, Vector, agree, substitute};
+use linkage_symbolic::{Node, SymbolId, V3, Vector, numerically_equal, substitute};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::solutions::BodyVector;
@@ -59,7 +59,7 @@ pub(crate) fn coordinates<'m>(vector: V3<'m>, axes: [V3<'m>; 2]) -> Option<V3<'m
     let shown = local[0] * first + local[1] * second + local[2] * first.cross(second);
     let mut pairs = shown.0.into_iter().zip(vector.0);
     pairs
-        .all(|(shown, component)| agree(shown, component))
+        .all(|(shown, component)| numerically_equal(shown, component))
         .then_some(local)
 }
 

@@ -1,6 +1,6 @@
 //! Small linear systems by cofactors: no choice of pivots, which would be a branch.
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, Graph};
 
 /// The sum of products, of any number.

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{DerivativeMemo, Ex, NodeId, SymbolId, V3};
 
 use crate::algebra::solutions::Shortcuts;

@@ -1,7 +1,7 @@
 //! The numbers of the mechanism as written: defaults, tolerances, reference position, estimates.
 
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::program::Source;
-use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, evaluate, evaluate_given};
 
 use crate::algebra::context::Algebra;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use linkage_symbolic::program::{Binary, Unary};
-use linkage_symbolic::{Ex, Node, V2, Vector, agree};
+use linkage_symbolic::{Ex, Node, V2, Vector, numerically_equal};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::equations::AnglePair;
@@ -152,7 +152,7 @@ impl<'m> TurningPart<'m> {
                 let back = (sines & conjugate).count_ones() % 2 == 1;
                 (0..2).all(|row| {
                     let expected = if back { -turned[row] } else { turned[row] };
-                    agree(self.rows[row][sines], expected)
+                    numerically_equal(self.rows[row][sines], expected)
                 })
             })
         })

@@ -4,7 +4,7 @@ use crate::algebra::derivatives::direction;
 use crate::algebra::derivatives::partial;
 
 use crate::algebra::scalar;
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use linkage_symbolic::{Ex, SymbolId, Vector, Vn};
 

@@ -4,7 +4,7 @@ use crate::algebra::scalar;
 use crate::algebra::translate;
 use crate::model::unknown_frames;
 use linkage_symbolic::program::Source;
-use linkage_symbolic::{Ex, Graph, SymbolId, evaluate_given, unordered::Map};
+use linkage_symbolic::{Ex, Graph, SymbolId, evaluate_given, lookup::Map};
 
 use crate::algebra::{Algebra, Bound, Translate, Value};
 use crate::model::{Loop, Mechanism};

@@ -8,7 +8,7 @@ use crate::algebra::derivatives::acting;
 use crate::algebra::derivatives::mentioned;
 use std::collections::{BTreeMap, BTreeSet};
 
-use linkage_symbolic::unordered::{Map, Set};
+use linkage_symbolic::lookup::{Map, Set};
 use linkage_symbolic::{SymbolId, program::Source};
 
 use crate::algebra::{Algebra, Direction};

@@ -13,7 +13,7 @@ pub(crate) struct Analysis<'a, 'm> {
     pub(crate) reporter: Reporter<'a>,
     pub(crate) structure: Structure<'m>,
     /// Eliminated symbols and the expressions that replace them.
-    pub(crate) substitutions: linkage_symbolic::unordered::Map<SymbolId, Ex<'m>>,
+    pub(crate) substitutions: linkage_symbolic::lookup::Map<SymbolId, Ex<'m>>,
     /// Components of axes that stay unknowns, all six of a body: systems are solved in its turns.
     pub(crate) kept_axes: Vec<SymbolId>,
     /// Reductions so far.

@@ -1,6 +1,6 @@
 //! Unknown frames whose place is open, and the rods that hold them.
 
-use linkage_symbolic::{Ex, SymbolId, V3, Vector, agree, collect};
+use linkage_symbolic::{Ex, SymbolId, V3, Vector, collect, numerically_equal};
 
 use crate::algebra::Bound;
 use crate::algebra::context::Algebra;
@@ -118,7 +118,7 @@ pub(crate) fn joints<'m>(
         };
         let same = |joint: &&mut Joint<'m>| {
             let mut pairs = joint.local.components().zip(local.components());
-            pairs.all(|(a, b)| agree(a, b))
+            pairs.all(|(a, b)| numerically_equal(a, b))
         };
         match joints.iter_mut().find(same) {
             Some(joint) => joint.rods.push(held),
@@ -173,11 +173,11 @@ fn local<'m>(algebra: &Algebra<'m>, body: &Body<'m>, vector: V3<'m>) -> Option<(
         let along = [take(&[k]), take(&[3 + k]), product];
         rest[k] = take(&[]);
         let turned_back = take(&[last, 3 + next]);
-        if !agree(product, -turned_back) || !terms.is_empty() {
+        if !numerically_equal(product, -turned_back) || !terms.is_empty() {
             return None;
         }
         for (found, component) in found.iter_mut().zip(along) {
-            if !agree(*found.get_or_insert(component), component) {
+            if !numerically_equal(*found.get_or_insert(component), component) {
                 return None;
             }
         }

@@ -5,7 +5,7 @@
 //! the loops the distances between the points. Of fewer, one says where the origin is: an angle
 //! instead of its coordinates, and two loops less.
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, V3, Vector, substitute};
 
 use crate::model::unknown_frames;

@@ -1,6 +1,6 @@
 //! Recognising an unknown point, or a direction, by its distances from known points and planes.
 
-use linkage_symbolic::{Ex, SymbolId, V3, Vector, agree};
+use linkage_symbolic::{Ex, SymbolId, V3, Vector, numerically_equal};
 
 use crate::algebra::context::Algebra;
 use crate::structure::analysis::Analysis;
@@ -93,7 +93,7 @@ pub(crate) fn moved_point<'m>(
                 continue;
             }
             let first = *factor.get_or_insert(entry);
-            if place.replace(component).is_some() || !agree(first, entry) {
+            if place.replace(component).is_some() || !numerically_equal(first, entry) {
                 return None;
             }
         }

@@ -1,7 +1,7 @@
 //! All loops on numbers, closed together: equations may be more than unknowns.
 
 use linkage_core::numeric::cholesky;
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, SymbolId, substitute};
 
 use crate::algebra::Nominal;

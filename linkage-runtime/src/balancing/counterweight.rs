@@ -1,8 +1,8 @@
 //! One counterweight in place of unit masses at several points.
 
 use super::BalanceError;
-use crate::Scalar;
 use crate::components::norm;
+use linkage_core::Scalar;
 
 /// A mass at a point of a link, in the axes of the link from its origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,19 +16,19 @@ pub struct Counterweight {
 }
 
 impl Counterweight {
-    /// One mass in place of three: one at the link's origin, and two at a radius from it, 90 degrees apart: mass and
-    /// static moment are the same.
+    /// One mass in place of three: one at the link's origin, and two at a radius from it, 90
+    /// degrees apart: mass and static moment are the same.
     ///
     /// # Errors
     ///
-    /// `Counterweight` if a number is not finite, the radius is not positive, or the masses add up to 0 and have a static moment,
-    /// which no single mass has.
+    /// `Counterweight` if a number is not finite, the radius is not positive, or the masses add up
+    /// to 0 and have a static moment, which no single mass has.
     pub fn of_masses([at_origin, m_x, m_y]: [f64; 3], radius: f64) -> Result<Self, BalanceError> {
         positive("the radius of the masses", radius)?;
         let mass = at_origin + m_x + m_y;
-        let place = [m_x, m_y].map(|m| radius * (m / mass));
-        if mass != 0.0 && norm(&place).is_finite() {
-            let [x, y] = place;
+        let centre = [m_x, m_y].map(|m| radius * (m / mass));
+        if mass != 0.0 && norm(&centre).is_finite() {
+            let [x, y] = centre;
             return Ok(Self { mass, x, y });
         }
         Err(BalanceError::Counterweight {
@@ -60,8 +60,8 @@ impl Counterweight {
     }
 }
 
-/// Mass times place on a link, in the axes of the link from its origin: what a counterweight on a link with a fixed pivot
-/// does to the shaking force, whatever its mass.
+/// Mass times position on a link, in the axes of the link from its origin. A counterweight on a
+/// link with a fixed pivot changes the shaking force by this product alone, whatever its mass.
 ///
 /// ```
 /// use linkage_runtime::balancing::StaticMoment;
@@ -108,7 +108,8 @@ impl StaticMoment {
     ///
     /// # Errors
     ///
-    /// `Counterweight` if the radius is not positive and finite, or the static moment is 0, which has no direction, or not finite.
+    /// `Counterweight` if the radius is not positive and finite, or the static moment is 0, which
+    /// has no direction, or not finite.
     pub fn at_radius(&self, radius: f64) -> Result<Counterweight, BalanceError> {
         positive("the radius of the counterweight", radius)?;
         let size = self.size();

@@ -1,4 +1,4 @@
-//! What is wrong with the numbers of a balance.
+//! A reason why a balance cannot be computed.
 
 use core::fmt;
 
@@ -8,21 +8,21 @@ use core::fmt;
 pub enum BalanceError {
     /// There is nothing to balance.
     Nothing {
-        /// What there is none of.
+        /// Name of the missing numbers.
         what: &'static str,
     },
     /// There are not as many rows of effects as forces.
     Count {
-        /// The quantity, counted from 0: the forces, then what was added.
+        /// The quantity, counted from 0: the forces, then the added quantities.
         group: usize,
-        /// How many forces there are.
+        /// The number of forces.
         forces: usize,
-        /// How many rows of effects.
+        /// The number of rows of effects.
         effects: usize,
     },
     /// A force or an effect is NaN or infinite.
     NotFinite {
-        /// The quantity, counted from 0: the forces, then what was added.
+        /// The quantity, counted from 0: the forces, then the added quantities.
         group: usize,
         /// The position, counted from 0.
         position: usize,
@@ -39,20 +39,22 @@ pub enum BalanceError {
         /// The mass, counted from 0.
         effect: usize,
     },
-    /// A mass has the effects of some combination of those before it, so that there are many solutions.
+    /// A mass has the effects of some combination of those before it, so that there are many
+    /// solutions.
     Dependent {
         /// The mass, counted from 0.
         effect: usize,
     },
-    /// The numbers are so large or so small that a result is beyond the range of floating point numbers.
+    /// The numbers are so large or so small that a result is beyond the range of floating point
+    /// numbers.
     OutOfRange,
     /// A number that no counterweight can be made of.
     Counterweight {
-        /// What it stands for.
+        /// Name of the number.
         what: &'static str,
         /// The number.
         value: f64,
-        /// What it must be.
+        /// The range that is required.
         expected: &'static str,
     },
 }
@@ -67,7 +69,7 @@ impl fmt::Display for BalanceError {
                 effects,
             } => {
                 write!(f, "{effects} rows of effects for {forces} forces")?;
-                of(f, *group)
+                write_group(f, *group)
             }
             Self::NotFinite {
                 group,
@@ -75,7 +77,7 @@ impl fmt::Display for BalanceError {
                 effect,
             } => {
                 write!(f, "position {position}")?;
-                of(f, *group)?;
+                write_group(f, *group)?;
                 match effect {
                     Some(effect) => write!(f, ": the effect of mass {effect} is not finite")?,
                     None => f.write_str(": the force is not finite")?,
@@ -108,7 +110,7 @@ impl fmt::Display for BalanceError {
 }
 
 /// ` of quantity 1`; the first one is the only one as a rule, and is not named.
-fn of(f: &mut fmt::Formatter<'_>, group: usize) -> fmt::Result {
+fn write_group(f: &mut fmt::Formatter<'_>, group: usize) -> fmt::Result {
     match group {
         0 => Ok(()),
         _ => write!(f, " of quantity {group}"),

@@ -1,8 +1,9 @@
 //! Least peak: the point that makes the longest of the vectors `f_i + Q_i y` as short as possible.
 //!
-//! A primal-dual interior point method on: the least `tau` with `|f_i + Q_i y|^2 <= tau` at each position `i`. Its multipliers
-//! give a lower bound that does not depend on how well it has converged: with vectors `u_i` for which `sum Q_i^T u_i = 0`, any
-//! `y` has `sum u_i . f_i = sum u_i . (f_i + Q_i y) <= sum |u_i| * peak`.
+//! A primal-dual interior point method on: the least `tau` with `|f_i + Q_i y|^2 <= tau` at each
+//! position `i`. Its multipliers give a lower bound that does not depend on how well it has
+//! converged: with vectors `u_i` for which `sum Q_i^T u_i = 0`, any `y` has
+//! `sum u_i . f_i = sum u_i . (f_i + Q_i y) <= sum |u_i| * peak`.
 
 mod cholesky;
 mod step;
@@ -10,32 +11,33 @@ mod step;
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::rows::{Row, add, dot, larger};
+use super::rows::{ForceRow, add, dot, larger};
 use crate::components::norm;
 use cholesky::Cholesky;
 use linkage_core::math::double::sqrt;
 use step::State;
 
-/// A point, and what no point goes below.
-pub(super) struct Found<const N: usize> {
+/// A point, and a lower bound of all points.
+pub(super) struct PeakSolution<const N: usize> {
     pub(super) coordinates: [f64; N],
     pub(super) bound: f64,
 }
 
-/// Rounds of the method at most, rounds without progress that end it, and the gap between peak and bound, as part of the
-/// peak, that is small enough.
+/// Rounds of the method at most, rounds without progress that end it, and the gap between peak and
+/// bound, as part of the peak, that is small enough.
 const ROUNDS: usize = 100;
 const PATIENCE: usize = 5;
 const GAP: f64 = 1e-13;
 
-/// The coordinates of the least peak. The columns are of length 1 and perpendicular to each other and to the forces.
+/// The coordinates of the least peak. The columns are of length 1 and perpendicular to each other
+/// and to the forces.
 pub(super) fn least_peak<const N: usize>(
     forces: &[[f64; 3]],
     columns: &[[[f64; 3]; N]],
-) -> Found<N> {
+) -> PeakSolution<N> {
     let scale = forces.iter().map(|v| norm(v)).fold(0.0, larger);
     if scale == 0.0 {
-        return Found {
+        return PeakSolution {
             coordinates: [0.0; N],
             bound: 0.0,
         };
@@ -62,7 +64,7 @@ pub(super) fn least_peak<const N: usize>(
         }
         state = state.next(&problem.rows);
     }
-    Found {
+    PeakSolution {
         coordinates: point.map(|y| scale * problem.unit * y),
         bound: scale * bound,
     }
@@ -70,7 +72,7 @@ pub(super) fn least_peak<const N: usize>(
 
 /// Forces of size 1 and columns with entries of size 1.
 struct Problem<const N: usize> {
-    rows: Vec<Row<N>>,
+    rows: Vec<ForceRow<N>>,
     /// The length of a column.
     unit: f64,
 }
@@ -78,7 +80,7 @@ struct Problem<const N: usize> {
 impl<const N: usize> Problem<N> {
     fn new(forces: &[[f64; 3]], columns: &[[[f64; 3]; N]], scale: f64) -> Self {
         let unit = sqrt(forces.len() as f64);
-        let row = |(force, column): (&[f64; 3], &[[f64; 3]; N])| Row {
+        let row = |(force, column): (&[f64; 3], &[[f64; 3]; N])| ForceRow {
             force: force.map(|x| x / scale),
             effects: column.map(|v| v.map(|x| x * unit)),
         };
@@ -93,14 +95,15 @@ impl<const N: usize> Problem<N> {
         lengths.fold(0.0, larger)
     }
 
-    /// What the multipliers prove: with `u_i` the forces that remain times their multipliers, less what is along
-    /// the columns.
+    /// The bound that the multipliers prove, with `u_i` the remaining forces times their
+    /// multipliers, less their part along the columns.
     fn bound(&self, point: &[f64; N], multipliers: &[f64]) -> f64 {
         let weighted = self.rows.iter().zip(multipliers);
         let mut u: Vec<[f64; 3]> = weighted
             .map(|(row, multiplier)| row.with(point).map(|x| multiplier * x))
             .collect();
-        // First where the multipliers are, which changes work and sizes alike; then the little that is left, anywhere.
+        // First where the multipliers are, which changes work and sizes alike; then the little that
+        // is left, anywhere.
         let sizes: Vec<f64> = u.iter().map(|u| norm(u)).collect();
         self.make_perpendicular(&mut u, &sizes);
         self.make_perpendicular(&mut u, &vec![1.0; sizes.len()]);
@@ -141,7 +144,7 @@ mod tests {
 
     fn problem(first: usize) -> Problem<2> {
         let vector = |i: usize| [number(i), number(i + 1), number(i + 2)];
-        let row = |i: usize| Row {
+        let row = |i: usize| ForceRow {
             force: vector(first + 9 * i).map(|x| 0.5 * x),
             effects: [vector(first + 9 * i + 3), vector(first + 9 * i + 6)],
         };
@@ -151,7 +154,8 @@ mod tests {
         }
     }
 
-    /// Whatever the point and the multipliers are, the bound is one, and it is only met at the optimum.
+    /// Whatever the point and the multipliers are, the bound is one, and it is only met at the
+    /// optimum.
     #[test]
     fn the_bound_holds_wherever_the_method_is() {
         let mut nearest = 0.0_f64;

@@ -1,4 +1,4 @@
-//! The conditions: at each position a force, and what the masses add to it.
+//! The conditions: a force at each position, and the effects of the masses on it.
 
 use alloc::vec::Vec;
 
@@ -8,14 +8,14 @@ use linkage_core::math::double::sqrt;
 
 /// A position.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Row<const N: usize> {
+pub(super) struct ForceRow<const N: usize> {
     pub(super) force: [f64; 3],
     pub(super) effects: [[f64; 3]; N],
 }
 
-pub(super) type Rows<const N: usize> = Vec<Row<N>>;
+pub(super) type Rows<const N: usize> = Vec<ForceRow<N>>;
 
-impl<const N: usize> Row<N> {
+impl<const N: usize> ForceRow<N> {
     pub(super) fn times(&self, factor: f64) -> Self {
         let times = |v: [f64; 3]| v.map(|x| factor * x);
         Self {
@@ -31,7 +31,7 @@ impl<const N: usize> Row<N> {
         sum
     }
 
-    /// What masses add to the force.
+    /// The effects of the masses on the force.
     pub(super) fn change(&self, values: &[f64; N]) -> [f64; 3] {
         let mut sum = [0.0; 3];
         for (effect, value) in self.effects.iter().zip(values) {
@@ -88,15 +88,15 @@ where
         }
     }
     let space = |v: V| in_space(&v.components());
-    let row = |(force, effects): (&V, &[V; N])| Row {
+    let row = |(force, effects): (&V, &[V; N])| ForceRow {
         force: space(*force),
         effects: effects.map(space),
     };
     Ok(forces.iter().zip(effects).map(row).collect())
 }
 
-/// What masses leave of a group.
-pub(super) fn figures<const N: usize>(rows: &[Row<N>], values: &[f64; N]) -> Figures {
+/// The forces that masses leave of a group.
+pub(super) fn figures<const N: usize>(rows: &[ForceRow<N>], values: &[f64; N]) -> Figures {
     let lengths: Vec<f64> = rows.iter().map(|row| norm(&row.with(values))).collect();
     Figures {
         rms: norm(&lengths) / sqrt(lengths.len() as f64),
@@ -104,9 +104,9 @@ pub(super) fn figures<const N: usize>(rows: &[Row<N>], values: &[f64; N]) -> Fig
     }
 }
 
-/// How far the forces that masses leave, and sums over them, may be off by rounding.
-pub(super) fn rounding<const N: usize>(rows: &[Row<N>], values: &[f64; N]) -> f64 {
-    let terms = |row: &Row<N>| {
+/// The rounding error of the remaining forces and of sums over them.
+pub(super) fn rounding<const N: usize>(rows: &[ForceRow<N>], values: &[f64; N]) -> f64 {
+    let terms = |row: &ForceRow<N>| {
         let effects = row.effects.iter().zip(values);
         let sum: f64 = effects
             .map(|(effect, value)| norm(effect) * value.abs())

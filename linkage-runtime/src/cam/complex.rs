@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Mul, Neg, Sub};
 
-use crate::Scalar;
+use linkage_core::Scalar;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Complex(pub(super) f64, pub(super) f64);
@@ -11,7 +11,7 @@ pub(super) const I: Complex = Complex(0.0, 1.0);
 
 impl Complex {
     /// The direction at an angle.
-    pub(super) fn at(angle: f64) -> Self {
+    pub(super) fn direction(angle: f64) -> Self {
         let (sin, cos) = Scalar::sin_cos(angle);
         Self(cos, sin)
     }

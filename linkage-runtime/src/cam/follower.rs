@@ -4,25 +4,26 @@ use core::f64::consts::PI;
 
 use linkage_core::math::double::sqrt;
 
-use super::CamError;
 use super::complex::{Complex, I};
-use crate::Scalar;
+use linkage_core::Scalar;
 
-/// What the cam moves. A roller of radius 0 is a point.
+/// A follower of a cam. A roller of radius 0 is a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Follower {
-    /// A roller that is pushed along a guide, upwards, to the right of the cam's centre by `offset`.
+    /// A roller that is pushed along a guide, upwards, to the right of the cam's centre by
+    /// `offset`.
     Roller {
-        /// Radius of the pitch circle: how far the roller's centre is from that of the cam where the motion is 0.
+        /// Radius of the pitch circle: how far the roller's centre is from that of the cam where
+        /// the motion is 0.
         base: f64,
-        /// How far the guide passes the cam's centre to the right.
+        /// Distance of the guide from the cam's centre, to the right.
         offset: f64,
         /// Radius of the roller.
         radius: f64,
     },
-    /// A roller on an arm about a pivot to the right of the cam's centre, above the line between them. The motion is the arm's angle
-    /// from where the motion is 0, away from the cam.
+    /// A roller on an arm about a pivot to the right of the cam's centre, above the line between
+    /// them. The motion is the arm's angle from where the motion is 0, away from the cam.
     Swinging {
         /// Radius of the pitch circle.
         base: f64,
@@ -35,13 +36,13 @@ pub enum Follower {
     },
     /// A flat face that is pushed upwards, perpendicular to its way.
     Flat {
-        /// How far the face is from the cam's centre where the motion is 0.
+        /// Distance of the face from the cam's centre where the motion is 0.
         base: f64,
     },
 }
 
-/// The centre of a roller in the frame, with three derivatives, and the direction in which it is pushed, with the rate at which that
-/// turns.
+/// The centre of a roller in the frame, with three derivatives, and the direction in which it is
+/// pushed, with the rate at which that turns.
 pub(super) struct Centre {
     pub(super) jet: [Complex; 4],
     pub(super) way: Complex,
@@ -49,64 +50,6 @@ pub(super) struct Centre {
 }
 
 impl Follower {
-    pub(super) fn check(&self) -> Result<(), CamError> {
-        let positive = |what, value: f64| match value > 0.0 && value.is_finite() {
-            true => Ok(()),
-            false => Err(CamError::Invalid {
-                what,
-                value,
-                expected: "positive and finite",
-            }),
-        };
-        let roller = |radius: f64, base: f64| match radius >= 0.0 && radius < base {
-            true => Ok(()),
-            false => Err(CamError::Invalid {
-                what: "radius of the roller",
-                value: radius,
-                expected: "0 for a point, and less than that of the pitch circle",
-            }),
-        };
-        match *self {
-            Self::Roller {
-                base,
-                offset,
-                radius,
-            } => {
-                positive("radius of the pitch circle", base)?;
-                if offset.abs() < base {
-                    return roller(radius, base);
-                }
-                let expected = "less than the radius of the pitch circle, which the guide meets";
-                Err(CamError::Invalid {
-                    what: "offset",
-                    value: offset,
-                    expected,
-                })
-            }
-            Self::Swinging {
-                base,
-                pivot,
-                arm,
-                radius,
-            } => {
-                positive("radius of the pitch circle", base)?;
-                positive("distance of the pivot", pivot)?;
-                positive("length of the arm", arm)?;
-                if base + arm > pivot && (pivot - arm).abs() < base {
-                    return roller(radius, base);
-                }
-                let expected =
-                    "the third side of a triangle with the distance of the pivot and the arm";
-                Err(CamError::Invalid {
-                    what: "radius of the pitch circle",
-                    value: base,
-                    expected,
-                })
-            }
-            Self::Flat { base } => positive("distance of the face", base),
-        }
-    }
-
     /// The radius of its roller; 0 for a flat face.
     pub fn radius(&self) -> f64 {
         match *self {
@@ -115,7 +58,7 @@ impl Follower {
         }
     }
 
-    /// Of a roller; `None` for a flat face.
+    /// The centre of a roller; `None` for a flat face.
     pub(super) fn centre(&self, [s, first, second, third]: [f64; 4]) -> Option<Centre> {
         match *self {
             Self::Roller { base, offset, .. } => {
@@ -132,7 +75,7 @@ impl Follower {
             } => {
                 let cosine = (pivot * pivot + arm * arm - base * base) / (2.0 * pivot * arm);
                 let begin = Scalar::acos(cosine);
-                let direction = Complex::at(PI - (begin + s));
+                let direction = Complex::direction(PI - (begin + s));
                 let arm = arm * direction;
                 // Each derivative of the arm is a factor times it; the arm turns against the angle.
                 let factors = [
@@ -140,7 +83,7 @@ impl Follower {
                     Complex(-first * first, -second),
                     Complex(-3.0 * first * second, first * first * first - third),
                 ];
-                let [speed, acceleration, jerk] = factors.map(|own| own * arm);
+                let [speed, acceleration, jerk] = factors.map(|factor| factor * arm);
                 let jet = [Complex(pivot, 0.0) + arm, speed, acceleration, jerk];
                 Some(Centre {
                     jet,

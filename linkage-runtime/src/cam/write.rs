@@ -3,7 +3,7 @@
 use std::format;
 use std::string::String;
 
-use super::Outline;
+use super::outline::Outline;
 use crate::report::tags::{Layer, Tags};
 
 /// Around the profile, and the width of its line, in shares of its size.
@@ -15,8 +15,8 @@ const CENTRE: f64 = 0.03;
 impl Outline {
     /// The least and the largest coordinates of profile, pitch curve and centre.
     fn bounds(&self) -> [[f64; 2]; 2] {
-        let all = self.points.iter().chain(&self.pitch);
-        all.fold([[0.0; 2]; 2], |[low, high], point| {
+        let points = self.points.iter().chain(&self.pitch);
+        points.fold([[0.0; 2]; 2], |[low, high], point| {
             let with =
                 |end: [f64; 2], least: fn(f64, f64) -> f64| [0, 1].map(|k| least(end[k], point[k]));
             [with(low, f64::min), with(high, f64::max)]
@@ -28,8 +28,9 @@ impl Outline {
         f64::max(high[0] - low[0], high[1] - low[1])
     }
 
-    /// A picture of the profile with its pitch curve and centre, where a unit of length is a millimetre on paper. All points have all of
-    /// their digits, with y upwards in the coordinates that [`Cam`](super::Cam) has.
+    /// A picture of the profile with its pitch curve and centre, where a unit of length is a
+    /// millimetre on paper. All points have all of their digits, with y upwards in the coordinates
+    /// that [`Cam`](super::Cam) has.
     pub fn svg(&self) -> String {
         let [low, high] = self.bounds();
         let size = self.size();
@@ -58,8 +59,9 @@ impl Outline {
         )
     }
 
-    /// The profile as DXF (release 12) for the machine that cuts it, in the unit of its lengths, every number with all of its digits: closed
-    /// polylines on the layers `profile` and `pitch`, a point at the centre on `axes`.
+    /// The profile as DXF (release 12) for the machine that cuts it, in the unit of its lengths,
+    /// every number with all of its digits: closed polylines on the layers `profile` and `pitch`, a
+    /// point at the centre on `axes`.
     pub fn dxf(&self) -> String {
         let [low, high] = self.bounds().map(|[x, y]| [x, y, 0.0]);
         let layers = &[Layer::Profile, Layer::Pitch, Layer::Axes];

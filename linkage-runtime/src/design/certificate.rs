@@ -9,7 +9,7 @@
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::words::rounded;
+use crate::format::rounded;
 use crate::{AssemblyError, Branch, BranchEnd, Circuits};
 
 /// The least margin that is no dead point: that which the compiler asks of a declaration.

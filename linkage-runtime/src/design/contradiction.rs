@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 
 use super::limits::{Limits, Linear};
 use super::{DesignError, Relation};
-use crate::words::rounded;
+use crate::format::rounded;
 
 /// Halvings of the amount by which a relation is missed: to some ten digits.
 const HALVINGS: usize = 34;

@@ -5,7 +5,7 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::words::rounded;
+use crate::format::rounded;
 use crate::{Dimensions, Parameter};
 
 /// A local optimum that holds all that must hold.

@@ -8,7 +8,7 @@ use core::fmt;
 use super::DesignError;
 use super::certificate::Interrupted;
 use super::problem::Violation;
-use crate::words::rounded;
+use crate::format::rounded;
 
 /// Why no start led to a mechanism that holds what must hold. Each start counts once: as `refused`, `open`, `broken` or `ended`.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -5,7 +5,7 @@ use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::words::rounded;
+use crate::format::rounded;
 
 /// A linear relation between parameters that must hold: in their units, angles in radians.
 #[derive(Clone, Debug, PartialEq)]

@@ -13,7 +13,7 @@ use super::columns::Numbers;
 use super::problem::ROOM;
 use super::targets::{Targets, Timing};
 use super::wish::{Candidates, Evaluate, Free, Rows, Wish};
-use crate::words::rounded;
+use crate::format::rounded;
 use crate::{Dimensions, Parameter, Table};
 
 /// Positions that are longer than the range by less than this part of it fill it: steps in degrees are rounded.

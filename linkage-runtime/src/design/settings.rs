@@ -5,7 +5,7 @@ use core::fmt;
 use core::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use crate::words::rounded;
+use crate::format::rounded;
 
 /// How far a search has come. Printed, it is a bar: `[#########---------------------] 320 of 1024, least 0.0123`.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,21 +1,23 @@
-//! A matrix as reflections and a triangle (Householder): no pivots, hence no branch, and as stable as with them.
+//! A matrix as reflections and a triangle (Householder): no pivots, hence no branch, and as stable
+//! as with them.
 
 use linkage_core::Scalar;
 
-use super::dot;
+use super::vectors::{dot, transposed};
 
 /// `Q R` of a square matrix.
 pub(super) struct Factors<T, const N: usize> {
-    /// The vectors across which columns are reflected, each with 2 over its square; 0 for one that is zero.
+    /// The vectors across which columns are reflected, each with 2 over its square; 0 for one that
+    /// is zero.
     mirrors: [([T; N], T); N],
     /// The triangle, by columns.
     triangle: [[T; N]; N],
 }
 
 impl<T: Scalar, const N: usize> Factors<T, N> {
-    pub(super) fn of(rows: [[T; N]; N]) -> Self {
+    pub(super) fn new(rows: [[T; N]; N]) -> Self {
         let zero = T::from_f64(0.0);
-        let mut columns = super::transposed(rows);
+        let mut columns = transposed(rows);
         let mut mirrors = [([zero; N], zero); N];
         for step in 0..N {
             let below: [T; N] =

@@ -1,38 +1,40 @@
-//! Where a path of positions passes singular ones.
+//! Singular positions on a path.
 
 use alloc::vec::Vec;
 
-use super::Jacobian;
+use super::matrix::Jacobian;
 
 /// Halvings that leave neighbouring numbers of any range.
 const HALVINGS: usize = 1100;
 
-/// Beside a pole the determinant has grown at least so much: it is one over the root of the distance, which is halved many times.
+/// Beside a pole the determinant has grown at least so much: it is one over the root of the
+/// distance, which is halved many times.
 const GROWN: f64 = 100.0;
 
-/// Positions that end shortly before a pole, as tables of coupled groups do: one over the determinant's square is a straight line there, which reaches
-/// zero within this part of a step beyond their end.
+/// Positions that end shortly before a pole, as tables of coupled groups do: one over the
+/// determinant's square is a straight line there, which reaches zero within this part of a step
+/// beyond their end.
 const SHORTLY: f64 = 1.0 / 64.0;
 
-/// How a position is singular (C. Gosselin, J. Angeles, "Singularity analysis of closed-loop kinematic chains", IEEE Trans. Robotics
-/// Automation 6, 1990).
+/// A kind of singular position (C. Gosselin, J. Angeles, "Singularity analysis of closed-loop
+/// kinematic chains", IEEE Trans. Robotics Automation 6, 1990).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SingularityKind {
-    /// The determinant of the results by the inputs is zero: inputs move, and the results stand still in some direction. The drives carry any
-    /// load there.
+    /// The determinant of the results by the inputs is zero: inputs move, and the results stand
+    /// still in some direction. The drives carry any load there.
     First,
-    /// It is infinite: the results can move although the inputs stand still, and the drives hold no load in some direction. A dead point of
-    /// the mechanism that is driven by these inputs.
+    /// It is infinite: the results can move although the inputs do not move, and the drives hold no
+    /// load in some direction. A dead point of the mechanism that is driven by these inputs.
     Second,
-    /// Beyond are no positions although the determinant stays finite and heads for no pole: the end of a range that is served, or both kinds at
-    /// once.
+    /// Beyond are no positions although the determinant stays finite and heads for no pole: the end
+    /// of a range that is served, or both kinds at once.
     End,
 }
 
 /// A singular position on a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Singularity {
-    /// Where on the path, to the last digit of what the determinant tells.
+    /// Position on the path, to the last digit of the determinant.
     pub at: f64,
     /// In which way.
     pub kind: SingularityKind,
@@ -40,12 +42,15 @@ pub struct Singularity {
 
 /// The singular positions that a path passes, in order, and where its positions begin and end.
 ///
-/// `jacobian` gives the derivatives at a place of the path, not finite where there is no position. Between `steps + 1` places at equal
-/// distances changes of the determinant's sign, and borders to where it is not finite, are enclosed by halving. What happens twice
-/// between two neighbouring places is not seen, nor is a position that is touched and not passed.
+/// `jacobian` gives the derivatives at a position of the path, not finite if there is none. Between
+/// `steps + 1` evenly spaced positions, changes of the determinant's sign, and borders to places
+/// where it is not finite, are enclosed by halving. A double change between two neighbouring
+/// positions is not found, nor is a position that is touched and not passed.
 ///
-/// What is prepared of a coupled group ends shortly before a dead point. That is told as one of the second kind, at the border, if the determinant grows
-/// towards it like one over the root of a distance that is less than a 64th of a step beyond the border: smaller steps ask for more.
+/// The preparation of a coupled group ends shortly before a dead point. This counts as a position
+/// of the second kind, at the border, if the determinant grows towards it like one over the root of
+/// a distance that is less than a 64th of a step beyond the border: smaller steps make the test
+/// stricter.
 ///
 /// ```
 /// use linkage_runtime::jacobian::{Jacobian, SingularityKind, singularities};
@@ -64,9 +69,9 @@ pub fn singularities<const N: usize>(
     [from, to]: [f64; 2],
     steps: usize,
 ) -> Vec<Singularity> {
-    let mut at = |place: f64| Sample {
-        place,
-        determinant: jacobian(place).determinant(),
+    let mut at = |along: f64| Sample {
+        along,
+        determinant: jacobian(along).determinant(),
     };
     let count = steps.max(1);
     let mut found = Vec::new();
@@ -83,7 +88,7 @@ pub fn singularities<const N: usize>(
 
 #[derive(Clone, Copy)]
 struct Sample {
-    place: f64,
+    along: f64,
     determinant: f64,
 }
 
@@ -105,17 +110,18 @@ fn between(
     }
     let (mut low, mut high) = (first, second);
     for _ in 0..HALVINGS {
-        let middle = 0.5 * (low.place + high.place);
-        if middle == low.place || middle == high.place {
+        let middle = 0.5 * (low.along + high.along);
+        if middle == low.along || middle == high.along {
             break;
         }
         let middle = at(middle);
-        match middle.side() == low.side() {
-            true => low = middle,
-            false => high = middle,
+        if middle.side() == low.side() {
+            low = middle
+        } else {
+            high = middle
         }
     }
-    // What is finite, beside the border and far from it.
+    // Finite positions, next to the border and far from it.
     let (near, far) = match low.side() {
         Some(_) => (low, first),
         None => (high, second),
@@ -129,15 +135,17 @@ fn between(
         (false, false) => SingularityKind::End,
     };
     Some(Singularity {
-        at: near.place,
+        at: near.along,
         kind,
     })
 }
 
-/// Whether the determinant has a pole shortly beyond the border at `near`; `far` is a step away on the side where positions are.
+/// Returns true if the determinant has a pole shortly beyond the border at `near`; `far` is a step
+/// away on the side with positions.
 fn heads_for_pole(at: &mut impl FnMut(f64) -> Sample, near: Sample, far: Sample) -> bool {
-    let beside = at(near.place + SHORTLY * (far.place - near.place));
-    let [level, above] = [near, beside].map(|own| 1.0 / (own.determinant * own.determinant));
+    let beside = at(near.along + SHORTLY * (far.along - near.along));
+    let [level, above] =
+        [near, beside].map(|position| 1.0 / (position.determinant * position.determinant));
     // From `above` over `level` down to zero, within the same distance.
     beside.side().is_some() && above >= 2.0 * level
 }

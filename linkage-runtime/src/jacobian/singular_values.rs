@@ -1,16 +1,17 @@
-//! Singular values by turning columns until they are perpendicular (one-sided Jacobi), which finds small ones to full relative accuracy
-//! (J. Demmel, K. Veselic, "Jacobi's method is more accurate than QR", SIAM J. Matrix Anal. Appl. 13, 1992).
+//! Singular values by turning columns until they are perpendicular (one-sided Jacobi), which finds
+//! small ones to full relative accuracy (J. Demmel, K. Veselic, "Jacobi's method is more accurate
+//! than QR", SIAM J. Matrix Anal. Appl. 13, 1992).
 
 use linkage_core::Scalar;
 
-use super::dot;
+use super::vectors::dot;
 
-/// Each sweep over all pairs squares what is left; from any matrix of up to six columns nothing is left after eight, and the last two
-/// are for columns of very different lengths.
+/// Each sweep over all pairs squares the remaining products. For any matrix of up to six columns
+/// none remain after eight, and the last two are for columns of very different lengths.
 const SWEEPS: usize = 10;
 
-/// Of a matrix by its columns, the largest first.
-pub(super) fn of<T: Scalar, const N: usize>(mut columns: [[T; N]; N]) -> [T; N] {
+/// The singular values of a matrix by its columns, the largest first.
+pub(super) fn singular_values<T: Scalar, const N: usize>(mut columns: [[T; N]; N]) -> [T; N] {
     for _ in 0..SWEEPS {
         for second in 1..N {
             for first in 0..second {

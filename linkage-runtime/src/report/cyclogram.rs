@@ -12,7 +12,7 @@ use std::vec::Vec;
 use super::letters::control;
 use super::units::titled;
 use super::{CsvStyle, ReportError};
-use crate::cyclogram::{Band, Cyclogram, Motion, Organ};
+use crate::cyclogram::{Band, Cyclogram, Member, Motion};
 
 impl Cyclogram {
     /// The intervals of all organs as CSV, organ by organ: what it does, in which band, from which angle to which,
@@ -29,7 +29,7 @@ impl Cyclogram {
         let words = ["organ", "motion", "band"].map(String::from);
         let titles = words.iter().chain(&angles);
         let mut text = style.line(titles.map(|title| style.word(title)));
-        for organ in &self.organs {
+        for organ in &self.members {
             let count = organ.events().len();
             for (index, (motion, interval)) in organ.intervals().enumerate() {
                 let band = band(organ, motion);
@@ -55,7 +55,7 @@ impl Cyclogram {
         json!({
             "from": self.range.0,
             "to": self.range.1,
-            "organs": self.organs.iter().map(organ_value).collect::<Vec<_>>(),
+            "organs": self.members.iter().map(organ_value).collect::<Vec<_>>(),
             "order": self.order_value(),
             "overlaps": self.overlaps().value(),
         })
@@ -68,7 +68,7 @@ impl Cyclogram {
     ///
     /// [`ReportError::Mistakes`] if names have control characters.
     pub fn svg(&self) -> Result<String, ReportError> {
-        let names: Vec<_> = self.organs.iter().map(Organ::name).collect();
+        let names: Vec<_> = self.members.iter().map(Member::name).collect();
         let mistakes: Vec<_> = names
             .iter()
             .filter_map(|name| control("the name of an organ", name))
@@ -100,7 +100,7 @@ fn checked(style: &CsvStyle) -> Result<(), ReportError> {
         .map_or(Ok(()), |mistake| Err(mistake.into()))
 }
 
-fn organ_value(organ: &Organ) -> Value {
+fn organ_value(organ: &Member) -> Value {
     let intervals = organ.intervals().map(|(motion, interval)| {
         json!({
             "motion": word(motion),
@@ -158,6 +158,6 @@ const fn index(motion: Motion) -> Option<usize> {
 }
 
 /// The band of a dwell in words.
-fn band(organ: &Organ, motion: Motion) -> String {
+fn band(organ: &Member, motion: Motion) -> String {
     index(motion).map_or_else(String::new, |band| organ.bands()[band].to_string())
 }

@@ -7,7 +7,7 @@ use std::vec::Vec;
 
 use super::units::per_second;
 use super::{Report, SummaryRow};
-use crate::summary::{Course, Dwell, Extremes, Least, TimeRatio};
+use crate::summary::{Curve, Dwell, Extremes, Minimum, TimeRatio};
 
 /// What is shown of the course of a quantity.
 #[derive(Clone, Debug)]
@@ -32,7 +32,7 @@ impl Figures {
 }
 
 /// Where a course is interrupted; the ends of its range are no interruption.
-fn borders<const N: usize, F: Fn(f64) -> [f64; N]>(course: &Course<N, F>) -> Vec<f64> {
+fn borders<const N: usize, F: Fn(f64) -> [f64; N]>(course: &Curve<N, F>) -> Vec<f64> {
     if !course.has_gaps() {
         return Vec::new();
     }
@@ -59,7 +59,7 @@ impl Report {
         self
     }
 
-    /// Limits, stroke, extreme velocities and accelerations and the time ratio of a quantity, from its [`Course`] over the
+    /// Limits, stroke, extreme velocities and accelerations and the time ratio of a quantity, from its [`Curve`] over the
     /// range. `unit` is the unit of the quantity. With a [`speed`](Self::speed), also the true velocities and, for a
     /// constant speed, accelerations. Extreme derivatives at the border of a gap are left out.
     #[must_use]
@@ -67,7 +67,7 @@ impl Report {
         mut self,
         quantity: impl Into<String>,
         unit: impl Into<String>,
-        course: &Course<N, F>,
+        course: &Curve<N, F>,
     ) -> Self {
         self.figures.push(Figures {
             quantity: quantity.into(),
@@ -87,7 +87,7 @@ impl Report {
     pub fn transmission<const N: usize, F: Fn(f64) -> [f64; N]>(
         self,
         angle: impl Into<String>,
-        course: &Course<N, F>,
+        course: &Curve<N, F>,
     ) -> Self {
         let angle = angle.into();
         let [least, greatest] = course.transmission_angle();
@@ -126,7 +126,7 @@ impl Report {
 
     /// The smallest margin over the range.
     #[must_use]
-    pub fn margin(self, least: &Least) -> Self {
+    pub fn margin(self, least: &Minimum) -> Self {
         self.summary([SummaryRow::new("margin", "smallest", least.value, "").at(least.at)])
     }
 
@@ -231,7 +231,7 @@ mod tests {
 
     #[test]
     fn courses_become_rows() {
-        let course = Course::of((0.0, core::f64::consts::TAU), 90, yoke).expect("a course");
+        let course = Curve::new((0.0, core::f64::consts::TAU), 90, yoke).expect("a course");
         let rows = report()
             .speed(-10.0, 0.0)
             .course("y", "mm", &course)
@@ -261,7 +261,7 @@ mod tests {
                 0.25 / (2.0 - x).powf(1.5),
             ]
         };
-        let course = Course::of((0.0, 3.0), 90, reach).expect("a course");
+        let course = Curve::new((0.0, 3.0), 90, reach).expect("a course");
         let rows = report().course("y", "mm", &course).summary_rows();
         assert_eq!(value(&rows, "lowest").0, -core::f64::consts::SQRT_2);
         assert!(rows.iter().all(|row| row.what != "greatest velocity"));
@@ -269,7 +269,7 @@ mod tests {
 
     #[test]
     fn accelerations_at_a_changing_speed_are_left_out() {
-        let course = Course::of((0.0, core::f64::consts::TAU), 90, yoke).expect("a course");
+        let course = Curve::new((0.0, core::f64::consts::TAU), 90, yoke).expect("a course");
         let rows = report()
             .course("y", "mm", &course)
             .speed(10.0, 1.0)

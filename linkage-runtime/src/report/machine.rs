@@ -7,7 +7,7 @@ use std::vec::Vec;
 use super::colour::LINKS;
 use super::shown::Shown;
 use super::{Mistake, Report, ReportError};
-use crate::cyclogram::{Cyclogram, Organ};
+use crate::cyclogram::{Cyclogram, Member};
 
 /// The unit of a shaft's angle.
 const ANGLE: &str = "rad";
@@ -69,12 +69,12 @@ impl Report {
     /// parts.
     pub(super) fn organ_hues(&self, cyclogram: &Cyclogram) -> Vec<usize> {
         let parts = self.shown().map_or(&[][..], |shown| shown.picture.parts);
-        let part = |organ: &Organ| {
+        let part = |organ: &Member| {
             let name = organ.name().split('.').next();
             parts.iter().position(|part| Some(part.name) == name)
         };
         let mut others = parts.len()..;
-        let organs = cyclogram.organs().iter();
+        let organs = cyclogram.members().iter();
         let hues = organs.map(|organ| part(organ).or_else(|| others.next()));
         hues.map(Option::unwrap_or_default).collect()
     }

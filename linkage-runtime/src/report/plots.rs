@@ -11,7 +11,7 @@ use super::rates::True;
 use super::tables::Saved;
 use super::units::{per_second, titled};
 use super::{BandKind, Mistake, Plot, Report, ReportError};
-use crate::words::rounded;
+use crate::format::rounded;
 use crate::{Column, Meaning};
 
 /// A column as it is asked for.

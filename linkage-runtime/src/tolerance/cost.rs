@@ -1,14 +1,14 @@
 //! The least cost under convex conditions.
 //!
 //! Minimises the sum of `c / u^k` where vectors `sum of row_i u_i` must not be longer than 1. Each
-//! position of a cycle has many such conditions, of which few matter. So a small set of them is solved,
-//! the tightest ones at the solution are added, and so on until nothing is violated.
+//! position of a cycle has many such conditions, of which few matter. So a small set of them is
+//! solved, the tightest ones at the solution are added, and so on until nothing is violated.
 
 mod barrier;
 
 use alloc::vec::Vec;
 
-/// How often conditions are added.
+/// Greatest number of additions of conditions.
 const ROUNDS: usize = 60;
 /// A condition that is violated by less holds.
 const HOLDS: f64 = 1e-9;
@@ -25,7 +25,7 @@ impl Term {
         self.cost / value.powf(self.exponent)
     }
 
-    /// Where `cost / u^exponent + weight u` is lowest.
+    /// The minimum of `cost / u^exponent + weight u`.
     fn lowest(&self, weight: f64) -> f64 {
         (self.exponent * self.cost / weight).powf(1.0 / (self.exponent + 1.0))
     }
@@ -157,7 +157,7 @@ fn length(condition: &Condition, values: &[f64]) -> f64 {
 mod tests {
     use super::{Term, closed};
 
-    /// Nothing is cheaper than what one condition allows: the bound is the cost itself, with one exponent and with two.
+    /// With one condition the bound is the cost itself, with one exponent and with two.
     #[test]
     fn one_condition_is_solved_to_its_bound() {
         for exponents in [[1.0, 1.0], [1.0, 2.0]] {

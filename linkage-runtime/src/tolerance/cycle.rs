@@ -1,10 +1,11 @@
-//! Where a figure is largest.
+//! The largest value of a figure.
 
 use alloc::vec::Vec;
 use core::ops::Range;
 
 use super::ToleranceError;
-use crate::numeric::summit::{self, Summit};
+use linkage_core::numeric::summit;
+use linkage_core::numeric::summit::Summit;
 
 /// The largest value of a figure over a cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,8 +26,8 @@ pub struct Extreme {
 ///
 /// # Errors
 ///
-/// `Nothing` for an empty or infinite range or less than two positions, `NotAssembled` if the figure
-/// is NaN everywhere.
+/// `Nothing` for an empty or infinite range or less than two positions, `NotAssembled` if the
+/// figure is NaN everywhere.
 ///
 /// ```
 /// use linkage_runtime::tolerance::largest;

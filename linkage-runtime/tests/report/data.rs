@@ -4,7 +4,7 @@ use crate::fixture::{FourBar, MOTION, PHI, Sweep};
 use crate::four_bar;
 use crate::once::series;
 use linkage_runtime::report::{Report, SummaryRow};
-use linkage_runtime::summary::Course;
+use linkage_runtime::summary::Curve;
 use linkage_runtime::{AssemblyMode, Group, Operations, Structure, Table};
 use serde_json::Value;
 
@@ -203,7 +203,7 @@ fn gaps_are_ranges_of_the_input() {
 #[test]
 fn the_figures_of_a_course_are_listed() {
     let yoke = |phi: f64| [40.0 * phi.sin(), 40.0 * phi.cos(), -40.0 * phi.sin()];
-    let course = Course::of((0.0, std::f64::consts::TAU), 360, yoke).unwrap();
+    let course = Curve::new((0.0, std::f64::consts::TAU), 360, yoke).unwrap();
     let report = four_bar(FourBar::NOMINAL).course("yoke", "mm", &course);
     let json = json(&report);
     let rows = json["summary"].as_array().unwrap();

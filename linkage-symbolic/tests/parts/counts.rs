@@ -64,7 +64,7 @@ fn each_operation_counts_in_its_class() {
             vec![
                 unary(Unary::Sqrt, 0),
                 binary(Binary::Hypot, 0, 1),
-                Instruction::Ternary(Ternary::Root, Value(0), Value(1), Value(1)),
+                Instruction::Ternary(Ternary::GuardedSqrt, Value(0), Value(1), Value(1)),
             ],
             Count {
                 sqrt: 3,

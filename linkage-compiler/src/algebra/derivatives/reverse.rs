@@ -5,7 +5,7 @@
 //! of loops or rates gathers the weights of its unknowns, turns them into multipliers, and hands
 //! those to its coefficients. Everything is visited once, after all that depends on it.
 
-use linkage_symbolic::unordered::{Map, Set};
+use linkage_symbolic::lookup::{Map, Set};
 use linkage_symbolic::{Ex, Node, NodeId, SymbolId, Vector, pull_back};
 
 use crate::algebra::context::Algebra;

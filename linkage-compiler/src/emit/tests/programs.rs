@@ -55,7 +55,7 @@ impl Builder {
         let rest = self.binary(Binary::Sub, rod2, square);
         let slack = self.unary(Unary::Slack, rod2);
         let one = self.push(Instruction::Constant(1.0));
-        let root = self.push(Instruction::Ternary(Ternary::Root, rest, slack, one));
+        let root = self.push(Instruction::Ternary(Ternary::GuardedSqrt, rest, slack, one));
         self.binary(Binary::Mul, mode, root)
     }
 

@@ -1,6 +1,6 @@
 //! Class, order and kind of coupled groups, read from their loops.
 
-use linkage_symbolic::agree;
+use linkage_symbolic::numerically_equal;
 
 use crate::algebra::context::Algebra;
 use crate::structure::coupled::group::Private;
@@ -57,7 +57,7 @@ fn contour<'m>(
                 let of = |p: &Polynomials<'m>| p.rows[row].get(monomial).copied().unwrap_or(zero);
                 let (x, y) = (of(a), b.map_or(zero, of));
                 let y = if sign < 0.0 { -y } else { y };
-                agree(x, y)
+                numerically_equal(x, y)
             })
         };
         let mut monomials = both.iter().flat_map(|p| &p.rows).flat_map(|row| row.keys());

@@ -11,7 +11,7 @@ pub(super) struct Cholesky<const N: usize> {
 const LEAST_PIVOT: f64 = 1e-15;
 
 impl<const N: usize> Cholesky<N> {
-    /// Of a matrix whose lower half is given.
+    /// Cholesky factor of a matrix whose lower half is given.
     pub(super) fn new(mut matrix: [[f64; N]; N]) -> Self {
         for j in 0..N {
             let diagonal = matrix[j][j];

@@ -1,15 +1,16 @@
-//! Steps of the interior point method: a predictor, and a corrector that knows what the predictor has missed.
+//! Steps of the interior point method: a predictor, and a corrector for the error of the predictor.
 
 use alloc::vec;
 use alloc::vec::Vec;
 
 use super::cholesky::Cholesky;
-use crate::balancing::rows::{Row, dot};
+use crate::balancing::rows::{ForceRow, dot};
 
-/// How much of the way to zero a slack or a multiplier may go.
+/// The part of the distance to zero that a slack or a multiplier may move.
 const BOUNDARY: f64 = 0.99;
 
-/// A point, `tau`, and for each position a slack, `tau - |f_i + Q_i y|^2` in the end, and a multiplier, both positive.
+/// A point, `tau`, and for each position a slack, `tau - |f_i + Q_i y|^2` in the end, and a
+/// multiplier, both positive.
 pub(super) struct State<const N: usize> {
     pub(super) point: [f64; N],
     tau: f64,
@@ -27,9 +28,9 @@ struct Step<const N: usize> {
 
 impl<const N: usize> State<N> {
     /// For forces of length 1 at most.
-    pub(super) fn start(rows: &[Row<N>]) -> Self {
+    pub(super) fn start(rows: &[ForceRow<N>]) -> Self {
         let tau = 2.0;
-        let slack = |row: &Row<N>| tau - dot(&row.force, &row.force);
+        let slack = |row: &ForceRow<N>| tau - dot(&row.force, &row.force);
         Self {
             point: [0.0; N],
             tau,
@@ -38,9 +39,9 @@ impl<const N: usize> State<N> {
         }
     }
 
-    /// The state after a step. Values that are not finite, after a breakdown by rounding, make no harm: they never count as
-    /// progress.
-    pub(super) fn next(&self, rows: &[Row<N>]) -> Self {
+    /// The state after a step. Values that are not finite, after a breakdown by rounding, make no
+    /// harm: they never count as progress.
+    pub(super) fn next(&self, rows: &[ForceRow<N>]) -> Self {
         let system = System::new(rows, self);
         let products = |slacks: &[f64], multipliers: &[f64]| -> f64 {
             slacks.iter().zip(multipliers).map(|(s, m)| s * m).sum()
@@ -93,11 +94,11 @@ impl<const N: usize> Step<N> {
     }
 }
 
-/// The linear system of a state. Slacks, multipliers and `tau` are eliminated from it: gradients of the squares count from
-/// their weighted mean.
+/// The linear system of a state. Slacks, multipliers and `tau` are eliminated from it: gradients of
+/// the squares count from their weighted mean.
 struct System<const N: usize> {
     gradients: Vec<[f64; N]>,
-    /// What a slack is too small by.
+    /// The amount by which a slack is too small.
     lacks: Vec<f64>,
     /// Multiplier over slack, and their sum.
     weights: Vec<f64>,
@@ -107,7 +108,7 @@ struct System<const N: usize> {
 }
 
 impl<const N: usize> System<N> {
-    fn new(rows: &[Row<N>], state: &State<N>) -> Self {
+    fn new(rows: &[ForceRow<N>], state: &State<N>) -> Self {
         let rests: Vec<[f64; 3]> = rows.iter().map(|row| row.with(&state.point)).collect();
         let pairs = rows.iter().zip(&rests);
         let gradients: Vec<[f64; N]> = pairs
@@ -147,7 +148,8 @@ impl<const N: usize> System<N> {
         }
     }
 
-    /// The step to products of slack and multiplier of `centres`, if the squares grow by `bends` beyond their gradients.
+    /// The step to products of slack and multiplier of `centres`, if the squares grow by `bends`
+    /// beyond their gradients.
     fn step(&self, state: &State<N>, centres: &[f64], bends: &[f64]) -> Step<N> {
         let count = self.weights.len();
         let lacks: Vec<f64> = (0..count).map(|i| self.lacks[i] - bends[i]).collect();

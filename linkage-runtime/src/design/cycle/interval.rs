@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::dwell::{Dwell, SPARE};
 use super::{Motion, Piece, Place};
-use crate::summary::{Course, Extreme, Kind, positions};
+use crate::summary::{Curve, Extreme, Kind, positions};
 
 /// Evenly spaced positions of an interval from which its limits are searched: an interval is a part of a turn.
 const POSITIONS: usize = 24;
@@ -67,7 +67,7 @@ impl<A, const N: usize> Dwell<'_, A, N> {
     ) -> Option<[Vec<Piece<N>>; 2]> {
         let advance = self.advance(motion, assembly);
         let jet = |input: f64| self.jet(motion, assembly, input, advance);
-        let course = Course::of((from, from + length), POSITIONS, jet).ok()?;
+        let course = Curve::new((from, from + length), POSITIONS, jet).ok()?;
         if course.has_gaps() {
             return None;
         }
@@ -141,7 +141,7 @@ impl<A, const N: usize> Dwell<'_, A, N> {
             Some([from, to]) => {
                 let advance = self.advance(motion, motion.assembly);
                 let jet = |input: f64| self.jet(motion, motion.assembly, input, advance);
-                let course = Course::of((from, to), motion.positions, jet).ok()?;
+                let course = Curve::new((from, to), motion.positions, jet).ok()?;
                 course.longest_dwell(spared)?
             }
         };

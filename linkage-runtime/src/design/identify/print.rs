@@ -6,7 +6,7 @@ use core::fmt;
 
 use super::Identified;
 use super::identified::pairs;
-use crate::words::rounded;
+use crate::format::rounded;
 
 /// Correlations above this size are printed: the one parameter alone would be known more than twice as well.
 const STRONG: f64 = 0.9;

@@ -12,7 +12,7 @@ use super::directions::candidates;
 use super::reading::Row;
 use crate::Parameter;
 use crate::design::limits::Limits;
-use crate::words::rounded;
+use crate::format::rounded;
 
 /// A combination of parameters that the readings do not determine: it stays as near as can be to where the fit began.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,7 +4,7 @@ use std::format;
 use std::string::String;
 
 use super::word;
-use crate::cyclogram::{Cyclogram, Motion, Organ};
+use crate::cyclogram::{Cyclogram, Member, Motion};
 use crate::report::colour::Colour;
 use crate::report::plot::ticks::Scale;
 use crate::report::svg::{Element, Svg};
@@ -35,7 +35,7 @@ impl Places {
 }
 
 pub(super) fn drawn(cyclogram: &Cyclogram, hues: &[usize]) -> String {
-    let organs = cyclogram.organs();
+    let organs = cyclogram.members();
     let (low, high) = cyclogram.range();
     let names = organs.iter().map(|organ| organ.name().chars().count());
     let places = Places {
@@ -90,7 +90,7 @@ fn grid(svg: &mut Svg, places: &Places, range: (f64, f64)) {
     );
 }
 
-fn row(svg: &mut Svg, places: &Places, organ: &Organ, hue: usize, top: f64) {
+fn row(svg: &mut Svg, places: &Places, organ: &Member, hue: usize, top: f64) {
     let name = Element::text([places.left - 12.0, top + 0.5 * STROKE + 4.0], 13.0);
     svg.words(
         name.anchor("end").class("name").fill(Colour::Ink),
@@ -132,7 +132,7 @@ fn row(svg: &mut Svg, places: &Places, organ: &Organ, hue: usize, top: f64) {
 
 /// An interval as it is drawn, angles with levels: in two pieces if it goes across the seam.
 fn pieces(
-    organ: &Organ,
+    organ: &Member,
     from: f64,
     range: f64,
     [a, b]: [f64; 2],

@@ -5,7 +5,7 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::{CsvStyle, ReportError, checked};
-use crate::cyclogram::{Cyclogram, Moment, Organ};
+use crate::cyclogram::{Cyclogram, Member, Moment};
 use crate::report::units::titled;
 
 impl Cyclogram {
@@ -29,7 +29,7 @@ impl Cyclogram {
         let mut text = style.line(titles.map(|title| style.word(title)));
         for [before, moment] in self.pairs() {
             let number = |x: f64| style.number(shown(x)).into();
-            let shift = moment.organ.shift(moment.index).unwrap_or(f64::NAN);
+            let shift = moment.member.shift(moment.index).unwrap_or(f64::NAN);
             let [what, follows] = [moment, before].map(|own| own.to_string());
             text.push_str(&style.line([
                 number(moment.event.at),
@@ -43,14 +43,18 @@ impl Cyclogram {
     }
 
     pub(super) fn order_value(&self) -> Vec<Value> {
-        let index = |organ: &Organ| self.organs.iter().position(|own| core::ptr::eq(own, organ));
+        let index = |organ: &Member| {
+            self.members
+                .iter()
+                .position(|own| core::ptr::eq(own, organ))
+        };
         let moment = |[before, moment]: [Moment<'_>; 2]| {
             json!({
-                "organ": index(moment.organ),
+                "organ": index(moment.member),
                 "event": moment.index,
                 "at": moment.event.at,
                 "after": moment.after,
-                "follows": { "organ": index(before.organ), "event": before.index },
+                "follows": { "organ": index(before.member), "event": before.index },
             })
         };
         self.pairs().map(moment).collect()

@@ -31,9 +31,9 @@ impl Cyclogram {
         let titles = words.iter().chain(&angles);
         let mut text = style.line(titles.map(|title| style.word(title)));
         for overlap in self.overlaps().all() {
-            let bands = [0, 1].map(|k| band(&self.organs[overlap.organs[k]], overlap.motions[k]));
+            let bands = [0, 1].map(|k| band(&self.members[overlap.members[k]], overlap.motions[k]));
             let words = [0, 1].map(|k| {
-                let organ = &self.organs[overlap.organs[k]];
+                let organ = &self.members[overlap.members[k]];
                 [organ.name(), word(overlap.motions[k]), &bands[k]].map(|word| style.word(word))
             });
             let interval = &overlap.interval;
@@ -49,7 +49,7 @@ impl Overlaps<'_> {
     pub(super) fn value(&self) -> Vec<Value> {
         let overlap = |own: &Overlap| {
             json!({
-                "organs": own.organs,
+                "organs": own.members,
                 "motions": own.motions.map(word),
                 "bands": own.motions.map(index),
                 "from": own.interval.from,

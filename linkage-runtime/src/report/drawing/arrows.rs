@@ -9,9 +9,9 @@ use super::geometry::moved;
 use super::parts::BLOCK;
 use super::sheet::Sheet;
 use crate::DriveOn;
+use crate::format::rounded;
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
-use crate::words::rounded;
 
 /// Length and half the width of an arrow's head.
 const HEAD: [f64; 2] = [2.4, 0.9];

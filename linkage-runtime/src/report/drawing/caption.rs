@@ -7,10 +7,10 @@ use std::vec::Vec;
 use super::Drawing;
 use super::arrows::head;
 use super::sheet::Sheet;
+use crate::format::rounded;
 use crate::report::colour::Colour;
 use crate::report::shown::told_of_missing;
 use crate::report::svg::{Element, Svg};
-use crate::words::rounded;
 
 /// Length of the signs of axes; one that is seen shorter than this share has no head.
 pub(super) const SIGN: f64 = 7.0;

@@ -7,9 +7,9 @@ use std::vec::Vec;
 use super::Drawing;
 use super::geometry::{along, hull};
 use super::wheels::Wheels;
+use crate::format::rounded;
 use crate::report::ReportError;
 use crate::report::tags::{Layer, Tags};
-use crate::words::rounded;
 use crate::{GuideShape, PicturePart, PointKind};
 
 /// Shares of the mechanism's size, the diagonal of the box about all places of its points: the radius of joints, half the length of

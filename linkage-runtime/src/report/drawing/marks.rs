@@ -7,10 +7,10 @@ use super::Drawing;
 use super::arrows::head;
 use super::geometry::moved;
 use super::sheet::Sheet;
+use crate::format::rounded;
 use crate::report::accuracy::Sensitive;
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
-use crate::words::rounded;
 
 /// Distance of a dimension line from its link, and how far its end lines go on.
 const APART: f64 = 6.0;

@@ -9,10 +9,10 @@ use super::arrows::wrapped;
 use super::geometry::moved;
 use super::sheet::Sheet;
 use crate::Gear;
+use crate::format::rounded;
 use crate::report::colour::Colour;
 use crate::report::shown::Shown;
 use crate::report::svg::{Element, Svg};
-use crate::words::rounded;
 
 /// The radii of a belt's wheels together, as a share of the distance of their centres.
 const BELT: f64 = 0.6;
