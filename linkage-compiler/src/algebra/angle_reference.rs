@@ -7,8 +7,8 @@ use linkage_symbolic::{Ex, Node, V2, Vector, numerically_equal};
 use crate::algebra::context::Algebra;
 use crate::algebra::equations::AnglePair;
 use crate::algebra::names::{AngleReference, Phasor};
-use crate::algebra::parts;
-use crate::algebra::parts::TurningPart;
+use crate::algebra::turning_parts;
+use crate::algebra::turning_parts::TurningPart;
 
 impl<'m> AngleReference<'m> {
     /// Returns the vector as a sum of vectors of fixed lengths, each turning with a sum of angles.
@@ -43,7 +43,7 @@ fn phasors<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Option<Vec<Phasor<'m>>>
     /// Products of more directions would be sums of too many.
     const MOST_ANGLES: usize = 3;
 
-    let parts = parts::parts(algebra, vector);
+    let parts = turning_parts::parts(algebra, vector);
     let few = parts
         .turning
         .iter()

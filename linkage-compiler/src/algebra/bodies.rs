@@ -28,7 +28,7 @@ pub(crate) struct Body<'m> {
 /// The bodies of a core, and the equations and unknowns of no body.
 #[derive(Clone, Debug)]
 pub(crate) struct Bodies<'m> {
-    pub(crate) all: Vec<Body<'m>>,
+    pub(crate) list: Vec<Body<'m>>,
     /// The other equations and unknowns.
     pub(crate) rows: Vec<usize>,
     pub(crate) columns: Vec<usize>,
@@ -103,7 +103,7 @@ impl<'m> Bodies<'m> {
             * parity(&[&columns[..], &in_bodies].concat())
             * if between.is_multiple_of(2) { 1.0 } else { -1.0 };
         Self {
-            all,
+            list: all,
             rows,
             columns,
             sign,
@@ -118,13 +118,13 @@ impl<'m> Bodies<'m> {
     /// A row by the freedoms.
     fn by_freedoms(&self, row: &[Ex<'m>]) -> Vec<Ex<'m>> {
         let others = self.columns.iter().map(|&k| row[k]);
-        let turns = self.all.iter().flat_map(|body| body.by_turns(row).0);
+        let turns = self.list.iter().flat_map(|body| body.by_turns(row).0);
         others.chain(turns).collect()
     }
 
     /// Returns the changes of the directions that make up for the errors of the bodies' equations.
     pub(crate) fn shifts(&self, right: &[Ex<'m>]) -> Vec<Shifts<'m>> {
-        let shifts = self.all.iter().map(|body| {
+        let shifts = self.list.iter().map(|body| {
             let ([p, q, r], [u, w]) = (body.rows.map(|row| right[row]), body.axes);
             let half = 0.5 * r;
             [p * u + half * w, q * w + half * u]
@@ -141,13 +141,13 @@ impl<'m> Bodies<'m> {
 
     /// The unknowns from the freedoms, where directions change by `shifts` besides.
     pub(crate) fn unknowns(&self, freedoms: &[Ex<'m>], shifts: &[Shifts<'m>]) -> Vec<Ex<'m>> {
-        let mut all = vec![None; self.columns.len() + 6 * self.all.len()];
+        let mut all = vec![None; self.columns.len() + 6 * self.list.len()];
         let (others, turns) = freedoms.split_at(self.columns.len());
         for (&column, &value) in self.columns.iter().zip(others) {
             all[column] = Some(value);
         }
         let turns = turns.as_chunks::<3>().0.iter();
-        for ((body, &turn), shifts) in self.all.iter().zip(turns).zip(shifts) {
+        for ((body, &turn), shifts) in self.list.iter().zip(turns).zip(shifts) {
             for (k, columns) in body.columns.iter().enumerate() {
                 let turned = Vector(turn).cross(body.axes[k]) + shifts[k];
                 for (&column, value) in columns.iter().zip(turned.components()) {
@@ -200,7 +200,7 @@ pub(crate) fn solve_by_scheme<'m>(
     let bodies = &scheme.bodies;
     let shifts = bodies.shifts(right);
     let known = bodies.rows.iter().map(|&row| {
-        let pairs = bodies.all.iter().zip(&shifts);
+        let pairs = bodies.list.iter().zip(&shifts);
         pairs.fold(right[row], |left, (body, shifts)| {
             let pairs = body.entries(&matrix[row]).into_iter().zip(shifts);
             pairs.fold(left, |left, (entries, &shift)| left - entries.dot(shift))
@@ -254,7 +254,7 @@ pub(crate) fn solve_transposed_by_scheme<'m>(
     for (&row, &multiplier) in bodies.rows.iter().zip(&others) {
         all[row] = multiplier;
     }
-    for body in &bodies.all {
+    for body in &bodies.list {
         let [mut by_u, mut by_w] = body.entries(right);
         for (&row, &multiplier) in bodies.rows.iter().zip(&others) {
             let [of_u, of_w] = body.entries(&matrix[row]);

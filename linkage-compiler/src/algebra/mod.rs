@@ -11,7 +11,7 @@
 //! 3. expressions of the language: `scalar`, `body_vectors`, `frame`, `calls`, `motion_law`, and
 //!    `translate` above them;
 //! 4. numbers at the reference: `nominal`, `finite_numbers`, `constant_ratio`;
-//! 5. vectors that turn: `parts`, `angle_reference`, `rotating_frame`, `via_slider`;
+//! 5. vectors that turn: `turning_parts`, `angle_reference`, `rotating_frame`, `via_slider`;
 //! 6. `derivatives`, with a page of their own.
 
 pub(crate) mod angle_reference;
@@ -29,7 +29,6 @@ pub(crate) mod memo;
 pub(crate) mod motion_law;
 pub(crate) mod names;
 pub(crate) mod nominal;
-pub(crate) mod parts;
 pub(crate) mod pivots;
 pub(crate) mod rotating_frame;
 pub(crate) mod rules;
@@ -37,6 +36,7 @@ pub(crate) mod scalar;
 pub(crate) mod solutions;
 pub(crate) mod systems;
 pub(crate) mod translate;
+pub(crate) mod turning_parts;
 pub(crate) mod value;
 pub(crate) mod vanish;
 pub(crate) mod via_slider;
@@ -55,7 +55,7 @@ pub(crate) use motion_law::zones::ends as ends_of_law;
 pub(crate) use names::{Angle, AngleReference, Bound, Names, Phasor, StandsFor};
 pub(crate) use nominal::Nominal;
 pub(crate) use pivots::{InOrder, Order};
-pub(crate) use rules::{AngleRule, RotatingFrame, Rule, TurnedVector};
+pub(crate) use rules::{AngleRule, DerivativeRule, RotatingFrame, TurnedVector};
 pub(crate) use solutions::Shortcuts;
 pub(crate) use translate::Translate;
 pub(crate) use value::{Atom, Scalar, Value};

@@ -5,9 +5,9 @@ use linkage_symbolic::{Ex, Node, V2, Vector};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::equations::{AnglePair, AngleSum};
-use crate::algebra::parts;
-use crate::algebra::parts::{TurningPart, terms_of_sum};
-use crate::algebra::rules::{FromFrame, RotatingFrame, Rule, ToFrame};
+use crate::algebra::rules::{DerivativeRule, FromFrame, RotatingFrame, ToFrame};
+use crate::algebra::turning_parts;
+use crate::algebra::turning_parts::{TurningPart, terms_of_sum};
 
 /// A vector from its rotating frame.
 #[derive(Clone, Debug)]
@@ -28,7 +28,7 @@ pub(crate) fn in_rotating_frame<'m>(
     axis: V2<'m>,
     vector: V2<'m>,
 ) -> Option<InRotatingFrame<'m>> {
-    let parts = parts::parts(algebra, guide);
+    let parts = turning_parts::parts(algebra, guide);
     let [(angles, part)] = &parts.turning[..] else {
         return None;
     };
@@ -71,7 +71,7 @@ pub(crate) fn split<'m>(
     vector: V2<'m>,
     turns: &AngleSum,
 ) -> Option<(V2<'m>, V2<'m>)> {
-    let mut parts = parts::parts(algebra, vector).turning.into_iter();
+    let mut parts = turning_parts::parts(algebra, vector).turning.into_iter();
     let (angles, part) = parts.find(|(angles, _)| *angles == turns.angles)?;
     if !part.is_fixed() || part.backward() != Some(turns.backward) {
         return None;
@@ -101,7 +101,7 @@ fn rotating_frame<'m>(
         let Node::Symbol(symbol) = x.node() else {
             unreachable!("just made");
         };
-        let rule = Rule::Axis(Box::new((link_frame, component)));
+        let rule = DerivativeRule::Axis(Box::new((link_frame, component)));
         algebra.solutions.set_rule(symbol, rule);
     }
     link_frame
@@ -110,7 +110,7 @@ fn rotating_frame<'m>(
 /// The terms of a sum that turn otherwise than with these angles alone.
 pub(crate) fn without<'m>(algebra: &Algebra<'m>, x: Ex<'m>, angles: &[AnglePair]) -> Ex<'m> {
     let terms = terms_of_sum(x).into_iter();
-    let terms = terms.filter(|(_, term)| parts::factors(algebra, *term).0 != angles);
+    let terms = terms.filter(|(_, term)| turning_parts::factors(algebra, *term).0 != angles);
     let (early, late): (Vec<Ex>, Vec<Ex>) = terms
         .map(|(known, term)| known * term)
         .partition(|term| term.is_fixed());
@@ -156,7 +156,7 @@ pub(crate) fn to_frame<'m>(
         };
         algebra
             .solutions
-            .set_rule(symbol, Rule::ToFrame(Box::new(seen)));
+            .set_rule(symbol, DerivativeRule::ToFrame(Box::new(seen)));
     }
     in_frame
 }
@@ -184,7 +184,7 @@ pub(crate) fn from_frame<'m>(
         };
         algebra
             .solutions
-            .set_rule(symbol, Rule::FromFrame(Box::new(shown)));
+            .set_rule(symbol, DerivativeRule::FromFrame(Box::new(shown)));
     }
     Vector(made.map(|(_, x)| x))
 }

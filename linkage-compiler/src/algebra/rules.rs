@@ -4,7 +4,7 @@ use linkage_symbolic::{Ex, SymbolId, V2};
 
 /// The rule by which a symbol with a definition is differentiated.
 #[derive(Clone, Debug)]
-pub(crate) enum Rule<'m> {
+pub(crate) enum DerivativeRule<'m> {
     /// Like this expression, which is equal to the definition.
     Follow(Ex<'m>),
     /// A component of the turn of a body.
@@ -34,7 +34,7 @@ pub(crate) enum Rule<'m> {
     },
 }
 
-/// The rule of [`Rule::Rotation`].
+/// The rule of [`DerivativeRule::Rotation`].
 #[derive(Clone, Debug)]
 pub(crate) struct RotationRule<'m> {
     pub(crate) group: usize,
@@ -67,7 +67,7 @@ impl AngleRule<'_> {
     }
 }
 
-/// The rule of [`Rule::TurnedVector`].
+/// The rule of [`DerivativeRule::TurnedVector`].
 #[derive(Clone, Debug)]
 pub(crate) struct TurnedVector<'m> {
     pub(crate) group: usize,
@@ -79,7 +79,7 @@ pub(crate) struct TurnedVector<'m> {
     pub(crate) unit: V2<'m>,
 }
 
-/// The rule of [`Rule::ToFrame`].
+/// The rule of [`DerivativeRule::ToFrame`].
 #[derive(Clone, Debug)]
 pub(crate) struct ToFrame<'m> {
     pub(crate) link_frame: RotatingFrame<'m>,
@@ -90,7 +90,7 @@ pub(crate) struct ToFrame<'m> {
     pub(crate) component: usize,
 }
 
-/// The rule of [`Rule::FromFrame`].
+/// The rule of [`DerivativeRule::FromFrame`].
 #[derive(Clone, Debug)]
 pub(crate) struct FromFrame<'m> {
     pub(crate) link_frame: RotatingFrame<'m>,

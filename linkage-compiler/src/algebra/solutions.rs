@@ -6,7 +6,7 @@ use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{NodeId, SymbolId, V3};
 
 use crate::algebra::equations::{Solution, ViaSlider};
-use crate::algebra::rules::Rule;
+use crate::algebra::rules::DerivativeRule;
 use crate::algebra::systems::Solved;
 
 /// Shortcuts that derivatives may take: these change the number of operations and no value.
@@ -21,7 +21,7 @@ pub(crate) struct Shortcuts {
 /// The groups that are solved, and the rules of their symbols.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Solutions<'m> {
-    rules: Map<SymbolId, Rule<'m>>,
+    rules: Map<SymbolId, DerivativeRule<'m>>,
     /// The equations of each group.
     pub(crate) groups: Vec<Solution<'m>>,
     /// Loops with a guide on a link that turns, in order.
@@ -37,12 +37,12 @@ pub(crate) struct Solutions<'m> {
 
 impl<'m> Solutions<'m> {
     /// Says how a symbol is differentiated.
-    pub(crate) fn set_rule(&mut self, symbol: SymbolId, rule: Rule<'m>) {
+    pub(crate) fn set_rule(&mut self, symbol: SymbolId, rule: DerivativeRule<'m>) {
         self.rules.insert(symbol, rule);
     }
 
     /// Returns the rule by which a symbol is differentiated; `None` for inputs and parameters.
-    pub(crate) fn rule(&self, symbol: SymbolId) -> Option<&Rule<'m>> {
+    pub(crate) fn rule(&self, symbol: SymbolId) -> Option<&DerivativeRule<'m>> {
         self.rules.get(&symbol)
     }
 }

@@ -5,8 +5,8 @@ use linkage_symbolic::{Ex, NodeId, V2, Vector};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::equations::{AngleSum, ViaSlider};
-use crate::algebra::parts::terms_of_sum;
 use crate::algebra::rotating_frame;
+use crate::algebra::turning_parts::terms_of_sum;
 
 /// A vector with every link that leads to a slider on a turning guide replaced by the way along the
 /// guide.

@@ -1,6 +1,6 @@
 //! How long a vector of the plane can become when all that turns in it turns: what a margin is measured by.
 
-use crate::algebra::parts;
+use crate::algebra::turning_parts;
 use crate::solve::contour;
 use linkage_symbolic::{Ex, V2};
 
@@ -37,7 +37,7 @@ pub(super) fn root_margin<'m>(
 
 /// The sum of the lengths of a vector's parts, if they can all point the same way: each turns, and keeps its length.
 fn longest<'m>(solver: &Solver<'_, 'm>, vector: V2<'m>) -> Option<Ex<'m>> {
-    let parts = parts::parts(solver.algebra, vector);
+    let parts = turning_parts::parts(solver.algebra, vector);
     let mut turning = parts.turning.iter().map(|(_, part)| part);
     let rigid = turning.all(|part| part.is_rotor() && part.arm().is_fixed());
     let arms = parts.turning.iter().map(|(_, part)| part.arm().length());

@@ -30,7 +30,7 @@ use linkage_symbolic::lookup::Map;
 
 use linkage_symbolic::{Ex, SymbolId};
 
-use crate::algebra::{Algebra, Nominal, Rule};
+use crate::algebra::{Algebra, DerivativeRule, Nominal};
 use crate::model::{Dimension, Mechanism};
 use crate::structure::{Group, Structure};
 
@@ -171,7 +171,7 @@ pub(crate) fn formulate<'m>(
         let value = explicit.value;
         explicit_values.insert(explicit.symbol, value);
         algebra.graph.define(explicit.symbol, value.id());
-        let rule = Rule::Follow(value);
+        let rule = DerivativeRule::Follow(value);
         algebra.solutions.set_rule(explicit.symbol, rule);
     }
     let (mut modes, mut coupled) = (0, 0);

@@ -21,7 +21,8 @@ use linkage_symbolic::program::{Source, Ternary};
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
 use crate::algebra::{
-    Algebra, AngleReference, AngleRule, Nominal, RotatingFrame, Rule, Solution, TurnedVector,
+    Algebra, AngleReference, AngleRule, DerivativeRule, Nominal, RotatingFrame, Solution,
+    TurnedVector,
 };
 use crate::model::Dimension;
 use crate::structure::{Form, Rotor};
@@ -129,7 +130,7 @@ impl<'m> Solver<'_, 'm> {
     }
 
     /// Says what an unknown symbol is computed as and how it is differentiated.
-    fn define(&mut self, symbol: SymbolId, value: Ex<'m>, rule: Rule<'m>) {
+    fn define(&mut self, symbol: SymbolId, value: Ex<'m>, rule: DerivativeRule<'m>) {
         self.algebra.graph.define(symbol, value.id());
         self.algebra.solutions.set_rule(symbol, rule);
         self.defined.push(symbol);
@@ -137,7 +138,7 @@ impl<'m> Solver<'_, 'm> {
 
     /// Gives an unknown length its value.
     pub(super) fn define_length(&mut self, symbol: SymbolId, value: Ex<'m>, position: usize) {
-        let rule = Rule::Unknown {
+        let rule = DerivativeRule::Unknown {
             group: self.index,
             position,
         };
@@ -148,7 +149,7 @@ impl<'m> Solver<'_, 'm> {
     pub(super) fn define_relation(&mut self, angle: usize, values: [Ex<'m>; 3]) {
         let symbols = self.algebra.names.angles[angle].symbols();
         for (symbol, value) in symbols.into_iter().zip(values) {
-            self.define(symbol, value, Rule::Follow(value));
+            self.define(symbol, value, DerivativeRule::Follow(value));
         }
     }
 
@@ -209,9 +210,9 @@ impl<'m> Solver<'_, 'm> {
             link_frame,
         };
         let solutions = &mut self.algebra.solutions;
-        solutions.set_rule(symbols.cos, Rule::Cosine(rule));
-        solutions.set_rule(symbols.sin, Rule::Sine(rule));
-        solutions.set_rule(symbols.value, Rule::Value(rule));
+        solutions.set_rule(symbols.cos, DerivativeRule::Cosine(rule));
+        solutions.set_rule(symbols.sin, DerivativeRule::Sine(rule));
+        solutions.set_rule(symbols.value, DerivativeRule::Value(rule));
     }
 
     /// The direction of unknown `position` from a rotating frame.
@@ -231,8 +232,12 @@ impl<'m> Solver<'_, 'm> {
             unit: Vector([x, y]),
             link_frame: None,
         };
-        self.algebra.solutions.set_rule(cos, Rule::Cosine(rule));
-        self.algebra.solutions.set_rule(sin, Rule::Sine(rule));
+        self.algebra
+            .solutions
+            .set_rule(cos, DerivativeRule::Cosine(rule));
+        self.algebra
+            .solutions
+            .set_rule(sin, DerivativeRule::Sine(rule));
         rule.unit
     }
 
@@ -250,7 +255,7 @@ impl<'m> Solver<'_, 'm> {
     /// A symbol computed as `definition` and differentiated as `equal`.
     pub(super) fn alias(&mut self, name: &str, definition: Ex<'m>, equal: Ex<'m>) -> Ex<'m> {
         let name = format!("{name} {}", self.index);
-        let rule = Rule::Follow(equal);
+        let rule = DerivativeRule::Follow(equal);
         by_rule::symbol_for_value(self.algebra, name, definition, rule)
     }
 
@@ -278,7 +283,7 @@ impl<'m> Solver<'_, 'm> {
                 z,
                 unit,
             };
-            let rule = Rule::TurnedVector(Box::new(turning));
+            let rule = DerivativeRule::TurnedVector(Box::new(turning));
             self.algebra.solutions.set_rule(symbol, rule);
         }
         vector

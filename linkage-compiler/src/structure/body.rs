@@ -21,7 +21,7 @@ pub(crate) struct Body<'m> {
     pub(crate) origin: V3<'m>,
     pub(crate) axes: [V3<'m>; 3],
     /// The equations of its axes.
-    pub(crate) own: Vec<usize>,
+    pub(crate) rows_of_body: Vec<usize>,
 }
 
 /// A point of the body, by its coordinates along `p`, `q` and `p x q`, and the rods to it.
@@ -99,7 +99,7 @@ pub(crate) fn body<'m>(
         of_axes: axes,
         axes: [p, q, p.cross(q)],
         origin,
-        own: places,
+        rows_of_body: places,
         symbols,
     })
 }

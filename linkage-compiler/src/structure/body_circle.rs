@@ -93,7 +93,7 @@ fn on_three_circles<'m>(
     }
     let explained = [body.of_origin(), body.of_axes.clone()].concat();
     let rods = joints.iter().flat_map(|joint| &joint.rods);
-    let solved = rods.map(|rod| rod.place).chain(body.own.clone());
+    let solved = rods.map(|rod| rod.place).chain(body.rows_of_body.clone());
     let mut kept = kept(analysis, solved.collect(), &explained, equations);
     for [a, b] in [[0, 1], [1, 2], [2, 0]] {
         let apart = (points[b] - points[a]).length();

@@ -61,7 +61,7 @@ fn check(bodies: usize, seed: u32) {
         place.map(|k| graph.number(axes[body][k / 3][k % 3]))
     });
     let bodies = Bodies::in_matrix(&matrix, &unknowns.collect::<Vec<_>>());
-    assert_eq!(bodies.all.len(), axes.len());
+    assert_eq!(bodies.list.len(), axes.len());
     let order = |matrix: &[Vec<Ex>]| {
         let values: Vec<Vec<f64>> = matrix
             .iter()

@@ -13,7 +13,7 @@ use linkage_symbolic::{Ex, NodeId, SymbolId};
 use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::by_rule::GroupRates;
 use crate::algebra::memo::Given;
-use crate::algebra::rules::{RotatingFrame, Rule};
+use crate::algebra::rules::{DerivativeRule, RotatingFrame};
 use crate::algebra::systems::System;
 
 /// Returns the parameters that act on the equations of a group.
@@ -71,23 +71,23 @@ fn acting_on_symbol<'m>(algebra: &mut Algebra<'m>, symbol: SymbolId) -> Given {
         return Rc::clone(known);
     }
     let differentiated: Vec<Ex<'m>> = match algebra.solutions.rule(symbol) {
-        None | Some(Rule::Unknown { .. } | Rule::Rate { .. }) => Vec::new(),
-        Some(Rule::Follow(equal)) => vec![*equal],
-        Some(Rule::Rotation(rotation)) => vec![rotation.equal],
-        Some(Rule::TurnedVector(turning)) => turning.z.0.to_vec(),
-        Some(Rule::ToFrame(to_frame)) => {
+        None | Some(DerivativeRule::Unknown { .. } | DerivativeRule::Rate { .. }) => Vec::new(),
+        Some(DerivativeRule::Follow(equal)) => vec![*equal],
+        Some(DerivativeRule::Rotation(rotation)) => vec![rotation.equal],
+        Some(DerivativeRule::TurnedVector(turning)) => turning.z.0.to_vec(),
+        Some(DerivativeRule::ToFrame(to_frame)) => {
             [&to_frame.vector.0[..], &parts_of(to_frame.link_frame)].concat()
         }
-        Some(Rule::FromFrame(from_frame)) => [
+        Some(DerivativeRule::FromFrame(from_frame)) => [
             &from_frame.vector.0[..],
             &from_frame.base.0,
             &parts_of(from_frame.link_frame),
         ]
         .concat(),
-        Some(Rule::Axis(axis)) => parts_of(axis.0).to_vec(),
-        Some(Rule::Cosine(rule) | Rule::Sine(rule) | Rule::Value(rule)) => {
-            rule.link_frame.iter().copied().flat_map(parts_of).collect()
-        }
+        Some(DerivativeRule::Axis(axis)) => parts_of(axis.0).to_vec(),
+        Some(
+            DerivativeRule::Cosine(rule) | DerivativeRule::Sine(rule) | DerivativeRule::Value(rule),
+        ) => rule.link_frame.iter().copied().flat_map(parts_of).collect(),
     };
     let acting = Rc::new(acting_in(algebra, &differentiated));
     let known = &mut algebra.derivatives.partials.acting.on_symbols;

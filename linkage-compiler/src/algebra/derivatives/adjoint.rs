@@ -14,9 +14,11 @@ use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::by_rule::GroupRates;
-use crate::algebra::derivatives::{acting, by_rule, elimination, links, mentioned, partial, rows};
+use crate::algebra::derivatives::{
+    acting, by_rule, elimination, links, mentioned, partial, written_rows,
+};
 use crate::algebra::memo::{Flow, Multiplier};
-use crate::algebra::rules::Rule;
+use crate::algebra::rules::DerivativeRule;
 use crate::algebra::systems::{Solved, System};
 
 pub(crate) fn flow_to<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> Rc<Flow<'m>> {
@@ -143,7 +145,7 @@ fn slope_of_row<'m>(
             .get(row)
             .and_then(|written| written.links.as_ref());
         if let Some(links) = written {
-            return rows::slope_of_squares(algebra, links, &mut slope);
+            return written_rows::slope_of_squares(algebra, links, &mut slope);
         }
         // Those of links are found by themselves.
         let links = links::terms_of_links(algebra, system.group);
@@ -187,7 +189,7 @@ pub(crate) fn solve_transposed<'m>(
                 return quotient;
             }
             let name = format!("multiplier {group}.{row}");
-            by_rule::symbol_for_value(algebra, name, value, Rule::Follow(quotient))
+            by_rule::symbol_for_value(algebra, name, value, DerivativeRule::Follow(quotient))
         })
         .to_vec()
 }

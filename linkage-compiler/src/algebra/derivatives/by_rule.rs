@@ -6,7 +6,7 @@ use crate::algebra::context::Algebra;
 use crate::algebra::memo::Rates;
 use crate::algebra::rotating_frame;
 use crate::algebra::rules::{
-    AngleRule, FromFrame, RotatingFrame, RotationRule, Rule, ToFrame, TurnedVector,
+    AngleRule, DerivativeRule, FromFrame, RotatingFrame, RotationRule, ToFrame, TurnedVector,
 };
 
 /// The derivatives of the unknowns of groups.
@@ -42,26 +42,28 @@ pub(crate) trait RuleCalculus<'m>: Calculus<'m> {
             return self.graph().zero();
         };
         let rate = match rule {
-            Rule::Follow(equal) => self.slope(equal, variable),
-            Rule::Rotation(rotation) => self.rate_of_rotation(&rotation, variable),
-            Rule::Cosine(rule) => {
+            DerivativeRule::Follow(equal) => self.slope(equal, variable),
+            DerivativeRule::Rotation(rotation) => self.rate_of_rotation(&rotation, variable),
+            DerivativeRule::Cosine(rule) => {
                 let rate = self.rate_of_angle(rule, variable);
                 -(rule.unit[1] * rate)
             }
-            Rule::Sine(rule) => {
+            DerivativeRule::Sine(rule) => {
                 let rate = self.rate_of_angle(rule, variable);
                 rule.unit[0] * rate
             }
-            Rule::Value(rule) => self.rate_of_angle(rule, variable),
-            Rule::TurnedVector(turning) => self.rate_of_turned_vector(&turning, variable),
-            Rule::ToFrame(to_frame) => self.rate_of_to_frame(&to_frame, variable),
-            Rule::FromFrame(from_frame) => self.rate_of_from_frame(&from_frame, variable),
-            Rule::Axis(axis) => {
+            DerivativeRule::Value(rule) => self.rate_of_angle(rule, variable),
+            DerivativeRule::TurnedVector(turning) => self.rate_of_turned_vector(&turning, variable),
+            DerivativeRule::ToFrame(to_frame) => self.rate_of_to_frame(&to_frame, variable),
+            DerivativeRule::FromFrame(from_frame) => self.rate_of_from_frame(&from_frame, variable),
+            DerivativeRule::Axis(axis) => {
                 let (link_frame, component) = *axis;
                 self.rotation_of_frame(link_frame, variable) * link_frame.axis.perp()[component]
             }
-            Rule::Unknown { group, position } => self.rate(group, position, Vec::new(), variable),
-            Rule::Rate {
+            DerivativeRule::Unknown { group, position } => {
+                self.rate(group, position, Vec::new(), variable)
+            }
+            DerivativeRule::Rate {
                 group,
                 position,
                 by,
@@ -138,7 +140,7 @@ pub(crate) fn rate_symbol<'m>(
     if value.constant_value().is_some() {
         return value;
     }
-    let rule = Rule::Rate {
+    let rule = DerivativeRule::Rate {
         group,
         position,
         by: by.to_vec(),
@@ -156,7 +158,7 @@ pub(crate) fn symbol_for_value<'m>(
     algebra: &mut Algebra<'m>,
     name: String,
     value: Ex<'m>,
-    rule: Rule<'m>,
+    rule: DerivativeRule<'m>,
 ) -> Ex<'m> {
     let (symbol, node) = algebra.graph.unknown(name);
     algebra.graph.define(symbol, value.id());

@@ -11,7 +11,7 @@ use linkage_symbolic::{Ex, SymbolId};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::rotation_variation::BodyRotations;
-use crate::algebra::derivatives::{rotation_variation, rows};
+use crate::algebra::derivatives::{rotation_variation, written_rows};
 use crate::algebra::{bodies, cofactors};
 
 /// The unknowns of `J r = right`, the core first: derivatives by some variables.
@@ -48,7 +48,7 @@ pub(crate) fn eliminate<'m>(
             let held = bodies.unknowns(&nothing, &shifts);
             let pairs = elimination.units.iter().zip(&held);
             let held = pairs.map(|(&unit, &shift)| unit * shift).collect();
-            let left = rows::right_of_rows(algebra, group, by, held, turns.as_ref());
+            let left = written_rows::right_of_rows(algebra, group, by, held, turns.as_ref());
             let left = of_core(algebra, &left);
             let solved = bodies::solve_left_by_scheme(algebra.graph, scheme, &shifts, &left);
             if let Some(BodyRotations { by, .. }) = turns {

@@ -10,7 +10,9 @@ use linkage_symbolic::{Calculus, DerivativeMemo, Ex, Graph, NodeId, SymbolId, Ve
 
 use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::by_rule::{GroupRates, RuleCalculus};
-use crate::algebra::derivatives::{by_rule, elimination, links, partial, rotation_variation, rows};
+use crate::algebra::derivatives::{
+    by_rule, elimination, links, partial, rotation_variation, written_rows,
+};
 use crate::algebra::memo::Rates;
 use crate::algebra::rules::RotationRule;
 
@@ -80,7 +82,7 @@ fn right_hand_side<'m>(algebra: &mut Algebra<'m>, group: usize, by: &[SymbolId])
     let equations = solution.jacobian[0].len();
     if before.is_empty() {
         let mut slope = |algebra: &mut Algebra<'m>, x| algebra.slope(x, last);
-        let mut of_links = rows::right_of_links(algebra, group, last);
+        let mut of_links = written_rows::right_of_links(algebra, group, last);
         of_links.resize(equations, None);
         return of_links
             .into_iter()
@@ -95,7 +97,7 @@ fn right_hand_side<'m>(algebra: &mut Algebra<'m>, group: usize, by: &[SymbolId])
     }
     if !solution.rows.is_empty() {
         let nothing = vec![algebra.zero(); solution.jacobian.len()];
-        return rows::right_of_rows(algebra, group, by, nothing, None);
+        return written_rows::right_of_rows(algebra, group, by, nothing, None);
     }
     let lower = algebra.rates(group, before.to_vec());
     (0..equations)

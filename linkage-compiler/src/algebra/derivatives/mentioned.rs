@@ -6,7 +6,7 @@ use linkage_symbolic::{Ex, NodeId, SymbolId};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::by_rule::GroupRates;
-use crate::algebra::rules::Rule;
+use crate::algebra::rules::DerivativeRule;
 use crate::algebra::systems::{Solved, System};
 
 /// The unknowns and rates that expressions mention.
@@ -27,14 +27,14 @@ fn behind(algebra: &mut Algebra<'_>, symbol: SymbolId) -> BTreeSet<Solved> {
     };
     let behind = match algebra.solutions.rule(symbol).cloned() {
         None => BTreeSet::new(),
-        Some(Rule::Follow(equal)) => mentioned_in(algebra, &[equal]),
-        Some(Rule::Rotation(rotation)) => mentioned_in(algebra, &[rotation.equal]),
-        Some(Rule::ToFrame(to_frame)) => {
+        Some(DerivativeRule::Follow(equal)) => mentioned_in(algebra, &[equal]),
+        Some(DerivativeRule::Rotation(rotation)) => mentioned_in(algebra, &[rotation.equal]),
+        Some(DerivativeRule::ToFrame(to_frame)) => {
             let mut behind = mentioned_in(algebra, &to_frame.vector.0);
             behind.extend(mentioned_in(algebra, &[to_frame.link_frame.angle]));
             behind
         }
-        Some(Rule::FromFrame(from_frame)) => {
+        Some(DerivativeRule::FromFrame(from_frame)) => {
             let [x, y] = from_frame.vector.0;
             let [base_x, base_y] = from_frame.base.0;
             mentioned_in(
@@ -42,22 +42,24 @@ fn behind(algebra: &mut Algebra<'_>, symbol: SymbolId) -> BTreeSet<Solved> {
                 &[x, y, base_x, base_y, from_frame.link_frame.angle],
             )
         }
-        Some(Rule::Axis(axis)) => mentioned_in(algebra, &[axis.0.angle]),
-        Some(Rule::TurnedVector(turning)) => {
+        Some(DerivativeRule::Axis(axis)) => mentioned_in(algebra, &[axis.0.angle]),
+        Some(DerivativeRule::TurnedVector(turning)) => {
             let mut behind = mentioned_in(algebra, &turning.z.0);
             behind.insert(result(turning.group, turning.position, Vec::new()));
             behind
         }
-        Some(Rule::Cosine(rule) | Rule::Sine(rule) | Rule::Value(rule)) => {
+        Some(
+            DerivativeRule::Cosine(rule) | DerivativeRule::Sine(rule) | DerivativeRule::Value(rule),
+        ) => {
             let angle = rule.link_frame.map(|link_frame| link_frame.angle);
             let mut behind = angle.map_or_else(BTreeSet::new, |x| mentioned_in(algebra, &[x]));
             behind.insert(result(rule.group, rule.position, Vec::new()));
             behind
         }
-        Some(Rule::Unknown { group, position }) => {
+        Some(DerivativeRule::Unknown { group, position }) => {
             BTreeSet::from([result(group, position, Vec::new())])
         }
-        Some(Rule::Rate {
+        Some(DerivativeRule::Rate {
             group,
             position,
             by,

@@ -1,6 +1,6 @@
 //! Derivatives of numbers that depend on the solutions of groups.
 //!
-//! A symbol with a definition is differentiated by a rule ([`Rule`](crate::algebra::Rule)), an
+//! A symbol with a definition is differentiated by a rule ([`DerivativeRule`](crate::algebra::DerivativeRule)), an
 //! unknown of a group by the group's equations. The square root of a closed form is never
 //! differentiated. The files are listed in the order in which they are used: each uses files above
 //! it only. Their data are in `memo`, `systems`, `rules` and `equations` of `algebra`.
@@ -11,7 +11,7 @@
 //! |---|---|
 //! | `by_rule` | the derivative of each rule; traits of the recursive steps |
 //! | `rotation_variation` | turns of bodies of coupled groups, and vectors on bodies |
-//! | `rows` | right-hand sides from the written loops: links, arms on bodies |
+//! | `written_rows` | right-hand sides from the written loops: links, arms on bodies |
 //! | `elimination` | the linear system of a coupled group, by its core |
 //! | `partial` | partial derivatives, while all other unknowns and rates are held |
 //! | `links` | shorter second derivatives of links and rods, by products that are known |
@@ -46,4 +46,4 @@ pub(crate) mod partial;
 pub(crate) mod preaccumulation;
 pub(crate) mod reverse;
 pub(crate) mod rotation_variation;
-pub(crate) mod rows;
+pub(crate) mod written_rows;

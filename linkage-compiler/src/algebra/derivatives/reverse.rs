@@ -11,7 +11,7 @@ use linkage_symbolic::{Ex, Node, NodeId, SymbolId, Vector, pull_back};
 use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::adjoint;
 use crate::algebra::derivatives::by_rule::GroupRates;
-use crate::algebra::rules::{AngleRule, RotatingFrame, Rule};
+use crate::algebra::rules::{AngleRule, DerivativeRule, RotatingFrame};
 use crate::algebra::systems::System;
 
 /// An item that a sweep visits.
@@ -116,29 +116,31 @@ fn below_node<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> Vec<Item> {
     let system = |group: usize, by: &[SymbolId]| Item::System(System::new(group, by.to_vec()));
     match algebra.solutions.rule(symbol) {
         None => Vec::new(),
-        Some(Rule::Follow(equal)) => vec![Item::Node(equal.id())],
-        Some(Rule::Rotation(rotation)) => vec![Item::Node(rotation.equal.id())],
-        Some(Rule::TurnedVector(turning)) => {
+        Some(DerivativeRule::Follow(equal)) => vec![Item::Node(equal.id())],
+        Some(DerivativeRule::Rotation(rotation)) => vec![Item::Node(rotation.equal.id())],
+        Some(DerivativeRule::TurnedVector(turning)) => {
             let z = turning.z.ids().map(Item::Node);
             [&z[..], &[system(turning.group, &[])]].concat()
         }
-        Some(Rule::ToFrame(to_frame)) => {
+        Some(DerivativeRule::ToFrame(to_frame)) => {
             let vector = to_frame.vector.ids().map(Item::Node);
             [&vector[..], &below_frame(to_frame.link_frame)].concat()
         }
-        Some(Rule::FromFrame(from_frame)) => {
+        Some(DerivativeRule::FromFrame(from_frame)) => {
             let [vector, base] =
                 [from_frame.vector, from_frame.base].map(|vector| vector.ids().map(Item::Node));
             [&vector[..], &base[..], &below_frame(from_frame.link_frame)].concat()
         }
-        Some(Rule::Axis(axis)) => below_frame(axis.0),
-        Some(Rule::Cosine(rule) | Rule::Sine(rule) | Rule::Value(rule)) => {
+        Some(DerivativeRule::Axis(axis)) => below_frame(axis.0),
+        Some(
+            DerivativeRule::Cosine(rule) | DerivativeRule::Sine(rule) | DerivativeRule::Value(rule),
+        ) => {
             let mut below = vec![system(rule.group, &[])];
             below.extend(rule.link_frame.into_iter().flat_map(below_frame));
             below
         }
-        Some(Rule::Unknown { group, .. }) => vec![system(*group, &[])],
-        Some(Rule::Rate { group, by, .. }) => vec![system(*group, by)],
+        Some(DerivativeRule::Unknown { group, .. }) => vec![system(*group, &[])],
+        Some(DerivativeRule::Rate { group, by, .. }) => vec![system(*group, by)],
     }
 }
 
@@ -153,12 +155,16 @@ fn symbol_back<'m>(
         return;
     };
     match rule {
-        Rule::Follow(equal) => add_to_node(algebra, weights, equal.id(), weight),
-        Rule::Rotation(rotation) => add_to_node(algebra, weights, rotation.equal.id(), weight),
-        Rule::Cosine(rule) => add_to_angle(algebra, weights, rule, -(rule.unit[1] * weight)),
-        Rule::Sine(rule) => add_to_angle(algebra, weights, rule, rule.unit[0] * weight),
-        Rule::Value(rule) => add_to_angle(algebra, weights, rule, weight),
-        Rule::TurnedVector(turning) => {
+        DerivativeRule::Follow(equal) => add_to_node(algebra, weights, equal.id(), weight),
+        DerivativeRule::Rotation(rotation) => {
+            add_to_node(algebra, weights, rotation.equal.id(), weight)
+        }
+        DerivativeRule::Cosine(rule) => {
+            add_to_angle(algebra, weights, rule, -(rule.unit[1] * weight))
+        }
+        DerivativeRule::Sine(rule) => add_to_angle(algebra, weights, rule, rule.unit[0] * weight),
+        DerivativeRule::Value(rule) => add_to_angle(algebra, weights, rule, weight),
+        DerivativeRule::TurnedVector(turning) => {
             // The component of `z' u + rate perp(z u)`.
             let component = turning.component;
             let [c, s] = turning.unit.0;
@@ -170,7 +176,7 @@ fn symbol_back<'m>(
             let system = System::new(turning.group, Vec::new());
             add_to_system(algebra, weights, system, turning.position, share);
         }
-        Rule::ToFrame(to_frame) => {
+        DerivativeRule::ToFrame(to_frame) => {
             let [x, y] = to_frame.link_frame.axis.0;
             let factors = [[x, y], [-y, x]][to_frame.component];
             for (x, factor) in to_frame.vector.components().zip(factors) {
@@ -179,7 +185,7 @@ fn symbol_back<'m>(
             let share = -(to_frame.in_frame.perp()[to_frame.component] * weight);
             add_to_frame(algebra, weights, to_frame.link_frame, share);
         }
-        Rule::FromFrame(from_frame) => {
+        DerivativeRule::FromFrame(from_frame) => {
             let component = from_frame.component;
             add_to_node(algebra, weights, from_frame.base[component].id(), weight);
             let [x, y] = from_frame.link_frame.axis.0;
@@ -191,12 +197,12 @@ fn symbol_back<'m>(
             let share = turned[component] * weight;
             add_to_frame(algebra, weights, from_frame.link_frame, share);
         }
-        Rule::Axis(axis) => {
+        DerivativeRule::Axis(axis) => {
             let (link_frame, component) = *axis;
             let share = link_frame.axis.perp()[component] * weight;
             add_to_frame(algebra, weights, link_frame, share);
         }
-        Rule::Unknown { group, position } => {
+        DerivativeRule::Unknown { group, position } => {
             add_to_system(
                 algebra,
                 weights,
@@ -205,7 +211,7 @@ fn symbol_back<'m>(
                 weight,
             );
         }
-        Rule::Rate {
+        DerivativeRule::Rate {
             group,
             position,
             by,

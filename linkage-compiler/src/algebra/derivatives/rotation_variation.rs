@@ -7,7 +7,7 @@ use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::by_rule;
 use crate::algebra::derivatives::by_rule::{GroupRates, RuleCalculus};
 use crate::algebra::frame;
-use crate::algebra::rules::{RotationRule, Rule};
+use crate::algebra::rules::{DerivativeRule, RotationRule};
 use crate::algebra::value::Value;
 
 /// Returns the derivative of a component of a vector on a body, where the rotation of the body is
@@ -81,7 +81,7 @@ pub(crate) fn shifts_by_rotations<'m>(
     turns: &BodyRotations<'m>,
 ) -> Vec<Shifts<'m>> {
     let rates = algebra.rates(group, vec![turns.by[1]]).rates;
-    let pairs = bodies.all.iter().zip(&turns.of_bodies[0]);
+    let pairs = bodies.list.iter().zip(&turns.of_bodies[0]);
     let shifts = pairs.map(|(body, turn)| {
         let changes = |columns: [usize; 3]| Vector(columns.map(|k| rates[k]));
         body.columns.map(|columns| turn.cross(changes(columns)))
@@ -187,7 +187,12 @@ fn rotation_as_symbol<'m>(
         return known;
     }
     let name = format!("turn {:?}", turn.id());
-    let symbol = by_rule::symbol_for_value(algebra, name, turn, Rule::Rotation(Box::new(rule)));
+    let symbol = by_rule::symbol_for_value(
+        algebra,
+        name,
+        turn,
+        DerivativeRule::Rotation(Box::new(rule)),
+    );
     algebra
         .derivatives
         .rotation_symbols
@@ -203,7 +208,7 @@ fn body_with<'m>(algebra: &Algebra<'m>, axes: &[V3<'m>]) -> Option<(usize, usize
         .collect();
     let group = places.iter().flatten().map(|(group, _)| *group).next()?;
     let elimination = algebra.solutions.groups[group].elimination.as_ref()?;
-    let bodies = &elimination.scheme.as_ref()?.bodies.all;
+    let bodies = &elimination.scheme.as_ref()?.bodies.list;
     let place = |columns: &[usize; 3]| {
         places
             .iter()
@@ -220,7 +225,7 @@ fn body_with<'m>(algebra: &Algebra<'m>, axes: &[V3<'m>]) -> Option<(usize, usize
 fn positions_of<'m>(algebra: &Algebra<'m>, axis: V3<'m>) -> Option<(usize, [usize; 3])> {
     let place = |k: usize| match axis[k].node() {
         Node::Symbol(symbol) => match algebra.solutions.rule(symbol)? {
-            Rule::Unknown { group, position } => Some((*group, *position)),
+            DerivativeRule::Unknown { group, position } => Some((*group, *position)),
             _ => None,
         },
         _ => None,

@@ -12,7 +12,7 @@ use linkage_symbolic::Ex;
 use crate::algebra::motion_law::piecewise::Choice;
 use crate::algebra::motion_law::spline::{solved, solved_in_circle};
 use crate::algebra::motion_law::spline_blocks::{
-    Block, Row, Shape, added, eliminated, in_circle, plus,
+    Block, Shape, SplineRow, added, eliminated, in_circle, plus,
 };
 use crate::algebra::motion_law::zones::ORDERS;
 use crate::algebra::motion_law::{profile, zones};
@@ -147,7 +147,7 @@ impl<'m> Span<'m> {
     }
 
     /// Returns its part of the block of a point at its begin (1) or end (-1).
-    fn own(&self, side: f64) -> Block<'m> {
+    fn diagonal_part(&self, side: f64) -> Block<'m> {
         let [first, second, third] = self.inverses();
         let mixed = side * 36.0 * second;
         [[192.0 * third, mixed], [mixed, 9.0 * first]]
@@ -168,8 +168,8 @@ fn by_slopes<'m>(spans: &[Span<'m>], slopes: &[Ex<'m>], ends: Ends) -> Vec<Shape
         let (before, behind) = (&spans[left], &spans[right]);
         let [[_, _], [from_before, curvature_before]] = before.by_begin();
         let [[_, _], [from_behind, curvature_behind]] = behind.by_end();
-        let [[_, _], [slope_before, own_before]] = before.own(-1.0);
-        let [[_, _], [slope_behind, own_behind]] = behind.own(1.0);
+        let [[_, _], [slope_before, own_before]] = before.diagonal_part(-1.0);
+        let [[_, _], [slope_behind, own_behind]] = behind.diagonal_part(1.0);
         let known = from_before * slopes[left]
             + (slope_before + slope_behind) * slopes[at]
             + from_behind * slopes[right + 1];
@@ -211,14 +211,14 @@ fn by_points<'m>(spans: &[Span<'m>], ends: Ends) -> Vec<Shape<'m>> {
     let row = |left: Option<usize>, right: Option<usize>| {
         let sides = [(left, -1.0), (right, 1.0)];
         let sides = sides.map(|(span, side)| span.map(|span| (&spans[span], side)));
-        let mut row = Row {
+        let mut row = SplineRow {
             before: [[zero; 2]; 2],
-            own: [[zero; 2]; 2],
+            diagonal: [[zero; 2]; 2],
             behind: [[zero; 2]; 2],
             right: vec![[zero; 2]],
         };
         for (span, side) in sides.into_iter().flatten() {
-            row.own = plus(row.own, span.own(side));
+            row.diagonal = plus(row.diagonal, span.diagonal_part(side));
             row.right[0] = added(row.right[0], span.right(side));
             if side < 0.0 {
                 row.before = span.by_begin()
@@ -229,8 +229,8 @@ fn by_points<'m>(spans: &[Span<'m>], ends: Ends) -> Vec<Shape<'m>> {
         row
     };
     let last = spans.len() - 1;
-    let mut within: Vec<Row> = (1..=last).map(|k| row(Some(k - 1), Some(k))).collect();
-    let only = |rows: Vec<Row<'m>>| -> Vec<Shape<'m>> {
+    let mut within: Vec<SplineRow> = (1..=last).map(|k| row(Some(k - 1), Some(k))).collect();
+    let only = |rows: Vec<SplineRow<'m>>| -> Vec<Shape<'m>> {
         eliminated(rows).iter().map(|columns| columns[0]).collect()
     };
     match ends {

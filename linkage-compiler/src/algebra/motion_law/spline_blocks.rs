@@ -11,17 +11,17 @@ pub(crate) type Block<'m> = [[Ex<'m>; 2]; 2];
 
 /// A point's rows: by the point before, its own, by the point behind, and the right-hand sides, a
 /// column for each system.
-pub(crate) struct Row<'m> {
+pub(crate) struct SplineRow<'m> {
     pub(crate) before: Block<'m>,
-    pub(crate) own: Block<'m>,
+    pub(crate) diagonal: Block<'m>,
     pub(crate) behind: Block<'m>,
     pub(crate) right: Vec<Shape<'m>>,
 }
 
 /// Solves a system whose first and last rows mention each other: the first point is moved to the
 /// right-hand side, and its own rows determine it.
-pub(crate) fn in_circle<'m>(first: Row<'m>, mut rest: Vec<Row<'m>>) -> Vec<Shape<'m>> {
-    let zero = first.own[0][0].number(0.0);
+pub(crate) fn in_circle<'m>(first: SplineRow<'m>, mut rest: Vec<SplineRow<'m>>) -> Vec<Shape<'m>> {
+    let zero = first.diagonal[0][0].number(0.0);
     let last = rest.len() - 1;
     for (k, row) in rest.iter_mut().enumerate() {
         let mut moved = [[zero; 2]; 2];
@@ -46,7 +46,7 @@ pub(crate) fn in_circle<'m>(first: Row<'m>, mut rest: Vec<Row<'m>>) -> Vec<Shape
     };
     let [by_slope, by_curvature] = [known(1), known(2)];
     let block = plus(
-        first.own,
+        first.diagonal,
         [
             [by_slope[0], by_curvature[0]],
             [by_slope[1], by_curvature[1]],
@@ -61,17 +61,17 @@ pub(crate) fn in_circle<'m>(first: Row<'m>, mut rest: Vec<Row<'m>>) -> Vec<Shape
 }
 
 /// Solutions for all right-hand sides, by row.
-pub(crate) fn eliminated<'m>(mut rows: Vec<Row<'m>>) -> Vec<Vec<Shape<'m>>> {
+pub(crate) fn eliminated<'m>(mut rows: Vec<SplineRow<'m>>) -> Vec<Vec<Shape<'m>>> {
     for k in 1..rows.len() {
         let (done, open) = rows.split_at_mut(k);
         let (above, row) = (&done[k - 1], &mut open[0]);
-        let removed = |column: Shape<'m>| times(row.before, quotient(above.own, column));
+        let removed = |column: Shape<'m>| times(row.before, quotient(above.diagonal, column));
         let columns = [0, 1].map(|k| removed([above.behind[0][k], above.behind[1][k]]));
         let right: Vec<Shape> = above.right.iter().map(|column| removed(*column)).collect();
         for (column, removed) in row.right.iter_mut().zip(right) {
             *column = less(*column, removed);
         }
-        for (r, entries) in row.own.iter_mut().enumerate() {
+        for (r, entries) in row.diagonal.iter_mut().enumerate() {
             for (c, entry) in entries.iter_mut().enumerate() {
                 *entry -= columns[c][r];
             }
@@ -85,7 +85,7 @@ pub(crate) fn eliminated<'m>(mut rows: Vec<Row<'m>>) -> Vec<Vec<Shape<'m>>> {
                 Some(behind) => less(right, times(row.behind, behind[column])),
                 None => right,
             };
-            quotient(row.own, right)
+            quotient(row.diagonal, right)
         });
         found.push(solved.collect());
     }

@@ -56,7 +56,7 @@ pub(super) fn push_coupled<'m>(
         terms,
         rows: match &equations.large {
             Some(large) => {
-                let bodies = &large.scheme.bodies.all;
+                let bodies = &large.scheme.bodies.list;
                 let blocks = form.blocks.iter();
                 blocks.flat_map(|block| written(block, bodies)).collect()
             }

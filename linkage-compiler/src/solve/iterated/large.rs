@@ -40,7 +40,7 @@ struct Row<'m> {
 
 impl<'m> Large<'m> {
     fn bodies(&self) -> &[Body<'m>] {
-        &self.scheme.bodies.all
+        &self.scheme.bodies.list
     }
 
     /// Makes the directions of bodies perpendicular and of length 1, but for the square of what they miss, which is returned.
@@ -167,7 +167,7 @@ fn row_of_link<'m>(
 ) -> Option<Row<'m>> {
     let block = place.block;
     let link = block.distance.as_ref()?;
-    if bodies.all.is_empty() || !block.is_length() {
+    if bodies.list.is_empty() || !block.is_length() {
         return None;
     }
     let vector = link.vector.map(|x| equations.scale * x);
@@ -182,7 +182,7 @@ fn row_of_link<'m>(
         .collect();
     let by_unknowns: Vec<Ex> = slopes.iter().map(|slope| vector.dot(*slope)).collect();
     let others = bodies.columns.iter().map(|&k| by_unknowns[k]);
-    let turns = bodies.all.iter().flat_map(|body| {
+    let turns = bodies.list.iter().flat_map(|body| {
         let any = body.by_turns(&by_unknowns);
         let carried = of_square(body, vector).filter(|own| same(*own, any));
         carried.unwrap_or(any).0

@@ -3,7 +3,7 @@
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
-use crate::algebra::Rule;
+use crate::algebra::DerivativeRule;
 use crate::solve::Solver;
 use crate::structure::Core;
 
@@ -80,7 +80,7 @@ pub(super) fn declare_core(solver: &mut Solver<'_, '_>, core: &[Core]) {
             Core::Angle(angle) => solver.declare_angle(angle, 1.0, position),
             Core::Length { symbol, .. } => {
                 let group = solver.index;
-                let rule = Rule::Unknown { group, position };
+                let rule = DerivativeRule::Unknown { group, position };
                 solver.algebra.solutions.set_rule(symbol, rule);
             }
         }

@@ -30,7 +30,7 @@ pub(super) fn freedoms<'m>(
     let rows = bodies.rows.iter().map(|&row| {
         let entries = &equations.matrix[row];
         let others = bodies.columns.iter().map(|&k| entries[k]);
-        let turns = bodies.all.iter().flat_map(|body| {
+        let turns = bodies.list.iter().flat_map(|body| {
             let any = body.by_turns(entries);
             let proposed = proposals(equations, body, blocks[row]).into_iter();
             let mut same = proposed.filter(|own| same(*own, any));
