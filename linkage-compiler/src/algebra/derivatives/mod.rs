@@ -1,9 +1,9 @@
 //! Derivatives of numbers that depend on the solutions of groups.
 //!
-//! A symbol with a definition is differentiated by a rule ([`DerivativeRule`](crate::algebra::DerivativeRule)), an
-//! unknown of a group by the group's equations. The square root of a closed form is never
-//! differentiated. The files are listed in the order in which they are used: each uses files above
-//! it only. Their data are in `memo`, `systems`, `rules` and `equations` of `algebra`.
+//! A symbol with a definition is differentiated by a rule ([`DerivativeRule`]), an unknown of a
+//! group by the group's equations. The square root of a closed form is never differentiated. The
+//! files are listed in the order in which they are used: each uses files above it only. Their data
+//! are in `memo`, `systems`, `rules` and `equations` of `algebra`.
 //!
 //! Total derivatives, by inputs and, forward, by parameters:
 //!
@@ -31,6 +31,8 @@
 //!
 //! `dependence` finds the symbols and inputs below expressions. It differentiates nothing, and
 //! shows which derivatives vanish.
+//!
+//! [`DerivativeRule`]: crate::algebra::rules::DerivativeRule
 
 pub(crate) mod acting;
 pub(crate) mod adjoint;
