@@ -1,14 +1,12 @@
 //! The functions of the language.
 
-use crate::algebra::frame;
-use crate::algebra::scalar;
-use crate::algebra::translate;
 use linkage_symbolic::program::{Binary, Unary};
 use linkage_symbolic::{Ex, V2, V3, Vector, Vn};
 
+use crate::algebra::context::Algebra;
+use crate::algebra::value::Value;
+use crate::algebra::{frame, scalar};
 use crate::model::Function;
-
-use super::{Algebra, Value};
 
 pub(crate) fn call<'m>(
     algebra: &mut Algebra<'m>,
@@ -16,8 +14,8 @@ pub(crate) fn call<'m>(
     arguments: Vec<Value<'m>>,
 ) -> Value<'m> {
     use Function::*;
-    let number = |k: usize| translate::number(algebra, &arguments[k]);
-    let vector = |k: usize| translate::vector(algebra, &arguments[k]);
+    let number = |k: usize| scalar::number(algebra, &arguments[k]);
+    let vector = |k: usize| scalar::vector(algebra, &arguments[k]);
     match function {
         Polar => {
             let length = number(0);
@@ -83,7 +81,7 @@ pub(crate) fn call<'m>(
 }
 
 fn direction_of<'m>(algebra: &mut Algebra<'m>, angle: &Value<'m>) -> V2<'m> {
-    let angle = translate::scalar(algebra, angle);
+    let angle = scalar::scalar(algebra, angle);
     scalar::direction(algebra, &angle)
 }
 
@@ -104,8 +102,8 @@ fn turn<'m>(algebra: &mut Algebra<'m>, v: V3<'m>, axis: V3<'m>, angle: &Value<'m
     let (turning, sideways, along) = if algebra.vanishes(along) {
         (v, sideways, algebra.zero())
     } else if v.is_fixed() && axis.is_fixed() {
-        // Of a vector that is prepared only the part across the axis turns: what is left of a long part along it by
-        // rounding would tilt the circle.
+        // Only the part of a prepared vector across the axis turns: the rest of a long part along
+        // it by rounding would tilt the circle.
         let across = sideways.cross(axis);
         (across, axis.cross(across), along)
     } else {
@@ -144,8 +142,8 @@ fn binary<'m>(op: Binary, [a, b]: [Ex<'m>; 2]) -> Value<'m> {
     a.binary(op, b).into()
 }
 
-/// The angle between the first two sides, opposite to the last, by Kahan's formula, which needle triangles do not hurt
-/// (W. Kahan, "Miscalculating Area and Angles of a Needle-like Triangle").
+/// The angle between the first two sides, opposite to the last, by Kahan's formula, which needle
+/// triangles do not hurt (W. Kahan, "Miscalculating Area and Angles of a Needle-like Triangle").
 fn triangle_angle([first, second, c]: [Ex; 3]) -> Ex {
     let a = first.max(second);
     let b = first.min(second);

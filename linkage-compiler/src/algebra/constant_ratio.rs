@@ -1,7 +1,9 @@
 //! Angles that turn evenly with an input.
 
-use super::{Algebra, Atom};
 use linkage_core::range_check::significant;
+
+use crate::algebra::context::Algebra;
+use crate::algebra::value::Atom;
 
 /// Angles that differ by less turn alike.
 pub(crate) const ALIKE: f64 = 1e-9;
@@ -16,9 +18,10 @@ pub(crate) struct ConstantRatio {
 impl ConstantRatio {
     /// `phi`, `2 * phi - 30deg`, `0deg`
     pub(crate) fn relation(&self, input: &str) -> String {
-        let offset = match self.offset.abs() < ALIKE {
-            true => 0.0,
-            false => self.offset,
+        let offset = if self.offset.abs() < ALIKE {
+            0.0
+        } else {
+            self.offset
         };
         let shown = |x: f64| format!("{}deg", significant(x.to_degrees()));
         let turning = match self.rate {
@@ -35,8 +38,8 @@ impl ConstantRatio {
     }
 }
 
-/// Turns that an unknown angle may make for each turn of an input: the rates at which vectors turn with it, and simple
-/// multiples.
+/// Turns that an unknown angle may make for each turn of an input: the rates at which vectors turn
+/// with it, and simple multiples.
 pub(crate) fn candidate_rates(algebra: &Algebra<'_>, input: usize) -> Vec<f64> {
     let mut rates = vec![0.0];
     if algebra.mechanism.inputs[input].dimension.half_lengths != 0 {

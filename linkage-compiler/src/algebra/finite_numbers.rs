@@ -1,9 +1,9 @@
-//! Are the numbers of the mechanism numbers? Defaults such as `1 / zero`, tolerances such as `1um - 2um`.
+//! Are the numbers of the mechanism numbers? Defaults such as `1 / zero`, tolerances such as `1um -
+//! 2um`.
 
+use crate::algebra::nominal::Nominal;
 use crate::diagnostic::Reporter;
 use crate::model::{Expr, Mechanism};
-
-use super::Nominal;
 
 impl Nominal {
     /// Reports values that are not finite and tolerances below zero.

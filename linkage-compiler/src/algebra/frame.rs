@@ -1,17 +1,14 @@
 //! Frames in space: axes from two directions, points and coordinates in them.
 
-use crate::algebra::body_vectors;
-use crate::algebra::scalar;
-use crate::algebra::translate;
-use linkage_symbolic::{Ex, V2, V3, Vector, Vn, numerically_equal_within};
+use linkage_symbolic::{V2, V3, Vector, Vn};
 
-use super::{Algebra, Value, coordinates};
+use crate::algebra::context::Algebra;
+use crate::algebra::value::Value;
+use crate::algebra::{body_vectors, scalar, vanish};
 
-/// What rounding may leave of a product that is zero.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
-
-/// Origin and axes: `X = x / |x|`, `Y = (z x X) / |z x X|`, `Z = X x Y`; of unknown frames what they are made of.
-pub(super) fn frame<'m>(algebra: &mut Algebra<'m>, arguments: &[Value<'m>]) -> Value<'m> {
+/// Returns origin and axes: `X = x / |x|`, `Y = (z x X) / |z x X|`, `Z = X x Y`. An unknown frame
+/// consists of its parts.
+pub(crate) fn frame<'m>(algebra: &mut Algebra<'m>, arguments: &[Value<'m>]) -> Value<'m> {
     match arguments {
         [origin, direction] => return plane_frame(algebra, origin, direction),
         [_, _, _, _] => return frame_of_axes(algebra, arguments),
@@ -19,15 +16,16 @@ pub(super) fn frame<'m>(algebra: &mut Algebra<'m>, arguments: &[Value<'m>]) -> V
     }
     let [origin, x, z] = [0, 1, 2].map(|k| space_vector(algebra, &arguments[k]));
     let x = x.unit();
-    let (y, z) = if vanishes(z.dot(x)) {
+    let (y, z) = if vanish::vanishes(z.dot(x)) {
         // Perpendicular by their formulas, as axes of rotation often are: nothing to project.
         let z = z.unit();
         (sparse_cross(z, x), z)
     } else {
         let across = sparse_cross(z, x);
-        let y = match across.is_zero() {
-            true => across.map(|zero| zero.number(f64::NAN)),
-            false => across.unit(),
+        let y = if across.is_zero() {
+            across.map(|zero| zero.number(f64::NAN))
+        } else {
+            across.unit()
         };
         (y, sparse_cross(x, y))
     };
@@ -37,47 +35,26 @@ pub(super) fn frame<'m>(algebra: &mut Algebra<'m>, arguments: &[Value<'m>]) -> V
     Value::Array(parts.to_vec())
 }
 
-/// The direction of a vector. What an unknown frame carries is as long as its coordinates there are, which the derivatives of its length do not
-/// know.
-pub(super) fn unit_in_space<'m>(algebra: &mut Algebra<'m>, v: V3<'m>) -> V3<'m> {
-    let Some((own, axes)) = coordinates_on_body(algebra, v) else {
+/// Returns the direction of a vector. A vector on an unknown frame is as long as its coordinates
+/// there are, which the derivatives of its length do not know.
+pub(crate) fn unit_in_space<'m>(algebra: &mut Algebra<'m>, v: V3<'m>) -> V3<'m> {
+    let Some((local, axes)) = body_vectors::coordinates_on_body(algebra, v) else {
         return v.unit();
     };
-    let length = Vn::from(own).length();
-    let [unit, own] = [v, own].map(|v| v.map(|x| x / length));
+    let length = Vn::from(local).length();
+    let [unit, local] = [v, local].map(|v| v.map(|x| x / length));
     unit.mark_unit();
-    body_vectors::note_aboard(algebra, unit, own, axes);
+    body_vectors::note_body_vector(algebra, unit, local, axes);
     unit
 }
 
-/// Notes that an unknown frame carries a vector, if it does.
-pub(crate) fn note_if_aboard<'m>(algebra: &mut Algebra<'m>, v: V3<'m>) {
-    if let Some((own, axes)) = coordinates_on_body(algebra, v) {
-        body_vectors::note_aboard(algebra, v, own, axes);
-    }
-}
-
-/// The coordinates of a vector that one of the unknown frames carries as it is, if they are dimensions, along two of its axes and across these.
-fn coordinates_on_body<'m>(algebra: &Algebra<'m>, v: V3<'m>) -> Option<(V3<'m>, [V3<'m>; 2])> {
-    let bodies = algebra.mechanism.bodies_of_space().into_iter();
-    let mut own = bodies.filter_map(|(_, parts)| {
-        let axes = [parts[1], parts[2]].map(|axis| algebra.names.numbers_of(axis).try_into());
-        let [Ok(first), Ok(second)] = axes else {
-            return None;
-        };
-        let axes = [first, second].map(Vector);
-        let own = coordinates(v, axes)?;
-        own.is_fixed().then_some((own, axes))
-    });
-    own.next()
-}
-
-/// Origin and axes of an unknown frame, of which its own loops say that they are perpendicular and of length 1.
+/// Origin and axes of an unknown frame, of which its own loops say that they are perpendicular and
+/// of length 1.
 fn frame_of_axes<'m>(algebra: &mut Algebra<'m>, parts: &[Value<'m>]) -> Value<'m> {
     for axis in &parts[1..] {
         let axis = space_vector(algebra, axis);
         axis.mark_unit();
-        note_if_aboard(algebra, axis);
+        body_vectors::note_if_on_body(algebra, axis);
     }
     Value::Array(parts.to_vec())
 }
@@ -91,7 +68,7 @@ fn plane_frame<'m>(
     let (x, angle) = match direction {
         Value::Scalar(angle) => (scalar::direction(algebra, angle), direction.clone()),
         other => {
-            let x = plane_vector(translate::vector(algebra, other));
+            let x = plane_vector(scalar::vector(algebra, other));
             (x.length_and_unit().1, x[1].atan2(x[0]).into())
         }
     };
@@ -105,28 +82,28 @@ fn plane_parts<'m>(algebra: &Algebra<'m>, frame: &Value<'m>) -> Option<[V2<'m>; 
     let Value::Array(parts) = frame else {
         return None;
     };
-    let is_plane = translate::vector(algebra, &parts[1]).len() == 2;
-    is_plane.then(|| [0, 1, 2].map(|part| plane_vector(translate::vector(algebra, &parts[part]))))
+    let is_plane = scalar::vector(algebra, &parts[1]).len() == 2;
+    is_plane.then(|| [0, 1, 2].map(|part| plane_vector(scalar::vector(algebra, &parts[part]))))
 }
 
 /// `origin + a X + b Y + c Z`
-pub(super) fn point_in<'m>(algebra: &mut Algebra<'m>, arguments: &[Value<'m>]) -> Value<'m> {
+pub(crate) fn point_in<'m>(algebra: &mut Algebra<'m>, arguments: &[Value<'m>]) -> Value<'m> {
     if let Some([origin, x, y]) = plane_parts(algebra, &arguments[0]) {
-        let local = translate::vector(algebra, &arguments[1]);
+        let local = scalar::vector(algebra, &arguments[1]);
         let offset = local.at(0) * x + local.at(1) * y;
         return Value::Vector((origin + offset).into());
     }
     let [origin, axes @ ..] = frame_parts(algebra, &arguments[0]);
     let local = space_vector(algebra, &arguments[1]);
     let arm = Vector([0, 1, 2].map(|k| local.dot(Vector(axes.map(|axis| axis[k])))));
-    note_if_aboard(algebra, arm);
+    body_vectors::note_if_on_body(algebra, arm);
     Value::Vector((origin + arm).into())
 }
 
 /// The projections of `point - origin` on the axes.
-pub(super) fn coordinates_in<'m>(algebra: &Algebra<'m>, arguments: &[Value<'m>]) -> Value<'m> {
+pub(crate) fn coordinates_in<'m>(algebra: &Algebra<'m>, arguments: &[Value<'m>]) -> Value<'m> {
     if let Some([origin, axes @ ..]) = plane_parts(algebra, &arguments[0]) {
-        let arm = plane_vector(translate::vector(algebra, &arguments[1])) - origin;
+        let arm = plane_vector(scalar::vector(algebra, &arguments[1])) - origin;
         return Value::Vector(Vector(axes.map(|axis| arm.dot(axis))).into());
     }
     let [origin, axes @ ..] = frame_parts(algebra, &arguments[0]);
@@ -135,7 +112,8 @@ pub(super) fn coordinates_in<'m>(algebra: &Algebra<'m>, arguments: &[Value<'m>])
     Value::Vector(Vector(coordinates).into())
 }
 
-/// The vector by which a frame turns, from the derivatives of its parts: `(Y' . Z) X + (Z' . X) Y + (X' . Y) Z`.
+/// The vector by which a frame turns, from the derivatives of its parts: `(Y' . Z) X + (Z' . X) Y +
+/// (X' . Y) Z`.
 pub(crate) fn turning_of_frame<'m>(
     algebra: &Algebra<'m>,
     frame: &Value<'m>,
@@ -149,17 +127,17 @@ pub(crate) fn turning_of_frame<'m>(
     Value::Vector((about_x + about_y + about_z).into())
 }
 
-pub(super) fn frame_parts<'m>(algebra: &Algebra<'m>, frame: &Value<'m>) -> [V3<'m>; 4] {
+pub(crate) fn frame_parts<'m>(algebra: &Algebra<'m>, frame: &Value<'m>) -> [V3<'m>; 4] {
     match frame {
         Value::Array(parts) => [0, 1, 2, 3].map(|part| space_vector(algebra, &parts[part])),
         other => [space_vector(algebra, other); 4],
     }
 }
 
-pub(super) fn space_vector<'m>(algebra: &Algebra<'m>, value: &Value<'m>) -> V3<'m> {
-    let vector = translate::vector(algebra, value);
+pub(crate) fn space_vector<'m>(algebra: &Algebra<'m>, value: &Value<'m>) -> V3<'m> {
+    let vector = scalar::vector(algebra, value);
     vector.in_space().unwrap_or_else(|| {
-        let number = translate::number(algebra, value);
+        let number = scalar::number(algebra, value);
         Vector([number; 3])
     })
 }
@@ -171,13 +149,11 @@ fn plane_vector(v: Vn) -> V2 {
 
 /// `a x b`; components that are zero by their formulas are constants.
 fn sparse_cross<'m>(a: V3<'m>, b: V3<'m>) -> V3<'m> {
-    a.cross(b).map(|component| match vanishes(component) {
-        true => component.number(0.0),
-        false => component,
+    a.cross(b).map(|component| {
+        if vanish::vanishes(component) {
+            component.number(0.0)
+        } else {
+            component
+        }
     })
-}
-
-/// True if an expression is zero wherever it is evaluated.
-pub(super) fn vanishes(x: Ex) -> bool {
-    numerically_equal_within(x, x.number(0.0), ROUNDING)
 }

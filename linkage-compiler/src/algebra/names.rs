@@ -1,12 +1,12 @@
-//! What the names of the model are in the graph: unknowns as symbols, derived names as values.
+//! Names of the model in the graph: unknowns as symbols, derived names as values.
 
 use linkage_symbolic::{Ex, Graph, SymbolId, V2, Vector};
 
+use crate::algebra::value::{Atom, Value};
 use crate::model::{COMPONENTS, Mechanism, Type};
 
-use super::{AngleReference, Atom, Value};
-
-/// An unknown angle. Loops see its cosine and sine; its value is computed only where somebody asks for it.
+/// An unknown angle. Loops see its cosine and sine; its value is computed only where somebody asks
+/// for it.
 #[derive(Clone, Debug)]
 pub(crate) struct Angle<'m> {
     pub(crate) cos: SymbolId,
@@ -20,13 +20,13 @@ pub(crate) struct Angle<'m> {
     pub(crate) unknown: Option<usize>,
     /// For an angle that the compiler introduced in place of another.
     pub(crate) stands_for: Option<StandsFor>,
-    /// Where it is estimated if it is no unknown and stands for none.
+    /// The estimate, if it is no unknown and stands for none.
     pub(crate) estimated: f64,
-    /// Where its closed form says so.
-    pub(crate) bearing: Option<AngleReference<'m>>,
+    /// The direction near which it stays, if its closed form has one.
+    pub(crate) reference: Option<AngleReference<'m>>,
 }
 
-/// What an introduced angle stands for.
+/// The unknowns that an introduced angle stands for.
 #[derive(Clone, Debug)]
 pub(crate) struct StandsFor {
     /// The unknown in whose place it stands.
@@ -42,7 +42,7 @@ impl Angle<'_> {
     }
 }
 
-/// What an unknown of the model stands for.
+/// The symbols of an unknown of the model.
 #[derive(Clone, Debug)]
 pub(crate) enum Bound<'m> {
     Angle(usize),
@@ -50,21 +50,21 @@ pub(crate) enum Bound<'m> {
     Lengths(Vec<(SymbolId, Ex<'m>)>),
 }
 
-/// What the names of the model stand for.
+/// The symbols and values of the model's names.
 #[derive(Clone, Debug)]
 pub(crate) struct Names<'m> {
     graph: &'m Graph,
     pub(crate) angles: Vec<Angle<'m>>,
-    /// By unknown.
+    /// The symbols of each unknown.
     pub(crate) bound: Vec<Bound<'m>>,
-    pub(super) lets: Vec<Option<Value<'m>>>,
-    pub(super) constants: Vec<Option<Value<'m>>>,
+    pub(crate) lets: Vec<Option<Value<'m>>>,
+    pub(crate) constants: Vec<Option<Value<'m>>>,
     /// Factors with which input angles turn vectors.
     turning: Vec<(Atom, f64)>,
 }
 
 impl<'m> Names<'m> {
-    pub(super) fn new(mechanism: &Mechanism, graph: &'m Graph) -> Self {
+    pub(crate) fn new(mechanism: &Mechanism, graph: &'m Graph) -> Self {
         let mut names = Self {
             graph,
             angles: Vec::new(),
@@ -102,7 +102,7 @@ impl<'m> Names<'m> {
         (symbol, self.graph.ex(node))
     }
 
-    /// How many numbers an unknown of the model has.
+    /// Returns the number of components of an unknown of the model.
     pub(crate) fn components_of(&self, unknown: usize) -> usize {
         match &self.bound[unknown] {
             Bound::Angle(_) => 1,
@@ -133,13 +133,13 @@ impl<'m> Names<'m> {
             unknown,
             stands_for: None,
             estimated: 0.0,
-            bearing: None,
+            reference: None,
         });
         self.angles.len() - 1
     }
 
     /// Remembers that vectors turn with an input angle times a factor.
-    pub(super) fn add_rate(&mut self, input: Atom, factor: f64) {
+    pub(crate) fn add_rate(&mut self, input: Atom, factor: f64) {
         if !self.turning.contains(&(input, factor)) {
             self.turning.push((input, factor));
         }
@@ -152,4 +152,30 @@ impl<'m> Names<'m> {
             .filter(move |(atom, _)| *atom == input)
             .map(|(_, k)| *k)
     }
+}
+
+/// A vector that an angle keeps within a quarter turn of, wherever its group can be assembled.
+///
+/// A closed form says that the vector `z u`, which the angle turns, is `a B + w h C` with a root
+/// `h`, where `B` and `C` are perpendicular: it never gets from the side of `w C` to the other one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AngleReference<'m> {
+    /// `C`, or where that is `across`, `C` turned by -90 degrees.
+    pub(crate) vector: V2<'m>,
+    pub(crate) across: bool,
+    /// `w`, 1 or -1 by the assembly, and whether its opposite is meant.
+    pub(crate) mode: Ex<'m>,
+    pub(crate) opposite: bool,
+    /// The vector that `u` turns. Without one, the direction is that of `u` itself.
+    pub(crate) z: Option<V2<'m>>,
+    /// The sense: -1 if `u` turns with the negative angle.
+    pub(crate) sense: f64,
+}
+
+/// A vector `coefficient e^(i a)`, where `a` is a sum of angles.
+#[derive(Clone, Debug)]
+pub(crate) struct Phasor<'m> {
+    pub(crate) coefficient: V2<'m>,
+    /// The turns for each input, with their factors; `None` where something else turns it, too.
+    pub(crate) rates: Option<Vec<(usize, f64)>>,
 }

@@ -1,13 +1,15 @@
 //! The numbers of the mechanism as written: defaults, tolerances, reference position, estimates.
 
-use crate::algebra::translate;
 use linkage_symbolic::lookup::Map;
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, SymbolId, evaluate, evaluate_given};
 
+use crate::algebra::context::Algebra;
+use crate::algebra::names::{Angle, Bound, Names};
+use crate::algebra::translate::Translate;
+use crate::algebra::value::Value;
+use crate::algebra::{scalar, translate};
 use crate::model::{Expr, ExprKind, Name, Type};
-
-use super::{Algebra, Angle, Bound, Names, Translate, Value};
 
 /// Values known at compile time.
 #[derive(Clone, Debug, Default)]
@@ -16,11 +18,12 @@ pub(crate) struct Nominal {
     pub(crate) tolerances: Vec<f64>,
     pub(crate) inputs: Vec<f64>,
     pub(crate) ranges: Vec<Option<(f64, f64)>>,
-    /// Components of each unknown's start estimate; zeros where none is given, until the loops are closed.
+    /// Components of each unknown's start estimate; zeros where none is given, until the loops are
+    /// closed.
     pub(crate) estimates: Vec<Vec<f64>>,
 }
 
-/// How many numbers, in the unit of which type.
+/// A number of values, in the unit of a type.
 #[derive(Clone, Copy)]
 struct Wanted<'t> {
     count: usize,
@@ -28,12 +31,13 @@ struct Wanted<'t> {
 }
 
 impl Nominal {
-    /// Of what it is computed from nothing stays in the graph: the order of its nodes is that of the mechanism's formulas.
-    pub(crate) fn of(algebra: &mut Algebra) -> Self {
-        algebra.tried(Self::found)
+    /// Evaluates the numbers of a mechanism. Nothing of it stays in the graph: the order of its
+    /// nodes is that of the mechanism's formulas.
+    pub(crate) fn from_mechanism(algebra: &mut Algebra) -> Self {
+        algebra.tried(Self::evaluate_written)
     }
 
-    fn found(algebra: &mut Algebra) -> Self {
+    fn evaluate_written(algebra: &mut Algebra) -> Self {
         let mechanism = algebra.mechanism;
         let mut nominal = Self::default();
         for parameter in &mechanism.parameters {
@@ -75,14 +79,15 @@ impl Nominal {
 }
 
 impl Nominal {
-    /// What was found stands for estimates that are not given.
+    /// Replaces the estimates that are not given by values that were found.
     pub(crate) fn complete(&mut self, found: &[(usize, Vec<f64>)]) {
         for (unknown, value) in found {
             self.estimates[*unknown].clone_from(value);
         }
     }
 
-    /// Expressions at the defaults and the reference position; NaN for what depends on modes, prepared states or arguments.
+    /// Evaluates expressions at the defaults and the reference position. Modes, prepared states and
+    /// arguments are NaN.
     pub(crate) fn evaluate(&self, all: &[Ex]) -> Vec<f64> {
         evaluate(all, |source| self.load(source))
     }
@@ -100,10 +105,11 @@ impl Angle<'_> {
     /// The model's unknown that this angle is, or stands for.
     pub(crate) fn meant(&self) -> Option<usize> {
         let stands_for = self.stands_for.as_ref();
-        self.unknown.or(stands_for.map(|own| own.unknown))
+        self.unknown.or(stands_for.map(|other| other.unknown))
     }
 
-    /// Its start estimate; 0 for a link that the compiler introduced, whose angle nobody can ask for.
+    /// Its start estimate; 0 for a link that the compiler introduced, whose angle nobody can ask
+    /// for.
     pub(crate) fn estimate(&self, nominal: &Nominal) -> f64 {
         let summands = self.summands().into_iter();
         summands
@@ -111,32 +117,35 @@ impl Angle<'_> {
             .fold(self.estimated, |sum, term| sum + term)
     }
 
-    /// The unknowns of which it is the sum, with their signs; none for a link that the compiler introduced.
+    /// The unknowns of which it is the sum, with their signs; none for a link that the compiler
+    /// introduced.
     pub(crate) fn summands(&self) -> Vec<(usize, f64)> {
         match (self.unknown, &self.stands_for) {
             (Some(unknown), _) => vec![(unknown, 1.0)],
-            (None, Some(own)) => own.summands.clone(),
+            (None, Some(other)) => other.summands.clone(),
             (None, None) => Vec::new(),
         }
     }
 }
 
 impl Names<'_> {
-    /// The start estimate of a length or a component; 0 for what the compiler introduced.
+    /// Returns the start estimate of a length or a component; 0 for one that the compiler
+    /// introduced.
     pub(crate) fn estimate(&self, symbol: SymbolId, nominal: &Nominal) -> f64 {
         let mut all = self.bound.iter().zip(&nominal.estimates);
         let found = all.find_map(|(bound, estimates)| match bound {
             Bound::Angle(_) => None,
             Bound::Lengths(symbols) => {
-                let own = symbols.iter().position(|(own, _)| *own == symbol)?;
-                estimates.get(own).copied()
+                let component = symbols.iter().position(|(other, _)| *other == symbol)?;
+                estimates.get(component).copied()
             }
         });
         found.unwrap_or(0.0)
     }
 }
 
-/// Expressions at the defaults and the reference position, with all unknowns where they are estimated.
+/// Expressions at the defaults and the reference position, with all unknowns where they are
+/// estimated.
 pub(crate) fn at_estimates(algebra: &Algebra<'_>, nominal: &Nominal, all: &[Ex]) -> Vec<f64> {
     let mut unknowns: Map<SymbolId, f64> = Map::new();
     for angle in &algebra.names.angles {
@@ -170,7 +179,8 @@ fn numbers(algebra: &mut Algebra<'_>, expr: &Expr, wanted: Wanted, parameters: &
     numbers
 }
 
-/// Numbers as they are written, if an expression is nothing else, in a unit of this scale: not rounded again.
+/// Numbers as they are written, if an expression is nothing else, in a unit of this scale: not
+/// rounded again.
 fn written(algebra: &Algebra<'_>, expr: &Expr, scale: f64) -> Option<Vec<f64>> {
     match &expr.kind {
         ExprKind::Number(value) => {
@@ -182,8 +192,9 @@ fn written(algebra: &Algebra<'_>, expr: &Expr, scale: f64) -> Option<Vec<f64>> {
         }
         ExprKind::Vector(components) => {
             let components = components.iter();
-            let numbers: Option<Vec<_>> =
-                components.map(|own| written(algebra, own, scale)).collect();
+            let numbers: Option<Vec<_>> = components
+                .map(|component| written(algebra, component, scale))
+                .collect();
             Some(numbers?.concat())
         }
         ExprKind::Name(Name::Const(index)) => {
@@ -202,7 +213,7 @@ pub(crate) fn evaluated(
 ) -> Vec<f64> {
     let numbers = match algebra.translate(expr) {
         Value::Vector(vector) => vector.iter().collect(),
-        scalar => vec![translate::number(algebra, &scalar)],
+        scalar => vec![scalar::number(algebra, &scalar)],
     };
     let given = |numbers: &[f64], index: usize| numbers.get(index).copied().unwrap_or(f64::NAN);
     evaluate(&numbers, |source| match source {

@@ -1,34 +1,38 @@
-//! Linear systems that are too large for cofactors: elimination in an order of pivots that is chosen once, from numbers at the reference.
+//! Linear systems that are too large for cofactors: elimination in an order of pivots that is
+//! chosen once, from numbers at the reference.
 //!
-//! No pivot is looked for where the system is solved, so there is no branch. What was a good pivot at the reference may vanish elsewhere
-//! although the matrix is regular: then it is NaN, and so is the solution. The last unknowns are solved by cofactors, which need no pivot.
+//! No pivot is chosen where the system is solved, so there is no branch. A good pivot at the
+//! reference may vanish elsewhere although the matrix is regular: then it is NaN, and so is the
+//! solution. The last unknowns are solved by cofactors, which need no pivot.
 
 #[cfg(test)]
-pub(super) mod tests;
+pub(crate) mod tests;
 
-use crate::algebra::elimination;
-use linkage_symbolic::Ex;
+use linkage_symbolic::{Ex, Graph};
 
-use super::Algebra;
+use crate::algebra::cofactors;
 
-/// So many unknowns are left to cofactors: their determinant takes as many products as elimination, and no division but one.
+/// The number of unknowns that are left to cofactors: their determinant takes as many products as
+/// elimination, and no division but one.
 const REST: usize = 3;
 
-/// Systems of no more unknowns have no pivot that could vanish: those of one body on rods whose travel is given. Beyond, minors are too many.
+/// Systems of no more unknowns have no pivot that could vanish: those of one body on rods whose
+/// travel is given. Beyond, minors are too many.
 const WHOLE: usize = 5;
 
-/// A pivot may be this part of the largest entry that could be one, if that keeps more zeros: multipliers stay small.
+/// A pivot may be this part of the largest entry that could be one, if that keeps more zeros:
+/// multipliers stay small.
 const THRESHOLD: f64 = 0.25;
 
-/// A pivot that falls below this part of what it is at the reference, or changes its sign, is NaN: some three digits of the solution are lost
-/// there.
+/// The least part of its value at the reference: a smaller pivot, or one of another sign, is NaN.
+/// Some three digits of the solution are lost there.
 const LEAST: f64 = 1.0 / 1024.0;
 
 /// An order of pivots.
 #[derive(Clone, Debug)]
 pub(crate) struct Order {
     pivots: Vec<Pivot>,
-    /// What cofactors solve.
+    /// The rows and columns that cofactors solve.
     rows: Vec<usize>,
     columns: Vec<usize>,
     /// The sign of the permutations of rows and columns together.
@@ -51,7 +55,8 @@ pub(crate) struct InOrder<'m> {
 }
 
 impl Order {
-    /// The order for a matrix with these values at the reference; what vanishes everywhere is `zero`. Rows may be of any size.
+    /// Returns the order for a matrix with these values at the reference; `zero` marks entries that
+    /// vanish everywhere. Rows may be of any size.
     pub(crate) fn new(values: &[Vec<f64>], zero: &[Vec<bool>]) -> Self {
         let size = values.len();
         let largest = |row: &[f64]| row.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
@@ -107,7 +112,7 @@ impl Order {
     }
 }
 
-/// What is left of a matrix of numbers.
+/// The rest of a matrix of numbers.
 struct Left {
     values: Vec<Vec<f64>>,
     zero: Vec<Vec<bool>>,
@@ -118,9 +123,12 @@ struct Left {
 impl Left {
     /// The entry that keeps most zeros among those that are large enough; of those the largest.
     fn best(&self) -> (usize, usize) {
-        let size = |row: usize, column: usize| match self.zero[row][column] {
-            true => 0.0,
-            false => self.values[row][column].abs(),
+        let size = |row: usize, column: usize| {
+            if self.zero[row][column] {
+                0.0
+            } else {
+                self.values[row][column].abs()
+            }
         };
         let all = || {
             let rows = self.rows.iter();
@@ -147,14 +155,14 @@ impl Left {
             let by_size = size(b.0, b.1).total_cmp(&size(a.0, a.1));
             filled(*a).cmp(&filled(*b)).then(by_size)
         };
-        // Where all is 0 the reference is singular, and that is said of it.
+        // A matrix of zeros means a singular reference, which is reported there.
         let best = all().filter(large).min_by(order);
         best.unwrap_or((self.rows[0], self.columns[0]))
     }
 
     fn eliminate(&mut self, row: usize, column: usize) {
-        self.rows.retain(|&own| own != row);
-        self.columns.retain(|&own| own != column);
+        self.rows.retain(|&index| index != row);
+        self.columns.retain(|&index| index != column);
         let pivot = self.values[row][column];
         for &i in &self.rows {
             if self.zero[i][column] {
@@ -172,7 +180,7 @@ impl Left {
 }
 
 /// 1 for an even permutation, -1 for an odd one.
-pub(super) fn parity(permutation: &[usize]) -> f64 {
+pub(crate) fn parity(permutation: &[usize]) -> f64 {
     let pairs = permutation.iter().enumerate();
     let inversions = pairs.flat_map(|(k, a)| permutation[..k].iter().filter(move |&b| b > a));
     if inversions.count() % 2 == 0 {
@@ -185,39 +193,42 @@ pub(super) fn parity(permutation: &[usize]) -> f64 {
 /// The solution of a linear system times its determinant, and that.
 type Numerators<'m> = (Vec<Ex<'m>>, Ex<'m>);
 
-/// Solves a linear system in an order, for one of several right-hand sides: they share the cofactors.
+/// Solves a linear system in an order, for one of several right-hand sides: they share the
+/// cofactors.
 pub(crate) fn solve_in_order<'m>(
-    algebra: &Algebra<'m>,
+    graph: &'m Graph,
     order: &Order,
     matrix: &[Vec<Ex<'m>>],
     right: &[Ex<'m>],
 ) -> InOrder<'m> {
-    eliminate_in_order(algebra, order, matrix, right, |rest, known| {
-        let determinant = elimination::determinant(algebra, rest);
+    eliminate_in_order(graph, order, matrix, right, |rest, known| {
+        let determinant = cofactors::determinant(graph, rest);
         (
-            elimination::cofactor_products(algebra, rest, known),
+            cofactors::cofactor_products(graph, rest, known),
             determinant,
         )
     })
 }
 
-/// The same for a right-hand side that is the only one. Of the three unknowns that are left behind pivots all minors are few.
+/// The same for a right-hand side that is the only one. Of the three unknowns that are left behind
+/// pivots all minors are few.
 pub(crate) fn solve_once_in_order<'m>(
-    algebra: &Algebra<'m>,
+    graph: &'m Graph,
     order: &Order,
     matrix: &[Vec<Ex<'m>>],
     right: &[Ex<'m>],
 ) -> InOrder<'m> {
-    match order.pivots.is_empty() {
-        true => eliminate_in_order(algebra, order, matrix, right, |rest, own| {
-            elimination::cramer(algebra, rest, own)
-        }),
-        false => solve_in_order(algebra, order, matrix, right),
+    if order.pivots.is_empty() {
+        eliminate_in_order(graph, order, matrix, right, |rest, known| {
+            cofactors::cramer(graph, rest, known)
+        })
+    } else {
+        solve_in_order(graph, order, matrix, right)
     }
 }
 
 fn eliminate_in_order<'m>(
-    algebra: &Algebra<'m>,
+    graph: &'m Graph,
     order: &Order,
     matrix: &[Vec<Ex<'m>>],
     right: &[Ex<'m>],
@@ -225,25 +236,25 @@ fn eliminate_in_order<'m>(
 ) -> InOrder<'m> {
     let mut matrix = matrix.to_vec();
     let mut right = right.to_vec();
-    let mut determinant = algebra.graph.number(order.sign);
+    let mut determinant = graph.number(order.sign);
     let mut open: Vec<usize> = (0..right.len()).collect();
     let mut inverses = Vec::new();
     for &Pivot { row, column, least } in &order.pivots {
-        open.retain(|&own| own != row);
+        open.retain(|&index| index != row);
         let pivot = guarded(matrix[row][column], least);
         determinant = determinant * pivot;
-        let inverse = algebra.one() / pivot;
+        let inverse = graph.number(1.0) / pivot;
         inverses.push(inverse);
-        let (own, known) = (matrix[row].clone(), right[row]);
+        let (pivot_row, known) = (matrix[row].clone(), right[row]);
         for &i in &open {
             let factor = matrix[i][column] * inverse;
             if factor.is_zero() {
                 continue;
             }
-            for (entry, &above) in matrix[i].iter_mut().zip(&own) {
+            for (entry, &above) in matrix[i].iter_mut().zip(&pivot_row) {
                 *entry -= factor * above;
             }
-            matrix[i][column] = algebra.zero();
+            matrix[i][column] = graph.number(0.0);
             right[i] -= factor * known;
         }
     }
@@ -254,14 +265,14 @@ fn eliminate_in_order<'m>(
         .collect();
     let known: Vec<Ex> = order.rows.iter().map(|&row| right[row]).collect();
     let (numerators, of_rest) = solve(&rest, &known);
-    let mut solution = vec![algebra.zero(); right.len()];
-    for (&column, own) in order.columns.iter().zip(numerators) {
-        solution[column] = own / of_rest;
+    let mut solution = vec![graph.number(0.0); right.len()];
+    for (&column, numerator) in order.columns.iter().zip(numerators) {
+        solution[column] = numerator / of_rest;
     }
     for (pivot, &inverse) in order.pivots.iter().zip(&inverses).rev() {
         let row = pivot.row;
         // Columns of earlier pivots are not solved yet, and 0 in this row.
-        let known = elimination::product_sum(algebra, &matrix[row], &solution);
+        let known = cofactors::product_sum(graph, &matrix[row], &solution);
         solution[pivot.column] = (right[row] - known) * inverse;
     }
     InOrder {
@@ -272,9 +283,10 @@ fn eliminate_in_order<'m>(
 
 /// A pivot, NaN where it is less than it may be.
 fn guarded(pivot: Ex<'_>, least: f64) -> Ex<'_> {
-    let enough = match least < 0.0 {
-        true => pivot.number(least) - pivot,
-        false => pivot - least,
+    let enough = if least < 0.0 {
+        pivot.number(least) - pivot
+    } else {
+        pivot - least
     };
     enough.select(pivot, pivot.number(f64::NAN))
 }

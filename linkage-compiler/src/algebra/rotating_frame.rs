@@ -1,59 +1,42 @@
-//! Vectors as seen from a link that turns: what the link carries along stands still there.
+//! Vectors as seen from a link that turns: vectors that the link carries stand still there.
 
-use crate::algebra::parts;
 use linkage_symbolic::program::Unary;
 use linkage_symbolic::{Ex, Node, V2, Vector};
 
-use super::parts::{Part, Turning, spread};
-use super::solutions::{Seen, Shown};
-use super::{Algebra, Rule};
+use crate::algebra::context::Algebra;
+use crate::algebra::equations::{AnglePair, AngleSum};
+use crate::algebra::rules::{DerivativeRule, FromFrame, RotatingFrame, ToFrame};
+use crate::algebra::turning_parts;
+use crate::algebra::turning_parts::{TurningPart, terms_of_sum};
 
-/// A link by a direction that is fixed to it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Carrier<'m> {
-    /// By which it turns.
-    pub(crate) angle: Ex<'m>,
-    /// Where it points when that is 0; of length 1.
-    pub(crate) start: V2<'m>,
-    /// Where it points.
-    pub(crate) axis: V2<'m>,
-}
-
-/// A vector from its carrier.
+/// A vector from its rotating frame.
 #[derive(Clone, Debug)]
-pub(crate) struct Carried<'m> {
-    pub(crate) carrier: Carrier<'m>,
+pub(crate) struct InRotatingFrame<'m> {
+    pub(crate) link_frame: RotatingFrame<'m>,
     /// The part that the link carries, along its axis and across.
     pub(crate) arm: V2<'m>,
     /// All else, in fixed coordinates.
     pub(crate) rest: V2<'m>,
-    pub(crate) turns: Turns,
+    pub(crate) turns: AngleSum,
 }
 
-/// What a vector turns with.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Turns {
-    pub(super) angles: Vec<Turning>,
-    /// A bit for each that it turns against.
-    pub(super) backward: usize,
-}
-
-/// A vector from the link that carries `guide`, which points along `axis`, if that link carries a part of the vector.
-pub(crate) fn carried<'m>(
+/// A vector from the link that carries `guide`, which points along `axis`, if that link carries a
+/// part of the vector.
+pub(crate) fn in_rotating_frame<'m>(
     algebra: &mut Algebra<'m>,
     guide: V2<'m>,
     axis: V2<'m>,
     vector: V2<'m>,
-) -> Option<Carried<'m>> {
-    let parts = parts::parts(algebra, guide);
-    let [(angles, own)] = &parts.turning[..] else {
+) -> Option<InRotatingFrame<'m>> {
+    let parts = turning_parts::parts(algebra, guide);
+    let [(angles, part)] = &parts.turning[..] else {
         return None;
     };
-    if !(parts.fixed.is_zero() && own.is_fixed()) {
+    if !(parts.fixed.is_zero() && part.is_fixed()) {
         return None;
     }
-    let backward = own.backward()?;
-    let turns = Turns {
+    let backward = part.backward()?;
+    let turns = AngleSum {
         angles: angles.clone(),
         backward,
     };
@@ -61,21 +44,21 @@ pub(crate) fn carried<'m>(
     let zero = algebra.zero();
     let numbered = angles.iter().enumerate();
     let angle = numbered.fold(zero, |sum, (k, &turning)| {
-        let angle = number_of(algebra, turning);
+        let angle = angle_of(algebra, turning);
         match backward >> k & 1 {
             0 => sum + angle,
             _ => sum - angle,
         }
     });
-    let start = own.arm();
+    let start = part.arm();
     if guide.is_unit() {
         // Turning does not stretch.
         start.mark_unit();
     }
     let (_, start) = start.length_and_unit();
-    let carrier = carrier(algebra, angle, start, axis);
-    Some(Carried {
-        carrier,
+    let link_frame = rotating_frame(algebra, angle, start, axis);
+    Some(InRotatingFrame {
+        link_frame,
         arm: arm.turned(start.conjugate()),
         rest,
         turns,
@@ -83,12 +66,12 @@ pub(crate) fn carried<'m>(
 }
 
 /// The part of a vector that turns with some angles, where these are 0, and the rest.
-pub(super) fn split<'m>(
+pub(crate) fn split<'m>(
     algebra: &Algebra<'m>,
     vector: V2<'m>,
-    turns: &Turns,
+    turns: &AngleSum,
 ) -> Option<(V2<'m>, V2<'m>)> {
-    let mut parts = parts::parts(algebra, vector).turning.into_iter();
+    let mut parts = turning_parts::parts(algebra, vector).turning.into_iter();
     let (angles, part) = parts.find(|(angles, _)| *angles == turns.angles)?;
     if !part.is_fixed() || part.backward() != Some(turns.backward) {
         return None;
@@ -97,19 +80,19 @@ pub(super) fn split<'m>(
     Some((part.arm(), rest))
 }
 
-/// The carrier whose axis is computed as `axis`.
-fn carrier<'m>(
+/// The frame whose axis is computed as `axis`.
+fn rotating_frame<'m>(
     algebra: &mut Algebra<'m>,
     angle: Ex<'m>,
     start: V2<'m>,
     axis: V2<'m>,
-) -> Carrier<'m> {
+) -> RotatingFrame<'m> {
     let symbols = axis.map(|value| {
         let (symbol, node) = algebra.graph.unknown("axis".to_owned());
         algebra.graph.define(symbol, value.id());
         algebra.graph.ex(node)
     });
-    let carrier = Carrier {
+    let link_frame = RotatingFrame {
         angle,
         start,
         axis: symbols,
@@ -118,16 +101,16 @@ fn carrier<'m>(
         let Node::Symbol(symbol) = x.node() else {
             unreachable!("just made");
         };
-        let rule = Rule::Axis(Box::new((carrier, component)));
+        let rule = DerivativeRule::Axis(Box::new((link_frame, component)));
         algebra.solutions.set_rule(symbol, rule);
     }
-    carrier
+    link_frame
 }
 
 /// The terms of a sum that turn otherwise than with these angles alone.
-pub(super) fn without<'m>(algebra: &Algebra<'m>, x: Ex<'m>, angles: &[Turning]) -> Ex<'m> {
-    let terms = spread(x).into_iter();
-    let terms = terms.filter(|(_, term)| parts::factors(algebra, *term).0 != angles);
+pub(crate) fn without<'m>(algebra: &Algebra<'m>, x: Ex<'m>, angles: &[AnglePair]) -> Ex<'m> {
+    let terms = terms_of_sum(x).into_iter();
+    let terms = terms.filter(|(_, term)| turning_parts::factors(algebra, *term).0 != angles);
     let (early, late): (Vec<Ex>, Vec<Ex>) = terms
         .map(|(known, term)| known * term)
         .partition(|term| term.is_fixed());
@@ -136,52 +119,56 @@ pub(super) fn without<'m>(algebra: &Algebra<'m>, x: Ex<'m>, angles: &[Turning]) 
 }
 
 /// The angle of a cosine and a sine.
-fn number_of<'m>(algebra: &Algebra<'m>, (cosine, _): Turning) -> Ex<'m> {
+fn angle_of<'m>(algebra: &Algebra<'m>, (cosine, _): AnglePair) -> Ex<'m> {
     let cosine = algebra.graph.ex(cosine);
     match cosine.node() {
         Node::Unary(Unary::Cos, argument) => algebra.graph.ex(argument),
         _ => {
             let mut angles = algebra.names.angles.iter();
-            let angle = angles.find(|own| own.unit[0] == cosine);
+            let angle = angles.find(|angle| angle.unit[0] == cosine);
             angle.expect("the cosine of an angle").number
         }
     }
 }
 
-/// A vector of fixed coordinates along the axis of a carrier and across.
-pub(crate) fn seen<'m>(algebra: &mut Algebra<'m>, carrier: Carrier<'m>, vector: V2<'m>) -> V2<'m> {
+/// A vector of fixed coordinates along the axis of a frame and across.
+pub(crate) fn to_frame<'m>(
+    algebra: &mut Algebra<'m>,
+    link_frame: RotatingFrame<'m>,
+    vector: V2<'m>,
+) -> V2<'m> {
     if vector.is_zero() {
         return vector;
     }
-    let axis = carrier.axis;
+    let axis = link_frame.axis;
     let symbols = [axis.dot(vector), axis.cross(vector)].map(|value| {
         let (symbol, node) = algebra.graph.unknown("seen".to_owned());
         algebra.graph.define(symbol, value.id());
         (symbol, algebra.graph.ex(node))
     });
-    let own = Vector(symbols.map(|(_, x)| x));
+    let in_frame = Vector(symbols.map(|(_, x)| x));
     for (component, (symbol, _)) in symbols.into_iter().enumerate() {
-        let seen = Seen {
-            carrier,
+        let seen = ToFrame {
+            link_frame,
             vector,
-            own,
+            in_frame,
             component,
         };
         algebra
             .solutions
-            .set_rule(symbol, Rule::Seen(Box::new(seen)));
+            .set_rule(symbol, DerivativeRule::ToFrame(Box::new(seen)));
     }
-    own
+    in_frame
 }
 
-/// `base` and a vector along the axis of a carrier and across, in fixed coordinates.
-pub(crate) fn shown<'m>(
+/// `base` and a vector along the axis of a frame and across, in fixed coordinates.
+pub(crate) fn from_frame<'m>(
     algebra: &mut Algebra<'m>,
-    carrier: Carrier<'m>,
+    link_frame: RotatingFrame<'m>,
     vector: V2<'m>,
     base: V2<'m>,
 ) -> V2<'m> {
-    let [axis, across] = [carrier.axis, carrier.axis.perp()];
+    let [axis, across] = [link_frame.axis, link_frame.axis.perp()];
     let value = base + vector[0] * axis + vector[1] * across;
     let made = value.0.map(|value| {
         let (symbol, node) = algebra.graph.unknown("shown".to_owned());
@@ -189,20 +176,20 @@ pub(crate) fn shown<'m>(
         (symbol, algebra.graph.ex(node))
     });
     for (component, (symbol, _)) in made.into_iter().enumerate() {
-        let shown = Shown {
-            carrier,
+        let shown = FromFrame {
+            link_frame,
             vector,
             base,
             component,
         };
         algebra
             .solutions
-            .set_rule(symbol, Rule::Shown(Box::new(shown)));
+            .set_rule(symbol, DerivativeRule::FromFrame(Box::new(shown)));
     }
     Vector(made.map(|(_, x)| x))
 }
 
-impl<'m> Part<'m> {
+impl<'m> TurningPart<'m> {
     fn is_fixed(&self) -> bool {
         self.rows.iter().flatten().all(|x| x.is_fixed())
     }

@@ -1,76 +1,14 @@
-//! Scalars that may be angles: linear in driving and unknown angles, so that directions need no arc tangent.
+//! Scalars that may be angles: linear in driving and unknown angles, so that directions need no arc
+//! tangent.
 
 use linkage_symbolic::program::{Binary, Unary};
-use linkage_symbolic::{Ex, Node, V2, Vector};
+use linkage_symbolic::{Ex, Node, V2, Vector, Vn};
 
-use super::Algebra;
+use crate::algebra::context::Algebra;
+use crate::algebra::value::{Atom, Scalar, Value};
 
 /// Powers of a unit vector up to this one are products; beyond, the angle itself is cheaper.
 const MAX_POWER: f64 = 8.0;
-
-/// An angle that a direction can be built from without knowing its value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(crate) enum Atom {
-    Input(usize),
-    /// Index of an unknown angle of the algebra.
-    Angle(usize),
-}
-
-/// `sum of coefficient * atom + rest`; atoms in order, coefficients never 0. Anything that is no angle has no atoms.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Scalar<'m> {
-    pub(crate) terms: Vec<(Atom, f64)>,
-    pub(crate) rest: Ex<'m>,
-}
-
-impl<'m> From<Ex<'m>> for Scalar<'m> {
-    fn from(rest: Ex<'m>) -> Self {
-        Self {
-            terms: Vec::new(),
-            rest,
-        }
-    }
-}
-
-impl Scalar<'_> {
-    pub(crate) fn coefficient(&self, atom: Atom) -> f64 {
-        self.terms
-            .iter()
-            .find(|(a, _)| *a == atom)
-            .map_or(0.0, |(_, k)| *k)
-    }
-
-    /// `self + sign other`
-    #[must_use]
-    pub(crate) fn combined(&self, other: &Self, sign: f64) -> Self {
-        let mut terms = self.terms.clone();
-        for &(atom, k) in &other.terms {
-            match terms.iter_mut().find(|(other, _)| *other == atom) {
-                Some((_, old)) => *old += sign * k,
-                None => terms.push((atom, sign * k)),
-            }
-        }
-        terms.retain(|(_, k)| *k != 0.0);
-        terms.sort_by_key(|(atom, _)| *atom);
-        let rest = if sign > 0.0 {
-            self.rest + other.rest
-        } else {
-            self.rest - other.rest
-        };
-        Self { terms, rest }
-    }
-
-    /// `factor self`
-    #[must_use]
-    pub(crate) fn scaled(&self, factor: f64) -> Self {
-        let terms = self.terms.iter();
-        let terms = terms.map(|&(atom, k)| (atom, factor * k));
-        Self {
-            terms: terms.filter(|(_, k)| *k != 0.0).collect(),
-            rest: factor * self.rest,
-        }
-    }
-}
 
 pub(crate) fn atom<'m>(algebra: &Algebra<'m>, atom: Atom) -> Scalar<'m> {
     Scalar {
@@ -119,15 +57,12 @@ pub(crate) fn direction<'m>(algebra: &mut Algebra<'m>, angle: &Scalar<'m>) -> V2
 /// The unit vector of an unknown angle to an integer power.
 fn unit_power<'m>(algebra: &Algebra<'m>, angle: usize, power: i32) -> V2<'m> {
     let unit = algebra.names.angles[angle].unit;
-    let unit = match power < 0 {
-        true => unit.conjugate(),
-        false => unit,
-    };
+    let unit = if power < 0 { unit.conjugate() } else { unit };
     (1..power.unsigned_abs()).fold(unit, |product, _| product.turned(unit))
 }
 
-/// Cosine and sine of an expression. Quarter turns are exact, also as summands, and the argument of a vector is not taken
-/// to be undone.
+/// Cosine and sine of an expression. Quarter turns are exact, also as summands, and the argument of
+/// a vector is not taken to be undone.
 fn cos_sin(argument: Ex) -> V2 {
     if let Some(value) = argument.constant_value() {
         return numbers(argument, cos_sin_exact(value));
@@ -145,7 +80,8 @@ fn numbers<'m>(beside: Ex<'m>, values: [f64; 2]) -> V2<'m> {
     Vector(values.map(|value| beside.number(value)))
 }
 
-/// Cosine and sine of the argument of a vector, or of an angle in a triangle, without any arc function; also as a summand.
+/// Cosine and sine of the argument of a vector, or of an angle in a triangle, without any arc
+/// function; also as a summand.
 fn undone(argument: Ex) -> Option<V2> {
     let ex = |id| argument.graph().ex(id);
     match argument.node() {
@@ -233,4 +169,31 @@ fn quarter_turns(angle: f64) -> Option<[f64; 2]> {
         2 => [-1.0, 0.0],
         _ => [0.0, -1.0],
     })
+}
+
+/// A scalar value as one expression.
+pub(crate) fn number<'m>(algebra: &Algebra<'m>, value: &Value<'m>) -> Ex<'m> {
+    match value {
+        Value::Scalar(scalar) => value_of(algebra, scalar),
+        Value::Vector(vector) => vector.at(0),
+        Value::Array(entries) => number(algebra, &entries[0]),
+    }
+}
+
+pub(crate) fn scalar<'m>(algebra: &Algebra<'m>, value: &Value<'m>) -> Scalar<'m> {
+    match value {
+        Value::Scalar(scalar) => scalar.clone(),
+        other => number(algebra, other).into(),
+    }
+}
+
+/// A vector value; a scalar (the literal 0 where a vector is meant) has two equal components.
+pub(crate) fn vector<'m>(algebra: &Algebra<'m>, value: &Value<'m>) -> Vn<'m> {
+    match value {
+        Value::Vector(vector) => *vector,
+        other => {
+            let number = number(algebra, other).id();
+            algebra.graph.components(&[number, number])
+        }
+    }
 }

@@ -1,171 +1,59 @@
-//! How the unknowns are found: the equations of each group, and the rules by which symbols are differentiated.
+//! Solved groups: the equations of each, and the rules by which symbols are differentiated.
 
 use std::collections::BTreeSet;
 
 use linkage_symbolic::lookup::Map;
+use linkage_symbolic::{NodeId, SymbolId, V3};
 
-use linkage_symbolic::{Ex, NodeId, SymbolId, V2};
+use crate::algebra::equations::{Solution, ViaSlider};
+use crate::algebra::rules::DerivativeRule;
+use crate::algebra::systems::Solved;
 
-use super::body_vectors::Aboard;
-use super::partial::Solved;
-use super::{Carrier, Elimination, Link, Rod, ViaSlider, Written};
-
-/// How a symbol that lives by its definition is differentiated.
-#[derive(Clone, Debug)]
-pub(crate) enum Rule<'m> {
-    /// Like this expression, which is equal to the definition.
-    Follow(Ex<'m>),
-    /// A component of the turn of a body.
-    Turn(Box<TurnRule<'m>>),
-    /// The cosine, sine or value of an angle that a group solves for.
-    Cosine(AngleRule<'m>),
-    Sine(AngleRule<'m>),
-    Value(AngleRule<'m>),
-    /// A component of `z u`, a vector that turns with unknown `position` of a group.
-    Turning(Box<Turning<'m>>),
-    /// A component of a vector as seen from a link that turns.
-    Seen(Box<Seen<'m>>),
-    /// The other way round.
-    Shown(Box<Shown<'m>>),
-    /// A component of the axis of such a link.
-    Axis(Box<(Carrier<'m>, usize)>),
-    /// Unknown `position` of a group.
-    Unknown {
-        group: usize,
-        position: usize,
-    },
-    /// A derivative of unknown `position` of a group.
-    Rate {
-        group: usize,
-        position: usize,
-        by: Vec<SymbolId>,
-    },
-}
-
-/// See [`Rule::Turn`].
-#[derive(Clone, Debug)]
-pub(crate) struct TurnRule<'m> {
-    pub(super) group: usize,
-    pub(super) body: usize,
-    pub(super) component: usize,
-    /// It is the turn by the first one, differentiated by the others.
-    pub(super) by: Vec<SymbolId>,
-    /// The same, of the body's directions and their derivatives: it is a quotient of large sums itself.
-    pub(super) equal: Ex<'m>,
-}
-
-/// An angle that is an unknown of a group.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct AngleRule<'m> {
-    pub(crate) group: usize,
-    pub(crate) position: usize,
-    /// -1 if the group works with its negative.
-    pub(crate) sense: f64,
-    /// Cosine and sine.
-    pub(crate) unit: V2<'m>,
-    /// The link that the group's unknown is measured from.
-    pub(crate) carrier: Option<Carrier<'m>>,
-}
-
-impl AngleRule<'_> {
-    /// Something about the group's own angle as of this one, or the other way round.
-    pub(super) fn sensed<'g>(&self, x: Ex<'g>) -> Ex<'g> {
-        if self.sense < 0.0 { -x } else { x }
-    }
-}
-
-/// See [`Rule::Turning`].
-#[derive(Clone, Debug)]
-pub(crate) struct Turning<'m> {
-    pub(crate) group: usize,
-    pub(crate) position: usize,
-    pub(crate) component: usize,
-    /// The vector itself.
-    pub(crate) vector: V2<'m>,
-    pub(crate) z: V2<'m>,
-    pub(crate) unit: V2<'m>,
-}
-
-/// See [`Rule::Seen`].
-#[derive(Clone, Debug)]
-pub(crate) struct Seen<'m> {
-    pub(crate) carrier: Carrier<'m>,
-    /// In fixed coordinates.
-    pub(crate) vector: V2<'m>,
-    /// Along the axis and across.
-    pub(crate) own: V2<'m>,
-    pub(crate) component: usize,
-}
-
-/// See [`Rule::Shown`].
-#[derive(Clone, Debug)]
-pub(crate) struct Shown<'m> {
-    pub(crate) carrier: Carrier<'m>,
-    /// Along the axis and across.
-    pub(crate) vector: V2<'m>,
-    /// What is added in fixed coordinates.
-    pub(crate) base: V2<'m>,
-    pub(crate) component: usize,
-}
-
-/// One term of a group's equations.
-#[derive(Clone, Debug)]
-pub(crate) struct Term<'m> {
-    /// One for each equation.
-    pub(crate) coefficient: Vec<Ex<'m>>,
-    pub(crate) factor: Ex<'m>,
-}
-
-/// What differentiation needs to know of a solved group.
-#[derive(Clone, Debug)]
-pub(crate) struct Solution<'m> {
-    pub(crate) terms: Vec<Term<'m>>,
-    /// The equations as they were written, for groups whose derivatives are found from these; no rows for others.
-    pub(crate) rows: Vec<Written<'m>>,
-    /// Columns: the derivatives of the equations by each unknown.
-    pub(crate) jacobian: Vec<Vec<Ex<'m>>>,
-    pub(crate) determinant: Ex<'m>,
-    /// For a coupled group; closed forms have one or two equations.
-    pub(crate) elimination: Option<Elimination<'m>>,
-    /// The links that turn with the first and the second of two unknowns. Their terms stand first.
-    pub(crate) links: [Option<Link<'m>>; 2],
-    /// For an equation that says how long a rod is.
-    pub(crate) rod: Option<Rod<'m>>,
-}
-
-/// What derivatives may make use of: it changes what they cost and not what they are.
+/// Shortcuts that derivatives may take: these change the number of operations and no value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Shortcuts {
     /// Products that are known of links.
     pub(crate) products: bool,
-    /// How bodies turn: what they carry turns with them.
+    /// The turns of bodies: vectors on a body turn with it.
     pub(crate) turns: bool,
 }
 
-/// The groups that are solved, and what follows for symbols.
+/// The groups that are solved, and the rules of their symbols.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Solutions<'m> {
-    rules: Map<SymbolId, Rule<'m>>,
-    /// By group.
+    rules: Map<SymbolId, DerivativeRule<'m>>,
+    /// The equations of each group.
     pub(crate) groups: Vec<Solution<'m>>,
     /// Loops with a guide on a link that turns, in order.
-    pub(crate) other_sides: Vec<ViaSlider<'m>>,
-    /// What derivatives make use of.
-    pub(super) shortcuts: Shortcuts,
-    /// What bodies carry, by component.
-    pub(super) aboard: Map<NodeId, Aboard<'m>>,
-    /// The places between parameters and the results of a function that all paths of some groups lead through.
-    pub(super) narrow: BTreeSet<Solved>,
+    pub(crate) via_sliders: Vec<ViaSlider<'m>>,
+    /// The shortcuts that derivatives take.
+    pub(crate) shortcuts: Shortcuts,
+    /// The vectors that bodies carry, by component.
+    pub(crate) body_vectors: Map<NodeId, BodyVector<'m>>,
+    /// The places between parameters and the results of a function that all paths of some groups
+    /// lead through.
+    pub(crate) intermediates: BTreeSet<Solved>,
 }
 
 impl<'m> Solutions<'m> {
     /// Says how a symbol is differentiated.
-    pub(crate) fn set_rule(&mut self, symbol: SymbolId, rule: Rule<'m>) {
+    pub(crate) fn set_rule(&mut self, symbol: SymbolId, rule: DerivativeRule<'m>) {
         self.rules.insert(symbol, rule);
     }
 
-    /// How a symbol is differentiated; `None` for what is given.
-    pub(super) fn rule(&self, symbol: SymbolId) -> Option<&Rule<'m>> {
+    /// Returns the rule by which a symbol is differentiated; `None` for inputs and parameters.
+    pub(crate) fn rule(&self, symbol: SymbolId) -> Option<&DerivativeRule<'m>> {
         self.rules.get(&symbol)
     }
+}
+
+/// A component of a vector that a body carries.
+#[derive(Clone, Debug)]
+pub(crate) struct BodyVector<'m> {
+    /// The body's two directions.
+    pub(crate) axes: [V3<'m>; 2],
+    pub(crate) vector: V3<'m>,
+    pub(crate) component: usize,
+    /// Its coordinates on the body.
+    pub(crate) coordinates: V3<'m>,
 }

@@ -1,36 +1,16 @@
 //! Model expressions as graph nodes.
 
-use crate::algebra::calls;
-use crate::algebra::scalar;
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, NodeId, Vn};
 
+use crate::algebra::context::Algebra;
+use crate::algebra::names::Bound;
+use crate::algebra::value::{Atom, Scalar, Value};
+use crate::algebra::{calls, motion_law, scalar};
 use crate::model::{BinaryOp, Expr, ExprKind, Name, Type};
 
-use super::{Algebra, Atom, Bound, Scalar, course};
-
-/// The value of an expression.
-#[derive(Clone, Debug)]
-pub(crate) enum Value<'m> {
-    Scalar(Scalar<'m>),
-    Vector(Vn<'m>),
-    /// A frame has four entries: its origin and its axes.
-    Array(Vec<Value<'m>>),
-}
-
-impl<'m> From<Ex<'m>> for Value<'m> {
-    fn from(x: Ex<'m>) -> Self {
-        Self::Scalar(x.into())
-    }
-}
-
-impl<'m> From<Vn<'m>> for Value<'m> {
-    fn from(v: Vn<'m>) -> Self {
-        Self::Vector(v)
-    }
-}
-
-/// Translation of expressions. What only quantities may contain (derivatives, margins) goes to [`Translate::quantity`].
+/// Translation of expressions. Parts that only quantities may contain (derivatives, margins) go to
+/// [`Translate::quantity`].
 pub(crate) trait Translate<'m> {
     fn algebra(&mut self) -> &mut Algebra<'m>;
 
@@ -45,7 +25,9 @@ pub(crate) trait Translate<'m> {
             }
             ExprKind::Name(name) => value_of_name(self.algebra(), *name),
             ExprKind::Vector(components) => {
-                let components = components.iter().map(|own| self.translate_number(own).id());
+                let components = components
+                    .iter()
+                    .map(|component| self.translate_number(component).id());
                 let components: Vec<NodeId> = components.collect();
                 self.algebra().graph.components(&components).into()
             }
@@ -66,15 +48,15 @@ pub(crate) trait Translate<'m> {
             }
             ExprKind::MotionLaw(course) => {
                 let argument = self.translate_number(&course.argument);
-                let knots = course.knots.iter().map(|own| {
-                    let place = self.translate_number(&own.place);
-                    let value = self.translate_number(&own.value);
+                let knots = course.knots.iter().map(|knot| {
+                    let place = self.translate_number(&knot.place);
+                    let value = self.translate_number(&knot.value);
                     (place, value)
                 });
                 let knots: Vec<(Ex, Ex)> = knots.collect();
-                let slopes = course.knots.iter().filter_map(|own| own.slope.as_ref());
-                let slopes: Vec<Ex> = slopes.map(|own| self.translate_number(own)).collect();
-                course::value(argument, course, &knots, &slopes).into()
+                let slopes = course.knots.iter().filter_map(|knot| knot.slope.as_ref());
+                let slopes: Vec<Ex> = slopes.map(|slope| self.translate_number(slope)).collect();
+                motion_law::value(argument, course, &knots, &slopes).into()
             }
             ExprKind::Derivative(..)
             | ExprKind::InputDerivative(..)
@@ -89,7 +71,7 @@ pub(crate) trait Translate<'m> {
     /// An expression that is a number.
     fn translate_number(&mut self, expr: &Expr) -> Ex<'m> {
         let value = self.translate(expr);
-        number(self.algebra(), &value)
+        scalar::number(self.algebra(), &value)
     }
 
     /// An expression that is a vector; a number counts as a vector of one component.
@@ -97,7 +79,7 @@ pub(crate) trait Translate<'m> {
         match self.translate(expr) {
             Value::Vector(vector) => vector,
             other => {
-                let number = number(self.algebra(), &other);
+                let number = scalar::number(self.algebra(), &other);
                 number.graph().components(&[number.id()])
             }
         }
@@ -114,44 +96,8 @@ impl<'m> Translate<'m> for Algebra<'m> {
     }
 }
 
-impl<'m> Value<'m> {
-    fn negative(self) -> Self {
-        match self {
-            Self::Scalar(scalar) => Self::Scalar(scalar.scaled(-1.0)),
-            Self::Vector(vector) => Self::Vector(-vector),
-            Self::Array(entries) => Self::Array(entries.into_iter().map(Self::negative).collect()),
-        }
-    }
-}
-
-/// A scalar value as one expression.
-pub(crate) fn number<'m>(algebra: &Algebra<'m>, value: &Value<'m>) -> Ex<'m> {
-    match value {
-        Value::Scalar(scalar) => scalar::value_of(algebra, scalar),
-        Value::Vector(vector) => vector.at(0),
-        Value::Array(entries) => number(algebra, &entries[0]),
-    }
-}
-
-pub(crate) fn scalar<'m>(algebra: &Algebra<'m>, value: &Value<'m>) -> Scalar<'m> {
-    match value {
-        Value::Scalar(scalar) => scalar.clone(),
-        other => number(algebra, other).into(),
-    }
-}
-
-/// A vector value; a scalar (the literal 0 where a vector is meant) has two equal components.
-pub(crate) fn vector<'m>(algebra: &Algebra<'m>, value: &Value<'m>) -> Vn<'m> {
-    match value {
-        Value::Vector(vector) => *vector,
-        other => {
-            let number = number(algebra, other).id();
-            algebra.graph.components(&[number, number])
-        }
-    }
-}
-
-/// Translates the derived names in order: each then finds those before it done, and a long chain does not recurse.
+/// Translates the derived names in order: each then finds those before it done, and a long chain
+/// does not recurse.
 pub(crate) fn translate_lets(algebra: &mut Algebra<'_>) {
     translate_these_lets(algebra, |_| true);
 }
@@ -163,7 +109,7 @@ pub(crate) fn translate_these_lets(algebra: &mut Algebra<'_>, which: impl Fn(usi
     }
 }
 
-/// What a name stands for.
+/// Returns the value of a name.
 pub(crate) fn value_of_name<'m>(algebra: &mut Algebra<'m>, name: Name) -> Value<'m> {
     match name {
         Name::Pi => algebra.graph.number(std::f64::consts::PI).into(),
@@ -227,7 +173,7 @@ pub(crate) fn value_of_name<'m>(algebra: &mut Algebra<'m>, name: Name) -> Value<
     }
 }
 
-/// What is given in a unit with kilograms, as the program computes with it.
+/// Returns a source with a unit of kilograms, in the unit in which the program computes.
 fn scaled<'m>(algebra: &Algebra<'m>, source: Source, internal_per_unit: f64) -> Ex<'m> {
     internal_per_unit * algebra.source(source)
 }
@@ -243,17 +189,17 @@ fn arithmetic<'m>(algebra: &Algebra<'m>, op: BinaryOp, a: Value<'m>, b: Value<'m
     match (op, a, b) {
         (BinaryOp::Add, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(a.combined(&b, 1.0)),
         (BinaryOp::Sub, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(a.combined(&b, -1.0)),
-        (BinaryOp::Add, a, b) => (vector(algebra, &a) + vector(algebra, &b)).into(),
-        (BinaryOp::Sub, a, b) => (vector(algebra, &a) - vector(algebra, &b)).into(),
+        (BinaryOp::Add, a, b) => (scalar::vector(algebra, &a) + scalar::vector(algebra, &b)).into(),
+        (BinaryOp::Sub, a, b) => (scalar::vector(algebra, &a) - scalar::vector(algebra, &b)).into(),
         (BinaryOp::Mul, Value::Scalar(a), Value::Scalar(b)) => product(algebra, &a, &b),
         (BinaryOp::Mul, Value::Scalar(a), v) | (BinaryOp::Mul, v, Value::Scalar(a)) => {
             let factor = scalar::value_of(algebra, &a);
-            (factor * vector(algebra, &v)).into()
+            (factor * scalar::vector(algebra, &v)).into()
         }
         (BinaryOp::Div, Value::Scalar(a), Value::Scalar(b)) => quotient(algebra, &a, &b),
         (BinaryOp::Div, v, b) => {
-            let divisor = number(algebra, &b);
-            (vector(algebra, &v) / divisor).into()
+            let divisor = scalar::number(algebra, &b);
+            (scalar::vector(algebra, &v) / divisor).into()
         }
         (BinaryOp::Mul, a, _) => a,
     }

@@ -4,6 +4,7 @@ use crate::assembly::at_state;
 use crate::assembly::coupled_state;
 use crate::assembly::estimates;
 use crate::assembly::refusal;
+use crate::mobility::freedom;
 use crate::mobility::nearest;
 use linkage_core::numeric::continuation::{Astray, from_estimate};
 use linkage_core::numeric::roots::Unlisted;
@@ -119,15 +120,15 @@ fn leads_nowhere<'m>(
         Astray::Movable(ref states) => format!(
             "{loops} ({unknowns}) cannot be solved{place}: where the estimates lead, {}\n\
                  help: look for links that coincide, guides that are parallel, lengths that are zero, and a loop that repeats another",
-            at_state::standing(assembly, prepared, &states[0])
-                .freedom()
-                .unwrap_or_else(|| {
+            freedom::freedom(&at_state::standing(assembly, prepared, &states[0])).unwrap_or_else(
+                || {
                     let moved = moved(assembly, prepared, states);
                     format!(
                         "{} can change and the loops stay closed",
                         assembly.words.unknowns(&moved)
                     )
-                }),
+                }
+            ),
         ),
         Astray::DeadPoint { left, ref at } if left > NOTHING && left < ALL => {
             let Ends { fact, help } = way_ends(assembly, prepared, at);
@@ -147,7 +148,7 @@ fn leads_nowhere<'m>(
                 Astray::Singular(_) => "lead",
                 _ => "are",
             },
-            match astray {
+            freedom::freedom(&match astray {
                 Astray::DeadPoint { ref at, .. } | Astray::Singular(ref at) => {
                     at_state::standing(assembly, prepared, at)
                 }
@@ -155,8 +156,7 @@ fn leads_nowhere<'m>(
                     let estimate = prepared.estimate_of_default(assembly.algebra, assembly.nominal);
                     at_state::standing(assembly, prepared, &estimate)
                 }
-            }
-            .freedom()
+            })
             .map_or_else(String::new, |freedom| format!(": there {freedom}")),
         ),
     };
@@ -167,7 +167,7 @@ fn leads_nowhere<'m>(
 /// What is known of the end of a way: a dead point, and where behind it the loops come nearest to closing.
 fn way_ends<'m>(assembly: &Assembly<'_, 'm>, prepared: &Prepared<'m>, at: &[f64]) -> Ends {
     let end = at_state::standing(assembly, prepared, at);
-    let dead = end.freedom();
+    let dead = freedom::freedom(&end);
     let dead = dead.map_or_else(String::new, |freedom| {
         format!(", at a dead point: there {freedom}")
     });

@@ -4,6 +4,7 @@
 //! what it arrives at are the estimates of its unknowns here: the assembly is that of the part alone, and so are the turns of its angles.
 
 use crate::algebra::nominal;
+use crate::algebra::scalar;
 use crate::algebra::translate;
 use std::rc::Rc;
 
@@ -29,7 +30,7 @@ pub(crate) fn inner_parts<'m>(
         let inputs = part.inputs.iter();
         let inputs = inputs.map(|&own| match algebra.translate(&named(mechanism, own)) {
             Value::Vector(vector) => vector.iter().next().unwrap_or(algebra.zero()),
-            scalar => translate::number(algebra, &scalar),
+            scalar => scalar::number(algebra, &scalar),
         });
         let inputs = inputs.collect();
         let mut numbers = Vec::new();

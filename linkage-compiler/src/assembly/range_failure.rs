@@ -1,7 +1,7 @@
 //! What is said of a mechanism that comes apart in its range: dead points, change points.
 
 use crate::algebra::constant_ratio;
-use crate::algebra::dependence;
+use crate::algebra::derivatives::dependence;
 use std::f64::consts::TAU;
 
 use linkage_core::range_check::{self, Comes, Reaches, not_finite, rounded_inwards};

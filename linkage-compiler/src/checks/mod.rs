@@ -19,7 +19,7 @@ pub(crate) use values::without_value;
 /// not finite.
 pub(crate) fn dimensions(algebra: &mut Algebra, reporter: &mut Reporter) -> Option<Nominal> {
     let mechanism = algebra.mechanism;
-    let nominal = Nominal::of(algebra);
+    let nominal = Nominal::from_mechanism(algebra);
     let before = reporter.errors();
     directions::check_directions(mechanism, &nominal, reporter);
     if reporter.errors() > before {

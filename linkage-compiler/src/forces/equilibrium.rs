@@ -6,7 +6,7 @@
 
 use linkage_symbolic::{Ex, Vector, Vn};
 
-use crate::algebra::elimination;
+use crate::algebra::cofactors;
 use crate::forces::context::Mechanics;
 use crate::forces::system::{Axial, Equation, LARGEST_BLOCK, System, Unknown};
 use crate::forces::wrench::{Carried, Wrench};
@@ -85,8 +85,9 @@ pub(super) fn solved<'m>(mechanics: &mut Mechanics<'_, 'm>, unknown: usize) -> E
         .collect();
     let matrix = system.matrix_of(block);
     let known = mechanics.forces.loop_values.determinant(block);
-    let determinant = known.unwrap_or_else(|| elimination::determinant(mechanics.algebra, &matrix));
-    let numerators = elimination::cofactor_products(mechanics.algebra, &matrix, &right);
+    let determinant =
+        known.unwrap_or_else(|| cofactors::determinant(mechanics.algebra.graph, &matrix));
+    let numerators = cofactors::cofactor_products(mechanics.algebra.graph, &matrix, &right);
     // The determinant is known long before the loads.
     let factor = 1.0 / determinant;
     for (&unknown, numerator) in found_here.iter().zip(numerators) {

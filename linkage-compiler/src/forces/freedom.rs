@@ -6,7 +6,7 @@
 
 use linkage_symbolic::{Ex, Vector};
 
-use crate::algebra::{Algebra, partial};
+use crate::algebra::{Algebra, derivatives::partial};
 use crate::forces::context::Mechanics;
 use crate::forces::joint_motion::{JointMotion, Motions, Tie};
 use crate::forces::speeds::By;

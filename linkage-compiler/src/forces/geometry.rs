@@ -1,8 +1,9 @@
 //! The declared points, axes and angles as expressions.
 
+use crate::algebra::scalar;
 use linkage_symbolic::{Graph, Vector, Vn};
 
-use crate::algebra::{Algebra, Scalar, Translate, Value, translate};
+use crate::algebra::{Algebra, Scalar, Translate, Value};
 use crate::forces::tree::Tree;
 use crate::model::Expr;
 
@@ -55,7 +56,7 @@ impl<'m> Geometry<'m> {
             };
             turning[body] = match algebra.translate(turns) {
                 Value::Array(parts) => {
-                    BodyTurn::Frame([1, 2, 3].map(|axis| translate::vector(algebra, &parts[axis])))
+                    BodyTurn::Frame([1, 2, 3].map(|axis| scalar::vector(algebra, &parts[axis])))
                 }
                 Value::Vector(along) => BodyTurn::Rod(along),
                 Value::Scalar(angle) => match directions[declared.joint] {
@@ -131,7 +132,7 @@ impl<'m> Geometry<'m> {
 /// A point or vector.
 pub(super) fn vector_of<'m>(algebra: &mut Algebra<'m>, expr: &Expr) -> Vn<'m> {
     let value = algebra.translate(expr);
-    translate::vector(algebra, &value)
+    scalar::vector(algebra, &value)
 }
 
 /// The direction of a vector.

@@ -4,7 +4,7 @@
 
 use linkage_symbolic::{Ex, Vn};
 
-use crate::algebra::{Nominal, elimination};
+use crate::algebra::{Nominal, cofactors};
 use crate::forces::context::Mechanics;
 use crate::forces::positions::Positions;
 use crate::forces::system::System;
@@ -86,7 +86,7 @@ pub(super) fn find_determinants<'m>(
     }
     let determinants = blocks
         .iter()
-        .map(|block| elimination::determinant(mechanics.algebra, &system.matrix_of(block)));
+        .map(|block| cofactors::determinant(mechanics.algebra.graph, &system.matrix_of(block)));
     let expressions: Vec<Ex> = determinants.chain(known.iter().copied()).collect();
     let numbers = positions.numbers_anyhow(mechanics.algebra.mechanism, nominal, &expressions);
     for (index, block) in blocks.iter().enumerate() {

@@ -3,7 +3,7 @@
 
 use linkage_symbolic::{Ex, Vector, Vn};
 
-use crate::algebra::{Direction, adjoint, partial, scalar};
+use crate::algebra::{Direction, derivatives::direction, derivatives::partial, scalar};
 use crate::forces::context::Mechanics;
 use crate::forces::geometry::BodyTurn;
 use crate::forces::speeds::By;
@@ -33,7 +33,7 @@ pub(super) fn slope<'m>(mechanics: &mut Mechanics<'_, 'm>, x: Ex<'m>, by: By) ->
     match by {
         By::Input(input) => {
             let variable = mechanics.algebra.variable(Variable::Input(input));
-            adjoint::derivative(mechanics.algebra, x, variable, Direction::Forward)
+            direction::derivative(mechanics.algebra, x, variable, Direction::Forward)
         }
         By::Alone(variable) => partial::partial(mechanics.algebra, x, variable),
     }

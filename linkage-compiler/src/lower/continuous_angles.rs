@@ -1,6 +1,6 @@
 //! The angles whose values are used, and what their turns are counted by.
 
-use crate::algebra::dependence;
+use crate::algebra::derivatives::dependence;
 use linkage_symbolic::Ex;
 
 use crate::algebra::{Algebra, Nominal, Phasor};
@@ -15,7 +15,7 @@ pub(super) fn continuous_angles<'m>(
     let mut coefficients = Vec::new();
     let angles = angles.iter().map(|&index| {
         let angle = algebra.names.angles[index].clone();
-        let phasors = angle.bearing.and_then(|bearing| bearing.phasors(algebra));
+        let phasors = angle.reference.and_then(|bearing| bearing.phasors(algebra));
         let phasors = phasors.unwrap_or_default();
         coefficients.extend(phasors.iter().flat_map(|own| own.coefficient.components()));
         ContinuousAngle {

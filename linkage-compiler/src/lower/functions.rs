@@ -70,7 +70,7 @@ pub(super) fn lower_function(
         settled,
         fields,
         columns,
-        sensitivities: direction.map(Direction::words),
+        sensitivities: direction.map(Direction::doc_text),
     }
 }
 

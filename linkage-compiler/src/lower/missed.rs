@@ -1,5 +1,6 @@
 //! By how much the loops of a group that is followed from its estimates miss: told where these lead to no assembly.
 
+use crate::model::unknown_frames;
 use linkage_symbolic::Ex;
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::schedule::schedule_whole;
@@ -51,7 +52,7 @@ fn loops_of_frames(mechanism: &Mechanism, formulation: &Formulation, group: usiz
         let found = about
             .filter(|(_, is_used)| *is_used)
             .map(|(unknown, _)| formulation.last_group_with(unknown));
-        mechanism.is_loop_of_frame(index) && found.max() == Some(Some(group))
+        unknown_frames::is_loop_of_frame(mechanism, index) && found.max() == Some(Some(group))
     };
     (0..mechanism.loops.len()).filter(is_new).collect()
 }
@@ -64,7 +65,7 @@ fn differences<'m>(
 ) -> (Vec<MissedLoop>, Vec<Ex<'m>>) {
     let mechanism = algebra.mechanism;
     let loops = solved.group.loops.iter().copied();
-    let written = loops.filter(|&index| !mechanism.is_loop_of_frame(index));
+    let written = loops.filter(|&index| !unknown_frames::is_loop_of_frame(mechanism, index));
     let (mut missed, mut sides) = (Vec::new(), Vec::new());
     for index in written {
         let own = &mechanism.loops[index];

@@ -1,7 +1,7 @@
 //! What a unit says beside its programs: what goes in, and what was found out about the groups.
 
 use crate::algebra::constant_ratio;
-use crate::algebra::dependence;
+use crate::algebra::derivatives::dependence;
 use std::collections::BTreeSet;
 
 use linkage_core::range_check::Slack;
@@ -13,7 +13,7 @@ use crate::ir::{Argument, CompiledMechanism, Group, Input, Parameter, Role, Scal
 use crate::machine::{AtReference, Reference, followed_range};
 use crate::model::{Mechanism, Shape};
 use crate::solve::{Formulation, Prepared, Solved};
-use crate::structure::Most;
+use crate::structure::SolutionBound;
 
 /// A unit without programs.
 pub(super) fn signature<'m>(
@@ -132,7 +132,7 @@ fn method(algebra: &Algebra, solved: &Solved, reference: &Reference) -> String {
         return solved.closed.method.to_owned();
     };
     let how = own.method();
-    let solutions = Most::of(algebra, &solved.group);
+    let solutions = SolutionBound::of_group(algebra, &solved.group);
     format!("followed from the estimates; {solutions} not listed; {how}")
 }
 

@@ -2,10 +2,11 @@
 
 use crate::vector::{Vector, cross, dot, minus, norm};
 
-use super::null_space::{LITTLE, largest};
-use super::{Mover, Position, Rows};
+use crate::mobility::null_space::{LITTLE, largest};
+use crate::mobility::position::{LoopRows, Movable, Position};
 
-/// Where a link pulls a body: a direction of length 1, and the moment about the body's origin.
+/// The line along which a link pulls a body: a direction of length 1, and the moment about the
+/// body's origin.
 struct Line {
     along: Vector,
     moment: Vector,
@@ -17,10 +18,11 @@ impl Line {
     }
 }
 
-/// What is special about these rows, if each is a link between one and the same body and what is known.
-pub(super) fn shape_of_links(
+/// Returns the special position of these rows, if each is a link between one and the same body and
+/// known points.
+pub(crate) fn shape_of_links(
     position: &Position<'_, '_>,
-    rows: &Rows,
+    rows: &LoopRows,
     bound: &[usize],
 ) -> Option<&'static str> {
     let lines: Vec<Line> = bound
@@ -47,22 +49,22 @@ pub(super) fn shape_of_links(
 }
 
 /// A row as a line, if it is one of a body alone.
-fn line(position: &Position<'_, '_>, rows: &Rows, row: usize) -> Option<Line> {
-    let own = &rows.matrix[row];
-    let most = largest(own);
-    let used = (0..own.len()).filter(|&k| own[k].abs() > LITTLE * most);
+fn line(position: &Position<'_, '_>, rows: &LoopRows, row: usize) -> Option<Line> {
+    let entries = &rows.matrix[row];
+    let most = largest(entries);
+    let used = (0..entries.len()).filter(|&k| entries[k].abs() > LITTLE * most);
     let mut movers: Vec<usize> = used.map(|k| rows.columns[k].0).collect();
     movers.dedup();
     let [mover] = movers[..] else { return None };
-    let Mover::Body { .. } = position.movers[mover] else {
+    let Movable::Body { .. } = position.movers[mover] else {
         return None;
     };
     let first = rows
         .columns
         .iter()
         .position(|column| *column == (mover, 0))?;
-    let along: Vector = [0, 1, 2].map(|k| own[first + k]);
-    let moment: Vector = [0, 1, 2].map(|k| own[first + 3 + k]);
+    let along: Vector = [0, 1, 2].map(|k| entries[first + k]);
+    let moment: Vector = [0, 1, 2].map(|k| entries[first + 3 + k]);
     let size = norm(along);
     let is_line = size > LITTLE * most && dot(along, moment).abs() <= LITTLE * size * most;
     is_line.then(|| Line {

@@ -5,12 +5,12 @@ use std::f64::consts::TAU;
 use crate::model::{Dimension, Type};
 use crate::vector::{Vector, cross, dot, norm};
 
-use super::null_space::{LITTLE, largest, vectors};
-use super::{Mover, Position, Rows};
 use crate::message_format::numbers;
+use crate::mobility::null_space::{LITTLE, largest, null_vectors};
+use crate::mobility::position::{LoopRows, Movable, Position};
 
-/// So many motions are told.
-const TOLD: usize = 3;
+/// The greatest number of motions in a message.
+const MOST_MOTIONS: usize = 3;
 
 /// Shown shares are rounded to this.
 const THOUSANDTH: f64 = 1e-3;
@@ -19,46 +19,50 @@ const THOUSANDTH: f64 = 1e-3;
 const SHOWN: f64 = 1e-4;
 
 /// `body` can turn about ..., `a` and `b` can change in the ratio ...
-pub(super) fn motion(position: &Position<'_, '_>, rows: &Rows, last: f64) -> Option<String> {
+pub(crate) fn motion(position: &Position<'_, '_>, rows: &LoopRows, last: f64) -> Option<String> {
     let all = simple(
-        vectors(&rows.matrix, rows.columns.len(), last),
+        null_vectors(&rows.matrix, rows.columns.len(), last),
         rows,
         position,
     );
     let count = all.len();
     let told = all
         .iter()
-        .take(TOLD)
-        .map(|one| words_of(position, one, rows));
+        .take(MOST_MOTIONS)
+        .map(|one| motion_text(position, one, rows));
     let told: Vec<String> = told.collect();
     match count {
         0 => None,
-        _ if count > TOLD => Some(format!("{}, and {} more", told.join("; "), count - TOLD)),
+        _ if count > MOST_MOTIONS => Some(format!(
+            "{}, and {} more",
+            told.join("; "),
+            count - MOST_MOTIONS
+        )),
         _ => Some(told.join("; ")),
     }
 }
 
-fn words_of(position: &Position<'_, '_>, vector: &[f64], rows: &Rows) -> String {
+fn motion_text(position: &Position<'_, '_>, vector: &[f64], rows: &LoopRows) -> String {
     let most = largest(vector);
     let mut parts: Vec<String> = Vec::new();
     let mut unknowns: Vec<(usize, Vec<f64>)> = Vec::new();
     for (index, mover) in position.movers.iter().enumerate() {
-        let own = own_part(vector, rows, index);
-        if largest(&own) <= LITTLE * most {
+        let share = own_part(vector, rows, index);
+        if largest(&share) <= LITTLE * most {
             continue;
         }
         match mover {
-            Mover::Body { name, origin, .. } => {
+            Movable::Body { name, origin, .. } => {
                 let origin = [0, 1, 2].map(|k| position.values[*origin][k]);
-                parts.push(format!("`{name}` can {}", twist(position, &own, origin)));
+                parts.push(format!("`{name}` can {}", twist(position, &share, origin)));
             }
-            Mover::Component { unknown, component } => {
+            Movable::Component { unknown, component } => {
                 let count = position.values[*unknown].len();
                 if unknowns.last().is_none_or(|(last, _)| last != unknown) {
                     unknowns.push((*unknown, vec![0.0; count]));
                 }
                 if let Some((_, change)) = unknowns.last_mut() {
-                    change[*component] = own[0] / most;
+                    change[*component] = share[0] / most;
                 }
             }
         }
@@ -83,31 +87,28 @@ fn words_of(position: &Position<'_, '_>, vector: &[f64], rows: &Rows) -> String 
     parts.join(" while ")
 }
 
-/// A share of an unknown as the change of an angle by a degree, or as far as the longest length turns by it.
+/// A share of an unknown as the change of an angle by a degree, or as far as the longest length
+/// turns by it.
 fn shown(position: &Position<'_, '_>, unknown: usize, share: f64) -> f64 {
     let degree = 1_f64.to_radians();
     let dimension = position.mechanism.unknowns[unknown].ty.dimension();
-    match dimension.is_some_and(|own| own.half_lengths != 0) {
-        true => rounded(
-            position,
-            share * degree * position.length,
-            degree * position.length,
-        ),
+    match dimension.is_some_and(|dimension| dimension.half_lengths != 0) {
+        true => rounded(share * degree * position.length, degree * position.length),
         // Whole thousandths of a degree.
         false => (share / THOUSANDTH).round() * THOUSANDTH * degree,
     }
 }
 
 /// A body's shift and turn, both as long as the longest length turns.
-fn twist(position: &Position<'_, '_>, own: &[f64], origin: Vector) -> String {
-    let shift: Vector = [0, 1, 2].map(|k| position.length * own[k]);
-    let turn: Vector = [0, 1, 2].map(|k| own[3 + k]);
+fn twist(position: &Position<'_, '_>, change: &[f64], origin: Vector) -> String {
+    let shift: Vector = [0, 1, 2].map(|k| position.length * change[k]);
+    let turn: Vector = [0, 1, 2].map(|k| change[3 + k]);
     if norm(turn) * position.length <= LITTLE * norm(shift) {
         return format!("shift along {}", direction(shift));
     }
     let square = dot(turn, turn);
     let foot = cross(turn, shift).map(|x| x / square);
-    let point = [0, 1, 2].map(|k| rounded(position, origin[k] + foot[k], position.length));
+    let point = [0, 1, 2].map(|k| rounded(origin[k] + foot[k], position.length));
     let lengths = Type::Vector(3, Dimension::LENGTH);
     let line = format!(
         "the line through {} along {}",
@@ -118,7 +119,7 @@ fn twist(position: &Position<'_, '_>, own: &[f64], origin: Vector) -> String {
     if pitch.abs() <= LITTLE * position.length {
         return format!("turn about {line}");
     }
-    let pitch = rounded(position, pitch, position.length);
+    let pitch = rounded(pitch, position.length);
     format!(
         "turn about {line} and shift along it, by {} in a turn",
         position.words.scalar(Dimension::LENGTH, pitch)
@@ -126,13 +127,13 @@ fn twist(position: &Position<'_, '_>, own: &[f64], origin: Vector) -> String {
 }
 
 /// Without the digits that are rounding of something of this size.
-fn rounded(_position: &Position<'_, '_>, x: f64, size: f64) -> f64 {
+fn rounded(x: f64, size: f64) -> f64 {
     let step = 10_f64.powf((SHOWN * size).log10().floor());
     (x / step).round() * step + 0.0
 }
 
 /// `a, b and c`
-pub(super) fn list(words: Vec<String>) -> String {
+pub(crate) fn list(words: Vec<String>) -> String {
     match &words[..] {
         [before @ .., last] if !before.is_empty() => format!("{} and {last}", before.join(", ")),
         _ => words.concat(),
@@ -149,43 +150,48 @@ fn direction(v: Vector) -> String {
 }
 
 /// The shares of one that moves.
-fn own_part(vector: &[f64], rows: &Rows, mover: usize) -> Vec<f64> {
+fn own_part(vector: &[f64], rows: &LoopRows, mover: usize) -> Vec<f64> {
     let pairs = vector.iter().zip(&rows.columns);
-    let own = pairs.filter(|(_, column)| column.0 == mover);
-    own.map(|(x, _)| *x).collect()
+    let shares = pairs.filter(|(_, column)| column.0 == mover);
+    shares.map(|(x, _)| *x).collect()
 }
 
-/// Motions that are easy to tell: shifts by themselves, and turns without shifts that are possible without them.
-fn simple(mut all: Vec<Vec<f64>>, rows: &Rows, position: &Position) -> Vec<Vec<f64>> {
+/// Motions that are easy to tell: shifts by themselves, and turns without shifts that are possible
+/// without them.
+fn simple(mut all: Vec<Vec<f64>>, rows: &LoopRows, position: &Position) -> Vec<Vec<f64>> {
     let is_turn = |(mover, way): (usize, usize)| {
-        matches!(position.movers[mover], Mover::Body { .. }) && way >= 3
+        matches!(position.movers[mover], Movable::Body { .. }) && way >= 3
     };
     let turns: Vec<usize> = (0..rows.columns.len())
         .filter(|&k| is_turn(rows.columns[k]))
         .collect();
-    // Turns are eliminated from one motion after the other, the largest first: what is left only shifts.
+    // Turns are eliminated from one motion after the other, the largest first: the rest only
+    // shifts.
     let mut turning = Vec::new();
     while let Some((index, place)) = largest_of(&all, &turns) {
-        let own = all.swap_remove(index);
+        let turn = all.swap_remove(index);
         for other in all.iter_mut().chain(&mut turning) {
-            let factor = other[place] / own[place];
-            take(other, factor, &own);
+            let factor = other[place] / turn[place];
+            take(other, factor, &turn);
         }
-        turning.push(own);
+        turning.push(turn);
     }
     let mut shifts: Vec<Vec<f64>> = Vec::new();
-    for mut own in all {
-        shifts.iter().for_each(|before| project(&mut own, before));
-        shifts.push(own);
+    for mut motion in all {
+        shifts
+            .iter()
+            .for_each(|before| project(&mut motion, before));
+        shifts.push(motion);
     }
-    for own in &mut turning {
-        shifts.iter().for_each(|shift| project(own, shift));
+    for motion in &mut turning {
+        shifts.iter().for_each(|shift| project(motion, shift));
     }
     let mut all = turning;
     all.extend(shifts);
-    all.sort_by_key(|own| {
-        own.iter()
-            .filter(|x| x.abs() > LITTLE * largest(own))
+    all.sort_by_key(|motion| {
+        motion
+            .iter()
+            .filter(|x| x.abs() > LITTLE * largest(motion))
             .count()
     });
     all
@@ -199,8 +205,10 @@ fn largest_of(all: &[Vec<f64>], turns: &[usize]) -> Option<(usize, usize)> {
     (share(&best) > LITTLE).then_some(best)
 }
 
-fn take(from: &mut [f64], factor: f64, own: &[f64]) {
-    from.iter_mut().zip(own).for_each(|(x, y)| *x -= factor * y);
+fn take(from: &mut [f64], factor: f64, direction: &[f64]) {
+    from.iter_mut()
+        .zip(direction)
+        .for_each(|(x, y)| *x -= factor * y);
 }
 
 fn project(from: &mut [f64], onto: &[f64]) {

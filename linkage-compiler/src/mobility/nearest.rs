@@ -1,22 +1,24 @@
-//! Where loops that do not close come nearest to it: by how much each misses there, and how its unknowns can move.
+//! Positions in which loops that do not close come nearest to it: the error of each there, and the
+//! motion of its unknowns.
 //!
-//! There the misses are a left null vector of the loops: like the forces of stretched links they hold each other, and no motion makes all of them
-//! less.
+//! There the misses are a left null vector of the loops: like the forces of stretched links they
+//! hold each other, and no motion makes all of them less.
 
 use crate::mobility::motion;
+use crate::mobility::rows;
 use linkage_core::numeric::least::{self, CLOSED, Equations, least};
 use linkage_symbolic::Graph;
 
-use super::loops::Loops;
-use super::motion::list;
-use super::null_space::{LITTLE, NEARLY_ZERO, largest};
-use super::{Position, Rows};
+use crate::mobility::loops::Loops;
+use crate::mobility::motion::list;
+use crate::mobility::null_space::{LITTLE, NEARLY_ZERO, largest};
+use crate::mobility::position::{LoopRows, Position};
 use crate::model::Type;
 
-/// So many loops are told.
+/// The greatest number of loops in a message.
 const TOLD: usize = 6;
 
-/// Where loops come nearest to closing, in words.
+/// The text about the position in which loops come nearest to closing.
 pub(crate) struct Nearest {
     /// `loop 1 by 12.3mm and loop 4 by -2.1mm`, the largest first.
     pub(crate) missing: String,
@@ -24,7 +26,8 @@ pub(crate) struct Nearest {
     pub(crate) motion: Option<String>,
 }
 
-/// Where the loops come nearest to closing; nothing if they close, or if that is not found out.
+/// Returns the position in which the loops come nearest to closing; nothing if they close, or if
+/// that is not found.
 pub(crate) fn nearest(position: &Position<'_, '_>) -> Option<Nearest> {
     let graph = Graph::new();
     let mut loops = Loops::new(position.mechanism, &graph);
@@ -36,8 +39,8 @@ pub(crate) fn nearest(position: &Position<'_, '_>) -> Option<Nearest> {
     })
 }
 
-/// By how much each loop misses, the largest first.
-fn missing(position: &Position<'_, '_>, rows: &Rows, loops: &Loops) -> String {
+/// Returns the error of each loop, the largest first.
+fn missing(position: &Position<'_, '_>, rows: &LoopRows, loops: &Loops) -> String {
     let mut all: Vec<(usize, f64, Vec<f64>)> = Vec::new();
     for (row, (&index, missed)) in rows.loops.iter().zip(&rows.missed).enumerate() {
         let value = missed * loops.unit(rows.kept[row], position.length);
@@ -72,27 +75,32 @@ fn missing(position: &Position<'_, '_>, rows: &Rows, loops: &Loops) -> String {
 }
 
 impl<'w, 'm> Equations<Position<'w, 'm>> for Loops<'_> {
-    type Rows = Rows;
+    type Rows = LoopRows;
 
-    fn rows(&mut self, at: &Position<'w, 'm>) -> Option<Rows> {
-        at.rows(self)
+    fn rows(&mut self, at: &Position<'w, 'm>) -> Option<LoopRows> {
+        rows::rows(at, self)
     }
 
-    fn misses(&mut self, at: &Position<'w, 'm>, rows: &Rows) -> Vec<f64> {
+    fn misses(&mut self, at: &Position<'w, 'm>, rows: &LoopRows) -> Vec<f64> {
         let all = self.missed(at, &at.values);
         rows.kept.iter().map(|&k| all[k]).collect()
     }
 
-    fn after(&mut self, at: &Position<'w, 'm>, rows: &Rows, changes: &[f64]) -> Position<'w, 'm> {
+    fn after(
+        &mut self,
+        at: &Position<'w, 'm>,
+        rows: &LoopRows,
+        changes: &[f64],
+    ) -> Position<'w, 'm> {
         let mut next = at.clone();
-        for (&column, own) in rows.columns.iter().zip(changes) {
-            at.shift(&mut next.values, column, *own);
+        for (&column, change) in rows.columns.iter().zip(changes) {
+            at.shift(&mut next.values, column, *change);
         }
         next
     }
 }
 
-impl least::Rows for Rows {
+impl least::Rows for LoopRows {
     fn missed(&self) -> &[f64] {
         &self.missed
     }

@@ -2,30 +2,31 @@
 
 use crate::mobility::line;
 use crate::mobility::motion;
+use crate::mobility::rows;
 use linkage_symbolic::Graph;
 
-use super::loops::Loops;
-use super::null_space::{ZERO, transposed, used, vectors};
-use super::{Position, Rows};
 use crate::message_format::loop_list;
+use crate::mobility::loops::Loops;
+use crate::mobility::null_space::{ZERO, null_vectors, transposed, used};
+use crate::mobility::position::{LoopRows, Position};
 
-/// So many dependences are told.
+/// The greatest number of dependences in a message.
 const TOLD: usize = 3;
 
-/// What is too much where the unknowns stand.
-pub(crate) struct Surplus {
+/// The surplus of loops at a position.
+pub(crate) struct Overconstraint {
     /// Loops that could be left out, all together.
     pub(crate) spare: Vec<usize>,
     /// `loop 7 depends on loops 1, 2 and 3`, one behind the other.
     pub(crate) dependences: String,
-    /// How the mechanism moves all the same.
+    /// The motion of the mechanism all the same.
     pub(crate) motion: Option<String>,
 }
 
 /// The last loops that others make superfluous; nothing if there are none.
-pub(crate) fn surplus(position: &Position<'_, '_>) -> Option<Surplus> {
+pub(crate) fn surplus(position: &Position<'_, '_>) -> Option<Overconstraint> {
     let graph = Graph::new();
-    let rows = position.rows(&Loops::new(position.mechanism, &graph))?;
+    let rows = rows::rows(position, &Loops::new(position.mechanism, &graph))?;
     let mut held: Vec<usize> = Vec::new();
     let mut dependences: Vec<(usize, Vec<usize>)> = Vec::new();
     for row in 0..rows.loops.len() {
@@ -51,33 +52,40 @@ pub(crate) fn surplus(position: &Position<'_, '_>) -> Option<Surplus> {
         0 => String::new(),
         more => format!("; and {more} more"),
     };
-    (!dependences.is_empty()).then(|| Surplus {
+    (!dependences.is_empty()).then(|| Overconstraint {
         spare,
         dependences: format!("{}{more}", told.join("; ")),
         motion: motion::motion(position, &rows, ZERO),
     })
 }
 
-fn dependence_of(position: &Position<'_, '_>, rows: &Rows, row: usize, set: &[usize]) -> String {
+fn dependence_of(
+    position: &Position<'_, '_>,
+    rows: &LoopRows,
+    row: usize,
+    set: &[usize],
+) -> String {
     let others = set.iter().filter(|&&other| other != row);
     let others: Vec<usize> = others.map(|&other| rows.loops[other]).collect();
-    let own = loop_list([&rows.loops[row]]);
+    let named = loop_list([&rows.loops[row]]);
     let shape = line::shape_of_links(position, rows, set);
     let because = shape.map_or_else(String::new, |shape| format!(", since their links {shape}"));
-    match others.is_empty() {
-        true => format!("{own} holds nothing"),
-        false => format!(
-            "{own} holds nothing that {} do not hold{because}",
+    if others.is_empty() {
+        format!("{named} holds nothing")
+    } else {
+        format!(
+            "{named} holds nothing that {} do not hold{because}",
             loop_list(&others)
-        ),
+        )
     }
 }
 
-impl Rows {
-    /// Those of some rows on which the last one depends, with itself; nothing if it does not. The rows before it are independent.
+impl LoopRows {
+    /// Those of some rows on which the last one depends, with itself; nothing if it does not. The
+    /// rows before it are independent.
     fn dependent_set(&self, rows: &[usize]) -> Option<Vec<usize>> {
         let matrix: Vec<Vec<f64>> = rows.iter().map(|&row| self.matrix[row].clone()).collect();
-        let weights = vectors(&transposed(&matrix), rows.len(), ZERO)
+        let weights = null_vectors(&transposed(&matrix), rows.len(), ZERO)
             .into_iter()
             .next()?;
         Some(used(&weights).into_iter().map(|k| rows[k]).collect())

@@ -20,6 +20,7 @@ mod symbols;
 mod tests;
 mod types;
 mod units;
+pub(crate) mod unknown_frames;
 
 pub(crate) use dump::model::dump;
 pub(crate) use generated::{

@@ -1,7 +1,7 @@
 //! The way to the results, and the direction of sensitivities: every function takes what costs it least.
 
-use crate::algebra::links;
-use crate::algebra::preaccumulation;
+use crate::algebra::derivatives::links;
+use crate::algebra::derivatives::preaccumulation;
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::{Ex, NodeId};
 
@@ -66,7 +66,7 @@ impl<'m> Choice<'m> {
     ) {
         // One after the other: each choice is made with those before.
         if !self.sensed.is_empty() {
-            preaccumulation::find_narrow_places(state.algebra, &self.sensed);
+            preaccumulation::find_intermediates(state.algebra, &self.sensed);
             for &direction in directions {
                 let strategy = Strategy {
                     direction,
@@ -75,7 +75,7 @@ impl<'m> Choice<'m> {
                 self.try_strategy(state, inliner, definition, strategy, 0.0);
             }
         }
-        if !state.algebra.solutions.other_sides.is_empty() {
+        if !state.algebra.solutions.via_sliders.is_empty() {
             let strategy = Strategy {
                 other_sides: true,
                 ..self.strategy

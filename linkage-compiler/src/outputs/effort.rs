@@ -4,7 +4,8 @@
 //! number that is differentiated. In long chains one of the two grows with the square of the number of groups while the results
 //! grow with the number. Such a direction cannot cost least, and is not built.
 
-use crate::algebra::acting;
+use crate::algebra::derivatives::acting;
+use crate::algebra::derivatives::mentioned;
 use std::collections::{BTreeMap, BTreeSet};
 
 use linkage_symbolic::lookup::{Map, Set};
@@ -231,7 +232,7 @@ impl<'a, 'm> Before<'a, 'm> {
         }
         let mut open: Vec<usize> = found.iter().copied().collect();
         while let Some(group) = open.pop() {
-            let earlier = acting::groups_before(self.algebra, group).into_iter();
+            let earlier = mentioned::groups_before(self.algebra, group).into_iter();
             open.extend(earlier.filter(|&earlier| found.insert(earlier)));
         }
         found
@@ -244,7 +245,7 @@ impl<'a, 'm> Before<'a, 'm> {
         }
         let own = acting::acting_on_group(self.algebra, group);
         let mut acting = Bits::new(own.iter().filter_map(|own| places.get(own).copied()));
-        for earlier in acting::groups_before(self.algebra, group) {
+        for earlier in mentioned::groups_before(self.algebra, group) {
             acting.add(self.acting.get(&earlier).unwrap_or(&Bits::default()));
         }
         self.acting.insert(group, acting.clone());

@@ -1,7 +1,7 @@
 //! Do the arguments of a function fit its quantities?
 
 use crate::algebra::Algebra;
-use crate::algebra::dependence;
+use crate::algebra::derivatives::dependence;
 use crate::diagnostic::Reporter;
 use crate::model::EvaluatorDef;
 

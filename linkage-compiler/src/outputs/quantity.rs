@@ -1,12 +1,15 @@
 //! Requested quantities as graph nodes: values, derivatives, sensitivities, margins.
 
-use crate::algebra::adjoint;
-use crate::algebra::dependence;
+use crate::algebra::derivatives::dependence;
+use crate::algebra::derivatives::direction;
+use crate::algebra::derivatives::links;
+use crate::algebra::derivatives::rotation_variation;
+
 use crate::algebra::frame;
-use crate::algebra::links;
+
 use crate::algebra::scalar;
 use crate::algebra::translate;
-use crate::algebra::turns;
+
 use crate::algebra::via_slider;
 use crate::forces::quantities;
 use linkage_symbolic::{Ex, SymbolId, Vector, Vn};
@@ -114,7 +117,7 @@ impl<'m> Request<'_, 'm> {
             value if !self.strategy.other_sides => value,
             Value::Vector(vector) if vector.len() == 2 => {
                 let plane = Vector([vector.at(0), vector.at(1)]);
-                Value::Vector(via_slider::by_other_sides(self.algebra, plane).into())
+                Value::Vector(via_slider::via_sliders(self.algebra, plane).into())
             }
             Value::Array(entries) => {
                 let entries = entries.into_iter();
@@ -206,11 +209,11 @@ impl<'m> Request<'_, 'm> {
         match value {
             Value::Scalar(scalar) => {
                 let x = scalar::value_of(algebra, scalar);
-                adjoint::derivative(algebra, x, variable, direction).into()
+                direction::derivative(algebra, x, variable, direction).into()
             }
-            Value::Vector(vector) => {
-                Value::Vector(vector.map(|x| adjoint::derivative(algebra, x, variable, direction)))
-            }
+            Value::Vector(vector) => Value::Vector(
+                vector.map(|x| direction::derivative(algebra, x, variable, direction)),
+            ),
             Value::Array(entries) => {
                 let entries = entries.iter();
                 let slopes = entries.map(|entry| self.slope(entry, variable, direction));
@@ -244,13 +247,14 @@ impl<'m> Request<'_, 'm> {
     fn turning(&mut self, frame: &Value<'m>, order: u8) -> Value<'m> {
         self.by_each_input(|request, input| {
             let variable = request.algebra.variable(Variable::Input(input));
-            let turning = match turns::turn_of_frame(request.algebra, frame, variable) {
-                Some(turn) => turn,
-                None => {
-                    let slope = request.derivative(frame, Variable::Input(input));
-                    frame::turning_of_frame(request.algebra, frame, &slope)
-                }
-            };
+            let turning =
+                match rotation_variation::rotation_of_frame(request.algebra, frame, variable) {
+                    Some(turn) => turn,
+                    None => {
+                        let slope = request.derivative(frame, Variable::Input(input));
+                        frame::turning_of_frame(request.algebra, frame, &slope)
+                    }
+                };
             request.by_inputs(&turning, order - 1)
         })
     }

@@ -6,7 +6,7 @@ mod forces;
 mod space;
 mod units;
 
-use crate::algebra::preaccumulation;
+use crate::algebra::derivatives::preaccumulation;
 use linkage_core::numeric::continuation::Terms;
 use linkage_random::Random;
 use linkage_symbolic::program::Source;
@@ -44,7 +44,7 @@ fn expect_agreement(items: &str, function: &str) {
 
     let graph = Graph::new();
     let mut algebra = Algebra::new(&mechanism, &graph);
-    let mut nominal = Nominal::of(&mut algebra);
+    let mut nominal = Nominal::from_mechanism(&mut algebra);
     let mut reporter = Reporter::new(&origins, &mut diagnostics);
     let structure = structure::decompose(
         &mut algebra,
@@ -76,7 +76,7 @@ fn expect_agreement(items: &str, function: &str) {
         let requested = request(&mut state, function, way);
         assert!(!requested.sensed.is_empty());
         // Forward is the first.
-        preaccumulation::find_narrow_places(&mut algebra, &requested.sensed);
+        preaccumulation::find_intermediates(&mut algebra, &requested.sensed);
         requested.scalars
     });
     let results: Vec<Vec<Ex>> = results.collect();

@@ -1,8 +1,9 @@
 //! The directions along which terms change their length.
 
+use crate::algebra::scalar;
 use linkage_symbolic::{Ex, NodeId, Vn};
 
-use crate::algebra::{Translate, calls, dependence, translate};
+use crate::algebra::{Translate, calls, derivatives::dependence};
 use crate::model::{BinaryOp, Expr, ExprKind, Function, Type};
 use crate::picture::marks::Slide;
 use crate::picture::sketch::Sketch;
@@ -21,7 +22,7 @@ pub(super) fn direction_of<'m>(sketch: &mut Sketch<'_, 'm>, term: &'m Expr) -> O
             let angle = sketch.algebra.translate(&arguments[1]);
             let unit = calls::call(sketch.algebra, Function::Dir, vec![angle]);
             // In a picture of space, the plane is that of x and y.
-            let along = translate::vector(sketch.algebra, &unit).resized(sketch.dimension);
+            let along = scalar::vector(sketch.algebra, &unit).resized(sketch.dimension);
             Some(straight(along))
         }
         ExprKind::Binary(BinaryOp::Mul, a, b) => {
@@ -63,7 +64,7 @@ pub(super) fn varying<'m>(
     let numbers: Vec<Ex> = numbers
         .map(|component| {
             let value = sketch.algebra.translate(component);
-            translate::number(sketch.algebra, &value)
+            scalar::number(sketch.algebra, &value)
         })
         .collect();
     let changes = 0..numbers.len();

@@ -1,11 +1,12 @@
 //! Vectors written by their components, `(d + c * cos(psi), c * sin(psi))`: the sum of a fixed
 //! vector, of a point, and of steps, each with a length of its own.
 
+use crate::algebra::scalar;
 use std::collections::BTreeSet;
 
 use linkage_symbolic::{Ex, NodeId, Vn};
 
-use crate::algebra::{Translate, translate};
+use crate::algebra::Translate;
 use crate::model::{BinaryOp, Expr, ExprKind, Name, Type};
 use crate::picture::marks::{Slide, StepPart, Title, Turn};
 use crate::picture::point_or_vector::Moves;
@@ -227,7 +228,7 @@ fn assembled<'m>(
     for (component, summand) in &group.summands {
         let mut number = |expr: &Expr| {
             let value = sketch.algebra.translate(expr);
-            translate::number(sketch.algebra, &value)
+            scalar::number(sketch.algebra, &value)
         };
         let factors = summand.factors.iter();
         let factors = factors.filter(|factor| without.is_none_or(|other| ***factor != *other));

@@ -1,10 +1,11 @@
 //! The motion of points if nothing closes the loops: each unknown changes alone. So a link that is
 //! written as one is distinguished from points that only other links hold together.
 
+use crate::algebra::scalar;
 use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, SymbolId, Vn};
 
-use crate::algebra::{Algebra, Bound, Nominal, Translate, translate};
+use crate::algebra::{Algebra, Bound, Nominal, Translate};
 use crate::machine::{Machine, Reference, other_inputs, scattered};
 use crate::model::{Dimension, Expr, ExprKind, Loop};
 use crate::picture::track::{self, Track};
@@ -58,7 +59,7 @@ impl<'a> OpenLoop<'a> {
             .map(|equation| {
                 let [left, right] = [&equation.left, &equation.right].map(|side| {
                     let value = algebra.translate(side);
-                    translate::number(algebra, &value)
+                    scalar::number(algebra, &value)
                 });
                 left - right
             })

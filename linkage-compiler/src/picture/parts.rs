@@ -1,8 +1,9 @@
 //! Vectors, turns and motions of one term.
 
+use crate::algebra::scalar;
 use linkage_symbolic::Vn;
 
-use crate::algebra::{Translate, Value, calls, translate};
+use crate::algebra::{Translate, Value, calls};
 use crate::model::{Expr, ExprKind, Function};
 use crate::picture::marks::{Term, Turn};
 use crate::picture::point_or_vector::Moves;
@@ -20,7 +21,7 @@ pub(super) fn turned_vector<'m>(
         values.push(sketch.algebra.translate(argument));
     }
     let value = calls::call(sketch.algebra, function, values);
-    translate::vector(sketch.algebra, &value)
+    scalar::vector(sketch.algebra, &value)
 }
 
 /// The rotations of a term in space, from outside to inside.

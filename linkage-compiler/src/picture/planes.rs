@@ -1,8 +1,9 @@
 //! Lines and planes that are written as scalar products.
 
+use crate::algebra::scalar;
 use linkage_symbolic::{Ex, Vector, Vn};
 
-use crate::algebra::{Translate, translate};
+use crate::algebra::Translate;
 use crate::model::{Expr, ExprKind, Function};
 use crate::picture::marks::{Line, Plane};
 use crate::picture::point_or_vector::Moves;
@@ -31,7 +32,7 @@ pub(super) fn look_for_line<'m>(sketch: &mut Sketch<'_, 'm>, side: &'m Expr, oth
         if sketch.dimension == 3 {
             if is_dot && sketch.moves(other) == Moves::Not {
                 let offset = sketch.algebra.translate(other);
-                let offset = translate::number(sketch.algebra, &offset);
+                let offset = scalar::number(sketch.algebra, &offset);
                 let plane = Plane {
                     difference: sketch.vector(&arguments[vector]),
                     frames: sketch.frames.clone(),
@@ -44,7 +45,7 @@ pub(super) fn look_for_line<'m>(sketch: &mut Sketch<'_, 'm>, side: &'m Expr, oth
             }
         } else if through {
             let value = sketch.algebra.translate(&arguments[direction]);
-            let unit = translate::vector(sketch.algebra, &value).unit();
+            let unit = scalar::vector(sketch.algebra, &value).unit();
             let unit = Vector([unit.at(0), unit.at(1)]);
             // Across what the product is taken with, or along it.
             let along = if is_dot { unit.perp() } else { unit }.into();

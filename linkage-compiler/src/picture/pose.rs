@@ -1,8 +1,9 @@
 //! Positions of the parts of a machine that are placed elsewhere.
 
+use crate::algebra::scalar;
 use linkage_symbolic::{Ex, NodeId, Vector, Vn};
 
-use crate::algebra::{Algebra, Translate, Value, calls, translate};
+use crate::algebra::{Algebra, Translate, Value, calls};
 use crate::model::{Function, Placed};
 use crate::picture::point_or_vector::{Moves, Roles};
 
@@ -31,10 +32,10 @@ impl<'m> Pose<'m> {
         let moves = both.map(|expr| roles.moves(expr)).max();
         let placement = placed.at.as_ref().map(|at| match algebra.translate(at) {
             Value::Array(parts) => {
-                let axes = [1, 2, 3].map(|axis| translate::vector(algebra, &parts[axis]));
+                let axes = [1, 2, 3].map(|axis| scalar::vector(algebra, &parts[axis]));
                 Placement::Frame(Value::Array(parts), axes)
             }
-            value => Placement::Point(translate::vector(algebra, &value)),
+            value => Placement::Point(scalar::vector(algebra, &value)),
         });
         Self {
             placement,
@@ -53,7 +54,7 @@ impl<'m> Pose<'m> {
                     Function::PointIn,
                     vec![frame.clone(), point.into()],
                 );
-                translate::vector(algebra, &seen)
+                scalar::vector(algebra, &seen)
             }
         }
     }
@@ -64,7 +65,7 @@ impl<'m> Pose<'m> {
             (Some(angle), _) => {
                 let turned =
                     calls::call(algebra, Function::Rotate, vec![step.into(), angle.clone()]);
-                let turned = translate::vector(algebra, &turned);
+                let turned = scalar::vector(algebra, &turned);
                 // In a picture of space it turns about z.
                 let third = step.iter().skip(2);
                 let components: Vec<NodeId> = turned.iter().chain(third).map(Ex::id).collect();

@@ -1,9 +1,10 @@
 //! The sketch: points and the segments between them, as they are found.
 
+use crate::algebra::scalar;
 use linkage_symbolic::Vn;
 use linkage_symbolic::lookup::Set;
 
-use crate::algebra::{Algebra, Translate, translate};
+use crate::algebra::{Algebra, Translate};
 use crate::model::{Expr, JointKind};
 use crate::picture::marks::{Asked, Line, Mean, Plane, Segment, Shape, Spot, Title, Turn};
 use crate::picture::point_or_vector::{Moves, Roles};
@@ -82,7 +83,7 @@ impl<'a, 'm> Sketch<'a, 'm> {
 
     pub(super) fn vector(&mut self, expr: &Expr) -> Vn<'m> {
         let value = self.algebra.translate(expr);
-        translate::vector(self.algebra, &value).resized(self.dimension)
+        scalar::vector(self.algebra, &value).resized(self.dimension)
     }
 
     pub(super) fn point(&mut self, written: Vn<'m>) -> usize {

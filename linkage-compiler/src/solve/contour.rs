@@ -3,7 +3,7 @@
 use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, Polynomial, SymbolId, V2, Vector, collect, substitute};
 
-use crate::algebra::{Algebra, dependence};
+use crate::algebra::{Algebra, derivatives::dependence};
 use crate::solve::unknowns;
 use crate::structure::{Form, Rotor};
 

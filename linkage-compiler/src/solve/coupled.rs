@@ -18,7 +18,7 @@ mod system;
 use linkage_core::numeric::continuation::Terms;
 use linkage_symbolic::Ex;
 
-use crate::algebra::{Algebra, bodies, dependence, elimination};
+use crate::algebra::{Algebra, bodies, cofactors, derivatives::dependence};
 use crate::solve::closed::{ClosedForm, GapIn};
 use crate::solve::definitions;
 use crate::solve::group_context::GroupContext;
@@ -71,10 +71,10 @@ pub(super) fn coupled<'m>(
         Some(large) => {
             let nothing = vec![algebra.zero(); equations.matrix.len()];
             let solved =
-                bodies::solve_by_scheme(algebra, &large.scheme, &equations.matrix, &nothing);
+                bodies::solve_by_scheme(algebra.graph, &large.scheme, &equations.matrix, &nothing);
             solved.determinant
         }
-        None => elimination::determinant(algebra, &equations.matrix),
+        None => cofactors::determinant(algebra.graph, &equations.matrix),
     };
     let determinant = definitions::alias(algebra, group, "det", determinant, determinant);
     differentiate::push_coupled(algebra, group, &equations, determinant);

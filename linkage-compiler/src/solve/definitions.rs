@@ -4,7 +4,8 @@ use linkage_symbolic::program::{Source, Ternary};
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
 use crate::algebra::{
-    Algebra, AngleReference, AngleRule, Carrier, Rule, Turning, dependence, implicit,
+    Algebra, AngleReference, AngleRule, DerivativeRule, RotatingFrame, TurnedVector,
+    derivatives::by_rule, derivatives::dependence,
 };
 use crate::solve::group_context::GroupContext;
 use crate::solve::unknowns;
@@ -15,7 +16,12 @@ pub(super) fn mode_sign<'m>(algebra: &Algebra<'m>, group: &GroupContext<'_, 'm>)
 }
 
 /// Sets the expression of an unknown symbol, and the rule of its derivatives.
-fn define<'m>(algebra: &mut Algebra<'m>, symbol: SymbolId, value: Ex<'m>, rule: Rule<'m>) {
+fn define<'m>(
+    algebra: &mut Algebra<'m>,
+    symbol: SymbolId,
+    value: Ex<'m>,
+    rule: DerivativeRule<'m>,
+) {
     algebra.graph.define(symbol, value.id());
     algebra.solutions.set_rule(symbol, rule);
 }
@@ -28,7 +34,7 @@ pub(super) fn define_length<'m>(
     value: Ex<'m>,
     position: usize,
 ) {
-    let rule = Rule::Unknown {
+    let rule = DerivativeRule::Unknown {
         group: group.index,
         position,
     };
@@ -40,7 +46,7 @@ pub(super) fn define_length<'m>(
 pub(super) fn define_relation<'m>(algebra: &mut Algebra<'m>, angle: usize, values: [Ex<'m>; 3]) {
     let symbols = algebra.names.angles[angle].symbols();
     for (symbol, value) in symbols.into_iter().zip(values) {
-        define(algebra, symbol, value, Rule::Follow(value));
+        define(algebra, symbol, value, DerivativeRule::Follow(value));
     }
 }
 
@@ -56,17 +62,17 @@ pub(super) fn define_angle<'m>(
     define_angle_from(algebra, group, None, angle, sense, unit, position);
 }
 
-/// The same of an angle whose unknown is measured from a carrier.
+/// The same of an angle whose unknown is measured from a link_frame.
 pub(super) fn define_angle_from<'m>(
     algebra: &mut Algebra<'m>,
     group: &GroupContext<'_, 'm>,
-    carrier: Option<Carrier<'m>>,
+    link_frame: Option<RotatingFrame<'m>>,
     angle: usize,
     sense: f64,
     unit: V2<'m>,
     position: usize,
 ) {
-    declare_angle_from(algebra, group, carrier, angle, sense, position);
+    declare_angle_from(algebra, group, link_frame, angle, sense, position);
     let unit = if sense < 0.0 { unit.conjugate() } else { unit };
     let graph = algebra.graph;
     let symbols = algebra.names.angles[angle].clone();
@@ -84,7 +90,7 @@ pub(super) fn define_angle_from<'m>(
 
 /// Sets the direction within a quarter turn of which an angle stays.
 pub(super) fn bear<'m>(algebra: &mut Algebra<'m>, angle: usize, bearing: AngleReference<'m>) {
-    algebra.names.angles[angle].bearing = Some(bearing);
+    algebra.names.angles[angle].reference = Some(bearing);
 }
 
 /// Says how an unknown angle is differentiated.
@@ -101,7 +107,7 @@ pub(super) fn declare_angle<'m>(
 fn declare_angle_from<'m>(
     algebra: &mut Algebra<'m>,
     group: &GroupContext<'_, 'm>,
-    carrier: Option<Carrier<'m>>,
+    link_frame: Option<RotatingFrame<'m>>,
     angle: usize,
     sense: f64,
     position: usize,
@@ -112,15 +118,15 @@ fn declare_angle_from<'m>(
         position,
         sense,
         unit: symbols.unit,
-        carrier,
+        link_frame,
     };
     let solutions = &mut algebra.solutions;
-    solutions.set_rule(symbols.cos, Rule::Cosine(rule));
-    solutions.set_rule(symbols.sin, Rule::Sine(rule));
-    solutions.set_rule(symbols.value, Rule::Value(rule));
+    solutions.set_rule(symbols.cos, DerivativeRule::Cosine(rule));
+    solutions.set_rule(symbols.sin, DerivativeRule::Sine(rule));
+    solutions.set_rule(symbols.value, DerivativeRule::Value(rule));
 }
 
-/// The direction of unknown `position` from a carrier.
+/// The direction of unknown `position` from a link_frame.
 pub(super) fn direction_from_carrier<'m>(
     algebra: &mut Algebra<'m>,
     group: &GroupContext<'_, 'm>,
@@ -129,7 +135,7 @@ pub(super) fn direction_from_carrier<'m>(
 ) -> V2<'m> {
     let (graph, group) = (algebra.graph, group.index);
     let made = unit.0.map(|value| {
-        let (symbol, node) = graph.unknown(format!("from carrier {group}.{position}"));
+        let (symbol, node) = graph.unknown(format!("from link_frame {group}.{position}"));
         graph.define(symbol, value.id());
         (symbol, graph.ex(node))
     });
@@ -140,10 +146,12 @@ pub(super) fn direction_from_carrier<'m>(
         position,
         sense: 1.0,
         unit: Vector([x, y]),
-        carrier: None,
+        link_frame: None,
     };
-    algebra.solutions.set_rule(cos, Rule::Cosine(rule));
-    algebra.solutions.set_rule(sin, Rule::Sine(rule));
+    algebra
+        .solutions
+        .set_rule(cos, DerivativeRule::Cosine(rule));
+    algebra.solutions.set_rule(sin, DerivativeRule::Sine(rule));
     rule.unit
 }
 
@@ -167,8 +175,8 @@ pub(super) fn alias<'m>(
     equal: Ex<'m>,
 ) -> Ex<'m> {
     let name = format!("{name} {}", group.index);
-    let rule = Rule::Follow(equal);
-    implicit::symbol_for_value(algebra, name, definition, rule)
+    let rule = DerivativeRule::Follow(equal);
+    by_rule::symbol_for_value(algebra, name, definition, rule)
 }
 
 /// The vector `z u` that turns with unknown `position`, computed as `value`.
@@ -188,7 +196,7 @@ pub(super) fn turning<'m>(
     });
     let vector = Vector(symbols.map(|symbol| unknowns::unknown(algebra, symbol)));
     for (component, symbol) in symbols.into_iter().enumerate() {
-        let turning = Turning {
+        let turning = TurnedVector {
             group,
             position,
             component,
@@ -196,7 +204,7 @@ pub(super) fn turning<'m>(
             z,
             unit,
         };
-        let rule = Rule::Turning(Box::new(turning));
+        let rule = DerivativeRule::TurnedVector(Box::new(turning));
         algebra.solutions.set_rule(symbol, rule);
     }
     vector

@@ -4,7 +4,7 @@ use linkage_core::numeric::continuation::Terms;
 use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, SymbolId};
 
-use crate::algebra::{Algebra, dependence};
+use crate::algebra::{Algebra, derivatives::dependence};
 use crate::model::{Dimension, Mechanism};
 use crate::solve::closed::{ClosedForm, GapIn};
 use crate::solve::coupled::prepared::Prepared;

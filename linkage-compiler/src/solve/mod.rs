@@ -31,7 +31,7 @@ mod trigonometric;
 mod unknowns;
 use linkage_core::numeric::continuation::Terms;
 
-use crate::algebra::{Algebra, Nominal, Rule};
+use crate::algebra::{Algebra, DerivativeRule, Nominal};
 use crate::structure::{Form, Structure};
 
 use closed::ClosedForm;
@@ -56,7 +56,7 @@ pub(crate) fn formulate<'m>(
         let value = explicit.value;
         earlier.explicit.insert(explicit.symbol, value);
         algebra.graph.define(explicit.symbol, value.id());
-        let rule = Rule::Follow(value);
+        let rule = DerivativeRule::Follow(value);
         algebra.solutions.set_rule(explicit.symbol, rule);
     }
     let (mut modes, mut coupled) = (0, 0);

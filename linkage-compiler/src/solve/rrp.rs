@@ -26,11 +26,11 @@ pub(super) fn rrp<'m>(
     let (stretch, g) = guide.length_and_unit();
     let w = definitions::mode_sign(algebra, group);
 
-    let carried = rotating_frame::carried(algebra, guide, g, c);
+    let carried = rotating_frame::in_rotating_frame(algebra, guide, g, c);
     // What the guide carries has a size of its own.
     let (from_guide, size) = match &carried {
         Some(carried) => (
-            carried.arm + rotating_frame::seen(algebra, carried.carrier, carried.rest),
+            carried.arm + rotating_frame::to_frame(algebra, carried.link_frame, carried.rest),
             r + carried.arm.length(),
         ),
         None => (Vector([g.dot(c), g.cross(c)]), r),
@@ -46,8 +46,8 @@ pub(super) fn rrp<'m>(
     let determinant = -(stretch * hw);
 
     let unit = unknowns::unit_of(algebra, rotor);
-    let carrier = carried.as_ref().map(|carried| carried.carrier);
-    let equation = match carrier {
+    let link_frame = carried.as_ref().map(|carried| carried.link_frame);
+    let equation = match link_frame {
         None => {
             let value = (hw * g + x * g.perp()).map(|x| guarded(x, h));
             let vector = definitions::turning(algebra, group, value, rotor.z, unit, 0);
@@ -69,7 +69,7 @@ pub(super) fn rrp<'m>(
             definitions::define_angle_from(
                 algebra,
                 group,
-                carrier,
+                link_frame,
                 rotor.angle,
                 rotor.sense,
                 turned,
@@ -103,10 +103,10 @@ pub(super) fn rrp<'m>(
             z: rotor.z,
             slide: stretch * unknowns::unknown(algebra, slide),
             known,
-            carrier: carried.carrier,
+            link_frame: carried.link_frame,
             carried: carried.turns,
         };
-        algebra.solutions.other_sides.push(other_side);
+        algebra.solutions.via_sliders.push(other_side);
     }
 
     let mut terms = rotor_terms(rotor.z, equation.unit);

@@ -1,44 +1,43 @@
 //! Unknown frames whose place is open, and the rods that hold them.
 
-use crate::structure::equations;
-use crate::structure::point;
-use crate::structure::space;
 use linkage_symbolic::{Ex, SymbolId, V3, Vector, collect, numerically_equal};
 
 use crate::algebra::Bound;
-
-use super::Analysis;
-use super::circle::Held;
-use super::equations::{Coordinate, CoordinateKind, Equation};
+use crate::algebra::context::Algebra;
+use crate::model::unknown_frames;
+use crate::structure::analysis::Analysis;
+use crate::structure::circle::Held;
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
+use crate::structure::{distance, equations, point};
 
 /// An unknown frame: its origin and two axes `p` and `q`; the third one is `p x q`.
-pub(super) struct Body<'m> {
+pub(crate) struct Body<'m> {
     /// The coordinates of its origin, those that are not known, and of its axes.
-    pub(super) open: Vec<Option<Coordinate>>,
-    pub(super) of_axes: Vec<Coordinate>,
+    pub(crate) open: Vec<Option<Coordinate>>,
+    pub(crate) of_axes: Vec<Coordinate>,
     /// Those of the origin, of `p` and of `q`.
-    pub(super) symbols: Vec<SymbolId>,
+    pub(crate) symbols: Vec<SymbolId>,
     /// Origin, `p`, `q` and `p x q`.
-    pub(super) origin: V3<'m>,
-    pub(super) axes: [V3<'m>; 3],
+    pub(crate) origin: V3<'m>,
+    pub(crate) axes: [V3<'m>; 3],
     /// The equations of its axes.
-    pub(super) own: Vec<usize>,
+    pub(crate) rows_of_body: Vec<usize>,
 }
 
 /// A point of the body, by its coordinates along `p`, `q` and `p x q`, and the rods to it.
-pub(super) struct Joint<'m> {
-    pub(super) local: V3<'m>,
-    pub(super) rods: Vec<Held<'m>>,
+pub(crate) struct Joint<'m> {
+    pub(crate) local: V3<'m>,
+    pub(crate) rods: Vec<Held<'m>>,
 }
 
 impl<'m> Body<'m> {
     /// The coordinates of its origin that are open.
-    pub(super) fn of_origin(&self) -> Vec<Coordinate> {
+    pub(crate) fn of_origin(&self) -> Vec<Coordinate> {
         self.open.iter().flatten().cloned().collect()
     }
 
     /// A joint as seen from the origin.
-    pub(super) fn arm(&self, joint: &Joint<'m>) -> V3<'m> {
+    pub(crate) fn arm(&self, joint: &Joint<'m>) -> V3<'m> {
         let [p, q, r] = self.axes;
         let Vector([x, y, z]) = joint.local;
         x * p + y * q + z * r
@@ -46,7 +45,7 @@ impl<'m> Body<'m> {
 }
 
 /// A frame of which both axes are open, and two coordinates of the origin at least.
-pub(super) fn body<'m>(
+pub(crate) fn body<'m>(
     analysis: &Analysis<'_, 'm>,
     unknowns: &[usize],
     equations: &[Equation<'m>],
@@ -66,7 +65,7 @@ pub(super) fn body<'m>(
     let (of_origin, of_axes) = symbols.split_at_checked(3)?;
     let axes: Vec<Coordinate> = of_axes.iter().map(open).collect::<Option<_>>()?;
     let open_of_origin: Vec<Option<Coordinate>> = of_origin.iter().map(open).collect();
-    // What is no unknown any more is known, or something else by now.
+    // A coordinate that is no unknown any more is known, or another expression by now.
     let mut others = of_origin.iter().zip(&open_of_origin);
     let replaced =
         others.any(|(symbol, open)| open.is_none() && analysis.substitutions.contains_key(symbol));
@@ -79,10 +78,10 @@ pub(super) fn body<'m>(
         let written = equation
             .loops
             .iter()
-            .all(|&k| mechanism.is_loop_of_frame(k));
+            .all(|&k| unknown_frames::is_loop_of_frame(mechanism, k));
         let about = coordinates
             .iter()
-            .filter(|c| equations::contains(analysis, equation.rows[0], c));
+            .filter(|c| equations::contains(analysis.algebra, equation.rows[0], c));
         let mut about = about;
         written && equation.rows.len() == 1 && about.all(|c| axes.contains(c))
     };
@@ -100,21 +99,21 @@ pub(super) fn body<'m>(
         of_axes: axes,
         axes: [p, q, p.cross(q)],
         origin,
-        own: places,
+        rows_of_body: places,
         symbols,
     })
 }
 
 /// Its points at which two rods from fixed points end.
-pub(super) fn joints<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+pub(crate) fn joints<'m>(
+    algebra: &Algebra<'m>,
     body: &Body<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Vec<Joint<'m>> {
     let mut joints: Vec<Joint<'m>> = Vec::new();
     for (place, equation) in equations.iter().enumerate() {
-        let Some((local, held)) = rod(analysis, body, place, equation, coordinates) else {
+        let Some((local, held)) = rod(algebra, body, place, equation, coordinates) else {
             continue;
         };
         let same = |joint: &&mut Joint<'m>| {
@@ -129,14 +128,14 @@ pub(super) fn joints<'m>(
             }),
         }
     }
-    // What a third rod holds runs nowhere.
+    // A point that a third rod holds runs nowhere.
     joints.retain(|joint| joint.rods.len() == 2);
     joints
 }
 
 /// The point of the body at which a rod from a fixed point ends, and the rod.
 fn rod<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &Algebra<'m>,
     body: &Body<'m>,
     place: usize,
     equation: &Equation<'m>,
@@ -145,25 +144,21 @@ fn rod<'m>(
     let [row] = equation.rows[..] else {
         return None;
     };
-    let (vector, length) = space::space_distance(analysis, row, coordinates)?;
-    let (places, factor, known) = point::moved_point(analysis, vector, &body.symbols[..3])?;
-    let is_whole = factor.constant_value().is_some_and(|own| own.abs() == 1.0);
+    let (vector, length) = distance::space_distance(algebra, row, coordinates)?;
+    let (places, factor, known) = point::moved_point(algebra, vector, &body.symbols[..3])?;
+    let is_whole = factor.constant_value().is_some_and(|x| x.abs() == 1.0);
     if !is_whole || places != [0, 1, 2] {
         return None;
     }
-    let (local, end) = local(analysis, body, known / factor)?;
+    let (local, end) = local(algebra, body, known / factor)?;
     let end = -end;
     let is_fixed = local.is_fixed() && end.is_fixed();
     is_fixed.then_some((local, Held { place, end, length }))
 }
 
 /// `a` and the rest of `a.x p + a.y q + a.z (p x q) + rest`.
-fn local<'m>(
-    analysis: &mut Analysis<'_, 'm>,
-    body: &Body<'m>,
-    vector: V3<'m>,
-) -> Option<(V3<'m>, V3<'m>)> {
-    let zero = analysis.algebra.zero();
+fn local<'m>(algebra: &Algebra<'m>, body: &Body<'m>, vector: V3<'m>) -> Option<(V3<'m>, V3<'m>)> {
+    let zero = algebra.zero();
     let mut found: [Option<Ex<'m>>; 3] = [None; 3];
     let mut rest = [zero; 3];
     for (k, row) in vector.components().enumerate() {
@@ -181,8 +176,8 @@ fn local<'m>(
         if !numerically_equal(product, -turned_back) || !terms.is_empty() {
             return None;
         }
-        for (found, own) in found.iter_mut().zip(along) {
-            if !numerically_equal(*found.get_or_insert(own), own) {
+        for (found, component) in found.iter_mut().zip(along) {
+            if !numerically_equal(*found.get_or_insert(component), component) {
                 return None;
             }
         }

@@ -1,33 +1,34 @@
-//! An unknown frame that rods hold, two and two in a point of it: each of these points runs on a circle.
+//! An unknown frame that rods hold, two and two in a point of it: each of these points runs on a
+//! circle.
 //!
-//! Three such points say where the frame is, so that three angles remain of nine unknowns, and of the loops the distances between the points.
-//! Of fewer, one says where the origin is: an angle instead of its coordinates, and two loops less.
+//! Three such points say where the frame is, so that three angles remain of nine unknowns, and of
+//! the loops the distances between the points. Of fewer, one says where the origin is: an angle
+//! instead of its coordinates, and two loops less.
 
-use crate::structure::body;
-use crate::structure::circle;
-use crate::structure::eliminate;
 use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, V3, Vector, substitute};
 
-use super::Analysis;
-use super::body::{Body, Joint};
-use super::eliminate::System;
-use super::equations::{Coordinate, Equation};
+use crate::model::unknown_frames;
+use crate::structure::analysis::Analysis;
+use crate::structure::body::{Body, Joint};
+use crate::structure::equations::{Coordinate, Equation, System};
+use crate::structure::{body, circle, explicit};
 
-/// Points of which one is nearer to the line through the others than this share of their distance determine no frame.
+/// Points of which one is nearer to the line through the others than this share of their distance
+/// determine no frame.
 const ON_A_LINE: f64 = 1e-3;
 
 /// One body of which points run on circles: three, or the first.
-pub(super) fn body_to_circles<'m>(
+pub(crate) fn body_to_circles<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
-    for (_, unknowns) in analysis.algebra.mechanism.bodies_of_space() {
+    for (_, unknowns) in unknown_frames::bodies_of_space(analysis.algebra.mechanism) {
         let Some(body) = body::body(analysis, &unknowns, equations, coordinates) else {
             continue;
         };
-        let joints = body::joints(analysis, &body, equations, coordinates);
+        let joints = body::joints(analysis.algebra, &body, equations, coordinates);
         if body.of_origin().len() == 3
             && let Some(three) = three_of(analysis, &joints)
         {
@@ -88,11 +89,11 @@ fn on_three_circles<'m>(
     let parts = frame_of(points, locals).into_iter();
     let values = parts.flat_map(|part| part.0);
     for (&symbol, value) in body.symbols.iter().zip(values) {
-        eliminate::make_explicit(analysis, symbol, value);
+        explicit::make_explicit(analysis, symbol, value);
     }
     let explained = [body.of_origin(), body.of_axes.clone()].concat();
     let rods = joints.iter().flat_map(|joint| &joint.rods);
-    let solved = rods.map(|rod| rod.place).chain(body.own.clone());
+    let solved = rods.map(|rod| rod.place).chain(body.rows_of_body.clone());
     let mut kept = kept(analysis, solved.collect(), &explained, equations);
     for [a, b] in [[0, 1], [1, 2], [2, 0]] {
         let apart = (points[b] - points[a]).length();
@@ -106,11 +107,11 @@ fn on_three_circles<'m>(
         kept.push(equation);
     }
     let mut left = without(coordinates, &explained);
-    left.extend(running.map(|own| own.angle));
+    left.extend(running.map(|circle| circle.angle));
     (kept, left)
 }
 
-/// The origin by one of its points, which runs on a circle; the axes stay what they are.
+/// Replaces the origin by one of its points, which runs on a circle; the axes stay unknowns.
 fn on_one_circle<'m>(
     analysis: &mut Analysis<'_, 'm>,
     body: &Body<'m>,
@@ -123,7 +124,8 @@ fn on_one_circle<'m>(
     let running = circle::running(analysis, body.origin + arm, [first, second]);
     let origin = running.point - arm;
     let of_origin = body.of_origin();
-    // What is left of the place is no unknown: where it is an expression by now, a row that remembers it would be about itself.
+    // The rest of the position is no unknown: where it is an expression by now, a row that
+    // remembers it would be about itself.
     let zero = analysis.algebra.zero();
     let given = Vector([0, 1, 2].map(|k| match body.open[k] {
         Some(_) => zero,
@@ -132,16 +134,16 @@ fn on_one_circle<'m>(
     let mut known = Map::new();
     let mut rows = Vec::new();
     for (place, open) in body.open.iter().enumerate() {
-        let (symbol, own) = (body.symbols[place], origin[place]);
+        let (symbol, component) = (body.symbols[place], origin[place]);
         match open {
-            Some(_) => eliminate::make_explicit(analysis, symbol, own),
+            Some(_) => explicit::make_explicit(analysis, symbol, component),
             None => {
-                known.insert(symbol, own);
-                rows.push(circle::along(analysis, place).product(origin - given));
+                known.insert(symbol, component);
+                rows.push(circle::along(analysis.algebra, place).product(origin - given));
             }
         }
     }
-    analysis.whole.extend(&body.symbols[3..]);
+    analysis.kept_axes.extend(&body.symbols[3..]);
     let mut rod = equations[first.place].clone();
     rod.absorb(&equations[second.place], &of_origin);
     let mut kept = kept(
@@ -151,7 +153,7 @@ fn on_one_circle<'m>(
         equations,
     );
     for equation in &mut kept {
-        // As if it were not known: the body carries all that the loops are about as one.
+        // The point counts as unknown: the body carries all points of the loops together.
         analysis
             .algebra
             .graph
@@ -170,7 +172,7 @@ fn on_one_circle<'m>(
 
 /// The equations without those that were solved, in which some unknowns are expressions now.
 fn kept<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    analysis: &Analysis<'_, 'm>,
     solved: Vec<usize>,
     explained: &[Coordinate],
     equations: &[Equation<'m>],
@@ -183,7 +185,7 @@ fn kept<'m>(
     for (place, equation) in equations.iter().enumerate() {
         if !solved.contains(&place) {
             let mut equation = equation.clone();
-            eliminate::substitute_in(analysis, &mut equation, &gone, explained);
+            explicit::substitute_in(analysis, &mut equation, &gone, explained);
             kept.push(equation);
         }
     }
@@ -191,12 +193,14 @@ fn kept<'m>(
 }
 
 fn without(coordinates: &[Coordinate], gone: &[Coordinate]) -> Vec<Coordinate> {
-    let left = coordinates.iter().filter(|own| !gone.contains(own));
+    let left = coordinates
+        .iter()
+        .filter(|coordinate| !gone.contains(coordinate));
     left.cloned().collect()
 }
 
-/// The origin and the axes `p` and `q` of a frame of which three points are known: the edges of their triangle and its normal are what they are
-/// in the frame, turned.
+/// Returns the origin and the axes `p` and `q` of a frame of which three points are known: the
+/// edges of their triangle and its normal are those in the frame, turned.
 fn frame_of<'m>(points: [V3<'m>; 3], locals: [V3<'m>; 3]) -> [V3<'m>; 3] {
     let edges = |[a, b, c]: [V3<'m>; 3]| {
         let [along, beside] = [b - a, c - a];
@@ -204,8 +208,9 @@ fn frame_of<'m>(points: [V3<'m>; 3], locals: [V3<'m>; 3]) -> [V3<'m>; 3] {
     };
     let [along, beside, normal] = edges(locals);
     let size = normal.square();
-    // The edges and the normal of what is known are 1 along one of these each, and 0 along the others.
-    let duals = [beside.cross(normal), normal.cross(along), normal].map(|own| own / size);
+    // The edges and the normal of the known points are 1 along one of these each, and 0 along the
+    // others.
+    let duals = [beside.cross(normal), normal.cross(along), normal].map(|v| v / size);
     let turned = edges(points);
     let image = |shares: [Ex<'m>; 3]| {
         let parts = [0, 1, 2].map(|k| shares[k] * turned[k]);

@@ -1,21 +1,20 @@
-//! A point at given distances from two fixed points runs on a circle: three unknowns and two loops become one angle.
+//! A point at given distances from two fixed points runs on a circle: three unknowns and two loops
+//! become one angle.
 
-use crate::algebra::nominal;
-use crate::structure::eliminate;
-use crate::structure::point;
-use crate::structure::space;
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
-use super::Analysis;
-use super::eliminate::{System, point_symbols};
-use super::equations::{Coordinate, CoordinateKind, Equation};
+use crate::algebra::context::Algebra;
+use crate::algebra::nominal;
+use crate::structure::analysis::Analysis;
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
+use crate::structure::{distance, equations, explicit, point};
 
 /// A distance of an unknown point from a fixed one.
-pub(super) struct Held<'m> {
+pub(crate) struct Held<'m> {
     /// The equation that says so.
-    pub(super) place: usize,
-    pub(super) end: V3<'m>,
-    pub(super) length: Ex<'m>,
+    pub(crate) place: usize,
+    pub(crate) end: V3<'m>,
+    pub(crate) length: Ex<'m>,
 }
 
 /// The points `middle + cos axes[0] + sin axes[1]`.
@@ -25,22 +24,22 @@ struct Circle<'m> {
 }
 
 /// A point that runs on a circle, by a new angle.
-pub(super) struct Running<'m> {
-    pub(super) point: V3<'m>,
-    pub(super) angle: Coordinate,
+pub(crate) struct Running<'m> {
+    pub(crate) point: V3<'m>,
+    pub(crate) angle: Coordinate,
 }
 
 /// An unknown point that two distances from fixed points hold, and other loops determine.
-pub(super) fn point_to_circle<'m>(
+pub(crate) fn point_to_circle<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
     for point in coordinates.windows(3) {
-        let Some(symbols) = point_symbols(point) else {
+        let Some(symbols) = equations::point_symbols(point) else {
             continue;
         };
-        let held = held_by(analysis, &symbols, equations, coordinates);
+        let held = held_by(analysis.algebra, &symbols, equations, coordinates);
         let [first, second] = &held[..] else { continue };
         if equations.len() > 2
             && let Some(system) =
@@ -54,7 +53,7 @@ pub(super) fn point_to_circle<'m>(
 
 /// The distances from fixed points that contain nothing but this point.
 fn held_by<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &Algebra<'m>,
     point: &[SymbolId],
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -62,13 +61,13 @@ fn held_by<'m>(
     let mut held = Vec::new();
     for (place, equation) in equations.iter().enumerate() {
         let [row] = equation.rows[..] else { continue };
-        let Some((vector, length)) = space::space_distance(analysis, row, coordinates) else {
+        let Some((vector, length)) = distance::space_distance(algebra, row, coordinates) else {
             continue;
         };
-        let Some((places, factor, known)) = point::moved_point(analysis, vector, point) else {
+        let Some((places, factor, known)) = point::moved_point(algebra, vector, point) else {
             continue;
         };
-        let is_whole = factor.constant_value().is_some_and(|own| own.abs() == 1.0);
+        let is_whole = factor.constant_value().is_some_and(|x| x.abs() == 1.0);
         let end = -(known / factor);
         // Seen from points that move, a direction across both may vanish on the way.
         if is_whole && places == [0, 1, 2] && end.is_fixed() {
@@ -85,12 +84,12 @@ fn on_circle<'m>(
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
-    let symbols = point_symbols(point)?;
+    let symbols = equations::point_symbols(point)?;
     let graph = analysis.algebra.graph;
-    let own = Vector([0, 1, 2].map(|k| graph.ex(graph.symbol_node(symbols[k]))));
-    let running = running(analysis, own, [first, second]);
+    let symbols_of_point = Vector([0, 1, 2].map(|k| graph.ex(graph.symbol_node(symbols[k]))));
+    let running = running(analysis, symbols_of_point, [first, second]);
     for (symbol, value) in symbols.into_iter().zip(running.point.0) {
-        eliminate::make_explicit(analysis, symbol, value);
+        explicit::make_explicit(analysis, symbol, value);
     }
     let mut gone = equations[first.place].clone();
     gone.absorb(&equations[second.place], &[]);
@@ -98,16 +97,17 @@ fn on_circle<'m>(
     let kept = kept.filter(|(place, _)| ![first.place, second.place].contains(place));
     let mut kept: Vec<Equation> = kept.map(|(_, equation)| equation.clone()).collect();
     for equation in &mut kept {
-        eliminate::substitute_in(analysis, equation, &gone, point);
+        explicit::substitute_in(analysis, equation, &gone, point);
     }
     let mut left: Vec<Coordinate> = coordinates.to_vec();
-    left.retain(|own| !point.contains(own));
+    left.retain(|coordinate| !point.contains(coordinate));
     left.push(running.angle);
     Some((kept, left))
 }
 
-/// A point that two distances hold, by the angle on its circle; `point` is what it is by the unknowns so far.
-pub(super) fn running<'m>(
+/// A point that two distances hold, by the angle on its circle; `point` is its expression in the
+/// unknowns so far.
+pub(crate) fn running<'m>(
     analysis: &mut Analysis<'_, 'm>,
     point: V3<'m>,
     held: [&Held<'m>; 2],
@@ -126,7 +126,7 @@ pub(super) fn running<'m>(
     }
 }
 
-/// Where two spheres meet.
+/// The circle in which two spheres meet.
 fn circle<'m>(analysis: &Analysis<'_, 'm>, first: &Held<'m>, second: &Held<'m>) -> Circle<'m> {
     let (distance, along) = (second.end - first.end).length_and_unit();
     let shares = first.length.difference_of_squares(second.length) / distance;
@@ -145,12 +145,12 @@ fn least_along<'m>(analysis: &Analysis<'_, 'm>, direction: V3<'m>) -> V3<'m> {
     let values = analysis.nominal.evaluate(&direction.0);
     let sizes = values.iter().map(|x| x.abs()).enumerate();
     let least = sizes.min_by(|(_, a), (_, b)| a.total_cmp(b));
-    along(analysis, least.map_or(0, |(place, _)| place))
+    along(analysis.algebra, least.map_or(0, |(place, _)| place))
 }
 
 /// The direction of an axis of coordinates.
-pub(super) fn along<'m>(analysis: &Analysis<'_, 'm>, place: usize) -> V3<'m> {
-    let (zero, one) = (analysis.algebra.zero(), analysis.algebra.one());
+pub(crate) fn along<'m>(algebra: &Algebra<'m>, place: usize) -> V3<'m> {
+    let (zero, one) = (algebra.zero(), algebra.one());
     Vector([0, 1, 2].map(|k| if k == place { one } else { zero }))
 }
 

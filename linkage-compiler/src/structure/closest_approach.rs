@@ -1,35 +1,34 @@
 //! Directions in which a loop in space is moved by its unknowns, for messages.
 
 use linkage_symbolic::lookup::Map;
-
 use linkage_symbolic::{Ex, SymbolId, substitute};
 
 use crate::algebra::Bound;
+use crate::structure::analysis::Analysis;
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::vector::{Vector as Direction, cross, dot, norm};
 
-use super::Analysis;
-use super::equations::{Coordinate, CoordinateKind, Equation};
-
-/// Step of central differences, in radians or as a share of a length: near the cube root of a double's precision, where truncation and
-/// rounding are alike.
+/// Step of central differences, in radians or as a share of a length: near the cube root of a
+/// double's precision, where truncation and rounding are alike.
 const STEP: f64 = 1e-5;
 
-/// A column of which less than this share points across those before it adds no direction: far above the error of the differences.
+/// A column of which less than this share points across those before it adds no direction: far
+/// above the error of the differences.
 const ALONG: f64 = 1e-6;
 
 /// Three digits are enough to recognise a direction.
 const DIGITS: f64 = 1000.0;
 
-/// What the unknowns do to a loop of three rows at their estimates: `none of them moves it along (0, 0, 1)`. Nothing if they
-/// move it in all directions.
-pub(super) fn short_of<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+/// Returns the directions in which no unknown moves a loop of three rows at their estimates: `none
+/// of them moves it along (0, 0, 1)`. Nothing if they move it in all directions.
+pub(crate) fn short_of<'m>(
+    analysis: &Analysis<'_, 'm>,
     equation: &Equation<'m>,
-    own: &[Coordinate],
+    unknowns: &[Coordinate],
 ) -> Option<String> {
     let rows: [Ex<'m>; 3] = equation.rows.clone().try_into().ok()?;
     let mut reached: Vec<Direction> = Vec::new();
-    for coordinate in own {
+    for coordinate in unknowns {
         let column = column(analysis, rows, coordinate)?;
         let across = reached.iter().fold(column, |rest, unit| {
             let along = dot(rest, *unit);
@@ -40,7 +39,7 @@ pub(super) fn short_of<'m>(
         }
     }
     match reached[..] {
-        [only] if own.len() == 1 => Some(format!("it is moved along {} only", words(only))),
+        [only] if unknowns.len() == 1 => Some(format!("it is moved along {} only", words(only))),
         [only] => Some(format!("they move it along {} only", words(only))),
         [a, b] => Some(format!(
             "none of them moves it along {}",
@@ -50,9 +49,9 @@ pub(super) fn short_of<'m>(
     }
 }
 
-/// How the rows change with one coordinate, at the estimates.
+/// Returns the change of the rows with one coordinate, at the estimates.
 fn column<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    analysis: &Analysis<'_, 'm>,
     rows: [Ex<'m>; 3],
     coordinate: &Coordinate,
 ) -> Option<Direction> {
@@ -69,7 +68,7 @@ fn column<'m>(
 
 /// The rows at the estimates with one coordinate moved: by radians, or by a share of the estimate.
 fn rows_at<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    analysis: &Analysis<'_, 'm>,
     rows: [Ex<'m>; 3],
     moved: &Coordinate,
     step: f64,
@@ -80,9 +79,10 @@ fn rows_at<'m>(
         match bound {
             Bound::Angle(index) => {
                 let angle = &analysis.algebra.names.angles[*index];
-                let shift = match moved.kind == CoordinateKind::Angle(*index) {
-                    true => step,
-                    false => 0.0,
+                let shift = if moved.kind == CoordinateKind::Angle(*index) {
+                    step
+                } else {
+                    0.0
                 };
                 let value = estimate[0] + shift;
                 let numbers = [value.cos(), value.sin(), value];
@@ -91,9 +91,10 @@ fn rows_at<'m>(
             }
             Bound::Lengths(symbols) => {
                 for ((symbol, _), estimate) in symbols.iter().zip(estimate) {
-                    let shift = match moved.kind == CoordinateKind::Length(*symbol) {
-                        true => step * estimate.abs().max(1.0),
-                        false => 0.0,
+                    let shift = if moved.kind == CoordinateKind::Length(*symbol) {
+                        step * estimate.abs().max(1.0)
+                    } else {
+                        0.0
                     };
                     let value = analysis.algebra.graph.number(estimate + shift);
                     values.insert(*symbol, value);
@@ -105,7 +106,8 @@ fn rows_at<'m>(
     analysis.nominal.evaluate(&rows)
 }
 
-/// A unit vector to three digits; of the two signs, the one whose first component other than 0 is positive.
+/// A unit vector to three digits; of the two signs, the one whose first component other than 0 is
+/// positive.
 fn words(direction: Direction) -> String {
     let rounded = direction.map(|x| (DIGITS * x).round() / DIGITS);
     let first = rounded.into_iter().find(|x| *x != 0.0).unwrap_or(1.0);

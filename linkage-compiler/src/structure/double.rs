@@ -1,20 +1,17 @@
-//! An angle of which only products of two of cosine and sine occur: vectors turn with its double, which is solved for.
+//! An angle of which only products of two of cosine and sine occur: vectors turn with its double,
+//! which is solved for.
 
-use crate::algebra::scalar;
-use crate::structure::classify;
-use crate::structure::eliminate;
-use crate::structure::space;
 use linkage_symbolic::{Ex, V2, collect};
 
-use crate::algebra::{Atom, StandsFor};
-
-use super::Analysis;
-use super::eliminate::System;
-use super::equations::{Coordinate, CoordinateKind, Equation};
-use super::space::Distance;
+use crate::algebra::context::Algebra;
+use crate::algebra::{Atom, StandsFor, scalar};
+use crate::structure::analysis::Analysis;
+use crate::structure::distance::Distance;
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
+use crate::structure::{classify, distance, explicit, polynomials};
 
 /// An angle that turns vectors twice as fast only: they turn with its double, which is solved for.
-pub(super) fn double_angle<'m>(
+pub(crate) fn double_angle<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -23,9 +20,9 @@ pub(super) fn double_angle<'m>(
     by_double_angle(analysis, equation, coordinates)
 }
 
-/// A distance between points that go around one centre on ellipses, as the foot of scissors and a point of an arm: its square contains products
-/// of two of cosine and sine only.
-pub(super) fn distance_of_double_angle<'m>(
+/// A distance between points that go around one centre on ellipses, as the foot of scissors and a
+/// point of an arm: its square contains products of two of cosine and sine only.
+pub(crate) fn distance_of_double_angle<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -36,8 +33,8 @@ pub(super) fn distance_of_double_angle<'m>(
     let &[row] = &equation.rows[..] else {
         return None;
     };
-    let Distance { vector, length } = space::distance(analysis, row, coordinates)?;
-    let polynomials = classify::polynomials(analysis, &vector, coordinates)?;
+    let Distance { vector, length } = distance::distance(analysis.algebra, row, coordinates)?;
+    let polynomials = polynomials::polynomials(analysis.algebra, &vector, coordinates)?;
     let mut monomials = polynomials.rows.iter().flat_map(|row| row.keys());
     if !monomials.all(|powers| powers.iter().sum::<u8>() == 1) {
         return None;
@@ -61,16 +58,16 @@ fn by_double_angle<'m>(
         let CoordinateKind::Angle(half) = coordinate.kind else {
             continue;
         };
-        let Some(rows) = squares_of(analysis, half, equation) else {
+        let Some(rows) = squares_of(analysis.algebra, half, equation) else {
             continue;
         };
         let double = analysis.algebra.names.add_angle("double", None);
-        let own = &analysis.algebra.names.angles[half];
-        let summands = own.summands().into_iter();
+        let angle = &analysis.algebra.names.angles[half];
+        let summands = angle.summands().into_iter();
         let summands = summands
             .map(|(unknown, sign)| (unknown, 2.0 * sign))
             .collect();
-        let stands_for = own.meant().map(|unknown| StandsFor { unknown, summands });
+        let stands_for = angle.meant().map(|unknown| StandsFor { unknown, summands });
         analysis.algebra.names.angles[double].stands_for = stands_for;
         let unit = analysis.algebra.names.angles[double].unit;
         let rows = rows.into_iter().map(|row| row.turned_with(unit));
@@ -85,24 +82,25 @@ fn by_double_angle<'m>(
             kind: CoordinateKind::Angle(double),
             unknown: None,
         };
-        if classify::classify(analysis, &changed, &coordinates).is_some() {
+        if classify::classify(analysis.algebra, &changed, &coordinates).is_some() {
             let value = scalar::atom(analysis.algebra, Atom::Angle(double)).scaled(0.5);
-            eliminate::replace_angle(analysis, half, &value);
+            explicit::replace_angle(analysis, half, &value);
             return Some((vec![changed], coordinates));
         }
     }
     None
 }
 
-/// The rows of an equation, if they contain nothing of an angle but products of two of its cosine and sine.
+/// The rows of an equation, if they contain nothing of an angle but products of two of its cosine
+/// and sine.
 fn squares_of<'m>(
-    analysis: &Analysis<'_, 'm>,
+    algebra: &Algebra<'m>,
     angle: usize,
     equation: &Equation<'m>,
 ) -> Option<Vec<SquaresOf<'m>>> {
-    let own = &analysis.algebra.names.angles[angle];
-    let symbols = own.symbols();
-    let zero = analysis.algebra.zero();
+    let angle = &algebra.names.angles[angle];
+    let symbols = angle.symbols();
+    let zero = algebra.zero();
     let rows = equation.rows.iter().map(|&row| {
         let mut terms = collect(row, &symbols, &[])?;
         let mut take = |cos, sin| terms.remove(&vec![cos, sin, 0]).unwrap_or(zero);

@@ -1,24 +1,23 @@
 //! Equations and coordinates: the two sides of the bipartite graph.
 
-use crate::algebra::scalar;
-use crate::algebra::translate;
 use linkage_symbolic::{Ex, NodeId, SymbolId, substitute};
 
-use crate::algebra::{Bound, Scalar, Translate, Value};
+use crate::algebra::context::Algebra;
+use crate::algebra::translate::Translate;
+use crate::algebra::{Bound, Scalar, Value, scalar, translate};
 use crate::model::Loop;
+use crate::structure::analysis::Analysis;
+use crate::structure::elements::SpaceLink;
+use crate::structure::scope::Scope;
 
-use super::Analysis;
-use super::distance_polynomials::Link;
-use super::scope::Scope;
-
-/// A loop, or what became of one: one to three scalar equations `row = 0`.
+/// A loop, or an equation that was made of loops: one to three scalar equations `row = 0`.
 #[derive(Clone, Debug)]
 pub(crate) struct Equation<'m> {
     pub(crate) rows: Vec<Ex<'m>>,
     /// A scalar loop as a linear form in angles.
     pub(crate) relation: Option<Scalar<'m>>,
     /// A link in space, if the row is about the square of its vector.
-    pub(crate) distance: Option<Link<'m>>,
+    pub(crate) distance: Option<SpaceLink<'m>>,
     /// The loop that its rows were written as.
     pub(crate) written: usize,
     /// The loops it comes from.
@@ -29,7 +28,7 @@ pub(crate) struct Equation<'m> {
 
 impl Equation<'_> {
     /// Takes over the loops and unknowns of an equation that was eliminated into this one.
-    pub(super) fn absorb(&mut self, eliminated: &Equation, gone: &[Coordinate]) {
+    pub(crate) fn absorb(&mut self, eliminated: &Equation, gone: &[Coordinate]) {
         self.loops.extend(&eliminated.loops);
         self.loops.sort_unstable();
         self.loops.dedup();
@@ -54,19 +53,19 @@ pub(crate) enum CoordinateKind {
 }
 
 /// Loops as equations, unknowns as coordinates.
-pub(super) fn equations<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+pub(crate) fn equations<'m>(
+    algebra: &mut Algebra<'m>,
     scope: &Scope,
 ) -> (Vec<Equation<'m>>, Vec<Coordinate>) {
-    let mechanism = analysis.algebra.mechanism;
-    translate::translate_these_lets(analysis.algebra, |index| scope.lets[index]);
+    let mechanism = algebra.mechanism;
+    translate::translate_these_lets(algebra, |index| scope.lets[index]);
     let loops = mechanism.loops.iter().enumerate();
     let equations = loops
         .filter(|(index, _)| scope.loops[*index])
-        .map(|(index, item)| equation(analysis, index, item))
+        .map(|(index, item)| equation(algebra, index, item))
         .collect();
     let mut coordinates = Vec::new();
-    let bound = analysis.algebra.names.bound.iter().enumerate();
+    let bound = algebra.names.bound.iter().enumerate();
     for (unknown, bound) in bound.filter(|(unknown, _)| scope.unknowns[*unknown]) {
         let kinds: Vec<CoordinateKind> = match bound {
             Bound::Angle(angle) => vec![CoordinateKind::Angle(*angle)],
@@ -84,21 +83,18 @@ pub(super) fn equations<'m>(
     (equations, coordinates)
 }
 
-fn equation<'m>(analysis: &mut Analysis<'_, 'm>, index: usize, item: &Loop) -> Equation<'m> {
-    let left = analysis.algebra.translate(&item.left);
-    let right = analysis.algebra.translate(&item.right);
+fn equation<'m>(algebra: &mut Algebra<'m>, index: usize, item: &Loop) -> Equation<'m> {
+    let left = algebra.translate(&item.left);
+    let right = algebra.translate(&item.right);
     let (rows, relation) = match (&left, &right) {
         (Value::Scalar(a), Value::Scalar(b)) => {
             let relation = a.combined(b, -1.0);
-            (
-                vec![scalar::value_of(analysis.algebra, &relation)],
-                Some(relation),
-            )
+            (vec![scalar::value_of(algebra, &relation)], Some(relation))
         }
         _ => {
             let (a, b) = (
-                translate::vector(analysis.algebra, &left),
-                translate::vector(analysis.algebra, &right),
+                scalar::vector(algebra, &left),
+                scalar::vector(algebra, &right),
             );
             ((a - b).iter().collect(), None)
         }
@@ -114,43 +110,39 @@ fn equation<'m>(analysis: &mut Analysis<'_, 'm>, index: usize, item: &Loop) -> E
 }
 
 /// The symbols of a coordinate.
-pub(super) fn symbols(analysis: &Analysis<'_, '_>, coordinate: &Coordinate) -> Vec<SymbolId> {
+pub(crate) fn symbols(algebra: &Algebra<'_>, coordinate: &Coordinate) -> Vec<SymbolId> {
     match coordinate.kind {
         CoordinateKind::Length(symbol) => vec![symbol],
-        CoordinateKind::Angle(index) => analysis.algebra.names.angles[index].symbols().to_vec(),
+        CoordinateKind::Angle(index) => algebra.names.angles[index].symbols().to_vec(),
     }
 }
 
-/// Which coordinates an equation contains.
-pub(super) fn incidence<'m>(
-    analysis: &Analysis<'_, 'm>,
+/// Returns the coordinates that an equation contains.
+pub(crate) fn incidence<'m>(
+    algebra: &Algebra<'m>,
     equation: &Equation<'m>,
     coordinates: &[Coordinate],
 ) -> Vec<usize> {
-    let present = symbols_of(analysis, &equation.rows);
+    let present = symbols_of(algebra, &equation.rows);
     (0..coordinates.len())
         .filter(|&k| {
-            symbols(analysis, &coordinates[k])
+            symbols(algebra, &coordinates[k])
                 .iter()
                 .any(|s| present.contains(s))
         })
         .collect()
 }
 
-pub(super) fn contains<'m>(
-    analysis: &Analysis<'_, 'm>,
-    x: Ex<'m>,
-    coordinate: &Coordinate,
-) -> bool {
-    let present = symbols_of(analysis, &[x]);
-    symbols(analysis, coordinate)
+pub(crate) fn contains<'m>(algebra: &Algebra<'m>, x: Ex<'m>, coordinate: &Coordinate) -> bool {
+    let present = symbols_of(algebra, &[x]);
+    symbols(algebra, coordinate)
         .iter()
         .any(|s| present.contains(s))
 }
 
 /// Replaces eliminated symbols in an equation.
-pub(super) fn substituted<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+pub(crate) fn substituted<'m>(
+    analysis: &Analysis<'_, 'm>,
     equation: &Equation<'m>,
 ) -> Equation<'m> {
     let graph = analysis.algebra.graph;
@@ -165,7 +157,22 @@ pub(super) fn substituted<'m>(
 }
 
 /// The symbols that expressions are made of.
-pub(super) fn symbols_of<'m>(analysis: &Analysis<'_, 'm>, all: &[Ex<'m>]) -> Vec<SymbolId> {
+pub(crate) fn symbols_of<'m>(algebra: &Algebra<'m>, all: &[Ex<'m>]) -> Vec<SymbolId> {
     let nodes: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
-    analysis.algebra.graph.symbols_of(&nodes)
+    algebra.graph.symbols_of(&nodes)
+}
+
+/// Equations and the coordinates that they are solved for.
+pub(crate) type System<'m> = (Vec<Equation<'m>>, Vec<Coordinate>);
+
+/// The symbols of coordinates that are components of one unknown.
+pub(crate) fn point_symbols(coordinates: &[Coordinate]) -> Option<Vec<SymbolId>> {
+    let first = coordinates.first()?.unknown;
+    coordinates
+        .iter()
+        .map(|c| match c.kind {
+            CoordinateKind::Length(symbol) if c.unknown == first => Some(symbol),
+            _ => None,
+        })
+        .collect()
 }

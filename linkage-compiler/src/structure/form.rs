@@ -3,32 +3,8 @@
 use linkage_symbolic::{Ex, SymbolId, V2, V3};
 
 use crate::algebra::Scalar;
-
-use super::{Coupled, Private};
-
-/// A vector that turns with an unknown angle: `z (cos + i sense sin)` in complex numbers.
-#[derive(Clone, Debug)]
-pub(crate) struct Rotor<'m> {
-    pub(crate) angle: usize,
-    /// -1 if the vector turns against the angle.
-    pub(crate) sense: f64,
-    pub(crate) z: V2<'m>,
-}
-
-/// `|known + factor * point| = radius`
-#[derive(Clone, Debug)]
-pub(crate) struct Sphere<'m> {
-    pub(crate) known: V3<'m>,
-    pub(crate) factor: Ex<'m>,
-    pub(crate) radius: Ex<'m>,
-}
-
-/// `normal . point + offset = 0`
-#[derive(Clone, Debug)]
-pub(crate) struct Plane<'m> {
-    pub(crate) normal: V3<'m>,
-    pub(crate) offset: Ex<'m>,
-}
+use crate::structure::coupled::group::{Coupled, Private};
+use crate::structure::elements::{Plane, Rotor, Sphere};
 
 /// A group in the form in which it is solved. Each equation is `sum = 0`.
 #[derive(Clone, Debug)]
@@ -46,7 +22,8 @@ pub(crate) enum Form<'m> {
         guide: V2<'m>,
         known: V2<'m>,
     },
-    /// `(rotor + slide * guide) turning with one angle + known = 0`: RPR. The rotor's vector is the offset.
+    /// `(rotor + slide * guide) turning with one angle + known = 0`: RPR. The rotor's vector is the
+    /// offset.
     SlideOnRotor {
         rotor: Rotor<'m>,
         slide: SymbolId,
@@ -79,7 +56,8 @@ pub(crate) enum Form<'m> {
         a: Ex<'m>,
         b: Ex<'m>,
     },
-    /// `|cosine cos + sine sin + known| = length` in space, the two perpendicular and equally long: RSSR
+    /// `|cosine cos + sine sin + known| = length` in space, the two perpendicular and equally long:
+    /// RSSR
     LinkToRotor {
         angle: usize,
         cosine: V3<'m>,
@@ -94,7 +72,8 @@ pub(crate) enum Form<'m> {
         known: V3<'m>,
         length: Ex<'m>,
     },
-    /// A point on spheres and planes, three in all; a component that is no coordinate is 0, which counts as a plane.
+    /// A point on spheres and planes, three in all; a component that is no coordinate is 0, which
+    /// counts as a plane.
     Point {
         /// With the components that they are.
         coordinates: Vec<(SymbolId, usize)>,

@@ -1,18 +1,16 @@
-//! Unknown frames in words: a body in space has six freedoms, one in the plane three, whatever unknowns and loops of its own it is made of.
+//! Messages about unknown frames: a body in space has six freedoms, one in the plane three,
+//! whatever unknowns and loops of its own it is made of.
 
-use super::Analysis;
-use super::equations::{Coordinate, Equation};
-use super::matching::{self, Matching};
-use super::report::counted;
-use crate::message_format::MessageFormat;
-use crate::message_format::loop_list;
-use crate::mobility::Position;
-use crate::mobility::overconstrained;
-use crate::model::{Expr, ExprKind, Function, Mechanism, Name};
-use crate::structure::redundant;
+use crate::message_format::{MessageFormat, loop_list};
+use crate::mobility::{Position, freedom, overconstrained};
+use crate::model::{Mechanism, unknown_frames};
+use crate::structure::analysis::Analysis;
+use crate::structure::equations::{Coordinate, Equation};
+use crate::structure::matching::Matching;
+use crate::structure::{matching, naming, redundant};
 
 /// An unknown frame of the model.
-struct Found {
+struct UnknownFrame {
     /// Its origin, and two axes or an angle.
     unknowns: Vec<usize>,
     /// 6 in space, 3 in the plane.
@@ -24,70 +22,46 @@ struct Found {
     loops: Vec<usize>,
 }
 
-/// What is said of a body that too many loops hold.
-struct TooMany {
+/// The text about a body that too many loops hold.
+struct HeldTwice {
     fact: String,
     help: String,
 }
 
-impl Mechanism {
-    /// True for a loop that says what the axes of an unknown frame are.
-    pub(crate) fn is_loop_of_frame(&self, index: usize) -> bool {
-        let origin = self.loops[index].origin;
-        let mut unknowns = self.unknowns.iter();
-        unknowns.any(|unknown| unknown.origin == origin)
-    }
-
-    /// The bodies of space that are unknowns, each with its name, its origin and two of its axes.
-    pub(crate) fn bodies_of_space(&self) -> Vec<(String, Vec<usize>)> {
-        let lets = self.lets.iter();
-        let frames = lets.filter_map(|own| Some((own.name.clone(), self.unknowns_of(&own.value)?)));
-        frames.filter(|(_, parts)| parts.len() == 3).collect()
-    }
-
-    fn unknown_frames(&self) -> Vec<Found> {
-        let lets = self.lets.iter();
-        let frames = lets.filter_map(|own| Some((own.name.clone(), self.unknowns_of(&own.value)?)));
-        let frames = frames.map(|(name, unknowns)| {
-            let mentions = |&k: &usize| {
-                let written = self.usage(&[k]).unknowns;
-                !self.is_loop_of_frame(k) && unknowns.iter().any(|&own| written[own])
-            };
-            let loops = (0..self.loops.len()).filter(mentions).collect();
-            let in_plane = unknowns.len() == 2;
-            Found {
-                loops,
-                name,
-                freedoms: if in_plane { 3 } else { 6 },
-                example: match in_plane {
-                    true => "distance(point_in(BODY, p), q) = l` for a link with two pins",
-                    false => "distance(point_in(BODY, p), q) = l` for a rod with two ball joints",
-                },
-                unknowns,
-            }
-        });
-        frames.collect()
-    }
-
-    /// The unknowns of a frame that is unknown.
-    fn unknowns_of(&self, value: &Expr) -> Option<Vec<usize>> {
-        let ExprKind::Call(Function::Frame, parts) = &value.kind else {
-            return None;
+fn unknown_frames(mechanism: &Mechanism) -> Vec<UnknownFrame> {
+    let lets = mechanism.lets.iter();
+    let frames = lets.filter_map(|item| {
+        Some((
+            item.name.clone(),
+            unknown_frames::unknowns_of(mechanism, &item.value)?,
+        ))
+    });
+    let frames = frames.map(|(name, unknowns)| {
+        let mentions = |&k: &usize| {
+            let written = mechanism.usage(&[k]).unknowns;
+            !unknown_frames::is_loop_of_frame(mechanism, k)
+                && unknowns.iter().any(|&unknown| written[unknown])
         };
-        let names = parts.iter().filter_map(Expr::as_name);
-        let unknowns = names.filter_map(|name| match name {
-            Name::Unknown(index) => Some(index),
-            // Other frames have other parts.
-            _ => None,
-        });
-        let of_frame = |index: &usize| self.unknowns[*index].origin == value.origin;
-        let unknowns: Vec<usize> = unknowns.filter(of_frame).collect();
-        (!unknowns.is_empty()).then_some(unknowns)
-    }
+        let loops = (0..mechanism.loops.len()).filter(mentions).collect();
+        let in_plane = unknowns.len() == 2;
+        UnknownFrame {
+            loops,
+            name,
+            freedoms: if in_plane { 3 } else { 6 },
+            example: if in_plane {
+                "distance(point_in(BODY, p), q) = l` for a link with two pins"
+            } else {
+                "distance(point_in(BODY, p), q) = l` for a rod with two ball joints"
+            },
+            unknowns,
+        }
+    });
+    frames.collect()
 }
 
-/// Reports bodies that too few loops hold, or too many; the coordinates of which something has been said.
-pub(super) fn report_frames<'m>(
+/// Reports bodies that too few loops hold, or too many; the coordinates of which something has been
+/// said.
+pub(crate) fn report_frames<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -95,19 +69,19 @@ pub(super) fn report_frames<'m>(
     matching: &Matching,
 ) -> Vec<usize> {
     let mut told = Vec::new();
-    for found in analysis.algebra.mechanism.unknown_frames() {
+    for found in unknown_frames(analysis.algebra.mechanism) {
         let is_own = |&k: &usize| {
             let unknown = coordinates[k].unknown;
-            unknown.is_some_and(|own| found.unknowns.contains(&own))
+            unknown.is_some_and(|unknown| found.unknowns.contains(&unknown))
         };
-        let own: Vec<usize> = (0..coordinates.len()).filter(is_own).collect();
-        let open: Vec<usize> = own
+        let members: Vec<usize> = (0..coordinates.len()).filter(is_own).collect();
+        let open: Vec<usize> = members
             .iter()
             .copied()
             .filter(|&k| matching.equation_of[k].is_none())
             .collect();
         let surplus = (0..equations.len()).map(|k| {
-            let is_about = incidence[k].iter().any(|own_k| own.contains(own_k));
+            let is_about = incidence[k].iter().any(|own_k| members.contains(own_k));
             let free = equations[k].rows.len() - matching.coordinates_of[k].len();
             if is_about { free } else { 0 }
         });
@@ -116,10 +90,10 @@ pub(super) fn report_frames<'m>(
             report_open(analysis, &found, open.len(), coordinates.len(), equations);
             let undetermined = |&k: &usize| matching::undetermined_with(k, incidence, matching).0;
             told.extend(open.iter().flat_map(undetermined));
-            told.extend(own);
+            told.extend(members);
         } else if surplus > 0 && told.is_empty() {
             report_held_twice(analysis, &found, surplus, coordinates, equations);
-            told.extend(own);
+            told.extend(members);
         }
     }
     told
@@ -127,12 +101,12 @@ pub(super) fn report_frames<'m>(
 
 fn report_open<'m>(
     analysis: &mut Analysis<'_, 'm>,
-    found: &Found,
+    found: &UnknownFrame,
     open: usize,
     coordinates: usize,
     equations: &[Equation<'m>],
 ) {
-    let Found {
+    let UnknownFrame {
         name,
         unknowns,
         loops,
@@ -151,9 +125,10 @@ fn report_open<'m>(
     let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
     let mobility = (inputs + coordinates).saturating_sub(rows);
     // Without a loop it moves in every way.
-    let motion = match loops.is_empty() {
-        true => None,
-        false => position(analysis, &analysis.nominal.estimates, |at| at.motion_left()),
+    let motion = if loops.is_empty() {
+        None
+    } else {
+        position(analysis, &analysis.nominal.estimates, freedom::motion_left)
     };
     let motion = motion.map_or_else(String::new, |motion| {
         format!("; where the estimates are, {motion}")
@@ -162,7 +137,7 @@ fn report_open<'m>(
         "more unknowns than equations: the frame `{name}` has {freedoms} freedoms, and {by}; mobility {mobility}, driven \
              inputs {inputs}{motion}\n\
              help: add {}, like `{example}",
-        counted(open, "equation"),
+        naming::counted(open, "equation"),
     );
     analysis
         .reporter
@@ -171,12 +146,12 @@ fn report_open<'m>(
 
 fn report_held_twice<'m>(
     analysis: &mut Analysis<'_, 'm>,
-    found: &Found,
+    found: &UnknownFrame,
     surplus: usize,
     coordinates: &[Coordinate],
     equations: &[Equation<'m>],
 ) {
-    let Found {
+    let UnknownFrame {
         name,
         loops,
         freedoms,
@@ -208,17 +183,17 @@ fn report_held_twice<'m>(
         .error(mechanism.loops[*last].origin, message);
 }
 
-/// Which loops about a frame depend on which, and what to do about that.
+/// Returns the loops about a frame that depend on others, and the remedy.
 fn too_many<'m>(
     analysis: &Analysis<'_, 'm>,
     surplus: usize,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
-) -> TooMany {
+) -> HeldTwice {
     let closed = redundant::all_closed(analysis, equations, coordinates);
     let at = closed.as_ref().unwrap_or(&analysis.nominal.estimates);
     let Some(found) = position(analysis, at, |at| overconstrained::surplus(at)) else {
-        return TooMany {
+        return HeldTwice {
             fact: String::new(),
             help: "remove a loop, or make a dimension or an input of one an `unknown`".to_owned(),
         };
@@ -247,13 +222,13 @@ fn too_many<'m>(
         _ => "remove loops that depend on others, and write some that hold what can still move"
             .to_owned(),
     };
-    TooMany {
+    HeldTwice {
         fact: format!("{all}{}{motion}", found.dependences),
         help,
     }
 }
 
-/// What is found out about the loops where the unknowns have these values; nothing if one has no estimate.
+/// Runs a check of the loops where the unknowns have these values; nothing if one has no estimate.
 fn position<'m, R>(
     analysis: &Analysis<'_, 'm>,
     values: &[Vec<f64>],

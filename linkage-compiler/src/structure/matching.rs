@@ -45,7 +45,8 @@ fn augment(start: usize, rows: &[usize], equations_with: &[Vec<usize>], matching
     }
 }
 
-/// Moves every coordinate on the path that ends at `equation` to the equation it was reached through.
+/// Moves every coordinate on the path that ends at `equation` to the equation it was reached
+/// through.
 fn exchange(
     mut equation: usize,
     start: usize,
@@ -65,7 +66,8 @@ fn exchange(
     }
 }
 
-/// Strongly connected components of the equations, those that others depend on first (Tarjan, without recursion).
+/// Strongly connected components of the equations, those that others depend on first (Tarjan,
+/// without recursion).
 pub(crate) fn components(incidence: &[Vec<usize>], matching: &Matching) -> Vec<Vec<usize>> {
     let needs: Vec<Vec<usize>> = incidence
         .iter()
@@ -119,9 +121,9 @@ pub(crate) fn components(incidence: &[Vec<usize>], matching: &Matching) -> Vec<V
     found
 }
 
-/// The coordinates that alternating paths reach from `start`, and the equations on the way: what shares the lack of
-/// equations that leaves `start` undetermined.
-pub(super) fn undetermined_with(
+/// Returns the coordinates that alternating paths reach from `start`, and the equations on the way:
+/// they share the lack of equations that leaves `start` undetermined.
+pub(crate) fn undetermined_with(
     start: usize,
     incidence: &[Vec<usize>],
     matching: &Matching,
@@ -137,7 +139,8 @@ pub(super) fn undetermined_with(
                 equations.push(equation);
                 // Those that it determines, and those that nothing determines.
                 let undetermined = |other: &&usize| {
-                    matching.equation_of[**other].is_none_or(|own| own == equation)
+                    matching.equation_of[**other]
+                        .is_none_or(|determined_by| determined_by == equation)
                 };
                 for &other in contained.iter().filter(undetermined) {
                     if !coordinates.contains(&other) {

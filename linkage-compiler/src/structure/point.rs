@@ -1,14 +1,17 @@
 //! Recognising an unknown point, or a direction, by its distances from known points and planes.
 
-use crate::structure::space;
 use linkage_symbolic::{Ex, SymbolId, V3, Vector, numerically_equal};
 
-use super::equations::{Coordinate, CoordinateKind, Equation};
-use super::{Analysis, Form, Plane, Sphere};
+use crate::algebra::context::Algebra;
+use crate::structure::analysis::Analysis;
+use crate::structure::elements::{Plane, Sphere};
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
+use crate::structure::form::Form;
+use crate::structure::{distance, space};
 
 /// Two or three numbers given by distances in space and planes: a point, or a direction.
-pub(super) fn classify_point<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+pub(crate) fn classify_point<'m>(
+    analysis: &Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<Form<'m>> {
@@ -28,12 +31,13 @@ pub(super) fn classify_point<'m>(
     let mut linear = Vec::new();
     for equation in equations {
         let row = equation.rows[0];
-        let Some((vector, radius)) = space::space_distance(analysis, row, coordinates) else {
-            linear.push(space::linear_row(analysis, row, &symbols)?);
+        let Some((vector, radius)) = distance::space_distance(analysis.algebra, row, coordinates)
+        else {
+            linear.push(space::linear_row(analysis.algebra, row, &symbols)?);
             continue;
         };
-        let (own, factor, known) = moved_point(analysis, vector, &symbols)?;
-        if places.get_or_insert_with(|| own.clone()) != &own {
+        let (columns, factor, known) = moved_point(analysis.algebra, vector, &symbols)?;
+        if places.get_or_insert_with(|| columns.clone()) != &columns {
             return None;
         }
         spheres.push(Sphere {
@@ -62,7 +66,8 @@ pub(super) fn classify_point<'m>(
     })
 }
 
-/// The accuracy of the solution is that of the first sphere: at the defaults and the reference position, it is the smallest.
+/// The accuracy of the solution is that of the first sphere: at the defaults and the reference
+/// position, it is the smallest.
 fn smallest_first(analysis: &Analysis<'_, '_>, spheres: &mut [Sphere]) {
     let size = |sphere: &Sphere| {
         let values = analysis.nominal.evaluate(&[sphere.radius, sphere.factor]);
@@ -72,23 +77,23 @@ fn smallest_first(analysis: &Analysis<'_, '_>, spheres: &mut [Sphere]) {
 }
 
 /// `k + f p`, where each symbol is a component of `p`: the components, `f` and `k`.
-pub(super) fn moved_point<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+pub(crate) fn moved_point<'m>(
+    algebra: &Algebra<'m>,
     vector: V3<'m>,
     symbols: &[SymbolId],
 ) -> Option<(Vec<usize>, Ex<'m>, V3<'m>)> {
     let mut places = vec![None; symbols.len()];
     let mut factor = None;
-    let mut known = Vector([analysis.algebra.zero(); 3]);
+    let mut known = Vector([algebra.zero(); 3]);
     for (component, row) in vector.components().enumerate() {
-        let (factors, rest) = space::linear_row(analysis, row, symbols)?;
+        let (factors, rest) = space::linear_row(algebra, row, symbols)?;
         known.0[component] = rest;
-        for (place, own) in places.iter_mut().zip(factors) {
-            if own.is_zero() {
+        for (place, entry) in places.iter_mut().zip(factors) {
+            if entry.is_zero() {
                 continue;
             }
-            let first = *factor.get_or_insert(own);
-            if place.replace(component).is_some() || !numerically_equal(first, own) {
+            let first = *factor.get_or_insert(entry);
+            if place.replace(component).is_some() || !numerically_equal(first, entry) {
                 return None;
             }
         }

@@ -1,58 +1,64 @@
-//! Loops that are one too many and close all the same: with the dimensions as they are they repeat others, as a third crank on one rod does that stays
-//! parallel to the first two. Whether they do is found by numbers: all loops are closed together at several positions.
+//! Loops that are one too many and close all the same: with the dimensions as they are they repeat
+//! others, as a third crank on one rod does that stays parallel to the first two. Whether they do
+//! is found by numbers: all loops are closed together at several positions.
 
-use super::Analysis;
-use super::equations::{Coordinate, CoordinateKind, Equation};
-use super::simultaneous::{Together, independent};
-use crate::algebra::constant_ratio;
-use crate::algebra::{ALIKE, Bound, ConstantRatio, Nominal};
+use crate::algebra::context::Algebra;
+use crate::algebra::{ALIKE, Bound, ConstantRatio, Nominal, constant_ratio};
 use crate::message_format::loop_list;
 use crate::model::Dimension;
+use crate::structure::analysis::Analysis;
 use crate::structure::equations;
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
+use crate::structure::simultaneous::{SimultaneousLoops, independent};
 
 /// Positions besides the reference, as shares of a small motion to both sides.
 const POSITIONS: [f64; 5] = [0.0, 0.5, 1.0, -0.5, -1.0];
 
-/// The motion at most: so far the assembly is not left, and lengths that fit by chance at the reference fit no more.
+/// The motion at most: so far the assembly is not left, and lengths that fit by chance at the
+/// reference fit no more.
 const TURN: f64 = 0.2;
+
 const SHIFT: f64 = 0.02;
 
-/// What to say beside the surplus.
-pub(super) struct Repeated {
-    pub(super) fact: String,
-    pub(super) help: String,
+/// The text besides the surplus.
+pub(crate) struct RedundantLoops {
+    pub(crate) fact: String,
+    pub(crate) help: String,
 }
 
-/// Whether a loop with more equations than it has unknowns of its own repeats the others, and what to write then.
-pub(super) fn repeated<'m>(
+/// Checks if a loop with more equations than it has unknowns of its own repeats the others, and
+/// returns the remedy.
+pub(crate) fn redundant_loops<'m>(
     analysis: &Analysis<'_, 'm>,
     surplus: &Equation<'m>,
     too_many: usize,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
-) -> Option<Repeated> {
+) -> Option<RedundantLoops> {
     let places = positions(analysis);
-    let together = together(analysis, equations, coordinates)?;
+    let together = simultaneous_loops(analysis, equations, coordinates)?;
     let found = closed_at(analysis, &together, &places)?;
-    let even = even(analysis, &places, &found, coordinates);
+    let even = constant_ratios(analysis.algebra, &places, &found, coordinates);
     let at = Nominal {
         inputs: places[0].clone(),
         ..analysis.nominal.clone()
     };
     let slopes = together.slopes(&found[0], &at);
-    // The loop itself first; another one where its equations find something better than those that remain.
+    // The loop itself first; another one where its equations find something better than those that
+    // remain.
     let others = equations.iter().filter(|e| e.loops != surplus.loops);
     let spare = std::iter::once(surplus).chain(others).find_map(|left_out| {
-        let own = own(analysis, left_out, equations, coordinates);
-        let fits = left_out.rows.len() == own.len() + too_many;
-        let even: Option<Vec<&ConstantRatio>> = own
+        let determined = found_by_itself(analysis.algebra, left_out, equations, coordinates);
+        let fits = left_out.rows.len() == determined.len() + too_many;
+        let even: Option<Vec<&ConstantRatio>> = determined
             .iter()
             .map(|&k| {
                 even.iter()
                     .find(|e| coordinates[k].unknown == Some(e.unknown))
             })
             .collect();
-        let even = even.filter(|_| fits && remain_regular(&slopes, left_out, equations, &own))?;
+        let even =
+            even.filter(|_| fits && remain_regular(&slopes, left_out, equations, &determined))?;
         Some((left_out, even))
     });
     let mut like = "";
@@ -62,7 +68,7 @@ pub(super) fn repeated<'m>(
             if !even.is_empty() {
                 like = ", as a further crank on one rod does that stays parallel";
             }
-            match lets(analysis, &even) {
+            match lets_for(analysis.algebra, &even) {
                 Some(lets) => format!("write {lets} and leave {loops} out"),
                 None => format!("leave {loops} out, or write `redundant` at its end"),
             }
@@ -72,7 +78,7 @@ pub(super) fn repeated<'m>(
             loop_list(&surplus.loops)
         ),
     };
-    Some(Repeated {
+    Some(RedundantLoops {
         fact: format!(
             "; with these dimensions it closes all the same and repeats the other loops{like}"
         ),
@@ -81,12 +87,12 @@ pub(super) fn repeated<'m>(
 }
 
 /// The unknowns with all components where all loops close, if they do so wherever the inputs go.
-pub(super) fn all_closed<'m>(
+pub(crate) fn all_closed<'m>(
     analysis: &Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<Vec<Vec<f64>>> {
-    let together = together(analysis, equations, coordinates)?;
+    let together = simultaneous_loops(analysis, equations, coordinates)?;
     let found = closed_at(analysis, &together, &positions(analysis))?;
     let mut values: Vec<Vec<f64>> = vec![Vec::new(); analysis.nominal.estimates.len()];
     for (coordinate, x) in coordinates.iter().zip(&found[0]) {
@@ -96,15 +102,15 @@ pub(super) fn all_closed<'m>(
 }
 
 /// The coordinates that no other equation contains.
-fn own<'m>(
-    analysis: &Analysis<'_, 'm>,
+fn found_by_itself<'m>(
+    algebra: &Algebra<'m>,
     equation: &Equation<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Vec<usize> {
     let within = |e: &Equation<'m>, k: usize| {
         let mut rows = e.rows.iter();
-        rows.any(|&row| equations::contains(analysis, row, &coordinates[k]))
+        rows.any(|&row| equations::contains(algebra, row, &coordinates[k]))
     };
     let alone = |k: &usize| {
         let mut others = equations.iter().filter(|e| e.loops != equation.loops);
@@ -114,12 +120,12 @@ fn own<'m>(
 }
 
 /// `` `let chi = phi;` instead of the unknown``; nothing for none.
-fn lets(analysis: &Analysis<'_, '_>, even: &[&ConstantRatio]) -> Option<String> {
-    let mechanism = analysis.algebra.mechanism;
-    let lets = even.iter().map(|own| {
-        let unknown = &mechanism.unknowns[own.unknown].name;
+fn lets_for(algebra: &Algebra<'_>, even: &[&ConstantRatio]) -> Option<String> {
+    let mechanism = algebra.mechanism;
+    let lets = even.iter().map(|ratio| {
+        let unknown = &mechanism.unknowns[ratio.unknown].name;
         let input = &mechanism.inputs[0].name;
-        format!("`let {unknown} = {};`", own.relation(input))
+        format!("`let {unknown} = {};`", ratio.relation(input))
     });
     let lets: Vec<String> = lets.collect();
     match &lets[..] {
@@ -162,7 +168,7 @@ fn positions(analysis: &Analysis<'_, '_>) -> Vec<Vec<f64>> {
 }
 
 /// The largest length among parameters and estimates.
-pub(super) fn longest(analysis: &Analysis<'_, '_>) -> f64 {
+pub(crate) fn longest(analysis: &Analysis<'_, '_>) -> f64 {
     let parameters = &analysis.algebra.mechanism.scalar_parameters;
     let lengths = parameters.iter().zip(&analysis.nominal.parameters);
     let lengths = lengths.filter(|(p, _)| p.dimension.fits(Dimension::LENGTH));
@@ -180,12 +186,13 @@ pub(super) fn longest(analysis: &Analysis<'_, '_>) -> f64 {
     if longest > 0.0 { longest } else { 1.0 }
 }
 
-/// The loops on numbers; `None` if there is an unknown that the compiler introduced, of which nothing is estimated.
-fn together<'m, 'c>(
+/// The loops on numbers; `None` if there is an unknown that the compiler introduced, of which
+/// nothing is estimated.
+fn simultaneous_loops<'m, 'c>(
     analysis: &Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &'c [Coordinate],
-) -> Option<Together<'c, 'm>> {
+) -> Option<SimultaneousLoops<'c, 'm>> {
     let longest = longest(analysis);
     let mut estimates = Vec::new();
     let mut scales = Vec::new();
@@ -199,12 +206,12 @@ fn together<'m, 'c>(
             CoordinateKind::Length(_) => longest,
         });
     }
-    Some(Together {
+    Some(SimultaneousLoops {
         rows: equations.iter().flat_map(|e| e.rows.clone()).collect(),
         coordinates,
         symbols: coordinates
             .iter()
-            .map(|c| equations::symbols(analysis, c))
+            .map(|c| equations::symbols(analysis.algebra, c))
             .collect(),
         estimates,
         scales,
@@ -214,7 +221,7 @@ fn together<'m, 'c>(
 /// The coordinates at all positions, if every loop closes at each.
 fn closed_at(
     analysis: &Analysis<'_, '_>,
-    together: &Together,
+    together: &SimultaneousLoops,
     places: &[Vec<f64>],
 ) -> Option<Vec<Vec<f64>>> {
     // An input that does not move proves nothing.
@@ -232,13 +239,13 @@ fn closed_at(
 }
 
 /// The angles that turn evenly with the only input.
-fn even(
-    analysis: &Analysis<'_, '_>,
+fn constant_ratios(
+    algebra: &Algebra<'_>,
     places: &[Vec<f64>],
     found: &[Vec<f64>],
     coordinates: &[Coordinate],
 ) -> Vec<ConstantRatio> {
-    if analysis.algebra.mechanism.inputs.len() != 1 {
+    if algebra.mechanism.inputs.len() != 1 {
         return Vec::new();
     }
     let even = coordinates
@@ -249,10 +256,10 @@ fn even(
                 return None;
             };
             let (x, angle) = (places[0][0], found[0][k]);
-            let rates = constant_ratio::candidate_rates(analysis.algebra, 0).into_iter();
+            let rates = constant_ratio::candidate_rates(algebra, 0).into_iter();
             let rate = rates.into_iter().find(|rate| {
                 let mut all = places.iter().zip(found);
-                all.all(|(place, own)| (own[k] - angle - rate * (place[0] - x)).abs() < ALIKE)
+                all.all(|(place, angles)| (angles[k] - angle - rate * (place[0] - x)).abs() < ALIKE)
             })?;
             Some(ConstantRatio {
                 unknown: coordinate.unknown?,
@@ -268,13 +275,16 @@ fn remain_regular(
     slopes: &[Vec<f64>],
     left_out: &Equation,
     equations: &[Equation],
-    own: &[usize],
+    found: &[usize],
 ) -> bool {
     let rows = equations
         .iter()
         .flat_map(|e| vec![e.loops != left_out.loops; e.rows.len()]);
     let stays: Vec<bool> = rows.collect();
-    let columns = slopes.iter().enumerate().filter(|(k, _)| !own.contains(k));
+    let columns = slopes
+        .iter()
+        .enumerate()
+        .filter(|(k, _)| !found.contains(k));
     let columns = columns.map(|(_, column)| {
         let rows = column.iter().zip(&stays).filter(|(_, stays)| **stays);
         rows.map(|(x, _)| *x).collect()

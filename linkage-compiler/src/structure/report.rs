@@ -1,16 +1,15 @@
 //! Messages of the structural analysis: mobility.
 
-use super::Analysis;
-use super::equations::{Coordinate, CoordinateKind, Equation};
-use super::matching::{self, Matching};
-use super::redundant::Repeated;
+use crate::algebra::context::Algebra;
 use crate::message_format::loop_list;
-use crate::structure::closest_approach;
-use crate::structure::frames;
-use crate::structure::redundant;
+use crate::structure::analysis::Analysis;
+use crate::structure::equations::{Coordinate, Equation};
+use crate::structure::matching::Matching;
+use crate::structure::redundant::RedundantLoops;
+use crate::structure::{closest_approach, frames, matching, naming, redundant};
 
 /// Reports unknowns without equations and equations without unknowns; true if there are none.
-pub(super) fn report_mobility<'m>(
+pub(crate) fn report_mobility<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -37,7 +36,7 @@ pub(super) fn report_mobility<'m>(
     }
     for (k, equation) in equations.iter().enumerate() {
         let surplus = equation.rows.len() - matching.coordinates_of[k].len();
-        if incidence[k].is_empty() && is_told(analysis, equation, &told, coordinates) {
+        if incidence[k].is_empty() && is_reported(analysis.algebra, equation, &told, coordinates) {
             continue;
         }
         if surplus > 0 && (complete || incidence[k].is_empty()) {
@@ -56,13 +55,13 @@ pub(super) fn report_mobility<'m>(
 }
 
 /// True for a loop whose unknowns cancel out, if that has been said of one of them.
-fn is_told<'m>(
-    analysis: &Analysis<'_, 'm>,
+fn is_reported<'m>(
+    algebra: &Algebra<'m>,
     equation: &Equation<'m>,
     told: &[usize],
     coordinates: &[Coordinate],
 ) -> bool {
-    let written = analysis.algebra.mechanism.usage(&equation.loops).unknowns;
+    let written = algebra.mechanism.usage(&equation.loops).unknowns;
     let mut told = told.iter().filter_map(|&k| coordinates[k].unknown);
     told.any(|unknown| written[unknown])
 }
@@ -80,12 +79,13 @@ fn report_undetermined<'m>(
     };
     let origin = analysis.algebra.mechanism.unknowns[unknown].origin;
     let name = &analysis.algebra.mechanism.unknowns[unknown].name;
-    if sharing.is_empty() && is_component(analysis, undetermined, coordinates) {
-        let component = coordinate_name(analysis, coordinate);
+    if sharing.is_empty() && naming::is_component(analysis.algebra, undetermined, coordinates) {
+        let component = naming::coordinate_name(analysis.algebra, coordinate);
         let dimension = analysis.algebra.mechanism.unknowns[unknown].ty.dimension();
-        let norm = match dimension.is_some_and(|d| d.half_lengths == 0) {
-            true => format!("; the loop of a direction is `norm({name}) = 1`"),
-            false => String::new(),
+        let norm = if dimension.is_some_and(|d| d.half_lengths == 0) {
+            format!("; the loop of a direction is `norm({name}) = 1`")
+        } else {
+            String::new()
         };
         return analysis.reporter.error(
             origin,
@@ -120,9 +120,12 @@ fn report_undetermined<'m>(
     let message = format!(
         "more unknowns than equations: {} ({}) but {} from {}; mobility {}, driven inputs {inputs}\n\
              help: add a loop, or make {}",
-        counted(undetermined.len(), "unknown"),
-        unknown_names(analysis, undetermined.iter().map(|&k| &coordinates[k])),
-        counted(rows, "equation"),
+        naming::counted(undetermined.len(), "unknown"),
+        naming::unknown_names(
+            analysis.algebra,
+            undetermined.iter().map(|&k| &coordinates[k])
+        ),
+        naming::counted(rows, "equation"),
         loop_list(sharing.iter().flat_map(|&k| &equations[k].loops)),
         inputs + surplus,
         if surplus == 1 {
@@ -153,15 +156,16 @@ fn report_surplus<'m>(
         let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
         let inputs = analysis.algebra.mechanism.inputs.len();
         let mobility = (inputs + coordinates.len()) as isize - rows as isize;
-        let own: Vec<Coordinate> = contained.iter().map(|&k| coordinates[k].clone()).collect();
-        let short = closest_approach::short_of(analysis, equation, &own);
+        let unknowns: Vec<Coordinate> = contained.iter().map(|&k| coordinates[k].clone()).collect();
+        let short = closest_approach::short_of(analysis, equation, &unknowns);
         let short = short.map_or_else(String::new, |short| format!(": {short}"));
         let link = match equation.rows.len() {
             3 => "; a link between two ball joints is one equation, `distance(a, b) = length`",
             _ => "",
         };
-        let repeated = redundant::repeated(analysis, equation, surplus, equations, coordinates);
-        let Repeated { fact, help } = repeated.unwrap_or_else(|| Repeated {
+        let repeated =
+            redundant::redundant_loops(analysis, equation, surplus, equations, coordinates);
+        let RedundantLoops { fact, help } = repeated.unwrap_or_else(|| RedundantLoops {
                 fact: short,
                 help: format!(
                     "make a dimension, an angle or an input of {loops} an `unknown`, or remove a loop{link}"
@@ -176,69 +180,10 @@ fn report_surplus<'m>(
             } else {
                 format!("has {surplus} equations")
             },
-            unknown_names(analysis, contained.iter().map(|&k| &coordinates[k])),
-            counted(rows, "equation"),
-            counted(coordinates.len(), "unknown"),
+            naming::unknown_names(analysis.algebra, contained.iter().map(|&k| &coordinates[k])),
+            naming::counted(rows, "equation"),
+            naming::counted(coordinates.len(), "unknown"),
         )
     };
     analysis.reporter.error(origin, message);
-}
-
-/// The unknowns behind coordinates; of a vector that is not there as a whole, the components.
-fn unknown_names<'c>(
-    analysis: &Analysis<'_, '_>,
-    coordinates: impl Iterator<Item = &'c Coordinate>,
-) -> String {
-    let coordinates: Vec<&Coordinate> = coordinates.filter(|c| c.unknown.is_some()).collect();
-    let mut names: Vec<(usize, String)> = Vec::new();
-    for coordinate in &coordinates {
-        let Some(unknown) = coordinate.unknown else {
-            continue;
-        };
-        let of_it = coordinates.iter().filter(|c| c.unknown == Some(unknown));
-        let name = match of_it.count() == analysis.algebra.names.components_of(unknown) {
-            true => analysis.algebra.mechanism.unknowns[unknown].name.clone(),
-            false => coordinate_name(analysis, coordinate),
-        };
-        names.push((unknown, format!("`{name}`")));
-    }
-    names.sort_by_key(|(unknown, _)| *unknown);
-    names.dedup();
-    let names: Vec<String> = names.into_iter().map(|(_, name)| name).collect();
-    names.join(", ")
-}
-
-/// True if these are not all components of the first one's unknown.
-fn is_component(_analysis: &Analysis<'_, '_>, own: &[usize], coordinates: &[Coordinate]) -> bool {
-    let Some(unknown) = own.first().and_then(|&k| coordinates[k].unknown) else {
-        return false;
-    };
-    let of_it = own
-        .iter()
-        .filter(|&&k| coordinates[k].unknown == Some(unknown));
-    let missing = coordinates.iter().filter(|c| c.unknown == Some(unknown));
-    of_it.count() < missing.count()
-}
-
-/// `theta`, or a component: `p.x`.
-fn coordinate_name(analysis: &Analysis<'_, '_>, coordinate: &Coordinate) -> String {
-    match coordinate.kind {
-        CoordinateKind::Length(symbol) => analysis.algebra.graph.symbol(symbol).name,
-        CoordinateKind::Angle(angle) => {
-            let value = analysis.algebra.names.angles[angle].value;
-            analysis.algebra.graph.symbol(value).name
-        }
-    }
-}
-
-pub(super) fn names(analysis: &Analysis<'_, '_>, mut unknowns: Vec<usize>) -> String {
-    unknowns.sort_unstable();
-    unknowns.dedup();
-    let name = |&k: &usize| format!("`{}`", analysis.algebra.mechanism.unknowns[k].name);
-    unknowns.iter().map(name).collect::<Vec<_>>().join(", ")
-}
-
-/// `1 unknown`, `3 unknowns`
-pub(super) fn counted(count: usize, noun: &str) -> String {
-    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }

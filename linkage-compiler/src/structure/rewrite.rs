@@ -1,23 +1,18 @@
-//! Bringing a coupled set of loops to known forms: distances become links, components become vectors, a sum of angles
-//! becomes an angle.
+//! Bringing a coupled set of loops to known forms: distances become links, components become
+//! vectors, a sum of angles becomes an angle.
 
-use crate::algebra::scalar;
-use crate::structure::classify;
-use crate::structure::eliminate;
-use crate::structure::equations;
-use crate::structure::space;
 use linkage_symbolic::{Ex, SymbolId, Vector, collect};
 
-use crate::algebra::{Atom, StandsFor};
-
-use super::Analysis;
-use super::eliminate::System;
-use super::equations::{Coordinate, CoordinateKind, Equation};
-use super::space::Distance;
+use crate::algebra::context::Algebra;
+use crate::algebra::{Atom, StandsFor, scalar};
+use crate::structure::analysis::Analysis;
+use crate::structure::distance::Distance;
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
+use crate::structure::{classify, distance, equations, explicit, space};
 
 /// Two scalar loops, the components of one vector loop.
-pub(super) fn join_rows<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+pub(crate) fn join_rows<'m>(
+    algebra: &Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -36,13 +31,13 @@ pub(super) fn join_rows<'m>(
     });
     joined
         .into_iter()
-        .find(|equation| classify::classify(analysis, equation, coordinates).is_some())
+        .find(|equation| classify::classify(algebra, equation, coordinates).is_some())
         .map(|equation| (vec![equation], coordinates.to_vec()))
 }
 
 /// `distance(a, b) = l` is a link of length `l` between `a` and `b`, at an angle of its own.
-pub(super) fn distance_to_link<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+pub(crate) fn distance_to_link<'m>(
+    algebra: &mut Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -52,7 +47,7 @@ pub(super) fn distance_to_link<'m>(
         .filter(|(_, e)| e.rows.len() == 1)
     {
         let Some(Distance { vector, length }) =
-            space::distance(analysis, equation.rows[0], coordinates)
+            distance::distance(algebra, equation.rows[0], coordinates)
         else {
             continue;
         };
@@ -61,8 +56,8 @@ pub(super) fn distance_to_link<'m>(
         }
         let mut equations = equations.to_vec();
         let mut coordinates = coordinates.to_vec();
-        let angle = analysis.algebra.names.add_angle("link", None);
-        let unit = analysis.algebra.names.angles[angle].unit;
+        let angle = algebra.names.add_angle("link", None);
+        let unit = algebra.names.angles[angle].unit;
         let rows = (0..2).map(|k| vector[k] - length * unit[k]);
         equations[place].rows = rows.collect();
         equations[place].relation = None;
@@ -75,9 +70,10 @@ pub(super) fn distance_to_link<'m>(
     None
 }
 
-/// An angle whose vectors do not simply turn, with a slide: the equation across the guide contains the angle alone.
-pub(super) fn split_along_guide<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+/// An angle whose vectors do not simply turn, with a slide: the equation across the guide contains
+/// the angle alone.
+pub(crate) fn split_along_guide<'m>(
+    algebra: &Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -92,7 +88,7 @@ pub(super) fn split_along_guide<'m>(
     let [x, y] = equation.rows[..] else {
         return None;
     };
-    let zero = analysis.algebra.zero();
+    let zero = algebra.zero();
     let mut guide = Vector([zero; 2]);
     for (row, direction) in [x, y].into_iter().zip(&mut guide.0) {
         let terms = collect(row, &[slide], &[])?;
@@ -103,7 +99,7 @@ pub(super) fn split_along_guide<'m>(
     }
     if guide
         .components()
-        .any(|g| equations::contains(analysis, g, angle))
+        .any(|g| equations::contains(algebra, g, angle))
     {
         return None;
     }
@@ -120,7 +116,7 @@ pub(super) fn split_along_guide<'m>(
 }
 
 /// Angles measured from link to link: their sum is the angle of the second link.
-pub(super) fn relative_angle<'m>(
+pub(crate) fn relative_angle<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -134,7 +130,8 @@ pub(super) fn relative_angle<'m>(
     for (base, relative, kept) in [(first, second, a), (second, first, b)] {
         for sign in [1.0, -1.0] {
             let sum = analysis.algebra.names.add_angle("sum", None);
-            analysis.algebra.names.angles[sum].stands_for = sum_of(analysis, base, relative, sign);
+            analysis.algebra.names.angles[sum].stands_for =
+                sum_of(analysis.algebra, base, relative, sign);
             let mut value = scalar::atom(analysis.algebra, Atom::Angle(sum));
             value.terms.insert(0, (Atom::Angle(base), -sign));
             value.terms.sort_by_key(|(atom, _)| *atom);
@@ -142,7 +139,7 @@ pub(super) fn relative_angle<'m>(
                 analysis.substitutions.clone(),
                 analysis.structure.explicit.len(),
             );
-            eliminate::replace_angle(analysis, relative, &value);
+            explicit::replace_angle(analysis, relative, &value);
             let mut changed = equations::substituted(analysis, equation);
             changed
                 .eliminated
@@ -152,7 +149,7 @@ pub(super) fn relative_angle<'m>(
                 unknown: None,
             };
             let coordinates = vec![kept.clone(), summed];
-            if classify::classify(analysis, &changed, &coordinates).is_some() {
+            if classify::classify(analysis.algebra, &changed, &coordinates).is_some() {
                 return Some((vec![changed], coordinates));
             }
             analysis.substitutions = saved.0;
@@ -163,16 +160,11 @@ pub(super) fn relative_angle<'m>(
 }
 
 /// The sum of an angle and the one it is measured from stands for the former.
-fn sum_of(
-    analysis: &Analysis<'_, '_>,
-    base: usize,
-    relative: usize,
-    sign: f64,
-) -> Option<StandsFor> {
-    let [base, relative] = [base, relative].map(|k| &analysis.algebra.names.angles[k]);
+fn sum_of(algebra: &Algebra<'_>, base: usize, relative: usize, sign: f64) -> Option<StandsFor> {
+    let [base, relative] = [base, relative].map(|k| &algebra.names.angles[k]);
     let mut summands = relative.summands();
     let base = base.summands().into_iter();
-    summands.extend(base.map(|(unknown, own)| (unknown, sign * own)));
+    summands.extend(base.map(|(unknown, factor)| (unknown, sign * factor)));
     let unknown = relative.meant()?;
     Some(StandsFor { unknown, summands })
 }
@@ -189,4 +181,58 @@ fn linear_part(row: Ex, slide: SymbolId) -> Option<Ex> {
     let terms = collect(row, &[slide], &[])?;
     let cancelled = terms.keys().all(|exponents| exponents[0] == 0);
     terms.get(&vec![0]).copied().filter(|_| cancelled)
+}
+
+/// Two slides and an angle in a loop of three rows: the equation across both guides contains the
+/// angle alone, those across one of them the other slide.
+pub(crate) fn split_across_guides<'m>(
+    algebra: &Algebra<'m>,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> Option<System<'m>> {
+    let ([equation], [_, _, _]) = (equations, coordinates) else {
+        return None;
+    };
+    let [x, y, z] = equation.rows[..] else {
+        return None;
+    };
+    let slides: Vec<SymbolId> = coordinates
+        .iter()
+        .filter_map(|c| match c.kind {
+            CoordinateKind::Length(symbol) => Some(symbol),
+            CoordinateKind::Angle(_) => None,
+        })
+        .collect();
+    let (guides, rest) = space::guides(algebra, Vector([x, y, z]), &slides)?;
+    let &[first, second] = &guides[..] else {
+        return None;
+    };
+    let mut across = first.cross(second);
+    let turns = |x| {
+        coordinates
+            .iter()
+            .any(|c| equations::contains(algebra, x, c))
+    };
+    if !across.components().any(turns) {
+        across = across.unit();
+    }
+    let mut rows = vec![across.dot(rest)];
+    for (slide, guide, other) in [(0, first, second), (1, second, first)] {
+        let direction = other.cross(across);
+        let factor = direction.dot(guide);
+        let graph = algebra.graph;
+        let slide = graph.ex(graph.symbol_node(slides[slide]));
+        rows.push(factor * slide + direction.dot(rest));
+    }
+    let angle = coordinates
+        .iter()
+        .find(|c| matches!(c.kind, CoordinateKind::Angle(_)))?;
+    let row = |x| Equation {
+        rows: vec![x],
+        relation: None,
+        ..equation.clone()
+    };
+    let rows: Vec<Equation> = rows.into_iter().map(row).collect();
+    classify::classify(algebra, &rows[0], std::slice::from_ref(angle))?;
+    Some((rows, coordinates.to_vec()))
 }

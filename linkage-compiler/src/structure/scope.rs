@@ -1,9 +1,9 @@
-//! What of a mechanism is looked at.
+//! Scopes: the parts of a mechanism that are analysed.
 
 use crate::model::Mechanism;
 
-/// Derived quantities, loops and unknowns, by their numbers: all of them, or those that a function is made of. What an unknown is found by
-/// belongs to it.
+/// Derived quantities, loops and unknowns, by their numbers: all of them, or those that a function
+/// is made of. An unknown comes with the loops that determine it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Scope {
     pub(crate) lets: Vec<bool>,

@@ -4,39 +4,44 @@ use linkage_core::numeric::cholesky;
 use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, SymbolId, substitute};
 
-use super::equations::{Coordinate, CoordinateKind};
 use crate::algebra::Nominal;
+use crate::structure::equations::{Coordinate, CoordinateKind};
 
-/// Loops that miss by no more than this share of their links close: rounding is thousand times less.
+/// Loops that miss by no more than this share of their links close: rounding is thousand times
+/// less.
 const CLOSED: f64 = 1e-12;
 
-/// Differences for slopes: the error of a central difference is about this squared, its rounding the last place divided by it.
+/// Differences for slopes: the error of a central difference is about this squared, its rounding
+/// the last place divided by it.
 const STEP: f64 = 1e-5;
 
-/// Newton's method from an estimate 60 degrees away takes about ten steps of at most half a radian each.
+/// Newton's method from an estimate 60 degrees away takes about ten steps of at most half a radian
+/// each.
 const STEPS: usize = 40;
+
 const LONGEST_STEP: f64 = 0.5;
 
-/// Keeps a matrix regular where unknowns are not determined at all; too small to slow anything down.
+/// Keeps a matrix regular where unknowns are not determined at all; too small to slow anything
+/// down.
 const DAMPING: f64 = 1e-14;
 
-/// A column of which less than this share points across those before it is a combination of them: far above the error of differences, and the
-/// limit of a dead point.
+/// A column of which less than this share points across those before it is a combination of them:
+/// far above the error of differences, and the limit of a dead point.
 const ACROSS: f64 = 1e-6;
 
 /// Loops on numbers.
-pub(super) struct Together<'a, 'm> {
-    pub(super) rows: Vec<Ex<'m>>,
-    pub(super) coordinates: &'a [Coordinate],
-    pub(super) symbols: Vec<Vec<SymbolId>>,
-    /// Where the search begins.
-    pub(super) estimates: Vec<f64>,
-    /// What counts like a radian, by coordinate.
-    pub(super) scales: Vec<f64>,
+pub(crate) struct SimultaneousLoops<'a, 'm> {
+    pub(crate) rows: Vec<Ex<'m>>,
+    pub(crate) coordinates: &'a [Coordinate],
+    pub(crate) symbols: Vec<Vec<SymbolId>>,
+    /// The values at which the search begins.
+    pub(crate) estimates: Vec<f64>,
+    /// The size that counts like a radian, for each coordinate.
+    pub(crate) scales: Vec<f64>,
 }
 
-impl Together<'_, '_> {
-    /// By how much every row misses.
+impl SimultaneousLoops<'_, '_> {
+    /// Returns the error of every row.
     fn missing(&self, x: &[f64], at: &Nominal) -> Vec<f64> {
         let graph = self.rows[0].graph();
         let mut values = Map::new();
@@ -51,8 +56,8 @@ impl Together<'_, '_> {
         at.evaluate(&substitute(&self.rows, &values))
     }
 
-    /// How the rows change with each coordinate, measured by its scale.
-    pub(super) fn slopes(&self, x: &[f64], at: &Nominal) -> Vec<Vec<f64>> {
+    /// Returns the change of the rows with each coordinate, measured by its scale.
+    pub(crate) fn slopes(&self, x: &[f64], at: &Nominal) -> Vec<Vec<f64>> {
         let slopes = (0..x.len()).map(|k| {
             let side = |sign: f64| {
                 let mut x = x.to_vec();
@@ -67,7 +72,7 @@ impl Together<'_, '_> {
     }
 
     /// Newton's method in the sense of least squares: more equations than coordinates.
-    pub(super) fn closed(&self, mut x: Vec<f64>, at: &Nominal) -> Option<Vec<f64>> {
+    pub(crate) fn closed(&self, mut x: Vec<f64>, at: &Nominal) -> Option<Vec<f64>> {
         for _ in 0..STEPS {
             let missing = self.missing(&x, at);
             let slopes = self.slopes(&x, at);
@@ -99,7 +104,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// True if no column is a combination of those before it.
-pub(super) fn independent(columns: &[Vec<f64>]) -> bool {
+pub(crate) fn independent(columns: &[Vec<f64>]) -> bool {
     let mut units: Vec<Vec<f64>> = Vec::new();
     for column in columns {
         let mut across = column.clone();
@@ -125,7 +130,10 @@ pub(super) fn independent(columns: &[Vec<f64>]) -> bool {
 fn least_squares(columns: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
     let trace: f64 = columns.iter().map(|column| dot(column, column)).sum();
     let lower = columns.iter().enumerate().map(|(i, column)| {
-        let mut row: Vec<f64> = columns[..=i].iter().map(|own| dot(column, own)).collect();
+        let mut row: Vec<f64> = columns[..=i]
+            .iter()
+            .map(|other| dot(column, other))
+            .collect();
         row[i] += DAMPING * trace;
         row
     });

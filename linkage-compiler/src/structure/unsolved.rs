@@ -1,44 +1,44 @@
-//! What is said of a group that no method solves: what is too much of which term, and that the limit is ours.
+//! Messages about a group that no method solves: the term of too high a degree, and that the limit
+//! is that of the compiler.
 
-use crate::algebra::translate;
-use crate::structure::classify;
-use crate::structure::coupled_core;
-use crate::structure::equations;
-use crate::structure::report;
 use linkage_symbolic::{MAX_DEGREE, Obstacle, SymbolId, obstacle};
 
-use super::Analysis;
-use super::coupled_core::MOST_CORE;
-use super::equations::{Coordinate, CoordinateKind, Equation};
-use crate::algebra::{Translate, Value};
+use crate::algebra::context::Algebra;
+use crate::algebra::translate::Translate;
+use crate::algebra::{Value, scalar};
 use crate::diagnostic::OriginId;
 use crate::message_format::loop_list;
 use crate::model::Expr;
+use crate::structure::analysis::Analysis;
+use crate::structure::coupled::classify_coupled;
+use crate::structure::coupled::classify_coupled::MOST_CORE;
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
+use crate::structure::{equations, naming, polynomials};
 
-/// How every limit is called what it is.
+/// The text that marks every limit of the compiler.
 pub(crate) const OURS: &str = "this is a limit of linkage, not a mistake of yours";
 
-/// What a method can have to do with.
+/// The terms that a method can solve.
 const MAY_STAND: &str = "an unknown angle may stand in `polar`, `dir`, `rotate`, `turn`, `sin`, `cos`, an unknown length may be \
                          multiplied by known quantities or by a direction";
 
 /// A group without a closed form that is no coupled one.
-pub(super) fn report_unsolved<'m>(
+pub(crate) fn report_unsolved<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) {
     let loops = loop_list(equations.iter().flat_map(|e| &e.loops));
-    let own = coordinates.iter().filter_map(|c| c.unknown);
+    let found = coordinates.iter().filter_map(|c| c.unknown);
     let eliminated = equations.iter().flat_map(|e| e.eliminated.iter().copied());
-    let mut unknowns: Vec<usize> = own.chain(eliminated).collect();
+    let mut unknowns: Vec<usize> = found.chain(eliminated).collect();
     unknowns.sort_unstable();
     unknowns.dedup();
     let count: usize = unknowns
         .iter()
         .map(|&k| analysis.algebra.names.components_of(k))
         .sum();
-    let names = report::names(analysis, unknowns);
+    let names = naming::unknown_list(analysis.algebra, unknowns);
     let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
     let (subject, check) = match rows {
         0..=2 => (format!("no closed form for {names} in {loops}"), ""),
@@ -48,20 +48,23 @@ pub(super) fn report_unsolved<'m>(
         ),
     };
     let whole = analysis.algebra.mechanism.loops[equations[0].loops[0]].origin;
-    let valued = valued(analysis, equations, coordinates);
+    let valued = angles_with_values(analysis.algebra, equations, coordinates);
     let body = a_body_by_angles(equations, coordinates);
     let (origin, message) = if let Some((origin, why)) =
-        worst_obstacle(analysis, equations, coordinates)
+        worst_obstacle(analysis.algebra, equations, coordinates)
     {
         let message = format!("{subject}: {why}{check}{body}");
         (origin.unwrap_or(whole), message)
     } else if !valued.is_empty() {
         (
             whole,
-            format!("{subject}: {}", of_values(analysis, &valued, rows)),
+            format!(
+                "{subject}: {}",
+                obstacle_of_values(analysis.algebra, &valued, rows)
+            ),
         )
     } else {
-        let core = core_of(analysis, equations, coordinates);
+        let core = core_of(analysis.algebra, equations, coordinates);
         let message = format!(
             "{subject}: {core} unknowns remain when links between two joints are left out, and {MOST_CORE} are the most that are \
                  solved together; {OURS}\n\
@@ -72,32 +75,33 @@ pub(super) fn report_unsolved<'m>(
     analysis.reporter.error(origin, message);
 }
 
-/// Why an equation is no polynomial that is solved, with what to do, and the term of a loop at fault, if there is one.
+/// Returns the reason why an equation is no polynomial that is solved, with the remedy, and the
+/// term of a loop at fault, if there is one.
 fn worst_obstacle<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<(Option<OriginId>, String)> {
     let symbols: Vec<SymbolId> = coordinates
         .iter()
-        .flat_map(|c| equations::symbols(analysis, c))
+        .flat_map(|c| equations::symbols(algebra, c))
         .collect();
     let worst = |obstacles: Vec<Obstacle>| obstacles.into_iter().max_by_key(weight);
     for equation in equations {
-        // What cancels makes no degree.
-        if classify::polynomials(analysis, &equation.rows, coordinates).is_some() {
+        // Terms that cancel make no degree.
+        if polynomials::polynomials(algebra, &equation.rows, coordinates).is_some() {
             continue;
         }
         let rows = equation.rows.iter();
         let Some(found) = worst(rows.filter_map(|&row| obstacle(row, &symbols)).collect()) else {
             continue;
         };
-        let written = &analysis.algebra.mechanism.loops[equation.written];
+        let written = &algebra.mechanism.loops[equation.written];
         let terms = [&written.left, &written.right].map(terms).concat();
         let term = terms.into_iter().find(|term| {
-            let rows = match analysis.algebra.translate(term) {
+            let rows = match algebra.translate(term) {
                 Value::Vector(vector) => vector.iter().collect(),
-                scalar => vec![translate::number(analysis.algebra, &scalar)],
+                scalar => vec![scalar::number(algebra, &scalar)],
             };
             rows.into_iter()
                 .any(|row| obstacle(row, &symbols) == Some(found))
@@ -122,9 +126,9 @@ fn worst_obstacle<'m>(
     None
 }
 
-/// What is wrong with angles that stand for themselves.
-fn of_values(analysis: &Analysis<'_, '_>, valued: &[usize], rows: usize) -> String {
-    let names = report::names(analysis, valued.to_vec());
+/// Returns the text about angles that stand for themselves.
+fn obstacle_of_values(algebra: &Algebra<'_>, valued: &[usize], rows: usize) -> String {
+    let names = naming::unknown_list(algebra, valued.to_vec());
     if rows <= 2 {
         return format!(
             "the angle {names} itself stands in it, and not its direction alone; {OURS}\nhelp: {MAY_STAND}"
@@ -141,34 +145,34 @@ fn of_values(analysis: &Analysis<'_, '_>, valued: &[usize], rows: usize) -> Stri
 }
 
 /// The unknown angles of which polynomial loops contain the value.
-fn valued<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+fn angles_with_values<'m>(
+    algebra: &Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Vec<usize> {
     let polynomials: Vec<_> = equations
         .iter()
-        .filter_map(|e| classify::polynomials(analysis, &e.rows, coordinates))
+        .filter_map(|e| polynomials::polynomials(algebra, &e.rows, coordinates))
         .collect();
     let angles = coordinates.iter().enumerate().filter(|(k, coordinate)| {
-        let value = coupled_core::first_symbol(analysis, coordinates, *k) + 2;
+        let value = polynomials::first_symbol(algebra, coordinates, *k) + 2;
         matches!(coordinate.kind, CoordinateKind::Angle(_))
             && polynomials.iter().any(|p| p.mention(value))
     });
     angles.filter_map(|(_, c)| c.unknown).collect()
 }
 
-/// How many unknowns of polynomial loops are in the core.
+/// Returns the number of unknowns of polynomial loops in the core.
 fn core_of<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> usize {
     let polynomials: Vec<_> = equations
         .iter()
-        .filter_map(|e| classify::polynomials(analysis, &e.rows, coordinates))
+        .filter_map(|e| polynomials::polynomials(algebra, &e.rows, coordinates))
         .collect();
-    coupled_core::private_and_core(analysis, &polynomials, coordinates)
+    classify_coupled::private_and_core(algebra, &polynomials, coordinates)
         .1
         .len()
 }
@@ -177,12 +181,11 @@ fn core_of<'m>(
 fn a_body_by_angles(equations: &[Equation], coordinates: &[Coordinate]) -> &'static str {
     let in_space = |e: &Equation| e.rows.len() == 3 || e.distance.is_some();
     let is_angle = |c: &&Coordinate| matches!(c.kind, CoordinateKind::Angle(_));
-    match equations.iter().any(in_space) && coordinates.iter().filter(is_angle).count() > 1 {
-        true => {
-            "; the place of a body in space is `unknown body = frame(origin, x, z);` without angles, and its points are \
+    if equations.iter().any(in_space) && coordinates.iter().filter(is_angle).count() > 1 {
+        "; the place of a body in space is `unknown body = frame(origin, x, z);` without angles, and its points are \
              `point_in(body, (x, y, z))`"
-        }
-        false => "",
+    } else {
+        ""
     }
 }
 
@@ -207,7 +210,7 @@ fn terms(side: &Expr) -> Vec<&Expr> {
         true => vec![side],
         false => summands
             .into_iter()
-            .flat_map(|(_, own)| terms(own))
+            .flat_map(|(_, summand)| terms(summand))
             .collect(),
     }
 }

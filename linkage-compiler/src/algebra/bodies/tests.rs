@@ -5,7 +5,7 @@ use crate::algebra::pivots;
 use linkage_symbolic::evaluate;
 
 use super::*;
-use crate::algebra::pivots::tests::{numbers, with_algebra};
+use crate::algebra::pivots::tests::numbers;
 
 /// A direction of length 1, or near it.
 fn unit([x, y, z]: [f64; 3]) -> [f64; 3] {
@@ -52,58 +52,56 @@ fn check(bodies: usize, seed: u32) {
     let (rows, axes) = matrix(bodies, seed);
     let size = rows.len();
     let right = numbers(size, seed + 5);
-    with_algebra(|algebra| {
-        let graph = algebra.graph;
-        let lift = |row: &[f64]| row.iter().map(|&x| graph.number(x)).collect::<Vec<_>>();
-        let matrix: Vec<Vec<Ex>> = rows.iter().map(|row| lift(row)).collect();
-        let place = |k: usize| (k / 8, (k % 8).checked_sub(1).filter(|k| *k < 6));
-        let unknowns = (0..size).map(|k| {
-            let (body, place) = place(k);
-            place.map(|k| graph.number(axes[body][k / 3][k % 3]))
-        });
-        let bodies = Bodies::of(&matrix, &unknowns.collect::<Vec<_>>());
-        assert_eq!(bodies.all.len(), axes.len());
-        let order = |matrix: &[Vec<Ex>]| {
-            let values: Vec<Vec<f64>> = matrix
-                .iter()
-                .map(|row| evaluate(row, |_| f64::NAN))
-                .collect();
-            let zero: Vec<Vec<bool>> = values
-                .iter()
-                .map(|row| row.iter().map(|x| *x == 0.0).collect())
-                .collect();
-            Order::new(&values, &zero)
-        };
-        let whole = order(&matrix);
-        let freedoms = bodies.rows.iter();
-        let freedoms: Vec<Vec<Ex>> = freedoms
-            .map(|&row| bodies.by_freedoms(&matrix[row]))
-            .collect();
-        let scheme = Scheme {
-            order: order(&freedoms),
-            freedoms,
-            bodies,
-        };
-        let right = lift(&right);
-        let numbers = |all: &[Ex]| evaluate(all, |_| f64::NAN);
-        let near = |found: Vec<f64>, known: Vec<f64>| {
-            let largest = known.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-            for (found, known) in found.iter().zip(&known) {
-                let off = (found - known).abs();
-                assert!(off < 1e-9 * largest, "seed {seed}: {found} {known}");
-            }
-        };
-        let own = bodies::solve_by_scheme(algebra, &scheme, &matrix, &right);
-        let known = pivots::solve_in_order(algebra, &whole, &matrix, &right);
-        near(numbers(&own.solution), numbers(&known.solution));
-        near(numbers(&[own.determinant]), numbers(&[known.determinant]));
-        let transposed: Vec<Vec<Ex>> = (0..size)
-            .map(|column| matrix.iter().map(|row| row[column]).collect())
-            .collect();
-        let own = bodies::solve_transposed_by_scheme(algebra, &scheme, &matrix, &right);
-        let known = pivots::solve_in_order(algebra, &whole.transposed(), &transposed, &right);
-        near(numbers(&own), numbers(&known.solution));
+    let graph = &Graph::new();
+    let lift = |row: &[f64]| row.iter().map(|&x| graph.number(x)).collect::<Vec<_>>();
+    let matrix: Vec<Vec<Ex>> = rows.iter().map(|row| lift(row)).collect();
+    let place = |k: usize| (k / 8, (k % 8).checked_sub(1).filter(|k| *k < 6));
+    let unknowns = (0..size).map(|k| {
+        let (body, place) = place(k);
+        place.map(|k| graph.number(axes[body][k / 3][k % 3]))
     });
+    let bodies = Bodies::in_matrix(&matrix, &unknowns.collect::<Vec<_>>());
+    assert_eq!(bodies.list.len(), axes.len());
+    let order = |matrix: &[Vec<Ex>]| {
+        let values: Vec<Vec<f64>> = matrix
+            .iter()
+            .map(|row| evaluate(row, |_| f64::NAN))
+            .collect();
+        let zero: Vec<Vec<bool>> = values
+            .iter()
+            .map(|row| row.iter().map(|x| *x == 0.0).collect())
+            .collect();
+        Order::new(&values, &zero)
+    };
+    let whole = order(&matrix);
+    let freedoms = bodies.rows.iter();
+    let freedoms: Vec<Vec<Ex>> = freedoms
+        .map(|&row| bodies.by_freedoms(&matrix[row]))
+        .collect();
+    let scheme = Scheme {
+        order: order(&freedoms),
+        freedoms,
+        bodies,
+    };
+    let right = lift(&right);
+    let numbers = |all: &[Ex]| evaluate(all, |_| f64::NAN);
+    let near = |found: Vec<f64>, known: Vec<f64>| {
+        let largest = known.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        for (found, known) in found.iter().zip(&known) {
+            let off = (found - known).abs();
+            assert!(off < 1e-9 * largest, "seed {seed}: {found} {known}");
+        }
+    };
+    let found = bodies::solve_by_scheme(graph, &scheme, &matrix, &right);
+    let known = pivots::solve_in_order(graph, &whole, &matrix, &right);
+    near(numbers(&found.solution), numbers(&known.solution));
+    near(numbers(&[found.determinant]), numbers(&[known.determinant]));
+    let transposed: Vec<Vec<Ex>> = (0..size)
+        .map(|column| matrix.iter().map(|row| row[column]).collect())
+        .collect();
+    let found = bodies::solve_transposed_by_scheme(graph, &scheme, &matrix, &right);
+    let known = pivots::solve_in_order(graph, &whole.transposed(), &transposed, &right);
+    near(numbers(&found), numbers(&known.solution));
 }
 
 #[test]

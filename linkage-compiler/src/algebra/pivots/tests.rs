@@ -1,15 +1,12 @@
 //! Systems of numbers, solved as expressions.
 
 use crate::algebra::pivots;
-use linkage_symbolic::{Graph, evaluate};
+use linkage_symbolic::evaluate;
 
 use super::*;
-use crate::diagnostic::Diagnostics;
-use crate::model::{self, Library};
-use crate::syntax;
 
 /// Numbers from -1 to 1 without a pattern.
-pub(in crate::algebra) fn numbers(count: usize, seed: u32) -> Vec<f64> {
+pub(crate) fn numbers(count: usize, seed: u32) -> Vec<f64> {
     let mut state = seed;
     let mut next = || {
         state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -18,42 +15,28 @@ pub(in crate::algebra) fn numbers(count: usize, seed: u32) -> Vec<f64> {
     (0..count).map(|_| next()).collect()
 }
 
-/// Lends the algebra of a small mechanism.
-pub(in crate::algebra) fn with_algebra(work: impl FnOnce(&Algebra)) {
-    let text = "struct M { input phi = 0deg; } impl M { fn f(phi) -> F { phi } }";
-    let mut diagnostics = Diagnostics::default();
-    let tokens = text.parse().expect("tokens");
-    let parsed = syntax::parse(tokens, &mut diagnostics).pop();
-    let definition = parsed.expect("a mechanism");
-    let model = model::resolve(&definition, &Library::default(), &mut diagnostics);
-    let (model, graph) = (model.expect("it resolves"), Graph::new());
-    work(&Algebra::new(&model.mechanism, &graph));
-}
-
 fn solved(order: &Order, matrix: &[Vec<f64>], right: &[f64]) -> (Vec<f64>, f64) {
-    let mut all = Vec::new();
-    with_algebra(|algebra| {
-        let number = |&x: &f64| algebra.graph.number(x);
-        let lift = |row: &[f64]| row.iter().map(number).collect::<Vec<_>>();
-        let rows: Vec<Vec<Ex>> = matrix.iter().map(|row| lift(row)).collect();
-        let InOrder {
-            mut solution,
-            determinant,
-        } = pivots::solve_in_order(algebra, order, &rows, &lift(right));
-        let once = pivots::solve_once_in_order(algebra, order, &rows, &lift(right));
-        for (own, shared) in once.solution.iter().zip(&solution) {
-            let [own, shared] = [own, shared].map(|x| evaluate(&[*x], |_| f64::NAN)[0]);
-            let both = own.is_nan() && shared.is_nan();
-            assert!(both || (own - shared).abs() <= 1e-9 * shared.abs());
-        }
-        solution.push(determinant);
-        all = evaluate(&solution, |_| f64::NAN);
-    });
+    let graph = Graph::new();
+    let number = |&x: &f64| graph.number(x);
+    let lift = |row: &[f64]| row.iter().map(number).collect::<Vec<_>>();
+    let rows: Vec<Vec<Ex>> = matrix.iter().map(|row| lift(row)).collect();
+    let InOrder {
+        mut solution,
+        determinant,
+    } = pivots::solve_in_order(&graph, order, &rows, &lift(right));
+    let once = pivots::solve_once_in_order(&graph, order, &rows, &lift(right));
+    for (single, shared) in once.solution.iter().zip(&solution) {
+        let [single, shared] = [single, shared].map(|x| evaluate(&[*x], |_| f64::NAN)[0]);
+        let both = single.is_nan() && shared.is_nan();
+        assert!(both || (single - shared).abs() <= 1e-9 * shared.abs());
+    }
+    solution.push(determinant);
+    let mut all = evaluate(&solution, |_| f64::NAN);
     let determinant = all.pop().expect("it was pushed");
     (all, determinant)
 }
 
-/// By the first row, column by column.
+/// Returns the determinant by the first row, column by column.
 fn determinant(matrix: &[Vec<f64>]) -> f64 {
     let Some((first, below)) = matrix.split_first() else {
         return 1.0;
@@ -107,13 +90,13 @@ fn systems_of_all_sizes_are_solved_and_their_determinants_have_the_sign() {
 
 #[test]
 fn the_transposed_matrix_has_the_transposed_order() {
-    let own = matrix(7, 77);
+    let original = matrix(7, 77);
     let transposed: Vec<Vec<f64>> = (0..7)
-        .map(|j| own.iter().map(|row| row[j]).collect())
+        .map(|j| original.iter().map(|row| row[j]).collect())
         .collect();
     let right = numbers(7, 5);
-    let (solution, found) = solved(&order(&own).transposed(), &transposed, &right);
-    assert!((found - determinant(&own)).abs() < 1e-13);
+    let (solution, found) = solved(&order(&original).transposed(), &transposed, &right);
+    assert!((found - determinant(&original)).abs() < 1e-13);
     for (row, right) in transposed.iter().zip(&right) {
         let left: f64 = row.iter().zip(&solution).map(|(a, x)| a * x).sum();
         assert!((left - right).abs() < 1e-12);

@@ -4,11 +4,12 @@
 use linkage_symbolic::{Ex, V2};
 
 use crate::algebra::{
-    Algebra, Body, Distance, Elimination, Links, PrivateColumn, Solution, Term, Written, partial,
+    Algebra, Body, Distance, Elimination, Links, PrivateColumn, Solution, Term, WrittenRow,
+    derivatives::partial,
 };
 use crate::solve::group_context::GroupContext;
 use crate::solve::{definitions, unknowns};
-use crate::structure::{Block, Link, Private};
+use crate::structure::{Block, Private, SpaceLink};
 
 use super::equations::{BlockAtRow, Equations};
 use super::rotation_variation::carried;
@@ -59,7 +60,7 @@ pub(super) fn push_coupled<'m>(
         terms,
         rows: match &equations.large {
             Some(large) => {
-                let bodies = &large.scheme.bodies.all;
+                let bodies = &large.scheme.bodies.list;
                 let blocks = form.blocks.iter();
                 blocks.flat_map(|block| written(block, bodies)).collect()
             }
@@ -131,8 +132,8 @@ fn terms_of<'m>(
 
 /// The rows of a loop. The difference of two links is that of their squares: as products its
 /// derivatives have more terms.
-fn written<'m>(block: &Block<'m>, bodies: &[Body<'m>]) -> Vec<Written<'m>> {
-    let row = |&row: &Ex<'m>| Written { row, links: None };
+fn written<'m>(block: &Block<'m>, bodies: &[Body<'m>]) -> Vec<WrittenRow<'m>> {
+    let row = |&row: &Ex<'m>| WrittenRow { row, links: None };
     let (Some(link), [row_itself]) = (&block.distance, &block.rows[..]) else {
         return block.rows.iter().map(row).collect();
     };
@@ -145,7 +146,7 @@ fn written<'m>(block: &Block<'m>, bodies: &[Body<'m>]) -> Vec<Written<'m>> {
         }
         None => *row_itself,
     };
-    let distance = |link: &Link<'m>| Distance {
+    let distance = |link: &SpaceLink<'m>| Distance {
         vector: link.vector,
         length: link.length,
         carried: carried(link.vector, bodies),
@@ -154,7 +155,7 @@ fn written<'m>(block: &Block<'m>, bodies: &[Body<'m>]) -> Vec<Written<'m>> {
         first: distance(link),
         less: less.map(|less| distance(less)),
     };
-    vec![Written {
+    vec![WrittenRow {
         row,
         links: Some(links),
     }]

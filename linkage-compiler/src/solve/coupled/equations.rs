@@ -2,7 +2,7 @@
 
 use linkage_symbolic::{Ex, NodeId, SymbolId, V2, Vector, Vn, substitute};
 
-use crate::algebra::{Algebra, CoreRow, partial};
+use crate::algebra::{Algebra, CoreRow, derivatives::partial};
 use crate::solve::group_context::GroupContext;
 use crate::structure::{Block, Core, Coupled, Private};
 

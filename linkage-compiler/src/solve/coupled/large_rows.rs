@@ -10,7 +10,7 @@
 
 use linkage_symbolic::{Ex, V3};
 
-use crate::algebra::{Algebra, Bodies, Order, Scheme, nominal, partial};
+use crate::algebra::{Algebra, Bodies, Order, Scheme, derivatives::partial, nominal};
 use crate::solve::coupled::rotation_variation;
 use crate::solve::group_context::GroupContext;
 use crate::structure::Core;
@@ -38,7 +38,7 @@ pub(super) fn large_system<'m>(
         Core::Angle(_) => None,
         Core::Length { symbol, .. } => Some(graph.ex(graph.symbol_node(symbol))),
     });
-    let bodies = Bodies::of(&equations.matrix, &unknowns.collect::<Vec<_>>());
+    let bodies = Bodies::in_matrix(&equations.matrix, &unknowns.collect::<Vec<_>>());
     let freedoms = rotation_variation::freedoms(equations, &bodies);
     let order = pivot_order(algebra, group, &freedoms);
     let rows = rows_of_step(algebra, equations, &bodies, &freedoms);
@@ -113,7 +113,7 @@ fn row_of_link<'m>(
 ) -> Option<StepRow<'m>> {
     let block = loop_rows.block;
     let link = block.distance.as_ref()?;
-    if bodies.all.is_empty() || !block.is_length() {
+    if bodies.list.is_empty() || !block.is_length() {
         return None;
     }
     let vector = link.vector.map(|x| equations.scale * x);
@@ -128,7 +128,7 @@ fn row_of_link<'m>(
         .collect();
     let by_unknowns: Vec<Ex> = slopes.iter().map(|slope| vector.dot(*slope)).collect();
     let others = bodies.columns.iter().map(|&k| by_unknowns[k]);
-    let turns = bodies.all.iter().flat_map(|body| {
+    let turns = bodies.list.iter().flat_map(|body| {
         let any = body.by_turns(&by_unknowns);
         let carried = of_square(body, vector).filter(|carried| same(*carried, any));
         carried.unwrap_or(any).0

@@ -20,7 +20,7 @@ pub(super) struct LargeSystem<'m> {
 
 impl<'m> LargeSystem<'m> {
     fn bodies(&self) -> &[Body<'m>] {
-        &self.scheme.bodies.all
+        &self.scheme.bodies.list
     }
 
     /// Makes the directions of bodies perpendicular and of length 1, up to the square of their

@@ -8,8 +8,8 @@ mod parts;
 mod plane;
 use linkage_symbolic::{Ex, V3};
 
-use crate::algebra::{Algebra, elimination, partial};
-use crate::structure::{Block, Link};
+use crate::algebra::{Algebra, cofactors, derivatives::partial};
+use crate::structure::{Block, SpaceLink};
 
 use super::equations::{Equations, vector};
 
@@ -29,7 +29,7 @@ pub(super) fn largest_core_determinant<'m>(
     if blocks.iter().all(|block| block.rows.len() == 3) {
         return product_of_columns(algebra, equations);
     }
-    let links: Option<Vec<&Link>> = blocks.iter().map(|b| b.distance.as_ref()).collect();
+    let links: Option<Vec<&SpaceLink>> = blocks.iter().map(|b| b.distance.as_ref()).collect();
     match links {
         Some(links) => largest_of_links(algebra, equations, &links),
         // What a scalar loop measures, nobody knows: the determinant without its signs changes with
@@ -52,7 +52,7 @@ fn product_of_sides<'m>(algebra: &Algebra<'m>, matrix: &[Vec<Ex<'m>>]) -> Ex<'m>
     };
     let of_rows: Vec<Ex> = matrix
         .iter()
-        .map(|row| elimination::product_sum(algebra, row, row))
+        .map(|row| cofactors::product_sum(algebra.graph, row, row))
         .collect();
     let columns = (0..matrix.len()).map(|column| {
         let entries = matrix.iter().zip(&of_rows);
@@ -78,7 +78,7 @@ fn product_of_columns<'m>(algebra: &Algebra<'m>, equations: &Equations<'_, 'm>) 
 fn largest_of_links<'m>(
     algebra: &mut Algebra<'m>,
     equations: &Equations<'_, 'm>,
-    links: &[&Link<'m>],
+    links: &[&SpaceLink<'m>],
 ) -> Ex<'m> {
     let ends: Vec<Vec<V3>> = links
         .iter()
@@ -99,14 +99,14 @@ fn largest_of_links<'m>(
             unknowns.clone().map(entry).collect()
         })
         .collect();
-    elimination::determinant(algebra, &gram).sqrt()
+    cofactors::determinant(algebra.graph, &gram).sqrt()
 }
 
 /// The derivatives of a link's vector, scaled as the columns of the core are.
 fn motions<'m>(
     algebra: &mut Algebra<'m>,
     equations: &Equations<'_, 'm>,
-    link: &Link<'m>,
+    link: &SpaceLink<'m>,
     block: &Block<'m>,
 ) -> Vec<V3<'m>> {
     let unknowns = equations.variables.iter().zip(&equations.form.core);

@@ -6,7 +6,7 @@ use linkage_core::numeric::continuation::{
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, substitute};
 
-use crate::algebra::{Algebra, InOrder, elimination, pivots};
+use crate::algebra::{Algebra, InOrder, cofactors, pivots};
 use crate::solve::coupled::state;
 
 use super::equations::Equations;
@@ -121,7 +121,8 @@ pub(super) fn step<'m>(
 
     let (freedoms, determinant): (Vec<Ex>, Ex) = match &equations.large {
         Some(large) => {
-            let solved = pivots::solve_once_in_order(algebra, &large.order, &matrix, residuals);
+            let solved =
+                pivots::solve_once_in_order(algebra.graph, &large.order, &matrix, residuals);
             let InOrder {
                 solution,
                 determinant,
@@ -130,7 +131,7 @@ pub(super) fn step<'m>(
             (freedoms, large.share * determinant)
         }
         None => {
-            let (numerators, determinant) = elimination::cramer(algebra, &matrix, residuals);
+            let (numerators, determinant) = cofactors::cramer(algebra.graph, &matrix, residuals);
             let corrections = numerators
                 .into_iter()
                 .map(|numerator| -(numerator / determinant));
@@ -138,8 +139,8 @@ pub(super) fn step<'m>(
         }
     };
     Step {
-        size2: elimination::product_sum(algebra, &freedoms, &freedoms)
-            + elimination::product_sum(algebra, &missed, &missed),
+        size2: cofactors::product_sum(algebra.graph, &freedoms, &freedoms)
+            + cofactors::product_sum(algebra.graph, &missed, &missed),
         corrections: match &equations.large {
             Some(large) => large.corrections(&start, &freedoms),
             None => freedoms,

@@ -8,7 +8,7 @@
 
 use linkage_symbolic::{Ex, SymbolId, V3, Vector, numerically_equal, substitute};
 
-use crate::algebra::{Bodies, Body, Carried, coordinates, directions};
+use crate::algebra::{ArmOnBody, Bodies, Body, coordinates, directions};
 use crate::structure::Block;
 
 use super::equations::Equations;
@@ -27,7 +27,7 @@ pub(super) fn freedoms<'m>(equations: &Equations<'_, 'm>, bodies: &Bodies<'m>) -
     let rows = bodies.rows.iter().map(|&row| {
         let entries = &equations.matrix[row];
         let others = bodies.columns.iter().map(|&k| entries[k]);
-        let turns = bodies.all.iter().flat_map(|body| {
+        let turns = bodies.list.iter().flat_map(|body| {
             let any = body.by_turns(entries);
             let proposed = proposals(equations, body, blocks[row]).into_iter();
             let mut same = proposed.filter(|proposal| same(*proposal, any));
@@ -78,14 +78,14 @@ pub(super) fn same<'m>(proposed: V3<'m>, any: V3<'m>) -> bool {
 }
 
 /// The part of a vector that one of the bodies carries as it is.
-pub(super) fn carried<'m>(vector: V3<'m>, bodies: &[Body<'m>]) -> Option<Carried<'m>> {
+pub(super) fn carried<'m>(vector: V3<'m>, bodies: &[Body<'m>]) -> Option<ArmOnBody<'m>> {
     let graph = vector[0].graph();
     let mut parts = bodies.iter().enumerate().filter_map(|(index, body)| {
         let Parts { carried, rest } = parts(body, vector)?;
         // Of directions alone, but not as they are: a shadow, or a product with a fixed direction,
         // turns otherwise.
         let coordinates = coordinates(carried, body.axes)?;
-        (!carried.is_zero()).then(|| Carried {
+        (!carried.is_zero()).then(|| ArmOnBody {
             body: index,
             arm: carried,
             rest,

@@ -3,7 +3,7 @@
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
-use crate::algebra::{Algebra, Rule};
+use crate::algebra::{Algebra, DerivativeRule};
 use crate::solve::definitions;
 use crate::solve::group_context::GroupContext;
 use crate::structure::Core;
@@ -90,7 +90,7 @@ pub(super) fn declare_core<'m>(
             Core::Angle(angle) => definitions::declare_angle(algebra, group, angle, 1.0, position),
             Core::Length { symbol, .. } => {
                 let group = group.index;
-                let rule = Rule::Unknown { group, position };
+                let rule = DerivativeRule::Unknown { group, position };
                 algebra.solutions.set_rule(symbol, rule);
             }
         }

@@ -2,7 +2,7 @@
 
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
-use crate::algebra::{Algebra, CoreRow, Elimination, Solution, Term, elimination};
+use crate::algebra::{Algebra, CoreRow, Elimination, Solution, Term, cofactors};
 use crate::solve::group_context::GroupContext;
 use crate::solve::plane::guarded;
 use crate::solve::{definitions, unknowns};
@@ -84,7 +84,7 @@ pub(super) fn push_point<'m>(
         Some(1) => -volume,
         _ => volume,
     };
-    let product = elimination::determinant(algebra, &matrix);
+    let product = cofactors::determinant(algebra.graph, &matrix);
     let determinant = definitions::alias(algebra, group, "det", value, product);
     algebra.solutions.groups.push(Solution {
         terms,

@@ -2,7 +2,7 @@
 
 use linkage_symbolic::{Ex, SymbolId, V2, Vector, numerically_equal};
 
-use crate::algebra::{Algebra, partial};
+use crate::algebra::{Algebra, derivatives::partial};
 use crate::structure::Core;
 
 use super::super::equations::Equations;

@@ -1,0 +1,68 @@
+//! Names of coordinates and unknowns in messages.
+
+use crate::algebra::context::Algebra;
+use crate::structure::equations::{Coordinate, CoordinateKind};
+
+/// The unknowns behind coordinates; of a vector that is not there as a whole, the components.
+pub(crate) fn unknown_names<'c>(
+    algebra: &Algebra<'_>,
+    coordinates: impl Iterator<Item = &'c Coordinate>,
+) -> String {
+    let coordinates: Vec<&Coordinate> = coordinates.filter(|c| c.unknown.is_some()).collect();
+    let mut names: Vec<(usize, String)> = Vec::new();
+    for coordinate in &coordinates {
+        let Some(unknown) = coordinate.unknown else {
+            continue;
+        };
+        let of_it = coordinates.iter().filter(|c| c.unknown == Some(unknown));
+        let name = if of_it.count() == algebra.names.components_of(unknown) {
+            algebra.mechanism.unknowns[unknown].name.clone()
+        } else {
+            coordinate_name(algebra, coordinate)
+        };
+        names.push((unknown, format!("`{name}`")));
+    }
+    names.sort_by_key(|(unknown, _)| *unknown);
+    names.dedup();
+    let names: Vec<String> = names.into_iter().map(|(_, name)| name).collect();
+    names.join(", ")
+}
+
+/// True if these are not all components of the first one's unknown.
+pub(crate) fn is_component(
+    _algebra: &Algebra<'_>,
+    indices: &[usize],
+    coordinates: &[Coordinate],
+) -> bool {
+    let Some(unknown) = indices.first().and_then(|&k| coordinates[k].unknown) else {
+        return false;
+    };
+    let of_it = indices
+        .iter()
+        .filter(|&&k| coordinates[k].unknown == Some(unknown));
+    let missing = coordinates.iter().filter(|c| c.unknown == Some(unknown));
+    of_it.count() < missing.count()
+}
+
+/// `theta`, or a component: `p.x`.
+pub(crate) fn coordinate_name(algebra: &Algebra<'_>, coordinate: &Coordinate) -> String {
+    match coordinate.kind {
+        CoordinateKind::Length(symbol) => algebra.graph.symbol(symbol).name,
+        CoordinateKind::Angle(angle) => {
+            let value = algebra.names.angles[angle].value;
+            algebra.graph.symbol(value).name
+        }
+    }
+}
+
+pub(crate) fn unknown_list(algebra: &Algebra<'_>, mut unknowns: Vec<usize>) -> String {
+    unknowns.sort_unstable();
+    unknowns.dedup();
+    let name = |&k: &usize| format!("`{}`", algebra.mechanism.unknowns[k].name);
+    unknowns.iter().map(name).collect::<Vec<_>>().join(", ")
+}
+
+/// `1 unknown`, `3 unknowns`
+pub(crate) fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
