@@ -4,7 +4,6 @@
 //! give a lower bound that does not depend on how well it has converged: with vectors `u_i` for which `sum Q_i^T u_i = 0`, any
 //! `y` has `sum u_i . f_i = sum u_i . (f_i + Q_i y) <= sum |u_i| * peak`.
 
-mod cholesky;
 mod step;
 
 use alloc::vec;
@@ -12,8 +11,8 @@ use alloc::vec::Vec;
 
 use super::rows::{Row, add, dot, larger};
 use crate::components::norm;
-use cholesky::Cholesky;
 use linkage_core::math::double::sqrt;
+use linkage_core::numeric::cholesky::Cholesky;
 use step::State;
 
 /// A point, and what no point goes below.
@@ -27,6 +26,8 @@ pub(super) struct Found<const N: usize> {
 const ROUNDS: usize = 100;
 const PATIENCE: usize = 5;
 const GAP: f64 = 1e-13;
+/// The least part of its diagonal that a pivot counts as, where rounding has taken it away.
+const LEAST_PIVOT: f64 = 1e-15;
 
 /// The coordinates of the least peak. The columns are of length 1 and perpendicular to each other and to the forces.
 pub(super) fn least_peak<const N: usize>(
@@ -122,7 +123,7 @@ impl<const N: usize> Problem<N> {
                 }
             }
         }
-        let shares = Cholesky::new(matrix).solve(along);
+        let shares = Cholesky::with_least_pivot(matrix, LEAST_PIVOT).solve(along);
         for ((row, u), weight) in self.rows.iter().zip(u).zip(weights) {
             add(u, *weight, &row.change(&shares));
         }

@@ -3,8 +3,9 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::cholesky::Cholesky;
+use super::LEAST_PIVOT;
 use crate::balancing::rows::{Row, dot};
+use linkage_core::numeric::cholesky::Cholesky;
 
 /// How much of the way to zero a slack or a multiplier may go.
 const BOUNDARY: f64 = 0.99;
@@ -143,7 +144,7 @@ impl<const N: usize> System<N> {
             weights,
             weight,
             mean,
-            matrix: Cholesky::new(matrix),
+            matrix: Cholesky::with_least_pivot(matrix, LEAST_PIVOT),
         }
     }
 
