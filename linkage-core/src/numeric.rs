@@ -5,8 +5,11 @@
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod cholesky;
+pub mod complex;
+pub mod complex_matrix;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod continuation;
+pub mod double_double;
 #[cfg(feature = "alloc")]
 pub mod inverse;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]

@@ -8,11 +8,11 @@
 //! are radians, lengths in any unit. For `z_f` in the frame and `w = z_f' - i z_f`, as complex numbers, the contact normal is
 //! `i w / |w|`; formulas of textbooks (Norton, Cam Design and Manufacturing Handbook; VDI 2142) follow from it.
 
-mod complex;
 mod contact;
 mod error;
 mod follower;
 mod outline;
+mod plane;
 mod search;
 mod undercut;
 #[cfg(feature = "report")]

@@ -6,13 +6,11 @@
 //! line, so that solutions at zero and at infinity are points like any other; the number of paths
 //! is known beforehand, and a listing is given only if every path is accounted for.
 
-mod complex;
 mod continuum;
 mod cycle;
 mod doubts;
 mod ends;
 mod homotopy;
-mod matrix;
 mod past;
 mod path;
 mod place;
@@ -20,6 +18,7 @@ mod polynomial;
 mod precise;
 mod quadratic;
 mod real;
+mod rough_root;
 mod start;
 mod survey;
 

@@ -3,9 +3,7 @@
 mod ball;
 mod burmester;
 mod certificate;
-mod complex;
 mod dense;
-mod double;
 mod dyad;
 mod error;
 mod five_points;
@@ -15,6 +13,7 @@ mod long;
 mod nine_points;
 mod path;
 mod polynomial;
+mod real;
 mod solutions;
 mod task;
 #[cfg(test)]
@@ -31,7 +30,7 @@ pub use nine_points::{
 };
 pub use solutions::{Equations, Number, Solution, Solutions, Trace, solutions, solutions_traced};
 
-use complex::Complex;
+use linkage_core::numeric::complex::Complex;
 
 /// Ways from general constants, or stored ones, to the given ones: angles without pattern. All solutions are found by the first one but for
 /// accidents; what several find together is as sure.

@@ -1,9 +1,10 @@
 //! Whether a multiple solution is one of a continuum.
 
-use super::complex::{Complex, ZERO, rough_root};
 use super::homotopy::Homotopy;
-use super::matrix::{Matrix, Vector, solve};
 use super::place::Place;
+use super::rough_root::rough_root;
+use crate::numeric::complex::{Complex, ZERO};
+use crate::numeric::complex_matrix::{Matrix, Vector, solve};
 
 /// Equations that some way off a solution are missed by less than this share of their terms hold there too: some hundred roundings, since
 /// those of which six solutions meet are missed by no more than `1e-11`.

@@ -5,9 +5,10 @@
 //! (Cauchy's integral), although the equations are singular there. Where the end is near others,
 //! the paths to all of them are run through, and the mean is the middle of them.
 
-use super::complex::{Complex, ONE, ZERO, rough_root};
 use super::homotopy::Homotopy;
-use super::matrix::{Vector, size, solve, sum};
+use super::rough_root::rough_root;
+use crate::numeric::complex::{Complex, ONE, ZERO};
+use crate::numeric::complex_matrix::{Vector, size, solve, sum};
 use alloc::vec::Vec;
 
 /// A closed way around the end of a path.

@@ -2,13 +2,14 @@
 //! become infinite.
 
 use super::MEETING;
-use super::complex::{Complex, rough_root};
 use super::cycle;
 use super::homotopy::Homotopy;
-use super::matrix::{Matrix, Vector, size, solve, sum};
 use super::past::Knot;
 use super::path::Walker;
 use super::place::Place;
+use super::rough_root::rough_root;
+use crate::numeric::complex::Complex;
+use crate::numeric::complex_matrix::{Matrix, Vector, size, solve, sum};
 use alloc::vec::Vec;
 
 /// The end of a path.

@@ -1,12 +1,12 @@
 //! The equations between the start system (`t` = 1) and the given one (`t` = 0).
 
 use super::HIGHEST_DEGREE;
-use super::complex::{Complex, ONE, ZERO};
-use super::matrix::{Matrix, Vector};
 use super::place::Place;
 use super::polynomial::Polynomial;
 use super::quadratic::Quadratics;
 use super::start::{self, Univariate};
+use crate::numeric::complex::{Complex, ONE, ZERO};
+use crate::numeric::complex_matrix::{Matrix, Vector};
 use alloc::vec::Vec;
 
 /// `(1 - t) * target + t * start`, in coordinates of which each is a variable or its inverse.

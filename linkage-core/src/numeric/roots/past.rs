@@ -1,6 +1,7 @@
 //! The last points of a path, and the polynomial through them that tells where it goes.
 
-use super::matrix::Vector;
+use crate::numeric::complex::Complex;
+use crate::numeric::complex_matrix::Vector;
 
 /// A point of a path and its derivative with respect to `t`.
 #[derive(Clone, Copy)]
@@ -117,10 +118,6 @@ fn weights(value: f64, slope: f64, distance: f64) -> [f64; 2] {
 }
 
 #[inline(always)]
-fn weighted<const N: usize>(
-    knot: &Knot<N>,
-    weights: [f64; 2],
-    j: usize,
-) -> super::complex::Complex {
+fn weighted<const N: usize>(knot: &Knot<N>, weights: [f64; 2], j: usize) -> Complex {
     knot.x[j].scaled(weights[0]) + knot.tangent[j].scaled(weights[1])
 }

@@ -5,12 +5,12 @@
 //! one, tells how near the path is to others and rules the length of the next step.
 
 use super::Variable;
-use super::complex::rough_root;
 use super::ends::{self, End};
 use super::homotopy::Homotopy;
-use super::matrix::{Vector, size, solve, sum};
 use super::past::{Knot, Past};
 use super::place::Place;
+use super::rough_root::rough_root;
+use crate::numeric::complex_matrix::{Vector, size, solve, sum};
 use alloc::vec::Vec;
 
 /// How carefully paths are followed.

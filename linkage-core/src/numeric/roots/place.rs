@@ -1,8 +1,9 @@
 //! Points of a product of projective lines.
 
 use super::Variable;
-use super::complex::{Complex, ONE, rough_root};
-use super::matrix::Vector;
+use super::rough_root::rough_root;
+use crate::numeric::complex::{Complex, ONE};
+use crate::numeric::complex_matrix::Vector;
 
 /// A point: of every variable either its value or, where `flipped`, the inverse of its value,
 /// whichever is small.

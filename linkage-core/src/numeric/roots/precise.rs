@@ -4,20 +4,18 @@
 //! places: it must stay where it is, far from all others, when every coefficient is changed by a rounding. Ends that coefficients do not
 //! tell, such as those of paths that meet at infinity but for rounding, stay as uncertain as they were.
 
-mod double;
 mod equations;
 #[cfg(test)]
 mod tests;
 mod walk;
-mod wide;
 
 use super::Variable;
-use super::complex::rough_root;
 use super::ends::{End, Root};
 use super::homotopy::Homotopy;
 use super::path::Trace;
 use super::place::Place;
 use super::polynomial::Polynomial;
+use super::rough_root::rough_root;
 use alloc::vec::Vec;
 use equations::Equations;
 use walk::Reached;

@@ -2,10 +2,10 @@
 //! come to: all coefficients are kept, those of both equations side by side, so that evaluation is
 //! a fixed sequence of operations on pairs of numbers.
 
-use super::complex::Complex;
 use super::homotopy::Evaluation;
 use super::polynomial::Polynomial;
 use super::start::Univariate;
+use crate::numeric::complex::Complex;
 use core::ops::{Add, Mul};
 
 /// A complex number for each of the two equations.

@@ -1,11 +1,11 @@
 //! The real solutions: those that are their own reflections.
 
-use super::complex::Complex;
 use super::ends::{Root, polish};
 use super::homotopy::Homotopy;
-use super::matrix::Vector;
 use super::place::Place;
 use super::{MEETING, Variable};
+use crate::numeric::complex::Complex;
+use crate::numeric::complex_matrix::Vector;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 

@@ -1,10 +1,10 @@
 //! The simple system with known solutions at which the paths start: each equation is a product of
 //! polynomials in one variable each, with the degrees of the given equation.
 
-use super::complex::{Complex, ONE, ZERO};
-use super::matrix::Vector;
 use super::polynomial::Polynomial;
 use super::{HIGHEST_DEGREE, MOST_PATHS, MOST_VARIABLES, Unlisted};
+use crate::numeric::complex::{Complex, ONE, ZERO};
+use crate::numeric::complex_matrix::Vector;
 use alloc::vec::Vec;
 
 /// A polynomial in one variable, given by its roots.

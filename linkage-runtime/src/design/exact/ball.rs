@@ -2,39 +2,11 @@
 //!
 //! Rounding is to the nearest number; its errors are bounded by twice what they can be, and so are those of the radii.
 
-use super::complex::{Complex, Ring, ZERO};
-use super::double::Double;
 use super::long::Long;
+use super::real::Real;
 use core::ops::{Add, Mul, Neg, Sub};
-
-/// What the middles of discs consist of.
-pub(super) trait Real: Ring {
-    /// A plain number, exactly; it is finite.
-    fn of(number: f64) -> Self;
-
-    /// A bound of the absolute value.
-    fn bound(self) -> f64;
-
-    /// By how much a complex sum of this size is wrong at most; products by four times that.
-    fn rounding(size: f64) -> f64;
-}
-
-impl Real for f64 {
-    #[inline(always)]
-    fn of(number: f64) -> Self {
-        number
-    }
-
-    #[inline(always)]
-    fn bound(self) -> f64 {
-        self.abs()
-    }
-
-    #[inline(always)]
-    fn rounding(size: f64) -> f64 {
-        f64::EPSILON * size
-    }
-}
+use linkage_core::numeric::complex::{Complex, ZERO};
+use linkage_core::numeric::double_double::DoubleDouble;
 
 /// All numbers that are not further from the middle than the radius.
 #[derive(Clone, Copy, Debug)]
@@ -82,7 +54,7 @@ impl Ball {
     pub(super) const ZERO: Self = Self::exact(ZERO);
 
     /// A number of more digits.
-    pub(super) fn of(number: Complex<Double>) -> Self {
+    pub(super) fn of(number: Complex<DoubleDouble>) -> Self {
         let rest = number.re.low.abs() + number.im.low.abs();
         Self::new(number.narrow(), rest * AMPLE)
     }
@@ -112,8 +84,8 @@ impl Ball {
 impl Ball<Long> {
     /// With the digits of plain numbers.
     pub(super) fn narrow(self) -> Ball {
-        let middle = self.middle.rounded();
-        let rest = taxi(self.middle - middle.long());
+        let middle = self.middle.map(Long::narrow);
+        let rest = taxi(self.middle - middle.map(Long::of));
         Ball::new(middle, (self.radius + rest) * AMPLE)
     }
 
@@ -132,8 +104,8 @@ impl<R: Real> From<Complex> for Ball<R> {
     }
 }
 
-impl From<Complex<Double>> for Ball<Long> {
-    fn from(number: Complex<Double>) -> Self {
+impl From<Complex<DoubleDouble>> for Ball<Long> {
+    fn from(number: Complex<DoubleDouble>) -> Self {
         Self::exact(Complex::new(number.re.into(), number.im.into()))
     }
 }
@@ -154,13 +126,13 @@ fn taxi<R: Real>(number: Complex<R>) -> f64 {
 pub(super) struct Bound(pub(super) f64);
 
 impl Bound {
-    pub(super) fn of(number: Complex<Double>) -> Self {
+    pub(super) fn of(number: Complex<DoubleDouble>) -> Self {
         Self(taxi(number.narrow()) * AMPLE)
     }
 
-    /// The value of a polynomial whose terms have these bounds, when it has been computed with `Double`: fewer than a hundred
+    /// The value of a polynomial whose terms have these bounds, when it has been computed with `DoubleDouble`: fewer than a hundred
     /// operations, each wrong by a few parts in 2^106.
-    pub(super) fn around(self, value: Complex<Double>) -> Ball {
+    pub(super) fn around(self, value: Complex<DoubleDouble>) -> Ball {
         const WRONG: f64 = 1.0 / (1_u128 << 96) as f64;
         Ball::of(value).widened(self.0 * WRONG)
     }

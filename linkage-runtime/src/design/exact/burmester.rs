@@ -7,11 +7,11 @@ mod three;
 
 pub use curve::{CentreCurve, CentrePoint};
 
-use super::complex::Complex;
 use super::dyad::{self, Link};
 use super::task::Shift;
 use super::{FourBar, Pose};
 use alloc::vec::Vec;
+use linkage_core::numeric::complex::Complex;
 
 /// A joint of the frame and a joint of the body that keep their distance.
 #[derive(Clone, Copy, Debug, PartialEq)]

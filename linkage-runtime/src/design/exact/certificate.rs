@@ -9,11 +9,12 @@
 
 mod long;
 
-use super::ball::{Ball, Real};
-use super::complex::Complex;
-use super::dense;
-use super::double::Double;
+use super::ball::Ball;
 use super::long::Long;
+use super::real::Real;
+use linkage_core::numeric::complex::Complex;
+use linkage_core::numeric::complex_matrix;
+use linkage_core::numeric::double_double::DoubleDouble;
 pub(super) use long::certify_long;
 
 /// As many equations as unknowns.
@@ -39,7 +40,7 @@ pub(super) trait System<const N: usize> {
 pub(super) type Evaluated<const N: usize> = ([Ball<Long>; N], [[Ball<Long>; N]; N]);
 
 /// With more digits than the solutions are told: next to singular points the values need them.
-pub(super) type Point<const N: usize> = [Complex<Double>; N];
+pub(super) type Point<const N: usize> = [Complex<DoubleDouble>; N];
 
 /// Discs around a solution; it is the only one in them, or in smaller ones that plain numbers do not tell from a point.
 #[derive(Clone, Debug)]
@@ -91,7 +92,7 @@ fn mirrored<const N: usize, S: System<N>, R: Real>(discs: &[Ball<R>; N]) -> [Bal
 fn one_solution<const N: usize, S: System<N>>(point: &Point<N>, system: &S) -> Option<[Ball; N]> {
     let there = point.map(Ball::of);
     let matrix = system.matrix(&there);
-    let inverse = dense::inverse(&matrix.map(|row| row.map(|element| element.middle)))?;
+    let inverse = complex_matrix::inverse(&matrix.map(|row| row.map(|element| element.middle)))?;
     let shift = times(&inverse, &system.values(point)).map(Ball::size);
     contracted::<N, S, f64>(&there, &inverse, &shift, |discs| Some(system.matrix(discs)))
 }

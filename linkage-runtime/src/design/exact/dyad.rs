@@ -7,7 +7,7 @@
 //!
 //! `(d + t x - a) (d^ + u x^ - a^) = (x - a) (x^ - a^)`
 
-use super::complex::Ring;
+use linkage_core::numeric::complex::Ring;
 
 /// `x`, `x^`, `a`, `a^`.
 pub(super) type Dyad<T> = [T; 4];

@@ -4,8 +4,6 @@
 use super::Pose;
 use super::ball::{Ball, Bound};
 use super::certificate::{self, Certificate, Evaluated, Point, System};
-use super::complex::{Complex, ONE, Ring, ZERO};
-use super::dense;
 use super::dyad;
 use super::error::{self, Unsolved};
 use super::four_bar::FourBar;
@@ -14,6 +12,8 @@ use super::task::{self, Shift};
 use super::verify;
 use crate::numeric::roots::{self, Term, Variable};
 use alloc::vec::Vec;
+use linkage_core::numeric::complex::{Complex, ONE, Ring, ZERO};
+use linkage_core::numeric::complex_matrix;
 
 /// The four-bars through five points.
 #[derive(Clone, Debug, PartialEq)]
@@ -220,7 +220,7 @@ impl Task {
             let plain = |shift: &Shift| shift.wide().map(Complex::narrow);
             let (_, mut matrix) = self.system(&all.map(Complex::narrow), [ZERO, ONE], plain);
             let mut right = [values.map(|value| -value.narrow())];
-            if dense::solve(&mut matrix, &mut right) == 0.0 {
+            if complex_matrix::solve_scaled(&mut matrix, &mut right) == 0.0 {
                 break;
             }
             all = core::array::from_fn(|i| all[i] + right[0][i].wide());

@@ -12,11 +12,11 @@ mod verified;
 
 use super::Pose;
 use super::burmester::{Dyads, Pivots};
-use super::complex::Complex;
 use super::error::{self, Unsolved};
 use super::four_bar::{FourBar, Passage};
 use alloc::vec::Vec;
 use core::f64::consts::{FRAC_PI_2, PI};
+use linkage_core::numeric::complex::Complex;
 use nalgebra::{Matrix3, Matrix4, SVD};
 use ratios::{ratios, row};
 

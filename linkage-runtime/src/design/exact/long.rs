@@ -1,8 +1,9 @@
 //! Numbers of 77 digits: for the few solutions that plain and double-double numbers do not tell from singular ones.
 
-use super::ball::Real;
-use super::double::Double;
+use super::real::Real;
 use core::ops::{Add, Mul, Neg, Sub};
+use linkage_core::numeric::complex::Complex;
+use linkage_core::numeric::double_double::DoubleDouble;
 
 /// Words of the digits.
 const WORDS: usize = 4;
@@ -96,6 +97,12 @@ fn power(exponent: i32) -> f64 {
     f64::from_bits(((1023 + exponent) as u64) << 52)
 }
 
+/// Returns the inverse of a complex number, not of 0.
+pub(super) fn inverse(number: Complex<Long>) -> Complex<Long> {
+    let square = (number.re * number.re + number.im * number.im).inverse();
+    number.conjugate().scaled(square)
+}
+
 impl Real for Long {
     fn of(number: f64) -> Self {
         let bits = number.abs().to_bits();
@@ -122,8 +129,8 @@ impl Real for Long {
     }
 }
 
-impl From<Double> for Long {
-    fn from(number: Double) -> Self {
+impl From<DoubleDouble> for Long {
+    fn from(number: DoubleDouble) -> Self {
         Self::of(number.high) + Self::of(number.low)
     }
 }

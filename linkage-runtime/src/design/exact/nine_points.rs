@@ -14,13 +14,13 @@ mod starts;
 mod tests;
 
 use super::Pose;
-use super::complex::Complex;
 use super::error::{self, Unsolved};
 use super::four_bar::{FourBar, Passage};
 use super::task::{self, Shift};
 use super::verify;
 use crate::design::Progress;
 use alloc::vec::Vec;
+use linkage_core::numeric::complex::Complex;
 use search::Search;
 
 /// Triples of cognates for almost all nine points, real and complex.

@@ -3,7 +3,7 @@
 //! As the project's other homotopies do: every step predicts by the polynomial through the last points and their tangents
 //! and corrects by two Newton steps; their lengths rule the length of the next step.
 
-use super::complex::{Complex, ZERO};
+use linkage_core::numeric::complex::{Complex, ZERO};
 
 /// Equations that change with a parameter `t`, from 1 to 0.
 pub(super) trait Moving<const N: usize> {

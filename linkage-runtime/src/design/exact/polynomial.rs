@@ -1,7 +1,7 @@
 //! All roots of a polynomial of low degree.
 
-use super::complex::{Complex, ONE, ZERO};
 use alloc::vec::Vec;
+use linkage_core::numeric::complex::{Complex, ONE, ZERO};
 
 /// Roots converge by squares (Ehrlich and Aberth); this is far more than simple roots need, and what double ones are worth.
 const STEPS: usize = 60;

@@ -12,10 +12,10 @@ pub use trace::Trace;
 
 use super::ARCS;
 use super::certificate::Certificate;
-use super::complex::Complex;
 use super::error::Unsolved;
 use alloc::vec::Vec;
 use family::Member;
+use linkage_core::numeric::complex::Complex;
 use monodromy::{Fibre, Random};
 
 /// As many polynomial equations as unknowns, with real coefficients.

@@ -1,17 +1,17 @@
 //! Conditions as shifts and turns against the first of them, of size about 1, and what their rounding leaves open.
 
 use super::ball::Ball;
-use super::complex::Complex;
-use super::double::Double;
 use super::dyad::Pair;
+use linkage_core::numeric::complex::Complex;
+use linkage_core::numeric::double_double::DoubleDouble;
 
 /// A shift with all digits that the points have.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Shift([Double; 2]);
+pub(super) struct Shift([DoubleDouble; 2]);
 
 impl Shift {
     pub(super) fn between(from: [f64; 2], to: [f64; 2]) -> Self {
-        Self([0, 1].map(|i| Double::difference(to[i], from[i])))
+        Self([0, 1].map(|i| DoubleDouble::difference(to[i], from[i])))
     }
 
     /// Times a power of two, which is exact.
@@ -24,7 +24,7 @@ impl Shift {
     }
 
     /// With its conjugate.
-    pub(super) fn wide(self) -> Pair<Complex<Double>> {
+    pub(super) fn wide(self) -> Pair<Complex<DoubleDouble>> {
         let [x, y] = self.0;
         [Complex::new(x, y), Complex::new(x, -y)]
     }

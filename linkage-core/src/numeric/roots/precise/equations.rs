@@ -1,14 +1,17 @@
 //! The equations of a path in numbers of about 32 digits.
 
-use super::super::complex::{Complex, ONE};
-use super::super::matrix::Vector;
 use super::super::polynomial::Polynomial;
 use super::super::start::{self, Univariate};
-use super::wide::Wide;
+use crate::numeric::complex::{Complex, ONE, ZERO};
+use crate::numeric::complex_matrix::Vector;
+use crate::numeric::double_double::DoubleDouble;
 use alloc::vec::Vec;
 
 /// A point.
 pub(super) type Point<const N: usize> = [Wide; N];
+
+/// A complex number of about 32 digits.
+type Wide = Complex<DoubleDouble>;
 
 /// `(1 - t) * target + t * start`, of the same coefficients as the homotopy that has been followed so far.
 #[derive(Clone)]
@@ -39,7 +42,7 @@ impl<const N: usize> Equations<N> {
         let terms = |i: usize| target[i].terms.iter();
         let equation = |i: usize| Equation {
             terms: terms(i)
-                .map(|term| (Wide::new(term.factor), narrow(&term.exponents)))
+                .map(|term| (term.factor.wide(), narrow(&term.exponents)))
                 .collect(),
             degrees: narrow(&target[i].degrees),
             factors: factors[i],
@@ -59,7 +62,7 @@ impl<const N: usize> Equations<N> {
         let terms = changed.equations.iter_mut().flat_map(|own| &mut own.terms);
         for (factor, _) in terms {
             direction = direction * RADIAN;
-            *factor = *factor + *factor * Wide::new(direction.scaled(sign * ROUNDING));
+            *factor = *factor + *factor * direction.scaled(sign * ROUNDING).wide();
         }
         changed
     }
@@ -71,7 +74,7 @@ impl<const N: usize> Equations<N> {
             let equation = &self.equations[i];
             let target = equation.target(&powers, &self.flipped);
             let start = equation.start(x, &self.flipped);
-            (target + (start - target).scaled(t)).rounded()
+            (target + (start - target).scaled(t.into())).narrow()
         })
     }
 
@@ -79,14 +82,14 @@ impl<const N: usize> Equations<N> {
         let degrees = self.equations.iter().map(|equation| equation.degrees[j]);
         let highest = usize::from(degrees.max().unwrap_or(0));
         let next = |power: &Wide| Some(*power * x[j]);
-        let all = core::iter::successors(Some(Wide::ONE), next);
+        let all = core::iter::successors(Some(ONE.wide()), next);
         all.take(highest + 1).collect()
     }
 }
 
 impl<const N: usize> Equation<N> {
     fn target(&self, powers: &[Vec<Wide>; N], flipped: &[bool; N]) -> Wide {
-        let mut sum = Wide::ZERO;
+        let mut sum = ZERO.wide();
         for (factor, exponents) in &self.terms {
             let mut product = *factor;
             for j in 0..N {
@@ -104,7 +107,7 @@ impl<const N: usize> Equation<N> {
     }
 
     fn start(&self, x: &Point<N>, flipped: &[bool; N]) -> Wide {
-        let mut product = Wide::new(self.constant);
+        let mut product = self.constant.wide();
         for (factor, (x, flipped)) in self.factors.iter().zip(x.iter().zip(flipped)) {
             let mut coefficients = factor.coefficients;
             let coefficients = &mut coefficients[..=usize::from(factor.degree)];
@@ -112,7 +115,7 @@ impl<const N: usize> Equation<N> {
                 coefficients.reverse();
             }
             let from_highest = coefficients.iter().rev();
-            let value = from_highest.fold(Wide::ZERO, |value, own| value * *x + Wide::new(*own));
+            let value = from_highest.fold(ZERO.wide(), |value, own| value * *x + own.wide());
             product = product * value;
         }
         product

@@ -4,12 +4,12 @@
 //! A point has 32 digits, and so has what is left of the equations there. Its derivatives and corrections have 16: these are of use as long
 //! as matrices are not singular but for rounding, and so are ends.
 
-use super::super::complex::{Complex, rough_root};
 use super::super::homotopy::Homotopy;
-use super::super::matrix::{Vector, size, solve};
 use super::super::place::Place;
+use super::super::rough_root::rough_root;
 use super::equations::{Equations, Point};
-use super::wide::Wide;
+use crate::numeric::complex::Complex;
+use crate::numeric::complex_matrix::{Vector, size, solve};
 
 /// Below, a rounding of the coefficients makes more of a difference than what is left of the way.
 const LAST: f64 = 1e-18;
@@ -55,7 +55,7 @@ pub(super) fn follow<const N: usize>(
 ) -> Option<Reached<N>> {
     homotopy.turn(place.flipped);
     equations.flipped = place.flipped;
-    let (begin, _) = corrected(homotopy, equations, &place.x.map(Wide::new), t)?;
+    let (begin, _) = corrected(homotopy, equations, &place.x.map(Complex::wide), t)?;
     let (x, left) = arrive(homotopy, equations, begin, t);
     if left > NEAR {
         return None;
@@ -110,7 +110,7 @@ fn arrive<const N: usize>(
         }
         before = Some((core::mem::replace(&mut now, next), length));
         for j in 0..N {
-            if now.x[j].rounded().square() > LARGE {
+            if now.x[j].narrow().square() > LARGE {
                 homotopy.flip(j);
                 equations.flipped[j] = !equations.flipped[j];
                 now.flip(j);
@@ -141,7 +141,7 @@ impl<const N: usize> Knot<N> {
     /// Takes the inverse of a coordinate as a coordinate.
     fn flip(&mut self, j: usize) {
         self.x[j] = self.x[j].inverse();
-        let inverse = self.x[j].rounded();
+        let inverse = self.x[j].narrow();
         self.slope[j] = -(self.slope[j] * inverse * inverse);
     }
 }
@@ -177,7 +177,7 @@ fn corrected<const N: usize>(
     let mut x = *x;
     let (mut first, mut last) = (None, LONGEST / CONTRACTION);
     for _ in 0..MOST {
-        let evaluation = homotopy.evaluate(&x.map(Wide::rounded), t);
+        let evaluation = homotopy.evaluate(&x.map(Complex::narrow), t);
         let values = equations.values(&x, t);
         let mut matrix = evaluation.matrix;
         let mut right = [values.map(|value| -value), evaluation.drift.map(|d| -d)];
@@ -201,13 +201,13 @@ fn corrected<const N: usize>(
 }
 
 fn moved<const N: usize>(x: &Point<N>, way: impl Fn(usize) -> Complex) -> Point<N> {
-    core::array::from_fn(|j| x[j] + Wide::new(way(j)))
+    core::array::from_fn(|j| x[j] + way(j).wide())
 }
 
 fn difference<const N: usize>(a: &Point<N>, b: &Point<N>) -> Vector<N> {
-    core::array::from_fn(|j| (a[j] - b[j]).rounded())
+    core::array::from_fn(|j| (a[j] - b[j]).narrow())
 }
 
 fn placed<const N: usize>(homotopy: &Homotopy<N>, x: &Point<N>) -> Place<N> {
-    homotopy.place(x.map(Wide::rounded))
+    homotopy.place(x.map(Complex::narrow))
 }

@@ -1,8 +1,8 @@
 //! The points of two conics.
 
-use super::super::complex::{Complex, ONE, ZERO};
 use super::super::polynomial::roots;
 use alloc::vec::Vec;
+use linkage_core::numeric::complex::{Complex, ONE, ZERO};
 
 /// A symmetric matrix: `w C w = 0`.
 pub(super) type Conic = [[f64; 3]; 3];

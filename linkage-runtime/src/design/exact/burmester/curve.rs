@@ -5,13 +5,13 @@
 //! curve, so that each line through it meets the curve in two points more, which are roots of a quadratic.
 
 use super::super::Pose;
-use super::super::complex::{Complex, ZERO};
 use super::super::error::{self, Unsolved};
 use super::super::polynomial::{add_product, roots};
 use super::super::verify;
 use super::{Moves, Pivots};
 use alloc::vec::Vec;
 use core::f64::consts::PI;
+use linkage_core::numeric::complex::{Complex, ZERO};
 
 /// The curve of all joints of the frame whose links lead a body through four poses.
 pub struct CentreCurve {

@@ -4,8 +4,6 @@
 
 use super::super::ball::Ball;
 use super::super::certificate::{self, Certificate, System};
-use super::super::complex::{Complex, ZERO};
-use super::super::dense;
 use super::super::dyad;
 use super::super::error::{self, Unsolved};
 use super::super::task::turn_discs;
@@ -15,6 +13,8 @@ use super::{Dyad, Dyads, Link, Moves, Pivots, Pose};
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 use core::f64::consts::FRAC_PI_2;
+use linkage_core::numeric::complex::{Complex, ZERO};
+use linkage_core::numeric::complex_matrix;
 use nalgebra::{SMatrix, SVD};
 
 type Solution = dyad::Dyad<Complex>;
@@ -169,7 +169,7 @@ fn refined(moves: &Moves<4>, start: Solution) -> Solution {
         };
         let mut right = [core::array::from_fn(residual)];
         let mut matrix = core::array::from_fn(|j| moves.link(&dyad, j).by_dyad);
-        if dense::solve(&mut matrix, &mut right) == 0.0 {
+        if complex_matrix::solve_scaled(&mut matrix, &mut right) == 0.0 {
             return start;
         }
         dyad = core::array::from_fn(|i| dyad[i] + right[0][i]);

@@ -1,10 +1,10 @@
 //! Three poses: one of the two joints is free, the other one follows.
 
 use super::super::Pose;
-use super::super::complex::{Complex, ONE};
 use super::super::error::{self, Unsolved};
 use super::super::verify;
 use super::{Moves, Pivots};
+use linkage_core::numeric::complex::{Complex, ONE};
 
 impl Pivots {
     /// The link with this joint of the frame that leads a body through three poses.

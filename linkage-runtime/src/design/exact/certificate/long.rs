@@ -2,10 +2,11 @@
 
 use super::{Certificate, Evaluated, System, contracted, mirrored, times};
 use crate::design::exact::ball::Ball;
-use crate::design::exact::complex::Complex;
 use crate::design::exact::dense;
 use crate::design::exact::long::Long;
+use crate::design::exact::real::Real;
 use alloc::vec::Vec;
+use linkage_core::numeric::complex::Complex;
 
 type Place<const N: usize> = [Complex<Long>; N];
 
@@ -31,7 +32,7 @@ pub(in super::super) fn certify_long<const N: usize, S: System<N>>(
     let (discs, real) = if pairs.any(|(disc, image)| disc.is_far_from(image)) {
         (discs, Some(false))
     } else {
-        let half = Complex::new(0.5, 0.0).long();
+        let half = Complex::from(0.5).map(Long::of);
         let middle = core::array::from_fn(|i| (place[i] + place[S::partner(i)].conjugate()) * half);
         match one_solution(&middle, system) {
             Some(discs) => (discs, Some(true)),
@@ -46,7 +47,7 @@ pub(in super::super) fn certify_long<const N: usize, S: System<N>>(
 
 /// By Newton's method.
 fn refined<const N: usize, S: System<N>>(start: &[Complex; N], system: &S) -> Option<Place<N>> {
-    let mut place = start.map(Complex::long);
+    let mut place = start.map(|number| number.map(Long::of));
     for _ in 0..STEPS {
         let (values, matrix) = system.long(&place.map(Ball::exact))?;
         let right = values.iter().map(|value| [-value.middle]).collect();
@@ -54,7 +55,7 @@ fn refined<const N: usize, S: System<N>>(start: &[Complex; N], system: &S) -> Op
         let mut small = true;
         for (number, [step]) in place.iter_mut().zip(step) {
             *number = *number + step;
-            small &= step.rounded().size() <= SMALL * number.rounded().size();
+            small &= step.map(Long::narrow).size() <= SMALL * number.map(Long::narrow).size();
         }
         if small {
             break;
@@ -70,7 +71,9 @@ fn one_solution<const N: usize, S: System<N>>(
     let there = place.map(Ball::exact);
     let (values, matrix): Evaluated<N> = system.long(&there)?;
     let unit = (0..N).map(|row| {
-        core::array::from_fn(|column| Complex::from(f64::from(u8::from(row == column))).long())
+        core::array::from_fn(|column| {
+            Complex::from(f64::from(u8::from(row == column))).map(Long::of)
+        })
     });
     let inverse = dense::solve_long(middles(&matrix), unit.collect())?;
     let shift = times(&inverse, &values).map(Ball::size);

@@ -4,8 +4,8 @@
 //! triangle of the frame is similar to that of the coupler. The links of a cognate are parallel to sides of the first one.
 
 use super::super::ball::Ball;
-use super::super::complex::{Complex, Ring};
 use super::equations::{Shifts, Unknowns};
+use linkage_core::numeric::complex::{Complex, Ring};
 
 /// The four-bar with the joints `a` and `c` of the frame, joint `a` first. Applied to the exchanged links it gives the third
 /// one.

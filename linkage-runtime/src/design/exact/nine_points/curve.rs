@@ -5,8 +5,8 @@
 //! part of it. So with seven points on a circle the whole circle is a part of the curve, as of a crank whose pin is the point,
 //! or of a parallelogram, and there are infinitely many of these or none.
 
-use super::super::complex::Complex;
 use super::super::error::Unsolved;
+use linkage_core::numeric::complex::Complex;
 
 /// Points of a coupler curve on a circle or a line, at most.
 const MOST: usize = 6;

@@ -1,9 +1,9 @@
 //! Following a solution while the points are changed into others.
 
-use super::super::complex::{Complex, ONE};
 use super::super::path::{self, Moving, Pace, Step, Stuck};
 use super::cognates::{cognate, exchanged};
 use super::equations::{ALL, Shifts, Unknowns, newton};
+use linkage_core::numeric::complex::{Complex, ONE};
 
 /// The way from some points to others: not straight, but along an arc of complex points, which for almost every `arc` keeps
 /// away from points with double solutions.

@@ -3,9 +3,6 @@
 use super::super::ARCS;
 use super::super::ball::{Ball, Bound};
 use super::super::certificate::{self, Evaluated, Point, System};
-use super::super::complex::{Complex, ONE, ZERO};
-use super::super::dense;
-use super::super::double::Double;
 use super::super::error::Unsolved;
 use super::super::long::Long;
 use super::super::path::Pace;
@@ -18,6 +15,9 @@ use crate::design::Progress;
 use crate::design::parallel::in_parallel;
 use alloc::collections::BTreeSet;
 use alloc::vec::Vec;
+use linkage_core::numeric::complex::{Complex, ONE, ZERO};
+use linkage_core::numeric::complex_matrix;
+use linkage_core::numeric::double_double::DoubleDouble;
 
 pub(super) type Certificate = certificate::Certificate<ALL>;
 
@@ -129,7 +129,7 @@ fn told(
 /// The points against the first one in the numbers that are needed.
 pub(super) struct Data {
     pub(super) plain: Shifts<Complex>,
-    pub(super) wide: Shifts<Complex<Double>>,
+    pub(super) wide: Shifts<Complex<DoubleDouble>>,
     pub(super) discs: Shifts<Ball>,
 }
 
@@ -196,7 +196,7 @@ impl Data {
             let plain = unknowns.map(Complex::narrow);
             let (_, mut matrix) = equations::all(&plain, &self.plain, [ZERO, ONE]);
             let mut right = [values.map(|value| -value.narrow())];
-            if dense::solve(&mut matrix, &mut right) == 0.0 {
+            if complex_matrix::solve_scaled(&mut matrix, &mut right) == 0.0 {
                 return None;
             }
             unknowns = core::array::from_fn(|i| unknowns[i] + right[0][i].wide());

@@ -3,9 +3,9 @@
 //! The points are real, so that complex solutions are pairs of conjugates, of which one is stored. How the file is made is
 //! in `tests/generator.rs`.
 
-use super::super::complex::Complex;
 use super::equations::{Shifts, Unknowns, with_turns};
 use alloc::vec::Vec;
+use linkage_core::numeric::complex::Complex;
 
 /// Two numbers: of real triples, and of complex ones that are their own conjugates (each cognate that of another one). Then the
 /// real ones, `x`, `a`, `y`, `b` as real and imaginary part; the others with the hats, too, of pairs of conjugates one.

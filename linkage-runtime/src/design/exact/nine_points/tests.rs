@@ -3,7 +3,6 @@
 mod curves;
 mod generator;
 
-use super::super::complex::{Complex, ONE};
 use super::super::path::Pace;
 use super::super::tests::coupler_at;
 use super::equations::{Unknowns, with_turns};
@@ -11,6 +10,7 @@ use super::path::Way;
 use super::search::{Data, Search};
 use super::*;
 use core::f64::consts::TAU;
+use linkage_core::numeric::complex::{Complex, ONE};
 use linkage_random::Random;
 use std::println;
 

@@ -2,12 +2,12 @@
 
 use super::super::ball::{Ball, Bound};
 use super::super::certificate::{self, Certificate, Evaluated, Point, System};
-use super::super::complex::{Complex, ONE, ZERO};
-use super::super::dense;
 use super::super::long::Long;
 use super::super::path::{Moving, Step};
 use super::Equations;
 use super::number::{Number, Slopes};
+use linkage_core::numeric::complex::{Complex, ONE, ZERO};
+use linkage_core::numeric::complex_matrix;
 
 /// Equations `f(x) + form . x = constants`, the form in one of them only.
 pub(super) struct Member<'a, E, const N: usize> {
@@ -100,7 +100,7 @@ impl<'a, E: Equations<N>, const N: usize> Member<'a, E, N> {
             let values = self.evaluated(&point).map(Complex::narrow);
             let (_, mut matrix) = self.differentiated(&point.map(Complex::narrow));
             let mut right = [values.map(|value| -value)];
-            if dense::solve(&mut matrix, &mut right) == 0.0 {
+            if complex_matrix::solve_scaled(&mut matrix, &mut right) == 0.0 {
                 return None;
             }
             point = core::array::from_fn(|i| point[i] + right[0][i].wide());
@@ -170,7 +170,7 @@ impl<'e, E: Equations<N>, const N: usize> Moving<N> for Way<'_, 'e, E, N> {
         let terms = form.iter().zip(place);
         drift[member.row] = terms.fold(drift[member.row], |sum, (&by, &x)| sum - by * x);
         let mut right = [values.map(|value| -value), drift];
-        let singular = dense::solve(&mut matrix, &mut right) == 0.0;
+        let singular = complex_matrix::solve_scaled(&mut matrix, &mut right) == 0.0;
         let [step, tangent] = right;
         Step {
             to: core::array::from_fn(|i| place[i] + step[i]),

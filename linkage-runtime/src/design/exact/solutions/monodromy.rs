@@ -6,7 +6,6 @@
 
 use super::super::super::starts;
 use super::super::certificate::Certificate;
-use super::super::complex::{Complex, ZERO};
 use super::super::path::{Pace, Stuck, follow};
 use super::Equations;
 use super::family::{Member, Way};
@@ -14,6 +13,7 @@ use crate::design::exact::Unsolved;
 use crate::design::parallel::in_parallel;
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
+use linkage_core::numeric::complex::{Complex, ZERO};
 
 /// Loops are made until solutions of which one is missing would have stayed among themselves with a probability below this: a
 /// loop exchanges them at random, and takes one of `k + 1` that are left out for itself with probability `1/(k + 1)`.

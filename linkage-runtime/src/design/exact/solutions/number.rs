@@ -1,7 +1,7 @@
 //! What equations are evaluated in: numbers, and numbers with their derivatives by all unknowns.
 
-use super::super::complex::Ring;
 use core::ops::{Add, Mul, Neg, Sub};
+use linkage_core::numeric::complex::Ring;
 
 /// A number that equations are evaluated in: real, complex, with derivatives, with more digits, with bounds of its error.
 pub trait Number:

@@ -6,13 +6,13 @@
 //! 2002). When the form is taken away, each solution of the equations is the end of one of these points, and the others go to
 //! infinity.
 
-use super::super::complex::{Complex, ZERO};
 use super::Equations;
 use super::family::{Member, Way};
 use super::monodromy::{Fibre, Random, end, middle};
 use crate::design::exact::Unsolved;
 use crate::design::parallel::in_parallel;
 use alloc::vec::Vec;
+use linkage_core::numeric::complex::{Complex, ZERO};
 
 /// What the trace test has shown.
 #[derive(Clone, Copy, Debug, PartialEq)]

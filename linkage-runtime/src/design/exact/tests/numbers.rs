@@ -1,11 +1,12 @@
 //! Discs hold what they must, double-double numbers have their digits, certificates fail where there is no solution.
 
-use super::super::ball::{Ball, Bound, Real};
+use super::super::ball::{Ball, Bound};
 use super::super::certificate::{self, Evaluated, Point, System};
-use super::super::complex::{Complex, Ring};
-use super::super::double::Double;
 use super::super::long::Long;
 use super::super::polynomial::roots;
+use super::super::real::Real;
+use linkage_core::numeric::complex::{Complex, Ring};
+use linkage_core::numeric::double_double::DoubleDouble;
 use linkage_random::Random;
 
 /// Whole numbers as large as plain numbers hold them exactly when multiplied: rounding is known then.
@@ -18,7 +19,10 @@ fn double_double_products_are_exact_to_their_digits() {
     let mut random = Random::new(8);
     for _ in 0..1000 {
         let [a, b, c, d] = [(); 4].map(|()| whole(&mut random));
-        let (left, right) = (Double::from(a) * b.into(), Double::from(c) * d.into());
+        let (left, right) = (
+            DoubleDouble::from(a) * b.into(),
+            DoubleDouble::from(c) * d.into(),
+        );
         let sum = left + right;
         let known = a as i128 * b as i128 + c as i128 * d as i128;
         assert_eq!(sum.high as i128 + sum.low as i128, known);
@@ -29,14 +33,14 @@ fn double_double_products_are_exact_to_their_digits() {
         );
     }
     // Factors with two parts, in either order.
-    let wide = Double::difference(2f64.powi(60), -1.0);
-    for product in [wide * 3.0.into(), Double::from(3.0) * wide] {
+    let wide = DoubleDouble::difference(2f64.powi(60), -1.0);
+    for product in [wide * 3.0.into(), DoubleDouble::from(3.0) * wide] {
         assert_eq!(
             product.high as i128 + product.low as i128,
             3 * ((1 << 60) + 1)
         );
     }
-    let difference = Double::difference(1.0, 1e-30);
+    let difference = DoubleDouble::difference(1.0, 1e-30);
     assert_eq!([difference.high, difference.low], [1.0, -1e-30]);
 }
 
@@ -100,8 +104,8 @@ fn long_numbers_are_exact_to_their_digits() {
         (Long::of(1e200) * Long::of(-1e200)).narrow(),
         f64::NEG_INFINITY
     );
-    // A product of Double's digits.
-    let wide = Double::difference(1.0, 1e-25);
+    // A product of DoubleDouble's digits.
+    let wide = DoubleDouble::difference(1.0, 1e-25);
     let square = wide * wide;
     let rest = Long::from(wide) * Long::from(wide) - Long::from(square);
     assert!(rest.narrow().abs() < 1e-31, "{rest:?}");
@@ -230,7 +234,7 @@ fn certificates_of_more_digits_tell_solutions_that_are_next_to_each_other() {
     let third = 1.0 / 3.0;
     let shown = |c: f64, re: f64, im: f64| {
         // Next to the solution, as far as 32 digits say.
-        let third = Double::difference(third, third.mul_add(3.0, -1.0) / 3.0);
+        let third = DoubleDouble::difference(third, third.mul_add(3.0, -1.0) / 3.0);
         let near = Complex::new(third + re.into(), im.into());
         assert!(certificate::certify(&[near], &Close(c)).is_none());
         let start = Complex::new(third.high + 1.3 * re, 1.3 * im);
@@ -241,7 +245,7 @@ fn certificates_of_more_digits_tell_solutions_that_are_next_to_each_other() {
     for (one, root) in [(first, 1e-15), (second, -1e-15)] {
         assert_eq!(one.real, Some(true));
         let [disc] = one.discs;
-        let known = Double::difference(third, third.mul_add(3.0, -1.0) / 3.0) + root.into();
+        let known = DoubleDouble::difference(third, third.mul_add(3.0, -1.0) / 3.0) + root.into();
         let way = (known - disc.middle.re.into()).high.abs();
         assert!(
             way <= disc.radius + 1e-30 && disc.radius < 1e-16,

@@ -5,7 +5,6 @@
 //! several loops bring nothing new. That these are all solutions is no proof, but they are as many as the literature has.
 //! The points are then changed into those that are stored.
 
-use super::super::super::complex::{Complex, ZERO};
 use super::super::super::path::Pace;
 use super::super::cognates::Mark;
 use super::super::equations::{Shifts, Unknowns};
@@ -14,6 +13,7 @@ use super::super::search::{Certificate, Data, Search};
 use super::super::{TRIPLES, starts};
 use crate::design::parallel::in_parallel;
 use alloc::vec::Vec;
+use linkage_core::numeric::complex::{Complex, ZERO};
 use linkage_random::Random;
 use std::println;
 
