@@ -17,6 +17,8 @@ pub mod least;
 pub mod minimum;
 pub mod nearest;
 pub mod range;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub mod rank;
 #[cfg(feature = "alloc")]
 pub mod roots;
 #[cfg(feature = "alloc")]

@@ -3,12 +3,12 @@
 //! A joint is driven if its motion depends on inputs alone: the drive holds it, with a couple (or a force along the guide) that is no
 //! unknown here. Gears tie the turns of several bodies, by couples that are unknowns of their own.
 
+use linkage_core::numeric::rank::combination;
 use linkage_symbolic::{Ex, Vector, Vn};
 
 use crate::model::Variable;
 
 use super::Mechanics;
-use super::elimination::combination;
 use super::geometry::{Turns, slides_along, turns_of};
 use super::motion::By;
 

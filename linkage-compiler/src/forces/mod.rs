@@ -16,7 +16,6 @@
 //! | `drives` | what is driven where the unknowns do not tell |
 //! | `system` | equations for the reactions of the cut joints |
 //! | `rank` | do equations that are solved together tell their unknowns? |
-//! | `elimination` | Gauss elimination on plain numbers |
 //! | `closed` | what the loops' closed forms know already |
 //! | `links` | links that leave one number of a reaction open |
 //! | `reactions` | the equations solved, group by group |
@@ -32,7 +31,6 @@
 mod check;
 mod closed;
 mod drives;
-mod elimination;
 mod ends;
 mod fit;
 mod freedom;

@@ -1,8 +1,8 @@
 //! Whether equations that are solved together tell their unknowns, by numbers: matching sees only which unknowns an equation contains.
 
+use linkage_core::numeric::rank::is_singular;
 use linkage_symbolic::Ex;
 
-use super::elimination::is_singular;
 use super::positions::Positions;
 use super::system::System;
 

@@ -1,9 +1,11 @@
 //! Loops that are one too many and close all the same: with the dimensions as they are they repeat others, as a third crank on one rod does that stays
 //! parallel to the first two. Whether they do is found by numbers: all loops are closed together at several positions.
 
+use linkage_core::numeric::rank::are_independent;
+
 use super::Analysis;
 use super::equations::{Coordinate, CoordinateKind, Equation};
-use super::together::{Together, independent};
+use super::together::{ACROSS, Together};
 use crate::algebra::{ALIKE, Bound, Even, Nominal};
 use crate::model::Dimension;
 use crate::words::loop_list;
@@ -268,5 +270,5 @@ fn remain_regular(
         let rows = column.iter().zip(&stays).filter(|(_, stays)| **stays);
         rows.map(|(x, _)| *x).collect()
     });
-    independent(&columns.collect::<Vec<Vec<f64>>>())
+    are_independent(&columns.collect::<Vec<Vec<f64>>>(), ACROSS)
 }

@@ -22,7 +22,7 @@ const DAMPING: f64 = 1e-14;
 
 /// A column of which less than this share points across those before it is a combination of them: far above the error of differences, and the
 /// limit of a dead point.
-const ACROSS: f64 = 1e-6;
+pub(super) const ACROSS: f64 = 1e-6;
 
 /// Loops on numbers.
 pub(super) struct Together<'a, 'm> {
@@ -96,29 +96,6 @@ fn largest<'x>(numbers: impl IntoIterator<Item = &'x f64>) -> f64 {
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// True if no column is a combination of those before it.
-pub(super) fn independent(columns: &[Vec<f64>]) -> bool {
-    let mut units: Vec<Vec<f64>> = Vec::new();
-    for column in columns {
-        let mut across = column.clone();
-        for unit in &units {
-            let along = dot(&across, unit);
-            across
-                .iter_mut()
-                .zip(unit)
-                .for_each(|(x, u)| *x -= along * u);
-        }
-        let length = dot(&across, &across).sqrt();
-        // A column of zeros, or one that is no number, is none either.
-        let across_enough = length > ACROSS * dot(column, column).sqrt();
-        if !across_enough {
-            return false;
-        }
-        units.push(across.into_iter().map(|x| x / length).collect());
-    }
-    true
 }
 
 /// The numbers with which `columns` come nearest to `right`, by the normal equations.
