@@ -9,7 +9,7 @@ mod nearest;
 mod null;
 mod surplus;
 
-use linkage_core::numeric::least::STEP;
+use linkage_core::numeric::least_squares::STEP;
 use linkage_symbolic::Graph;
 
 use crate::algebra::Nominal;

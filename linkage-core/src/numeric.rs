@@ -5,23 +5,23 @@
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod cholesky;
+pub mod choose_assembly;
 pub mod complex;
 pub mod complex_matrix;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod continuation;
 pub mod double_double;
+pub mod golden_section;
 #[cfg(feature = "alloc")]
 pub mod inverse;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub mod least;
-pub mod minimum;
-pub mod nearest;
+pub mod least_squares;
+#[cfg(feature = "alloc")]
+pub mod maximise;
 pub mod range;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod rank;
 #[cfg(feature = "alloc")]
 pub mod roots;
-#[cfg(feature = "alloc")]
-pub mod summit;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub mod winding;

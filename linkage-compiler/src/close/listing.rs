@@ -1,10 +1,10 @@
 //! Closing a coupled group at the reference input: all its assemblies are listed, the one nearest to the estimates is taken. Where they
 //! cannot be listed, `close/followed.rs` goes on.
 
+use linkage_core::numeric::choose_assembly::{Ambiguity, choose_assembly, may_be_meant};
 use linkage_core::numeric::continuation::{
     Grid, Range, Refusal, Table, Terms, meeting_states, states,
 };
-use linkage_core::numeric::nearest::{Ambiguity, may_be_meant, nearest};
 use linkage_core::numeric::roots::{self, Term, Unlisted};
 
 use crate::algebra::Algebra;
@@ -65,7 +65,7 @@ impl<'m> Assembly<'_, 'm> {
             .collect::<Vec<_>>()
             .join(", ");
         let distances = candidates.iter().map(|one| one.position.distance);
-        let chosen = nearest(distances, Ambiguity::AS_WRITTEN);
+        let chosen = choose_assembly(distances, Ambiguity::AS_WRITTEN);
         let distance = chosen.map_or(f64::INFINITY, |own| candidates[own.index].position.distance);
         let others_meet = !meeting.is_empty();
         let mut meeting = meeting.into_iter();

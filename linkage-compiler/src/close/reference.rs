@@ -1,6 +1,6 @@
 //! Closing the loops at the reference input: the assembly mode of each group, chosen by the start estimates.
 
-use linkage_core::numeric::nearest::{Ambiguity, nearest};
+use linkage_core::numeric::choose_assembly::{Ambiguity, choose_assembly};
 
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::diagnostic::Reporter;
@@ -141,7 +141,8 @@ impl<'m> Assembly<'_, 'm> {
                 .into(),
         };
         let distances = candidates.iter().map(|one| one.position.distance);
-        let nearest = nearest(distances, Ambiguity::AS_WRITTEN).expect("there is a candidate");
+        let nearest =
+            choose_assembly(distances, Ambiguity::AS_WRITTEN).expect("there is a candidate");
         let chosen = &candidates[nearest.index];
         let (gap, margin, sign) = (chosen.gap, chosen.margin, chosen.sign);
         if solved.mode.is_some() {

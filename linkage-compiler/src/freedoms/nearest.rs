@@ -3,7 +3,7 @@
 //! There the misses are a left null vector of the loops: like the forces of stretched links they hold each other, and no motion makes all of them
 //! less.
 
-use linkage_core::numeric::least::{self, CLOSED, Equations, least};
+use linkage_core::numeric::least_squares::{self, CLOSED, Equations, minimise};
 use linkage_symbolic::Graph;
 
 use super::loops::Loops;
@@ -28,7 +28,7 @@ impl Position<'_, '_> {
     pub(crate) fn nearest(&self) -> Option<Nearest> {
         let graph = Graph::new();
         let mut loops = Loops::new(self.mechanism, &graph);
-        let (there, rows) = least(&mut loops, self.clone())?;
+        let (there, rows) = minimise(&mut loops, self.clone())?;
         let most = largest(&rows.missed);
         (most > CLOSED).then(|| Nearest {
             missing: there.missing(&rows, &loops),
@@ -93,7 +93,7 @@ impl<'w, 'm> Equations<Position<'w, 'm>> for Loops<'_> {
     }
 }
 
-impl least::Rows for Rows {
+impl least_squares::Rows for Rows {
     fn missed(&self) -> &[f64] {
         &self.missed
     }

@@ -5,7 +5,7 @@
 //! as working: rounding below zero is allowed for, down to -1e-12, so the margin should be scaled to
 //! about 1.
 
-use super::minimum::{Point, descend};
+use super::golden_section::{Point, descend};
 
 /// A margin down to here is rounding.
 const ROUNDING: f64 = -1e-12;
@@ -53,13 +53,13 @@ pub fn first_failure(
     let grid = Grid::new(lo, hi, start, samples);
     let margin = &mut margin;
 
-    let mut middle = Point::at(grid.at(0), margin);
+    let mut middle = Point::evaluate(grid.at(0), margin);
     if fails(middle) {
         return Some(start_of_work(&grid, middle, margin));
     }
     let mut before = middle;
     for index in 1..=grid.intervals() {
-        let next = Point::at(grid.at(index), margin);
+        let next = Point::evaluate(grid.at(index), margin);
         if fails(next) {
             return Some(boundary(&grid, middle, next, margin));
         }
@@ -94,13 +94,13 @@ pub fn minimum(lo: f64, hi: f64, samples: usize, mut margin: impl FnMut(f64) -> 
     let margin = &mut margin;
     let undefined = |point: Point| point.margin.is_nan();
 
-    let mut middle = Point::at(grid.at(0), margin);
+    let mut middle = Point::evaluate(grid.at(0), margin);
     let (mut before, mut best) = (middle, middle);
     for index in 1..=grid.intervals() {
         if undefined(best) {
             return (best.x, best.margin);
         }
-        let next = Point::at(grid.at(index), margin);
+        let next = Point::evaluate(grid.at(index), margin);
         best = best.lower(next);
         if dips(before, middle, next) {
             best = best.lower(descend(before, next, margin, undefined));
@@ -128,7 +128,7 @@ fn fails(point: Point) -> bool {
 fn start_of_work(grid: &Grid, first: Point, margin: &mut impl FnMut(f64) -> f64) -> Failure {
     let mut last = first;
     for index in 1..=grid.intervals() {
-        let next = Point::at(grid.at(index), margin);
+        let next = Point::evaluate(grid.at(index), margin);
         if !fails(next) {
             return boundary(grid, next, last, margin);
         }

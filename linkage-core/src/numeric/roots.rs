@@ -6,26 +6,26 @@
 //! line, so that solutions at zero and at infinity are points like any other; the number of paths
 //! is known beforehand, and a listing is given only if every path is accounted for.
 
+mod cauchy_endgame;
+mod consistency;
 mod continuum;
-mod cycle;
-mod doubts;
-mod ends;
+mod endgame;
 mod homotopy;
-mod past;
-mod path;
-mod place;
+mod listing;
+mod path_samples;
+mod path_tracker;
 mod polynomial;
 mod precise;
+mod projective;
 mod quadratic;
 mod real;
 mod rough_root;
-mod start;
-mod survey;
+mod start_system;
 
 use alloc::vec::Vec;
 use core::fmt;
 
-pub use super::nearest::MEETING;
+pub use super::choose_assembly::MEETING;
 
 /// Most variables of a system.
 pub const MOST_VARIABLES: usize = 8;
@@ -166,13 +166,13 @@ impl core::error::Error for Unlisted {}
 pub fn solve(system: &System<'_>, coefficients: &[[f64; 2]]) -> Result<Listing, Unlisted> {
     check_form(system, coefficients);
     let mut target = polynomial::collect(system, coefficients)?;
-    let paths = start::count(&target)?;
+    let paths = start_system::count(&target)?;
     // Few sizes, so that the code is not repeated for every one.
     match target.len() {
-        1 | 2 => survey::list::<2>(system.variables, &mut target, paths),
-        3 => survey::list::<3>(system.variables, &mut target, paths),
-        4 => survey::list::<4>(system.variables, &mut target, paths),
-        _ => survey::list::<MOST_VARIABLES>(system.variables, &mut target, paths),
+        1 | 2 => listing::list::<2>(system.variables, &mut target, paths),
+        3 => listing::list::<3>(system.variables, &mut target, paths),
+        4 => listing::list::<4>(system.variables, &mut target, paths),
+        _ => listing::list::<MOST_VARIABLES>(system.variables, &mut target, paths),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::parts::parts;
 use super::slab::Slab;
-use crate::numeric::minimum::{Point, descend};
+use crate::numeric::golden_section::{Point, descend};
 use alloc::vec::Vec;
 use linkage_core::Enclosure;
 
@@ -48,7 +48,9 @@ pub(super) fn stretches(slab: &Slab, samples: usize, own: &Slack<'_>) -> Vec<[Bo
     };
     let last = samples.max(2);
     let at = |index: usize| 2.0 * (index as f64 / last as f64) - 1.0;
-    let mut points: Vec<Point> = (0..=last).map(|k| Point::at(at(k), &mut slack)).collect();
+    let mut points: Vec<Point> = (0..=last)
+        .map(|k| Point::evaluate(at(k), &mut slack))
+        .collect();
     if !own.served {
         trim(&mut points);
     }
@@ -60,7 +62,7 @@ pub(super) fn stretches(slab: &Slab, samples: usize, own: &Slack<'_>) -> Vec<[Bo
         let parts = parts(&over, own.single, ROUNDING * size);
         // Ends within the slab: where signs change there is one between two of them.
         let between = parts.ends.into_iter().filter(|u| u.abs() < 1.0);
-        points.extend(between.map(|u| Point::at(u, &mut slack)));
+        points.extend(between.map(|u| Point::evaluate(u, &mut slack)));
         points.sort_by(|a, b| a.x.total_cmp(&b.x));
         parts.shown
     });
@@ -156,7 +158,7 @@ fn border(
         if (good.x - bad.x).abs() <= WIDTH {
             break;
         }
-        let point = Point::at(middle, slack);
+        let point = Point::evaluate(middle, slack);
         let better = if good.margin > 0.0 {
             point.margin > 0.0
         } else {

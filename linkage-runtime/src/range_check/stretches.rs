@@ -1,6 +1,6 @@
 //! Stretches of an input where a level is not positive: between samples, and at dips that no sample shows.
 
-use crate::numeric::minimum::{Point, descend};
+use crate::numeric::golden_section::{Point, descend};
 use alloc::vec::Vec;
 use linkage_core::range_check::{DEAD, END, ROUNDING};
 

@@ -1,7 +1,7 @@
 //! Where a figure without derivatives is smallest.
 
 use super::SummaryError;
-use crate::numeric::summit::highest;
+use linkage_core::numeric::maximise::maximise;
 
 /// The smallest value of a figure over a range.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,7 +44,7 @@ pub fn least(
     if positions < 2 {
         return Err(SummaryError::Positions { positions });
     }
-    let found = highest([from, to], positions, |x| -figure(x));
+    let found = maximise([from, to], positions, |x| -figure(x));
     let summit = found.ok_or(SummaryError::NotAssembled { positions })?;
     Ok(Least {
         at: summit.at,

@@ -3,16 +3,16 @@
 mod border;
 mod cells;
 mod divide;
+mod feasibility;
 mod fit;
 mod layout;
 mod lookup;
 mod node;
-mod outlook;
+mod path;
 mod served;
 mod slopes;
 mod terms;
 mod walk;
-mod way;
 
 use super::cell::Frame;
 use super::follow::Follower;

@@ -1,7 +1,7 @@
 //! Whether a multiple solution is one of a continuum.
 
 use super::homotopy::Homotopy;
-use super::place::Place;
+use super::projective::ProjectivePoint;
 use super::rough_root::rough_root;
 use crate::numeric::complex::{Complex, ZERO};
 use crate::numeric::complex_matrix::{Matrix, Vector, solve};
@@ -14,7 +14,10 @@ const SINGULAR: f64 = 1e-6;
 
 /// Whether solutions go on beside a multiple one: along the direction in which the matrix is
 /// singular, the equations hold to rounding errors not only here but also some way off.
-pub(super) fn is_continuum<const N: usize>(homotopy: &mut Homotopy<N>, place: &Place<N>) -> bool {
+pub(super) fn is_continuum<const N: usize>(
+    homotopy: &mut Homotopy<N>,
+    place: &ProjectivePoint<N>,
+) -> bool {
     homotopy.turn(place.flipped);
     let Some(along) = weakest_component(homotopy, &place.x) else {
         return true;

@@ -1,10 +1,10 @@
 //! The equations between the start system (`t` = 1) and the given one (`t` = 0).
 
 use super::HIGHEST_DEGREE;
-use super::place::Place;
 use super::polynomial::Polynomial;
+use super::projective::ProjectivePoint;
 use super::quadratic::Quadratics;
-use super::start::{self, Univariate};
+use super::start_system::{self, Univariate};
 use crate::numeric::complex::{Complex, ONE, ZERO};
 use crate::numeric::complex_matrix::{Matrix, Vector};
 use alloc::vec::Vec;
@@ -72,8 +72,8 @@ impl<const N: usize> Homotopy<N> {
         };
         powers.values[0] = ONE;
         powers.slopes[1] = ONE;
-        let factors = start::factors(target, attempt);
-        let constants = start::constants(attempt);
+        let factors = start_system::factors(target, attempt);
+        let constants = start_system::constants(attempt);
         let quadratics = Quadratics::new(target, &factors, &constants);
         Self {
             quadratics,
@@ -89,12 +89,12 @@ impl<const N: usize> Homotopy<N> {
     /// The solutions at `t` = 1; no coordinate is an inverse there.
     pub(super) fn starts(&mut self) -> Vec<Vector<N>> {
         self.turn([false; N]);
-        start::solutions(&self.factors)
+        start_system::solutions(&self.factors)
     }
 
-    pub(super) fn place(&self, x: Vector<N>) -> Place<N> {
+    pub(super) fn place(&self, x: Vector<N>) -> ProjectivePoint<N> {
         let flipped = self.flipped;
-        Place { x, flipped }
+        ProjectivePoint { x, flipped }
     }
 
     /// Changes to other coordinates.

@@ -5,20 +5,20 @@
 //! tell, such as those of paths that meet at infinity but for rounding, stay as uncertain as they were.
 
 mod equations;
+mod path_tracker;
 #[cfg(test)]
 mod tests;
-mod walk;
 
 use super::Variable;
-use super::ends::{End, Root};
+use super::endgame::{PathEnd, Root};
 use super::homotopy::Homotopy;
-use super::path::Trace;
-use super::place::Place;
+use super::path_tracker::Trace;
 use super::polynomial::Polynomial;
+use super::projective::ProjectivePoint;
 use super::rough_root::rough_root;
 use alloc::vec::Vec;
 use equations::Equations;
-use walk::Reached;
+use path_tracker::Reached;
 
 /// An end that roundings of coefficients move by more than this part of its distance from others is not certain.
 const STEADY: f64 = 0.1;
@@ -33,7 +33,7 @@ const NEARLY_REAL: f64 = 0.1;
 /// The end of a path, and how far it is moved by roundings of coefficients.
 struct Found<const N: usize> {
     path: usize,
-    place: Place<N>,
+    place: ProjectivePoint<N>,
     moved: f64,
 }
 
@@ -54,8 +54,8 @@ pub(super) fn pursue<const N: usize>(
     attempt: usize,
     traces: &mut [Trace<N>],
 ) {
-    let lost = paths(traces, |end| matches!(end, End::Lost));
-    let blurred = paths(traces, |end| matches!(end, End::Blurred));
+    let lost = paths(traces, |end| matches!(end, PathEnd::Lost));
+    let blurred = paths(traces, |end| matches!(end, PathEnd::Blurred));
     if lost.is_empty() && blurred.is_empty() {
         return;
     }
@@ -69,14 +69,14 @@ pub(super) fn pursue<const N: usize>(
         return;
     }
     if pursuit.become_known(&blurred) || !lost.is_empty() {
-        for path in paths(pursuit.traces, |end| matches!(end, End::Outside)) {
+        for path in paths(pursuit.traces, |end| matches!(end, PathEnd::Outside)) {
             pursuit.become_known(&[path]);
         }
     }
 }
 
 /// The paths with such an end.
-fn paths<const N: usize>(traces: &[Trace<N>], such: impl Fn(&End<N>) -> bool) -> Vec<usize> {
+fn paths<const N: usize>(traces: &[Trace<N>], such: impl Fn(&PathEnd<N>) -> bool) -> Vec<usize> {
     let all = traces.iter().enumerate();
     let such = all.filter(|(_, own)| such(&own.end));
     such.map(|(path, _)| path).collect()
@@ -97,7 +97,7 @@ impl<const N: usize> Pursuit<'_, N> {
                 None => None,
             };
             self.reconsider(path, here.as_ref());
-            if matches!(self.traces[path].end, End::Lost) {
+            if matches!(self.traces[path].end, PathEnd::Lost) {
                 return false;
             }
         }
@@ -106,7 +106,7 @@ impl<const N: usize> Pursuit<'_, N> {
         let roots = roots.filter(|roots| roots.len() == paths.len());
         for (index, own) in found.iter().enumerate() {
             match &roots {
-                Some(roots) => self.traces[own.path].end = End::Regular(roots[index]),
+                Some(roots) => self.traces[own.path].end = PathEnd::Regular(roots[index]),
                 None => self.reconsider(own.path, Some(&own.place)),
             }
         }
@@ -115,14 +115,14 @@ impl<const N: usize> Pursuit<'_, N> {
 
     fn reached(&mut self, path: usize) -> Option<Reached<N>> {
         let (t, place) = self.traces[path].mark.as_ref()?;
-        walk::follow(self.homotopy, &mut self.equations, *t, place)
+        path_tracker::follow(self.homotopy, &mut self.equations, *t, place)
     }
 
     /// A way around an end stays away from what is real, but a path that turns off within it may not, nor one that seemed to lead to infinity:
     /// it is lost if it has come near.
-    fn reconsider(&mut self, path: usize, place: Option<&Place<N>>) {
+    fn reconsider(&mut self, path: usize, place: Option<&ProjectivePoint<N>>) {
         let end = &mut self.traces[path].end;
-        let may_be_real = |place: &Place<N>| {
+        let may_be_real = |place: &ProjectivePoint<N>| {
             let gaps = place.gaps(self.variables);
             // Of two numbers far out both inverses are near 0.
             let size = |j: usize| match place.is_outer(j, self.variables) {
@@ -132,12 +132,12 @@ impl<const N: usize> Pursuit<'_, N> {
             (0..N).all(|j| gaps[j] < NEARLY_REAL * size(j))
         };
         let doubtful = match end {
-            End::Blurred => place.is_none_or(may_be_real),
-            End::Outside => place.is_some_and(may_be_real),
-            End::Regular(_) | End::Multiple(_) | End::Lost => false,
+            PathEnd::Blurred => place.is_none_or(may_be_real),
+            PathEnd::Outside => place.is_some_and(may_be_real),
+            PathEnd::Regular(_) | PathEnd::Multiple(_) | PathEnd::Lost => false,
         };
         if doubtful {
-            *end = End::Lost;
+            *end = PathEnd::Lost;
         }
     }
 }
@@ -146,9 +146,9 @@ impl<const N: usize> Found<N> {
     /// The isolated solution, unless it may be one of the others.
     fn root(&self, traces: &[Trace<N>], found: &[Self]) -> Option<Root<N>> {
         let known = traces.iter().filter_map(|trace| match &trace.end {
-            End::Regular(root) => Some(&root.place),
-            End::Multiple(place) => Some(place),
-            End::Outside | End::Blurred | End::Lost => None,
+            PathEnd::Regular(root) => Some(&root.place),
+            PathEnd::Multiple(place) => Some(place),
+            PathEnd::Outside | PathEnd::Blurred | PathEnd::Lost => None,
         });
         let others = found.iter().filter(|other| other.path != self.path);
         let all = known.chain(others.map(|other| &other.place));

@@ -4,7 +4,7 @@
 
 use super::homotopy::Evaluation;
 use super::polynomial::Polynomial;
-use super::start::Univariate;
+use super::start_system::Univariate;
 use crate::numeric::complex::Complex;
 use core::ops::{Add, Mul};
 

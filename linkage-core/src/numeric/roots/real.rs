@@ -1,8 +1,8 @@
 //! The real solutions: those that are their own reflections.
 
-use super::ends::{Root, polish};
+use super::endgame::{Root, polish};
 use super::homotopy::Homotopy;
-use super::place::Place;
+use super::projective::ProjectivePoint;
 use super::{MEETING, Variable};
 use crate::numeric::complex::Complex;
 use crate::numeric::complex_matrix::Vector;
@@ -73,13 +73,13 @@ fn polished<const N: usize>(
 /// About where real solutions meet: multiple ones that are no farther from their reflections than both may be off.
 pub(super) fn meeting<const N: usize>(
     variables: &[Variable],
-    multiple: &[Place<N>],
+    multiple: &[ProjectivePoint<N>],
 ) -> Vec<Vec<[f64; 2]>> {
-    let may_be_real = |place: &&Place<N>| {
+    let may_be_real = |place: &&ProjectivePoint<N>| {
         let image = place.reflection(variables);
         image.distance(place) <= (2.0 * MEETING) * (2.0 * MEETING)
     };
-    let real = |place: &Place<N>| {
+    let real = |place: &ProjectivePoint<N>| {
         let mut place = alike(variables, place);
         place.x = made_real(variables, &place.x);
         place.values().into_iter().map(parts).collect()
@@ -88,7 +88,7 @@ pub(super) fn meeting<const N: usize>(
 }
 
 /// The same place, a point and its conjugate both by their values or both by the inverses.
-fn alike<const N: usize>(variables: &[Variable], place: &Place<N>) -> Place<N> {
+fn alike<const N: usize>(variables: &[Variable], place: &ProjectivePoint<N>) -> ProjectivePoint<N> {
     let mut place = *place;
     for (j, variable) in variables.iter().enumerate() {
         if *variable == Variable::Conjugate && place.flipped[j] != place.flipped[j - 1] {

@@ -4,7 +4,7 @@ use super::group::CoupledGroup;
 use super::solve::CoupledPrograms;
 use crate::numeric::cholesky;
 use crate::numeric::continuation::turned;
-use crate::numeric::least::{CLOSED, Equations, Rows, STEP, least};
+use crate::numeric::least_squares::{CLOSED, Equations, Rows, STEP, minimise};
 use crate::{Missed, Reach};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -40,7 +40,7 @@ impl CoupledGroup {
         };
         let found = loops
             .rigid(estimate)
-            .and_then(|from| least(&mut loops, from));
+            .and_then(|from| minimise(&mut loops, from));
         found.map_or(Reach::Unknown, |(_, rows)| self.told(&rows.missed))
     }
 

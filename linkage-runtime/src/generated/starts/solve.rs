@@ -2,8 +2,8 @@
 //! taken.
 
 use super::group::{CoupledGroup, CoupledInput, CoupledUnknown};
+use crate::numeric::choose_assembly::{Ambiguity, choose_assembly, may_be_meant};
 use crate::numeric::continuation::{LeftOut, Refusal, Residuals, meeting_states, states};
-use crate::numeric::nearest::{Ambiguity, may_be_meant, nearest};
 use crate::numeric::roots::{Listing, System, Unlisted, solve};
 use crate::{AssemblyError, CoupledCause, CoupledError, Placed, Scalar, Value};
 use alloc::boxed::Box;
@@ -238,7 +238,7 @@ pub fn couple(
     }
     let mut solutions = listed?;
     let distances = solutions.iter().map(|one| one.distance);
-    let chosen = nearest(distances, Ambiguity::AT_RUN_TIME);
+    let chosen = choose_assembly(distances, Ambiguity::AT_RUN_TIME);
     if chosen.is_some_and(|chosen| chosen.ambiguous) {
         let assemblies = solutions.iter().map(|one| group.placed(&one.values));
         return Err(group.error(CoupledCause::Ambiguous {

@@ -5,9 +5,9 @@ use super::super::follow::Follower;
 use super::super::scale::Scale;
 use super::LeftOut;
 use super::cells::{Cell, Sum};
+use super::feasibility::{Feasibility, feasibility};
 use super::fit::Fit;
 use super::layout::{Layout, Places};
-use super::outlook::{Outlook, outlook};
 use super::terms::Terms;
 use super::walk::{Solution, fill};
 use alloc::vec;
@@ -91,12 +91,12 @@ pub(super) fn divided(
             layout.cells() * places.offsets.len() > MANY || fit.terms() == Terms::Polynomials;
         if !asked && many {
             asked = true;
-            match outlook(follower, ranges, &counts, (&places, fit), reference) {
-                Outlook::From(next) => {
+            match feasibility(follower, ranges, &counts, (&places, fit), reference) {
+                Feasibility::From(next) => {
                     counts = next;
                     continue;
                 }
-                Outlook::Hopeless(left_out) => {
+                Feasibility::Hopeless(left_out) => {
                     let cells = vec![Cell::default(); layout.cells()];
                     let sum = Sum::new(&cells, &layout, places.offsets.len());
                     return Divided {

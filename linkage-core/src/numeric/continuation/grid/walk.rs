@@ -7,9 +7,9 @@ use super::cells::{Cell, Found};
 use super::fit::Fit;
 use super::layout::{Layout, Places};
 use super::node::Node;
+use super::path::{PathEnd, follow};
 use super::served::served;
 use super::slopes::slopes;
-use super::way::{Way, follow};
 use alloc::collections::VecDeque;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -116,11 +116,11 @@ impl Walk<'_, '_, '_> {
         let mut state = from.state.to_vec();
         let determinants = [from.determinant, self.reference];
         let determinant = match follow(self.follower, from.at, to, &mut state, determinants) {
-            Way::There(determinant) => determinant,
+            PathEnd::Reached(determinant) => determinant,
             ended => {
                 let cell = &mut self.cells[number];
                 match (ended, &cell.found) {
-                    (Way::Dead, Found::Unseen | Found::Lost) => cell.found = Found::Beyond,
+                    (PathEnd::DeadPoint, Found::Unseen | Found::Lost) => cell.found = Found::Beyond,
                     (_, Found::Unseen) => cell.found = Found::Lost,
                     _ => {}
                 }
@@ -188,9 +188,9 @@ impl Walk<'_, '_, '_> {
         state.copy_from_slice(node.centre());
         let determinants = [node.floor, self.reference];
         match follow(self.follower, centre, &x, &mut state, determinants) {
-            Way::There(determinant) => (Place::Missed(state), determinant),
-            Way::Dead => (Place::Absent, f64::INFINITY),
-            Way::Lost => (Place::Unknown, f64::INFINITY),
+            PathEnd::Reached(determinant) => (Place::Missed(state), determinant),
+            PathEnd::DeadPoint => (Place::Absent, f64::INFINITY),
+            PathEnd::Lost => (Place::Unknown, f64::INFINITY),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The equations of a path in numbers of about 32 digits.
 
 use super::super::polynomial::Polynomial;
-use super::super::start::{self, Univariate};
+use super::super::start_system::{self, Univariate};
 use crate::numeric::complex::{Complex, ONE, ZERO};
 use crate::numeric::complex_matrix::Vector;
 use crate::numeric::double_double::DoubleDouble;
@@ -36,8 +36,8 @@ const RADIAN: Complex = Complex::new(0.540_302_305_868_139_8, 0.841_470_984_807_
 
 impl<const N: usize> Equations<N> {
     pub(super) fn new(target: &[Polynomial], attempt: usize) -> Self {
-        let factors = start::factors::<N>(target, attempt);
-        let constants = start::constants::<N>(attempt);
+        let factors = start_system::factors::<N>(target, attempt);
+        let constants = start_system::constants::<N>(attempt);
         let narrow = |wide: &[u8]| core::array::from_fn(|j| wide[j]);
         let terms = |i: usize| target[i].terms.iter();
         let equation = |i: usize| Equation {

@@ -1,11 +1,11 @@
-use super::super::path::Trace;
-use super::super::place::Place;
+use super::super::path_tracker::Trace;
+use super::super::projective::ProjectivePoint;
 use super::Found;
 use crate::numeric::complex::{Complex, ZERO};
 
 #[test]
 fn ends_count_if_roundings_move_them_less_than_they_are_apart() {
-    let place = |re: f64| Place {
+    let place = |re: f64| ProjectivePoint {
         x: [Complex::new(re, 0.0), ZERO],
         flipped: [false; 2],
     };

@@ -16,11 +16,11 @@ const VANISHING: f64 = 0.3;
 const LEFT: f64 = 0.1;
 
 /// Where a way ends.
-pub(super) enum Way {
+pub(super) enum PathEnd {
     /// At the place, with this determinant.
-    There(f64),
+    Reached(f64),
     /// At a dead point.
-    Dead,
+    DeadPoint,
     /// Somewhere else: the solution may exist.
     Lost,
 }
@@ -33,7 +33,7 @@ pub(super) fn follow(
     to: &[f64],
     state: &mut [f64],
     [first, reference]: [f64; 2],
-) -> Way {
+) -> PathEnd {
     let (mut share, mut step, mut last) = (0.0_f64, 1.0_f64, first.abs());
     let mut moved = state.to_vec();
     loop {
@@ -49,21 +49,25 @@ pub(super) fn follow(
             Some(determinant) => {
                 state.copy_from_slice(&moved);
                 if next == 1.0 {
-                    return Way::There(determinant);
+                    return PathEnd::Reached(determinant);
                 }
                 (share, last) = (next, determinant.abs());
                 step *= 2.0;
             }
-            None if follower.exhausted() => return Way::Lost,
+            None if follower.exhausted() => return PathEnd::Lost,
             None => step *= 0.5,
         }
         let vanishing = last < VANISHING * reference.abs();
         if step < SHORT && vanishing {
-            return Way::Dead;
+            return PathEnd::DeadPoint;
         }
         if step < SHORTEST {
             let dead = vanishing || last < LEFT * first.abs();
-            return if dead { Way::Dead } else { Way::Lost };
+            return if dead {
+                PathEnd::DeadPoint
+            } else {
+                PathEnd::Lost
+            };
         }
     }
 }

@@ -21,7 +21,7 @@ impl Ambiguity {
 
 /// The assembly nearest to the estimates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Nearest {
+pub struct Choice {
     /// Its index; that of the first one if several are equally near.
     pub index: usize,
     /// Whether another one is so near that the estimates do not choose.
@@ -32,18 +32,18 @@ pub struct Nearest {
 /// largest of all.
 ///
 /// ```
-/// use linkage_core::numeric::nearest::{Ambiguity, Nearest, nearest};
+/// use linkage_core::numeric::choose_assembly::{Ambiguity, Choice, choose_assembly};
 ///
-/// let clear = nearest([3.0, 0.2, 1.5], Ambiguity::AS_WRITTEN);
-/// assert_eq!(clear, Some(Nearest { index: 1, ambiguous: false }));
+/// let clear = choose_assembly([3.0, 0.2, 1.5], Ambiguity::AS_WRITTEN);
+/// assert_eq!(clear, Some(Choice { index: 1, ambiguous: false }));
 /// // Half a percent apart.
-/// let close = |share| nearest([1.0, 1.005], share).unwrap().ambiguous;
+/// let close = |share| choose_assembly([1.0, 1.005], share).unwrap().ambiguous;
 /// assert!(close(Ambiguity::AS_WRITTEN) && !close(Ambiguity::AT_RUN_TIME));
 /// ```
-pub fn nearest(
+pub fn choose_assembly(
     distances: impl IntoIterator<Item = f64>,
     Ambiguity(share): Ambiguity,
-) -> Option<Nearest> {
+) -> Option<Choice> {
     let mut candidates = distances.into_iter().enumerate();
     let mut first = candidates.next()?;
     let mut second: Option<f64> = None;
@@ -58,7 +58,7 @@ pub fn nearest(
         };
     }
     let ambiguous = second.is_some_and(|second| second - first.1 <= share * second);
-    Some(Nearest {
+    Some(Choice {
         index: first.0,
         ambiguous,
     })
@@ -68,7 +68,7 @@ pub fn nearest(
 /// of those that are told apart.
 ///
 /// ```
-/// use linkage_core::numeric::nearest::{Ambiguity, may_be_meant};
+/// use linkage_core::numeric::choose_assembly::{Ambiguity, may_be_meant};
 ///
 /// assert!(!may_be_meant(1.5, 0.2, Ambiguity::AS_WRITTEN));
 /// assert!(may_be_meant(0.2, 1.5, Ambiguity::AS_WRITTEN));
@@ -84,13 +84,13 @@ pub fn may_be_meant(meeting: f64, nearest: f64, Ambiguity(share): Ambiguity) -> 
 
 #[cfg(test)]
 mod tests {
-    use super::{Ambiguity, Nearest, may_be_meant, nearest};
+    use super::{Ambiguity, Choice, choose_assembly, may_be_meant};
 
     const NAN: f64 = f64::NAN;
 
     fn choice(distances: &[f64]) -> Option<(usize, bool)> {
-        let nearest = nearest(distances.iter().copied(), Ambiguity::AS_WRITTEN);
-        nearest.map(|Nearest { index, ambiguous }| (index, ambiguous))
+        let nearest = choose_assembly(distances.iter().copied(), Ambiguity::AS_WRITTEN);
+        nearest.map(|Choice { index, ambiguous }| (index, ambiguous))
     }
 
     #[test]
@@ -116,7 +116,7 @@ mod tests {
     #[test]
     fn at_run_time_rounding_alone_chooses_nothing() {
         let ambiguous = |less: f64| {
-            let found = nearest([1.0, 1.0 - less], Ambiguity::AT_RUN_TIME);
+            let found = choose_assembly([1.0, 1.0 - less], Ambiguity::AT_RUN_TIME);
             found.map(|found| (found.index, found.ambiguous))
         };
         assert_eq!(ambiguous(0.9e-6), Some((1, true)));

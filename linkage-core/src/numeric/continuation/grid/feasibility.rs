@@ -7,10 +7,10 @@ use super::divide::{CELLS, MISSED, longest, scales};
 use super::fit::Fit;
 use super::layout::{Layout, Places};
 use super::node::Node;
+use super::path::{PathEnd, follow};
 use super::served::served;
 use super::slopes::slopes;
 use super::walk::{NEAR, Solution};
-use super::way::{Way, follow};
 use crate::math;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -55,7 +55,7 @@ struct Looks {
 }
 
 /// What the looks say.
-pub(super) enum Outlook {
+pub(super) enum Feasibility {
     /// What cells as small as they may be would leave out, at least, if that is much.
     Hopeless(LeftOut),
     /// Cells along each input of which no larger ones would do.
@@ -64,15 +64,15 @@ pub(super) enum Outlook {
 
 /// Looks at cells of so many along each input, then at smaller ones. If a boundary of the solution is met, which changes what counts as left out, nothing
 /// is said.
-pub(super) fn outlook(
+pub(super) fn feasibility(
     follower: &mut Follower<'_>,
     ranges: &[(Frame, bool)],
     counts: &[u32],
     with: (&Places, &Fit),
     reference: &Solution<'_>,
-) -> Outlook {
+) -> Feasibility {
     looked(follower, ranges, counts.to_vec(), with, reference)
-        .unwrap_or_else(|| Outlook::From(counts.to_vec()))
+        .unwrap_or_else(|| Feasibility::From(counts.to_vec()))
 }
 
 fn looked(
@@ -81,7 +81,7 @@ fn looked(
     mut counts: Vec<u32>,
     with: (&Places, &Fit),
     reference: &Solution<'_>,
-) -> Option<Outlook> {
+) -> Option<Feasibility> {
     let mut known = starts(follower, ranges, reference)?;
     loop {
         let axes = scales(ranges, &counts);
@@ -89,7 +89,7 @@ fn looked(
         let looks = look(follower, &layout, with, reference, &mut known)?;
         let share = looks.missed as f64 / looks.places as f64;
         if share <= COARSE {
-            return Some(Outlook::From(counts));
+            return Some(Feasibility::From(counts));
         }
         if share <= HOPELESS && !regular(follower, reference, &looks.examples) {
             return None;
@@ -99,10 +99,10 @@ fn looked(
         let affordable = 2 * next * looks.each <= follower.left();
         match longest(&looks.bends, &counts) {
             Some(axis) if next <= CELLS && affordable => counts[axis] *= 2,
-            _ if share <= HOPELESS => return Some(Outlook::From(counts)),
+            _ if share <= HOPELESS => return Some(Feasibility::From(counts)),
             _ => {
                 return hopeless(follower, reference, share, &looks.examples)
-                    .map(Outlook::Hopeless);
+                    .map(Feasibility::Hopeless);
             }
         }
     }
@@ -151,14 +151,16 @@ impl Known {
         let mut state = self.state.clone();
         let determinants = [self.determinant, reference.determinant];
         match follow(follower, &self.at, &to, &mut state, determinants) {
-            Way::There(determinant) if determinant.abs() >= NEAR * reference.determinant.abs() => {
+            PathEnd::Reached(determinant)
+                if determinant.abs() >= NEAR * reference.determinant.abs() =>
+            {
                 Some(Self {
                     at: to,
                     state,
                     determinant,
                 })
             }
-            Way::There(_) | Way::Dead | Way::Lost => None,
+            PathEnd::Reached(_) | PathEnd::DeadPoint | PathEnd::Lost => None,
         }
     }
 }

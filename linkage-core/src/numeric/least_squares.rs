@@ -51,7 +51,7 @@ pub trait Equations<Place> {
 }
 
 /// The place near `from` with the least sum of squares; nothing if it is not found.
-pub fn least<Place, E: Equations<Place>>(
+pub fn minimise<Place, E: Equations<Place>>(
     equations: &mut E,
     from: Place,
 ) -> Option<(Place, E::Rows)> {
@@ -173,7 +173,7 @@ mod tests {
             distance: 2.1,
             lengths: [1.2, 0.6],
         };
-        let (at, rows) = least(&mut links, [0.9, 0.8]).expect("it is found");
+        let (at, rows) = minimise(&mut links, [0.9, 0.8]).expect("it is found");
         // 0.3 in all, the same of each link.
         for own in &rows.missed {
             assert!((own - 0.15).abs() < 1e-9, "{own}");
@@ -187,7 +187,7 @@ mod tests {
             distance: 1.4,
             lengths: [1.3, 1.5],
         };
-        let (at, rows) = least(&mut links, [2.5, -0.2]).expect("it is found");
+        let (at, rows) = minimise(&mut links, [2.5, -0.2]).expect("it is found");
         assert!(square(&rows.missed) <= CLOSED * CLOSED);
         // x^2 + y^2 = 1.69 and (x - 1.4)^2 + y^2 = 2.25; on the side on which it began.
         assert!((at[0] - 0.5).abs() < 1e-8 && (at[1] + 1.2).abs() < 1e-8);
@@ -199,6 +199,6 @@ mod tests {
             distance: f64::NAN,
             lengths: [1.0; 2],
         };
-        assert!(least(&mut links, [0.5, 0.5]).is_none());
+        assert!(minimise(&mut links, [0.5, 0.5]).is_none());
     }
 }

@@ -5,7 +5,7 @@ use crate::numeric::complex_matrix::Vector;
 
 /// A point of a path and its derivative with respect to `t`.
 #[derive(Clone, Copy)]
-pub(super) struct Knot<const N: usize> {
+pub(super) struct PathSample<const N: usize> {
     pub(super) t: f64,
     pub(super) x: Vector<N>,
     pub(super) tangent: Vector<N>,
@@ -14,13 +14,13 @@ pub(super) struct Knot<const N: usize> {
 const MOST: usize = 3;
 
 /// The last points of a path, the latest one first.
-pub(super) struct Past<const N: usize> {
-    knots: [Knot<N>; MOST],
+pub(super) struct PathSamples<const N: usize> {
+    knots: [PathSample<N>; MOST],
     count: usize,
 }
 
-impl<const N: usize> Past<N> {
-    pub(super) fn new(first: Knot<N>) -> Self {
+impl<const N: usize> PathSamples<N> {
+    pub(super) fn new(first: PathSample<N>) -> Self {
         Self {
             knots: [first; MOST],
             count: 1,
@@ -28,12 +28,12 @@ impl<const N: usize> Past<N> {
     }
 
     #[inline(always)]
-    pub(super) fn now(&self) -> &Knot<N> {
+    pub(super) fn now(&self) -> &PathSample<N> {
         &self.knots[0]
     }
 
     #[inline(always)]
-    pub(super) fn add(&mut self, knot: Knot<N>) {
+    pub(super) fn add(&mut self, knot: PathSample<N>) {
         self.knots[2] = self.knots[1];
         self.knots[1] = self.knots[0];
         self.knots[0] = knot;
@@ -118,6 +118,6 @@ fn weights(value: f64, slope: f64, distance: f64) -> [f64; 2] {
 }
 
 #[inline(always)]
-fn weighted<const N: usize>(knot: &Knot<N>, weights: [f64; 2], j: usize) -> Complex {
+fn weighted<const N: usize>(knot: &PathSample<N>, weights: [f64; 2], j: usize) -> Complex {
     knot.x[j].scaled(weights[0]) + knot.tangent[j].scaled(weights[1])
 }

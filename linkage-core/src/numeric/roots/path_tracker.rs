@@ -5,10 +5,10 @@
 //! one, tells how near the path is to others and rules the length of the next step.
 
 use super::Variable;
-use super::ends::{self, End};
+use super::endgame::{self, PathEnd};
 use super::homotopy::Homotopy;
-use super::past::{Knot, Past};
-use super::place::Place;
+use super::path_samples::{PathSample, PathSamples};
+use super::projective::ProjectivePoint;
 use super::rough_root::rough_root;
 use crate::numeric::complex_matrix::{Vector, size, solve, sum};
 use alloc::vec::Vec;
@@ -25,18 +25,18 @@ pub(super) struct Pace {
 /// A path that has been followed.
 pub(super) struct Trace<const N: usize> {
     /// Where it was at `WAYPOINT`, and the smallest pivot there. There all paths are apart.
-    pub(super) waypoint: (Place<N>, f64),
-    pub(super) end: End<N>,
+    pub(super) waypoint: (ProjectivePoint<N>, f64),
+    pub(super) end: PathEnd<N>,
     /// `t` and where it was shortly before its end, where numbers still have digits to spare.
-    pub(super) mark: Option<(f64, Place<N>)>,
+    pub(super) mark: Option<(f64, ProjectivePoint<N>)>,
 }
 
 /// A path and how far it has been followed.
-pub(super) struct Walker<'a, const N: usize> {
+pub(super) struct PathTracker<'a, const N: usize> {
     pub(super) homotopy: &'a mut Homotopy<N>,
     pub(super) variables: &'a [Variable],
     pace: Pace,
-    past: Past<N>,
+    past: PathSamples<N>,
     /// Length of the next step.
     step: f64,
     /// Smallest pivot at the last point.
@@ -74,29 +74,33 @@ pub(super) fn follow<const N: usize>(
     let nowhere = homotopy.place(*start);
     let lost = Trace {
         waypoint: (nowhere, 0.0),
-        end: End::Lost,
+        end: PathEnd::Lost,
         mark: None,
     };
-    let Some(mut walker) = Walker::new(homotopy, variables, pace, start) else {
+    let Some(mut tracker) = PathTracker::new(homotopy, variables, pace, start) else {
         return lost;
     };
     let mut steps = 0;
     loop {
-        let rest = walker.now().t - WAYPOINT;
+        let rest = tracker.now().t - WAYPOINT;
         if rest < SHORT {
             break;
         }
         // Not one long and one tiny step.
-        let longest = if walker.step < rest { 0.5 * rest } else { rest };
-        walker.advance(longest);
+        let longest = if tracker.step < rest {
+            0.5 * rest
+        } else {
+            rest
+        };
+        tracker.advance(longest);
         steps += 1;
-        if steps > MOST_STEPS || walker.step < SHORT {
+        if steps > MOST_STEPS || tracker.step < SHORT {
             return lost;
         }
     }
-    let waypoint = (walker.homotopy.place(walker.now().x), walker.pivot);
+    let waypoint = (tracker.homotopy.place(tracker.now().x), tracker.pivot);
     let mut marks = Vec::new();
-    let end = ends::find(&mut walker, MOST_STEPS - steps, &mut marks);
+    let end = endgame::find(&mut tracker, MOST_STEPS - steps, &mut marks);
     let mark = marks.into_iter().rev().find(|(t, _)| *t > RESUMED);
     Trace {
         waypoint,
@@ -116,7 +120,7 @@ struct Correction<const N: usize> {
     pivot: f64,
 }
 
-impl<'a, const N: usize> Walker<'a, N> {
+impl<'a, const N: usize> PathTracker<'a, N> {
     fn new(
         homotopy: &'a mut Homotopy<N>,
         variables: &'a [Variable],
@@ -127,7 +131,7 @@ impl<'a, const N: usize> Walker<'a, N> {
         let mut matrix = evaluation.matrix;
         let mut right = [evaluation.drift.map(|d| -d)];
         let pivot = solve(&mut matrix, &mut right);
-        let first = Knot {
+        let first = PathSample {
             t: 1.0,
             x: *start,
             tangent: right[0],
@@ -136,14 +140,14 @@ impl<'a, const N: usize> Walker<'a, N> {
             homotopy,
             variables,
             pace,
-            past: Past::new(first),
+            past: PathSamples::new(first),
             step: FIRST_STEP,
             pivot: rough_root(pivot),
         })
     }
 
     /// The last point.
-    pub(super) fn now(&self) -> &Knot<N> {
+    pub(super) fn now(&self) -> &PathSample<N> {
         self.past.now()
     }
 
@@ -185,7 +189,7 @@ impl<'a, const N: usize> Walker<'a, N> {
     /// The point of the path at `t` with its smallest pivot, unless it is too far from the
     /// predicted one; and the square of what corrections are, compared with what is aimed at.
     #[inline(always)]
-    fn corrected(&mut self, t: f64) -> (Option<(Knot<N>, f64)>, f64) {
+    fn corrected(&mut self, t: f64) -> (Option<(PathSample<N>, f64)>, f64) {
         const MOST: f64 = TOO_MUCH * TOO_MUCH;
         let square = |value: f64| value * value;
         let predicted = self.past.predict(t);
@@ -207,7 +211,7 @@ impl<'a, const N: usize> Walker<'a, N> {
         }
         let Correction { x, tangent, .. } = second;
         let pivot = rough_root(second.pivot);
-        (Some((Knot { t, x, tangent }, pivot)), excess)
+        (Some((PathSample { t, x, tangent }, pivot)), excess)
     }
 
     /// One Newton step.

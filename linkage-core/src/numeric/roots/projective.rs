@@ -8,12 +8,12 @@ use crate::numeric::complex_matrix::Vector;
 /// A point: of every variable either its value or, where `flipped`, the inverse of its value,
 /// whichever is small.
 #[derive(Clone, Copy)]
-pub(super) struct Place<const N: usize> {
+pub(super) struct ProjectivePoint<const N: usize> {
     pub(super) x: Vector<N>,
     pub(super) flipped: [bool; N],
 }
 
-impl<const N: usize> Place<N> {
+impl<const N: usize> ProjectivePoint<N> {
     /// Square of the distance, which adds up the distances on the spheres of the variables.
     pub(super) fn distance(&self, other: &Self) -> f64 {
         let apart = |j: usize| {

@@ -5,7 +5,7 @@
 //! as matrices are not singular but for rounding, and so are ends.
 
 use super::super::homotopy::Homotopy;
-use super::super::place::Place;
+use super::super::projective::ProjectivePoint;
 use super::super::rough_root::rough_root;
 use super::equations::{Equations, Point};
 use crate::numeric::complex::Complex;
@@ -35,13 +35,13 @@ const LARGE: f64 = 2.0;
 /// How far a path could be followed.
 pub(super) enum Reached<const N: usize> {
     /// To its end, which roundings of coefficients move by about so much.
-    End(Place<N>, f64),
+    End(ProjectivePoint<N>, f64),
     /// To here, or to an end that roundings of coefficients move nobody knows where.
-    Here(Place<N>),
+    Here(ProjectivePoint<N>),
 }
 
 /// A point of a path, and its derivative with respect to the logarithm of `t`.
-struct Knot<const N: usize> {
+struct PathSample<const N: usize> {
     x: Point<N>,
     slope: Vector<N>,
 }
@@ -51,7 +51,7 @@ pub(super) fn follow<const N: usize>(
     homotopy: &mut Homotopy<N>,
     equations: &mut Equations<N>,
     t: f64,
-    place: &Place<N>,
+    place: &ProjectivePoint<N>,
 ) -> Option<Reached<N>> {
     homotopy.turn(place.flipped);
     equations.flipped = place.flipped;
@@ -76,11 +76,11 @@ pub(super) fn follow<const N: usize>(
 fn arrive<const N: usize>(
     homotopy: &mut Homotopy<N>,
     equations: &mut Equations<N>,
-    mut now: Knot<N>,
+    mut now: PathSample<N>,
     mut t: f64,
 ) -> (Point<N>, f64) {
     let mut step = FIRST;
-    let mut before: Option<(Knot<N>, f64)> = None;
+    let mut before: Option<(PathSample<N>, f64)> = None;
     let (mut look, mut seen) = (t, None);
     for _ in 0..MOST_STEPS {
         if t <= look {
@@ -137,7 +137,7 @@ fn part(step: i32) -> (f64, f64) {
     (1.0 - gone, logarithm)
 }
 
-impl<const N: usize> Knot<N> {
+impl<const N: usize> PathSample<N> {
     /// Takes the inverse of a coordinate as a coordinate.
     fn flip(&mut self, j: usize) {
         self.x[j] = self.x[j].inverse();
@@ -148,8 +148,8 @@ impl<const N: usize> Knot<N> {
 
 /// The point `length` ahead: by the polynomial (Hermite's) through the last two points and their slopes, where there are two.
 fn predict<const N: usize>(
-    now: &Knot<N>,
-    before: Option<&(Knot<N>, f64)>,
+    now: &PathSample<N>,
+    before: Option<&(PathSample<N>, f64)>,
     length: f64,
 ) -> Point<N> {
     let Some((before, width)) = before else {
@@ -172,7 +172,7 @@ fn corrected<const N: usize>(
     equations: &Equations<N>,
     x: &Point<N>,
     t: f64,
-) -> Option<(Knot<N>, f64)> {
+) -> Option<(PathSample<N>, f64)> {
     const MOST: usize = 12;
     let mut x = *x;
     let (mut first, mut last) = (None, LONGEST / CONTRACTION);
@@ -193,7 +193,7 @@ fn corrected<const N: usize>(
         let first = *first.get_or_insert(length);
         if settled {
             let slope = tangent.map(|own| own.scaled(t));
-            return Some((Knot { x, slope }, first));
+            return Some((PathSample { x, slope }, first));
         }
         last = length;
     }
@@ -208,6 +208,6 @@ fn difference<const N: usize>(a: &Point<N>, b: &Point<N>) -> Vector<N> {
     core::array::from_fn(|j| (a[j] - b[j]).narrow())
 }
 
-fn placed<const N: usize>(homotopy: &Homotopy<N>, x: &Point<N>) -> Place<N> {
+fn placed<const N: usize>(homotopy: &Homotopy<N>, x: &Point<N>) -> ProjectivePoint<N> {
     homotopy.place(x.map(Complex::narrow))
 }

@@ -1,6 +1,6 @@
 //! The highest point of a function without derivatives over a range.
 
-use super::minimum::{Point, descend};
+use super::golden_section::{Point, descend};
 use alloc::vec::Vec;
 
 /// How many of the highest samples are refined.
@@ -8,7 +8,7 @@ const SUMMITS: usize = 16;
 
 /// The highest value found.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Summit {
+pub struct Maximum {
     pub at: f64,
     pub value: f64,
     /// At how many of the samples there was none.
@@ -17,11 +17,11 @@ pub struct Summit {
 
 /// The highest value over `low` to `high`: the highest of evenly spaced positions (two or more, both ends among them), and what a golden
 /// section search finds around the highest ones. `None` if all of them are NaN.
-pub fn highest(
+pub fn maximise(
     [low, high]: [f64; 2],
     positions: usize,
     mut figure: impl FnMut(f64) -> f64,
-) -> Option<Summit> {
+) -> Option<Maximum> {
     let last = positions - 1;
     let place = |i: usize| {
         if i == last {
@@ -49,11 +49,11 @@ pub fn highest(
 }
 
 /// The highest of given values that are not NaN.
-pub fn highest_of(xs: &[f64], values: &[f64]) -> Option<Summit> {
+pub fn highest_of(xs: &[f64], values: &[f64]) -> Option<Maximum> {
     let missing = values.iter().filter(|value| value.is_nan()).count();
     let assembled = xs.iter().zip(values).filter(|(_, value)| !value.is_nan());
     let (&at, &value) = assembled.reduce(|best, next| if next.1 > best.1 { next } else { best })?;
-    Some(Summit { at, value, missing })
+    Some(Maximum { at, value, missing })
 }
 
 /// The samples that are not below their neighbours, the highest first.

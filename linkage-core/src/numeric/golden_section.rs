@@ -8,7 +8,7 @@ pub struct Point {
 }
 
 impl Point {
-    pub fn at(x: f64, margin: &mut impl FnMut(f64) -> f64) -> Self {
+    pub fn evaluate(x: f64, margin: &mut impl FnMut(f64) -> f64) -> Self {
         Self {
             x,
             margin: margin(x),
@@ -37,8 +37,8 @@ pub fn descend(
     const STEPS: usize = 70;
 
     let (mut low, mut high) = (a.x, b.x);
-    let mut left = Point::at(high - GOLDEN * (high - low), margin);
-    let mut right = Point::at(low + GOLDEN * (high - low), margin);
+    let mut left = Point::evaluate(high - GOLDEN * (high - low), margin);
+    let mut right = Point::evaluate(low + GOLDEN * (high - low), margin);
     let mut best = a.lower(b).lower(left).lower(right);
     for _ in 0..STEPS {
         if enough(best) || left.x >= right.x {
@@ -47,12 +47,12 @@ pub fn descend(
         if left.margin <= right.margin {
             high = right.x;
             right = left;
-            left = Point::at(high - GOLDEN * (high - low), margin);
+            left = Point::evaluate(high - GOLDEN * (high - low), margin);
             best = best.lower(left);
         } else {
             low = left.x;
             left = right;
-            right = Point::at(low + GOLDEN * (high - low), margin);
+            right = Point::evaluate(low + GOLDEN * (high - low), margin);
             best = best.lower(right);
         }
     }

@@ -1,8 +1,8 @@
 //! What does not fit together: ends and ways of paths that show that a path has been lost.
 
-use super::ends::{End, Root};
-use super::path::Trace;
-use super::place::Place;
+use super::endgame::{PathEnd, Root};
+use super::path_tracker::Trace;
+use super::projective::ProjectivePoint;
 use alloc::vec::Vec;
 
 /// Number of paths with an uncertain end.
@@ -11,7 +11,7 @@ pub(super) fn count<const N: usize>(traces: &[Trace<N>], roots: &[Root<N>]) -> u
 }
 
 fn lost<const N: usize>(traces: &[Trace<N>]) -> usize {
-    let lost = |trace: &&Trace<N>| matches!(trace.end, End::Lost);
+    let lost = |trace: &&Trace<N>| matches!(trace.end, PathEnd::Lost);
     traces.iter().filter(lost).count()
 }
 
@@ -35,7 +35,7 @@ fn duplicates<const N: usize>(roots: &[Root<N>]) -> usize {
 
 /// Number of places that are nearer to another one than their radius; no radius is above
 /// `largest`.
-fn count_equal<const N: usize>(mut places: Vec<(Place<N>, f64)>, largest: f64) -> usize {
+fn count_equal<const N: usize>(mut places: Vec<(ProjectivePoint<N>, f64)>, largest: f64) -> usize {
     places.sort_by(|a, b| a.0.key().total_cmp(&b.0.key()));
     let mut equal = 0;
     for (index, (place, radius)) in places.iter().enumerate() {
@@ -60,14 +60,14 @@ pub(super) fn lose_single<const N: usize>(traces: &mut [Trace<N>]) {
         .iter()
         .enumerate()
         .filter_map(|(index, own)| match own.end {
-            End::Multiple(place) => Some((index, place)),
+            PathEnd::Multiple(place) => Some((index, place)),
             _ => None,
         });
-    let multiple: Vec<(usize, Place<N>)> = multiple.collect();
+    let multiple: Vec<(usize, ProjectivePoint<N>)> = multiple.collect();
     for (index, place) in &multiple {
         let mut others = multiple.iter().filter(|(other, _)| other != index);
         if others.all(|(_, other)| place.distance(other) >= NEAR * NEAR) {
-            traces[*index].end = End::Lost;
+            traces[*index].end = PathEnd::Lost;
         }
     }
 }

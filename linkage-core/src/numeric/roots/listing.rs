@@ -1,13 +1,13 @@
 //! Follows all paths and accepts their ends only if they fit together.
 
+use super::consistency;
 use super::continuum::is_continuum;
-use super::doubts;
-use super::ends::{End, Root};
+use super::endgame::{PathEnd, Root};
 use super::homotopy::Homotopy;
-use super::path::{Pace, Trace, follow};
-use super::place::Place;
+use super::path_tracker::{Pace, Trace, follow};
 use super::polynomial::{self, Polynomial};
 use super::precise;
+use super::projective::ProjectivePoint;
 use super::real;
 use super::{Listing, Unlisted, Variable};
 use alloc::vec::Vec;
@@ -70,14 +70,16 @@ fn listing<const N: usize>(
     if examined.any(|place| is_continuum(homotopy, place)) {
         return Outcome::Degenerate;
     }
-    doubts::lose_single(&mut traces);
+    consistency::lose_single(&mut traces);
     precise::pursue(homotopy, variables, target, attempt, &mut traces);
     let (roots, multiple) = sorted(&traces);
-    let doubts = doubts::count(&traces, &roots);
+    let doubts = consistency::count(&traces, &roots);
     if doubts > 0 {
         return Outcome::Doubtful(doubts);
     }
-    let blurred = traces.iter().filter(|own| matches!(own.end, End::Blurred));
+    let blurred = traces
+        .iter()
+        .filter(|own| matches!(own.end, PathEnd::Blurred));
     let blurred = blurred.count();
     // Those at infinity were of use for finding duplicates only.
     let inside = |root: &Root<N>| root.place.is_inside(variables);
@@ -96,13 +98,13 @@ fn listing<const N: usize>(
 }
 
 /// The isolated solutions and the multiple ones.
-fn sorted<const N: usize>(traces: &[Trace<N>]) -> (Vec<Root<N>>, Vec<Place<N>>) {
+fn sorted<const N: usize>(traces: &[Trace<N>]) -> (Vec<Root<N>>, Vec<ProjectivePoint<N>>) {
     let (mut roots, mut multiple) = (Vec::with_capacity(traces.len()), Vec::new());
     for trace in traces {
         match trace.end {
-            End::Regular(root) => roots.push(root),
-            End::Multiple(place) => multiple.push(place),
-            End::Outside | End::Blurred | End::Lost => {}
+            PathEnd::Regular(root) => roots.push(root),
+            PathEnd::Multiple(place) => multiple.push(place),
+            PathEnd::Outside | PathEnd::Blurred | PathEnd::Lost => {}
         }
     }
     (roots, multiple)

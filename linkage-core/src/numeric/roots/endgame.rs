@@ -2,24 +2,24 @@
 //! become infinite.
 
 use super::MEETING;
-use super::cycle;
+use super::cauchy_endgame;
 use super::homotopy::Homotopy;
-use super::past::Knot;
-use super::path::Walker;
-use super::place::Place;
+use super::path_samples::PathSample;
+use super::path_tracker::PathTracker;
+use super::projective::ProjectivePoint;
 use super::rough_root::rough_root;
 use crate::numeric::complex::Complex;
 use crate::numeric::complex_matrix::{Matrix, Vector, size, solve, sum};
 use alloc::vec::Vec;
 
 /// The end of a path.
-pub(super) enum End<const N: usize> {
+pub(super) enum PathEnd<const N: usize> {
     /// An isolated solution; variables may be infinite.
     Regular(Root<N>),
     /// A variable tends to infinity or a unit vector to zero, other than in an isolated solution.
     Outside,
     /// A multiple solution, or one of a continuum.
-    Multiple(Place<N>),
+    Multiple(ProjectivePoint<N>),
     /// Nothing real, as far as is known of it; what else it is, the coefficients do not tell.
     Blurred,
     Lost,
@@ -28,7 +28,7 @@ pub(super) enum End<const N: usize> {
 /// An isolated solution.
 #[derive(Clone, Copy)]
 pub(super) struct Root<const N: usize> {
-    pub(super) place: Place<N>,
+    pub(super) place: ProjectivePoint<N>,
     /// Newton's method converges to this solution from everywhere nearer than this.
     pub(super) reach: f64,
 }
@@ -66,17 +66,17 @@ const CONFINED: f64 = 4.0;
 
 /// The end of a path that has come near it; `marks` are where it has been on its way there.
 pub(super) fn find<const N: usize>(
-    walker: &mut Walker<'_, N>,
+    tracker: &mut PathTracker<'_, N>,
     most_steps: usize,
-    marks: &mut Vec<(f64, Place<N>)>,
-) -> End<N> {
+    marks: &mut Vec<(f64, ProjectivePoint<N>)>,
+) -> PathEnd<N> {
     let mut next_try = f64::INFINITY;
     let mut rates = Rates::new();
     for _ in 0..most_steps {
-        let t = walker.now().t;
-        if walker.step() >= t && t <= next_try {
-            if let Some(root) = arrive(walker) {
-                return End::Regular(root);
+        let t = tracker.now().t;
+        if tracker.step() >= t && t <= next_try {
+            if let Some(root) = arrive(tracker) {
+                return PathEnd::Regular(root);
             }
             next_try = 0.2 * t;
         }
@@ -84,35 +84,35 @@ pub(super) fn find<const N: usize>(
             .last()
             .is_none_or(|(last, _)| t < BETWEEN_MARKS * last)
         {
-            marks.push((t, walker.homotopy.place(walker.now().x)));
+            marks.push((t, tracker.homotopy.place(tracker.now().x)));
         }
-        let precise = walker.pivot * way_left(walker) > BLURRED;
-        if t < LAST || !precise || walker.step() < SHORT * t {
-            return conclude(walker, marks);
+        let precise = tracker.pivot * way_left(tracker) > BLURRED;
+        if t < LAST || !precise || tracker.step() < SHORT * t {
+            return conclude(tracker, marks);
         }
-        if rates.are_settled(walker) {
-            return End::Outside;
+        if rates.are_settled(tracker) {
+            return PathEnd::Outside;
         }
-        walker.advance(0.6 * t);
+        tracker.advance(0.6 * t);
     }
-    End::Lost
+    PathEnd::Lost
 }
 
 /// How far the end is away, about.
-fn way_left<const N: usize>(walker: &Walker<'_, N>) -> f64 {
-    let Knot { t, tangent, .. } = walker.now();
+fn way_left<const N: usize>(tracker: &PathTracker<'_, N>) -> f64 {
+    let PathSample { t, tangent, .. } = tracker.now();
     t * rough_root(size(tangent))
 }
 
 /// The isolated solution right ahead, if there is one.
-fn arrive<const N: usize>(walker: &mut Walker<'_, N>) -> Option<Root<N>> {
-    let predicted = walker.predict(0.0);
-    let (x, last) = polish(walker.homotopy, &predicted)?;
-    let reach = reach(walker.homotopy, &x)?;
+fn arrive<const N: usize>(tracker: &mut PathTracker<'_, N>) -> Option<Root<N>> {
+    let predicted = tracker.predict(0.0);
+    let (x, last) = polish(tracker.homotopy, &predicted)?;
+    let reach = reach(tracker.homotopy, &x)?;
     let way: Vector<N> = core::array::from_fn(|j| x[j] - predicted[j]);
     let near = size(&way) < reach * reach;
     (near && last < SETTLED * reach).then(|| Root {
-        place: walker.homotopy.place(x),
+        place: tracker.homotopy.place(x),
         reach,
     })
 }
@@ -179,62 +179,65 @@ fn reach<const N: usize>(homotopy: &mut Homotopy<N>, x: &Vector<N>) -> Option<f6
 }
 
 /// The end of a path that cannot be followed further, which has been at these places.
-fn conclude<const N: usize>(walker: &mut Walker<'_, N>, marks: &[(f64, Place<N>)]) -> End<N> {
-    if let Some(root) = arrive(walker) {
-        return End::Regular(root);
+fn conclude<const N: usize>(
+    tracker: &mut PathTracker<'_, N>,
+    marks: &[(f64, ProjectivePoint<N>)],
+) -> PathEnd<N> {
+    if let Some(root) = arrive(tracker) {
+        return PathEnd::Regular(root);
     }
-    let place = walker.homotopy.place(walker.now().x);
-    let t = walker.now().t;
+    let place = tracker.homotopy.place(tracker.now().x);
+    let t = tracker.now().t;
     if t > LATE {
-        return End::Lost;
+        return PathEnd::Lost;
     }
     let vanishes = |j: usize| {
-        place.is_outer(j, walker.variables)
+        place.is_outer(j, tracker.variables)
             && place.x[j].square() < VANISHED * VANISHED
-            && rate(walker, j) > LEAST_RATE
+            && rate(tracker, j) > LEAST_RATE
     };
     if (0..N).any(vanishes) {
-        return End::Outside;
+        return PathEnd::Outside;
     }
     // Newton's method cannot reach the end because it is singular, not because it is far.
-    let left = way_left(walker);
-    let x = walker.now().x;
-    let singular = reach(walker.homotopy, &x).is_none_or(|reach| reach < SINGULAR_REACH * left);
-    let multiple = singular && left < MEETING && place.is_inside(walker.variables);
+    let left = way_left(tracker);
+    let x = tracker.now().x;
+    let singular = reach(tracker.homotopy, &x).is_none_or(|reach| reach < SINGULAR_REACH * left);
+    let multiple = singular && left < MEETING && place.is_inside(tracker.variables);
     if multiple && left < PRECISE {
-        return End::Multiple(place);
+        return PathEnd::Multiple(place);
     }
-    match led_around(walker, marks) {
-        Some(Led::Past) => End::Blurred,
-        Some(Led::Onto(middle)) if multiple => End::Multiple(middle),
-        _ => End::Lost,
+    match led_around(tracker, marks) {
+        Some(Led::PathSamples) => PathEnd::Blurred,
+        Some(Led::Onto(middle)) if multiple => PathEnd::Multiple(middle),
+        _ => PathEnd::Lost,
     }
 }
 
 /// What lies within a way around the end of a path.
 enum Led<const N: usize> {
     /// Nothing real.
-    Past,
+    PathSamples,
     /// The middle, which may be real.
-    Onto(Place<N>),
+    Onto(ProjectivePoint<N>),
 }
 
 /// Leads the path around its end: it ends within that way, so in nothing real if the way is narrower than its middle is away from its reflection.
 /// That holds unless the path meets another one within the way, which is found out where it is followed with more digits.
 fn led_around<const N: usize>(
-    walker: &mut Walker<'_, N>,
-    marks: &[(f64, Place<N>)],
+    tracker: &mut PathTracker<'_, N>,
+    marks: &[(f64, ProjectivePoint<N>)],
 ) -> Option<Led<N>> {
     let mut onto = None;
     for (t, place) in marks.iter().filter(|(t, _)| *t < LATE) {
-        walker.homotopy.turn(place.flipped);
-        let Some(cycle) = cycle::around(walker.homotopy, &place.x, *t) else {
+        tracker.homotopy.turn(place.flipped);
+        let Some(cycle) = cauchy_endgame::around(tracker.homotopy, &place.x, *t) else {
             continue;
         };
-        let middle = walker.homotopy.place(cycle.middle);
-        let gaps = middle.gaps(walker.variables);
+        let middle = tracker.homotopy.place(cycle.middle);
+        let gaps = middle.gaps(tracker.variables);
         if (0..N).any(|j| gaps[j] > CONFINED * cycle.extent[j]) {
-            return Some(Led::Past);
+            return Some(Led::PathSamples);
         }
         // Earlier ways are more precise.
         onto.get_or_insert(Led::Onto(middle));
@@ -243,9 +246,9 @@ fn led_around<const N: usize>(
 }
 
 /// The exponent `w` if a coordinate tends to zero like `t^w`.
-fn rate<const N: usize>(walker: &Walker<'_, N>, j: usize) -> f64 {
-    let (x, tangent) = (walker.now().x[j], walker.now().tangent[j]);
-    walker.now().t * (tangent * x.conjugate()).re / x.square()
+fn rate<const N: usize>(tracker: &PathTracker<'_, N>, j: usize) -> f64 {
+    let (x, tangent) = (tracker.now().x[j], tracker.now().tangent[j]);
+    tracker.now().t * (tangent * x.conjugate()).re / x.square()
 }
 
 /// The exponents some steps ago.
@@ -268,23 +271,23 @@ impl<const N: usize> Rates<N> {
     /// Whether a coordinate that would be outside if it vanished tends to zero by a law that has
     /// been the same for some time. Then its end is a hundred times smaller at least, which is
     /// too small for a real solution.
-    fn are_settled(&mut self, walker: &Walker<'_, N>) -> bool {
+    fn are_settled(&mut self, tracker: &PathTracker<'_, N>) -> bool {
         /// Part of `t` after which the exponents are looked at again.
         const AFTER: f64 = 0.125;
         const SMALL: f64 = 2e-3;
-        if walker.now().t > AFTER * self.t {
+        if tracker.now().t > AFTER * self.t {
             return false;
         }
-        let place = walker.homotopy.place(walker.now().x);
+        let place = tracker.homotopy.place(tracker.now().x);
         for j in 0..N {
-            let rate = rate(walker, j);
+            let rate = rate(tracker, j);
             let same = rate > LEAST_RATE && (rate - self.rates[j]).abs() < SAME_RATE * rate;
             self.same[j] = if same { self.same[j] + 1 } else { 0 };
             self.rates[j] = rate;
         }
-        self.t = walker.now().t;
+        self.t = tracker.now().t;
         (0..N).any(|j| {
-            let outer = place.is_outer(j, walker.variables);
+            let outer = place.is_outer(j, tracker.variables);
             outer && place.x[j].square() < SMALL * SMALL && self.same[j] >= 2
         })
     }
