@@ -4,6 +4,7 @@ mod factors;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod search;
 mod singular_values;
+mod small_matrix;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use search::{Singularity, SingularityKind, singularities};
@@ -11,6 +12,7 @@ pub use search::{Singularity, SingularityKind, singularities};
 use linkage_core::Scalar;
 
 use factors::Factors;
+use small_matrix::{dot, transposed};
 
 /// The derivatives of `N` results by `N` inputs.
 ///
@@ -131,15 +133,6 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
     pub fn manipulability(&self) -> T {
         self.determinant().abs()
     }
-}
-
-fn dot<T: Scalar, const N: usize>(a: [T; N], b: [T; N]) -> T {
-    let products = a.into_iter().zip(b).map(|(a, b)| a * b);
-    products.fold(T::from_f64(0.0), |sum, product| sum + product)
-}
-
-fn transposed<T: Copy, const N: usize>(matrix: [[T; N]; N]) -> [[T; N]; N] {
-    core::array::from_fn(|row| core::array::from_fn(|column| matrix[column][row]))
 }
 
 #[cfg(test)]

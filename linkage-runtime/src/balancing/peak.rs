@@ -13,7 +13,7 @@ use super::rows::{Row, add, dot, larger};
 use crate::components::norm;
 use linkage_core::math::double::sqrt;
 use linkage_core::numeric::cholesky::Cholesky;
-use step::State;
+use step::{LEAST_PIVOT, State};
 
 /// A point, and what no point goes below.
 pub(super) struct Found<const N: usize> {
@@ -26,8 +26,6 @@ pub(super) struct Found<const N: usize> {
 const ROUNDS: usize = 100;
 const PATIENCE: usize = 5;
 const GAP: f64 = 1e-13;
-/// The least part of its diagonal that a pivot counts as, where rounding has taken it away.
-const LEAST_PIVOT: f64 = 1e-15;
 
 /// The coordinates of the least peak. The columns are of length 1 and perpendicular to each other and to the forces.
 pub(super) fn least_peak<const N: usize>(

@@ -2,7 +2,7 @@
 
 use linkage_core::Scalar;
 
-use super::dot;
+use super::small_matrix::dot;
 
 /// `Q R` of a square matrix.
 pub(super) struct Factors<T, const N: usize> {
@@ -15,7 +15,7 @@ pub(super) struct Factors<T, const N: usize> {
 impl<T: Scalar, const N: usize> Factors<T, N> {
     pub(super) fn of(rows: [[T; N]; N]) -> Self {
         let zero = T::from_f64(0.0);
-        let mut columns = super::transposed(rows);
+        let mut columns = super::small_matrix::transposed(rows);
         let mut mirrors = [([zero; N], zero); N];
         for step in 0..N {
             let below: [T; N] =

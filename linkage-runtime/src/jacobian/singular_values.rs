@@ -3,7 +3,7 @@
 
 use linkage_core::Scalar;
 
-use super::dot;
+use super::small_matrix::dot;
 
 /// Each sweep over all pairs squares what is left; from any matrix of up to six columns nothing is left after eight, and the last two
 /// are for columns of very different lengths.

@@ -15,7 +15,7 @@ fn with_values(values: [f64; 3]) -> Jacobian<f64, 3> {
         core::array::from_fn(|column| if row == column { values[row] } else { 0.0 })
     });
     let rows = turned(turned(diagonal, 0, 1), 1, 2);
-    let columns = super::transposed(rows);
+    let columns = super::small_matrix::transposed(rows);
     Jacobian::of_inputs(turned(turned(columns, 0, 2), 0, 1))
 }
 

@@ -5,41 +5,16 @@
 //! the tightest ones at the solution are added, and so on until nothing is violated.
 
 mod barrier;
+mod problem;
 
 use alloc::vec::Vec;
+pub(super) use problem::{Cheapest, Term};
+use problem::{Condition, length, norm};
 
 /// How often conditions are added.
 const ROUNDS: usize = 60;
 /// A condition that is violated by less holds.
 const HOLDS: f64 = 1e-9;
-
-/// The cost `cost / u^exponent` of a value.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Term {
-    pub(super) cost: f64,
-    pub(super) exponent: f64,
-}
-
-impl Term {
-    pub(super) fn at(&self, value: f64) -> f64 {
-        self.cost / value.powf(self.exponent)
-    }
-
-    /// Where `cost / u^exponent + weight u` is lowest.
-    fn lowest(&self, weight: f64) -> f64 {
-        (self.exponent * self.cost / weight).powf(1.0 / (self.exponent + 1.0))
-    }
-}
-
-/// Cheap values; a factor near 1 is still needed so that they hold all conditions.
-pub(super) struct Cheapest {
-    pub(super) values: Vec<f64>,
-    /// No values that hold all conditions cost less.
-    pub(super) bound: f64,
-}
-
-/// A vector for each value, with which it enters a sum.
-type Condition = Vec<[f64; 3]>;
 
 /// `start` holds all conditions; `tightest` gives the conditions that are tightest at some values,
 /// one for each position.
@@ -132,25 +107,6 @@ fn closed(terms: &[Term], row: &[f64]) -> Cheapest {
         values,
         bound: total + price * (used - 1.0),
     }
-}
-
-fn norm(v: &[f64; 3]) -> f64 {
-    crate::components::norm(v)
-}
-
-/// The vector that a condition limits.
-fn vector(condition: &Condition, values: &[f64]) -> [f64; 3] {
-    let mut sum = [0.0; 3];
-    for (row, value) in condition.iter().zip(values) {
-        for (total, x) in sum.iter_mut().zip(row) {
-            *total += value * x;
-        }
-    }
-    sum
-}
-
-fn length(condition: &Condition, values: &[f64]) -> f64 {
-    norm(&vector(condition, values))
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ mod table;
 
 use self::table::{DIRECTIONS, NOWHERE, TABLE};
 use super::super::multiply::double as mul_add;
-use super::{LIMIT, ROUND};
+use super::kernel::{LIMIT, ROUND};
 use core::hint::select_unpredictable;
 
 /// Steps in a radian.

@@ -5,7 +5,7 @@
 //! that of the remainder; 1.4 roundoffs (2^-53) up to the limit of 2^30.
 
 use super::super::multiply::double as mul_add;
-use super::{COSINE, ROUND, SINE, exchanged, polynomial, unless_large};
+use super::kernel::{COSINE, ROUND, SINE, exchanged, polynomial, unless_large};
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
 /// Sine and cosine of an angle in radians; NaN for one of 2^30 and above in size.

@@ -5,6 +5,9 @@ use super::polynomial::{NODES, TERMS, evaluate, fit};
 use alloc::vec;
 use alloc::vec::Vec;
 
+/// Beyond this place of a cell there is no state: half a cell outside the table.
+pub(super) const OUTSIDE: f64 = 2.0;
+
 /// The error of a table between its nodes, at most: one Newton step leaves rounding.
 const ERROR: f64 = 1e-9;
 

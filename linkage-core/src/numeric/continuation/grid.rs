@@ -2,10 +2,12 @@
 
 mod border;
 mod cells;
+mod counts;
 mod divide;
 mod feasibility;
 mod fit;
 mod layout;
+mod left_out;
 mod lookup;
 mod node;
 mod path;
@@ -29,8 +31,9 @@ use fit::Fit;
 use node::Node;
 use walk::Solution;
 
+pub use left_out::LeftOut;
 pub use lookup::GridLookup;
-pub(super) use lookup::OUTSIDE;
+pub(super) use terms::OUTSIDE;
 pub use terms::Terms;
 
 /// Corrections that building a grid of slopes may take: less than a second. A grid of all cells takes half of them; with polynomials it takes three
@@ -54,15 +57,6 @@ pub struct Grid {
     width: usize,
     served: f64,
     left_out: Option<LeftOut>,
-}
-
-/// Where a grid serves less than it should.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LeftOut {
-    /// The share of the ranges.
-    pub share: f64,
-    /// The inputs at one of the positions.
-    pub at: Vec<f64>,
 }
 
 impl Grid {

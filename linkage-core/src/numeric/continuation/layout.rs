@@ -59,7 +59,7 @@ pub struct CellLayout<'a> {
 
 impl CellLayout<'_> {
     /// Beyond this there is no state: half a cell outside the table.
-    pub const OUTSIDE: f64 = super::lookup::OUTSIDE;
+    pub const OUTSIDE: f64 = super::cell::OUTSIDE;
 }
 
 impl Table {

@@ -2,16 +2,13 @@
 
 mod block;
 
-use super::cell::{Cell, Frame};
+use super::cell::{Cell, Frame, OUTSIDE};
 use super::polynomial::{TERMS, by_pairs};
 use super::scale::{Scale, guard};
 use super::shared::Shared;
 use super::table::Table;
 use crate::scalar::FUSED;
 use core::fmt;
-
-/// Beyond this place of a cell there is no state: half a cell outside the table.
-pub(super) const OUTSIDE: f64 = 2.0;
 
 /// A [`Table`] of `S` state numbers. Cheap to clone.
 #[derive(Clone, PartialEq)]
@@ -51,8 +48,16 @@ fn polynomials<const FUSED: bool, const S: usize>(c: &[[f64; S]; TERMS], t: f64)
     state
 }
 
+impl Table {
+    /// For generated code: the number of state numbers is fixed. `None` if it is not `S`.
+    #[must_use]
+    pub fn lookup<const S: usize>(&self) -> Option<Lookup<S>> {
+        Lookup::new(self)
+    }
+}
+
 impl<const S: usize> Lookup<S> {
-    pub(super) fn new(table: &Table) -> Option<Self> {
+    fn new(table: &Table) -> Option<Self> {
         if table.width() != S {
             return None;
         }

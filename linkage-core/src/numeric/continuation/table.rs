@@ -1,8 +1,7 @@
 //! A prepared table of states over the range of one input.
 
-use super::cell::{Cell, Frame};
+use super::cell::{Cell, Frame, OUTSIDE};
 use super::follow::Follower;
-use super::lookup::{Lookup, OUTSIDE};
 use super::polynomial::by_pairs;
 use super::scale::{Scale, guard};
 use super::shared::Shared;
@@ -129,7 +128,7 @@ impl Table {
         cell.floor + guard
     }
 
-    /// As [`state`](Self::state), to the last bit what [`Lookup::at_with`] gives. With `FUSED` only on machines with fused multiply-add.
+    /// As [`state`](Self::state), to the last bit what [`Lookup::at_with`](super::Lookup::at_with) gives. With `FUSED` only on machines with fused multiply-add.
     ///
     /// # Panics
     ///
@@ -145,12 +144,6 @@ impl Table {
             *number = by_pairs::<FUSED>(|power| c[power * width + index], t);
         }
         cell.floor + guard(t, OUTSIDE)
-    }
-
-    /// For generated code: the number of state numbers is fixed. `None` if it is not `S`.
-    #[must_use]
-    pub fn lookup<const S: usize>(&self) -> Option<Lookup<S>> {
-        Lookup::new(self)
     }
 
     /// Over a range of one point.

@@ -1,8 +1,8 @@
 //! What does not fit together: ends and ways of paths that show that a path has been lost.
 
 use super::endgame::{PathEnd, Root};
-use super::path_tracker::Trace;
 use super::projective::ProjectivePoint;
+use super::trace::Trace;
 use alloc::vec::Vec;
 
 /// Number of paths with an uncertain end.

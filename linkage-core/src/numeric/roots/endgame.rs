@@ -1,13 +1,13 @@
 //! Where paths end: at an isolated solution, at a multiple one, or where variables vanish or
 //! become infinite.
 
-use super::MEETING;
 use super::cauchy_endgame;
 use super::homotopy::Homotopy;
 use super::path_samples::PathSample;
 use super::path_tracker::PathTracker;
 use super::projective::ProjectivePoint;
 use super::rough_root::rough_root;
+use crate::numeric::choose_assembly::MEETING;
 use crate::numeric::complex::Complex;
 use crate::numeric::complex_matrix::{Matrix, Vector, size, solve, sum};
 use alloc::vec::Vec;

@@ -1,10 +1,11 @@
 //! The equations between the start system (`t` = 1) and the given one (`t` = 0).
 
-use super::HIGHEST_DEGREE;
+use super::evaluation::Evaluation;
 use super::polynomial::Polynomial;
 use super::projective::ProjectivePoint;
 use super::quadratic::Quadratics;
 use super::start_system::{self, Univariate};
+use super::system::HIGHEST_DEGREE;
 use crate::numeric::complex::{Complex, ONE, ZERO};
 use crate::numeric::complex_matrix::{Matrix, Vector};
 use alloc::vec::Vec;
@@ -41,14 +42,6 @@ struct Term<const N: usize> {
 struct Powers {
     values: [Complex; HIGHEST_DEGREE + 1],
     slopes: [Complex; HIGHEST_DEGREE + 1],
-}
-
-/// Values and derivatives at a point.
-pub(super) struct Evaluation<const N: usize> {
-    pub(super) values: Vector<N>,
-    pub(super) matrix: Matrix<N>,
-    /// Derivatives with respect to `t`.
-    pub(super) drift: Vector<N>,
 }
 
 impl<const N: usize> Homotopy<N> {

@@ -4,12 +4,13 @@ use super::consistency;
 use super::continuum::is_continuum;
 use super::endgame::{PathEnd, Root};
 use super::homotopy::Homotopy;
-use super::path_tracker::{Pace, Trace, follow};
+use super::path_tracker::Pace;
 use super::polynomial::{self, Polynomial};
 use super::precise;
 use super::projective::ProjectivePoint;
 use super::real;
-use super::{Listing, Unlisted, Variable};
+use super::system::{Listing, Unlisted, Variable};
+use super::trace::{Trace, follow};
 use alloc::vec::Vec;
 
 /// How often all paths are followed, each time from another start system and with smaller steps.

@@ -1,17 +1,14 @@
-//! Following one solution from the start system to the given one.
+//! A path of solutions from the start system towards the given one.
 //!
 //! Every step predicts by the polynomial through the last three points and their tangents and
 //! corrects by two Newton steps. How long the first correction is, and how much shorter the second
 //! one, tells how near the path is to others and rules the length of the next step.
 
-use super::Variable;
-use super::endgame::{self, PathEnd};
 use super::homotopy::Homotopy;
 use super::path_samples::{PathSample, PathSamples};
-use super::projective::ProjectivePoint;
 use super::rough_root::rough_root;
+use super::system::Variable;
 use crate::numeric::complex_matrix::{Vector, size, solve, sum};
-use alloc::vec::Vec;
 
 /// How carefully paths are followed.
 #[derive(Clone, Copy)]
@@ -20,15 +17,6 @@ pub(super) struct Pace {
     correction: f64,
     /// Second correction as a part of the first one that they aim at.
     contraction: f64,
-}
-
-/// A path that has been followed.
-pub(super) struct Trace<const N: usize> {
-    /// Where it was at `WAYPOINT`, and the smallest pivot there. There all paths are apart.
-    pub(super) waypoint: (ProjectivePoint<N>, f64),
-    pub(super) end: PathEnd<N>,
-    /// `t` and where it was shortly before its end, where numbers still have digits to spare.
-    pub(super) mark: Option<(f64, ProjectivePoint<N>)>,
 }
 
 /// A path and how far it has been followed.
@@ -43,12 +31,7 @@ pub(super) struct PathTracker<'a, const N: usize> {
     pub(super) pivot: f64,
 }
 
-/// The value of `t` at which paths are compared, and behind which ends are looked for.
-const WAYPOINT: f64 = 0.1;
 const FIRST_STEP: f64 = 0.02;
-const MOST_STEPS: usize = 500;
-/// Ways and steps in `t` below this are nothing: the waypoint is reached, or a path sticks.
-const SHORT: f64 = 1e-9;
 /// A step is at least and at most this part of the one before: where it was refused, and where it was made.
 const SHORTER: [f64; 2] = [0.1, 0.6];
 const LONGER: [f64; 2] = [0.2, 3.0];
@@ -58,56 +41,8 @@ const LEAST_EXCESS: f64 = 1e-8;
 const LARGE: f64 = 2.0;
 /// By how much corrections may be longer than what is aimed at.
 const TOO_MUCH: f64 = 4.0;
-/// With more digits paths are followed on from about here.
-const RESUMED: f64 = 1e-7;
 /// Rounding errors of an equation, amply.
 const NOISE: f64 = 1e-14;
-
-/// Follows the path that starts at `start`.
-pub(super) fn follow<const N: usize>(
-    homotopy: &mut Homotopy<N>,
-    variables: &[Variable],
-    pace: Pace,
-    start: &Vector<N>,
-) -> Trace<N> {
-    homotopy.turn([false; N]);
-    let nowhere = homotopy.place(*start);
-    let lost = Trace {
-        waypoint: (nowhere, 0.0),
-        end: PathEnd::Lost,
-        mark: None,
-    };
-    let Some(mut tracker) = PathTracker::new(homotopy, variables, pace, start) else {
-        return lost;
-    };
-    let mut steps = 0;
-    loop {
-        let rest = tracker.now().t - WAYPOINT;
-        if rest < SHORT {
-            break;
-        }
-        // Not one long and one tiny step.
-        let longest = if tracker.step < rest {
-            0.5 * rest
-        } else {
-            rest
-        };
-        tracker.advance(longest);
-        steps += 1;
-        if steps > MOST_STEPS || tracker.step < SHORT {
-            return lost;
-        }
-    }
-    let waypoint = (tracker.homotopy.place(tracker.now().x), tracker.pivot);
-    let mut marks = Vec::new();
-    let end = endgame::find(&mut tracker, MOST_STEPS - steps, &mut marks);
-    let mark = marks.into_iter().rev().find(|(t, _)| *t > RESUMED);
-    Trace {
-        waypoint,
-        end,
-        mark,
-    }
-}
 
 /// What a Newton step gives.
 struct Correction<const N: usize> {
@@ -121,7 +56,7 @@ struct Correction<const N: usize> {
 }
 
 impl<'a, const N: usize> PathTracker<'a, N> {
-    fn new(
+    pub(super) fn new(
         homotopy: &'a mut Homotopy<N>,
         variables: &'a [Variable],
         pace: Pace,

@@ -1,7 +1,7 @@
 //! The given equations as polynomials with exponents from zero up.
 
 use super::rough_root::rough_root;
-use super::{HIGHEST_DEGREE, MOST_VARIABLES, System, Unlisted, Variable};
+use super::system::{HIGHEST_DEGREE, MOST_VARIABLES, System, Unlisted, Variable};
 use crate::numeric::complex::Complex;
 use alloc::vec::Vec;
 

@@ -9,13 +9,13 @@ mod path_tracker;
 #[cfg(test)]
 mod tests;
 
-use super::Variable;
 use super::endgame::{PathEnd, Root};
 use super::homotopy::Homotopy;
-use super::path_tracker::Trace;
 use super::polynomial::Polynomial;
 use super::projective::ProjectivePoint;
 use super::rough_root::rough_root;
+use super::system::Variable;
+use super::trace::Trace;
 use alloc::vec::Vec;
 use equations::Equations;
 use path_tracker::Reached;

@@ -1,7 +1,7 @@
 //! Points of a product of projective lines.
 
-use super::Variable;
 use super::rough_root::rough_root;
+use super::system::Variable;
 use crate::numeric::complex::{Complex, ONE};
 use crate::numeric::complex_matrix::Vector;
 

@@ -2,7 +2,7 @@
 //! come to: all coefficients are kept, those of both equations side by side, so that evaluation is
 //! a fixed sequence of operations on pairs of numbers.
 
-use super::homotopy::Evaluation;
+use super::evaluation::Evaluation;
 use super::polynomial::Polynomial;
 use super::start_system::Univariate;
 use crate::numeric::complex::Complex;

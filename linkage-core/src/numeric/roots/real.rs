@@ -3,7 +3,8 @@
 use super::endgame::{Root, polish};
 use super::homotopy::Homotopy;
 use super::projective::ProjectivePoint;
-use super::{MEETING, Variable};
+use super::system::Variable;
+use crate::numeric::choose_assembly::MEETING;
 use crate::numeric::complex::Complex;
 use crate::numeric::complex_matrix::Vector;
 use alloc::vec::Vec;

@@ -2,7 +2,7 @@
 //! polynomials in one variable each, with the degrees of the given equation.
 
 use super::polynomial::Polynomial;
-use super::{HIGHEST_DEGREE, MOST_PATHS, MOST_VARIABLES, Unlisted};
+use super::system::{HIGHEST_DEGREE, MOST_PATHS, MOST_VARIABLES, Unlisted};
 use crate::numeric::complex::{Complex, ONE, ZERO};
 use crate::numeric::complex_matrix::Vector;
 use alloc::vec::Vec;

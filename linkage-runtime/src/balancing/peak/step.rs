@@ -3,9 +3,11 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::LEAST_PIVOT;
 use crate::balancing::rows::{Row, dot};
 use linkage_core::numeric::cholesky::Cholesky;
+
+/// The least part of its diagonal that a pivot counts as, where rounding has taken it away.
+pub(super) const LEAST_PIVOT: f64 = 1e-15;
 
 /// How much of the way to zero a slack or a multiplier may go.
 const BOUNDARY: f64 = 0.99;

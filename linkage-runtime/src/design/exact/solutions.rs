@@ -1,5 +1,6 @@
 //! All solutions of polynomial equations, found from a single one.
 
+mod equations;
 mod family;
 mod monodromy;
 mod number;
@@ -7,6 +8,7 @@ mod number;
 mod tests;
 mod trace;
 
+pub use equations::Equations;
 pub use number::Number;
 pub use trace::Trace;
 
@@ -17,16 +19,6 @@ use alloc::vec::Vec;
 use family::Member;
 use linkage_core::numeric::complex::Complex;
 use monodromy::{Fibre, Random};
-
-/// As many polynomial equations as unknowns, with real coefficients.
-///
-/// The equations of a group of links whose assemblies are asked for, as `loop` has them: distances as their squares, directions
-/// as their components, with equations for their lengths.
-pub trait Equations<const N: usize>: Sync {
-    /// By how much the equations are missed at `x`: all 0 at a solution. Coefficients are exact; fractions that binary numbers do
-    /// not have are avoided by multiplying an equation. Unknowns and values should be about 1.
-    fn values<T: Number>(&self, x: &[T; N]) -> [T; N];
-}
 
 /// The solutions of equations, and what is known of their number.
 #[derive(Clone, Debug, PartialEq)]

@@ -8,8 +8,8 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::{Cheapest, Condition, Term, length, vector};
-use crate::numeric::cholesky;
+use super::problem::{Cheapest, Condition, Term, length, vector};
+use linkage_core::numeric::cholesky;
 
 /// Newton steps for each `mu`, and values of `mu`.
 const STEPS: usize = 60;

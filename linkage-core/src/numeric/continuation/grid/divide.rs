@@ -3,18 +3,16 @@
 use super::super::cell::Frame;
 use super::super::follow::Follower;
 use super::super::scale::Scale;
-use super::LeftOut;
 use super::cells::{Cell, Sum};
+use super::counts::{CELLS, MISSED, longest, scales};
 use super::feasibility::{Feasibility, feasibility};
 use super::fit::Fit;
 use super::layout::{Layout, Places};
+use super::left_out::LeftOut;
 use super::terms::Terms;
 use super::walk::{Solution, fill};
 use alloc::vec;
 use alloc::vec::Vec;
-
-/// Cells of a grid, at most.
-pub(super) const CELLS: usize = 1 << 12;
 
 /// Up to so many cells, which take two milliseconds, nothing is left out and the boundary of the solution is looked at closely.
 const FEW: usize = 64;
@@ -25,10 +23,6 @@ const FEW_POLYNOMIALS: usize = 256;
 /// Before more places than these are looked at, a few cells say whether the ranges can be served at all; before any, where a cell takes as long as that
 /// many places.
 const MANY: usize = 256;
-
-/// The share of places on the borders of more cells at which the solution may be left out although it exists: near its boundary it always
-/// is at some. A grid that leaves out more even away from boundaries is not what was declared.
-pub(super) const MISSED: f64 = 0.005;
 
 /// A grid of twice as many cells takes less than so many times the corrections.
 const GROWTH: usize = 3;
@@ -126,25 +120,7 @@ pub(super) fn divided(
     }
 }
 
-/// The ranges in so many cells each.
-pub(super) fn scales(ranges: &[(Frame, bool)], counts: &[u32]) -> Vec<Scale> {
-    let pairs = ranges.iter().zip(counts);
-    pairs
-        .map(|((frame, closed), &count)| Scale::new(*frame, count, *closed))
-        .collect()
-}
-
 /// Cells along an input to begin with.
 fn start(range: &Frame) -> u32 {
     if range.length > 0.0 { 2 } else { 1 }
-}
-
-/// The input along which the state bends most in a cell; of equal ones, the one that is divided least. `None` if no range has a length.
-pub(super) fn longest(bends: &[f64], counts: &[u32]) -> Option<usize> {
-    let bend = |axis: usize| bends.get(axis).copied().unwrap_or_default();
-    let ranges = (0..counts.len()).filter(|&axis| counts[axis] > 1);
-    ranges.max_by(|&a, &b| {
-        let most = bend(a).total_cmp(&bend(b));
-        most.then(counts[b].cmp(&counts[a]))
-    })
 }

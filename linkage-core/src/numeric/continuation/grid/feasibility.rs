@@ -2,10 +2,10 @@
 
 use super::super::cell::Frame;
 use super::super::follow::Follower;
-use super::LeftOut;
-use super::divide::{CELLS, MISSED, longest, scales};
+use super::counts::{CELLS, MISSED, longest, scales};
 use super::fit::Fit;
 use super::layout::{Layout, Places};
+use super::left_out::LeftOut;
 use super::node::Node;
 use super::path::{PathEnd, follow};
 use super::served::served;

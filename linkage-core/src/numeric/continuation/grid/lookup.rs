@@ -4,11 +4,8 @@ use super::super::cell::Frame;
 use super::super::scale::{Scale, guard};
 use super::super::shared::Shared;
 use super::Grid;
-use super::terms::{Terms, values};
+use super::terms::{OUTSIDE, Terms, values};
 use core::fmt;
-
-/// So far from the centre of a cell, in cells, there is no state: half a cell outside the grid.
-pub(in super::super) const OUTSIDE: f64 = 1.0;
 
 /// A [`Grid`] of `I` inputs and `S` state numbers, with `T` terms in each cell. Cheap to clone.
 #[derive(Clone, PartialEq)]

@@ -1,8 +1,7 @@
 //! What is known of a cell.
 
 use super::super::scale::guard;
-use super::lookup::OUTSIDE;
-use super::terms::{Terms, place, values};
+use super::terms::{OUTSIDE, Terms, place, values};
 use alloc::vec;
 use alloc::vec::Vec;
 

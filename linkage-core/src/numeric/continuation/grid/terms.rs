@@ -5,6 +5,9 @@
 
 use crate::Scalar;
 
+/// So far from the centre of a cell, in cells, there is no state: half a cell outside the grid.
+pub(in super::super) const OUTSIDE: f64 = 1.0;
+
 /// The degree over two inputs. With each degree less a grid has twice as many cells and takes twice as long to prepare; with more, it takes longer to
 /// look a state up.
 const DEGREE: usize = 6;

@@ -1,7 +1,8 @@
 //! Many look-ups in one table: what all rows do alike is done side by side, and row by row only what each does in a cell of its own.
 
+use super::super::cell::OUTSIDE;
 use super::super::scale::guard;
-use super::{Lookup, OUTSIDE, cell, polynomials};
+use super::{Lookup, cell, polynomials};
 use crate::Scalar;
 use core::hint::black_box;
 use core::mem::MaybeUninit;

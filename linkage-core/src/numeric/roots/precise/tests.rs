@@ -1,5 +1,5 @@
-use super::super::path_tracker::Trace;
 use super::super::projective::ProjectivePoint;
+use super::super::trace::Trace;
 use super::Found;
 use crate::numeric::complex::{Complex, ZERO};
 

@@ -3,6 +3,7 @@
 mod curves;
 mod generator;
 
+use super::super::Pose;
 use super::super::path::Pace;
 use super::super::tests::coupler_at;
 use super::equations::{Unknowns, with_turns};

@@ -4,7 +4,7 @@ use super::super::ball::{Ball, Bound};
 use super::super::certificate::{self, Certificate, Evaluated, Point, System};
 use super::super::long::Long;
 use super::super::path::{Moving, Step};
-use super::Equations;
+use super::equations::Equations;
 use super::number::{Number, Slopes};
 use linkage_core::numeric::complex::{Complex, ONE, ZERO};
 use linkage_core::numeric::complex_matrix;

@@ -7,7 +7,7 @@
 use super::super::super::starts;
 use super::super::certificate::Certificate;
 use super::super::path::{Pace, Stuck, follow};
-use super::Equations;
+use super::equations::Equations;
 use super::family::{Member, Way};
 use crate::design::exact::Unsolved;
 use crate::design::parallel::in_parallel;

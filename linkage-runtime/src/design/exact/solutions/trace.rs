@@ -6,7 +6,7 @@
 //! 2002). When the form is taken away, each solution of the equations is the end of one of these points, and the others go to
 //! infinity.
 
-use super::Equations;
+use super::equations::Equations;
 use super::family::{Member, Way};
 use super::monodromy::{Fibre, Random, end, middle};
 use crate::design::exact::Unsolved;
