@@ -5,7 +5,7 @@ mod constants;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use linkage_compiler::unit::{Coupled, Start, Unit};
+use linkage_compiler::ir::{CompiledMechanism, Coupled, Start};
 use linkage_core::numeric::continuation::{Axis, CellLayout, NodeLayout, Terms};
 use linkage_symbolic::program::{Instruction, Program, Source};
 
@@ -166,7 +166,7 @@ fn of_group(surface: &Surface, coupled: &Coupled, word: &str) -> Option<String> 
 }
 
 /// Scalars of dimensions that the tables depend on.
-pub(crate) fn deciding(unit: &Unit) -> BTreeSet<usize> {
+pub(crate) fn deciding(unit: &CompiledMechanism) -> BTreeSet<usize> {
     let last = unit.coupled.iter().map(|own| own.group).max();
     let groups = last.map_or(&[][..], |last| &unit.groups[..=last]);
     groups

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use linkage_compiler::unit::in_degrees;
+use linkage_compiler::ir::in_degrees;
 use linkage_symbolic::count::Count;
 
 use crate::checks;

@@ -52,7 +52,7 @@ mod winding;
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 
-use linkage_compiler::unit::{Coupled, Unit};
+use linkage_compiler::ir::{CompiledMechanism, Coupled};
 
 pub use real::Real;
 pub use renamed::Renamed;
@@ -92,7 +92,7 @@ impl Error for Refused {}
 /// # Errors
 ///
 /// For what exported C cannot do, which is a limit of ours: the message says what.
-pub fn sources(name: &str, unit: &Unit, real: Real) -> Result<Sources, Refused> {
+pub fn sources(name: &str, unit: &CompiledMechanism, real: Real) -> Result<Sources, Refused> {
     exported(name, unit, real).map(|(sources, _)| sources)
 }
 
@@ -101,7 +101,10 @@ pub fn sources(name: &str, unit: &Unit, real: Real) -> Result<Sources, Refused> 
 /// # Errors
 ///
 /// Those of [`sources`], and for two mechanisms that would have a name of C in common, as `SliderCrank` and `Slider_Crank`.
-pub fn all_sources(mechanisms: &[(&str, &Unit)], real: Real) -> Result<Vec<Sources>, Refused> {
+pub fn all_sources(
+    mechanisms: &[(&str, &CompiledMechanism)],
+    real: Real,
+) -> Result<Vec<Sources>, Refused> {
     let exported = mechanisms
         .iter()
         .map(|(name, unit)| exported(name, unit, real));
@@ -113,7 +116,11 @@ pub fn all_sources(mechanisms: &[(&str, &Unit)], real: Real) -> Result<Vec<Sourc
 }
 
 /// The files of a mechanism, and the names that they give to other files.
-fn exported(name: &str, unit: &Unit, real: Real) -> Result<(Sources, Vec<String>), Refused> {
+fn exported(
+    name: &str,
+    unit: &CompiledMechanism,
+    real: Real,
+) -> Result<(Sources, Vec<String>), Refused> {
     let mut coupled = unit.coupled.iter();
     let without = |own: &&Coupled| own.inputs.is_empty() || own.start.is_none();
     if let Some(own) = coupled.find(without) {

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use linkage_compiler::unit::Group;
+use linkage_compiler::ir::Group;
 use linkage_core::range_check::{AT_END, DEAD, END, ROUNDING, Slack, samples};
 
 use crate::comment::comment;

@@ -1,6 +1,6 @@
 //! What `assemble` may return, and the texts for it.
 
-use linkage_compiler::unit::{Group, Unit};
+use linkage_compiler::ir::{CompiledMechanism, Group};
 
 use crate::names::plain;
 
@@ -65,7 +65,7 @@ const OF_ARITHMETIC: [(Why, &str, &str); 3] = [
 ];
 
 /// All that may happen to a mechanism, in the order of their numbers.
-pub(crate) fn codes(title: &str, prefix: &str, unit: &Unit) -> Vec<Code> {
+pub(crate) fn codes(title: &str, prefix: &str, unit: &CompiledMechanism) -> Vec<Code> {
     let mut codes = Vec::new();
     let mut add = |why: Why, name: &str, text: String| {
         let name = format!("{prefix}_{}", plain(&name.replace('.', "_"))).to_uppercase();

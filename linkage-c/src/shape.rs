@@ -1,6 +1,6 @@
 //! Shapes of results.
 
-use linkage_compiler::unit::Shape;
+use linkage_compiler::ir::Shape;
 
 /// What the entries of an array are, of arrays of arrays too; other shapes as they are.
 pub(crate) fn innermost(shape: &Shape) -> &Shape {

@@ -3,7 +3,7 @@
 mod evaluator;
 mod notes;
 
-use linkage_compiler::unit::{COMPONENTS, Function, Shape, Unit};
+use linkage_compiler::ir::{COMPONENTS, CompiledMechanism, Function, Shape};
 
 use self::evaluator::{Scope, evaluator};
 use self::notes::dimension_note;
@@ -17,7 +17,7 @@ use crate::{range, shape::innermost};
 /// The names and types of a mechanism in C.
 #[derive(Debug)]
 pub(crate) struct Surface<'a> {
-    pub(crate) unit: &'a Unit,
+    pub(crate) unit: &'a CompiledMechanism,
     pub(crate) real: Real,
     /// As the user called it.
     pub(crate) title: String,
@@ -84,7 +84,7 @@ const CONSTANTS_OF_ALL: [&str; 5] = ["ok", "defaults", "h", FINITE_MATH, range::
 const OF_FRAME: [&str; 4] = ["origin", "x", "y", "z"];
 
 impl<'a> Surface<'a> {
-    pub(crate) fn new(title: &str, unit: &'a Unit, real: Real) -> Self {
+    pub(crate) fn new(title: &str, unit: &'a CompiledMechanism, real: Real) -> Self {
         let prefix = names::prefix(title, |prefix| {
             let codes = codes(title, prefix, unit).into_iter().map(|own| own.name);
             let others = CONSTANTS_OF_ALL.map(|name| constant(prefix, name));

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use linkage_compiler::unit::Unit;
+use linkage_compiler::ir::CompiledMechanism;
 
 use crate::helper::Helper;
 use crate::refusal::Why;
@@ -144,7 +144,10 @@ fn tables(surface: &Surface) -> String {
 }
 
 /// Where the entries of each angle begin, and the end of all.
-fn firsts(unit: &Unit, count: impl Fn(usize) -> usize) -> impl Iterator<Item = String> {
+fn firsts(
+    unit: &CompiledMechanism,
+    count: impl Fn(usize) -> usize,
+) -> impl Iterator<Item = String> {
     let mut first = 0;
     let mut firsts = vec![0];
     for angle in 0..unit.angles.len() {

@@ -4,7 +4,7 @@
 mod describe;
 
 use linkage_compiler::Checked;
-use linkage_compiler::unit::{Unit, plain};
+use linkage_compiler::ir::{CompiledMechanism, plain};
 use linkage_runtime::generated::{Angle, CoupledGroup};
 use linkage_runtime::{AssemblyMode, Heading, Input, Parameter, Structure};
 
@@ -14,7 +14,7 @@ pub struct Mechanism {
     /// As its struct is called.
     pub name: &'static str,
     /// Its programs.
-    pub unit: Unit,
+    pub unit: CompiledMechanism,
     /// As the constant `INPUTS` of the macro's struct.
     pub inputs: &'static [Input],
     /// As the constant `PARAMETERS`.

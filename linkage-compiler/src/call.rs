@@ -5,13 +5,13 @@ use std::rc::Rc;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::analyse::analyse;
-use crate::close::Closed;
+use crate::assembly::Closed;
 use crate::diagnostic::{Diagnostics, Message, SourceSpan};
+use crate::ir::CompiledMechanism;
 use crate::model::{Library, Model};
+use crate::observer::PhaseObserver;
+use crate::pipeline::analyse;
 use crate::syntax::{Attribute, Item, MechanismDef, PartItem};
-use crate::unit::Unit;
-use crate::watch::Watch;
 use crate::{emit, model, syntax};
 
 /// What [`check`](crate::check) says of a mechanism.
@@ -20,7 +20,7 @@ pub struct Checked {
     /// Its name, if it has one.
     pub name: Option<String>,
     /// Its programs, if there is no mistake.
-    pub unit: Option<Unit>,
+    pub unit: Option<CompiledMechanism>,
     /// The mistakes, in the order in which phases found them.
     pub messages: Vec<Message>,
     /// What is no mistake, but hardly meant, unless the mechanism allows it.
@@ -40,7 +40,7 @@ pub(crate) struct Call {
 pub(crate) struct Analysed {
     pub(crate) definition: MechanismDef,
     pub(crate) model: Option<Rc<Model>>,
-    pub(crate) unit: Option<Unit>,
+    pub(crate) unit: Option<CompiledMechanism>,
     pub(crate) diagnostics: Diagnostics,
 }
 
@@ -48,7 +48,7 @@ pub(crate) struct Analysed {
 #[derive(Default)]
 struct Found {
     model: Option<Rc<Model>>,
-    unit: Option<Unit>,
+    unit: Option<CompiledMechanism>,
     /// As it is assembled alone.
     closed: Option<Rc<Closed>>,
     diagnostics: Diagnostics,
@@ -56,7 +56,7 @@ struct Found {
 
 impl Call {
     /// The last mechanism is watched.
-    pub(crate) fn new(body: TokenStream, watch: &mut dyn Watch) -> Self {
+    pub(crate) fn new(body: TokenStream, watch: &mut dyn PhaseObserver) -> Self {
         let mut syntax = Diagnostics::default();
         let definitions = syntax::parse(body, &mut syntax);
         let mut found: Vec<Found> = definitions.iter().map(|_| Found::default()).collect();
@@ -87,7 +87,7 @@ impl Call {
                 let closed: Option<Vec<Rc<Closed>>> = closed.collect();
                 // Of a part that cannot be assembled, it is told where it is alone.
                 if let Some(parts) = closed {
-                    let watch: &mut dyn Watch = match own == last {
+                    let watch: &mut dyn PhaseObserver = match own == last {
                         true => &mut *watch,
                         false => &mut (),
                     };

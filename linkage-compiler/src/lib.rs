@@ -1,8 +1,8 @@
 //! The compiler behind `linkage::mechanism!`: tokens in, tokens out.
 //!
 //! The phases, each in a folder of its own: `syntax` parses, `model` resolves names and checks dimensions, `structure`
-//! finds the Assur groups, `formulate` expresses every unknown, `lower` makes programs of expressions, `close` runs them to check
-//! assembly and range, `request` puts the programs of all functions into one [`mod@unit`], `emit` prints that. `algebra` is what the
+//! finds the Assur groups, `solve` expresses every unknown, `lower` makes programs of expressions, `assembly` runs them to check
+//! assembly and range, `outputs` puts the programs of all functions into one [`mod@ir`], `emit` prints that. `algebra` is what the
 //! middle phases share; `forces` and `picture` make expressions of what functions ask for.
 //!
 //! [`compile`] is the macro. Without Rust at the end, [`check`] gives a mechanism's programs, or messages with their places; [`check_all`] gives those of all
@@ -51,32 +51,32 @@
 //! ```
 
 mod algebra;
-mod analyse;
+mod assembly;
 mod call;
-mod close;
 mod diagnostic;
 mod emit;
 mod forces;
-mod formulate;
-mod freedoms;
+pub mod ir;
 mod lower;
+mod mobility;
 mod model;
+mod observer;
 mod oracle;
+mod outputs;
 mod picture;
-mod request;
+mod pipeline;
+mod solve;
 mod structure;
 mod syntax;
 pub mod trace;
-pub mod unit;
 mod vector;
-mod watch;
 mod words;
 
 use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
 use quote::quote;
 
 use call::Call;
-use unit::Unit;
+use ir::CompiledMechanism;
 
 pub use call::Checked;
 pub use diagnostic::text::{short_words, shortened};
@@ -88,7 +88,10 @@ pub use oracle::Oracle;
 /// Compiles the macro's input: the path of the facade in brackets, then one or several mechanisms. Mistakes become `compile_error!`s
 /// beside a skeleton of the generated items. A mechanism that is drawn gets its programs as a text, too, which `printed` makes of its name and its unit:
 /// reports compute with it.
-pub fn compile(input: TokenStream, printed: impl Fn(&str, &Unit) -> String) -> TokenStream {
+pub fn compile(
+    input: TokenStream,
+    printed: impl Fn(&str, &CompiledMechanism) -> String,
+) -> TokenStream {
     let (krate, body) = split_crate_path(input);
     Call::new(body, &mut ()).emitted(&krate, &printed)
 }

@@ -10,9 +10,9 @@ use proc_macro2::TokenStream;
 use crate::algebra::{Algebra, Angle, Nominal};
 use crate::call::{Call, Checked};
 use crate::forces::Forces;
-use crate::formulate::Formulation;
-use crate::request::{State, requested};
-use crate::watch::Watch;
+use crate::observer::PhaseObserver;
+use crate::outputs::{State, requested};
+use crate::solve::Formulation;
 
 /// The expression graph of a mechanism, unknowns still being symbols with definitions.
 #[derive(Debug, Default)]
@@ -49,7 +49,7 @@ impl Oracle {
     }
 }
 
-impl Watch for Oracle {
+impl PhaseObserver for Oracle {
     fn formulated<'m>(
         &mut self,
         algebra: &mut Algebra<'m>,

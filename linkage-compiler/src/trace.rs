@@ -8,10 +8,10 @@ use quote::quote;
 
 use crate::algebra::{Algebra, Nominal};
 use crate::call::Call;
-use crate::formulate::Formulation;
+use crate::ir::{self, CompiledMechanism};
+use crate::observer::PhaseObserver;
+use crate::solve::Formulation;
 use crate::structure::Structure;
-use crate::unit::{self, Unit};
-use crate::watch::Watch;
 use crate::{forces, model, syntax};
 
 /// The phases of one mechanism, as text.
@@ -61,7 +61,7 @@ pub fn trace(body: TokenStream) -> Trace {
     }
     if let Some(unit) = &analysed.unit {
         trace.formulate = formulate_text(unit) + &middle.forces;
-        trace.lower = unit::dump(unit);
+        trace.lower = ir::dump(unit);
     }
     trace
 }
@@ -75,7 +75,7 @@ struct Middle {
     passes: Vec<(usize, &'static str, String)>,
 }
 
-impl Watch for Middle {
+impl PhaseObserver for Middle {
     fn structure(&mut self, algebra: &Algebra, structure: &Structure) {
         self.structure = structure_text(algebra, structure);
     }
@@ -118,7 +118,7 @@ fn structure_text(algebra: &Algebra, structure: &Structure) -> String {
     text
 }
 
-fn formulate_text(unit: &Unit) -> String {
+fn formulate_text(unit: &CompiledMechanism) -> String {
     let mut text = String::new();
     for group in &unit.groups {
         let mode = match (group.mode, group.plus) {

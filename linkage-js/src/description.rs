@@ -1,6 +1,6 @@
 //! What the engine knows of a mechanism: its numbers and its programs, as an object of JavaScript.
 
-use linkage_compiler::unit::{Coupled, Function, Input, Shape, Start, Unit, plain};
+use linkage_compiler::ir::{CompiledMechanism, Coupled, Function, Input, Shape, Start, plain};
 use linkage_core::numeric::continuation::Axis;
 use linkage_core::numeric::roots::Variable;
 use linkage_core::range_check::Slack;
@@ -10,7 +10,7 @@ use crate::instruction::{function, literal};
 use crate::object::{Object, list, numbers, text};
 
 /// A mechanism that is called `name`.
-pub(crate) fn description(name: &str, unit: &Unit) -> String {
+pub(crate) fn description(name: &str, unit: &CompiledMechanism) -> String {
     let inputs = unit.inputs.len();
     let program = |own: &Program| function(own, inputs);
     let modes = unit.modes().into_iter();
@@ -63,7 +63,7 @@ pub(crate) fn description(name: &str, unit: &Unit) -> String {
         .text()
 }
 
-fn dimensions(unit: &Unit) -> String {
+fn dimensions(unit: &CompiledMechanism) -> String {
     list(unit.scalars().map(|own| {
         Object::new()
             .with("name", text(&own.name))
@@ -87,7 +87,7 @@ fn input(own: &Input) -> String {
         .text()
 }
 
-fn groups(unit: &Unit) -> String {
+fn groups(unit: &CompiledMechanism) -> String {
     list(unit.groups.iter().map(|own| {
         Object::new()
             .with("kind", text(&own.kind))
@@ -115,7 +115,7 @@ fn slack(own: Slack) -> &'static str {
     }
 }
 
-fn angles(unit: &Unit) -> String {
+fn angles(unit: &CompiledMechanism) -> String {
     list(unit.angles.iter().map(|own| {
         let phases = own.phases.iter().map(|phase| {
             let turns = phase.turns.as_ref();
@@ -131,7 +131,7 @@ fn angles(unit: &Unit) -> String {
 }
 
 /// A group without a closed form, with its state at the reference inputs.
-fn coupled(unit: &Unit, number: usize) -> String {
+fn coupled(unit: &CompiledMechanism, number: usize) -> String {
     let own = &unit.coupled[number];
     let lengths = own.variables.iter().flat_map(|variable| match variable {
         Variable::Unit => &[false, false][..],
@@ -155,7 +155,7 @@ fn coupled(unit: &Unit, number: usize) -> String {
 }
 
 /// The ranges of its inputs, its state at the reference inputs, half of a determinant near it.
-fn start(unit: &Unit, own: &Coupled) -> (Vec<Axis>, Vec<f64>, f64) {
+fn start(unit: &CompiledMechanism, own: &Coupled) -> (Vec<Axis>, Vec<f64>, f64) {
     let at: Vec<f64> = own
         .inputs
         .iter()

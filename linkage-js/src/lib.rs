@@ -36,12 +36,12 @@ mod object;
 #[cfg(feature = "module")]
 mod types;
 
-use linkage_compiler::unit::Unit;
+use linkage_compiler::ir::CompiledMechanism;
 
 #[cfg(feature = "module")]
 pub use module::{Clash, Module, module, modules};
 
 /// What the engine of `linkage-runtime` knows of a mechanism: an object of JavaScript, its programs among it. Pages of reports have it beside the engine.
-pub fn description(name: &str, unit: &Unit) -> String {
+pub fn description(name: &str, unit: &CompiledMechanism) -> String {
     description::description(name, unit)
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 
-use linkage_compiler::unit::Unit;
+use linkage_compiler::ir::CompiledMechanism;
 use linkage_runtime::javascript::{ENGINE, MODULE};
 
 use crate::{description, names, types};
@@ -38,7 +38,7 @@ impl Error for Clash {}
 /// Prints a mechanism that is called `title` in its declaration.
 ///
 /// The module exports the mechanism by [`Module::name`], and `AssemblyError`, which its `assemble` throws.
-pub fn module(title: &str, unit: &Unit) -> Module {
+pub fn module(title: &str, unit: &CompiledMechanism) -> Module {
     let engine = [&ENGINE[..], &MODULE].concat().join("\n");
     let description = description(title, unit);
     let name = names::exported(title);
@@ -66,7 +66,7 @@ pub fn module(title: &str, unit: &Unit) -> Module {
 /// # Errors
 ///
 /// For two whose names are one, or are one where a file system takes large and small letters for the same: `SliderCrank` and `SLIDERCRANK`.
-pub fn modules(mechanisms: &[(&str, &Unit)]) -> Result<Vec<Module>, Clash> {
+pub fn modules(mechanisms: &[(&str, &CompiledMechanism)]) -> Result<Vec<Module>, Clash> {
     let modules = mechanisms.iter().map(|(title, unit)| module(title, unit));
     let modules: Vec<Module> = modules.collect();
     let mut owners: BTreeMap<String, (&str, &str)> = BTreeMap::new();

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use linkage_compiler::unit::plain;
+use linkage_compiler::ir::plain;
 
 /// Words that are no names of variables: reserved ones of modules, and those that TypeScript refuses or reads otherwise.
 const WORDS: &[&str] = &[

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use linkage_compiler::unit::{Function, Shape, Unit, plain};
+use linkage_compiler::ir::{CompiledMechanism, Function, Shape, plain};
 
 use crate::names::arguments as named;
 
@@ -10,7 +10,7 @@ use crate::names::arguments as named;
 const COMMON: &str = include_str!("common.d.ts");
 
 /// The text of the `.d.ts` file beside the module, which exports the mechanism `title` by a name of JavaScript.
-pub(crate) fn types(title: &str, name: &str, unit: &Unit) -> String {
+pub(crate) fn types(title: &str, name: &str, unit: &CompiledMechanism) -> String {
     let mut text =
         format!("// {title}. Written by linkage; not to be changed by hand.\n\n{COMMON}\n");
     let _ = writeln!(
@@ -48,7 +48,7 @@ pub(crate) fn types(title: &str, name: &str, unit: &Unit) -> String {
     text
 }
 
-fn arguments(unit: &Unit, own: &Function) -> String {
+fn arguments(unit: &CompiledMechanism, own: &Function) -> String {
     let names = own.arguments.iter().map(|&place| {
         let name = match place.checked_sub(unit.inputs.len()) {
             None => &unit.inputs[place].name,

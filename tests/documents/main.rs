@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use measures::lines;
+
 mod book;
 mod links;
 mod measures;
@@ -45,16 +47,6 @@ fn pages() -> Vec<PathBuf> {
     pages.extend(documents());
     assert!(pages.len() > 45, "{} pages", pages.len());
     pages
-}
-
-/// The lines of a page, with their numbers and whether they are code.
-fn lines(text: &str) -> impl Iterator<Item = (usize, bool, &str)> {
-    let mut in_code = false;
-    text.lines().enumerate().map(move |(index, line)| {
-        let fence = line.trim_start().starts_with("```");
-        in_code ^= fence;
-        (index + 1, in_code || fence, line)
-    })
 }
 
 /// Headings of a page: level and text.

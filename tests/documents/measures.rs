@@ -1,6 +1,14 @@
 //! Measures of a text: words in a sentence, frequency of a word, words of a list. Code does not count.
 
-use crate::lines;
+/// The lines of a page, with their numbers and whether they are code.
+pub(crate) fn lines(text: &str) -> impl Iterator<Item = (usize, bool, &str)> {
+    let mut in_code = false;
+    text.lines().enumerate().map(move |(index, line)| {
+        let fence = line.trim_start().starts_with("```");
+        in_code ^= fence;
+        (index + 1, in_code || fence, line)
+    })
+}
 
 /// The text of a document outside code: paragraphs with items of lists, headings and rows of tables.
 struct Prose {
@@ -106,7 +114,8 @@ pub(crate) fn long_sentence(text: &str) -> usize {
     rank.checked_sub(1).map_or(0, |index| counts[index])
 }
 
-fn all_words(text: &str) -> Vec<String> {
+/// All words outside code, in small letters.
+pub(crate) fn all_words(text: &str) -> Vec<String> {
     let prose = prose(text);
     let parts = prose.paragraphs.iter().chain(&prose.rows);
     parts.flat_map(|part| words(part)).collect()

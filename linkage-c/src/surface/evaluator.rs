@@ -1,6 +1,6 @@
 //! Names of a function, of its arguments and of its results.
 
-use linkage_compiler::unit::{Function, Unit};
+use linkage_compiler::ir::{CompiledMechanism, Function};
 
 use super::notes::{field_note, input_note};
 use super::{Evaluator, Field};
@@ -9,7 +9,7 @@ use crate::renamed::Log;
 
 /// What the names of a function's arguments and results must differ from.
 pub(super) struct Scope<'a> {
-    pub(super) unit: &'a Unit,
+    pub(super) unit: &'a CompiledMechanism,
     pub(super) prefix: &'a str,
     pub(super) types: &'a [&'a str],
 }

@@ -1,9 +1,9 @@
 //! What comments say of arguments, dimensions and results.
 
-use linkage_compiler::unit::{Column, Shape, Unit, in_degrees};
+use linkage_compiler::ir::{Column, CompiledMechanism, Shape, in_degrees};
 
 /// `rad, from -90 deg to 630 deg`
-pub(super) fn input_note(unit: &Unit, place: usize) -> String {
+pub(super) fn input_note(unit: &CompiledMechanism, place: usize) -> String {
     let input = &unit.inputs[place];
     let words = if input.angle { "rad" } else { &input.unit };
     match input.range {
@@ -15,7 +15,7 @@ pub(super) fn input_note(unit: &Unit, place: usize) -> String {
     }
 }
 
-pub(super) fn dimension_note(scalars: &[linkage_compiler::unit::Scalar]) -> String {
+pub(super) fn dimension_note(scalars: &[linkage_compiler::ir::Scalar]) -> String {
     let unit = match &scalars[0].unit[..] {
         "" => "a number",
         unit => unit,
@@ -31,7 +31,7 @@ pub(super) fn dimension_note(scalars: &[linkage_compiler::unit::Scalar]) -> Stri
 }
 
 /// What it is with its unit, and what the entries of an array are.
-pub(super) fn field_note(field: &linkage_compiler::unit::Field, columns: &[Column]) -> String {
+pub(super) fn field_note(field: &linkage_compiler::ir::Field, columns: &[Column]) -> String {
     let about = match &field.told()[..] {
         "" => "a number".to_owned(),
         // In C there is no mark for names.

@@ -6,7 +6,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use linkage_c::{Real, Sources, sources};
-use linkage_compiler::unit::Function;
+use linkage_compiler::ir::Function;
 use linkage_random::{Random, one_in};
 
 use crate::batch::{Batch, Request, UNOPTIMISED};

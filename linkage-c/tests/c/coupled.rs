@@ -1,7 +1,7 @@
 //! Groups without a closed form: tables in C against those of the runtime, for the dimensions of the declaration and for others.
 
 use linkage_c::{Real, sources};
-use linkage_compiler::unit::Unit;
+use linkage_compiler::ir::CompiledMechanism;
 
 use crate::batch::{Batch, Number, Request, UNOPTIMISED};
 use crate::machine::Compiler;
@@ -23,7 +23,11 @@ pub(crate) fn all() -> Vec<Given> {
 }
 
 /// Requests for all functions over the range, and a little beyond.
-fn requests<T: Number>(mechanism: usize, unit: &Unit, dimensions: &[f64]) -> Vec<Request<T>> {
+fn requests<T: Number>(
+    mechanism: usize,
+    unit: &CompiledMechanism,
+    dimensions: &[f64],
+) -> Vec<Request<T>> {
     let mut requests = Vec::new();
     for (function, own) in unit.functions.iter().enumerate() {
         for position in 0..POSITIONS {
@@ -50,7 +54,7 @@ fn requests<T: Number>(mechanism: usize, unit: &Unit, dimensions: &[f64]) -> Vec
     requests
 }
 
-fn defaults(unit: &Unit) -> Vec<f64> {
+fn defaults(unit: &CompiledMechanism) -> Vec<f64> {
     unit.scalars().map(|own| own.nominal).collect()
 }
 

@@ -1,6 +1,6 @@
 //! All mechanisms of the golden files and of the examples: C against the same programs on the runtime's numbers.
 
-use linkage_compiler::unit::Unit;
+use linkage_compiler::ir::CompiledMechanism;
 use linkage_corpus::sample;
 use linkage_random::{Random, one_in};
 
@@ -27,7 +27,7 @@ fn some() -> Vec<Given> {
 }
 
 /// Dimensions near the defaults.
-fn dimensions<T: Number>(unit: &Unit, set: usize, random: &mut Random) -> Vec<T> {
+fn dimensions<T: Number>(unit: &CompiledMechanism, set: usize, random: &mut Random) -> Vec<T> {
     let part = 0.03 * set as f64;
     let scalars = unit.scalars();
     let moved = scalars.map(|own| own.nominal * (1.0 + random.between(-part, part)));
@@ -36,7 +36,7 @@ fn dimensions<T: Number>(unit: &Unit, set: usize, random: &mut Random) -> Vec<T>
 
 /// Arguments of a function: the reference, then places in the range and around it.
 pub(crate) fn arguments<T: Number>(
-    unit: &Unit,
+    unit: &CompiledMechanism,
     function: usize,
     position: usize,
     random: &mut Random,

@@ -6,7 +6,7 @@ mod effects;
 use std::fmt::Write;
 
 use clap::{Args, value_parser};
-use linkage_compiler::unit::{Field, Meaning, Shape};
+use linkage_compiler::ir::{Field, Meaning, Shape};
 use linkage_runtime::Input;
 use linkage_runtime::report::CsvStyle;
 use linkage_runtime::tolerance::largest;

@@ -1,7 +1,7 @@
 //! Values on the command line: numbers with units, as in a mechanism.
 
 use clap::Args;
-use linkage_compiler::unit::COMPONENTS;
+use linkage_compiler::ir::COMPONENTS;
 use linkage_compiler::{check_value, shortened};
 use proc_macro2::{TokenStream, TokenTree};
 

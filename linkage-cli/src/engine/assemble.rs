@@ -1,6 +1,6 @@
 //! Closing the loops, and evaluating functions.
 
-use linkage_compiler::unit::Surveyed;
+use linkage_compiler::ir::Surveyed;
 use linkage_runtime::generated::{Start, Which, assemblies, close, explained, finite, starts_of};
 use linkage_runtime::{AssemblyError, AssemblyMode, Estimate, Scalar};
 

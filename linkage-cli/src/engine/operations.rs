@@ -1,6 +1,6 @@
 //! Programs with the arithmetic of generated code.
 
-use linkage_compiler::unit::{Body, Generated};
+use linkage_compiler::ir::{Body, Generated};
 use linkage_runtime::generated::{Single, inlined, single};
 use linkage_runtime::{Enclosure, FUSED};
 use linkage_symbolic::interpret::run_by;

@@ -1,6 +1,6 @@
 //! The runtime's descriptions of a unit, as generated code has them as constants.
 
-use linkage_compiler::unit::{Coupled, Function, Meaning, Picture, Shown, Unit};
+use linkage_compiler::ir::{CompiledMechanism, Coupled, Function, Meaning, Picture, Shown};
 use linkage_runtime::generated::{
     Along, Angle, CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown, Range, Term,
 };
@@ -12,7 +12,7 @@ use linkage_symbolic::count::Count;
 
 use super::{forever, plain};
 
-pub(super) fn inputs(unit: &Unit) -> &'static [Input] {
+pub(super) fn inputs(unit: &CompiledMechanism) -> &'static [Input] {
     let inputs = unit.inputs.iter().map(|own| Input {
         name: forever(plain(&own.name)),
         unit: forever(own.unit.as_str()),
@@ -22,7 +22,7 @@ pub(super) fn inputs(unit: &Unit) -> &'static [Input] {
     forever(inputs.collect::<Vec<_>>())
 }
 
-pub(super) fn parameters(unit: &Unit) -> &'static [Parameter] {
+pub(super) fn parameters(unit: &CompiledMechanism) -> &'static [Parameter] {
     let parameters = unit.scalars().map(|own| Parameter {
         name: forever(own.name.as_str()),
         unit: forever(own.unit.as_str()),
@@ -32,7 +32,7 @@ pub(super) fn parameters(unit: &Unit) -> &'static [Parameter] {
     forever(parameters.collect::<Vec<_>>())
 }
 
-pub(super) fn structure(unit: &Unit) -> &'static Structure {
+pub(super) fn structure(unit: &CompiledMechanism) -> &'static Structure {
     let groups = unit.groups.iter().map(|own| Group {
         class: own.class,
         order: own.order,
@@ -76,7 +76,7 @@ fn operations(count: &Count) -> Operations {
     }
 }
 
-pub(super) fn headings(unit: &Unit) -> Vec<&'static Heading> {
+pub(super) fn headings(unit: &CompiledMechanism) -> Vec<&'static Heading> {
     let picture = unit.picture.as_ref().map(picture);
     let functions = unit.functions.iter();
     functions
@@ -85,7 +85,7 @@ pub(super) fn headings(unit: &Unit) -> Vec<&'static Heading> {
 }
 
 fn heading(
-    unit: &Unit,
+    unit: &CompiledMechanism,
     function: &Function,
     picture: Option<&'static linkage_runtime::Picture>,
 ) -> Heading {
@@ -154,8 +154,8 @@ fn picture(own: &Picture) -> &'static linkage_runtime::Picture {
     })
 }
 
-pub(super) fn angles(unit: &Unit) -> Vec<Angle<Vec<f64>>> {
-    let angle = |own: &linkage_compiler::unit::ContinuousAngle| {
+pub(super) fn angles(unit: &CompiledMechanism) -> Vec<Angle<Vec<f64>>> {
+    let angle = |own: &linkage_compiler::ir::ContinuousAngle| {
         let along = own.inputs.iter().map(|&input| {
             let (low, high) = unit.inputs[input].followed;
             Along {
@@ -176,13 +176,13 @@ pub(super) fn angles(unit: &Unit) -> Vec<Angle<Vec<f64>>> {
     unit.angles.iter().map(angle).collect()
 }
 
-pub(super) fn groups(mechanism: &'static str, unit: &Unit) -> &'static [CoupledGroup] {
+pub(super) fn groups(mechanism: &'static str, unit: &CompiledMechanism) -> &'static [CoupledGroup] {
     let groups = unit.coupled.iter();
     let groups = groups.map(|own| group(mechanism, unit, own));
     forever(groups.collect::<Vec<_>>())
 }
 
-fn group(mechanism: &'static str, unit: &Unit, coupled: &Coupled) -> CoupledGroup {
+fn group(mechanism: &'static str, unit: &CompiledMechanism, coupled: &Coupled) -> CoupledGroup {
     let own = &unit.groups[coupled.group];
     let unknowns = coupled.unknowns.iter().map(|placed| {
         let Shown { name, unit, scale } = placed.shown(unit);

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use linkage_browser::Page;
 use linkage_cli::{Assembly, Mechanism};
-use linkage_compiler::unit::Function;
+use linkage_compiler::ir::Function;
 use linkage_corpus::given::{Given, exported, turning};
 use linkage_corpus::reference::Assembled;
 use linkage_random::Random;

@@ -15,8 +15,8 @@ use linkage_symbolic::{Ex, NodeId, SymbolId, V2, Vector};
 
 use super::acting::ByParameter;
 use super::implicit::Implicit;
-use super::narrow::Through;
 use super::partial::{Solved, System};
+use super::preaccumulation::Through;
 use super::{Algebra, Rule};
 
 /// How derivatives by parameters are found.

@@ -1,41 +1,41 @@
 //! The mechanism as algebra: its expressions as graph nodes, its unknowns as symbols.
 //!
-//! Shared by the phases below the model: `structure` looks at the loops as polynomials in the unknowns, `formulate`
-//! gives the unknowns their definitions, `request` differentiates.
+//! Shared by the phases below the model: `structure` looks at the loops as polynomials in the unknowns, `solve`
+//! gives the unknowns their definitions, `outputs` differentiates.
 
-mod aboard;
 mod acting;
 mod adjoint;
-mod bearing;
+mod angle_reference;
 mod bodies;
+mod body_vectors;
 mod calls;
 mod carried;
-mod carrier;
 mod choice;
+mod constant_ratio;
 mod course;
 mod dependence;
 mod derivatives;
 mod elimination;
-mod even;
+mod finite_numbers;
 mod frame;
 mod gradient;
 mod implicit;
 mod law;
 mod links;
 mod names;
-mod narrow;
 mod nominal;
-mod other_side;
 mod partial;
 mod parts;
 mod pivots;
+mod preaccumulation;
 mod reverse;
+mod rotating_frame;
 mod rows;
 mod scalar;
 mod solutions;
 mod translate;
 mod turns;
-mod written;
+mod via_slider;
 
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, Graph, SymbolId};
@@ -45,23 +45,23 @@ use crate::model::{Mechanism, Variable};
 use derivatives::Derivatives;
 
 pub(crate) use adjoint::Direction;
-pub(crate) use bearing::{Bearing, Phasor};
+pub(crate) use angle_reference::{AngleReference, Phasor};
 pub(crate) use bodies::{Bodies, Body, Scheme};
 pub(crate) use carried::{coordinates, directions};
-pub(crate) use carrier::Carrier;
+pub(crate) use constant_ratio::{ALIKE, ConstantRatio};
 pub(crate) use course::clamped_curvatures;
 pub(crate) use elimination::{CoreRow, Elimination, PrivateColumn};
-pub(crate) use even::{ALIKE, Even};
 pub(crate) use law::ends as ends_of_law;
 pub(crate) use links::{Link, Rod};
 pub(crate) use names::{Angle, Bound, Names, StandsFor};
 pub(crate) use nominal::Nominal;
-pub(crate) use other_side::OtherSide;
 pub(crate) use pivots::{InOrder, Order};
+pub(crate) use rotating_frame::Carrier;
 pub(crate) use rows::{Carried, Distance, Links, Written};
 pub(crate) use scalar::{Atom, Scalar};
 pub(crate) use solutions::{AngleRule, Rule, Shortcuts, Solution, Solutions, Term, Turning};
 pub(crate) use translate::{Translate, Value};
+pub(crate) use via_slider::ViaSlider;
 
 /// The graph and all that is known about its symbols.
 #[derive(Debug)]

@@ -4,7 +4,7 @@ use linkage_symbolic::{Ex, Graph, SymbolId, V2, Vector};
 
 use crate::model::{COMPONENTS, Mechanism, Type};
 
-use super::{Atom, Bearing, Value};
+use super::{AngleReference, Atom, Value};
 
 /// An unknown angle. Loops see its cosine and sine; its value is computed only where somebody asks for it.
 #[derive(Clone, Debug)]
@@ -23,7 +23,7 @@ pub(crate) struct Angle<'m> {
     /// Where it is estimated if it is no unknown and stands for none.
     pub(crate) estimated: f64,
     /// Where its closed form says so.
-    pub(crate) bearing: Option<Bearing<'m>>,
+    pub(crate) bearing: Option<AngleReference<'m>>,
 }
 
 /// What an introduced angle stands for.

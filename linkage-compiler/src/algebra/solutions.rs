@@ -6,9 +6,9 @@ use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, NodeId, SymbolId, V2};
 
-use super::aboard::Aboard;
+use super::body_vectors::Aboard;
 use super::partial::Solved;
-use super::{Carrier, Elimination, Link, OtherSide, Rod, Written};
+use super::{Carrier, Elimination, Link, Rod, ViaSlider, Written};
 
 /// How a symbol that lives by its definition is differentiated.
 #[derive(Clone, Debug)]
@@ -149,7 +149,7 @@ pub(crate) struct Solutions<'m> {
     /// By group.
     pub(crate) groups: Vec<Solution<'m>>,
     /// Loops with a guide on a link that turns, in order.
-    pub(crate) other_sides: Vec<OtherSide<'m>>,
+    pub(crate) other_sides: Vec<ViaSlider<'m>>,
     /// What derivatives make use of.
     pub(super) shortcuts: Shortcuts,
     /// What bodies carry, by component.

@@ -9,9 +9,10 @@ use super::docs::doc;
 use super::load::{Places, loader};
 use super::outline::{Outline, plain};
 use super::{
-    attribute, body, closing, constructors, literal, prepare, sealed, starts, sweeps, winding,
+    assembly_data, attribute, body, closing, constructors, literal, prepare, starts, sweeps,
+    winding,
 };
-use crate::unit::Unit;
+use crate::ir::CompiledMechanism;
 
 /// The assembly type and the public functions that make one.
 pub(super) fn items(outline: &Outline) -> TokenStream {
@@ -49,7 +50,7 @@ fn structure(outline: &Outline) -> TokenStream {
             quote!(#[derive(::core::clone::Clone, ::core::fmt::Debug, ::core::cmp::PartialEq)])
         }
     };
-    let sealed = sealed::field(outline);
+    let sealed = assembly_data::field(outline);
     let allow = attribute::allow();
     quote! {
         #allow
@@ -75,7 +76,7 @@ fn accessors(outline: &Outline) -> TokenStream {
         assembly,
         ..
     } = outline;
-    let core = sealed::core(outline, &quote!(self));
+    let core = assembly_data::core(outline, &quote!(self));
     let free = |accessor: &str| outline.functions.iter().all(|f| plain(f.name) != accessor);
     let mechanism = free("mechanism").then(|| {
         quote! {
@@ -101,7 +102,7 @@ fn accessors(outline: &Outline) -> TokenStream {
 }
 
 /// The private functions of the assembly: `__assemble` and the programs that it runs.
-pub(super) fn plumbing(outline: &Outline, unit: &Unit) -> TokenStream {
+pub(super) fn plumbing(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline {
         runtime,
         name,
@@ -172,7 +173,7 @@ pub(super) fn plumbing(outline: &Outline, unit: &Unit) -> TokenStream {
     }
 }
 
-fn assemble(outline: &Outline, unit: &Unit, types: &Types) -> TokenStream {
+fn assemble(outline: &Outline, unit: &CompiledMechanism, types: &Types) -> TokenStream {
     let Outline { runtime, name, .. } = outline;
     let Types {
         modes,
@@ -181,7 +182,7 @@ fn assemble(outline: &Outline, unit: &Unit, types: &Types) -> TokenStream {
         ..
     } = types;
     let turning = winding::turning(outline, unit);
-    let made = sealed::made(outline);
+    let made = assembly_data::made(outline);
     quote! {
         fn __assemble(
             __m: &#name<T>,
@@ -209,7 +210,7 @@ pub(super) struct Types {
 }
 
 impl Types {
-    pub(super) fn new(outline: &Outline, unit: &Unit) -> Self {
+    pub(super) fn new(outline: &Outline, unit: &CompiledMechanism) -> Self {
         let runtime = &outline.runtime;
         let modes = literal::index(outline.modes.len());
         let inputs = literal::index(unit.inputs.len());

@@ -7,10 +7,10 @@ use quote::quote;
 use super::assembly::Types;
 use super::outline::Outline;
 use super::{attribute, literal, starts, survey};
-use crate::unit::{Input, Unit};
+use crate::ir::{CompiledMechanism, Input};
 
 /// `circuits()`; nothing for a mechanism without groups or with another number of inputs than one.
-pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
+pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let ([input], false) = (&unit.inputs[..], unit.groups.is_empty()) else {
         return TokenStream::new();
     };
@@ -42,7 +42,7 @@ fn cycle(outline: &Outline, input: &Input) -> TokenStream {
 }
 
 /// The mechanism as the runtime searches it.
-fn levels(outline: &Outline, unit: &Unit) -> TokenStream {
+fn levels(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline {
         runtime,
         name,

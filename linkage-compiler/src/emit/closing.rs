@@ -5,10 +5,10 @@ use quote::quote;
 
 use super::literal;
 use super::outline::Outline;
-use crate::unit::Unit;
+use crate::ir::CompiledMechanism;
 
 /// Whether the dimensions that the groups need are numbers.
-pub(super) fn finite(outline: &Outline, unit: &Unit) -> TokenStream {
+pub(super) fn finite(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline { runtime, name, .. } = outline;
     let title = outline.title();
     let fields = outline.scalar_fields();
@@ -32,7 +32,7 @@ pub(super) fn finite(outline: &Outline, unit: &Unit) -> TokenStream {
 }
 
 /// Whether the groups close.
-pub(super) fn close(outline: &Outline, unit: &Unit) -> TokenStream {
+pub(super) fn close(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline { runtime, name, .. } = outline;
     let title = outline.title();
     let units = unit.groups.iter().map(|group| &group.gap_unit);

@@ -3,10 +3,10 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::at_word::type_at;
 use super::docs::{behind_name, doc};
 use super::outline::{Function, Outline, plain};
-use super::{attribute, home, literal};
+use super::spanned::type_at;
+use super::{attribute, literal, result_module};
 use crate::model::Shape;
 
 /// The columns of a function; nothing for a function without inputs.
@@ -44,7 +44,7 @@ fn structure(outline: &Outline, function: &Function) -> TokenStream {
             }
         }
     });
-    let visibility = home::visibility(outline, function);
+    let visibility = result_module::visibility(outline, function);
     let field = quote!(__columns: #runtime::Columns<T>);
     let item = type_at(function.result, columns, &visibility, field);
     quote! {
@@ -105,7 +105,7 @@ fn access(outline: &Outline, function: &Function) -> TokenStream {
     let everywhere = &attribute::split(function.attributes).everywhere;
     let rows = rows(outline, function);
     let fields = fields(outline, function);
-    let private = home::private(outline, function);
+    let private = result_module::private(outline, function);
     let allow = attribute::allow();
     quote! {
         #(#everywhere)*

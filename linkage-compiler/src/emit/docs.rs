@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::ir::{CompiledMechanism, Role, plain};
 use crate::syntax::Attribute;
-use crate::unit::{Role, Unit, plain};
 
 /// `#[doc = " ..."]` for each line.
 pub(super) fn doc(text: &str) -> TokenStream {
@@ -73,7 +73,7 @@ pub(super) fn in_unit(unit: &str) -> String {
 }
 
 /// `` `phi`, in rad ``, `` `omega`, the speed of `phi`, in rad/s ``
-pub(super) fn argument(name: &str, place: usize, unit: &Unit) -> String {
+pub(super) fn argument(name: &str, place: usize, unit: &CompiledMechanism) -> String {
     let Some(argument) = place.checked_sub(unit.inputs.len()) else {
         return format!("`{name}`{}", in_unit(&unit.inputs[place].unit));
     };

@@ -4,15 +4,15 @@ use linkage_symbolic::passes::stages::Stage;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-use super::at_word::type_at;
+use super::array_fields::{entries, entry};
 use super::body::Runs;
 use super::docs::{behind_name, doc, documented, sentence, tokens, with_note};
-use super::entries::{entries, entry};
 use super::load::{CARRIED, INPUT, loader_by};
 use super::mechanism::{marker_field, marker_value};
 use super::outline::{Field, Function, Outline, plain};
-use super::{attribute, body, debug, home, literal, sealed, starts};
-use crate::unit::Body;
+use super::spanned::type_at;
+use super::{assembly_data, attribute, body, debug, literal, result_module, starts};
+use crate::ir::Body;
 
 /// The result type.
 pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
@@ -34,7 +34,7 @@ pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
         .map(|field| field_item(outline, field));
     let marker = function.fields.is_empty().then(marker_field);
     let allow = attribute::allow();
-    let visibility = home::visibility(outline, function);
+    let visibility = result_module::visibility(outline, function);
     let item = type_at(result, result, &visibility, quote!(#(#fields)* #marker));
     quote! {
         #(#everywhere)*
@@ -87,12 +87,12 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
     );
     let must_use = (!attribute::has(function.attributes, "must_use")).then(|| quote!(#[must_use]));
     let inline = (!attribute::has(function.attributes, "inline")).then(|| quote!(#[inline]));
-    let result = home::result(outline, function);
+    let result = result_module::result(outline, function);
     let own = match function.states.is_empty() {
         true => quote!([#(#arguments),*]),
         false => starts::with_states(outline, function),
     };
-    let core = sealed::core(outline, &quote!(self));
+    let core = assembly_data::core(outline, &quote!(self));
     let body = outline.body(value(outline, function, &own, &core, Version::Called));
     let count = literal::index(arguments.len());
     let call = outline.body(match function.chooses {
@@ -132,7 +132,7 @@ pub(super) fn value(
     core: &TokenStream,
     plain: Version,
 ) -> TokenStream {
-    let result = home::result(outline, function);
+    let result = result_module::result(outline, function);
     let refining = match function.beside {
         true => Version::Beside,
         false => Version::Called,
@@ -241,7 +241,7 @@ pub(super) fn from_row(outline: &Outline, function: &Function) -> TokenStream {
     let width = literal::index(function.width());
     let row = entries("__row", function.width());
     let fields = row_fields(outline, function, &row);
-    let private = home::private(outline, function);
+    let private = result_module::private(outline, function);
     let allow = attribute::allow();
     quote! {
         #(#everywhere)*

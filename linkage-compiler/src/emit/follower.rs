@@ -10,15 +10,15 @@ use super::docs::doc;
 use super::evaluator::{Version, kernel};
 use super::load::Places;
 use super::outline::{Outline, plain};
-use super::{attribute, literal, sealed};
+use super::{assembly_data, attribute, literal};
 
+use crate::ir::CompiledMechanism;
 use crate::model::{FOLLOWER, METHODS_OF_FOLLOWER};
-use crate::unit::Unit;
 
 use functions::{method, single_of};
 
 /// The follower of a mechanism of which a coupled group depends on several inputs: tables over one input need none.
-pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
+pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let several = outline.starts.iter().any(|start| start.inputs.len() > 1);
     if !several {
         return TokenStream::new();
@@ -103,7 +103,7 @@ fn constructor(outline: &Outline) -> TokenStream {
     } = outline;
     let follower = name(outline);
     let inputs: Vec<&Ident> = outline.inputs.iter().map(|input| input.name).collect();
-    let starts = sealed::starts(outline, &quote!(self));
+    let starts = assembly_data::starts(outline, &quote!(self));
     let body = outline.body(quote! {
         let __x = Self::__extend(#starts, [#(#inputs),*]);
         let mut __follower = #follower { __sealed: #runtime::Sealed::new(self, __x) };
@@ -182,7 +182,7 @@ fn follow(outline: &Outline) -> TokenStream {
 }
 
 /// What `follow(...)` calls: groups in their order, each corrected by its own program.
-fn single(outline: &Outline, unit: &Unit) -> TokenStream {
+fn single(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline {
         runtime, assembly, ..
     } = outline;
@@ -216,7 +216,7 @@ fn single(outline: &Outline, unit: &Unit) -> TokenStream {
             )),
         }
     });
-    let core = sealed::core(outline, &quote!(__assembly));
+    let core = assembly_data::core(outline, &quote!(__assembly));
     let arguments = Types::new(outline, unit).arguments;
     let allow = attribute::allow();
     quote! {

@@ -9,7 +9,7 @@ use super::evaluator::Version;
 use super::loops::{Loops, Over, at_lane};
 use super::outline::{Function, Outline};
 use super::slots::Slots;
-use super::{attribute, blocks, literal, sealed, sweeps};
+use super::{assembly_data, attribute, blocks, literal, sweeps};
 
 /// The kernels over inputs and over mechanisms; nothing for a function without inputs. `beside` are the stages of the program for
 /// dimensions that tables do not know, if that is another one; `prepare` computes all prepared slots.
@@ -144,7 +144,7 @@ fn over_sets(
 fn method_of(loops: &Loops, name: &Ident, kernel: &TokenStream) -> TokenStream {
     let runtime = &loops.outline.runtime;
     let [arguments, width] = [loops.arguments(), loops.function.width()].map(literal::index);
-    let core = sealed::core(loops.outline, &quote!(self));
+    let core = assembly_data::core(loops.outline, &quote!(self));
     quote! {
         fn #name(&self) -> impl #runtime::Kernel<T, #arguments, #width> + use<'_, T> {
             #kernel

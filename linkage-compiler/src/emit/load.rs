@@ -6,7 +6,7 @@ use linkage_symbolic::program::{Instruction, Program, Source};
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
-use super::entries::entry;
+use super::array_fields::entry;
 use super::literal;
 use super::outline::Outline;
 

@@ -5,7 +5,7 @@ use linkage_symbolic::passes::stages::{Stage, memory};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
-use super::entries::entries;
+use super::array_fields::entries;
 use super::evaluator::{Version, stage_name};
 use super::outline::{Function, Outline};
 use super::{blocks, literal};

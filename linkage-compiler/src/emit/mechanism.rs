@@ -8,7 +8,7 @@ use quote::{format_ident, quote};
 use super::docs::{doc, documented, tokens, with_note};
 use super::outline::{Component, Outline, Parameter, plain};
 use super::{attribute, literal};
-use crate::unit::in_degrees;
+use crate::ir::in_degrees;
 
 /// The struct, its default and its conversions.
 pub(super) fn items(outline: &Outline) -> TokenStream {

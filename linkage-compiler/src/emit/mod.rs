@@ -4,8 +4,9 @@
 //! mistakes ([`emit`]) and for what can be said after errors ([`skeleton`]). The other files each print one kind of
 //! item. Generated code names only `$crate::__private` and `::core`, and all its own names begin with `__`.
 
+mod array_fields;
 mod assembly;
-mod at_word;
+mod assembly_data;
 mod attribute;
 mod blocks;
 mod body;
@@ -17,11 +18,9 @@ mod count;
 mod debug;
 mod dimensions;
 mod docs;
-mod entries;
 mod evaluator;
 mod follower;
 mod guess;
-mod home;
 mod kernels;
 mod literal;
 mod load;
@@ -31,10 +30,11 @@ mod outline;
 mod picture;
 mod prepare;
 mod range_check;
-mod sealed;
+mod result_module;
 mod shape;
 mod skeleton;
 mod slots;
+mod spanned;
 mod starts;
 mod structure;
 mod survey;
@@ -53,17 +53,17 @@ pub(crate) use self::skeleton::skeleton;
 
 use self::evaluator::Version;
 use self::outline::{Function, Outline};
+use crate::ir::{self, CompiledMechanism};
 use crate::syntax::MechanismDef;
-use crate::unit::{self, Unit};
 
 /// What prints programs as a text in another language.
-pub(crate) type Printer<'a> = dyn Fn(&str, &Unit) -> String + 'a;
+pub(crate) type Printer<'a> = dyn Fn(&str, &CompiledMechanism) -> String + 'a;
 
 /// All items for a mechanism without mistakes. `krate` is the path of the facade.
 pub(crate) fn emit(
     krate: &TokenStream,
     def: &MechanismDef,
-    unit: &Unit,
+    unit: &CompiledMechanism,
     printed: &Printer,
 ) -> TokenStream {
     let outline = Outline::complete(krate, def, unit);
@@ -104,13 +104,13 @@ pub(crate) fn emit(
 fn function(
     outline: &Outline,
     function: &Function,
-    own: &unit::Function,
+    own: &ir::Function,
     prepare: &Program,
 ) -> TokenStream {
     let mut types = evaluator::result(outline, function);
     types.extend(evaluator::from_row(outline, function));
     let columns = columns::items(outline, function);
-    let mut items = home::with_imports(outline, function, &types, &columns);
+    let mut items = result_module::with_imports(outline, function, &types, &columns);
     items.extend(evaluator::method(outline, function));
     let versions = [
         (Some(&own.called), Version::Called),

@@ -7,9 +7,9 @@ use quote::{format_ident, quote};
 
 use super::load::Places;
 use super::{count, docs};
+use crate::ir::{self, CompiledMechanism};
 use crate::model::{ASSEMBLY, COLUMNS, COMPONENTS, Shape};
 use crate::syntax::{Attribute, FunctionDef, Item, MechanismDef, ParamItem, QuantityDef};
-use crate::unit::{self, Unit};
 
 /// The surface of one mechanism.
 pub(super) struct Outline<'a> {
@@ -106,7 +106,11 @@ pub(super) struct Field<'a> {
 
 impl<'a> Outline<'a> {
     /// The outline of a mechanism without mistakes.
-    pub(super) fn complete(krate: &TokenStream, def: &'a MechanismDef, unit: &Unit) -> Self {
+    pub(super) fn complete(
+        krate: &TokenStream,
+        def: &'a MechanismDef,
+        unit: &CompiledMechanism,
+    ) -> Self {
         let inputs = inputs(def).zip(&unit.inputs).map(|(name, input)| Input {
             name,
             unit: if input.angle {
@@ -226,7 +230,7 @@ impl Function<'_> {
 
 /// A name without the `r#` of a raw identifier.
 pub(super) fn plain(name: &Ident) -> String {
-    unit::plain(&name.to_string()).to_owned()
+    ir::plain(&name.to_string()).to_owned()
 }
 
 pub(super) fn params(def: &MechanismDef) -> impl Iterator<Item = &ParamItem> {
@@ -272,10 +276,7 @@ pub(super) fn field<'a>(quantity: &'a QuantityDef, shape: Shape, about: String) 
 }
 
 /// `item` declares it; those of parts stand behind all that are declared.
-fn complete_parameter<'a>(
-    item: Option<&'a ParamItem>,
-    parameter: &unit::Parameter,
-) -> Parameter<'a> {
+fn complete_parameter<'a>(item: Option<&'a ParamItem>, parameter: &ir::Parameter) -> Parameter<'a> {
     let components = parameter.scalars.iter().map(|scalar| Component {
         name: scalar.name.clone(),
         unit: scalar.unit.clone(),
@@ -310,7 +311,11 @@ pub(super) fn of_part<'a>(name: &str, documentation: &str) -> (Ident, Cow<'a, [A
     (name, Cow::Owned(docs))
 }
 
-fn complete_function<'a>(def: &'a FunctionDef, own: &unit::Function, unit: &Unit) -> Function<'a> {
+fn complete_function<'a>(
+    def: &'a FunctionDef,
+    own: &ir::Function,
+    unit: &CompiledMechanism,
+) -> Function<'a> {
     let quantities = def.quantities.iter().zip(&own.fields);
     let fields = quantities
         .map(|(quantity, own)| field(quantity, own.shape.clone(), own.told()))

@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::outline::Outline;
 use super::{attribute, literal};
-use crate::unit::{DriveOn, GuideOn, GuideShape, JointShape, Picture, PointKind};
+use crate::ir::{DriveOn, GuideOn, GuideShape, JointShape, Picture, PointKind};
 
 /// The constants of a mechanism that has a picture; `programs` describes it for pages.
 pub(super) fn items(outline: &Outline, picture: &Picture, programs: &str) -> TokenStream {

@@ -5,11 +5,11 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::outline::{Outline, plain};
-use super::{attribute, literal, sealed};
-use crate::unit::Unit;
+use super::{assembly_data, attribute, literal};
+use crate::ir::CompiledMechanism;
 
 /// `check_range()`; nothing for a mechanism without groups.
-pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
+pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     if unit.groups.is_empty() {
         return TokenStream::new();
     }
@@ -32,12 +32,12 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
     let x = match outline.starts.is_empty() {
         true => inputs.clone(),
         false => {
-            let starts = sealed::starts(outline, &quote!(self));
+            let starts = assembly_data::starts(outline, &quote!(self));
             quote!(Self::__extend(#starts, #inputs))
         }
     };
     let core = &outline.core;
-    let own = sealed::core(outline, &quote!(self));
+    let own = assembly_data::core(outline, &quote!(self));
     method(
         outline,
         quote! {

@@ -10,14 +10,14 @@ use quote::format_ident;
 
 use super::outline::{self, Component, Field, Function, Input, Outline, Parameter, params, plain};
 use super::{
-    assembly, circuits, columns, dimensions, evaluator, follower, guess::Guess, home, mechanism,
-    picture, range_check, structure, sweeps, table, way,
+    assembly, circuits, columns, dimensions, evaluator, follower, guess::Guess, mechanism, picture,
+    range_check, result_module, structure, sweeps, table, way,
 };
+use crate::ir::Picture;
 use crate::model::{
     ASSEMBLY, COLUMNS, COMPONENTS, Mechanism, MotionWord, Shape, Sweep, TYPE_PARAMETER,
 };
 use crate::syntax::{ExprKind, FunctionDef, Item, MechanismDef, Word};
-use crate::unit::Picture;
 
 /// All public items with `unimplemented!()` bodies; `mechanism` gives better types where it is known.
 pub(crate) fn skeleton(
@@ -50,7 +50,9 @@ pub(crate) fn skeleton(
     for function in &outline.functions {
         let types = evaluator::result(&outline, function);
         let columns = columns::items(&outline, function);
-        items.extend(home::with_imports(&outline, function, &types, &columns));
+        items.extend(result_module::with_imports(
+            &outline, function, &types, &columns,
+        ));
         items.extend(evaluator::method(&outline, function));
         items.extend(sweeps::items(&outline, function));
         items.extend(table::items(&outline, function, &[]));

@@ -7,8 +7,8 @@ use linkage_symbolic::program::{Instruction, Program, Source};
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
+use super::array_fields::entry;
 use super::body::{self, Runs};
-use super::entries::entry;
 use super::literal;
 use super::load::{Places, loader};
 use super::outline::Outline;

@@ -15,8 +15,8 @@ use super::assembly::Types;
 use super::body::Runs;
 use super::load::{Places, loader};
 use super::outline::{Outline, Start};
-use super::{attribute, body, literal, sealed};
-use crate::unit::Unit;
+use super::{assembly_data, attribute, body, literal};
+use crate::ir::CompiledMechanism;
 
 pub(super) use assemble::assemble;
 pub(super) use moving::followed;
@@ -38,7 +38,7 @@ pub(super) fn coupled_name(outline: &Outline) -> Ident {
 
 /// `served()`; nothing where no group is prepared over several inputs.
 pub(super) fn served(outline: &Outline) -> TokenStream {
-    let prepared = sealed::starts(outline, &quote!(self));
+    let prepared = assembly_data::starts(outline, &quote!(self));
     let groups = outline.starts.iter().enumerate();
     let over_several = groups.filter(|(_, start)| start.inputs.len() > 1);
     let shares = over_several.map(|(number, _)| {
@@ -69,7 +69,7 @@ fn start_type(outline: &Outline, start: &Start) -> TokenStream {
 }
 
 /// Everything for the coupled groups of a mechanism; nothing if it has none.
-pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
+pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     if outline.starts.is_empty() {
         return TokenStream::new();
     }
@@ -170,7 +170,7 @@ fn places(outline: &Outline, inputs: &[usize], group: usize) -> Vec<Literal> {
 }
 
 /// The programs of all groups as functions of the plumbing's arguments.
-fn programs(outline: &Outline, unit: &Unit) -> TokenStream {
+fn programs(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline {
         runtime,
         name,

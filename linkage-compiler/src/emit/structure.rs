@@ -6,10 +6,10 @@ use quote::quote;
 
 use super::outline::{Outline, plain};
 use super::{count, literal};
-use crate::unit::{Group, Unit};
+use crate::ir::{CompiledMechanism, Group};
 
 /// The literal of the runtime's `Structure`.
-pub(super) fn literal(outline: &Outline, unit: &Unit) -> TokenStream {
+pub(super) fn literal(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let runtime = &outline.runtime;
     let mobility = literal::index(unit.mobility);
     let groups = unit.groups.iter().map(|own| group(outline, own));
@@ -32,7 +32,7 @@ pub(super) fn literal(outline: &Outline, unit: &Unit) -> TokenStream {
 
 /// A structure with nothing in it, for the skeleton.
 pub(super) fn empty(outline: &Outline) -> TokenStream {
-    literal(outline, &Unit::default())
+    literal(outline, &CompiledMechanism::default())
 }
 
 fn group(outline: &Outline, group: &Group) -> TokenStream {

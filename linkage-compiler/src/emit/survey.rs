@@ -8,11 +8,11 @@ use super::assembly::Types;
 use super::body::Runs;
 use super::load::{Places, loader};
 use super::outline::Outline;
-use super::{attribute, body, literal, sealed, winding};
-use crate::unit::Unit;
+use super::{assembly_data, attribute, body, literal, winding};
+use crate::ir::CompiledMechanism;
 
 /// `__survey` and `__surveyor`; nothing for a mechanism without groups.
-pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
+pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     if unit.groups.is_empty() {
         return TokenStream::new();
     }
@@ -32,11 +32,11 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
     let x = match outline.starts.is_empty() {
         true => quote!(__x),
         false => {
-            let starts = sealed::starts(outline, &quote!(self));
+            let starts = assembly_data::starts(outline, &quote!(self));
             quote!(Self::__extend(#starts, __x))
         }
     };
-    let own = sealed::core(outline, &quote!(self));
+    let own = assembly_data::core(outline, &quote!(self));
     let surveyor = surveyor(outline, unit);
     // For `circuits()`, of mechanisms with one input.
     let without_starts = (unit.inputs.len() == 1).then(|| without_starts(outline));
@@ -68,10 +68,10 @@ fn without_starts(outline: &Outline) -> TokenStream {
         ..
     } = outline;
     let float = quote!(::core::primitive::f64);
-    let own = sealed::core(outline, &quote!(__of));
+    let own = assembly_data::core(outline, &quote!(__of));
     let starts = (!outline.starts.is_empty())
         .then(|| quote!(let __starts = Self::__starts(&#runtime::nothing(T::LANES));));
-    let made = sealed::made(outline);
+    let made = assembly_data::made(outline);
     quote! {
         fn __without_starts(__of: &#assembly<#float>) -> Self {
             let #core { __mechanism, __modes, __turns, .. } = #own;
@@ -84,7 +84,7 @@ fn without_starts(outline: &Outline) -> TokenStream {
 }
 
 /// What assemblies of each group there are.
-pub(super) fn levels(outline: &Outline, unit: &Unit) -> TokenStream {
+pub(super) fn levels(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let runtime = &outline.runtime;
     let levels = unit.levels().into_iter().map(|level| match level {
         Level::Modes(mode) => {
@@ -101,7 +101,7 @@ pub(super) fn levels(outline: &Outline, unit: &Unit) -> TokenStream {
 }
 
 /// An assembly that need not close, of the first groups.
-fn surveyor(outline: &Outline, unit: &Unit) -> TokenStream {
+fn surveyor(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline {
         runtime,
         name,
@@ -124,7 +124,7 @@ fn surveyor(outline: &Outline, unit: &Unit) -> TokenStream {
             )
         }
     };
-    let made = sealed::made(outline);
+    let made = assembly_data::made(outline);
     let turns = match unit.surveying {
         0 => winding::at_estimates(outline, unit),
         count => {

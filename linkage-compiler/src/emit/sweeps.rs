@@ -12,7 +12,7 @@ use super::docs::doc;
 use super::evaluator::Version;
 use super::outline::{Function, Outline, plain};
 use super::shape::field_scalars;
-use super::{attribute, home, literal, starts};
+use super::{attribute, literal, result_module, starts};
 use crate::model::Sweep;
 use crate::syntax::Word;
 
@@ -101,7 +101,7 @@ impl Sweeps<'_> {
     fn over_inputs(&self) -> TokenStream {
         let runtime = &self.outline.runtime;
         let arguments = &self.function.arguments;
-        let ty = home::columns(self.outline, self.function);
+        let ty = result_module::columns(self.outline, self.function);
         let (columns, slices) = (&self.columns, &self.slices);
         let width = literal::index(self.function.width());
         let inputs = quote!(#(#arguments: &[T]),*);
@@ -165,7 +165,7 @@ impl Sweeps<'_> {
         } = *self;
         let runtime = &outline.runtime;
         let arguments = &function.arguments;
-        let result = home::result(outline, function);
+        let result = result_module::result(outline, function);
         let fields = function.fields.iter().flat_map(|field| {
             let name = field.name;
             field_scalars(&field.shape, &quote!(__one.#name))
@@ -190,7 +190,7 @@ impl Sweeps<'_> {
         let runtime = &self.outline.runtime;
         let mechanism = self.outline.name;
         let arguments = &self.function.arguments;
-        let ty = home::columns(self.outline, self.function);
+        let ty = result_module::columns(self.outline, self.function);
         let (columns, sets, kernel) = (&self.columns, &self.sets, &self.over_sets);
         let inputs = quote!(#sets: &[#mechanism<T>], #(#arguments: &[T]),*);
         let follow = !self.function.states.is_empty();

@@ -4,8 +4,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::outline::{Function, Outline, plain};
-use super::{attribute, home, literal};
-use crate::unit::{Column, Meaning};
+use super::{attribute, literal, result_module};
+use crate::ir::{Column, Meaning};
 
 /// The trait for the columns of a function; nothing for a function without arguments.
 pub(super) fn items(outline: &Outline, function: &Function, columns: &[Column]) -> TokenStream {
@@ -13,7 +13,7 @@ pub(super) fn items(outline: &Outline, function: &Function, columns: &[Column]) 
         return TokenStream::new();
     }
     let runtime = &outline.runtime;
-    let ty = home::columns(outline, function);
+    let ty = result_module::columns(outline, function);
     let name = plain(function.name);
     let arguments = function.arguments.iter().map(|argument| plain(argument));
     let first = columns

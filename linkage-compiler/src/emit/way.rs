@@ -7,11 +7,11 @@ use super::assembly::Types;
 use super::constructors::explained;
 use super::load::Places;
 use super::outline::Outline;
-use super::{attribute, literal, sealed, starts, survey};
-use crate::unit::Unit;
+use super::{assembly_data, attribute, literal, starts, survey};
+use crate::ir::CompiledMechanism;
 
 /// `assemble_from`.
-pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
+pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline {
         runtime, assembly, ..
     } = outline;
@@ -20,7 +20,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
         .iter()
         .map(|input| literal::float(input.reference));
     let at = quote!([#(T::from_f64(#at)),*]);
-    let core = sealed::core(outline, &quote!(__assembly));
+    let core = assembly_data::core(outline, &quote!(__assembly));
     let modes = quote!(#core.__modes);
     if unit.groups.is_empty() {
         return method(outline, quote!(#assembly::__assemble(self, #modes, #at)));
@@ -44,7 +44,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
             let assembled = explained(quote! {
                 #assembly::__with_starts(self, #modes, #at, &__lanes)
             });
-            let prepared = sealed::starts(outline, &quote!(__assembly));
+            let prepared = assembly_data::starts(outline, &quote!(__assembly));
             let places = Places::all(outline);
             let vec = quote!(#runtime::Vec);
             let states = outline.starts.iter().enumerate().map(|(number, start)| {
@@ -82,7 +82,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
 }
 
 /// The mechanism between two sets of dimensions, inside the method, where nobody sees it.
-fn way(outline: &Outline, unit: &Unit) -> TokenStream {
+fn way(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline {
         runtime,
         name,
@@ -127,7 +127,7 @@ fn way(outline: &Outline, unit: &Unit) -> TokenStream {
             (quote!(#coupled), item)
         }
     };
-    let core = sealed::core(outline, &quote!(__assembly));
+    let core = assembly_data::core(outline, &quote!(__assembly));
     let allow = attribute::allow();
     quote! {
         struct __Way {

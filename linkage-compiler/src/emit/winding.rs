@@ -10,11 +10,11 @@ use super::body::Runs;
 use super::load::{Places, loader};
 use super::outline::Outline;
 use super::{attribute, literal, starts};
-use crate::unit::{ContinuousAngle, Unit};
+use crate::ir::{CompiledMechanism, ContinuousAngle};
 
 /// The centres and windings of the continuous angles, lane by lane. Where they cannot be found because a loop does not
 /// close, the error is about that loop.
-pub(super) fn turning(outline: &Outline, unit: &Unit) -> TokenStream {
+pub(super) fn turning(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline {
         runtime,
         name,
@@ -61,7 +61,7 @@ pub(super) fn turning(outline: &Outline, unit: &Unit) -> TokenStream {
 }
 
 /// Centres at the start estimates, no winding.
-pub(super) fn at_estimates(outline: &Outline, unit: &Unit) -> TokenStream {
+pub(super) fn at_estimates(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let runtime = &outline.runtime;
     let angles = unit.angles.iter();
     let estimates = angles.map(|angle| literal::float(angle.estimate));
@@ -69,7 +69,7 @@ pub(super) fn at_estimates(outline: &Outline, unit: &Unit) -> TokenStream {
 }
 
 /// `__wind` and the program of the directions; nothing for a mechanism without continuous angles.
-pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
+pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     if unit.angles.is_empty() {
         return TokenStream::new();
     }
@@ -136,7 +136,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
 }
 
 /// The runtime's `Angle`: which angle, and along which inputs it is followed.
-fn search(outline: &Outline, unit: &Unit, angle: &ContinuousAngle) -> TokenStream {
+fn search(outline: &Outline, unit: &CompiledMechanism, angle: &ContinuousAngle) -> TokenStream {
     let runtime = &outline.runtime;
     let unknown = &unit.unknowns[angle.unknown].name;
     let estimate = literal::float(angle.estimate);
@@ -163,7 +163,7 @@ fn search(outline: &Outline, unit: &Unit, angle: &ContinuousAngle) -> TokenStrea
 }
 
 /// How the vectors of all phases are asked for, and the function that computes them.
-fn bearings(outline: &Outline, unit: &Unit) -> (TokenStream, TokenStream) {
+fn bearings(outline: &Outline, unit: &CompiledMechanism) -> (TokenStream, TokenStream) {
     let Outline { runtime, name, .. } = outline;
     if unit.bearings.outputs.is_empty() {
         return (quote!([]), TokenStream::new());

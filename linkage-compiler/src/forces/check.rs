@@ -1,7 +1,7 @@
 //! Are bodies and joints declared so that forces can be found?
 
 use crate::algebra::{Algebra, Nominal};
-use crate::close::Reference;
+use crate::assembly::Reference;
 use crate::diagnostic::Reporter;
 use crate::model::{EvaluatorDef, Mechanism};
 

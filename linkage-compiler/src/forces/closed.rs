@@ -138,10 +138,10 @@ mod tests {
     use linkage_symbolic::program::{Program, Source};
 
     use crate::check;
-    use crate::unit::Unit;
+    use crate::ir::CompiledMechanism;
 
     /// Two dyads side by side on one crank, the second one with a coupler of its own length.
-    fn two_dyads(coupler: f64) -> Unit {
+    fn two_dyads(coupler: f64) -> CompiledMechanism {
         let dyad = |k: usize| {
             format!(
                 "unknown t{k} = 20deg; unknown p{k} = 70deg; let e{k} = k + polar(b{k}, t{k});
@@ -170,7 +170,7 @@ mod tests {
     }
 
     /// The results with the second coupler of a length.
-    fn results(unit: &Unit, coupler: f64) -> Vec<f64> {
+    fn results(unit: &CompiledMechanism, coupler: f64) -> Vec<f64> {
         let values = |program: &Program, prepared: &[f64]| {
             run(program, |source| match source {
                 Source::Parameter(3) => coupler,

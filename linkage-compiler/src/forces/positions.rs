@@ -3,7 +3,7 @@
 use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::Nominal;
-use crate::close::{ALTERATIONS, Reference, altered, places};
+use crate::assembly::{ALTERATIONS, Reference, altered, places};
 use crate::model::Mechanism;
 use crate::words::Words;
 

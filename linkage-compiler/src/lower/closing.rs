@@ -6,8 +6,8 @@ use linkage_symbolic::schedule::schedule_whole;
 use linkage_symbolic::{Ex, NodeId};
 
 use crate::algebra::{Algebra, Nominal};
-use crate::formulate::{Formulation, Prepared};
-use crate::unit::{Closing, Outputs};
+use crate::ir::{Closing, Outputs};
+use crate::solve::{Formulation, Prepared};
 
 use super::{Found, find_turning, group_nodes, groups, plain, valued_angles};
 

@@ -5,8 +5,8 @@ use linkage_symbolic::program::Program;
 use linkage_symbolic::{Ex, Graph, NodeId};
 
 use crate::algebra::{Algebra, Bound, Nominal};
-use crate::formulate::{Formulation, Prepared, Version};
-use crate::unit::{Coupled, Placed};
+use crate::ir::{Coupled, Placed};
+use crate::solve::{Formulation, Prepared, Version};
 
 use super::{plain, valued_angles};
 

@@ -5,10 +5,10 @@ use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::schedule::schedule_whole;
 
 use crate::algebra::Algebra;
-use crate::formulate::{Formulation, Solved, Version};
-use crate::freedoms::difference;
+use crate::ir::{CompiledMechanism, MissedLoop};
+use crate::mobility::difference;
 use crate::model::Mechanism;
-use crate::unit::{MissedLoop, Unit};
+use crate::solve::{Formulation, Solved, Version};
 
 use super::{plain, valued_angles};
 
@@ -17,7 +17,7 @@ pub(crate) fn missed<'m>(
     algebra: &mut Algebra<'m>,
     formulation: &Formulation<'m>,
     inliner: &mut Inliner,
-    unit: &mut Unit,
+    unit: &mut CompiledMechanism,
 ) {
     for (index, solved) in formulation.groups.iter().enumerate() {
         let Some(prepared) = &solved.prepared else {

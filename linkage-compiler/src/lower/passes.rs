@@ -8,8 +8,8 @@ use linkage_symbolic::passes::{PASSES, polished, stages};
 use linkage_symbolic::schedule::{draft, schedule_whole};
 use linkage_symbolic::{Ex, Graph, NodeId, by_half_angles, roots_last, share_multiples};
 
-use crate::unit::Unit;
-use crate::watch::Watch;
+use crate::ir::CompiledMechanism;
+use crate::observer::PhaseObserver;
 
 use super::plain;
 
@@ -67,7 +67,7 @@ impl Formulas {
     }
 
     /// Shows them as programs.
-    pub(crate) fn show(&self, graph: &Graph, function: usize, watch: &mut dyn Watch) {
+    pub(crate) fn show(&self, graph: &Graph, function: usize, watch: &mut dyn PhaseObserver) {
         for (name, nodes) in [
             ("inline", &self.inlined),
             ("share multiples", &self.shared),
@@ -82,7 +82,7 @@ impl Formulas {
 /// A step from unit to unit.
 struct Pass {
     name: &'static str,
-    run: fn(&mut Unit),
+    run: fn(&mut CompiledMechanism),
 }
 
 /// What only the bodies of functions are made to: behind the passes of programs.
@@ -108,7 +108,7 @@ const OF_FUNCTIONS: [Pass; 2] = [
 ];
 
 /// Runs all passes on all programs.
-pub(crate) fn polish(unit: &mut Unit, watch: &mut dyn Watch) {
+pub(crate) fn polish(unit: &mut CompiledMechanism, watch: &mut dyn PhaseObserver) {
     look(unit, "schedule", watch);
     for pass in PASSES {
         for program in unit.programs_mut() {
@@ -123,7 +123,7 @@ pub(crate) fn polish(unit: &mut Unit, watch: &mut dyn Watch) {
 }
 
 /// Shows the functions, and in debug builds checks all programs.
-fn look(unit: &mut Unit, name: &'static str, watch: &mut dyn Watch) {
+fn look(unit: &mut CompiledMechanism, name: &'static str, watch: &mut dyn PhaseObserver) {
     if cfg!(debug_assertions) {
         let mistake = unit.programs_mut().find_map(|program| program.mistake());
         assert!(mistake.is_none(), "after {name}: {mistake:?}");

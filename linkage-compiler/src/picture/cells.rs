@@ -2,7 +2,7 @@
 
 use linkage_symbolic::unordered::Map;
 
-use super::free::Track;
+use super::open_loop::Track;
 
 /// The direction along which points are sorted: shares of the coordinates without pattern, so that rows of points parallel to
 /// an axis, or on a common diagonal, are not in one cell.

@@ -11,7 +11,7 @@ use super::frames::{Frames, Pose};
 use super::marks::{Asked, Line, Mean, Segment, Shape, Spot, Term, Title};
 use super::parts::Turn;
 use super::planes::Plane;
-use super::roles::{Moves, Roles};
+use super::point_or_vector::{Moves, Roles};
 
 /// Points and what lies between them, as they are found; several may be one and the same.
 pub(super) struct Sketch<'a, 'm> {

@@ -2,12 +2,12 @@
 
 use crate::diagnostic::text::list;
 use crate::diagnostic::{OriginId, Reporter};
-use crate::unit::{Picture, PointKind};
+use crate::ir::{Picture, PointKind};
 use crate::words::numbers;
 
 use super::chains::Sketch;
 use super::marks::Asked;
-use super::seen::Seen;
+use super::samples::Seen;
 
 pub(super) fn check_lists(sketch: &Sketch, seen: &Seen, reporter: &mut Reporter) {
     for asked in &sketch.asked {

@@ -7,14 +7,14 @@ use linkage_symbolic::unordered::{Map, Set};
 use linkage_symbolic::{SymbolId, Vn};
 
 use crate::algebra::Bound;
+use crate::ir::{Drive, DriveOn, Gear, Part, Picture};
 use crate::model::{Dimension, Expr, Loop, Name};
-use crate::unit::{Drive, DriveOn, Gear, Part, Picture};
 
 use super::by_point::ByPoint;
 use super::chains::Sketch;
-use super::free::relates_angles;
 use super::marks::{Segment, Shape};
-use super::seen::Seen;
+use super::open_loop::relates_angles;
+use super::samples::Seen;
 
 /// A link that turns about a point of the frame by one angle alone.
 struct Wheel {

@@ -7,7 +7,7 @@ use crate::model::{Expr, Function, Name, Placed};
 
 use super::chains::Sketch;
 use super::marks::Shape;
-use super::roles::{Moves, Roles};
+use super::point_or_vector::{Moves, Roles};
 
 /// Coordinates within others, by their numbers among the placed parts, the innermost first; none are the drawing's.
 pub(super) type Frames = Vec<usize>;

@@ -6,12 +6,12 @@ use crate::algebra::Translate;
 use crate::model::{BinaryOp, Expr, ExprKind, Function, Type};
 
 use super::chains::Sketch;
-use super::free::Track;
 use super::links::{Links, is_rigid};
 use super::marks::{Line, Segment, Shape};
+use super::open_loop::Track;
 use super::parts::Slide;
-use super::seen::Seen;
-use crate::unit::GuideOn;
+use super::samples::Seen;
+use crate::ir::GuideOn;
 
 /// Unit vectors whose product misses 1 by less point along one line: 4e-5 radians, far above rounding, far below any angle that is meant.
 const PARALLEL: f64 = 1e-9;

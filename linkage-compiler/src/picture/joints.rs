@@ -1,11 +1,11 @@
 //! What meets in the points of a picture, and how it moves against each other.
 
+use crate::ir::{GuideOn, GuideShape, Joint, JointShape, Member, Picture, PointKind};
 use crate::model::JointKind;
-use crate::unit::{GuideOn, GuideShape, Joint, JointShape, Member, Picture, PointKind};
 
 use super::by_point::ByPoint;
-use super::free::Track;
-use super::seen::Seen;
+use super::open_loop::Track;
+use super::samples::Seen;
 
 pub(super) struct Turning<'a, 's> {
     pub(super) seen: &'s Seen<'a>,

@@ -7,9 +7,9 @@ use linkage_symbolic::unordered::{Map, Set};
 use super::chains::Sketch;
 use super::joining::Joining;
 use super::marks::{Segment, Shape, Title};
-use super::owners::Owners;
-use super::seen::Seen;
-use super::welded::{Frame, Welds};
+use super::ownership::Owners;
+use super::rigid_bodies::{Frame, Welds};
+use super::samples::Seen;
 
 pub(super) struct Links<'m> {
     pub(super) all: Vec<RawLink<'m>>,

@@ -11,7 +11,7 @@ use crate::model::{BinaryOp, Expr, ExprKind, Name, Type};
 use super::chains::Sketch;
 use super::marks::Title;
 use super::parts::{Part, Slide, Turn};
-use super::roles::Moves;
+use super::point_or_vector::Moves;
 
 /// A product within a component.
 #[derive(Clone)]

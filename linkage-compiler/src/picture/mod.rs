@@ -37,7 +37,6 @@ mod chains;
 mod check;
 mod drives;
 mod frames;
-mod free;
 mod guides;
 mod joining;
 mod joints;
@@ -46,33 +45,34 @@ mod literals;
 mod loops;
 mod marks;
 mod names;
-mod owners;
+mod open_loop;
+mod ownership;
 mod parts;
 mod planes;
-mod roles;
-mod seen;
+mod point_or_vector;
+mod rigid_bodies;
+mod samples;
 mod starts;
 mod terms;
 #[cfg(test)]
 mod tests;
 mod titles;
 mod views;
-mod welded;
 
 use linkage_symbolic::Vn;
 use linkage_symbolic::unordered::Set;
 
 use crate::algebra::{Algebra, Nominal};
-use crate::close::Reference;
+use crate::assembly::Reference;
 use crate::diagnostic::Reporter;
+use crate::ir::Picture;
 use crate::model::{AskedPicture, Expr, Type};
-use crate::unit::Picture;
 
 use chains::Sketch;
 use guides::Guides;
 use links::Links;
-use owners::Owners;
-use seen::Seen;
+use ownership::Owners;
+use samples::Seen;
 
 /// What is drawn, and the vectors that say where it is: points first, then directions.
 #[derive(Clone, Debug, Default)]

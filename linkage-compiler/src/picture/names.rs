@@ -3,7 +3,7 @@
 use linkage_symbolic::Vn;
 use linkage_symbolic::unordered::Map;
 
-use crate::unit::{Guide, GuideOn, GuideShape, Link, Picture, Point, PointKind};
+use crate::ir::{Guide, GuideOn, GuideShape, Link, Picture, Point, PointKind};
 
 use super::Found;
 use super::by_point::{Meeting, Names};
@@ -11,8 +11,8 @@ use super::chains::Sketch;
 use super::guides::Guides;
 use super::joints::Turning;
 use super::links::Links;
-use super::owners::Owners;
-use super::seen::Seen;
+use super::ownership::Owners;
+use super::samples::Seen;
 
 pub(super) fn named<'m>(
     sketch: &Sketch<'_, 'm>,

@@ -8,7 +8,7 @@ use crate::model::{Expr, ExprKind, Function};
 use super::chains::Sketch;
 use super::literals::Piece;
 use super::marks::{Term, Title};
-use super::roles::Moves;
+use super::point_or_vector::Moves;
 
 /// Lengths that are only turned stand behind all names in derived quantities that loops use.
 const CARRIED: u8 = 4;

@@ -8,7 +8,7 @@ use crate::model::{BinaryOp, Expr, ExprKind, Function, Name};
 use super::chains::Sketch;
 use super::frames::Frames;
 use super::marks::Line;
-use super::roles::Moves;
+use super::point_or_vector::Moves;
 
 /// `dot(p - q, n) = d` in space: `p` stays on a plane.
 #[derive(Clone, Debug)]

@@ -5,10 +5,10 @@ mod links;
 mod parts;
 mod refused;
 
-use crate::unit::Unit;
+use crate::ir::CompiledMechanism;
 use crate::{Checked, check};
 
-fn compile(items: &str, functions: &str) -> (Unit, Vec<String>) {
+fn compile(items: &str, functions: &str) -> (CompiledMechanism, Vec<String>) {
     let text = format!("struct M {{ unit mm; {items} }} impl M {{ {functions} }}");
     let Checked { unit, messages, .. } = check(text.parse().expect("tokens"));
     let texts = messages.into_iter().map(|message| message.text).collect();

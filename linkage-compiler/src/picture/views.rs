@@ -5,7 +5,7 @@ use std::ops::Range;
 use linkage_symbolic::Ex;
 
 use crate::algebra::{Algebra, Nominal};
-use crate::close::{ALTERATIONS, Machine, Reference, altered, places};
+use crate::assembly::{ALTERATIONS, Machine, Reference, altered, places};
 use crate::model::Part;
 
 /// The mechanism with some dimensions at inputs where it closes.

@@ -8,8 +8,8 @@ use linkage_symbolic::{Ex, SymbolId, V2, V3, Vector, substitute};
 
 use super::classify::Polynomials;
 use super::core_unknowns::paired;
+use super::distance_polynomials::Link;
 use super::equations::{Coordinate, CoordinateKind, Equation};
-use super::squared::Link;
 use super::{Analysis, Form, Rotor};
 
 /// Of more core unknowns than this the assemblies are not listed, a work that grows without bound: one is followed from its estimates.

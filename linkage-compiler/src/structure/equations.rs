@@ -6,8 +6,8 @@ use crate::algebra::{Bound, Scalar, Translate, Value};
 use crate::model::Loop;
 
 use super::Analysis;
+use super::distance_polynomials::Link;
 use super::scope::Scope;
-use super::squared::Link;
 
 /// A loop, or what became of one: one to three scalar equations `row = 0`.
 #[derive(Clone, Debug)]

@@ -4,7 +4,7 @@ use super::Analysis;
 use super::equations::{Coordinate, Equation};
 use super::matching::{self, Matching};
 use super::report::counted;
-use crate::freedoms::Position;
+use crate::mobility::Position;
 use crate::model::{Expr, ExprKind, Function, Mechanism, Name};
 use crate::words::Words;
 use crate::words::loop_list;

@@ -10,8 +10,10 @@ mod bound;
 mod circle;
 mod class;
 mod classify;
+mod closest_approach;
 mod core_unknowns;
 mod coupled_core;
+mod distance_polynomials;
 mod double;
 mod eliminate;
 mod equations;
@@ -20,14 +22,12 @@ mod frames;
 pub(crate) mod matching;
 mod point;
 mod product;
-mod reach;
-mod repeated;
+mod redundant;
 pub(crate) mod report;
 mod rewrite;
 mod scope;
+mod simultaneous;
 mod space;
-mod squared;
-mod together;
 pub(crate) mod unsolved;
 
 use linkage_symbolic::{Ex, SymbolId};
@@ -38,10 +38,10 @@ use crate::model::{Dimension, Mechanism, Type};
 
 pub(crate) use bound::Most;
 pub(crate) use coupled_core::{Block, Core, Coupled, Private, Product};
+pub(crate) use distance_polynomials::Link;
 pub(crate) use equations::{Coordinate, Equation};
 pub(crate) use form::{Form, Plane, Rotor, Sphere};
 pub(crate) use scope::Scope;
-pub(crate) use squared::Link;
 
 /// One Assur group.
 #[derive(Clone, Debug)]

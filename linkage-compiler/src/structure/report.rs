@@ -3,7 +3,7 @@
 use super::Analysis;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::matching::{self, Matching};
-use super::repeated::Repeated;
+use super::redundant::Repeated;
 use crate::words::loop_list;
 
 impl<'m> Analysis<'_, 'm> {

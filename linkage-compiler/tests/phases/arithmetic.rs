@@ -1,6 +1,6 @@
 //! Every operation of the table: generated code gives what the interpreter gives, or what is said here.
 
-use linkage_compiler::unit::Generated;
+use linkage_compiler::ir::Generated;
 use linkage_core::Scalar;
 use linkage_corpus::numbers::SPECIAL;
 use linkage_corpus::operations::{operations, program};

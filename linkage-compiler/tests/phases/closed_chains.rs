@@ -1,6 +1,6 @@
 //! What positions and derivatives of closed chains cost: the examples of vehicles and robots.
 
-use linkage_compiler::unit::Unit;
+use linkage_compiler::ir::CompiledMechanism;
 use linkage_corpus::given::{Given, written};
 
 /// The operations of functions of the mechanisms in a file.
@@ -90,7 +90,7 @@ fn double_wishbone_by_an_arm() {
 }
 
 /// A wheel carrier with two rods in its ball joint.
-fn carrier(loops: &str) -> Unit {
+fn carrier(loops: &str) -> CompiledMechanism {
     let text = format!(
         "pub struct Carrier {{
             unit mm;

@@ -6,7 +6,7 @@ mod frames;
 mod places;
 mod ten;
 
-use linkage_compiler::unit::{Coupled, Start, Unit};
+use linkage_compiler::ir::{CompiledMechanism, Coupled, Start};
 use linkage_compiler::{Checked, check_all};
 use linkage_core::Scalar;
 use linkage_symbolic::interpret::run;
@@ -20,20 +20,25 @@ pub(super) fn checked(text: &str) -> Vec<Checked> {
     all
 }
 
-pub(super) fn unit<'c>(all: &'c [Checked], name: &str) -> &'c Unit {
+pub(super) fn unit<'c>(all: &'c [Checked], name: &str) -> &'c CompiledMechanism {
     let mut named = all.iter().filter(|own| own.name.as_deref() == Some(name));
     let unit = named.next().and_then(|own| own.unit.as_ref());
     unit.expect("a mechanism of that name without a mistake")
 }
 
 /// The results of a function, by its name; angles are those nearest to their estimates.
-pub(super) fn results(unit: &Unit, function: &str, dimensions: &[f64], inputs: &[f64]) -> Vec<f64> {
+pub(super) fn results(
+    unit: &CompiledMechanism,
+    function: &str,
+    dimensions: &[f64],
+    inputs: &[f64],
+) -> Vec<f64> {
     results_of(unit, function, dimensions, inputs, &[])
 }
 
 /// With arguments behind the inputs.
 pub(super) fn results_of(
-    unit: &Unit,
+    unit: &CompiledMechanism,
     function: &str,
     dimensions: &[f64],
     inputs: &[f64],
@@ -77,12 +82,12 @@ fn state(group: &Coupled, inputs: &[f64]) -> Vec<f64> {
     numbers
 }
 
-fn own<'u>(unit: &'u Unit, function: &str) -> &'u linkage_compiler::unit::Function {
+fn own<'u>(unit: &'u CompiledMechanism, function: &str) -> &'u linkage_compiler::ir::Function {
     let mut functions = unit.functions.iter();
     let found = functions.find(|own| own.name == function);
     found.expect("a function of that name")
 }
 
-pub(super) fn defaults(unit: &Unit) -> Vec<f64> {
+pub(super) fn defaults(unit: &CompiledMechanism) -> Vec<f64> {
     unit.scalars().map(|own| own.nominal).collect()
 }

@@ -1,7 +1,6 @@
 //! What the sources keep to: tests that read them.
 
 mod host;
-mod imports;
 mod private_names;
 mod surface;
 mod where_to_add;

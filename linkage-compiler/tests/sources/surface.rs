@@ -1,8 +1,8 @@
 //! What others call: the macro, a program that wants a unit or messages, tests that look between the phases.
 
+use linkage_compiler::ir::CompiledMechanism;
 use linkage_compiler::trace::trace;
-use linkage_compiler::unit::Unit;
-use linkage_compiler::{Oracle, check, compile, unit};
+use linkage_compiler::{Oracle, check, compile, ir};
 use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::quote;
 
@@ -13,7 +13,7 @@ fn mechanism() -> TokenStream {
 }
 
 /// The programs of a drawn mechanism, as [`trace`] shows them.
-fn printed(name: &str, _: &Unit) -> String {
+fn printed(name: &str, _: &CompiledMechanism) -> String {
     format!("{name} as a text")
 }
 
@@ -26,7 +26,7 @@ fn looking_between_the_phases_changes_nothing() {
     let (_, by_oracle) = Oracle::new(mechanism());
     for checked in [by_oracle, check(mechanism())] {
         let unit = checked.unit.expect("a mechanism without a mistake");
-        assert_eq!(watched.lower, unit::dump(&unit));
+        assert_eq!(watched.lower, ir::dump(&unit));
     }
 }
 

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use linkage_compiler::unit::Generated;
+use linkage_compiler::ir::Generated;
 use linkage_corpus::given::{Given, golden};
 use linkage_corpus::numbers::{Numbers, ROUNDS};
 use linkage_corpus::programs::{Named, as_functions, loaded, programs, same};

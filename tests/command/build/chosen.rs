@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use linkage_compiler::unit::{Start, Unit};
+use linkage_compiler::ir::{CompiledMechanism, Start};
 use linkage_symbolic::program::Instruction;
 
 /// Instructions of a mechanism whose code takes hardly any time to compile.
@@ -13,7 +13,7 @@ const LARGE: usize = 10_000;
 
 /// For each mechanism whether it is compiled: all in long runs, otherwise the small ones and those that have what no smaller one
 /// has, but none of the largest.
-pub(super) fn chosen(units: &[&Unit], long: bool) -> Vec<bool> {
+pub(super) fn chosen(units: &[&CompiledMechanism], long: bool) -> Vec<bool> {
     let mut order: Vec<usize> = (0..units.len()).collect();
     order.sort_by_key(|&k| size(units[k]));
     let mut known = BTreeSet::new();
@@ -28,7 +28,7 @@ pub(super) fn chosen(units: &[&Unit], long: bool) -> Vec<bool> {
 }
 
 /// How many instructions all its functions have.
-fn size(unit: &Unit) -> usize {
+fn size(unit: &CompiledMechanism) -> usize {
     let functions = unit.functions.iter();
     functions
         .map(|function| function.called.program.instructions.len())
@@ -36,7 +36,7 @@ fn size(unit: &Unit) -> usize {
 }
 
 /// What it consists of: groups, how coupled ones are prepared, operations, what its functions find.
-fn parts(unit: &Unit) -> BTreeSet<String> {
+fn parts(unit: &CompiledMechanism) -> BTreeSet<String> {
     let groups = unit.groups.iter().map(|group| group.kind.clone());
     let coupled = unit.coupled.iter().map(|own| {
         let start = match own.start {

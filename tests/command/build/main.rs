@@ -9,7 +9,7 @@ use std::{env, fs};
 
 use linkage_cli::{Found, Source};
 use linkage_compiler::check;
-use linkage_compiler::unit::Unit;
+use linkage_compiler::ir::CompiledMechanism;
 
 /// A mechanism, where it stands, and what it became.
 struct Entry {
@@ -18,7 +18,7 @@ struct Entry {
     number: usize,
     body: String,
     title: String,
-    unit: Unit,
+    unit: CompiledMechanism,
 }
 
 fn main() {
@@ -41,7 +41,7 @@ fn main() {
     }
     println!("cargo:rerun-if-env-changed=LINKAGE_LONG");
     let long = env::var_os("LINKAGE_LONG").is_some();
-    let units: Vec<&Unit> = entries.iter().map(|entry| &entry.unit).collect();
+    let units: Vec<&CompiledMechanism> = entries.iter().map(|entry| &entry.unit).collect();
     let chosen = chosen::chosen(&units, long);
     let chosen = entries.iter().zip(chosen).filter(|(_, own)| *own);
     let chosen: Vec<&Entry> = chosen.map(|(entry, _)| entry).collect();
@@ -153,11 +153,11 @@ mod {name} {{
     )
 }
 
-fn has_circuits(unit: &Unit) -> bool {
+fn has_circuits(unit: &CompiledMechanism) -> bool {
     unit.inputs.len() == 1 && !unit.groups.is_empty()
 }
 
-fn call((number, function): (usize, &linkage_compiler::unit::Function)) -> String {
+fn call((number, function): (usize, &linkage_compiler::ir::Function)) -> String {
     let arguments = (0..function.arguments.len()).map(|k| format!("x[{k}]"));
     let arguments = arguments.collect::<Vec<_>>().join(", ");
     let fields = function.fields.iter();

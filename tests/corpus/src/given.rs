@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use linkage_compiler::check;
-use linkage_compiler::unit::Unit;
+use linkage_compiler::ir::CompiledMechanism;
 use proc_macro2::{TokenStream, TokenTree};
 
 /// A mechanism with its name.
@@ -14,7 +14,7 @@ pub struct Given {
     /// As its struct is called, the last one of several.
     pub name: String,
     /// Its programs.
-    pub unit: Unit,
+    pub unit: CompiledMechanism,
 }
 
 impl Given {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use linkage_compiler::unit::{Coupled, Unit};
+use linkage_compiler::ir::{CompiledMechanism, Coupled};
 use linkage_random::Random;
 use linkage_runtime::Scalar;
 use linkage_symbolic::program::{Program, Source};
@@ -38,7 +38,12 @@ pub struct Numbers(BTreeMap<Source, f64>);
 
 impl Numbers {
     /// The numbers of a round: the reference first, then half of the rounds near it, then others.
-    pub fn new(unit: &Unit, layout: &[Source], round: usize, random: &mut Random) -> Self {
+    pub fn new(
+        unit: &CompiledMechanism,
+        layout: &[Source],
+        round: usize,
+        random: &mut Random,
+    ) -> Self {
         let mut own = Self(BTreeMap::new());
         for &source in layout {
             own.0.insert(source, reference(unit, source));
@@ -62,7 +67,7 @@ impl Numbers {
     }
 
     /// What `assemble()` prepares.
-    fn prepare(&mut self, unit: &Unit, random: &mut Random) {
+    fn prepare(&mut self, unit: &CompiledMechanism, random: &mut Random) {
         for (slot, x) in self.run(&unit.prepare).into_iter().enumerate() {
             self.0.insert(Source::Prepared(slot), x);
         }
@@ -112,7 +117,7 @@ impl Numbers {
     }
 }
 
-fn reference(unit: &Unit, source: Source) -> f64 {
+fn reference(unit: &CompiledMechanism, source: Source) -> f64 {
     match source {
         Source::Parameter(index) => unit.scalars().nth(index).map_or(f64::NAN, |p| p.nominal),
         // What follows the inputs are speeds, accelerations, loads.
@@ -128,7 +133,7 @@ fn reference(unit: &Unit, source: Source) -> f64 {
     }
 }
 
-fn moved(unit: &Unit, source: Source, x: f64, far: bool, random: &mut Random) -> f64 {
+fn moved(unit: &CompiledMechanism, source: Source, x: f64, far: bool, random: &mut Random) -> f64 {
     let part = if far { 2.0 } else { 0.05 };
     match source {
         Source::Parameter(_) => x * (1.0 + random.between(-part, part)),

@@ -2,7 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use linkage_compiler::unit::{Body, Column, Field, Function, Input, Meaning, Shape, Unit};
+use linkage_compiler::ir::{
+    Body, Column, CompiledMechanism, Field, Function, Input, Meaning, Shape,
+};
 use linkage_symbolic::passes::stages::Stage;
 use linkage_symbolic::program::{Instruction, Program, Source};
 
@@ -19,9 +21,9 @@ pub struct Named<'a> {
 }
 
 /// All of a unit; stages stand behind the program that they are cut from.
-pub fn programs(unit: &Unit) -> Vec<Named<'_>> {
+pub fn programs(unit: &CompiledMechanism) -> Vec<Named<'_>> {
     // All fields are named, so that a program that is added is not forgotten here.
-    let Unit {
+    let CompiledMechanism {
         prepare,
         gaps,
         directions,
@@ -101,7 +103,7 @@ pub fn loaded(program: &Program) -> Vec<Source> {
 }
 
 /// A unit with a function for each program, of what that loads.
-pub fn as_functions(programs: &[Named]) -> Unit {
+pub fn as_functions(programs: &[Named]) -> CompiledMechanism {
     let input = |index: usize| Input {
         name: format!("x{index}"),
         unit: String::new(),
@@ -112,10 +114,10 @@ pub fn as_functions(programs: &[Named]) -> Unit {
         rates: Vec::new(),
     };
     let widths = programs.iter().map(|own| loaded(own.program).len());
-    Unit {
+    CompiledMechanism {
         inputs: (0..widths.max().unwrap_or_default()).map(input).collect(),
         functions: programs.iter().enumerate().map(as_function).collect(),
-        ..Unit::default()
+        ..CompiledMechanism::default()
     }
 }
 

@@ -1,6 +1,6 @@
 //! The programs of a mechanism on the runtime's numbers, as generated Rust runs them where multiply-adds are not fused.
 
-use linkage_compiler::unit::{ContinuousAngle, Function, Generated, Start, Unit};
+use linkage_compiler::ir::{CompiledMechanism, ContinuousAngle, Function, Generated, Start};
 use linkage_runtime::Scalar;
 use linkage_runtime::numeric::winding::{Centre, follow, uniform};
 use linkage_symbolic::interpret::run_by;
@@ -13,7 +13,7 @@ pub fn run<T: Scalar>(program: &Program, load: impl Fn(Source) -> T) -> Vec<T> {
 
 /// An assembled mechanism.
 pub struct Assembled<'a, T> {
-    unit: &'a Unit,
+    unit: &'a CompiledMechanism,
     dimensions: Vec<T>,
     centres: Vec<f64>,
     windings: Vec<Vec<f64>>,
@@ -23,7 +23,7 @@ pub struct Assembled<'a, T> {
 
 impl<'a, T: Scalar> Assembled<'a, T> {
     /// Assembles a mechanism; `None` where that does not go.
-    pub fn new(unit: &'a Unit, dimensions: &[T]) -> Option<Self> {
+    pub fn new(unit: &'a CompiledMechanism, dimensions: &[T]) -> Option<Self> {
         let at: Vec<f64> = unit.inputs.iter().map(|own| own.reference).collect();
         // Turns are counted in double precision.
         let plain: Vec<f64> = dimensions.iter().map(|x| x.lane(0)).collect();
@@ -36,7 +36,7 @@ impl<'a, T: Scalar> Assembled<'a, T> {
         gaps.iter().all(|gap| gap.lane(0) <= 0.0).then_some(own)
     }
 
-    fn unturned(unit: &'a Unit, dimensions: Vec<T>) -> Self {
+    fn unturned(unit: &'a CompiledMechanism, dimensions: Vec<T>) -> Self {
         let mut own = Self {
             unit,
             dimensions,

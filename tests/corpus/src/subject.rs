@@ -1,6 +1,6 @@
 //! A compiled mechanism on plain numbers: by its programs, and by the expression graph behind them.
 
-use linkage_compiler::unit::Unit;
+use linkage_compiler::ir::CompiledMechanism;
 use linkage_compiler::{Checked, Oracle, check};
 use linkage_symbolic::interpret::run;
 use linkage_symbolic::program::Source;
@@ -19,7 +19,7 @@ pub struct Position {
 ///
 /// # Errors
 /// The compiler's messages.
-pub fn unit(text: &str) -> Result<Unit, Vec<String>> {
+pub fn unit(text: &str) -> Result<CompiledMechanism, Vec<String>> {
     let checked = check(tokens(text)?);
     let messages = checked.messages.into_iter();
     checked
@@ -35,7 +35,7 @@ fn tokens(text: &str) -> Result<TokenStream, Vec<String>> {
 #[derive(Debug)]
 pub struct Subject {
     /// What the compiler found, and its programs.
-    pub unit: Unit,
+    pub unit: CompiledMechanism,
     oracle: Oracle,
 }
 

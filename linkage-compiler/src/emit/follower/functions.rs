@@ -8,7 +8,7 @@ use crate::emit::docs::doc;
 use crate::emit::evaluator::{self, Version};
 use crate::emit::load::Places;
 use crate::emit::outline::{Function, Outline, plain};
-use crate::emit::{attribute, home, literal, sealed};
+use crate::emit::{assembly_data, attribute, literal, result_module};
 
 /// A function where the follower stands.
 pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
@@ -19,7 +19,7 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
     let follower = follower_name(outline);
     let everywhere = &attribute::split(function.attributes).everywhere;
     let others = others(outline, function);
-    let result = home::result(outline, function);
+    let result = result_module::result(outline, function);
     let doc = doc(&format!(
         "As `{}` of the assembly, where the follower stands.",
         plain(name)
@@ -68,9 +68,9 @@ pub(super) fn single_of(outline: &Outline, function: &Function, version: Version
         quote!(__place[#position])
     });
     let arguments = quote!([#(#arguments,)* #(#states),*]);
-    let core = sealed::core(outline, &quote!(__assembly));
+    let core = assembly_data::core(outline, &quote!(__assembly));
     let value = evaluator::value(outline, function, &arguments, &core, version);
-    let result = home::result(outline, function);
+    let result = result_module::result(outline, function);
     let others = others(outline, function);
     let count = literal::index(others.len());
     let allow = attribute::allow();

@@ -5,11 +5,15 @@ use quote::quote;
 
 use crate::emit::assembly::Types;
 use crate::emit::outline::Outline;
-use crate::emit::{literal, sealed, winding};
-use crate::unit::Unit;
+use crate::emit::{assembly_data, literal, winding};
+use crate::ir::CompiledMechanism;
 
 /// `__assemble` and what it needs: the starts are found lane by lane on plain numbers.
-pub(in crate::emit) fn assemble(outline: &Outline, unit: &Unit, types: &Types) -> TokenStream {
+pub(in crate::emit) fn assemble(
+    outline: &Outline,
+    unit: &CompiledMechanism,
+    types: &Types,
+) -> TokenStream {
     let Outline {
         runtime,
         name,
@@ -25,7 +29,7 @@ pub(in crate::emit) fn assemble(outline: &Outline, unit: &Unit, types: &Types) -
     let float = quote!(::core::primitive::f64);
     let turning = winding::turning(outline, unit);
     let at_estimates = winding::at_estimates(outline, unit);
-    let made = sealed::made(outline);
+    let made = assembly_data::made(outline);
     let count = literal::index(outline.starts.len());
     let at = (0..outline.inputs.len()).map(|input| {
         let input = literal::index(input);

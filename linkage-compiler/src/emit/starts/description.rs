@@ -7,10 +7,14 @@ use quote::quote;
 
 use crate::emit::literal;
 use crate::emit::outline::Outline;
-use crate::unit::{Coupled, Shown, Unit};
+use crate::ir::{CompiledMechanism, Coupled, Shown};
 
 /// The runtime's description of a group.
-pub(super) fn description(outline: &Outline, unit: &Unit, group: &Coupled) -> TokenStream {
+pub(super) fn description(
+    outline: &Outline,
+    unit: &CompiledMechanism,
+    group: &Coupled,
+) -> TokenStream {
     let runtime = &outline.runtime;
     let title = outline.title();
     let own = &unit.groups[group.group];

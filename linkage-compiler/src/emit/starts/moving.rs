@@ -3,12 +3,12 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
+use crate::emit::array_fields::entries;
 use crate::emit::assembly::Types;
-use crate::emit::entries::entries;
 use crate::emit::load::Places;
 use crate::emit::outline::{Function, Outline};
-use crate::emit::{attribute, blocks, literal, sealed};
-use crate::unit::Unit;
+use crate::emit::{assembly_data, attribute, blocks, literal};
+use crate::ir::CompiledMechanism;
 
 /// The type of the mechanism that changes its dimensions.
 fn moving_name(outline: &Outline) -> Ident {
@@ -16,7 +16,7 @@ fn moving_name(outline: &Outline) -> Ident {
 }
 
 /// The runtime's `Moving`, and how an assembly begins to move.
-pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
+pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline {
         runtime,
         name,
@@ -52,7 +52,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
         };
         quote!(#pattern => #runtime::fill(&#kernel(self), __rows, __columns),)
     });
-    let core = sealed::core(outline, &quote!(self));
+    let core = assembly_data::core(outline, &quote!(self));
     let allow = attribute::allow();
     quote! {
         #allow

@@ -7,13 +7,13 @@ use crate::emit::assembly::Types;
 use crate::emit::load::Places;
 use crate::emit::outline::Outline;
 use crate::emit::{attribute, literal, winding};
-use crate::unit::{Coupled, Unit};
+use crate::ir::{CompiledMechanism, Coupled};
 
 use super::description::description;
 use super::{coupled_name, starts_type};
 
 /// The groups on plain numbers, as the runtime prepares them.
-pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
+pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline {
         runtime,
         name,
@@ -188,7 +188,7 @@ pub(super) fn items(outline: &Outline, unit: &Unit) -> TokenStream {
 }
 
 /// The turns of angles on which a coupled group depends, found with what is prepared before it.
-fn turns(outline: &Outline, unit: &Unit) -> TokenStream {
+fn turns(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let runtime = &outline.runtime;
     let title = outline.title();
     if unit.coupled.iter().all(|group| group.turning == 0) {

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::outline::{Function, Outline};
-use crate::emit::{attribute, literal, sealed};
+use crate::emit::{assembly_data, attribute, literal};
 
 use super::{look_up, places};
 
@@ -17,7 +17,7 @@ pub(in crate::emit) fn states_name(outline: &Outline, function: &Function) -> Id
 pub(in crate::emit) fn with_states(outline: &Outline, function: &Function) -> TokenStream {
     let inputs = &function.arguments;
     let count = literal::index(inputs.len());
-    let starts = sealed::starts(outline, &quote!(self));
+    let starts = assembly_data::starts(outline, &quote!(self));
     let (looked_up, states) = look_up(
         outline,
         &function.positions,
@@ -44,7 +44,7 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
     } = outline;
     let name = states_name(outline, function);
     let everywhere = &attribute::split(function.attributes).everywhere;
-    let starts = sealed::starts(outline, &quote!(self.0));
+    let starts = assembly_data::starts(outline, &quote!(self.0));
     let mut filled = TokenStream::new();
     let mut first = 0;
     for &group in &function.states {

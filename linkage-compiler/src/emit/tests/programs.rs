@@ -5,8 +5,8 @@ use linkage_symbolic::program::{Binary, Instruction, Program, Source, Ternary, U
 use linkage_symbolic::count::Count;
 use linkage_symbolic::passes::stages::split;
 
+use crate::ir::{Body, CompiledMechanism, ContinuousAngle, Field, Function};
 use crate::model::Shape;
-use crate::unit::{Body, ContinuousAngle, Field, Function, Unit};
 
 /// Appends instructions.
 #[derive(Default)]
@@ -151,7 +151,7 @@ fn function(name: &str, arguments: Vec<usize>, program: Program, fields: Vec<Fie
 }
 
 /// Every program of the slider-crank.
-pub(crate) fn unit() -> Unit {
+pub(crate) fn unit() -> CompiledMechanism {
     let field = |name: &str, shape: Shape, unit: &str| Field {
         name: name.to_owned(),
         documentation: String::new(),
@@ -168,7 +168,7 @@ pub(crate) fn unit() -> Unit {
     let mut fixed = Builder::default();
     let rod2 = fixed.load(Source::Prepared(0));
     let rates = Shape::Array(2, Box::new(Shape::Vector(2)));
-    Unit {
+    CompiledMechanism {
         prepare: prepare(),
         gaps: gaps(),
         directions: angles(),
@@ -200,6 +200,6 @@ pub(crate) fn unit() -> Unit {
                 vec![field("rod2", Shape::Scalar, "mm^2")],
             ),
         ],
-        ..Unit::default()
+        ..CompiledMechanism::default()
     }
 }

@@ -6,17 +6,17 @@ use quote::{format_ident, quote};
 
 use super::programs;
 use crate::diagnostic::{OriginId, SourceSpan};
+use crate::ir::{CompiledMechanism, Group, Input, Parameter, Scalar, Unknown};
 use crate::model::{self, Dimension, LengthUnit, Mechanism, ScalarParameterId, Shape, Type};
 use crate::syntax::{
     self, Attribute, FunctionDef, InputItem, Item, MechanismDef, NamedItem, ParamItem, QuantityDef,
     Toleranced,
 };
-use crate::unit::{Group, Input, Parameter, Scalar, Unit, Unknown};
 
 /// The syntax tree and the unit of one mechanism.
 pub(crate) struct Sample {
     pub(crate) def: MechanismDef,
-    pub(crate) unit: Unit,
+    pub(crate) unit: CompiledMechanism,
 }
 
 /// Crank about `pivot`, rod to a slider on the x axis; `theta` is the direction of the rod, `wheel` turns with the
@@ -263,7 +263,7 @@ pub(crate) fn mechanism() -> Mechanism {
     }
 }
 
-fn unit() -> Unit {
+fn unit() -> CompiledMechanism {
     let scalar = |name: &str, nominal, tolerance| Scalar {
         name: name.to_owned(),
         unit: "mm".to_owned(),
@@ -281,7 +281,7 @@ fn unit() -> Unit {
         shape: Shape::Scalar,
         scalars: vec![own],
     };
-    Unit {
+    CompiledMechanism {
         parameters: vec![
             Parameter {
                 name: "pivot".to_owned(),

@@ -1,7 +1,7 @@
 //! What is no picture, and that other functions do not change with one.
 
 use super::{FOUR_BAR, compile, expect_message};
-use crate::unit::Unit;
+use crate::ir::CompiledMechanism;
 
 #[test]
 fn a_link_that_stretches_is_refused() {
@@ -57,7 +57,7 @@ fn other_functions_stay_as_they_are() {
     for functions in [format!("{motion} {look}"), format!("{look} {motion}")] {
         let (beside, messages) = compile(&items, &functions);
         assert!(messages.is_empty(), "{messages:?}");
-        let find = |unit: &Unit| {
+        let find = |unit: &CompiledMechanism| {
             let own = unit.functions.iter().find(|own| own.fields.len() == 5);
             let program = &own.expect("the function").called.program;
             let operations = program

@@ -1,6 +1,6 @@
 //! What is asked of one part costs what it costs alone, wherever the part stands and whatever stands beside it: counted exactly.
 
-use linkage_compiler::unit::Unit;
+use linkage_compiler::ir::CompiledMechanism;
 use linkage_compiler::{Checked, check_all};
 
 use super::costs::golden;
@@ -119,7 +119,7 @@ fn of_machine(all: &[&Organ], before: &str, given: &str, behind: &str) -> String
     )
 }
 
-fn compare(organ: &Organ, alone: &Unit, machine: &Unit, what: &str) {
+fn compare(organ: &Organ, alone: &CompiledMechanism, machine: &CompiledMechanism, what: &str) {
     for k in 0..organ.asked.len() {
         let function = format!("{}_{k}", organ.name);
         let [here, there] = [machine, alone].map(|unit| own(unit, &function).called.count);

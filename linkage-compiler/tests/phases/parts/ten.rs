@@ -1,7 +1,7 @@
 //! A machine of ten parts of seven kinds, by values: each gives to the last bit what it gives alone.
 
 use linkage_compiler::Checked;
-use linkage_compiler::unit::Unit;
+use linkage_compiler::ir::CompiledMechanism;
 
 use super::costs::golden;
 use super::places::{Organ, organs};
@@ -192,7 +192,7 @@ fn ten_parts_give_what_they_give_alone() {
 }
 
 /// A part on a body of another: seen by hand.
-fn rides(machine: &Unit, members: &[Member]) {
+fn rides(machine: &CompiledMechanism, members: &[Member]) {
     let member = members
         .iter()
         .find(|own| own.organ.name == "ridden")
@@ -214,7 +214,7 @@ fn rides(machine: &Unit, members: &[Member]) {
 }
 
 /// Every part has the links that it has alone.
-fn picture(machine: &Unit, members: &[Member]) {
+fn picture(machine: &CompiledMechanism, members: &[Member]) {
     let picture = machine.picture.as_ref().expect("it is asked for");
     let parts = picture.parts.iter();
     let links: Vec<(&str, usize)> = parts

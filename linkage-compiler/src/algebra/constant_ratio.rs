@@ -1,0 +1,59 @@
+//! Angles that turn evenly with an input.
+
+use super::{Algebra, Atom};
+use linkage_core::range_check::significant;
+
+/// Angles that differ by less turn alike.
+pub(crate) const ALIKE: f64 = 1e-9;
+
+/// An unknown angle that turns evenly with an input: `offset + rate * input`.
+pub(crate) struct ConstantRatio {
+    pub(crate) unknown: usize,
+    pub(crate) rate: f64,
+    pub(crate) offset: f64,
+}
+
+impl ConstantRatio {
+    /// `phi`, `2 * phi - 30deg`, `0deg`
+    pub(crate) fn relation(&self, input: &str) -> String {
+        let offset = match self.offset.abs() < ALIKE {
+            true => 0.0,
+            false => self.offset,
+        };
+        let shown = |x: f64| format!("{}deg", significant(x.to_degrees()));
+        let turning = match self.rate {
+            0.0 => return shown(offset),
+            1.0 => input.to_owned(),
+            -1.0 => format!("-{input}"),
+            rate => format!("{rate} * {input}"),
+        };
+        match offset {
+            0.0 => turning,
+            positive if positive > 0.0 => format!("{turning} + {}", shown(positive)),
+            negative => format!("{turning} - {}", shown(-negative)),
+        }
+    }
+}
+
+impl Algebra<'_> {
+    /// Turns that an unknown angle may make for each turn of an input: the rates at which vectors turn with it, and simple
+    /// multiples.
+    pub(crate) fn candidate_rates(&self, input: usize) -> Vec<f64> {
+        let mut rates = vec![0.0];
+        if self.mechanism.inputs[input].dimension.half_lengths != 0 {
+            return rates;
+        }
+        for base in [1.0]
+            .into_iter()
+            .chain(self.names.input_rates(Atom::Input(input)))
+        {
+            for factor in [1.0, -1.0, 2.0, -2.0, 0.5, -0.5] {
+                let rate = base * factor;
+                if rate != 0.0 && !rates.contains(&rate) {
+                    rates.push(rate);
+                }
+            }
+        }
+        rates
+    }
+}

@@ -1,0 +1,165 @@
+//! The range check: can the declared ranges be run through in the chosen assembly?
+
+use linkage_core::range_check::{Comes, PASSES_HELP, passes};
+
+use crate::algebra::{Algebra, Nominal};
+use crate::diagnostic::{OriginId, Reporter};
+use crate::ir::ContinuousAngle;
+use crate::model::Input;
+use crate::solve::Formulation;
+use crate::words::loop_numbers;
+
+use super::Reference;
+use super::follow::{Unfollowed, follow_angles};
+use super::ranges::{Broken, Ranges};
+use crate::words::Words;
+
+/// Checks the ranges; reports where the mechanism comes apart, and an angle whose value is used but cannot be followed.
+/// `asked` are the angles whose values functions use.
+pub(crate) fn check_ranges<'m>(
+    algebra: &mut Algebra<'m>,
+    formulation: &Formulation<'m>,
+    nominal: &Nominal,
+    reference: &mut Reference,
+    asked: &[ContinuousAngle],
+    reporter: &mut Reporter,
+) {
+    let words = Words::new(algebra.mechanism);
+    let mut sound = true;
+    for (index, input) in algebra.mechanism.inputs.iter().enumerate() {
+        let Some((low, high)) = nominal.ranges[index] else {
+            continue;
+        };
+        let value = nominal.inputs[index];
+        if let Some(message) = wrong_range(&words, input, [low, high], value) {
+            sound = false;
+            reporter.error_between(range_of(input), message);
+        }
+    }
+    if !sound {
+        return;
+    }
+    let mut ranges = Ranges {
+        formulation,
+        nominal,
+        reference,
+        values: Vec::new(),
+    };
+    let machine = &mut ranges.reference.machine;
+    let needed = machine.closing.valued.clone();
+    if let Some(unfollowed) = follow_angles(algebra, nominal, machine, &needed) {
+        return report_unfollowed(algebra, unfollowed, reporter);
+    }
+    let declared: Vec<usize> = (0..nominal.ranges.len())
+        .filter(|&k| nominal.ranges[k].is_some())
+        .collect();
+    let apart = match declared[..] {
+        [] => None,
+        [input] => ranges
+            .first_failure(input, algebra.mechanism.inputs[input].dimension)
+            .map(|at| ranges.apart(algebra, at)),
+        _ => ranges
+            .grid_failure(&declared)
+            .map(|broken| ranges.apart_on_grid(algebra, &declared, &broken)),
+    };
+    if let Some(apart) = apart {
+        return reporter.error_between(apart.origins, apart.message);
+    }
+    if declared.is_empty() {
+        warn_of_change_point(algebra, &mut ranges, reporter);
+    }
+    let machine = &mut ranges.reference.machine;
+    let asked = machine.outputs_of(algebra, asked);
+    if let Some(unfollowed) = follow_angles(algebra, nominal, machine, &asked) {
+        report_unfollowed(algebra, unfollowed, reporter);
+    }
+}
+
+/// What is wrong with the ends of a range, or with the reference value.
+fn wrong_range(words: &Words, input: &Input, [low, high]: [f64; 2], value: f64) -> Option<String> {
+    let name = &input.name;
+    let show = |x, other| words.told_apart(input.dimension, x, other);
+    let [from, to] = [show(low, high), show(high, low)];
+    let of_angle = input.dimension.half_lengths == 0;
+    if low == high {
+        return Some(format!(
+            "the range of `{name}` from {from} to {to} is a single position\n\
+             help: write a lower and a higher end, or no range for an input that stays where it is"
+        ));
+    }
+    if low > high {
+        let turn = match of_angle {
+            true => "; an angle may go on beyond a turn, as in `350deg..370deg`",
+            false => "",
+        };
+        return Some(format!(
+            "the range of `{name}` begins at {from}, above its end at {to}\n\
+             help: write the lower end first{turn}"
+        ));
+    }
+    let outside = |end: f64| {
+        let [value, from, to] = [show(value, end), show(low, value), show(high, value)];
+        format!(
+            "the range of `{name}` from {from} to {to} does not contain its reference value {value}\n\
+             help: write a reference value inside the range, or a wider range"
+        )
+    };
+    match value {
+        _ if value < low => Some(outside(low)),
+        _ if value > high => Some(outside(high)),
+        _ => None,
+    }
+}
+
+/// A mechanism that is driven by one angle without a range may be meant to turn fully, and be so only in appearance.
+fn warn_of_change_point(algebra: &mut Algebra, ranges: &mut Ranges, reporter: &mut Reporter) {
+    let formulation = ranges.formulation;
+    let [input] = &algebra.mechanism.inputs[..] else {
+        return;
+    };
+    if input.dimension.half_lengths != 0 || formulation.prepared().next().is_some() {
+        return;
+    }
+    let Some(Broken { inputs, group, .. }) = ranges.first_change_point(0) else {
+        return;
+    };
+    let words = Words::new(algebra.mechanism);
+    let group = &formulation.groups[group].group;
+    let place = words.inputs(&inputs, &[0]);
+    let loops = loop_numbers(&group.loops);
+    let unknowns = words.unknowns(&group.unknowns);
+    let group = Comes {
+        loops: &loops,
+        unknowns: &unknowns,
+    };
+    reporter.warning_with_help(input.origin, passes(group, &place), PASSES_HELP);
+}
+
+/// Says that an angle cannot be followed over the range of an input.
+pub(super) fn report_unfollowed(
+    algebra: &Algebra,
+    Unfollowed { angle, input }: Unfollowed,
+    reporter: &mut Reporter,
+) {
+    let Some(unknown) = algebra.names.angles[angle].meant() else {
+        return;
+    };
+    let unknown = &algebra.mechanism.unknowns[unknown];
+    let (name, input) = (&unknown.name, &algebra.mechanism.inputs[input].name);
+    reporter.error(
+        unknown.origin,
+        format!(
+            "the value of `{name}` cannot be followed over the range of `{input}`: it strays by more than half a turn \
+             from every uniform rotation\n\
+             help: use whole multiples of `{name}` in directions, or a shorter range"
+        ),
+    );
+}
+
+/// Where the range is written, or the input's name.
+pub(super) fn range_of(input: &Input) -> [OriginId; 2] {
+    match &input.range {
+        Some((low, high)) => [low.origin, high.origin],
+        None => [input.origin; 2],
+    }
+}

@@ -1,0 +1,17 @@
+//! By how much the links of a group miss each other, in words.
+
+use crate::solve::Solved;
+use linkage_core::range_check::significant;
+
+use crate::words::Words;
+
+impl Words<'_> {
+    pub(super) fn gap(&self, solved: &Solved, gap: f64) -> String {
+        let dimension = solved.gap_dimension(self.mechanism());
+        format!(
+            "{}{}",
+            significant(gap),
+            dimension.unit(self.mechanism().unit)
+        )
+    }
+}

@@ -1,0 +1,294 @@
+//! Parts: where each is at the reference of the mechanism around it, as it would be alone.
+//!
+//! The estimates of a part belong to its own reference. Alone it has been closed there; from there it is led to what its inputs are here, and
+//! what it arrives at are the estimates of its unknowns here: the assembly is that of the part alone, and so are the turns of its angles.
+
+use std::f64::consts::PI;
+use std::rc::Rc;
+
+use linkage_symbolic::Ex;
+use linkage_symbolic::program::Ternary;
+use linkage_symbolic::unordered::Map;
+
+use crate::algebra::{Algebra, Bound, Nominal, Translate, Value};
+use crate::model::{Dimension, Expr, ExprKind, LengthUnit, Mechanism, Name, Type};
+use crate::solve::{Formulation, Solved};
+
+use super::machine::Machine;
+use super::reference::{Assembly, Reference};
+
+/// So many steps lead through a turn of an input: an angle turns by less than half a turn in each, gears of any use included.
+const STEPS_OF_A_TURN: f64 = 144.0;
+
+/// So many at most: what turns hundreds of times is no linkage.
+const STEPS: f64 = 10_000.0;
+
+/// A mechanism assembled at its own reference, for those that it is a part of.
+#[derive(Debug)]
+pub(crate) struct Closed {
+    machine: Machine,
+    nominal: Nominal,
+    unit: LengthUnit,
+    parameters: Vec<Dimension>,
+    inputs: Vec<Dimension>,
+    /// For each unknown, where its numbers stand among the outputs, and whether they are a cosine and a sine.
+    unknowns: Vec<Option<(usize, bool)>>,
+    dimensions: Vec<Dimension>,
+}
+
+/// A part of the mechanism that is closed.
+pub(crate) struct InnerPart<'m> {
+    closed: Rc<Closed>,
+    first_unknown: usize,
+    /// Its inputs, and the unknowns that they are made of.
+    inputs: Vec<Ex<'m>>,
+    needs: Vec<usize>,
+    /// Its dimensions here, in its own units.
+    parameters: Vec<f64>,
+    /// How many of its length units the unit here is.
+    ratio: f64,
+}
+
+impl Closed {
+    pub(crate) fn new(algebra: &Algebra, reference: Reference, nominal: Nominal) -> Self {
+        let mechanism = algebra.mechanism;
+        let mut unknowns = vec![None; mechanism.unknowns.len()];
+        let outputs = reference.machine.closing.groups.iter();
+        for &(unknown, output) in outputs.flat_map(|group| &group.unknowns) {
+            let is_angle = matches!(algebra.names.bound[unknown], Bound::Angle(_));
+            unknowns[unknown] = Some((output, is_angle));
+        }
+        let of_unknown = |ty: &Type| ty.dimension().unwrap_or(Dimension::NUMBER);
+        let all = mechanism.unknowns.iter();
+        Self {
+            machine: reference.machine,
+            nominal,
+            unit: mechanism.unit,
+            parameters: mechanism
+                .scalar_parameters
+                .iter()
+                .map(|own| own.dimension)
+                .collect(),
+            inputs: mechanism.inputs.iter().map(|own| own.dimension).collect(),
+            dimensions: all.map(|own| of_unknown(&own.ty)).collect(),
+            unknowns,
+        }
+    }
+
+    /// Its unknowns with these dimensions, led from the reference to these inputs; what cannot be assembled there is not a number.
+    fn led_to(&self, parameters: Vec<f64>, inputs: &[f64]) -> Vec<Vec<f64>> {
+        let machine = self.machine.with_dimensions(parameters);
+        let from = &self.nominal.inputs;
+        let ways = from.iter().zip(inputs).zip(&self.inputs);
+        let turns = ways.map(|((from, to), dimension)| match dimension.half_lengths {
+            0 => (to - from).abs() / (2.0 * PI),
+            _ if from == to => 0.0,
+            _ => 1.0,
+        });
+        let steps = turns.fold(0.0, f64::max) * STEPS_OF_A_TURN;
+        let steps = steps.ceil().clamp(1.0, STEPS);
+        let mut found = self.nominal.estimates.clone();
+        let mut values = Vec::new();
+        for step in 0..=steps as usize {
+            let share = step as f64 / steps;
+            let ways = from.iter().zip(inputs);
+            let at: Vec<f64> = match share {
+                // What is between two numbers may miss them.
+                1.0 => inputs.to_vec(),
+                _ => ways.map(|(from, to)| from + share * (to - from)).collect(),
+            };
+            machine.run(&mut values, &at);
+            for (own, place) in found.iter_mut().zip(&self.unknowns) {
+                let Some((output, is_angle)) = *place else {
+                    continue;
+                };
+                let number = |k: usize| machine.output(&values, output + k);
+                let next: Vec<f64> = match is_angle {
+                    true => vec![Ternary::AngleNear.apply([number(1), number(0), own[0]])],
+                    false => (0..own.len()).map(number).collect(),
+                };
+                // On the way it may come apart; where it arrives counts.
+                if share == 1.0 || next.iter().all(|x| x.is_finite()) {
+                    *own = next;
+                }
+            }
+        }
+        found
+    }
+}
+
+/// The parts of a mechanism, with what their inputs are; `closed` is what each is alone.
+pub(crate) fn inner_parts<'m>(
+    algebra: &mut Algebra<'m>,
+    nominal: &Nominal,
+    closed: &[Rc<Closed>],
+) -> Vec<InnerPart<'m>> {
+    let mechanism = algebra.mechanism;
+    let parts = mechanism.parts.iter().zip(closed);
+    let parts = parts.map(|(part, closed)| {
+        let ratio = mechanism.unit.in_units_of(closed.unit);
+        let inputs = part.inputs.iter();
+        let inputs = inputs.map(|&own| match algebra.translate(&named(mechanism, own)) {
+            Value::Vector(vector) => vector.iter().next().unwrap_or(algebra.zero()),
+            scalar => algebra.number(&scalar),
+        });
+        let inputs = inputs.collect();
+        let mut numbers = Vec::new();
+        for name in &part.parameters {
+            match *name {
+                Name::Parameter(index) => {
+                    let own = &mechanism.parameters[index];
+                    let first = own.first_scalar.0;
+                    let count = own.tolerances.len();
+                    numbers.extend_from_slice(&nominal.parameters[first..first + count]);
+                }
+                Name::Let(index) => {
+                    let own = &mechanism.lets[index].value;
+                    let scale = algebra.internal_per_unit(&own.ty);
+                    let found =
+                        algebra.evaluated(&named(mechanism, index), &nominal.parameters, &[]);
+                    numbers.extend(found.into_iter().map(|number| number / scale));
+                }
+                // Parameters are nothing else.
+                Name::Const(_)
+                | Name::Input(_)
+                | Name::Unknown(_)
+                | Name::Argument(_)
+                | Name::Pi => {}
+            }
+        }
+        let scaled = numbers.iter().zip(&closed.parameters);
+        InnerPart {
+            closed: closed.clone(),
+            first_unknown: part.unknowns.start,
+            inputs,
+            needs: mechanism.unknowns_below(&part.inputs),
+            parameters: scaled.map(|(x, own)| x * power(ratio, *own)).collect(),
+            ratio,
+        }
+    });
+    parts.collect()
+}
+
+/// A derived quantity as an expression.
+fn named(mechanism: &Mechanism, index: usize) -> Expr {
+    let own = &mechanism.lets[index].value;
+    Expr {
+        kind: ExprKind::Name(Name::Let(index)),
+        ty: own.ty.clone(),
+        origin: own.origin,
+    }
+}
+
+/// By what a number of a dimension grows where the length unit is so much smaller.
+fn power(ratio: f64, dimension: Dimension) -> f64 {
+    match ratio {
+        1.0 => 1.0,
+        _ => ratio.powf(f64::from(dimension.half_lengths) / 2.0),
+    }
+}
+
+impl<'m> Assembly<'_, 'm> {
+    /// Finds where those parts are whose inputs are known: all unknowns that they are made of are `closed`, or one of their own is among
+    /// those that are closed next.
+    pub(super) fn settle_parts(&mut self, formulation: &Formulation<'m>, closed: usize) {
+        let (before, rest) = formulation.groups.split_at(closed);
+        let is_closed = |unknown: usize| {
+            before
+                .iter()
+                .any(|own| own.group.unknowns.contains(&unknown))
+        };
+        let next = rest.first();
+        let parts = std::mem::take(&mut self.parts);
+        for part in parts {
+            let open: Vec<usize> = part
+                .needs
+                .iter()
+                .copied()
+                .filter(|&own| !is_closed(own))
+                .collect();
+            match open.is_empty() || next.is_some_and(|next| part.is_in(next)) {
+                true => self.settle(&part, &open),
+                false => self.parts.push(part),
+            }
+        }
+    }
+
+    /// The position of a part becomes what its unknowns are estimated by; those of the unknowns that are open are where their own estimates are.
+    fn settle(&mut self, part: &InnerPart<'m>, open: &[usize]) {
+        let mut given = Map::new();
+        for &unknown in open {
+            let estimate = &self.nominal.estimates[unknown];
+            match &self.algebra.names.bound[unknown] {
+                Bound::Angle(angle) => {
+                    let angle = &self.algebra.names.angles[*angle];
+                    let (sin, cos) = estimate[0].sin_cos();
+                    given.insert(angle.cos, cos);
+                    given.insert(angle.sin, sin);
+                    given.insert(angle.value, estimate[0]);
+                }
+                Bound::Lengths(symbols) => {
+                    for ((symbol, _), x) in symbols.iter().zip(estimate) {
+                        given.insert(*symbol, *x);
+                    }
+                }
+            }
+        }
+        let inputs = self
+            .machine
+            .evaluate_open(&part.inputs, &self.nominal.inputs, &given);
+        let closed = &part.closed;
+        let inputs = inputs.iter().zip(&closed.inputs);
+        let inputs: Vec<f64> = inputs.map(|(x, own)| x * power(part.ratio, *own)).collect();
+        let found = closed.led_to(part.parameters.clone(), &inputs);
+        let alone = found.into_iter().zip(&closed.nominal.estimates);
+        for (index, ((found, reference), dimension)) in alone.zip(&closed.dimensions).enumerate() {
+            // What it cannot reach is told where its loops are closed.
+            let known = match found.iter().all(|x| x.is_finite()) {
+                true => &found,
+                false => reference,
+            };
+            let scale = power(part.ratio, *dimension);
+            let known = known.iter().map(|x| x / scale).collect();
+            self.nominal.estimates[part.first_unknown + index] = known;
+        }
+        self.centre(Some(part));
+    }
+}
+
+impl InnerPart<'_> {
+    pub(super) fn has(&self, unknown: usize) -> bool {
+        let own = unknown.checked_sub(self.first_unknown);
+        own.is_some_and(|own| own < self.closed.unknowns.len())
+    }
+
+    fn is_in(&self, solved: &Solved) -> bool {
+        solved
+            .group
+            .unknowns
+            .iter()
+            .any(|&unknown| self.has(unknown))
+    }
+}
+
+impl Mechanism {
+    /// The unknowns that derived quantities are made of, directly or through others.
+    fn unknowns_below(&self, lets: &[usize]) -> Vec<usize> {
+        let mut open: Vec<usize> = lets.to_vec();
+        let mut seen: Vec<usize> = Vec::new();
+        let mut found = Vec::new();
+        while let Some(own) = open.pop() {
+            for name in self.lets[own].value.parts().filter_map(Expr::as_name) {
+                match name {
+                    Name::Let(other) if !seen.contains(&other) => {
+                        seen.push(other);
+                        open.push(other);
+                    }
+                    Name::Unknown(unknown) if !found.contains(&unknown) => found.push(unknown),
+                    _ => {}
+                }
+            }
+        }
+        found
+    }
+}

@@ -1,0 +1,235 @@
+//! What is said of a mechanism that comes apart in its range: dead points, change points.
+
+use std::f64::consts::TAU;
+
+use linkage_core::range_check::{self, Comes, Reaches, not_finite, rounded_inwards};
+use linkage_symbolic::program::Ternary;
+
+use crate::algebra::{ALIKE, Algebra, Bound, ConstantRatio};
+use crate::diagnostic::OriginId;
+use crate::model::Mechanism;
+use crate::words::loop_numbers;
+
+use super::check::range_of;
+use super::dead_point::DeadPoint;
+use super::ranges::{Break, Broken, GRID, Ranges};
+use crate::words::Words;
+
+/// Positions between the reference and a change point at which angles are compared.
+const COMPARED: usize = 8;
+
+/// A message with the words it underlines.
+pub(super) struct Apart {
+    pub(super) origins: [OriginId; 2],
+    pub(super) message: String,
+}
+
+impl<'m> Ranges<'_, 'm> {
+    /// A range that meets a dead point.
+    pub(super) fn apart(&mut self, algebra: &mut Algebra<'m>, at: Break) -> Apart {
+        let words = Words::new(algebra.mechanism);
+        let input = &algebra.mechanism.inputs[at.input];
+        let solved = &self.formulation.groups[at.place.group];
+        let concerned = algebra.inputs_below(&[solved.closed.slack]);
+        let place = words.inputs(&at.place.inputs, &concerned);
+        let loops = loop_numbers(&solved.group.loops);
+        let unknowns = words.unknowns(&solved.group.unknowns);
+        let group = Comes {
+            loops: &loops,
+            unknowns: &unknowns,
+        };
+        if !at.place.finite {
+            return Apart {
+                origins: range_of(input),
+                message: with_help(&not_finite(group, &place, "")),
+            };
+        }
+        let miss = self.largest_miss(&at);
+        let even = match miss == 0.0 {
+            true => self.even(algebra, &at),
+            false => None,
+        };
+        let works = self.works(algebra, &words, &at);
+        let reaches = |picture| Reaches {
+            group,
+            change: miss == 0.0,
+            place: &place,
+            picture,
+            works: works.fact.each_ref().map(String::as_str),
+            range: works.range.each_ref().map(String::as_str),
+        };
+        let message = match even {
+            Some(even) => parallelogram(algebra.mechanism, &words, &at, &even, &reaches("")),
+            None => {
+                let picture = DeadPoint {
+                    algebra,
+                    machine: &self.reference.machine,
+                    words: &words,
+                    solved,
+                    inputs: &at.place.inputs,
+                    reference: &self.nominal.inputs,
+                    miss,
+                }
+                .picture();
+                let picture = picture.map_or_else(String::new, |picture| format!(", {picture}"));
+                let reaches = reaches(&picture);
+                with_help(&[reaches.fact(), reaches.help()])
+            }
+        };
+        Apart {
+            origins: range_of(input),
+            message,
+        }
+    }
+
+    /// A position of a grid over several ranges that does not close.
+    pub(super) fn apart_on_grid(
+        &mut self,
+        algebra: &mut Algebra<'m>,
+        declared: &[usize],
+        at: &Broken,
+    ) -> Apart {
+        let words = Words::new(algebra.mechanism);
+        let solved = &self.formulation.groups[at.group];
+        let concerned = algebra.inputs_below(&[solved.closed.slack]);
+        let loops = loop_numbers(&solved.group.loops);
+        let unknowns = words.unknowns(&solved.group.unknowns);
+        let group = Comes {
+            loops: &loops,
+            unknowns: &unknowns,
+        };
+        let mut declared = declared.iter();
+        let input = declared.clone().find(|k| concerned.contains(k));
+        let input = input.or_else(|| declared.next());
+        let origin = algebra.mechanism.loops[solved.group.written].origin;
+        let place = words.inputs(&at.inputs, &concerned);
+        let how = format!(" (found on a grid of at most {GRID} positions)");
+        let message = match at.finite {
+            true => format!(
+                "{} a dead point at {place}{how}\n\
+                 help: restrict the range, or change the lengths so that the links reach each other all the way",
+                group.apart(),
+            ),
+            false => with_help(&not_finite(group, &place, &how)),
+        };
+        Apart {
+            origins: input.map_or([origin; 2], |&k| range_of(&algebra.mechanism.inputs[k])),
+            message,
+        }
+    }
+
+    /// The stretch around the reference in which it works.
+    fn works(&mut self, algebra: &Algebra, words: &Words, at: &Break) -> Works {
+        let input = &algebra.mechanism.inputs[at.input];
+        let reference = self.nominal.inputs[at.input];
+        let (low, high) = self.nominal.ranges[at.input].unwrap_or((reference, reference));
+        let closing = &self.reference.machine.closing;
+        // Whole turns of an angle look alike, unless something is prepared over the range only.
+        let turns = input.dimension.half_lengths == 0
+            && closing.coupled.is_empty()
+            && closing.valued.is_empty();
+        let (from, to) = match turns {
+            true => (reference - TAU, reference + TAU),
+            false => (low, high),
+        };
+        let [from, to] = [from, to].map(|end| self.reach(at.input, input.dimension, end));
+        let angle = input.dimension.half_lengths == 0;
+        let ([a, b], step) = rounded_inwards([from, to], reference, [low, high], angle);
+        let show = |x| words.rounded_to(input.dimension, x, step);
+        Works {
+            fact: [a, b].map(show),
+            range: [a.max(low), b.min(high)].map(show),
+        }
+    }
+
+    /// The angles of a group, if all of them turn evenly with the input from the reference to its change point.
+    fn even(&mut self, algebra: &Algebra, at: &Break) -> Option<Vec<ConstantRatio>> {
+        let mechanism = algebra.mechanism;
+        if mechanism.inputs[at.input].dimension.half_lengths != 0 {
+            return None;
+        }
+        let (from, to) = (self.nominal.inputs[at.input], at.place.inputs[at.input]);
+        let outputs = self.reference.machine.closing.groups[at.place.group]
+            .unknowns
+            .clone();
+        let mut inputs = self.nominal.inputs.clone();
+        let mut even = Vec::new();
+        for (unknown, output) in outputs {
+            let Bound::Angle(_) = algebra.names.bound[unknown] else {
+                return None;
+            };
+            let estimate = self.nominal.estimates[unknown][0];
+            let mut angle = |ranges: &mut Self, x: f64, near: f64| {
+                inputs[at.input] = x;
+                let machine = &ranges.reference.machine;
+                machine.run(&mut ranges.values, &inputs);
+                let [cos, sin] = [output, output + 1].map(|k| machine.output(&ranges.values, k));
+                Ternary::AngleNear.apply([sin, cos, near])
+            };
+            let here = angle(self, from, estimate);
+            let rate = algebra.candidate_rates(at.input).into_iter().find(|rate| {
+                // Short of the change point itself, where digits are lost.
+                (1..COMPARED).all(|k| {
+                    let x = from + (to - from) * (k as f64 / COMPARED as f64);
+                    let expected = here + rate * (x - from);
+                    (angle(self, x, expected) - expected).abs() < ALIKE
+                })
+            })?;
+            let offset = here - rate * from;
+            even.push(ConstantRatio {
+                unknown,
+                rate,
+                offset,
+            });
+        }
+        (!even.is_empty()).then_some(even)
+    }
+}
+
+/// A stretch of an input in which the mechanism works: as far as it reaches, and as what to write.
+struct Works {
+    fact: [String; 2],
+    range: [String; 2],
+}
+
+/// A message of what happens and of what to do instead.
+fn with_help([fact, help]: &[String; 2]) -> String {
+    format!("{fact}\nhelp: {help}")
+}
+
+/// Links that stay parallel to others as far as the change point: relations say so without a second assembly.
+fn parallelogram(
+    mechanism: &Mechanism,
+    words: &Words,
+    at: &Break,
+    even: &[ConstantRatio],
+    reaches: &Reaches,
+) -> String {
+    let input = &mechanism.inputs[at.input].name;
+    let relations: Vec<String> = even
+        .iter()
+        .map(|own| {
+            let name = &mechanism.unknowns[own.unknown].name;
+            format!("`let {name} = {};`", own.relation(input))
+        })
+        .collect();
+    let loops = range_check::loop_list(reaches.group.loops);
+    let is = match reaches.group.loops.len() {
+        1 => "is",
+        _ => "are",
+    };
+    let instead = match even.len() {
+        1 => "unknown",
+        _ => "unknowns",
+    };
+    format!(
+        "the mechanism comes apart in this range: {loops} ({}) {is} a parallelogram, and at {} it reaches its change point, where all links lie in \
+         line and it may go on as a crossed one; {}\n\
+         help: if it stays a parallelogram, write {} instead of the {instead} and leave {loops} out; else {}",
+        reaches.group.unknowns,
+        words.inputs(&at.place.inputs, &[at.input]),
+        reaches.works(),
+        relations.join(" and "),
+        reaches.range(),
+    )
+}

@@ -1,0 +1,57 @@
+//! The check over the ranges of several inputs.
+
+use linkage_core::numeric::continuation::{Correction, dead_point};
+use linkage_core::range_check::ROUNDING;
+
+use super::numbers::Numbers;
+use super::ranges::{Broken, Grid, Ranges};
+use crate::ir::Start;
+
+impl Ranges<'_, '_> {
+    /// The first position of a grid over several inputs that cannot be assembled. Where a coupled group is not prepared, the dead point on
+    /// the way there counts.
+    pub(super) fn grid_failure(&mut self, declared: &[usize]) -> Option<Broken> {
+        let grid = Grid::new(self.nominal, declared);
+        (0..grid.count).find_map(|position| {
+            let inputs = grid.inputs(self.nominal, position);
+            let (slack, group) = self.slack(&inputs);
+            if slack >= -ROUNDING {
+                return None;
+            }
+            let broken = |inputs, finite| Broken {
+                inputs,
+                group,
+                finite,
+            };
+            match self.unprepared(group, &inputs).filter(|_| slack.is_nan()) {
+                Some(None) => None,
+                Some(Some(at)) => Some(broken(at, true)),
+                None => Some(broken(inputs, !slack.is_nan())),
+            }
+        })
+    }
+
+    /// Of a coupled group that is prepared over several inputs, at inputs for which it may not be: those at the dead point on the straight
+    /// way there from the reference, if there is one. `None` for other groups, and where the
+    /// equations are not finite.
+    fn unprepared(&self, group: usize, inputs: &[f64]) -> Option<Option<Vec<f64>>> {
+        let number = self.formulation.groups[group].prepared.as_ref()?.number;
+        let machine = &self.reference.machine;
+        let Some(Start::Grid(grid)) = &machine.starts[number] else {
+            return None;
+        };
+        let reference = &self.nominal.inputs;
+        let (mut numbers, from) = Numbers::new(machine, number, reference);
+        let (_, to) = Numbers::new(machine, number, inputs);
+        let mut state = vec![0.0; grid.width()];
+        grid.state(&from, &mut state);
+        if !numbers.correct(&to, &mut state.clone()).size.is_finite() {
+            return None;
+        }
+        let share = dead_point(&mut numbers, &from, &state, &to);
+        Some(share.map(|share| {
+            let pairs = reference.iter().zip(inputs);
+            pairs.map(|(a, b)| a + share * (b - a)).collect()
+        }))
+    }
+}

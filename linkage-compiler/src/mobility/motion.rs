@@ -1,0 +1,199 @@
+//! Null vectors as motions: shifts, turns and screws of bodies, changes of other unknowns.
+
+use std::f64::consts::TAU;
+
+use crate::model::{Dimension, Type};
+use crate::vector::{Vector, cross, dot, norm};
+
+use super::null_space::{LITTLE, largest, vectors};
+use super::{Mover, Position, Rows};
+use crate::words::numbers;
+
+/// So many motions are told.
+const TOLD: usize = 3;
+
+/// Shown shares are rounded to this.
+const THOUSANDTH: f64 = 1e-3;
+
+/// Shown coordinates are rounded to this part of the longest length: differences know no more.
+const SHOWN: f64 = 1e-4;
+
+impl Position<'_, '_> {
+    /// `body` can turn about ..., `a` and `b` can change in the ratio ...
+    pub(super) fn motion(&self, rows: &Rows, last: f64) -> Option<String> {
+        let all = simple(vectors(&rows.matrix, rows.columns.len(), last), rows, self);
+        let count = all.len();
+        let told = all.iter().take(TOLD).map(|one| self.words_of(one, rows));
+        let told: Vec<String> = told.collect();
+        match count {
+            0 => None,
+            _ if count > TOLD => Some(format!("{}, and {} more", told.join("; "), count - TOLD)),
+            _ => Some(told.join("; ")),
+        }
+    }
+
+    fn words_of(&self, vector: &[f64], rows: &Rows) -> String {
+        let most = largest(vector);
+        let mut parts: Vec<String> = Vec::new();
+        let mut unknowns: Vec<(usize, Vec<f64>)> = Vec::new();
+        for (index, mover) in self.movers.iter().enumerate() {
+            let own = own_part(vector, rows, index);
+            if largest(&own) <= LITTLE * most {
+                continue;
+            }
+            match mover {
+                Mover::Body { name, origin, .. } => {
+                    let origin = [0, 1, 2].map(|k| self.values[*origin][k]);
+                    parts.push(format!("`{name}` can {}", self.twist(&own, origin)));
+                }
+                Mover::Component { unknown, component } => {
+                    let count = self.values[*unknown].len();
+                    if unknowns.last().is_none_or(|(last, _)| last != unknown) {
+                        unknowns.push((*unknown, vec![0.0; count]));
+                    }
+                    if let Some((_, change)) = unknowns.last_mut() {
+                        change[*component] = own[0] / most;
+                    }
+                }
+            }
+        }
+        if !unknowns.is_empty() {
+            let changes = unknowns
+                .iter()
+                .enumerate()
+                .map(|(place, (unknown, change))| {
+                    let item = &self.mechanism.unknowns[*unknown];
+                    let change: Vec<f64> =
+                        change.iter().map(|x| self.shown(*unknown, *x)).collect();
+                    let can = if place == 0 { " can change" } else { "" };
+                    let change = self.words.coordinate(&item.ty, &change);
+                    format!("`{}`{can} by {change}", item.name)
+                });
+            let together = if unknowns.len() > 1 { " together" } else { "" };
+            parts.push(format!("{}{together}", list(changes.collect())));
+        }
+        parts.join(" while ")
+    }
+
+    /// A share of an unknown as the change of an angle by a degree, or as far as the longest length turns by it.
+    fn shown(&self, unknown: usize, share: f64) -> f64 {
+        let degree = 1_f64.to_radians();
+        let dimension = self.mechanism.unknowns[unknown].ty.dimension();
+        match dimension.is_some_and(|own| own.half_lengths != 0) {
+            true => self.rounded(share * degree * self.length, degree * self.length),
+            // Whole thousandths of a degree.
+            false => (share / THOUSANDTH).round() * THOUSANDTH * degree,
+        }
+    }
+
+    /// A body's shift and turn, both as long as the longest length turns.
+    fn twist(&self, own: &[f64], origin: Vector) -> String {
+        let shift: Vector = [0, 1, 2].map(|k| self.length * own[k]);
+        let turn: Vector = [0, 1, 2].map(|k| own[3 + k]);
+        if norm(turn) * self.length <= LITTLE * norm(shift) {
+            return format!("shift along {}", direction(shift));
+        }
+        let square = dot(turn, turn);
+        let foot = cross(turn, shift).map(|x| x / square);
+        let point = [0, 1, 2].map(|k| self.rounded(origin[k] + foot[k], self.length));
+        let lengths = Type::Vector(3, Dimension::LENGTH);
+        let line = format!(
+            "the line through {} along {}",
+            self.words.vector(&lengths, &point),
+            direction(turn)
+        );
+        let pitch = TAU * dot(shift, turn) / square;
+        if pitch.abs() <= LITTLE * self.length {
+            return format!("turn about {line}");
+        }
+        let pitch = self.rounded(pitch, self.length);
+        format!(
+            "turn about {line} and shift along it, by {} in a turn",
+            self.words.scalar(Dimension::LENGTH, pitch)
+        )
+    }
+
+    /// Without the digits that are rounding of something of this size.
+    fn rounded(&self, x: f64, size: f64) -> f64 {
+        let step = 10_f64.powf((SHOWN * size).log10().floor());
+        (x / step).round() * step + 0.0
+    }
+}
+
+/// `a, b and c`
+pub(super) fn list(words: Vec<String>) -> String {
+    match &words[..] {
+        [before @ .., last] if !before.is_empty() => format!("{} and {last}", before.join(", ")),
+        _ => words.concat(),
+    }
+}
+
+/// A direction of length 1, the first number that is not zero positive.
+fn direction(v: Vector) -> String {
+    let size = norm(v);
+    let unit = v.map(|x| (x / size / SHOWN).round() * SHOWN);
+    let first = unit.into_iter().find(|x| *x != 0.0).unwrap_or(1.0);
+    let shown = numbers(&unit.map(|x| x * first.signum() + 0.0));
+    format!("({})", shown.join(", "))
+}
+
+/// The shares of one that moves.
+fn own_part(vector: &[f64], rows: &Rows, mover: usize) -> Vec<f64> {
+    let pairs = vector.iter().zip(&rows.columns);
+    let own = pairs.filter(|(_, column)| column.0 == mover);
+    own.map(|(x, _)| *x).collect()
+}
+
+/// Motions that are easy to tell: shifts by themselves, and turns without shifts that are possible without them.
+fn simple(mut all: Vec<Vec<f64>>, rows: &Rows, position: &Position) -> Vec<Vec<f64>> {
+    let is_turn = |(mover, way): (usize, usize)| {
+        matches!(position.movers[mover], Mover::Body { .. }) && way >= 3
+    };
+    let turns: Vec<usize> = (0..rows.columns.len())
+        .filter(|&k| is_turn(rows.columns[k]))
+        .collect();
+    // Turns are eliminated from one motion after the other, the largest first: what is left only shifts.
+    let mut turning = Vec::new();
+    while let Some((index, place)) = largest_of(&all, &turns) {
+        let own = all.swap_remove(index);
+        for other in all.iter_mut().chain(&mut turning) {
+            let factor = other[place] / own[place];
+            take(other, factor, &own);
+        }
+        turning.push(own);
+    }
+    let mut shifts: Vec<Vec<f64>> = Vec::new();
+    for mut own in all {
+        shifts.iter().for_each(|before| project(&mut own, before));
+        shifts.push(own);
+    }
+    for own in &mut turning {
+        shifts.iter().for_each(|shift| project(own, shift));
+    }
+    let mut all = turning;
+    all.extend(shifts);
+    all.sort_by_key(|own| {
+        own.iter()
+            .filter(|x| x.abs() > LITTLE * largest(own))
+            .count()
+    });
+    all
+}
+
+/// The motion and the place of the largest turn; nothing if none turns.
+fn largest_of(all: &[Vec<f64>], turns: &[usize]) -> Option<(usize, usize)> {
+    let places = (0..all.len()).flat_map(|index| turns.iter().map(move |&place| (index, place)));
+    let share = |&(index, place): &(usize, usize)| all[index][place].abs() / largest(&all[index]);
+    let best = places.max_by(|a, b| share(a).total_cmp(&share(b)))?;
+    (share(&best) > LITTLE).then_some(best)
+}
+
+fn take(from: &mut [f64], factor: f64, own: &[f64]) {
+    from.iter_mut().zip(own).for_each(|(x, y)| *x -= factor * y);
+}
+
+fn project(from: &mut [f64], onto: &[f64]) {
+    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+    let factor = product(from, onto) / product(onto, onto);
+    take(from, factor, onto);
+}

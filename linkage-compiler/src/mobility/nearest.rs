@@ -1,0 +1,104 @@
+//! Where loops that do not close come nearest to it: by how much each misses there, and how its unknowns can move.
+//!
+//! There the misses are a left null vector of the loops: like the forces of stretched links they hold each other, and no motion makes all of them
+//! less.
+
+use linkage_core::numeric::least_squares::{self, CLOSED, Equations, minimise};
+use linkage_symbolic::Graph;
+
+use super::loops::Loops;
+use super::motion::list;
+use super::null_space::{LITTLE, NEARLY_ZERO, largest};
+use super::{Position, Rows};
+use crate::model::Type;
+
+/// So many loops are told.
+const TOLD: usize = 6;
+
+/// Where loops come nearest to closing, in words.
+pub(crate) struct Nearest {
+    /// `loop 1 by 12.3mm and loop 4 by -2.1mm`, the largest first.
+    pub(crate) missing: String,
+    /// `body` can turn about ...
+    pub(crate) motion: Option<String>,
+}
+
+impl Position<'_, '_> {
+    /// Where the loops come nearest to closing; nothing if they close, or if that is not found out.
+    pub(crate) fn nearest(&self) -> Option<Nearest> {
+        let graph = Graph::new();
+        let mut loops = Loops::new(self.mechanism, &graph);
+        let (there, rows) = minimise(&mut loops, self.clone())?;
+        let most = largest(&rows.missed);
+        (most > CLOSED).then(|| Nearest {
+            missing: there.missing(&rows, &loops),
+            motion: there.motion(&rows, NEARLY_ZERO),
+        })
+    }
+
+    /// By how much each loop misses, the largest first.
+    fn missing(&self, rows: &Rows, loops: &Loops) -> String {
+        let mut all: Vec<(usize, f64, Vec<f64>)> = Vec::new();
+        for (row, (&index, missed)) in rows.loops.iter().zip(&rows.missed).enumerate() {
+            let value = missed * loops.unit(rows.kept[row], self.length);
+            match all.last_mut().filter(|(last, ..)| *last == index) {
+                Some((_, size, components)) => {
+                    *size = size.hypot(*missed);
+                    components.push(value);
+                }
+                None => all.push((index, missed.abs(), vec![value])),
+            }
+        }
+        let most = all
+            .iter()
+            .fold(0.0, |most: f64, (_, size, _)| most.max(*size));
+        all.retain(|(_, size, _)| *size > LITTLE * most);
+        all.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let told = all.iter().take(TOLD).map(|(index, _, value)| {
+            let ty = &self.mechanism.loops[*index].left.ty;
+            let by = match (ty, &value[..]) {
+                (Type::Scalar(dimension), [x]) if dimension.half_lengths <= 2 => {
+                    self.words.rounded(*dimension, *x)
+                }
+                _ => self.words.value(ty, value),
+            };
+            format!("loop {} by {by}", index + 1)
+        });
+        let told: Vec<String> = told.collect();
+        match all.len() - told.len() {
+            0 => list(told),
+            more => format!("{}, and {more} more by less", told.join(", ")),
+        }
+    }
+}
+
+impl<'w, 'm> Equations<Position<'w, 'm>> for Loops<'_> {
+    type Rows = Rows;
+
+    fn rows(&mut self, at: &Position<'w, 'm>) -> Option<Rows> {
+        at.rows(self)
+    }
+
+    fn misses(&mut self, at: &Position<'w, 'm>, rows: &Rows) -> Vec<f64> {
+        let all = self.missed(at, &at.values);
+        rows.kept.iter().map(|&k| all[k]).collect()
+    }
+
+    fn after(&mut self, at: &Position<'w, 'm>, rows: &Rows, changes: &[f64]) -> Position<'w, 'm> {
+        let mut next = at.clone();
+        for (&column, own) in rows.columns.iter().zip(changes) {
+            at.shift(&mut next.values, column, *own);
+        }
+        next
+    }
+}
+
+impl least_squares::Rows for Rows {
+    fn missed(&self) -> &[f64] {
+        &self.missed
+    }
+
+    fn matrix(&self) -> &[Vec<f64>] {
+        &self.matrix
+    }
+}

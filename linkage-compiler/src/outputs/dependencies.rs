@@ -1,0 +1,114 @@
+//! What of a mechanism with parts a function is made of.
+
+use crate::model::{EvaluatorDef, Expr, ExprKind, Leaf, Mechanism, Name};
+use crate::solve::Formulation;
+use crate::structure::Scope;
+
+/// The formulas that a function of a mechanism with parts is made of, those of each part that it touches all of them; `None` if they are those
+/// of the whole mechanism.
+pub(super) fn scope(
+    mechanism: &Mechanism,
+    formulation: &Formulation,
+    function: &EvaluatorDef,
+) -> Option<Scope> {
+    if mechanism.parts.is_empty() || function.asks_of_bodies() {
+        return None;
+    }
+    let values = || function.quantities.iter().map(|own| &own.value);
+    let mut touched = Touched {
+        mechanism,
+        formulation,
+        scope: Scope::nothing(mechanism),
+        leaves: vec![false; mechanism.leaves.len()],
+        open: values().collect(),
+    };
+    touched.follow();
+    let asks_margin = || {
+        let mut parts = values().flat_map(Expr::parts);
+        parts.any(|part| matches!(part.kind, ExprKind::Margin))
+    };
+    // The margin alone is that of all groups.
+    let moves = touched.scope.unknowns.contains(&true);
+    (moves || !asks_margin()).then_some(touched.scope)
+}
+
+struct Touched<'m, 'g> {
+    mechanism: &'m Mechanism,
+    formulation: &'g Formulation<'m>,
+    scope: Scope,
+    leaves: Vec<bool>,
+    open: Vec<&'m Expr>,
+}
+
+/// Whether something is new, which it is no more.
+fn first(seen: &mut bool) -> bool {
+    !std::mem::replace(seen, true)
+}
+
+impl Touched<'_, '_> {
+    fn follow(&mut self) {
+        while let Some(value) = self.open.pop() {
+            for name in value.parts().filter_map(Expr::as_name) {
+                match name {
+                    Name::Let(own) => self.touch_let(own),
+                    Name::Unknown(unknown) => self.touch_unknown(unknown),
+                    Name::Const(_)
+                    | Name::Parameter(_)
+                    | Name::Input(_)
+                    | Name::Argument(_)
+                    | Name::Pi => {}
+                }
+            }
+        }
+    }
+
+    fn touch_let(&mut self, own: usize) {
+        if first(&mut self.scope.lets[own]) {
+            self.open.push(&self.mechanism.lets[own].value);
+            self.touch_leaf(|leaf| leaf.lets.contains(&own));
+        }
+    }
+
+    /// An unknown is made of all that the loops of its groups are.
+    fn touch_unknown(&mut self, unknown: usize) {
+        if !first(&mut self.scope.unknowns[unknown]) {
+            return;
+        }
+        self.touch_leaf(|leaf| leaf.unknowns.contains(&unknown));
+        let groups = self.formulation.groups.iter().map(|own| &own.group);
+        for group in groups.filter(|own| own.unknowns.contains(&unknown)) {
+            group.loops.iter().for_each(|&own| self.touch_loop(own));
+            group
+                .unknowns
+                .iter()
+                .for_each(|&own| self.touch_unknown(own));
+        }
+        // Those that say what the axes of an unknown frame are stand in no group.
+        let origin = self.mechanism.unknowns[unknown].origin;
+        let loops = self.mechanism.loops.iter().enumerate();
+        for (own, _) in loops.filter(|(_, own)| own.origin == origin) {
+            self.touch_loop(own);
+        }
+    }
+
+    fn touch_loop(&mut self, own: usize) {
+        if first(&mut self.scope.loops[own]) {
+            let item = &self.mechanism.loops[own];
+            self.open.extend([&item.left, &item.right]);
+            self.touch_leaf(|leaf| leaf.loops.contains(&own));
+        }
+    }
+
+    /// A part is as in its own mechanism, where all formulas stand beside each other.
+    fn touch_leaf(&mut self, is_in: impl Fn(&Leaf) -> bool) {
+        let Some(number) = self.mechanism.leaves.iter().position(is_in) else {
+            return;
+        };
+        if first(&mut self.leaves[number]) {
+            let leaf = self.mechanism.leaves[number].clone();
+            leaf.lets.for_each(|own| self.touch_let(own));
+            leaf.loops.for_each(|own| self.touch_loop(own));
+            leaf.unknowns.for_each(|own| self.touch_unknown(own));
+        }
+    }
+}

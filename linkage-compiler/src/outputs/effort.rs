@@ -1,0 +1,252 @@
+//! How much work the directions of sensitivities are, before one of them is built.
+//!
+//! Forward solves each group for each parameter that acts on it or on what it is made of; backwards solves each group for each
+//! number that is differentiated. In long chains one of the two grows with the square of the number of groups while the results
+//! grow with the number. Such a direction cannot cost least, and is not built.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use linkage_symbolic::unordered::{Map, Set};
+use linkage_symbolic::{SymbolId, program::Source};
+
+use crate::algebra::{Algebra, Direction};
+use crate::model::{EvaluatorDef, Expr, ExprKind, Name, Shape, Variable};
+use crate::solve::Formulation;
+
+/// So many systems are solved in every direction: some hundredths of a second.
+const FEW: usize = 4000;
+
+/// A direction that solves so many times as many systems as another one, results counted, is not built. The programs differ
+/// by much less than the numbers of systems: what is solved for one variable is shared.
+const MUCH: usize = 4;
+
+/// Systems that the derivatives of a function solve.
+#[derive(Default)]
+struct Effort {
+    forward: usize,
+    backward: usize,
+    results: usize,
+}
+
+/// The directions in which the derivatives by parameters of a function are worth building, in order.
+pub(super) fn directions<'m>(
+    algebra: &mut Algebra<'m>,
+    formulation: &Formulation<'m>,
+    definition: &EvaluatorDef,
+) -> Vec<Direction> {
+    let effort = effort(algebra, formulation, definition);
+    let too_much =
+        |own: usize, other: usize| own > FEW && own / MUCH > other.saturating_add(effort.results);
+    let [forward, backward] = [
+        too_much(effort.forward, effort.backward),
+        too_much(effort.backward, effort.forward),
+    ];
+    let all = Direction::ALL.into_iter();
+    let worth = all.filter(|own| match own {
+        Direction::Forward => !forward,
+        Direction::FromResults | Direction::FromUnknowns | Direction::Gradient => !backward,
+    });
+    worth.collect()
+}
+
+/// What is differentiated by which parameters.
+struct Asked<'a> {
+    of: &'a Expr,
+    parameters: Vec<usize>,
+    /// How often it is differentiated by parameters.
+    order: u32,
+    /// How many numbers it has.
+    width: usize,
+}
+
+fn effort<'m>(
+    algebra: &mut Algebra<'m>,
+    formulation: &Formulation<'m>,
+    definition: &EvaluatorDef,
+) -> Effort {
+    let quantities = definition.quantities.iter();
+    let parts = quantities.flat_map(|own| own.value.parts());
+    let all: Vec<Asked> = parts.filter_map(asked).collect();
+    let results = all.iter().map(|own| own.width * own.parameters.len()).sum();
+    let groups = formulation.groups.len();
+    let most = |own: &Asked| {
+        let forward = own.parameters.len().saturating_pow(own.order);
+        forward.max(own.width).saturating_mul(groups)
+    };
+    // Most functions are small, whatever depends on what.
+    if all.iter().map(most).fold(0, usize::saturating_add) <= FEW {
+        return Effort {
+            results,
+            ..Effort::default()
+        };
+    }
+    let mut before = Before::new(algebra, formulation);
+    let mut places: Map<SymbolId, usize> = Map::new();
+    for source in all.iter().flat_map(|own| &own.parameters) {
+        if let Some(symbol) = before.algebra.graph.find_source(Source::Parameter(*source)) {
+            let next = places.len();
+            places.entry(symbol).or_insert(next);
+        }
+    }
+    // Rates are shared by all quantities.
+    let mut solved: BTreeMap<usize, Bits> = BTreeMap::new();
+    let mut backward = 0;
+    for own in &all {
+        let below = before.below(own.of);
+        backward += own.width * below.len();
+        let sources = own.parameters.iter().map(|&own| Source::Parameter(own));
+        let graph = before.algebra.graph;
+        let symbols = sources.filter_map(|source| graph.find_source(source));
+        let mask = Bits::new(symbols.filter_map(|symbol| places.get(&symbol).copied()));
+        for group in below {
+            let acting = before.acting(group, &places).and(&mask);
+            solved.entry(group).or_default().add(&acting);
+        }
+    }
+    let order = all.iter().map(|own| own.order).max().unwrap_or(1);
+    let forward = solved.values().map(|own| own.count().saturating_pow(order));
+    Effort {
+        forward: forward.fold(0, usize::saturating_add),
+        backward,
+        results,
+    }
+}
+
+fn asked(part: &Expr) -> Option<Asked<'_>> {
+    let (of, parameters) = match &part.kind {
+        ExprKind::Sensitivity(of, all) => (of, all.iter().map(|own| own.0).collect()),
+        ExprKind::Derivative(of, all) => (of, parameters(all)),
+        _ => return None,
+    };
+    let before = of.parts().filter(|part| is_by_parameters(part));
+    Some(Asked {
+        order: 1 + before.count() as u32,
+        width: Shape::of(&of.ty).width(),
+        of,
+        parameters,
+    })
+    .filter(|own| !own.parameters.is_empty())
+}
+
+fn parameters(all: &[Variable]) -> Vec<usize> {
+    let parameter = |own: &Variable| match own {
+        Variable::Parameter(parameter) => Some(parameter.0),
+        Variable::Input(_) => None,
+    };
+    all.iter().filter_map(parameter).collect()
+}
+
+fn is_by_parameters(part: &Expr) -> bool {
+    match &part.kind {
+        ExprKind::Sensitivity(..) => true,
+        ExprKind::Derivative(_, all) => !parameters(all).is_empty(),
+        _ => false,
+    }
+}
+
+/// A set of small numbers.
+#[derive(Clone, Debug, Default)]
+struct Bits(Vec<u64>);
+
+impl Bits {
+    fn new(all: impl IntoIterator<Item = usize>) -> Self {
+        let mut bits = Self::default();
+        for own in all {
+            let word = own / 64;
+            if bits.0.len() <= word {
+                bits.0.resize(word + 1, 0);
+            }
+            bits.0[word] |= 1 << (own % 64);
+        }
+        bits
+    }
+
+    fn add(&mut self, other: &Self) {
+        if self.0.len() < other.0.len() {
+            self.0.resize(other.0.len(), 0);
+        }
+        let pairs = self.0.iter_mut().zip(&other.0);
+        pairs.for_each(|(own, other)| *own |= other);
+    }
+
+    fn and(&self, other: &Self) -> Self {
+        let pairs = self.0.iter().zip(&other.0);
+        Self(pairs.map(|(own, other)| own & other).collect())
+    }
+
+    fn count(&self) -> usize {
+        self.0.iter().map(|word| word.count_ones() as usize).sum()
+    }
+}
+
+/// What groups are made of.
+struct Before<'a, 'm> {
+    algebra: &'a mut Algebra<'m>,
+    groups: usize,
+    /// The groups that find an unknown.
+    with: Map<usize, Vec<usize>>,
+    /// The parameters that act on a group or on what it is made of.
+    acting: Map<usize, Bits>,
+}
+
+impl<'a, 'm> Before<'a, 'm> {
+    fn new(algebra: &'a mut Algebra<'m>, formulation: &Formulation<'m>) -> Self {
+        let mut with: Map<usize, Vec<usize>> = Map::new();
+        for (index, solved) in formulation.groups.iter().enumerate() {
+            for &unknown in &solved.group.unknowns {
+                with.entry(unknown).or_default().push(index);
+            }
+        }
+        Self {
+            algebra,
+            groups: formulation.groups.len(),
+            with,
+            acting: Map::new(),
+        }
+    }
+
+    /// The groups that an expression is made of, in order.
+    fn below(&mut self, expr: &Expr) -> BTreeSet<usize> {
+        let is_of_all =
+            |part: &Expr| matches!(part.kind, ExprKind::Mechanics(_) | ExprKind::Margin);
+        if expr.parts().any(is_of_all) {
+            return (0..self.groups).collect();
+        }
+        let mechanism = self.algebra.mechanism;
+        let mut found = BTreeSet::new();
+        let mut seen = Set::new();
+        let mut open = vec![expr];
+        while let Some(next) = open.pop() {
+            for name in next.parts().filter_map(Expr::as_name) {
+                if let Name::Unknown(unknown) = name {
+                    found.extend(self.with.get(&unknown).into_iter().flatten());
+                }
+                if let Name::Let(own) = name
+                    && seen.insert(own)
+                {
+                    open.push(&mechanism.lets[own].value);
+                }
+            }
+        }
+        let mut open: Vec<usize> = found.iter().copied().collect();
+        while let Some(group) = open.pop() {
+            let earlier = self.algebra.groups_before(group).into_iter();
+            open.extend(earlier.filter(|&earlier| found.insert(earlier)));
+        }
+        found
+    }
+
+    /// The parameters, by their places, that act on a group or on what it is made of. What that is has been asked before.
+    fn acting(&mut self, group: usize, places: &Map<SymbolId, usize>) -> Bits {
+        if let Some(known) = self.acting.get(&group) {
+            return known.clone();
+        }
+        let own = self.algebra.acting_on_group(group);
+        let mut acting = Bits::new(own.iter().filter_map(|own| places.get(own).copied()));
+        for earlier in self.algebra.groups_before(group) {
+            acting.add(self.acting.get(&earlier).unwrap_or(&Bits::default()));
+        }
+        self.acting.insert(group, acting.clone());
+        acting
+    }
+}

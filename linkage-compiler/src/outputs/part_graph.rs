@@ -1,0 +1,148 @@
+//! Functions of some parts of a mechanism, made as if nothing else stood beside them.
+//!
+//! Node numbers order sums, and what parts share (the shaft, a number) would order them in another way than in a part's own mechanism: it would
+//! cost more or less by an operation, and round otherwise. So the formulas that a function touches are solved once more, in a graph of their own.
+
+use linkage_symbolic::Graph;
+use linkage_symbolic::inline::Inliner;
+use linkage_symbolic::program::Source;
+
+use crate::algebra::{Algebra, Angle};
+use crate::diagnostic::{Diagnostics, Reporter};
+use crate::forces::Forces;
+use crate::model::EvaluatorDef;
+use crate::solve::{Formulation, Solved, formulate};
+use crate::structure::{Scope, decompose};
+
+use super::isolated::Alone;
+use super::{AtReference, State, solved};
+
+/// Some parts of a mechanism, solved.
+pub(super) struct Apart<'m> {
+    algebra: Algebra<'m>,
+    formulation: Formulation<'m>,
+    inliner: Inliner,
+    numbers: Numbers,
+}
+
+/// What modes, coupled groups and angles are in the whole mechanism.
+struct Numbers {
+    modes: Vec<usize>,
+    coupled: Vec<usize>,
+    angles: Vec<usize>,
+}
+
+impl<'m> Apart<'m> {
+    /// Solves what is looked at, in an empty graph. `None` if the groups are not those of the whole mechanism, whose modes choose the assembly.
+    pub(super) fn new<'w: 'm>(
+        algebra: &Algebra<'w>,
+        formulation: &Formulation<'w>,
+        at: AtReference,
+        scope: &Scope,
+        graph: &'m Graph,
+        reporter: &Reporter,
+    ) -> Option<Self> {
+        let mut own = Algebra::new(algebra.mechanism, graph);
+        // What could be said has been said of the whole mechanism.
+        let mut diagnostics = Diagnostics::default();
+        let silent = Reporter {
+            origins: reporter.origins,
+            diagnostics: &mut diagnostics,
+        };
+        let structure = decompose(&mut own, at.written, scope, silent);
+        if !diagnostics.is_empty() {
+            return None;
+        }
+        let solution = formulate(&mut own, at.written, structure, formulation.in_cells());
+        let numbers = Numbers::find(
+            [&algebra.names.angles, &own.names.angles],
+            formulation,
+            &solution,
+        )?;
+        Some(Self {
+            inliner: solved(&own, &solution),
+            algebra: own,
+            formulation: solution,
+            numbers,
+        })
+    }
+
+    /// A function of nothing else.
+    pub(super) fn function(
+        &mut self,
+        at: AtReference,
+        definition: &'m EvaluatorDef,
+        reporter: &mut Reporter,
+    ) -> Alone {
+        let state = &mut State {
+            algebra: &mut self.algebra,
+            forces: &mut Forces::default(),
+            formulation: &self.formulation,
+            drawn: Vec::new(),
+        };
+        let alone = Alone::new(state, at, &self.inliner, definition, reporter);
+        alone.graph.move_sources(|source| self.numbers.of(source));
+        alone
+    }
+}
+
+impl Numbers {
+    fn find(
+        [angles, own_angles]: [&[Angle]; 2],
+        formulation: &Formulation,
+        own: &Formulation,
+    ) -> Option<Self> {
+        let mut numbers = Self {
+            modes: Vec::new(),
+            coupled: Vec::new(),
+            angles: Vec::new(),
+        };
+        let mut groups = formulation.groups.iter();
+        for group in &own.groups {
+            // Both are in the order of what stands where, and groups between belong to others.
+            let same = groups.clone().position(|other| are_same(group, other))?;
+            let other = groups.nth(same)?;
+            numbers.modes.extend(other.mode);
+            let prepared = other.prepared.as_ref();
+            numbers.coupled.extend(prepared.map(|own| own.number));
+        }
+        let mut taken = vec![false; angles.len()];
+        for angle in own_angles {
+            let all = angles.iter().zip(&taken);
+            let same = |other: &Angle| {
+                let [own, other] = [angle, other].map(|own| (own.unknown, own.summands()));
+                own == other
+            };
+            let mut all = all.map(|(other, taken)| !taken && same(other));
+            let found = all.position(|is_same| is_same)?;
+            taken[found] = true;
+            numbers.angles.push(found);
+        }
+        Some(numbers)
+    }
+
+    fn of(&self, source: Source) -> Source {
+        match source {
+            Source::Mode(mode) => Source::Mode(self.modes[mode]),
+            Source::Centre(angle) => Source::Centre(self.angles[angle]),
+            Source::Winding(angle, input) => Source::Winding(self.angles[angle], input),
+            Source::State(group, component) => Source::State(self.coupled[group], component),
+            Source::Parameter(_)
+            | Source::Input(_)
+            | Source::Prepared(_)
+            | Source::Carried(_)
+            | Source::Limit => source,
+        }
+    }
+}
+
+/// Whether two groups find the same unknowns in the same way.
+fn are_same(a: &Solved, b: &Solved) -> bool {
+    let [a, b] = [a, b].map(|own| {
+        let (group, closed) = (&own.group, &own.closed);
+        let found = (&group.unknowns, &group.loops, group.written);
+        let way = (&closed.kind, closed.method, own.mode.is_some());
+        (found, way, own.prepared.is_some())
+    });
+    a == b
+}

@@ -1,0 +1,336 @@
+//! Requested quantities as graph nodes: values, derivatives, sensitivities, margins.
+
+use linkage_symbolic::{Ex, SymbolId, Vector, Vn};
+
+use crate::algebra::{Algebra, Direction, Shortcuts, Translate, Value};
+use crate::forces::Forces;
+use crate::model::{EvaluatorDef, Expr, ExprKind, Type, VECTORS_OF_PLANE, Variable};
+use crate::solve::Formulation;
+
+use super::State;
+
+/// What one function computes.
+#[derive(Debug, Default)]
+pub(super) struct Requested<'m> {
+    /// All scalars in the order of the fields.
+    pub(super) scalars: Vec<Ex<'m>>,
+    /// The quantities before they were differentiated: they tell which inputs the function is about.
+    pub(super) underlying: Vec<Ex<'m>>,
+    /// Inputs that the function differentiates by.
+    pub(super) variables: Vec<usize>,
+    /// What it differentiates by parameters, each once.
+    pub(super) sensed: Vec<Ex<'m>>,
+}
+
+/// How a function finds what it asks for; all ways have equal results.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Way {
+    /// Of derivatives by parameters.
+    pub(super) direction: Direction,
+    /// Whether points at the ends of links are reached by the other sides of the loops that the links close.
+    pub(super) other_sides: bool,
+    /// What derivatives make use of.
+    pub(super) shortcuts: Shortcuts,
+}
+
+/// What a function asks for, as expressions.
+pub(super) fn request<'m>(
+    state: &mut State<'_, 'm>,
+    definition: &EvaluatorDef,
+    way: Way,
+) -> Requested<'m> {
+    if state.algebra.use_shortcuts(way.shortcuts) {
+        state.forces.forget_derivatives();
+    }
+    let mut request = Request {
+        algebra: &mut *state.algebra,
+        forces: &mut *state.forces,
+        drawn: &state.drawn,
+        definition,
+        way,
+        margin: None,
+        asks_margin: false,
+        with_reactions: definition.asks_for_reactions(),
+        requested: Requested::default(),
+    };
+    let scalars = request.all();
+    if !request.asks_margin {
+        request.requested.scalars = scalars;
+        return request.requested;
+    }
+    // Which groups the margin is taken over follows from the other quantities.
+    let margin = request.margin_over(state.formulation, &scalars);
+    request.margin = Some(margin);
+    request.requested = Requested::default();
+    request.requested.scalars = request.all();
+    request.requested
+}
+
+struct Request<'a, 'm> {
+    algebra: &'a mut Algebra<'m>,
+    forces: &'a mut Forces<'m>,
+    /// What `picture()` shows.
+    drawn: &'a [Vn<'m>],
+    definition: &'a EvaluatorDef,
+    way: Way,
+    /// The smallest margin; `None` while it is not known yet.
+    margin: Option<Ex<'m>>,
+    asks_margin: bool,
+    with_reactions: bool,
+    requested: Requested<'m>,
+}
+
+impl<'m> Request<'_, 'm> {
+    fn all(&mut self) -> Vec<Ex<'m>> {
+        let mut scalars = Vec::new();
+        for quantity in &self.definition.quantities {
+            let mut value = self.translate(&quantity.value);
+            value = self.by_other_sides(value);
+            if !quantity.is_picture() {
+                value = self.in_unit(value, &quantity.value.ty);
+            }
+            if let (Type::PlaneFrame, Value::Array(parts)) = (&quantity.value.ty, &mut value) {
+                // Its angle is told by its axes.
+                parts.truncate(VECTORS_OF_PLANE);
+            }
+            self.flatten(&value, &mut scalars);
+        }
+        self.requested.underlying.extend(&scalars);
+        scalars
+    }
+
+    /// The same by the other sides of loops, if that is the way.
+    fn by_other_sides(&mut self, value: Value<'m>) -> Value<'m> {
+        match value {
+            value if !self.way.other_sides => value,
+            Value::Vector(vector) if vector.len() == 2 => {
+                let plane = Vector([vector.at(0), vector.at(1)]);
+                Value::Vector(self.algebra.by_other_sides(plane).into())
+            }
+            Value::Array(entries) => {
+                let entries = entries.into_iter();
+                Value::Array(entries.map(|entry| self.by_other_sides(entry)).collect())
+            }
+            other => other,
+        }
+    }
+
+    /// What the program has computed in the unit in which the result is given.
+    fn in_unit(&self, value: Value<'m>, ty: &Type) -> Value<'m> {
+        match (value, ty) {
+            (Value::Array(entries), Type::Array(types)) => {
+                let entries = entries.into_iter().zip(types);
+                Value::Array(entries.map(|(entry, ty)| self.in_unit(entry, ty)).collect())
+            }
+            (value, ty) => divided(value, self.algebra.internal_per_unit(ty)),
+        }
+    }
+
+    fn flatten(&self, value: &Value<'m>, scalars: &mut Vec<Ex<'m>>) {
+        match value {
+            Value::Scalar(scalar) => scalars.push(self.algebra.value_of(scalar)),
+            Value::Vector(vector) => scalars.extend(vector.iter()),
+            Value::Array(entries) => entries
+                .iter()
+                .for_each(|entry| self.flatten(entry, scalars)),
+        }
+    }
+
+    /// The smallest margin of the groups that `scalars` use; if they use none, of the groups that the function's inputs
+    /// determine, else of all. At most 1: rounding may not go beyond.
+    fn margin_over(&mut self, formulation: &Formulation<'m>, scalars: &[Ex<'m>]) -> Ex<'m> {
+        let mut groups = formulation.groups_of(self.algebra, scalars);
+        let margin_of = |group: usize| formulation.groups[group].closed.margin;
+        if groups.is_empty() {
+            let listed = &self.definition.inputs;
+            let all = 0..formulation.groups.len();
+            let mut determined = |group: &usize| {
+                let inputs = self.algebra.inputs_below(&[margin_of(*group)]);
+                inputs.iter().all(|input| listed.contains(input))
+            };
+            groups = all.clone().filter(&mut determined).collect();
+            if groups.is_empty() {
+                groups = all.collect();
+            }
+        }
+        let one = self.algebra.one();
+        groups
+            .into_iter()
+            .map(margin_of)
+            .fold(one, |least, margin| match least == margin {
+                true => least,
+                false => least.min(margin),
+            })
+    }
+
+    fn derivative(&mut self, value: &Value<'m>, variable: Variable) -> Value<'m> {
+        match variable {
+            Variable::Input(input) => self.requested.variables.push(input),
+            Variable::Parameter(_) => {
+                let mut scalars = Vec::new();
+                self.flatten(value, &mut scalars);
+                let sensed = &mut self.requested.sensed;
+                let known = sensed.len();
+                scalars.retain(|x| !sensed[..known].contains(x));
+                sensed.extend(scalars);
+            }
+        }
+        let symbol = self.algebra.variable(variable);
+        let (direction, ty) = match variable {
+            Variable::Input(_) => (Direction::Forward, None),
+            Variable::Parameter(id) => {
+                let parameter = &self.algebra.mechanism.scalar_parameters[id.0];
+                (self.way.direction, Some(Type::Scalar(parameter.dimension)))
+            }
+        };
+        let slope = self.slope(value, symbol, direction);
+        // By the field, which is given in its own unit.
+        let field_unit = ty.map_or(1.0, |ty| self.algebra.internal_per_unit(&ty));
+        divided(slope, field_unit)
+    }
+
+    fn slope(&mut self, value: &Value<'m>, variable: SymbolId, direction: Direction) -> Value<'m> {
+        let algebra = &mut *self.algebra;
+        match value {
+            Value::Scalar(scalar) => {
+                let x = algebra.value_of(scalar);
+                algebra.derivative(x, variable, direction).into()
+            }
+            Value::Vector(vector) => {
+                Value::Vector(vector.map(|x| algebra.derivative(x, variable, direction)))
+            }
+            Value::Array(entries) => {
+                let entries = entries.iter();
+                let slopes = entries.map(|entry| self.slope(entry, variable, direction));
+                Value::Array(slopes.collect())
+            }
+        }
+    }
+
+    /// The quantity to be differentiated; what it depends on counts even if the derivative does not.
+    fn underlying(&mut self, quantity: &Expr) -> Value<'m> {
+        let value = self.translate(quantity);
+        let value = self.by_other_sides(value);
+        let mut scalars = Vec::new();
+        self.flatten(&value, &mut scalars);
+        self.requested.underlying.extend(scalars);
+        value
+    }
+
+    /// The derivative of an order by all inputs of the function: nested arrays if there are several.
+    fn by_inputs(&mut self, value: &Value<'m>, order: u8) -> Value<'m> {
+        if order == 0 {
+            return value.clone();
+        }
+        self.by_each_input(|request, input| {
+            let slope = request.derivative(value, Variable::Input(input));
+            request.by_inputs(&slope, order - 1)
+        })
+    }
+
+    /// The turning of a frame by all inputs of the function, and the derivatives of that.
+    fn turning(&mut self, frame: &Value<'m>, order: u8) -> Value<'m> {
+        self.by_each_input(|request, input| {
+            let variable = request.algebra.variable(Variable::Input(input));
+            let turning = match request.algebra.turn_of_frame(frame, variable) {
+                Some(turn) => turn,
+                None => {
+                    let slope = request.derivative(frame, Variable::Input(input));
+                    request.algebra.turning_of_frame(frame, &slope)
+                }
+            };
+            request.by_inputs(&turning, order - 1)
+        })
+    }
+
+    fn by_each_input(
+        &mut self,
+        mut derivative: impl FnMut(&mut Self, usize) -> Value<'m>,
+    ) -> Value<'m> {
+        let drives = 0..self.algebra.mechanism.inputs.len();
+        let inputs = self.definition.inputs.iter().copied();
+        let inputs: Vec<usize> = inputs.filter(|input| drives.contains(input)).collect();
+        let mut entries = inputs.iter().map(|&input| derivative(self, input));
+        match inputs.len() {
+            1 => entries.next().expect("one entry"),
+            _ => Value::Array(entries.collect()),
+        }
+    }
+}
+
+impl<'m> Translate<'m> for Request<'_, 'm> {
+    fn algebra(&mut self) -> &mut Algebra<'m> {
+        self.algebra
+    }
+
+    fn quantity(&mut self, expr: &Expr) -> Value<'m> {
+        match &expr.kind {
+            ExprKind::Derivative(quantity, variables) => {
+                let value = self.underlying(quantity);
+                variables
+                    .iter()
+                    .fold(value, |value, &variable| self.derivative(&value, variable))
+            }
+            ExprKind::InputDerivative(quantity, order) => {
+                let value = self.underlying(quantity);
+                match quantity.ty {
+                    Type::Frame => self.turning(&value, *order),
+                    _ => self.by_inputs(&value, *order),
+                }
+            }
+            ExprKind::Sensitivity(quantity, parameters) => {
+                let value = self.underlying(quantity);
+                let entries = parameters
+                    .iter()
+                    .map(|&parameter| self.derivative(&value, Variable::Parameter(parameter)));
+                Value::Array(entries.collect())
+            }
+            ExprKind::Mechanics(quantity) => {
+                // About the whole motion, whether the values depend on an input or a speed or not. A load must matter.
+                let listed = &self.definition.inputs;
+                let mechanism = self.algebra.mechanism;
+                let motion = listed.iter().filter(|&&input| !mechanism.is_load(input));
+                self.requested.variables.extend(motion);
+                let mut mechanics = self.forces.at(self.algebra, listed, self.with_reactions);
+                mechanics.quantity(quantity)
+            }
+            ExprKind::Picture(_) => {
+                let vectors = self.drawn.iter().copied();
+                Value::Array(vectors.map(Value::Vector).collect())
+            }
+            ExprKind::Margin => {
+                self.asks_margin = true;
+                let one = self.algebra.one();
+                self.margin.unwrap_or(one).into()
+            }
+            ExprKind::Number(_)
+            | ExprKind::Name(_)
+            | ExprKind::Vector(_)
+            | ExprKind::Component(..)
+            | ExprKind::Index(..)
+            | ExprKind::Negate(_)
+            | ExprKind::Binary(..)
+            | ExprKind::Call(..)
+            | ExprKind::Course(_)
+            | ExprKind::Error => unreachable!("no quantity: translated as it stands"),
+        }
+    }
+}
+
+/// A value in a unit that is `divisor` times the one before.
+fn divided(value: Value, divisor: f64) -> Value {
+    if divisor == 1.0 {
+        return value;
+    }
+    match value {
+        Value::Scalar(scalar) => Value::Scalar(scalar.scaled(1.0 / divisor)),
+        Value::Vector(vector) => {
+            let factor = vector.at(0).number(1.0 / divisor);
+            Value::Vector(factor * vector)
+        }
+        Value::Array(entries) => {
+            let entries = entries.into_iter();
+            Value::Array(entries.map(|entry| divided(entry, divisor)).collect())
+        }
+    }
+}
