@@ -2,15 +2,15 @@
 //! mechanisms, which check others.
 
 mod checked;
+mod message;
 mod numbers;
-mod words;
 
 pub use checked::{Driven, Unchecked, checked};
 
-pub use numbers::{length_as_written, place, rounded_inwards, rounded_to, significant};
-pub use words::{
+pub use message::{
     Comes, PASSES_HELP, Reaches, listed, loop_list, not_finite, passes, with_apostrophes,
 };
+pub use numbers::{length_as_written, place, rounded_inwards, rounded_to, significant};
 
 /// Samples for each turn of an input angle, or for a whole range of lengths. A search for dips finds what is between two of them.
 pub const SAMPLES: f64 = 180.0;

@@ -23,7 +23,7 @@ mod shared;
 mod states;
 mod straight;
 mod table;
-mod turning;
+mod turning_point;
 mod walk;
 
 pub use certificate::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE};
@@ -35,7 +35,7 @@ pub use states::{meeting_states, states};
 pub use straight::dead_point;
 pub use table::Table;
 
-use crate::Enclosure;
+use crate::scalar::Enclosure;
 use alloc::vec::Vec;
 
 /// A group of equations: what brings a state nearer to the solution.

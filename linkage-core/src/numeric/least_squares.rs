@@ -69,7 +69,7 @@ pub fn minimise<Place, E: Equations<Place>>(
         loop {
             let next = step(&rows, &slope, damping).map(|step| {
                 let shorter = (LONGEST / largest(&step)).min(1.0);
-                let changes: Vec<f64> = step.iter().map(|own| -shorter * own).collect();
+                let changes: Vec<f64> = step.iter().map(|x| -shorter * x).collect();
                 equations.after(&here, &rows, &changes)
             });
             let less = next.filter(|next| square(&equations.misses(next, &rows)) < size * size);
@@ -125,12 +125,12 @@ mod tests {
         lengths: [f64; 2],
     }
 
-    struct Found {
+    struct LinkRows {
         missed: Vec<f64>,
         matrix: Vec<Vec<f64>>,
     }
 
-    impl Rows for Found {
+    impl Rows for LinkRows {
         fn missed(&self) -> &[f64] {
             &self.missed
         }
@@ -141,10 +141,10 @@ mod tests {
     }
 
     impl Equations<[f64; 2]> for Links {
-        type Rows = Found;
+        type Rows = LinkRows;
 
-        fn rows(&mut self, at: &[f64; 2]) -> Option<Found> {
-            let mut found = Found {
+        fn rows(&mut self, at: &[f64; 2]) -> Option<LinkRows> {
+            let mut found = LinkRows {
                 missed: Vec::new(),
                 matrix: Vec::new(),
             };
@@ -154,15 +154,15 @@ mod tests {
                 found.missed.push(size - length);
                 found.matrix.push(vec![x / size, y / size]);
             }
-            let mut all = found.missed.iter();
-            all.all(|own| own.is_finite()).then_some(found)
+            let mut missed = found.missed.iter();
+            missed.all(|x| x.is_finite()).then_some(found)
         }
 
-        fn misses(&mut self, at: &[f64; 2], _: &Found) -> Vec<f64> {
+        fn misses(&mut self, at: &[f64; 2], _: &LinkRows) -> Vec<f64> {
             self.rows(at).map_or_else(Vec::new, |found| found.missed)
         }
 
-        fn after(&mut self, at: &[f64; 2], _: &Found, changes: &[f64]) -> [f64; 2] {
+        fn after(&mut self, at: &[f64; 2], _: &LinkRows, changes: &[f64]) -> [f64; 2] {
             [at[0] + changes[0], at[1] + changes[1]]
         }
     }
@@ -175,8 +175,8 @@ mod tests {
         };
         let (at, rows) = minimise(&mut links, [0.9, 0.8]).expect("it is found");
         // 0.3 in all, the same of each link.
-        for own in &rows.missed {
-            assert!((own - 0.15).abs() < 1e-9, "{own}");
+        for missed in &rows.missed {
+            assert!((missed - 0.15).abs() < 1e-9, "{missed}");
         }
         assert!((at[0] - 1.35).abs() < 1e-9 && at[1].abs() < 1e-4, "{at:?}");
     }

@@ -52,8 +52,8 @@ impl Rows {
         let others = rows.iter_mut().enumerate().skip(first);
         for (_, row) in others.filter(|(i, _)| *i != k) {
             let factor = row[k] / pivot[k];
-            let own = row.iter_mut().zip(&pivot);
-            own.for_each(|(x, p)| *x -= factor * p);
+            let pairs = row.iter_mut().zip(&pivot);
+            pairs.for_each(|(x, p)| *x -= factor * p);
         }
     }
 }
@@ -64,8 +64,8 @@ pub fn combination(basis: &[&[f64]], numbers: &[f64], least: f64) -> Option<Vec<
     let count = basis.len();
     // [basis | numbers], one row for each number.
     let row = |k: usize| {
-        let own = basis.iter().map(|list| list[k]);
-        own.chain([numbers[k]]).collect()
+        let numbers_of_basis = basis.iter().map(|list| list[k]);
+        numbers_of_basis.chain([numbers[k]]).collect()
     };
     let mut rows = Rows((0..numbers.len()).map(row).collect());
     for k in 0..count {
@@ -112,9 +112,10 @@ pub fn null_vectors(matrix: &[Vec<f64>], width: usize, [least, last]: [f64; 2]) 
     let mut pivots: Vec<usize> = Vec::new();
     while pivots.len() < rows.len() && !free.is_empty() {
         let done = pivots.len();
-        let places = (done..rows.len()).flat_map(|row| free.iter().map(move |&own| (row, own)));
+        let entries =
+            (done..rows.len()).flat_map(|row| free.iter().map(move |&column| (row, column)));
         let size = |&(row, column): &(usize, usize)| rows[row][column].abs();
-        let Some((row, column)) = places.max_by(|a, b| size(a).total_cmp(&size(b))) else {
+        let Some((row, column)) = entries.max_by(|a, b| size(a).total_cmp(&size(b))) else {
             break;
         };
         let pivot = rows[row][column];
@@ -125,17 +126,17 @@ pub fn null_vectors(matrix: &[Vec<f64>], width: usize, [least, last]: [f64; 2]) 
         }
         rows.swap(done, row);
         rows[done].iter_mut().for_each(|x| *x /= pivot);
-        let own = rows[done].clone();
+        let pivot_row = rows[done].clone();
         for (index, other) in rows.iter_mut().enumerate() {
             let factor = other[column];
             if index != done {
                 other
                     .iter_mut()
-                    .zip(&own)
+                    .zip(&pivot_row)
                     .for_each(|(x, y)| *x -= factor * y);
             }
         }
-        free.retain(|&own| own != column);
+        free.retain(|&other| other != column);
         pivots.push(column);
     }
     let vectors = free.iter().map(|&column| {

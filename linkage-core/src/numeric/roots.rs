@@ -14,6 +14,7 @@ mod evaluation;
 mod homotopy;
 mod listing;
 mod path_samples;
+mod path_trace;
 mod path_tracker;
 mod polynomial;
 mod precise;
@@ -23,7 +24,6 @@ mod real;
 mod rough_root;
 mod start_system;
 mod system;
-mod trace;
 
 pub use super::choose_assembly::MEETING;
 pub use system::{

@@ -2,7 +2,7 @@
 
 mod uniform;
 
-use crate::Scalar;
+use crate::scalar::Scalar;
 use core::f64::consts::{PI, TAU};
 pub use uniform::uniform;
 use uniform::whole;

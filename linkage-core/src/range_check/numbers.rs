@@ -47,12 +47,12 @@ fn length(x: f64, unit: &str) -> String {
 /// ```
 #[must_use]
 pub fn length_as_written(x: f64, unit: &str) -> (f64, &str) {
-    let metres = |name: &str| UNITS.iter().find(|own| own.0 == name).map(|own| own.1);
+    let metres = |name: &str| UNITS.iter().find(|unit| unit.0 == name).map(|unit| unit.1);
     let other = if unit == "inch" { "mm" } else { "inch" };
-    let (Some(own), Some(of_other)) = (metres(unit), metres(other)) else {
+    let (Some(of_unit), Some(of_other)) = (metres(unit), metres(other)) else {
         return (x, unit);
     };
-    match rounded(x * (own / of_other), SHORT) {
+    match rounded(x * (of_unit / of_other), SHORT) {
         Some(there) if rounded(x, MOST_PRINTED).is_none() => (there, other),
         _ => (x, unit),
     }

@@ -82,7 +82,7 @@ impl Enclosure {
     }
 
     /// A value of these parts, within what the mean value theorem says.
-    fn of(range: Bounds, middle: Bounds, slope: Bounds, half: f64) -> Self {
+    fn from_parts(range: Bounds, middle: Bounds, slope: Bounds, half: f64) -> Self {
         let aside = Bounds::between(-half, half);
         let mean = match slope.low.is_finite() && slope.high.is_finite() {
             true => middle + slope * aside,
@@ -102,7 +102,7 @@ impl Enclosure {
         function: impl Fn(Bounds) -> Bounds,
         derivative: impl Fn(Bounds) -> Bounds,
     ) -> Self {
-        Self::of(
+        Self::from_parts(
             function(self.range),
             function(self.middle),
             derivative(self.range) * self.slope,
@@ -186,7 +186,7 @@ impl Scalar for Enclosure {
     fn atan2(self, x: Self) -> Self {
         let y = self;
         let square = x.range.square() + y.range.square();
-        Self::of(
+        Self::from_parts(
             y.range.atan2(x.range),
             y.middle.atan2(x.middle),
             (x.range * y.slope - y.range * x.slope) / square,
@@ -217,7 +217,7 @@ impl Scalar for Enclosure {
     #[inline(never)]
     fn angle_near(y: Self, x: Self, guide: Self) -> Self {
         // Seen from the middle of the box no vector of it is near half a turn.
-        let [cx, cy] = [x, y].map(|own| own.range.centre());
+        let [cx, cy] = [x, y].map(|value| value.range.centre());
         let base = Bounds::exactly(Scalar::angle_near(cy, cx, guide.range.centre()));
         let [fx, fy] = [cx, cy].map(Bounds::exactly);
         let angle = |x: Bounds, y: Bounds| {
@@ -227,7 +227,7 @@ impl Scalar for Enclosure {
         };
         let square = x.range.square() + y.range.square();
         let half = x.half.max(y.half).max(guide.half);
-        let all = Self::of(
+        let all = Self::from_parts(
             angle(x.range, y.range),
             angle(x.middle, y.middle),
             (x.range * y.slope - y.range * x.slope) / square,
@@ -275,7 +275,7 @@ impl Scalar for Enclosure {
         if other.range.high <= self.range.low {
             return other;
         }
-        Self::of(
+        Self::from_parts(
             self.range.least(other.range),
             self.middle.least(other.middle),
             self.slope.or(other.slope),
@@ -291,7 +291,7 @@ impl Scalar for Enclosure {
     fn hypot(self, other: Self) -> Self {
         let length = |a: Bounds, b: Bounds| (a.square() + b.square()).sqrt();
         let range = length(self.range, other.range);
-        Self::of(
+        Self::from_parts(
             range,
             length(self.middle, other.middle),
             (self.range * self.slope + other.range * other.slope) / range,

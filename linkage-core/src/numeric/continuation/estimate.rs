@@ -64,12 +64,12 @@ pub fn from_estimate(
     x: &[f64],
     estimate: &[f64],
 ) -> Result<Vec<f64>, Astray> {
-    let mut way = Way {
+    let mut path = EstimatePath {
         correction,
         variables,
         x,
     };
-    let mut here = way.at(estimate.to_vec());
+    let mut here = path.evaluate(estimate.to_vec());
     let sign = here.step.determinant.signum();
     let mut left = 1.0;
     if !here.step.size.is_finite() || here.step.determinant == 0.0 {
@@ -78,14 +78,14 @@ pub fn from_estimate(
     for _ in 0..CORRECTIONS {
         if here.step.size <= SETTLED {
             let state = here.corrected;
-            return match isolation(way.correction, variables, x, &state) {
+            return match isolation(path.correction, variables, x, &state) {
                 Some(_) => Ok(state),
-                None => Err(way.not_isolated(state)),
+                None => Err(path.not_isolated(state)),
             };
         }
         let mut part = (LONGEST / here.step.size).min(1.0);
         let next = loop {
-            let next = way.at(here.turned(variables, part));
+            let next = path.evaluate(here.turned(variables, part));
             if next.step.determinant * sign > 0.0 && here.foresees(&next, part) {
                 break Some(next);
             }
@@ -104,14 +104,14 @@ pub fn from_estimate(
     })
 }
 
-struct Way<'w> {
+struct EstimatePath<'w> {
     correction: &'w mut dyn Residuals,
     variables: &'w [Variable],
     x: &'w [f64],
 }
 
-/// A place on the way, and the correction there.
-struct Place {
+/// A index on the way, and the correction there.
+struct StateOnPath {
     state: Vec<f64>,
     corrected: Vec<f64>,
     /// By unknown.
@@ -119,11 +119,11 @@ struct Place {
     step: Step,
 }
 
-impl Way<'_> {
-    fn at(&mut self, state: Vec<f64>) -> Place {
+impl EstimatePath<'_> {
+    fn evaluate(&mut self, state: Vec<f64>) -> StateOnPath {
         let mut corrected = state.clone();
         let step = self.correction.correct(self.x, &mut corrected);
-        Place {
+        StateOnPath {
             correction: difference(self.variables, &state, &corrected),
             state,
             corrected,
@@ -154,17 +154,17 @@ impl Way<'_> {
     }
 }
 
-impl Place {
+impl StateOnPath {
     /// The state after a part of the correction.
     fn turned(&self, variables: &[Variable], part: f64) -> Vec<f64> {
-        let way: Vec<f64> = self.correction.iter().map(|own| part * own).collect();
+        let way: Vec<f64> = self.correction.iter().map(|x| part * x).collect();
         turned(variables, &self.state, &way)
     }
 
-    /// Whether the correction at the next place is what is left of the one here.
+    /// Whether the correction at the next index is what is left of the one here.
     fn foresees(&self, next: &Self, part: f64) -> bool {
         let pairs = self.correction.iter().zip(&next.correction);
-        let off = pairs.map(|(own, next)| next - (1.0 - part) * own);
+        let off = pairs.map(|(here, next)| next - (1.0 - part) * here);
         let off = double::sqrt(off.map(|x| x * x).sum());
         let size = double::sqrt(self.correction.iter().map(|x| x * x).sum());
         off <= (FORESEEN * size).max(SETTLED)
@@ -175,22 +175,22 @@ impl Place {
 #[must_use]
 pub fn turned(variables: &[Variable], state: &[f64], way: &[f64]) -> Vec<f64> {
     let mut turned = state.to_vec();
-    let mut place = 0;
+    let mut index = 0;
     for (variable, way) in variables.iter().zip(way) {
         match variable {
             Variable::Unit => {
-                let [cos, sin] = [state[place], state[place + 1]];
+                let [cos, sin] = [state[index], state[index + 1]];
                 // Half of the angle by its tangent: no length changes.
                 let half = 0.5 * way;
                 let (real, turn) = (1.0 - half * half, 2.0 * half);
                 let scale = 1.0 / (1.0 + half * half);
-                turned[place] = scale * (cos * real - sin * turn);
-                turned[place + 1] = scale * (cos * turn + sin * real);
-                place += 2;
+                turned[index] = scale * (cos * real - sin * turn);
+                turned[index + 1] = scale * (cos * turn + sin * real);
+                index += 2;
             }
             _ => {
-                turned[place] += way;
-                place += 1;
+                turned[index] += way;
+                index += 1;
             }
         }
     }
@@ -199,18 +199,18 @@ pub fn turned(variables: &[Variable], state: &[f64], way: &[f64]) -> Vec<f64> {
 
 /// From one state to another, by unknown.
 fn difference(variables: &[Variable], from: &[f64], to: &[f64]) -> Vec<f64> {
-    let mut place = 0;
-    let all = variables.iter().map(|variable| match variable {
+    let mut index = 0;
+    let differences = variables.iter().map(|variable| match variable {
         Variable::Unit => {
-            let [cos, sin] = [from[place], from[place + 1]];
-            let way = [to[place] - cos, to[place + 1] - sin];
-            place += 2;
+            let [cos, sin] = [from[index], from[index + 1]];
+            let way = [to[index] - cos, to[index + 1] - sin];
+            index += 2;
             cos * way[1] - sin * way[0]
         }
         _ => {
-            place += 1;
-            to[place - 1] - from[place - 1]
+            index += 1;
+            to[index - 1] - from[index - 1]
         }
     });
-    all.collect()
+    differences.collect()
 }

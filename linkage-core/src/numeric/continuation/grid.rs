@@ -235,14 +235,6 @@ impl Grid {
         let floor = self.state(x, &mut state);
         served::serves(correction, self.terms, x, &mut state, floor)
     }
-
-    /// For generated code: the numbers of inputs and of state numbers are fixed. `None` if they are not `I` and `S`.
-    #[must_use]
-    pub fn lookup<const I: usize, const S: usize, const T: usize>(
-        &self,
-    ) -> Option<GridLookup<I, S, T>> {
-        GridLookup::new(self)
-    }
 }
 
 /// A range that misses a full turn by this share or less is one: users write 360 degrees.

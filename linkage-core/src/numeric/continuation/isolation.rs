@@ -1,9 +1,9 @@
 //! Proof that a state is a solution and that there is no other one beside it.
 
 use super::Residuals;
-use crate::Enclosure;
 use crate::numeric::inverse::inverse;
 use crate::numeric::roots::Variable;
+use crate::scalar::Enclosure;
 use alloc::vec::Vec;
 
 /// The box in which a solution is alone: half its side is tried from the largest to the smallest one.
@@ -90,7 +90,9 @@ impl Equations<'_> {
     fn missed(&mut self) -> Option<Vec<f64>> {
         let state = self.state.iter().map(|&x| Enclosure::between(x, x));
         let values = self.values(&state.collect::<Vec<_>>()).into_iter();
-        let missed: Vec<f64> = values.map(|own| Ball::around(own.range()).size()).collect();
+        let missed: Vec<f64> = values
+            .map(|value| Ball::around(value.range()).size())
+            .collect();
         let is_known = missed.len() == self.state.len() && missed.iter().all(|x| x.is_finite());
         is_known.then_some(missed)
     }
@@ -107,7 +109,7 @@ impl Equations<'_> {
             let mut state = beside.clone();
             state[column] = Enclosure::over(low, high);
             let values = self.values(&state).into_iter();
-            values.map(|own| Ball::around(own.slopes())).collect()
+            values.map(|value| Ball::around(value.slopes())).collect()
         });
         columns.collect()
     }
@@ -128,9 +130,9 @@ impl Equations<'_> {
             let left = slopes.iter().enumerate().map(|(column, slopes)| {
                 let start = if row == column { 1.0 } else { 0.0 };
                 let parts = || weights.iter().zip(slopes);
-                let centre: f64 = parts().fold(start, |left, (w, own)| left - w * own.centre);
-                let sizes: f64 = parts().map(|(w, own)| w.abs() * own.size()).sum();
-                let aside: f64 = parts().map(|(w, own)| w.abs() * own.radius).sum();
+                let centre: f64 = parts().fold(start, |left, (w, slope)| left - w * slope.centre);
+                let sizes: f64 = parts().map(|(w, slope)| w.abs() * slope.size()).sum();
+                let aside: f64 = parts().map(|(w, slope)| w.abs() * slope.radius).sum();
                 centre.abs() + aside + most * (start + sizes)
             });
             let left: f64 = left.sum();

@@ -1,6 +1,6 @@
 //! Polynomials through eight nodes, for several numbers at once.
 
-use crate::Scalar;
+use crate::scalar::Scalar;
 
 /// Coefficients of a polynomial.
 pub(super) const TERMS: usize = 8;

@@ -2,7 +2,7 @@
 
 use super::cell::{Cell, Frame, Guess, attempt};
 use super::follow::Follower;
-use super::{End, Refusal, turning};
+use super::{End, Refusal, turning_point};
 use alloc::vec::Vec;
 
 /// The range in units: the shortest cells are this many to the range.
@@ -118,6 +118,6 @@ impl Walk<'_, '_> {
 
     fn turning(&mut self, last: &Cell, side: f64) -> Option<f64> {
         let reach = REACH / f64::from(FULL);
-        turning::locate(self.follower, &self.frame, last, self.width, side, reach)
+        turning_point::locate(self.follower, &self.frame, last, self.width, side, reach)
     }
 }

@@ -60,17 +60,17 @@ pub(super) fn around<const N: usize>(
         }
         let apart: Vector<N> = core::array::from_fn(|j| point.x[j] - begin[j]);
         if size(&apart) < CLOSED * CLOSED {
-            return Some(Cycle::of(&way));
+            return Some(Cycle::through(&way));
         }
     }
     None
 }
 
 impl<const N: usize> Cycle<N> {
-    fn of(way: &[Vector<N>]) -> Self {
+    fn through(way: &[Vector<N>]) -> Self {
         let share = 1.0 / way.len() as f64;
-        let all = way.iter().fold([ZERO; N], |all, x| sum(&all, x));
-        let middle = all.map(|own| own.scaled(share));
+        let total = way.iter().fold([ZERO; N], |total, x| sum(&total, x));
+        let middle = total.map(|component| component.scaled(share));
         let extent = core::array::from_fn(|j| {
             let squares = way.iter().map(|x| (x[j] - middle[j]).square());
             // Two digits are enough of it.

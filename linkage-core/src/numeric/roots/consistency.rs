@@ -1,8 +1,8 @@
 //! What does not fit together: ends and ways of paths that show that a path has been lost.
 
 use super::endgame::{PathEnd, Root};
+use super::path_trace::Trace;
 use super::projective::ProjectivePoint;
-use super::trace::Trace;
 use alloc::vec::Vec;
 
 /// Number of paths with an uncertain end.
@@ -59,7 +59,7 @@ pub(super) fn lose_single<const N: usize>(traces: &mut [Trace<N>]) {
     let multiple = traces
         .iter()
         .enumerate()
-        .filter_map(|(index, own)| match own.end {
+        .filter_map(|(index, trace)| match trace.end {
             PathEnd::Multiple(place) => Some((index, place)),
             _ => None,
         });

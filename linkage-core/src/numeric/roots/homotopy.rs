@@ -162,7 +162,7 @@ impl<const N: usize> Homotopy<N> {
         let mut matrix = [[ZERO; N]; N];
         for ((equation, value), row) in self.equations.iter().zip(&mut values).zip(&mut matrix) {
             for term in &equation.terms {
-                let power = |j: usize| self.powers[j].at(term.exponents[j]);
+                let power = |j: usize| self.powers[j].evaluate(term.exponents[j]);
                 *value += product(term.factor, &term.exponents, power, ONE, row);
             }
         }
@@ -177,7 +177,7 @@ impl<const N: usize> Homotopy<N> {
             let row = &mut matrix[i];
             *row = row.map(|slope| slope.scaled(1.0 - t));
             let degrees = &self.equations[i].degrees;
-            let factor = |j: usize| self.factors[i][j].at(x[j]);
+            let factor = |j: usize| self.factors[i][j].evaluate(x[j]);
             let start = product(self.constants[i], degrees, factor, ONE.scaled(t), row);
             drift[i] = start - values[i];
             values[i] += drift[i].scaled(t);
@@ -224,7 +224,7 @@ fn product<const N: usize>(
 impl Powers {
     /// A power and its derivative.
     #[inline(always)]
-    fn at(&self, exponent: u8) -> (Complex, Complex) {
+    fn evaluate(&self, exponent: u8) -> (Complex, Complex) {
         let exponent = (exponent as usize).min(HIGHEST_DEGREE);
         (self.values[exponent], self.slopes[exponent])
     }
@@ -243,7 +243,7 @@ impl Powers {
 impl Univariate {
     /// Value and derivative.
     #[inline(always)]
-    fn at(&self, x: Complex) -> (Complex, Complex) {
+    fn evaluate(&self, x: Complex) -> (Complex, Complex) {
         let degree = self.degree as usize;
         let (mut value, mut slope) = (ZERO, ZERO);
         for &coefficient in self.coefficients.iter().take(degree + 1).rev() {

@@ -4,13 +4,13 @@ use super::consistency;
 use super::continuum::is_continuum;
 use super::endgame::{PathEnd, Root};
 use super::homotopy::Homotopy;
+use super::path_trace::{Trace, follow};
 use super::path_tracker::Pace;
 use super::polynomial::{self, Polynomial};
 use super::precise;
 use super::projective::ProjectivePoint;
 use super::real;
 use super::system::{Listing, Unlisted, Variable};
-use super::trace::{Trace, follow};
 use alloc::vec::Vec;
 
 /// How often all paths are followed, each time from another start system and with smaller steps.
@@ -80,7 +80,7 @@ fn listing<const N: usize>(
     }
     let blurred = traces
         .iter()
-        .filter(|own| matches!(own.end, PathEnd::Blurred));
+        .filter(|trace| matches!(trace.end, PathEnd::Blurred));
     let blurred = blurred.count();
     // Those at infinity were of use for finding duplicates only.
     let inside = |root: &Root<N>| root.place.is_inside(variables);

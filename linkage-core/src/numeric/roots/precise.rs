@@ -4,20 +4,20 @@
 //! places: it must stay where it is, far from all others, when every coefficient is changed by a rounding. Ends that coefficients do not
 //! tell, such as those of paths that meet at infinity but for rounding, stay as uncertain as they were.
 
-mod equations;
+mod wide_equations;
 mod path_tracker;
 #[cfg(test)]
 mod tests;
 
 use super::endgame::{PathEnd, Root};
 use super::homotopy::Homotopy;
+use super::path_trace::Trace;
 use super::polynomial::Polynomial;
 use super::projective::ProjectivePoint;
 use super::rough_root::rough_root;
 use super::system::Variable;
-use super::trace::Trace;
 use alloc::vec::Vec;
-use equations::Equations;
+use wide_equations::Equations;
 use path_tracker::Reached;
 
 /// An end that roundings of coefficients move by more than this part of its distance from others is not certain.
@@ -31,7 +31,7 @@ const LONGEST_REACH: f64 = 0.1;
 const NEARLY_REAL: f64 = 0.1;
 
 /// The end of a path, and how far it is moved by roundings of coefficients.
-struct Found<const N: usize> {
+struct ReachedEnd<const N: usize> {
     path: usize,
     place: ProjectivePoint<N>,
     moved: f64,
@@ -77,8 +77,10 @@ pub(super) fn pursue<const N: usize>(
 
 /// The paths with such an end.
 fn paths<const N: usize>(traces: &[Trace<N>], such: impl Fn(&PathEnd<N>) -> bool) -> Vec<usize> {
-    let all = traces.iter().enumerate();
-    let such = all.filter(|(_, own)| such(&own.end));
+    let such = traces
+        .iter()
+        .enumerate()
+        .filter(|(_, trace)| such(&trace.end));
     such.map(|(path, _)| path).collect()
 }
 
@@ -90,7 +92,7 @@ impl<const N: usize> Pursuit<'_, N> {
         for &path in paths {
             let here = match self.reached(path) {
                 Some(Reached::End(place, moved)) => {
-                    found.push(Found { path, place, moved });
+                    found.push(ReachedEnd { path, place, moved });
                     continue;
                 }
                 Some(Reached::Here(place)) => Some(place),
@@ -101,13 +103,13 @@ impl<const N: usize> Pursuit<'_, N> {
                 return false;
             }
         }
-        let roots = found.iter().map(|own| own.root(self.traces, &found));
+        let roots = found.iter().map(|end| end.root(self.traces, &found));
         let roots = roots.collect::<Option<Vec<Root<N>>>>();
         let roots = roots.filter(|roots| roots.len() == paths.len());
-        for (index, own) in found.iter().enumerate() {
+        for (index, end) in found.iter().enumerate() {
             match &roots {
-                Some(roots) => self.traces[own.path].end = PathEnd::Regular(roots[index]),
-                None => self.reconsider(own.path, Some(&own.place)),
+                Some(roots) => self.traces[end.path].end = PathEnd::Regular(roots[index]),
+                None => self.reconsider(end.path, Some(&end.place)),
             }
         }
         roots.is_some()
@@ -142,7 +144,7 @@ impl<const N: usize> Pursuit<'_, N> {
     }
 }
 
-impl<const N: usize> Found<N> {
+impl<const N: usize> ReachedEnd<N> {
     /// The isolated solution, unless it may be one of the others.
     fn root(&self, traces: &[Trace<N>], found: &[Self]) -> Option<Root<N>> {
         let known = traces.iter().filter_map(|trace| match &trace.end {

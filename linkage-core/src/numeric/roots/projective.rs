@@ -53,11 +53,11 @@ impl<const N: usize> ProjectivePoint<N> {
     pub(super) fn gaps(&self, variables: &[Variable]) -> [f64; N] {
         let image = self.reflection(variables);
         core::array::from_fn(|j| {
-            let (own, other) = (self.x[j], image.x[j]);
+            let (x, other) = (self.x[j], image.x[j]);
             let gap = match self.flipped[j] == image.flipped[j] {
-                true => own - other,
+                true => x - other,
                 // The other coordinate is the inverse of this one.
-                false => own * other - ONE,
+                false => x * other - ONE,
             };
             rough_root(gap.square())
         })

@@ -1,6 +1,6 @@
 //! Turns of an angle whose closed form says what it stays near to: no need to follow it.
 
-use crate::Scalar;
+use crate::scalar::Scalar;
 use core::f64::consts::TAU;
 
 /// The vectors beside the longest one turn their sum from its direction by at most `0.45 pi`, where their lengths add up to no more than this part of its length, the
@@ -31,10 +31,10 @@ pub fn uniform<X: AsRef<[f64]> + Clone>(
     here: f64,
 ) -> Option<(f64, X)> {
     let length = |[x, y]: [f64; 2]| Scalar::hypot(x, y);
-    let all: f64 = vectors.iter().map(|own| length(*own)).sum();
+    let sum: f64 = vectors.iter().map(|vector| length(*vector)).sum();
     let mut phases = vectors.iter().zip(turns);
-    let decides = |own: f64| own > 0.0 && all - own <= MOST_BESIDE * own;
-    let (&[x, y], turns) = phases.find(|(own, _)| decides(length(**own)))?;
+    let decides = |length: f64| length > 0.0 && sum - length <= MOST_BESIDE * length;
+    let (&[x, y], turns) = phases.find(|(vector, _)| decides(length(**vector)))?;
     let turns = turns.clone()?;
     let pairs = turns.as_ref().iter().zip(start.as_ref());
     let turned: f64 = pairs.map(|(turns, x)| turns * x).sum();

@@ -138,8 +138,8 @@ impl Bounds {
     }
 
     /// Sine or cosine, which has its greatest value at `summit` and once in every turn from there.
-    fn wave(self, summit: f64, own: impl Fn((f64, f64)) -> f64) -> Self {
-        let [low, high] = [self.low, self.high].map(|x| own(Scalar::sin_cos(x)));
+    fn wave(self, summit: f64, component: impl Fn((f64, f64)) -> f64) -> Self {
+        let [low, high] = [self.low, self.high].map(|x| component(Scalar::sin_cos(x)));
         // Whether a whole number of turns from there is within the bounds, or beside them.
         let meets = |place: f64| {
             let turns = [self.low, self.high].map(|x| (x - place) / TAU);

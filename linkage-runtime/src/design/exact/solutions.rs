@@ -1,15 +1,15 @@
 //! All solutions of polynomial equations, found from a single one.
 
-mod equations;
 mod family;
 mod monodromy;
 mod number;
+mod polynomial_equations;
 #[cfg(test)]
 mod tests;
 mod trace;
 
-pub use equations::Equations;
 pub use number::Number;
+pub use polynomial_equations::Equations;
 pub use trace::Trace;
 
 use super::ARCS;

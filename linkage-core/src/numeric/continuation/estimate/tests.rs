@@ -1,6 +1,6 @@
 use super::*;
-use crate::Enclosure;
 use crate::numeric::continuation::Correction;
+use crate::scalar::Enclosure;
 
 /// A correction, and what is missed over boxes.
 struct Group<C, R>(C, R);

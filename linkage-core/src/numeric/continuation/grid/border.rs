@@ -9,7 +9,7 @@ const AGREEMENT: f64 = 1e-6;
 
 /// What a cell knows of a place on its border.
 #[derive(Clone, Debug)]
-pub(super) enum Place {
+pub(super) enum BorderState {
     /// The solution there, which evaluators reach.
     Served(Vec<f64>),
     /// The solution there, which they do not reach.
@@ -20,7 +20,7 @@ pub(super) enum Place {
     Unknown,
 }
 
-impl Place {
+impl BorderState {
     fn state(&self) -> Option<&[f64]> {
         match self {
             Self::Served(state) | Self::Missed(state) => Some(state),
@@ -46,7 +46,7 @@ pub(super) struct Border<'a> {
     /// The solution at the corners of the filled cells.
     corners: Vec<Option<Vec<f64>>>,
     /// The places of the filled cells.
-    filled: Vec<Vec<Place>>,
+    filled: Vec<Vec<BorderState>>,
 }
 
 impl<'a> Border<'a> {
@@ -59,7 +59,12 @@ impl<'a> Border<'a> {
     }
 
     /// How a cell continues all others at its corners, and every neighbour on the whole face between them: the worst counts.
-    pub(super) fn joint(&self, layout: &Layout<'_>, cell: &[usize], places: &[Place]) -> Joint {
+    pub(super) fn joint(
+        &self,
+        layout: &Layout<'_>,
+        cell: &[usize],
+        places: &[BorderState],
+    ) -> Joint {
         let at_corners = self.served_corners(places).map(|(corner, state)| {
             let other = &self.corners[layout.corner(cell, &self.places.offsets[corner])];
             other
@@ -78,7 +83,7 @@ impl<'a> Border<'a> {
     }
 
     /// Keeps what a filled cell knows.
-    pub(super) fn keep(&mut self, layout: &Layout<'_>, cell: &[usize], places: Vec<Place>) {
+    pub(super) fn keep(&mut self, layout: &Layout<'_>, cell: &[usize], places: Vec<BorderState>) {
         for (corner, state) in self.served_corners(&places) {
             let number = layout.corner(cell, &self.places.offsets[corner]);
             self.corners[number].get_or_insert_with(|| state.clone());
@@ -87,7 +92,13 @@ impl<'a> Border<'a> {
     }
 
     /// How two cells join on the face that is the upper or lower one of the first; nothing is known of a cell that is not filled.
-    fn across(&self, axis: usize, up: bool, places: &[Place], other: &[Place]) -> Joint {
+    fn across(
+        &self,
+        axis: usize,
+        up: bool,
+        places: &[BorderState],
+        other: &[BorderState],
+    ) -> Joint {
         if other.is_empty() {
             return Joint::Same;
         }
@@ -108,11 +119,11 @@ impl<'a> Border<'a> {
 
     fn served_corners<'p>(
         &self,
-        places: &'p [Place],
+        places: &'p [BorderState],
     ) -> impl Iterator<Item = (usize, &'p Vec<f64>)> + use<'p> {
         let places = places.iter().take(self.places.corners).enumerate();
         places.filter_map(|(corner, place)| match place {
-            Place::Served(state) => Some((corner, state)),
+            BorderState::Served(state) => Some((corner, state)),
             _ => None,
         })
     }

@@ -10,7 +10,7 @@ const BESIDE: usize = 2;
 /// A cell after a walk.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Cell {
-    pub(super) found: Found,
+    pub(super) found: CellState,
     /// At how many places on its border evaluators reach the solution,
     pub(super) served: usize,
     /// at how many they do not, although it exists,
@@ -27,7 +27,7 @@ pub(super) struct Cell {
 
 /// How far the walk came with a cell.
 #[derive(Clone, Debug, Default)]
-pub(super) enum Found {
+pub(super) enum CellState {
     /// No cell beside it was filled.
     #[default]
     Unseen,
@@ -46,24 +46,28 @@ pub(super) enum Found {
 impl Cell {
     pub(super) fn node(self) -> Option<Node> {
         match self.found {
-            Found::Filled(node) => Some(node),
-            Found::Unseen | Found::Beyond | Found::Lost | Found::Refused | Found::Other => None,
+            CellState::Filled(node) => Some(node),
+            CellState::Unseen
+            | CellState::Beyond
+            | CellState::Lost
+            | CellState::Refused
+            | CellState::Other => None,
         }
     }
 
     /// Whether the solution ends in it, or nearly does.
     fn has_boundary(&self) -> bool {
-        matches!(self.found, Found::Beyond) || self.absent > 0 || self.vanishing
+        matches!(self.found, CellState::Beyond) || self.absent > 0 || self.vanishing
     }
 
     /// Places at which the solution exists, or may exist, and is not served. What no way leads to is behind the `boundary`, if there is one.
     fn left_out(&self, places: usize, boundary: bool) -> usize {
         match self.found {
-            Found::Unseen if !boundary => places,
-            Found::Unseen | Found::Beyond => 0,
-            Found::Lost => places,
-            Found::Refused | Found::Other => self.served + self.missed,
-            Found::Filled(_) => self.missed,
+            CellState::Unseen if !boundary => places,
+            CellState::Unseen | CellState::Beyond => 0,
+            CellState::Lost => places,
+            CellState::Refused | CellState::Other => self.served + self.missed,
+            CellState::Filled(_) => self.missed,
         }
     }
 }
@@ -100,12 +104,13 @@ impl Sum {
         let mut most = 0;
         let mut bends = [const { Vec::new() }; 3];
         for (number, cell) in cells.iter().enumerate() {
-            if matches!(cell.found, Found::Filled(_)) {
+            if matches!(cell.found, CellState::Filled(_)) {
                 sum.served += cell.served;
             }
             let left_out = cell.left_out(places, sum.boundary);
             sum.left_out += left_out;
-            let around = sum.boundary && matches!(cell.found, Found::Refused | Found::Other);
+            let around =
+                sum.boundary && matches!(cell.found, CellState::Refused | CellState::Other);
             let regular = left_out > 0 && !around && !beside[number];
             let rank = usize::from(left_out > 0) + usize::from(regular);
             add(&mut bends[rank], &cell.bends);
@@ -128,12 +133,12 @@ impl Sum {
     }
 }
 
-fn add(sum: &mut Vec<f64>, own: &[f64]) {
-    if sum.len() < own.len() {
-        sum.resize(own.len(), 0.0);
+fn add(sum: &mut Vec<f64>, terms: &[f64]) {
+    if sum.len() < terms.len() {
+        sum.resize(terms.len(), 0.0);
     }
-    for (sum, own) in sum.iter_mut().zip(own) {
-        *sum += own;
+    for (sum, terms) in sum.iter_mut().zip(terms) {
+        *sum += terms;
     }
 }
 

@@ -86,7 +86,7 @@ fn looked(
     loop {
         let axes = scales(ranges, &counts);
         let layout = Layout(&axes);
-        let looks = look(follower, &layout, with, reference, &mut known)?;
+        let looks = examine(follower, &layout, with, reference, &mut known)?;
         let share = looks.missed as f64 / looks.places as f64;
         if share <= COARSE {
             return Some(Feasibility::From(counts));
@@ -166,7 +166,7 @@ impl Known {
 }
 
 /// Looks at the cells of a layout in which the known solutions are, and moves these to the centres.
-fn look(
+fn examine(
     follower: &mut Follower<'_>,
     layout: &Layout<'_>,
     (places, fit): (&Places, &Fit),
@@ -182,7 +182,7 @@ fn look(
         *one = one.moved(follower, reference, layout.centre(&layout.cell(&one.at)))?;
         let (slopes, bends) = slopes(follower, layout, &one.at, &one.state);
         let sums = looks.bends.iter_mut().zip(bends);
-        sums.for_each(|(sum, own)| *sum += own);
+        sums.for_each(|(sum, bend)| *sum += bend);
         let mut node = Node::with_slopes(&one.state, &slopes, one.determinant, fit.terms());
         fit.refine(follower, layout, &one.at, &mut node);
         let mut example = None;

@@ -3,8 +3,8 @@
 use super::super::follow::Follower;
 use super::layout::Layout;
 use super::node::Node;
-use super::terms::{Terms, place};
-use crate::Scalar;
+use super::terms::{Terms, index};
+use crate::scalar::Scalar;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::f64::consts::PI;
@@ -87,12 +87,12 @@ fn weights(powers: &[Vec<f64>], degree: usize, at: [f64; 2], weight: f64) -> Vec
             // Those of degree 0 are half as long; the last one of the first input is counted twice by this rule.
             let long = [1.0, 2.0, 4.0][usize::from(p > 0) + usize::from(q > 0)];
             let share = if p == degree { 0.5 } else { 1.0 };
-            let own = weight * long * share * values[0][p] * values[1][q];
+            let factor = weight * long * share * values[0][p] * values[1][q];
             for a in 0..=p {
                 for b in 0..=q {
                     // The offsets are halves of what the polynomials go along.
                     let halves = (1_u32 << (a + b)) as f64;
-                    all[place(a, b)] += own * powers[p][a] * powers[q][b] * halves;
+                    all[index(a, b)] += factor * powers[p][a] * powers[q][b] * halves;
                 }
             }
         }
@@ -163,7 +163,7 @@ mod tests {
                 let a = sum - b;
                 let all = fitted(|offsets| product(offsets, a, b));
                 for (number, found) in all.iter().enumerate() {
-                    let wanted = f64::from(number == place(a, b));
+                    let wanted = f64::from(number == index(a, b));
                     assert!((found - wanted).abs() < 1e-10, "{a} {b}: {number} {found}");
                 }
                 for offsets in [[0.31, -0.47], [-0.5, 0.5], [0.11, 0.23]] {

@@ -30,10 +30,20 @@ impl<const S: usize, const T: usize> Fixed<S, T> {
     };
 }
 
-impl<const I: usize, const S: usize, const T: usize> GridLookup<I, S, T> {
-    const TERMS: Option<Terms> = Terms::of(I, T);
+impl Grid {
+    /// For generated code: the numbers of inputs and of state numbers are fixed. `None` if they are not `I` and `S`.
+    #[must_use]
+    pub fn lookup<const I: usize, const S: usize, const T: usize>(
+        &self,
+    ) -> Option<GridLookup<I, S, T>> {
+        GridLookup::new(self)
+    }
+}
 
-    pub(super) fn new(grid: &Grid) -> Option<Self> {
+impl<const I: usize, const S: usize, const T: usize> GridLookup<I, S, T> {
+    const TERMS: Option<Terms> = Terms::with_count(I, T);
+
+    fn new(grid: &Grid) -> Option<Self> {
         if grid.width() != S || Self::TERMS != Some(grid.terms) {
             return None;
         }

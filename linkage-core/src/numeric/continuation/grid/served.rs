@@ -10,7 +10,7 @@ use alloc::vec::Vec;
 const CONTRACTION: f64 = 0.1;
 
 /// What evaluators ask of the last step, and of no other one.
-const TINY: f64 = <f64 as crate::Scalar>::CORRECTION_LIMIT;
+const TINY: f64 = <f64 as crate::scalar::Scalar>::CORRECTION_LIMIT;
 
 /// Brings a state of a cell to the solution as evaluators do; returns the determinant. `None` unless it gets there with something to spare.
 pub(super) fn served(

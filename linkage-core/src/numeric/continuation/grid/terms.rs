@@ -3,7 +3,7 @@
 //! Of degree 1 their coefficients are the state at the centre and the slopes, input by input. Of a higher degree, over two inputs, they stand power by
 //! power of the second input, and for each of these power by power of the first, up to the degree of both together.
 
-use crate::Scalar;
+use crate::scalar::Scalar;
 
 /// So far from the centre of a cell, in cells, there is no state: half a cell outside the grid.
 pub(in super::super) const OUTSIDE: f64 = 1.0;
@@ -41,7 +41,7 @@ impl Terms {
     }
 
     /// Of which so many coefficients over so many inputs are, if there are such.
-    pub(super) const fn of(inputs: usize, count: usize) -> Option<Self> {
+    pub(super) const fn with_count(inputs: usize, count: usize) -> Option<Self> {
         if count == Self::Slopes.count(inputs) {
             Some(Self::Slopes)
         } else if inputs == 2 && count == Self::Polynomials.count(2) {
@@ -54,7 +54,7 @@ impl Terms {
 
 /// Where the coefficient of these powers of two inputs stands.
 #[inline(always)]
-pub(super) const fn place(first: usize, second: usize) -> usize {
+pub(super) const fn index(first: usize, second: usize) -> usize {
     second * (2 * DEGREE + 3 - second) / 2 + first
 }
 
@@ -98,8 +98,8 @@ fn row<const FUSED: bool, const S: usize, const N: usize>(
     x: f64,
 ) -> [f64; S] {
     let mut row = [[0.0; S]; N];
-    for (first, own) in row.iter_mut().enumerate() {
-        *own = coefficients(place(first, second));
+    for (first, number) in row.iter_mut().enumerate() {
+        *number = coefficients(index(first, second));
     }
     by_pairs::<FUSED, S, N>(row, x)
 }

@@ -2,8 +2,8 @@
 
 use super::super::follow::Follower;
 use super::super::scale::Scale;
-use super::border::{Border, Joint, Place, agree};
-use super::cells::{Cell, Found};
+use super::border::{Border, BorderState, Joint, agree};
+use super::cells::{Cell, CellState};
 use super::fit::Fit;
 use super::layout::{Layout, Places};
 use super::node::Node;
@@ -110,7 +110,7 @@ impl Walk<'_, '_, '_> {
     /// Follows the solution to the centre of a cell, and fills the cell from there. False if it is not filled, or was before.
     fn reach(&mut self, cell: &[usize], from: &Solution<'_>, to: &[f64]) -> bool {
         let number = self.layout.number(cell);
-        if matches!(self.cells[number].found, Found::Filled(_)) {
+        if matches!(self.cells[number].found, CellState::Filled(_)) {
             return false;
         }
         let mut state = from.state.to_vec();
@@ -120,8 +120,10 @@ impl Walk<'_, '_, '_> {
             ended => {
                 let cell = &mut self.cells[number];
                 match (ended, &cell.found) {
-                    (PathEnd::DeadPoint, Found::Unseen | Found::Lost) => cell.found = Found::Beyond,
-                    (_, Found::Unseen) => cell.found = Found::Lost,
+                    (PathEnd::DeadPoint, CellState::Unseen | CellState::Lost) => {
+                        cell.found = CellState::Beyond
+                    }
+                    (_, CellState::Unseen) => cell.found = CellState::Lost,
                     _ => {}
                 }
                 return false;
@@ -140,7 +142,7 @@ impl Walk<'_, '_, '_> {
             bends,
             ..self.checked(cell, to, node)
         };
-        matches!(self.cells[number].found, Found::Filled(_))
+        matches!(self.cells[number].found, CellState::Filled(_))
     }
 
     /// The cell with this node: whether evaluators reach the solution wherever it exists on the border. Refused if it does not
@@ -152,9 +154,9 @@ impl Walk<'_, '_, '_> {
         for offsets in &self.border.places.offsets {
             let (place, determinant) = self.place(centre, &node, offsets);
             match place {
-                Place::Served(_) => cell.served += 1,
-                Place::Absent => cell.absent += 1,
-                Place::Missed(_) | Place::Unknown => {
+                BorderState::Served(_) => cell.served += 1,
+                BorderState::Absent => cell.absent += 1,
+                BorderState::Missed(_) | BorderState::Unknown => {
                     cell.missed += 1;
                     cell.example.get_or_insert_with(|| offsets.clone());
                 }
@@ -169,28 +171,28 @@ impl Walk<'_, '_, '_> {
             Joint::Same => {
                 self.border.keep(&self.layout, slots, places);
                 node.floor = 0.5 * least;
-                Found::Filled(node)
+                CellState::Filled(node)
             }
-            Joint::Unclear => Found::Refused,
-            Joint::Other => Found::Other,
+            Joint::Unclear => CellState::Refused,
+            Joint::Other => CellState::Other,
         };
         cell
     }
 
     /// A place on the border of a cell, and the determinant there, as far as it is known.
-    fn place(&mut self, centre: &[f64], node: &Node, offsets: &[f64]) -> (Place, f64) {
+    fn place(&mut self, centre: &[f64], node: &Node, offsets: &[f64]) -> (BorderState, f64) {
         let x = self.layout.moved(centre, offsets);
         let mut state = vec![0.0; node.centre().len()];
         node.state::<false>(offsets, &mut state);
         if let Some(determinant) = served(self.follower, self.fit.terms(), &x, &mut state) {
-            return (Place::Served(state), determinant);
+            return (BorderState::Served(state), determinant);
         }
         state.copy_from_slice(node.centre());
         let determinants = [node.floor, self.reference];
         match follow(self.follower, centre, &x, &mut state, determinants) {
-            PathEnd::Reached(determinant) => (Place::Missed(state), determinant),
-            PathEnd::DeadPoint => (Place::Absent, f64::INFINITY),
-            PathEnd::Lost => (Place::Unknown, f64::INFINITY),
+            PathEnd::Reached(determinant) => (BorderState::Missed(state), determinant),
+            PathEnd::DeadPoint => (BorderState::Absent, f64::INFINITY),
+            PathEnd::Lost => (BorderState::Unknown, f64::INFINITY),
         }
     }
 }

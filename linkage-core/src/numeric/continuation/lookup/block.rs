@@ -3,7 +3,7 @@
 use super::super::cell::OUTSIDE;
 use super::super::scale::guard;
 use super::{Lookup, cell, polynomials};
-use crate::Scalar;
+use crate::scalar::Scalar;
 use core::hint::black_box;
 use core::mem::MaybeUninit;
 

@@ -7,7 +7,7 @@
 use super::super::homotopy::Homotopy;
 use super::super::projective::ProjectivePoint;
 use super::super::rough_root::rough_root;
-use super::equations::{Equations, Point};
+use super::wide_equations::{Equations, Point};
 use crate::numeric::complex::Complex;
 use crate::numeric::complex_matrix::{Vector, size, solve};
 
@@ -192,7 +192,7 @@ fn corrected<const N: usize>(
         x = moved(&x, |j| correction[j]);
         let first = *first.get_or_insert(length);
         if settled {
-            let slope = tangent.map(|own| own.scaled(t));
+            let slope = tangent.map(|slope| slope.scaled(t));
             return Some((PathSample { x, slope }, first));
         }
         last = length;

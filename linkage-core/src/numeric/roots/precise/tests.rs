@@ -1,6 +1,6 @@
+use super::super::path_trace::Trace;
 use super::super::projective::ProjectivePoint;
-use super::super::trace::Trace;
-use super::Found;
+use super::ReachedEnd;
 use crate::numeric::complex::{Complex, ZERO};
 
 #[test]
@@ -12,7 +12,7 @@ fn ends_count_if_roundings_move_them_less_than_they_are_apart() {
     let traces: [Trace<2>; 0] = [];
     let root = |moved: f64, apart: f64| {
         let found = [(0, 0.0, moved), (1, apart, 0.0)];
-        let found = found.map(|(path, re, moved)| Found {
+        let found = found.map(|(path, re, moved)| ReachedEnd {
             path,
             place: place(re),
             moved,

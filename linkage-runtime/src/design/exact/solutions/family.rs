@@ -4,8 +4,8 @@ use super::super::ball::{Ball, Bound};
 use super::super::certificate::{self, Certificate, Evaluated, Point, System};
 use super::super::long::Long;
 use super::super::path::{Moving, Step};
-use super::equations::Equations;
 use super::number::{Number, Slopes};
+use super::polynomial_equations::Equations;
 use linkage_core::numeric::complex::{Complex, ONE, ZERO};
 use linkage_core::numeric::complex_matrix;
 

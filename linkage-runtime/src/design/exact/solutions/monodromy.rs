@@ -7,8 +7,8 @@
 use super::super::super::starts;
 use super::super::certificate::Certificate;
 use super::super::path::{Pace, Stuck, follow};
-use super::equations::Equations;
 use super::family::{Member, Way};
+use super::polynomial_equations::Equations;
 use crate::design::exact::Unsolved;
 use crate::design::parallel::in_parallel;
 use alloc::vec::Vec;

@@ -6,9 +6,9 @@
 //! 2002). When the form is taken away, each solution of the equations is the end of one of these points, and the others go to
 //! infinity.
 
-use super::equations::Equations;
 use super::family::{Member, Way};
 use super::monodromy::{Fibre, Random, end, middle};
+use super::polynomial_equations::Equations;
 use crate::design::exact::Unsolved;
 use crate::design::parallel::in_parallel;
 use alloc::vec::Vec;

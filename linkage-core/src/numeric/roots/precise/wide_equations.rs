@@ -59,7 +59,10 @@ impl<const N: usize> Equations<N> {
     pub(super) fn changed(&self, sign: f64) -> Self {
         let mut changed = self.clone();
         let mut direction = ONE;
-        let terms = changed.equations.iter_mut().flat_map(|own| &mut own.terms);
+        let terms = changed
+            .equations
+            .iter_mut()
+            .flat_map(|equation| &mut equation.terms);
         for (factor, _) in terms {
             direction = direction * RADIAN;
             *factor = *factor + *factor * direction.scaled(sign * ROUNDING).wide();
@@ -115,7 +118,9 @@ impl<const N: usize> Equation<N> {
                 coefficients.reverse();
             }
             let from_highest = coefficients.iter().rev();
-            let value = from_highest.fold(ZERO.wide(), |value, own| value * *x + own.wide());
+            let value = from_highest.fold(ZERO.wide(), |value, coefficient| {
+                value * *x + coefficient.wide()
+            });
             product = product * value;
         }
         product
