@@ -82,13 +82,13 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
     /// How fast the inputs must be for the results to be so fast.
     #[must_use]
     pub fn inputs_of(&self, results: [T; N]) -> [T; N] {
-        Factors::of(self.rows).solve(results)
+        Factors::of_rows(self.rows).solve(results)
     }
 
     /// The derivatives of the inputs by the results.
     #[must_use]
     pub fn inverse(&self) -> Self {
-        let factors = Factors::of(self.rows);
+        let factors = Factors::of_rows(self.rows);
         let unit = |k| core::array::from_fn(|row| T::from_f64(if row == k { 1.0 } else { 0.0 }));
         Self::of_inputs(core::array::from_fn(|k| factors.solve(unit(k))))
     }
@@ -96,7 +96,7 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
     /// The determinant; its sign changes where the mechanism passes a singular position.
     #[must_use]
     pub fn determinant(&self) -> T {
-        Factors::of(self.rows).determinant()
+        Factors::of_rows(self.rows).determinant()
     }
 
     /// The forces or torques at the inputs that do the same work as these at the results: `J^T` times the loads. Drives that carry the loads
@@ -109,14 +109,14 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
     /// What these forces or torques at the inputs do at the results.
     #[must_use]
     pub fn loads(&self, efforts: [T; N]) -> [T; N] {
-        Factors::of(transposed(self.rows)).solve(efforts)
+        Factors::of_rows(transposed(self.rows)).solve(efforts)
     }
 
     /// The singular values, the largest first: the lengths of the half axes of the ellipsoid of velocities that inputs of a total of 1 (the
     /// root of the sum of their squares) can give, by which loads are divided.
     #[must_use]
     pub fn singular_values(&self) -> [T; N] {
-        singular_values::of(transposed(self.rows))
+        singular_values::singular_values(transposed(self.rows))
     }
 
     /// The largest singular value over the smallest: 1 where all directions are alike, infinite at a singular position. Errors and loads grow

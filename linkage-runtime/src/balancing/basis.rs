@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use super::BalanceError;
-use super::rows::{Row, add, dot};
+use super::rows::{ForceRow, add, dot};
 use crate::components::norm;
 
 /// The effects as a product: columns of length 1 that are perpendicular to each other, times a triangular matrix.
@@ -20,7 +20,7 @@ const DEPENDENT: f64 = 1e-12;
 impl<const N: usize> Basis<N> {
     /// By the modified process of Gram and Schmidt, with every projection made twice: then the columns are perpendicular to
     /// rounding.
-    pub(super) fn new(rows: &[Row<N>]) -> Result<Self, BalanceError> {
+    pub(super) fn new(rows: &[ForceRow<N>]) -> Result<Self, BalanceError> {
         let mut columns: Vec<[[f64; 3]; N]> = rows.iter().map(|row| row.effects).collect();
         let mut triangle = [[0.0; N]; N];
         let mut scales = [0.0; N];
@@ -58,7 +58,7 @@ impl<const N: usize> Basis<N> {
     }
 
     /// The coordinates that take most away from the forces, and what remains of these: perpendicular to all columns.
-    pub(super) fn project(&self, rows: &[Row<N>]) -> ([f64; N], Vec<[f64; 3]>) {
+    pub(super) fn project(&self, rows: &[ForceRow<N>]) -> ([f64; N], Vec<[f64; 3]>) {
         let mut rest: Vec<[f64; 3]> = rows.iter().map(|row| row.force).collect();
         let mut coordinates = [0.0; N];
         for j in [0, 1].into_iter().flat_map(|_| 0..N) {

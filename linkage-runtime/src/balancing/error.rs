@@ -67,7 +67,7 @@ impl fmt::Display for BalanceError {
                 effects,
             } => {
                 write!(f, "{effects} rows of effects for {forces} forces")?;
-                of(f, *group)
+                write_quantity(f, *group)
             }
             Self::NotFinite {
                 group,
@@ -75,7 +75,7 @@ impl fmt::Display for BalanceError {
                 effect,
             } => {
                 write!(f, "position {position}")?;
-                of(f, *group)?;
+                write_quantity(f, *group)?;
                 match effect {
                     Some(effect) => write!(f, ": the effect of mass {effect} is not finite")?,
                     None => f.write_str(": the force is not finite")?,
@@ -108,7 +108,7 @@ impl fmt::Display for BalanceError {
 }
 
 /// ` of quantity 1`; the first one is the only one as a rule, and is not named.
-fn of(f: &mut fmt::Formatter<'_>, group: usize) -> fmt::Result {
+fn write_quantity(f: &mut fmt::Formatter<'_>, group: usize) -> fmt::Result {
     match group {
         0 => Ok(()),
         _ => write!(f, " of quantity {group}"),

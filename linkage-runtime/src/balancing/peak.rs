@@ -9,14 +9,14 @@ mod step;
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::rows::{Row, add, dot, larger};
+use super::rows::{ForceRow, add, dot, larger};
 use crate::components::norm;
 use linkage_core::math::double::sqrt;
 use linkage_core::numeric::cholesky::Cholesky;
 use step::{LEAST_PIVOT, State};
 
 /// A point, and what no point goes below.
-pub(super) struct Found<const N: usize> {
+pub(super) struct LeastPeak<const N: usize> {
     pub(super) coordinates: [f64; N],
     pub(super) bound: f64,
 }
@@ -31,10 +31,10 @@ const GAP: f64 = 1e-13;
 pub(super) fn least_peak<const N: usize>(
     forces: &[[f64; 3]],
     columns: &[[[f64; 3]; N]],
-) -> Found<N> {
+) -> LeastPeak<N> {
     let scale = forces.iter().map(|v| norm(v)).fold(0.0, larger);
     if scale == 0.0 {
-        return Found {
+        return LeastPeak {
             coordinates: [0.0; N],
             bound: 0.0,
         };
@@ -61,7 +61,7 @@ pub(super) fn least_peak<const N: usize>(
         }
         state = state.next(&problem.rows);
     }
-    Found {
+    LeastPeak {
         coordinates: point.map(|y| scale * problem.unit * y),
         bound: scale * bound,
     }
@@ -69,7 +69,7 @@ pub(super) fn least_peak<const N: usize>(
 
 /// Forces of size 1 and columns with entries of size 1.
 struct Problem<const N: usize> {
-    rows: Vec<Row<N>>,
+    rows: Vec<ForceRow<N>>,
     /// The length of a column.
     unit: f64,
 }
@@ -77,7 +77,7 @@ struct Problem<const N: usize> {
 impl<const N: usize> Problem<N> {
     fn new(forces: &[[f64; 3]], columns: &[[[f64; 3]; N]], scale: f64) -> Self {
         let unit = sqrt(forces.len() as f64);
-        let row = |(force, column): (&[f64; 3], &[[f64; 3]; N])| Row {
+        let row = |(force, column): (&[f64; 3], &[[f64; 3]; N])| ForceRow {
             force: force.map(|x| x / scale),
             effects: column.map(|v| v.map(|x| x * unit)),
         };
@@ -140,7 +140,7 @@ mod tests {
 
     fn problem(first: usize) -> Problem<2> {
         let vector = |i: usize| [number(i), number(i + 1), number(i + 2)];
-        let row = |i: usize| Row {
+        let row = |i: usize| ForceRow {
             force: vector(first + 9 * i).map(|x| 0.5 * x),
             effects: [vector(first + 9 * i + 3), vector(first + 9 * i + 6)],
         };

@@ -8,14 +8,14 @@ use linkage_core::math::double::sqrt;
 
 /// A position.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Row<const N: usize> {
+pub(super) struct ForceRow<const N: usize> {
     pub(super) force: [f64; 3],
     pub(super) effects: [[f64; 3]; N],
 }
 
-pub(super) type Rows<const N: usize> = Vec<Row<N>>;
+pub(super) type Rows<const N: usize> = Vec<ForceRow<N>>;
 
-impl<const N: usize> Row<N> {
+impl<const N: usize> ForceRow<N> {
     pub(super) fn times(&self, factor: f64) -> Self {
         let times = |v: [f64; 3]| v.map(|x| factor * x);
         Self {
@@ -88,7 +88,7 @@ where
         }
     }
     let space = |v: V| in_space(&v.components());
-    let row = |(force, effects): (&V, &[V; N])| Row {
+    let row = |(force, effects): (&V, &[V; N])| ForceRow {
         force: space(*force),
         effects: effects.map(space),
     };
@@ -96,7 +96,7 @@ where
 }
 
 /// What masses leave of a group.
-pub(super) fn figures<const N: usize>(rows: &[Row<N>], values: &[f64; N]) -> Figures {
+pub(super) fn figures<const N: usize>(rows: &[ForceRow<N>], values: &[f64; N]) -> Figures {
     let lengths: Vec<f64> = rows.iter().map(|row| norm(&row.with(values))).collect();
     Figures {
         rms: norm(&lengths) / sqrt(lengths.len() as f64),
@@ -105,8 +105,8 @@ pub(super) fn figures<const N: usize>(rows: &[Row<N>], values: &[f64; N]) -> Fig
 }
 
 /// How far the forces that masses leave, and sums over them, may be off by rounding.
-pub(super) fn rounding<const N: usize>(rows: &[Row<N>], values: &[f64; N]) -> f64 {
-    let terms = |row: &Row<N>| {
+pub(super) fn rounding<const N: usize>(rows: &[ForceRow<N>], values: &[f64; N]) -> f64 {
+    let terms = |row: &ForceRow<N>| {
         let effects = row.effects.iter().zip(values);
         let sum: f64 = effects
             .map(|(effect, value)| norm(effect) * value.abs())

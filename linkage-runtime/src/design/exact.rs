@@ -23,8 +23,8 @@ mod verify;
 pub use burmester::{CentreCurve, CentrePoint, Dyad, Dyads, Pivots};
 pub use error::Unsolved;
 pub use five_points::{FivePoints, five_points};
-pub use four_bar::{FourBar, Passage, Turning, Visit};
-pub use function::{FunctionFourBar, Functions, Pair, Start};
+pub use four_bar::{FourBar, GrashofType, Passage, Visit};
+pub use function::{FunctionFourBar, Functions, GivenStart, Pair};
 pub use nine_points::{
     NinePoints, PathFourBar, TRIPLES, Triple, nine_points, nine_points_reporting,
 };

@@ -13,7 +13,7 @@ pub(super) struct Factors<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> Factors<T, N> {
-    pub(super) fn of(rows: [[T; N]; N]) -> Self {
+    pub(super) fn of_rows(rows: [[T; N]; N]) -> Self {
         let zero = T::from_f64(0.0);
         let mut columns = super::small_matrix::transposed(rows);
         let mut mirrors = [([zero; N], zero); N];

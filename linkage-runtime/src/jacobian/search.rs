@@ -137,7 +137,8 @@ fn between(
 /// Whether the determinant has a pole shortly beyond the border at `near`; `far` is a step away on the side where positions are.
 fn heads_for_pole(at: &mut impl FnMut(f64) -> Sample, near: Sample, far: Sample) -> bool {
     let beside = at(near.place + SHORTLY * (far.place - near.place));
-    let [level, above] = [near, beside].map(|own| 1.0 / (own.determinant * own.determinant));
+    let [level, above] =
+        [near, beside].map(|jacobian| 1.0 / (jacobian.determinant * jacobian.determinant));
     // From `above` over `level` down to zero, within the same distance.
     beside.side().is_some() && above >= 2.0 * level
 }

@@ -10,7 +10,7 @@ use super::small_matrix::dot;
 const SWEEPS: usize = 10;
 
 /// Of a matrix by its columns, the largest first.
-pub(super) fn of<T: Scalar, const N: usize>(mut columns: [[T; N]; N]) -> [T; N] {
+pub(super) fn singular_values<T: Scalar, const N: usize>(mut columns: [[T; N]; N]) -> [T; N] {
     for _ in 0..SWEEPS {
         for second in 1..N {
             for first in 0..second {

@@ -29,14 +29,14 @@ fn close(found: f64, expected: f64, tolerance: f64) {
 #[test]
 fn singular_values_are_those_that_were_put_in() {
     for values in [[3.0, 2.0, 0.5], [1.0, 1.0, 1.0], [7.0, 7.0, 1e-3]] {
-        let own = with_values(values);
-        let found = own.singular_values();
+        let jacobian = with_values(values);
+        let found = jacobian.singular_values();
         // The entries of the matrix are rounded in proportion to the largest one.
         let rounding = 2e-15 * values[0] / values[2];
         (0..3).for_each(|k| close(found[k], values[k], rounding));
-        close(own.condition(), values[0] / values[2], rounding);
-        close(own.manipulability(), values.iter().product(), rounding);
-        close(own.determinant(), values.iter().product(), rounding);
+        close(jacobian.condition(), values[0] / values[2], rounding);
+        close(jacobian.manipulability(), values.iter().product(), rounding);
+        close(jacobian.determinant(), values.iter().product(), rounding);
     }
     let golden = Jacobian::of_results([[1.0, 1.0], [0.0, 1.0]]).singular_values();
     let ratio = 0.5 * (1.0 + 5.0_f64.sqrt());
@@ -48,31 +48,31 @@ fn singular_values_are_those_that_were_put_in() {
 fn small_singular_values_keep_their_digits() {
     // Columns of very different lengths, by exact powers of two: (3, 4) and (4, -3) / 2^40, turned against each other.
     let small = 2.0_f64.powi(-40);
-    let own = Jacobian::of_inputs([[3.0, 4.0], [4.0 * small, -3.0 * small]]);
-    let [large, least] = own.singular_values();
+    let jacobian = Jacobian::of_inputs([[3.0, 4.0], [4.0 * small, -3.0 * small]]);
+    let [large, least] = jacobian.singular_values();
     close(large, 5.0, 1e-15);
     close(least, 5.0 * small, 1e-15);
 }
 
 #[test]
 fn both_ways_undo_each_other() {
-    let own = with_values([5.0, 0.3, 0.02]);
+    let jacobian = with_values([5.0, 0.3, 0.02]);
     let rates = [0.3, -1.7, 0.9];
-    let back = own.inputs_of(own.results_of(rates));
+    let back = jacobian.inputs_of(jacobian.results_of(rates));
     (0..3).for_each(|k| close(back[k], rates[k], 1e-13));
-    let inverse = own.inverse();
-    let rates_of_inverse = inverse.results_of(own.results_of(rates));
+    let inverse = jacobian.inverse();
+    let rates_of_inverse = inverse.results_of(jacobian.results_of(rates));
     (0..3).for_each(|k| close(rates_of_inverse[k], rates[k], 1e-13));
     // The work of efforts in the inputs is that of loads in the results.
     let loads = [4.0, 1.0, -2.0];
-    let efforts = own.efforts(loads);
+    let efforts = jacobian.efforts(loads);
     let work = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     close(
         work(efforts, rates),
-        work(loads, own.results_of(rates)),
+        work(loads, jacobian.results_of(rates)),
         1e-12,
     );
-    let again = own.loads(efforts);
+    let again = jacobian.loads(efforts);
     (0..3).for_each(|k| close(again[k], loads[k], 1e-12));
 }
 
@@ -92,8 +92,8 @@ fn signs_of_determinants_are_right() {
 
 #[test]
 fn units_are_taken_out() {
-    let own = Jacobian::of_results([[6.0, 8.0], [1.0, 2.0]]).in_units([2.0, 1.0], [1.0, 0.5]);
-    assert_eq!(own.rows(), [[3.0, 2.0], [1.0, 1.0]]);
+    let jacobian = Jacobian::of_results([[6.0, 8.0], [1.0, 2.0]]).in_units([2.0, 1.0], [1.0, 0.5]);
+    assert_eq!(jacobian.rows(), [[3.0, 2.0], [1.0, 1.0]]);
 }
 
 #[test]
@@ -106,7 +106,10 @@ fn zeros_poles_and_ends_are_told_apart() {
         (1.1, SingularityKind::Second),
         (2.0, SingularityKind::Second),
     ];
-    let found: Vec<_> = found.iter().map(|own| (own.at, own.kind)).collect();
+    let found: Vec<_> = found
+        .iter()
+        .map(|singularity| (singularity.at, singularity.kind))
+        .collect();
     assert_eq!(found.len(), expected.len());
     for ((at, kind), (place, expected)) in found.into_iter().zip(expected) {
         close(at, place, 1e-15);

@@ -101,7 +101,11 @@ fn closed(terms: &[Term], row: &[f64]) -> Cheapest {
     };
     let values = values(price);
     // The dual function at this price; both agree up to rounding.
-    let total: f64 = terms.iter().zip(&values).map(|(term, &u)| term.at(u)).sum();
+    let total: f64 = terms
+        .iter()
+        .zip(&values)
+        .map(|(term, &u)| term.evaluate(u))
+        .sum();
     let used: f64 = values.iter().zip(row).map(|(u, a)| u * a).sum();
     Cheapest {
         values,
@@ -123,7 +127,7 @@ mod tests {
             let row = [0.5, 2.0];
             let found = closed(&terms, &row);
             let used = found.values[0] * row[0] + found.values[1] * row[1];
-            let cost = terms[0].at(found.values[0]) + terms[1].at(found.values[1]);
+            let cost = terms[0].evaluate(found.values[0]) + terms[1].evaluate(found.values[1]);
             assert!((used - 1.0).abs() < 1e-12, "{used}");
             assert!(
                 (found.bound - cost).abs() < 1e-12 * cost,

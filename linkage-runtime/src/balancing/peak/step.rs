@@ -3,7 +3,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::balancing::rows::{Row, dot};
+use crate::balancing::rows::{ForceRow, dot};
 use linkage_core::numeric::cholesky::Cholesky;
 
 /// The least part of its diagonal that a pivot counts as, where rounding has taken it away.
@@ -30,9 +30,9 @@ struct Step<const N: usize> {
 
 impl<const N: usize> State<N> {
     /// For forces of length 1 at most.
-    pub(super) fn start(rows: &[Row<N>]) -> Self {
+    pub(super) fn start(rows: &[ForceRow<N>]) -> Self {
         let tau = 2.0;
-        let slack = |row: &Row<N>| tau - dot(&row.force, &row.force);
+        let slack = |row: &ForceRow<N>| tau - dot(&row.force, &row.force);
         Self {
             point: [0.0; N],
             tau,
@@ -43,7 +43,7 @@ impl<const N: usize> State<N> {
 
     /// The state after a step. Values that are not finite, after a breakdown by rounding, make no harm: they never count as
     /// progress.
-    pub(super) fn next(&self, rows: &[Row<N>]) -> Self {
+    pub(super) fn next(&self, rows: &[ForceRow<N>]) -> Self {
         let system = System::new(rows, self);
         let products = |slacks: &[f64], multipliers: &[f64]| -> f64 {
             slacks.iter().zip(multipliers).map(|(s, m)| s * m).sum()
@@ -110,7 +110,7 @@ struct System<const N: usize> {
 }
 
 impl<const N: usize> System<N> {
-    fn new(rows: &[Row<N>], state: &State<N>) -> Self {
+    fn new(rows: &[ForceRow<N>], state: &State<N>) -> Self {
         let rests: Vec<[f64; 3]> = rows.iter().map(|row| row.with(&state.point)).collect();
         let pairs = rows.iter().zip(&rests);
         let gradients: Vec<[f64; N]> = pairs

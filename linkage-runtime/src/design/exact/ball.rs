@@ -54,7 +54,7 @@ impl Ball {
     pub(super) const ZERO: Self = Self::exact(ZERO);
 
     /// A number of more digits.
-    pub(super) fn of(number: Complex<DoubleDouble>) -> Self {
+    pub(super) fn from_wide(number: Complex<DoubleDouble>) -> Self {
         let rest = number.re.low.abs() + number.im.low.abs();
         Self::new(number.narrow(), rest * AMPLE)
     }
@@ -85,7 +85,7 @@ impl Ball<Long> {
     /// With the digits of plain numbers.
     pub(super) fn narrow(self) -> Ball {
         let middle = self.middle.map(Long::narrow);
-        let rest = taxi(self.middle - middle.map(Long::of));
+        let rest = taxi(self.middle - middle.map(Long::exact));
         Ball::new(middle, (self.radius + rest) * AMPLE)
     }
 
@@ -100,7 +100,10 @@ impl<R: Real> From<Complex> for Ball<R> {
     fn from(number: Complex) -> Self {
         let finite = number.re.is_finite() && number.im.is_finite();
         let radius = if finite { 0.0 } else { f64::NAN };
-        Self::new(Complex::new(R::of(number.re), R::of(number.im)), radius)
+        Self::new(
+            Complex::new(R::exact(number.re), R::exact(number.im)),
+            radius,
+        )
     }
 }
 
@@ -126,7 +129,7 @@ fn taxi<R: Real>(number: Complex<R>) -> f64 {
 pub(super) struct Bound(pub(super) f64);
 
 impl Bound {
-    pub(super) fn of(number: Complex<DoubleDouble>) -> Self {
+    pub(super) fn from_wide(number: Complex<DoubleDouble>) -> Self {
         Self(taxi(number.narrow()) * AMPLE)
     }
 
@@ -134,7 +137,7 @@ impl Bound {
     /// operations, each wrong by a few parts in 2^106.
     pub(super) fn around(self, value: Complex<DoubleDouble>) -> Ball {
         const WRONG: f64 = 1.0 / (1_u128 << 96) as f64;
-        Ball::of(value).widened(self.0 * WRONG)
+        Ball::from_wide(value).widened(self.0 * WRONG)
     }
 }
 

@@ -90,7 +90,7 @@ fn mirrored<const N: usize, S: System<N>, R: Real>(discs: &[Ball<R>; N]) -> [Bal
 }
 
 fn one_solution<const N: usize, S: System<N>>(point: &Point<N>, system: &S) -> Option<[Ball; N]> {
-    let there = point.map(Ball::of);
+    let there = point.map(Ball::from_wide);
     let matrix = system.matrix(&there);
     let inverse = complex_matrix::inverse(&matrix.map(|row| row.map(|element| element.middle)))?;
     let shift = times(&inverse, &system.values(point)).map(Ball::size);

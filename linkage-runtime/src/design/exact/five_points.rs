@@ -51,8 +51,12 @@ const STEPS: usize = 5;
 impl System<ALL> for Task {
     fn values(&self, point: &Point<ALL>) -> [Ball; ALL] {
         let (values, _) = self.system(point, [ZERO, ONE].map(Complex::wide), |shift| shift.wide());
-        let bounds = |shift: &Shift| shift.wide().map(Bound::of);
-        let (sizes, _) = self.system(&point.map(Bound::of), [Bound(0.0), Bound(1.0)], bounds);
+        let bounds = |shift: &Shift| shift.wide().map(Bound::from_wide);
+        let (sizes, _) = self.system(
+            &point.map(Bound::from_wide),
+            [Bound(0.0), Bound(1.0)],
+            bounds,
+        );
         core::array::from_fn(|i| sizes[i].around(values[i]))
     }
 
@@ -124,15 +128,23 @@ impl Task {
             paths: listing.paths,
             error: 0.0,
         };
-        for (i, own) in certificates.iter().enumerate() {
+        for (i, certificate) in certificates.iter().enumerate() {
             let before = certificates[..i].iter().flatten();
-            let own = own.as_ref().filter(|own| own.real == Some(true));
-            let own = own.filter(|own| before.clone().all(|other| own.is_apart_from(other)));
-            let four_bar = own.map(|own| (own, self.four_bar(&own.discs.map(|disc| disc.middle))));
-            // Shown to exist; that it is the one that is returned its own joints show.
+            let certificate = certificate
+                .as_ref()
+                .filter(|certificate| certificate.real == Some(true));
+            let certificate = certificate
+                .filter(|certificate| before.clone().all(|other| certificate.is_apart_from(other)));
+            let four_bar = certificate.map(|certificate| {
+                (
+                    certificate,
+                    self.four_bar(&certificate.discs.map(|disc| disc.middle)),
+                )
+            });
+            // Shown to exist; that it is the one that is returned its certificate joints show.
             match four_bar.filter(|(_, (four_bar, poses))| verify::closes(four_bar, poses)) {
-                Some((own, four_bar)) => {
-                    let joints = own.discs[..4].iter().map(|disc| disc.radius);
+                Some((certificate, four_bar)) => {
+                    let joints = certificate.discs[..4].iter().map(|disc| disc.radius);
                     found.error =
                         joints.fold(found.error, |most, radius| most.max(radius * self.unit));
                     found.four_bars.push(four_bar);
@@ -153,12 +165,12 @@ impl Task {
                 let d = shift.narrow();
                 let far = d - a;
                 let mut add = |coefficient: Complex, joint: Option<usize>, turn: i8| {
-                    let mut own = [0; 8];
+                    let mut monomial = [0; 8];
                     if let Some(hat) = joint {
-                        own[2 * side + hat] = 1;
+                        monomial[2 * side + hat] = 1;
                     }
-                    own[4 + j] = turn;
-                    exponents.push(own);
+                    monomial[4 + j] = turn;
+                    exponents.push(monomial);
                     coefficients.push(coefficient.into());
                 };
                 add(far.conjugate(), Some(0), 1);

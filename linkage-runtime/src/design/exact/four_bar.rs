@@ -17,7 +17,7 @@ pub struct FourBar {
 
 /// Which links of a four-bar turn fully (Grashof's condition).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Turning {
+pub enum GrashofType {
     /// This link (0 or 1) turns fully, the other one of the frame rocks.
     Crank(usize),
     /// Both links of the frame turn fully.
@@ -32,7 +32,7 @@ pub enum Turning {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Visit {
     /// Which of the sets of positions that can be reached without taking joints apart, 0 or 1; always 0 for
-    /// [`Turning::TripleRocker`].
+    /// [`GrashofType::TripleRocker`].
     pub circuit: usize,
     /// For either link as the driving one: on which side of its dead points, 0 or 1.
     pub branch: [usize; 2],
@@ -75,13 +75,13 @@ impl FourBar {
 
     /// Which links turn fully. What is about to change is told as rounding has it.
     #[must_use]
-    pub fn turning(&self, pose: &Pose) -> Turning {
+    pub fn turning(&self, pose: &Pose) -> GrashofType {
         match self.shortest(pose) {
-            None => Turning::TripleRocker,
-            Some(0) => Turning::Crank(0),
-            Some(1) => Turning::DoubleRocker,
-            Some(2) => Turning::Crank(1),
-            Some(_) => Turning::DoubleCrank,
+            None => GrashofType::TripleRocker,
+            Some(0) => GrashofType::Crank(0),
+            Some(1) => GrashofType::DoubleRocker,
+            Some(2) => GrashofType::Crank(1),
+            Some(_) => GrashofType::DoubleCrank,
         }
     }
 

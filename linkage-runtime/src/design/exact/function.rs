@@ -61,7 +61,7 @@ pub struct Functions {
 
 /// Which start of an angle is given, the other one is free.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Start {
+pub enum GivenStart {
     /// Angle of the crank at input 0, rad.
     Input(f64),
     /// Angle of the rocker at output 0, rad.
@@ -107,7 +107,7 @@ impl Functions {
         let solved = svd.solve(&right, 0.0).ok().filter(|_| rank > LEAST);
         let k = solved.ok_or(Unsolved::Dependent { rank, least: LEAST })?;
         let found = FunctionFourBar::of_ratios([k[0], k[1], k[2]], [input_start, output_start]);
-        Ok(Self::of([found].into_iter().collect(), pairs, true))
+        Ok(Self::new([found].into_iter().collect(), pairs, true))
     }
 
     /// Four pairs, one start given: at most two four-bars.
@@ -115,11 +115,11 @@ impl Functions {
     /// # Errors
     ///
     /// `NotFinite`; `Equal` pairs; `Dependent` pairs.
-    pub fn of_four(pairs: &[Pair; 4], start: Start) -> Result<Self, Unsolved> {
+    pub fn of_four(pairs: &[Pair; 4], start: GivenStart) -> Result<Self, Unsolved> {
         checked(pairs)?;
         match start {
-            Start::Input(start) => Self::with_input_start(pairs, start),
-            Start::Output(start) => {
+            GivenStart::Input(start) => Self::with_input_start(pairs, start),
+            GivenStart::Output(start) => {
                 let mut found = Self::with_input_start(&pairs.map(Pair::mirrored), PI - start)?;
                 for four_bar in &mut found.four_bars {
                     *four_bar = four_bar.mirrored();
@@ -210,10 +210,10 @@ impl Functions {
             let ratios = ratios(&at(turn))?;
             FunctionFourBar::of_ratios(ratios, [start, turn])
         });
-        Ok(Self::of(found.into_iter().collect(), pairs, clear))
+        Ok(Self::new(found.into_iter().collect(), pairs, clear))
     }
 
-    fn of(found: Vec<Option<FunctionFourBar>>, pairs: &[Pair], certified: bool) -> Self {
+    fn new(found: Vec<Option<FunctionFourBar>>, pairs: &[Pair], certified: bool) -> Self {
         let count = found.len();
         let four_bars: Vec<_> = found.into_iter().flatten().collect();
         let found = Self {

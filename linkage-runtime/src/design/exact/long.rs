@@ -79,10 +79,10 @@ impl Long {
             exponent: -DIGITS,
             ..self
         };
-        let mut inverse = Self::of(1.0 / from_half_to_one.narrow());
+        let mut inverse = Self::exact(1.0 / from_half_to_one.narrow());
         // 53 digits, 106, 212, all.
         for _ in 0..3 {
-            inverse = inverse * (Self::of(2.0) - from_half_to_one * inverse);
+            inverse = inverse * (Self::exact(2.0) - from_half_to_one * inverse);
         }
         let raised = (-DIGITS).saturating_sub(self.exponent);
         Self {
@@ -104,7 +104,7 @@ pub(super) fn inverse(number: Complex<Long>) -> Complex<Long> {
 }
 
 impl Real for Long {
-    fn of(number: f64) -> Self {
+    fn exact(number: f64) -> Self {
         let bits = number.abs().to_bits();
         let (exponent, fraction) = ((bits >> 52) as i32, bits & ((1 << 52) - 1));
         let mut words = [0; WIDE];
@@ -131,7 +131,7 @@ impl Real for Long {
 
 impl From<DoubleDouble> for Long {
     fn from(number: DoubleDouble) -> Self {
-        Self::of(number.high) + Self::of(number.low)
+        Self::exact(number.high) + Self::exact(number.low)
     }
 }
 

@@ -10,7 +10,7 @@ mod equations;
 mod path;
 mod result;
 mod search;
-mod starts;
+mod stored_solutions;
 mod task;
 #[cfg(test)]
 mod tests;
@@ -20,7 +20,7 @@ pub use result::{NinePoints, PathFourBar, TRIPLES, Triple};
 use super::error::Unsolved;
 use crate::design::Progress;
 use alloc::vec::Vec;
-use search::Search;
+use search::SolutionSearch;
 use task::Task;
 
 /// All four-bars with a coupler point that passes the nine points, in any order and on any circuit.
@@ -44,7 +44,7 @@ pub fn nine_points_reporting(
     mut report: impl FnMut(Progress) -> bool,
 ) -> Result<NinePoints, Unsolved> {
     let task = Task::new(points)?;
-    let search = Search::run(&task, &mut report)?;
+    let search = SolutionSearch::run(&task, &mut report)?;
     let mut found = NinePoints {
         triples: Vec::new(),
         complex: 0,

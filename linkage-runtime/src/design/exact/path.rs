@@ -11,7 +11,7 @@ pub(super) trait Moving<const N: usize> {
     type Data;
 
     /// What they depend on at `t`, and how it changes there.
-    fn at(&self, t: f64) -> Self::Data;
+    fn evaluate(&self, t: f64) -> Self::Data;
 
     /// A Newton step.
     fn newton(&self, place: &[Complex; N], data: &Self::Data) -> Step<N>;
@@ -104,7 +104,7 @@ struct Path<'a, const N: usize, M> {
 
 impl<'a, const N: usize, M: Moving<N>> Path<'a, N, M> {
     fn new(moving: &'a M, pace: Pace, t: f64, start: [Complex; N]) -> Self {
-        let data = moving.at(t);
+        let data = moving.evaluate(t);
         let mut place = start;
         // Stored solutions have few digits.
         for _ in 0..4 {
@@ -188,7 +188,7 @@ impl<const N: usize> Knots<N> {
     /// The point at `t`, if the prediction is good enough, and how good it is: 1 is what is aimed at.
     fn corrected<M: Moving<N>>(&self, moving: &M, pace: Pace, t: f64) -> (Option<Knot<N>>, f64) {
         let guess = self.predict(t);
-        let data = moving.at(t);
+        let data = moving.evaluate(t);
         let first = moving.newton(&guess, &data);
         let length = distance(&guess, &first.to);
         let excess = length / pace.correction;

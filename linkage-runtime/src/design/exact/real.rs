@@ -5,7 +5,7 @@ use linkage_core::numeric::complex::Ring;
 /// What the middles of discs consist of.
 pub(super) trait Real: Ring {
     /// A plain number, exactly; it is finite.
-    fn of(number: f64) -> Self;
+    fn exact(number: f64) -> Self;
 
     /// A bound of the absolute value.
     fn bound(self) -> f64;
@@ -16,7 +16,7 @@ pub(super) trait Real: Ring {
 
 impl Real for f64 {
     #[inline(always)]
-    fn of(number: f64) -> Self {
+    fn exact(number: f64) -> Self {
         number
     }
 

@@ -98,7 +98,10 @@ fn found<E: Equations<N>, const N: usize>(
         .map(|row| Trace::test_rows(&mut general, row, &mut random))
         .transpose()?;
     let found = ends(&general, given);
-    let mut real: Vec<Solution<N>> = found.iter().filter_map(Solution::of).collect();
+    let mut real: Vec<Solution<N>> = found
+        .iter()
+        .filter_map(Solution::from_certificate)
+        .collect();
     real.sort_by(|a, b| {
         let order = a.values.partial_cmp(&b.values);
         order.unwrap_or(core::cmp::Ordering::Equal)
@@ -134,7 +137,7 @@ fn ends<'a, E: Equations<N>, const N: usize>(
 
 impl<const N: usize> Solution<N> {
     /// If it is real.
-    fn of(certificate: &Certificate<N>) -> Option<Self> {
+    fn from_certificate(certificate: &Certificate<N>) -> Option<Self> {
         (certificate.real == Some(true)).then(|| Self {
             values: certificate.discs.map(|disc| disc.middle.re),
             error: certificate

@@ -69,7 +69,7 @@ impl Problem {
         Self {
             terms: terms
                 .map(|(term, &scale)| Term {
-                    cost: term.at(scale),
+                    cost: term.evaluate(scale),
                     ..*term
                 })
                 .collect(),
@@ -81,7 +81,7 @@ impl Problem {
         self.terms
             .iter()
             .zip(point)
-            .map(|(term, &x)| term.at(x))
+            .map(|(term, &x)| term.evaluate(x))
             .sum()
     }
 
@@ -143,7 +143,7 @@ impl Problem {
         let n = point.len();
         let (mut gradient, mut hessian) = (vec![0.0; n], vec![vec![0.0; n]; n]);
         for (i, (term, &x)) in self.terms.iter().zip(point).enumerate() {
-            let rate = term.exponent * term.at(x) / x;
+            let rate = term.exponent * term.evaluate(x) / x;
             gradient[i] = -rate;
             hessian[i][i] = rate * (term.exponent + 1.0) / x;
         }
@@ -183,7 +183,7 @@ impl Problem {
         let pairs = self.terms.iter().zip(&prices);
         let lowest = pairs.map(|(term, &price)| {
             let x = term.lowest(price);
-            term.at(x) + price * x
+            term.evaluate(x) + price * x
         });
         (lowest.sum::<f64>() - total).max(0.0)
     }

@@ -10,7 +10,7 @@ pub(in crate::tolerance) struct Term {
 }
 
 impl Term {
-    pub(in crate::tolerance) fn at(&self, value: f64) -> f64 {
+    pub(in crate::tolerance) fn evaluate(&self, value: f64) -> f64 {
         self.cost / value.powf(self.exponent)
     }
 

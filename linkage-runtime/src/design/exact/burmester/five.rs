@@ -41,8 +41,8 @@ impl Dyads {
         let mut sliders = Vec::new();
         for point in &points {
             match plane.dyad(point) {
-                Found::Link(dyad) => links.push(refined(&moves, dyad)),
-                Found::Slider { x, a, s } => sliders.push(moves.slider(x, a, s)),
+                LinkOrSlider::Link(dyad) => links.push(refined(&moves, dyad)),
+                LinkOrSlider::Slider { x, a, s } => sliders.push(moves.slider(x, a, s)),
             }
         }
         Ok(moves.listing(links, sliders).verified(poses))
@@ -57,7 +57,7 @@ struct Plane {
     s: [Complex; 3],
 }
 
-enum Found {
+enum LinkOrSlider {
     Link(Solution),
     /// `X`, `A` and `S` with their hats, real but for a common factor. `X` or `A` is about 0.
     Slider {
@@ -133,7 +133,7 @@ impl Plane {
         [conic(|form| form.re), conic(|form| form.im)]
     }
 
-    fn dyad(&self, w: &Point) -> Found {
+    fn dyad(&self, w: &Point) -> LinkOrSlider {
         let product = |coefficients: [Complex; 3]| {
             let terms = coefficients.into_iter().zip(w);
             terms.fold(ZERO, |sum, (c, &w)| sum + c * w)
@@ -147,9 +147,9 @@ impl Plane {
             .fold(0.0, f64::max);
         if k.size() > INFINITE * largest {
             let inverse = k.inverse();
-            return Found::Link([x, x_hat, a, a_hat].map(|value| value * inverse));
+            return LinkOrSlider::Link([x, x_hat, a, a_hat].map(|value| value * inverse));
         }
-        Found::Slider {
+        LinkOrSlider::Slider {
             x: [x, x_hat],
             a: [a, a_hat],
             s: both(self.s),
@@ -179,7 +179,8 @@ fn refined(moves: &Moves<4>, start: Solution) -> Solution {
 
 impl System<4> for Moves<4> {
     fn values(&self, point: &certificate::Point<4>) -> [Ball; 4] {
-        self.discs(&point.map(Ball::of)).map(|link| link.value)
+        self.discs(&point.map(Ball::from_wide))
+            .map(|link| link.value)
     }
 
     fn matrix(&self, discs: &[Ball; 4]) -> [[Ball; 4]; 4] {
@@ -227,17 +228,21 @@ impl Moves<4> {
             .iter()
             .map(|link| certificate::certify(&link.map(Complex::wide), self))
             .collect();
-        for (i, own) in certificates.iter().enumerate() {
+        for (i, certificate) in certificates.iter().enumerate() {
             let others = certificates.iter().enumerate().filter(|&(j, _)| j != i);
-            let distinct = |own: &Certificate<4>| {
+            let distinct = |certificate: &Certificate<4>| {
                 others
                     .flat_map(|(_, other)| other)
-                    .all(|other| own.is_apart_from(other))
+                    .all(|other| certificate.is_apart_from(other))
             };
-            let own = own.as_ref().filter(|own| distinct(own));
-            match own.and_then(|own| own.real.map(|real| (own, real))) {
-                Some((own, true)) => {
-                    let [x, _, a, _] = own.discs;
+            let certificate = certificate
+                .as_ref()
+                .filter(|certificate| distinct(certificate));
+            match certificate
+                .and_then(|certificate| certificate.real.map(|real| (certificate, real)))
+            {
+                Some((certificate, true)) => {
+                    let [x, _, a, _] = certificate.discs;
                     let pivots = self.pivots(x.middle, a.middle);
                     dyads.error = dyads.error.max(x.radius.max(a.radius) * self.unit);
                     dyads.real.push(Dyad::Link(pivots));

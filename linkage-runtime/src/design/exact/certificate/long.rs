@@ -32,7 +32,7 @@ pub(in super::super) fn certify_long<const N: usize, S: System<N>>(
     let (discs, real) = if pairs.any(|(disc, image)| disc.is_far_from(image)) {
         (discs, Some(false))
     } else {
-        let half = Complex::from(0.5).map(Long::of);
+        let half = Complex::from(0.5).map(Long::exact);
         let middle = core::array::from_fn(|i| (place[i] + place[S::partner(i)].conjugate()) * half);
         match one_solution(&middle, system) {
             Some(discs) => (discs, Some(true)),
@@ -47,7 +47,7 @@ pub(in super::super) fn certify_long<const N: usize, S: System<N>>(
 
 /// By Newton's method.
 fn refined<const N: usize, S: System<N>>(start: &[Complex; N], system: &S) -> Option<Place<N>> {
-    let mut place = start.map(|number| number.map(Long::of));
+    let mut place = start.map(|number| number.map(Long::exact));
     for _ in 0..STEPS {
         let (values, matrix) = system.long(&place.map(Ball::exact))?;
         let right = values.iter().map(|value| [-value.middle]).collect();
@@ -72,7 +72,7 @@ fn one_solution<const N: usize, S: System<N>>(
     let (values, matrix): Evaluated<N> = system.long(&there)?;
     let unit = (0..N).map(|row| {
         core::array::from_fn(|column| {
-            Complex::from(f64::from(u8::from(row == column))).map(Long::of)
+            Complex::from(f64::from(u8::from(row == column))).map(Long::exact)
         })
     });
     let inverse = dense::solve_long(middles(&matrix), unit.collect())?;

@@ -7,17 +7,17 @@ use linkage_core::numeric::complex::{Complex, ONE};
 
 /// The way from some points to others: not straight, but along an arc of complex points, which for almost every `arc` keeps
 /// away from points with double solutions.
-pub(super) struct Way<'a> {
+pub(super) struct ParameterPath<'a> {
     pub(super) from: &'a Shifts<Complex>,
     pub(super) to: &'a Shifts<Complex>,
     pub(super) arc: Complex,
 }
 
-impl Moving<ALL> for Way<'_> {
+impl Moving<ALL> for ParameterPath<'_> {
     /// Points and their derivatives.
     type Data = (Shifts<Complex>, Shifts<Complex>);
 
-    fn at(&self, t: f64) -> Self::Data {
+    fn evaluate(&self, t: f64) -> Self::Data {
         let rest = (ONE + (self.arc - ONE).scaled(t)).inverse();
         let part = self.arc.scaled(t) * rest;
         let slope = self.arc * rest * rest;
@@ -45,7 +45,7 @@ const MOST_CHANGES: usize = 12;
 /// Where the equations of one cognate are nearly singular, those of another one can be plain.
 pub(super) fn follow(
     start: &Unknowns<Complex>,
-    way: &Way<'_>,
+    way: &ParameterPath<'_>,
     pace: Pace,
 ) -> Option<Unknowns<Complex>> {
     let (mut t, mut start) = (1.0, *start);
@@ -56,7 +56,7 @@ pub(super) fn follow(
         };
         let Stuck { place, .. } = stuck;
         t = stuck.t;
-        let (shifts, _) = way.at(t);
+        let (shifts, _) = way.evaluate(t);
         // Each of the two others in turn.
         let other = if change % 2 == 0 {
             place

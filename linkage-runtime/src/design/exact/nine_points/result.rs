@@ -46,7 +46,7 @@ impl Triple {
     /// Whether both links of each cognate keep their lengths at all points.
     pub(super) fn closes(&self) -> bool {
         let mut cognates = self.four_bars.iter();
-        cognates.all(|own| verify::closes(&own.four_bar, &own.poses))
+        cognates.all(|path| verify::closes(&path.four_bar, &path.poses))
     }
 }
 

@@ -9,9 +9,9 @@ use super::super::path::Pace;
 use super::super::task::Shift;
 use super::cognates::{Mark, cognate, exchanged};
 use super::equations::{self, ALL, Shifts, Unknowns};
-use super::path::{Way, follow};
+use super::path::{ParameterPath, follow};
 use super::result::TRIPLES;
-use super::starts;
+use super::stored_solutions;
 use super::task::Task;
 use crate::design::Progress;
 use crate::design::parallel::in_parallel;
@@ -24,12 +24,12 @@ use linkage_core::numeric::double_double::DoubleDouble;
 pub(super) type Certificate = certificate::Certificate<ALL>;
 
 /// A solution that is shown to be one.
-pub(super) type Found = (Certificate, Mark);
+pub(super) type FoundSolution = (Certificate, Mark);
 
 /// Solutions, each shown to differ from the others, also as a cognate.
 #[derive(Default)]
-pub(super) struct Search {
-    pub(super) found: Vec<Found>,
+pub(super) struct SolutionSearch {
+    pub(super) found: Vec<FoundSolution>,
     /// For each of them, the start whose path came there first on this way.
     origins: Vec<Option<usize>>,
 }
@@ -40,19 +40,19 @@ const ATTEMPTS: usize = 3;
 const BLOCK: usize = 64;
 const STEPS: usize = 5;
 
-impl Search {
+impl SolutionSearch {
     pub(super) fn run(
         task: &Task,
         report: &mut impl FnMut(Progress) -> bool,
     ) -> Result<Self, Unsolved> {
-        let (from, data) = (starts::shifts(), Data::new(&task.shifts));
-        let starts = starts::solutions();
+        let (from, data) = (stored_solutions::shifts(), Data::new(&task.shifts));
+        let starts = stored_solutions::solutions();
         let mut search = Self::default();
         let mut count = starts.len();
         let mut done = 0;
-        told(report, done, count)?;
+        report_progress(report, done, count)?;
         for angle in ARCS {
-            let way = Way {
+            let way = ParameterPath {
                 from: &from,
                 to: &data.plain,
                 arc: Complex::polar(angle),
@@ -72,7 +72,7 @@ impl Search {
                         again.extend(search.doubtful(i, end));
                     }
                     done += block.len();
-                    told(report, done, count)?;
+                    report_progress(report, done, count)?;
                 }
                 if search.found.len() >= TRIPLES {
                     return Ok(search);
@@ -87,7 +87,7 @@ impl Search {
 
     /// The starts whose paths must be followed again: this one if it has no end, and both of two with one end, of which one
     /// has come off its path.
-    fn doubtful(&mut self, start: usize, end: Option<Found>) -> Vec<usize> {
+    fn doubtful(&mut self, start: usize, end: Option<FoundSolution>) -> Vec<usize> {
         let Some(end) = end else {
             return [start].into();
         };
@@ -101,7 +101,7 @@ impl Search {
     }
 
     /// Where a solution is among those found, the last place if it is new.
-    pub(super) fn place(&mut self, end: Found) -> usize {
+    pub(super) fn place(&mut self, end: FoundSolution) -> usize {
         let known = self
             .found
             .iter()
@@ -114,7 +114,7 @@ impl Search {
     }
 }
 
-fn told(
+fn report_progress(
     report: &mut impl FnMut(Progress) -> bool,
     done: usize,
     count: usize,
@@ -149,15 +149,20 @@ impl Data {
     pub(super) fn end(
         &self,
         start: &Unknowns<Complex>,
-        way: &Way<'_>,
+        way: &ParameterPath<'_>,
         pace: Pace,
-    ) -> Option<Found> {
+    ) -> Option<FoundSolution> {
         let all = self.cognates(start, way, pace)?;
         all.iter().find_map(|unknowns| self.shown(unknowns))
     }
 
     /// The same with more digits where those of `end` are not enough.
-    fn end_long(&self, start: &Unknowns<Complex>, way: &Way<'_>, pace: Pace) -> Option<Found> {
+    fn end_long(
+        &self,
+        start: &Unknowns<Complex>,
+        way: &ParameterPath<'_>,
+        pace: Pace,
+    ) -> Option<FoundSolution> {
         let all = self.cognates(start, way, pace)?;
         let shown = all.iter().find_map(|unknowns| self.shown(unknowns));
         shown.or_else(|| all.iter().find_map(|unknowns| self.shown_long(unknowns)))
@@ -166,7 +171,7 @@ impl Data {
     fn cognates(
         &self,
         start: &Unknowns<Complex>,
-        way: &Way<'_>,
+        way: &ParameterPath<'_>,
         pace: Pace,
     ) -> Option<[Unknowns<Complex>; 3]> {
         let end = follow(start, way, pace)?;
@@ -176,14 +181,14 @@ impl Data {
     }
 
     /// A certificate where those of fewer digits fail.
-    pub(super) fn shown_long(&self, unknowns: &Unknowns<Complex>) -> Option<Found> {
+    pub(super) fn shown_long(&self, unknowns: &Unknowns<Complex>) -> Option<FoundSolution> {
         let certificate = certificate::certify_long(unknowns, self)?;
         let mark = Mark::new(&certificate.discs)?;
         Some((certificate, mark))
     }
 
     /// A certificate near these unknowns.
-    pub(super) fn shown(&self, unknowns: &Unknowns<Complex>) -> Option<Found> {
+    pub(super) fn shown(&self, unknowns: &Unknowns<Complex>) -> Option<FoundSolution> {
         let refined = self.refined(unknowns)?;
         let certificate = certificate::certify(&refined, self)?;
         let mark = Mark::new(&certificate.discs)?;
@@ -210,8 +215,12 @@ impl Data {
 impl System<ALL> for Data {
     fn values(&self, point: &Point<ALL>) -> [Ball; ALL] {
         let (values, _) = equations::all(point, &self.wide, [ZERO, ONE].map(Complex::wide));
-        let shifts = self.wide.map(|pair| pair.map(Bound::of));
-        let (sizes, _) = equations::all(&point.map(Bound::of), &shifts, [Bound(0.0), Bound(1.0)]);
+        let shifts = self.wide.map(|pair| pair.map(Bound::from_wide));
+        let (sizes, _) = equations::all(
+            &point.map(Bound::from_wide),
+            &shifts,
+            [Bound(0.0), Bound(1.0)],
+        );
         core::array::from_fn(|i| sizes[i].around(values[i]))
     }
 

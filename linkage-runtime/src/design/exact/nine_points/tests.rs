@@ -7,8 +7,8 @@ use super::super::Pose;
 use super::super::path::Pace;
 use super::super::tests::coupler_at;
 use super::equations::{Unknowns, with_turns};
-use super::path::Way;
-use super::search::{Data, Search};
+use super::path::ParameterPath;
+use super::search::{Data, SolutionSearch};
 use super::*;
 use core::f64::consts::TAU;
 use linkage_core::numeric::complex::{Complex, ONE};
@@ -107,8 +107,8 @@ fn assert_passes(triple: &Triple, points: &[[f64; 2]; 9]) {
         let known = four_bar.lengths(&poses[0]);
         let size = known.into_iter().fold(0.0, f64::max);
         for (pose, point) in poses.iter().zip(points) {
-            for (own, known) in four_bar.lengths(pose).into_iter().zip(known) {
-                assert!((own - known).abs() < 1e-11 * size, "{own} {known}");
+            for (length, known) in four_bar.lengths(pose).into_iter().zip(known) {
+                assert!((length - known).abs() < 1e-11 * size, "{length} {known}");
             }
             let way = (pose.point[0] - point[0]).hypot(pose.point[1] - point[1]);
             assert!(way < 1e-14 * size.max(1.0), "{way}");
@@ -116,7 +116,10 @@ fn assert_passes(triple: &Triple, points: &[[f64; 2]; 9]) {
         assert_eq!(passage.visits.len(), 9);
     }
     // Cognates have one curve: what is in order for one is so for all.
-    let [first, second, third] = triple.four_bars.each_ref().map(|own| own.passage.in_order);
+    let [first, second, third] = triple
+        .four_bars
+        .each_ref()
+        .map(|path| path.passage.in_order);
     assert!(first == second && second == third);
 }
 
@@ -134,9 +137,9 @@ fn a_planted_four_bar_and_its_cognates() {
         assert!(triple.error < 1e-9, "{}", triple.error);
         assert_passes(&triple, &points);
         assert!(triple.four_bars[0].passage.in_order && triple.four_bars[0].passage.one_branch(0));
-        let [first, second, third] = triple.four_bars.each_ref().map(|own| own.four_bar.fixed);
-        for (own, known) in first.iter().zip(planted.fixed) {
-            assert!((own[0] - known[0]).hypot(own[1] - known[1]) < 1e-9);
+        let [first, second, third] = triple.four_bars.each_ref().map(|path| path.four_bar.fixed);
+        for (joint, known) in first.iter().zip(planted.fixed) {
+            assert!((joint[0] - known[0]).hypot(joint[1] - known[1]) < 1e-9);
         }
         // Each two have a joint of the frame in common.
         let apart = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
@@ -147,17 +150,17 @@ fn a_planted_four_bar_and_its_cognates() {
 
 #[test]
 fn what_is_stored_are_distinct_solutions() {
-    let stored = starts::solutions();
+    let stored = stored_solutions::solutions();
     assert_eq!(stored.len(), TRIPLES);
-    let shifts = starts::shifts();
+    let shifts = stored_solutions::shifts();
     let data = Data {
         plain: shifts,
         wide: shifts.map(|pair| pair.map(Complex::wide)),
         discs: shifts.map(|pair| pair.map(super::super::ball::Ball::exact)),
     };
-    let mut search = Search::default();
+    let mut search = SolutionSearch::default();
     for unknowns in stored.iter().step_by(97) {
-        let here = Way {
+        let here = ParameterPath {
             from: &shifts,
             to: &shifts,
             arc: ONE,
@@ -174,14 +177,14 @@ fn what_is_stored_are_distinct_solutions() {
 fn paths_end_in_distinct_solutions() {
     let task = Task::new(&PROBLEM_3).unwrap();
     let data = Data::new(&task.shifts);
-    let shifts = starts::shifts();
-    let way = Way {
+    let shifts = stored_solutions::shifts();
+    let way = ParameterPath {
         from: &shifts,
         to: &data.plain,
         arc: Complex::polar(1.0),
     };
-    let mut search = Search::default();
-    let starts = starts::solutions();
+    let mut search = SolutionSearch::default();
+    let starts = stored_solutions::solutions();
     for start in starts.iter().step_by(361) {
         search.place(data.end(start, &way, Pace::of_attempt(0)).expect("an end"));
     }
@@ -280,14 +283,15 @@ fn whole_searches() {
         let (planted, random) = problems.next();
         let found = check(&std::format!("planted {i}"), &planted.points());
         let four_bars = found.triples.iter().flat_map(|triple| &triple.four_bars);
-        let near =
-            |own: [f64; 2], known: [f64; 2]| (own[0] - known[0]).hypot(own[1] - known[1]) < 1e-8;
+        let near = |joint: [f64; 2], known: [f64; 2]| {
+            (joint[0] - known[0]).hypot(joint[1] - known[1]) < 1e-8
+        };
         let [a, b] = planted.fixed;
-        let is_planted = |own: &PathFourBar| {
-            let [c, d] = own.four_bar.fixed;
+        let is_planted = |path: &PathFourBar| {
+            let [c, d] = path.four_bar.fixed;
             (near(c, a) && near(d, b)) || (near(c, b) && near(d, a))
         };
-        assert_eq!(four_bars.filter(|own| is_planted(own)).count(), 1);
+        assert_eq!(four_bars.filter(|path| is_planted(path)).count(), 1);
         let triples = found
             .triples
             .iter()

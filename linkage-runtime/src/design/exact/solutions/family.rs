@@ -116,8 +116,8 @@ impl<E: Equations<N>, const N: usize> System<N> for Member<'_, E, N> {
 
     fn values(&self, point: &Point<N>) -> [Ball; N] {
         let values = self.evaluated(point);
-        let sizes = self.evaluated(&point.map(Bound::of));
-        core::array::from_fn(|i| Ball::of(values[i]).widened(sizes[i].0 * WRONG))
+        let sizes = self.evaluated(&point.map(Bound::from_wide));
+        core::array::from_fn(|i| Ball::from_wide(values[i]).widened(sizes[i].0 * WRONG))
     }
 
     fn matrix(&self, discs: &[Ball; N]) -> [[Ball; N]; N] {
@@ -131,17 +131,17 @@ impl<E: Equations<N>, const N: usize> System<N> for Member<'_, E, N> {
 
 /// From one member to another one: not straight, but along an arc of complex numbers, which for almost every `arc` keeps away
 /// from members with double solutions.
-pub(super) struct Way<'a, 'e, E, const N: usize> {
+pub(super) struct ParameterPath<'a, 'e, E, const N: usize> {
     pub(super) from: &'a Member<'e, E, N>,
     pub(super) to: &'a Member<'e, E, N>,
     pub(super) arc: Complex,
 }
 
-impl<'e, E: Equations<N>, const N: usize> Moving<N> for Way<'_, 'e, E, N> {
+impl<'e, E: Equations<N>, const N: usize> Moving<N> for ParameterPath<'_, 'e, E, N> {
     /// The member, and how its form and its constants change.
     type Data = (Member<'e, E, N>, [Complex; N], [Complex; N]);
 
-    fn at(&self, t: f64) -> Self::Data {
+    fn evaluate(&self, t: f64) -> Self::Data {
         let rest = (ONE + (self.arc - ONE).scaled(t)).inverse();
         let part = self.arc.scaled(t) * rest;
         let slope = self.arc * rest * rest;

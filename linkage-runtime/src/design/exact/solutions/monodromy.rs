@@ -7,7 +7,7 @@
 use super::super::super::starts;
 use super::super::certificate::Certificate;
 use super::super::path::{Pace, Stuck, follow};
-use super::family::{Member, Way};
+use super::family::{Member, ParameterPath};
 use super::polynomial_equations::Equations;
 use crate::design::exact::Unsolved;
 use crate::design::parallel::in_parallel;
@@ -96,12 +96,12 @@ impl<'a, E: Equations<N>, const N: usize> Fibre<'a, E, N> {
     /// One more loop.
     pub(super) fn go_round(&mut self, random: &mut Random) -> Result<(), Unsolved> {
         let other = self.member.through(&random.place());
-        let there = Way {
+        let there = ParameterPath {
             from: &self.member,
             to: &other,
             arc: random.unit(),
         };
-        let back = Way {
+        let back = ParameterPath {
             from: &other,
             to: &self.member,
             arc: random.unit(),
@@ -130,7 +130,7 @@ impl<'a, E: Equations<N>, const N: usize> Fibre<'a, E, N> {
         arc: Complex,
     ) {
         let to = &self.member;
-        let way = Way { from, to, arc };
+        let way = ParameterPath { from, to, arc };
         let ends = in_parallel(starts, |start| to.shown(&end(&way, start).ok()?));
         ends.into_iter().flatten().for_each(|end| self.place(end));
     }
@@ -142,7 +142,7 @@ impl<'a, E: Equations<N>, const N: usize> Fibre<'a, E, N> {
         starts: &[[Complex; N]],
         arc: Complex,
     ) -> Option<Vec<[Complex; N]>> {
-        let way = Way { from, to, arc };
+        let way = ParameterPath { from, to, arc };
         // By a certificate, which has all digits.
         let ends = in_parallel(starts, |start| to.shown(&end(&way, start).ok()?));
         ends.iter().map(|end| end.as_ref().map(middle)).collect()
@@ -166,7 +166,7 @@ pub(super) fn middle<const N: usize>(certificate: &Certificate<N>) -> [Complex; 
 
 /// The end of a path.
 pub(super) fn end<E: Equations<N>, const N: usize>(
-    way: &Way<'_, '_, E, N>,
+    way: &ParameterPath<'_, '_, E, N>,
     start: &[Complex; N],
 ) -> Result<[Complex; N], Stuck<N>> {
     let mut stuck = Stuck {

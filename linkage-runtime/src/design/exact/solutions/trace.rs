@@ -6,7 +6,7 @@
 //! 2002). When the form is taken away, each solution of the equations is the end of one of these points, and the others go to
 //! infinity.
 
-use super::family::{Member, Way};
+use super::family::{Member, ParameterPath};
 use super::monodromy::{Fibre, Random, end, middle};
 use super::polynomial_equations::Equations;
 use crate::design::exact::Unsolved;
@@ -61,7 +61,7 @@ impl Trace {
             let Ok(next) = Self::test(general, (row + other) % N, random) else {
                 break;
             };
-            let doubt = |own: &Self| (!own.passed(), own.miss > LINEAR, own.open);
+            let doubt = |test: &Self| (!test.passed(), test.miss > LINEAR, test.open);
             if doubt(&next) < doubt(&best) {
                 best = next;
             }
@@ -94,12 +94,12 @@ impl Trace {
                 miss = self::miss(&section, random);
             }
         }
-        let mut ends = Ends::of(&section, plain, random.unit());
+        let mut ends = Ends::follow(&section, plain, random.unit());
         for _ in 1..WAYS {
             if ends.open(&section) == 0 {
                 break;
             }
-            let next = Ends::of(&section, plain, random.unit());
+            let next = Ends::follow(&section, plain, random.unit());
             if next.open(&section) < ends.open(&section) {
                 ends = next;
             }
@@ -132,8 +132,8 @@ struct Ends<'a, E, const N: usize> {
 }
 
 impl<'a, E: Equations<N>, const N: usize> Ends<'a, E, N> {
-    fn of(section: &Fibre<'a, E, N>, plain: Member<'a, E, N>, arc: Complex) -> Self {
-        let way = Way {
+    fn follow(section: &Fibre<'a, E, N>, plain: Member<'a, E, N>, arc: Complex) -> Self {
+        let way = ParameterPath {
             from: &section.member,
             to: &plain,
             arc,

@@ -48,7 +48,7 @@ fn double_double_products_are_exact_to_their_digits() {
 fn long(random: &mut Random) -> Long {
     let mut size = 1.0;
     let parts = (0..5).map(|_| {
-        let part = Long::of(random.between(-1.0, 1.0) * size);
+        let part = Long::exact(random.between(-1.0, 1.0) * size);
         size *= 2f64.powi(-54);
         part
     });
@@ -58,7 +58,7 @@ fn long(random: &mut Random) -> Long {
 /// An error as a part of the larger of two numbers, in units of 2^-253.
 fn units(error: Long, of: Long) -> f64 {
     let up = 2f64.powi(126);
-    (error * Long::of(up) * Long::of(up)).narrow().abs() * 2.0 / of.narrow().abs()
+    (error * Long::exact(up) * Long::exact(up)).narrow().abs() * 2.0 / of.narrow().abs()
 }
 
 fn larger(a: Long, b: Long) -> Long {
@@ -75,11 +75,11 @@ fn long_numbers_are_exact_to_their_digits() {
     for _ in 0..1000 {
         let [a, b, c, d] = [(); 4].map(|()| whole(&mut random));
         let known = a as i128 * b as i128 + c as i128 * d as i128;
-        let sum = Long::of(a) * Long::of(b) + Long::of(c) * Long::of(d);
-        let rest = sum - Long::of(known as f64);
+        let sum = Long::exact(a) * Long::exact(b) + Long::exact(c) * Long::exact(d);
+        let rest = sum - Long::exact(known as f64);
         assert_eq!(rest.narrow() as i128 + known as f64 as i128, known);
         // Sums of numbers far apart are exact, too, as long as their bits have place.
-        let (small, large) = (Long::of(a * 2f64.powi(-170)), Long::of(b));
+        let (small, large) = (Long::exact(a * 2f64.powi(-170)), Long::exact(b));
         assert_eq!((large + small - large).narrow(), a * 2f64.powi(-170));
         assert_eq!((small - large + large).narrow(), a * 2f64.powi(-170));
         assert_eq!(small - small, Long::ZERO);
@@ -89,19 +89,19 @@ fn long_numbers_are_exact_to_their_digits() {
         assert!(units((a + b) - b - a, larger(a, b)) < 8.0);
         let terms = larger(a * c, b * c);
         assert!(units((a + b) * c - (a * c + b * c), terms) < 8.0);
-        assert!(units(a * a.inverse() - Long::of(1.0), Long::of(1.0)) < 16.0);
+        assert!(units(a * a.inverse() - Long::exact(1.0), Long::exact(1.0)) < 16.0);
     }
     // Less and more than plain numbers with all their digits hold.
     for number in [5e-324, 3e-310, f64::MIN_POSITIVE, 1e-300, f64::MAX, -0.0] {
-        assert_eq!(Long::of(number).narrow(), number);
-        assert_eq!(Long::of(-number).narrow(), -number);
-        assert!(Long::of(number).bound() >= number);
+        assert_eq!(Long::exact(number).narrow(), number);
+        assert_eq!(Long::exact(-number).narrow(), -number);
+        assert!(Long::exact(number).bound() >= number);
     }
-    let tiny = Long::of(1e-200) * Long::of(1e-200);
+    let tiny = Long::exact(1e-200) * Long::exact(1e-200);
     assert_eq!((tiny.narrow(), tiny == Long::ZERO), (0.0, false));
     assert!(tiny.bound() > 0.0);
     assert_eq!(
-        (Long::of(1e200) * Long::of(-1e200)).narrow(),
+        (Long::exact(1e200) * Long::exact(-1e200)).narrow(),
         f64::NEG_INFINITY
     );
     // A product of DoubleDouble's digits.
@@ -128,7 +128,7 @@ fn discs_hold_the_exact_value() {
         let exact = polynomial(numbers.map(Complex::wide));
         let disc = polynomial(numbers.map(Ball::exact));
         let way = (exact - disc.middle.wide()).narrow().size();
-        let bound = polynomial(numbers.map(|number| Bound::of(number.wide())));
+        let bound = polynomial(numbers.map(|number| Bound::from_wide(number.wide())));
         assert!(exact.narrow().size() <= bound.0);
         assert!(
             way <= disc.radius && disc.radius < 1e-14 * bound.0,
@@ -161,7 +161,7 @@ struct Roots(f64);
 
 impl System<2> for Roots {
     fn values(&self, point: &Point<2>) -> [Ball; 2] {
-        let discs = point.map(Ball::of);
+        let discs = point.map(Ball::from_wide);
         discs.map(|x| x * x - Ball::exact(Complex::new(self.0, 0.0)))
     }
 
@@ -217,7 +217,7 @@ impl System<1> for Close {
     }
 
     fn values(&self, point: &Point<1>) -> [Ball; 1] {
-        self.evaluated(&point.map(Ball::of)).0
+        self.evaluated(&point.map(Ball::from_wide)).0
     }
 
     fn matrix(&self, discs: &[Ball; 1]) -> [[Ball; 1]; 1] {
@@ -282,7 +282,7 @@ fn roots_of_polynomials() {
     for root in known {
         let nearest = found
             .iter()
-            .map(|own| (*own - root).size())
+            .map(|other| (*other - root).size())
             .fold(f64::INFINITY, f64::min);
         assert!(nearest < 1e-12 * root.size().max(1.0), "{nearest}");
     }

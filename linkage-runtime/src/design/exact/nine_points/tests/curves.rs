@@ -78,7 +78,7 @@ fn points_on_a_line_are_refused() {
     for (way, count) in [(0.0, 9), (4.0, 7)] {
         let found = refused(line(way));
         assert!(
-            matches!(found, Unsolved::OnLine { count: own, off } if own == count && off < 1e-9),
+            matches!(found, Unsolved::OnLine { count: counted, off } if counted == count && off < 1e-9),
             "{found}"
         );
     }
@@ -87,7 +87,7 @@ fn points_on_a_line_are_refused() {
 #[test]
 fn the_message_says_what_to_do() {
     let square = |x: f64, y: f64| [[x, y], [-x, y], [x, -y], [-x, -y]];
-    let [a, b] = [square(3.0, 4.0), square(4.0, 3.0)].map(|own| own.to_vec());
+    let [a, b] = [square(3.0, 4.0), square(4.0, 3.0)].map(|corners| corners.to_vec());
     let mut points = [a, b].concat();
     points.push([5.0, 0.0]);
     let points = points.try_into().expect("nine points");

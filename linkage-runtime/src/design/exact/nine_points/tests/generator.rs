@@ -8,9 +8,9 @@
 use super::super::super::path::Pace;
 use super::super::cognates::Mark;
 use super::super::equations::{Shifts, Unknowns};
-use super::super::path::Way;
-use super::super::search::{Certificate, Data, Search};
-use super::super::{TRIPLES, starts};
+use super::super::path::ParameterPath;
+use super::super::search::{Certificate, Data, SolutionSearch};
+use super::super::{TRIPLES, stored_solutions};
 use crate::design::parallel::in_parallel;
 use alloc::vec::Vec;
 use linkage_core::numeric::complex::{Complex, ZERO};
@@ -71,7 +71,7 @@ fn followed(
     starts: &[Unknowns<Complex>],
 ) -> Vec<Unknowns<Complex>> {
     let data = data(to);
-    let way = Way { from, to, arc };
+    let way = ParameterPath { from, to, arc };
     let ends = in_parallel(starts, |start| {
         let attempts = (0..2).map(Pace::of_attempt);
         attempts
@@ -89,7 +89,7 @@ fn monodromy(random: &mut Random) -> (Shifts<Complex>, Vec<Unknowns<Complex>>) {
     let (first, there) = start(random);
     let base = points(random);
     let shown = data(&base);
-    let mut search = Search::default();
+    let mut search = SolutionSearch::default();
     for end in followed(&there, &base, unit(random), &[first]) {
         shown.shown(&end).map(|end| search.place(end));
     }
@@ -130,9 +130,9 @@ fn monodromy(random: &mut Random) -> (Shifts<Complex>, Vec<Unknowns<Complex>>) {
 fn solutions(seed: u64) -> Vec<Certificate> {
     let mut random = Random::new(seed);
     let (base, known) = monodromy(&mut random);
-    let stored = starts::shifts();
+    let stored = stored_solutions::shifts();
     let shown = data(&stored);
-    let mut search = Search::default();
+    let mut search = SolutionSearch::default();
     for _ in 0..4 {
         for end in followed(&base, &stored, unit(&mut random), &known) {
             shown.shown(&end).map(|end| search.place(end));
@@ -158,8 +158,8 @@ fn encoded(certificates: &[Certificate]) -> Vec<u8> {
     };
     let complex =
         of(false).filter_map(|certificate| Some((certificate, Mark::new(&certificate.discs)?)));
-    // Some complex triples are their own conjugates, each cognate that of another one.
-    let (own, pairs): (Vec<_>, Vec<_>) =
+    // Some complex triples are their self_conjugate conjugates, each cognate that of another one.
+    let (self_conjugate, pairs): (Vec<_>, Vec<_>) =
         complex.partition(|(_, mark)| !mark.mirrored().is_apart_from(mark));
     let first = pairs.iter().enumerate().filter(|(i, (_, mark))| {
         let mirrored = mark.mirrored();
@@ -170,7 +170,7 @@ fn encoded(certificates: &[Certificate]) -> Vec<u8> {
     let first = first.map(|(_, pair)| pair);
 
     let mut bytes = Vec::new();
-    for count in [of(true).count(), own.len()] {
+    for count in [of(true).count(), self_conjugate.len()] {
         let count = u32::try_from(count).expect("fewer than 1442");
         bytes.extend(count.to_le_bytes());
     }
@@ -184,7 +184,7 @@ fn encoded(certificates: &[Certificate]) -> Vec<u8> {
             .into_iter()
             .for_each(|i| put(real.discs[i].middle));
     }
-    for (certificate, _) in own.iter().chain(first) {
+    for (certificate, _) in self_conjugate.iter().chain(first) {
         certificate.discs[..8]
             .iter()
             .for_each(|disc| put(disc.middle));
@@ -208,6 +208,6 @@ fn stored_solutions() {
     let found = solutions(SEED);
     assert_eq!(found.len(), TRIPLES, "try another seed");
     let bytes = encoded(&found);
-    assert_eq!(starts::decoded(&bytes).len(), TRIPLES);
+    assert_eq!(stored_solutions::decoded(&bytes).len(), TRIPLES);
     std::fs::write(FILE, &bytes).expect("the file can be written");
 }

@@ -37,7 +37,7 @@ pub(super) fn decoded(stored: &[u8]) -> Vec<Unknowns<Complex>> {
         .chunks_exact(NUMBER)
         .map(|word| [word[0], word[1], word[2], word[3]]);
     let mut count = || words.next().map_or(0, u32::from_le_bytes) as usize;
-    let (real, own) = (count(), count());
+    let (real, self_conjugate) = (count(), count());
     let numbers: Vec<f64> = words.map(|word| f32::from_le_bytes(word).into()).collect();
     let (first, others) = numbers.split_at(8 * real);
     let shifts = shifts();
@@ -54,7 +54,7 @@ pub(super) fn decoded(stored: &[u8]) -> Vec<Unknowns<Complex>> {
         let joints = core::array::from_fn(|i| Complex::new(joints[2 * i], joints[2 * i + 1]));
         let mirrored = core::array::from_fn(|i: usize| joints[i ^ 1].conjugate());
         solutions.push(with_turns(&joints, &shifts));
-        if i >= own {
+        if i >= self_conjugate {
             solutions.push(with_turns(&mirrored, &shifts));
         }
     }
