@@ -1,14 +1,15 @@
 //! Mechanisms too far from the one of the tables for the steps of a kernel: the states of their coupled groups are followed.
 
-mod travel;
+mod tracking;
 
 use super::instruction_set::run;
 use super::{Arguments, Kernel, rows};
 use crate::{Columns, FUSED, Scalar};
 use alloc::vec::Vec;
-use travel::{Groups, Place, Rows, travel};
+use tracking::groups::{FollowedGroup, Groups};
+use tracking::{Rows, track};
 
-pub use travel::Moving;
+pub use tracking::Moving;
 
 /// Rows that are followed together: enough for vectors of rows, few enough for the processor's cache.
 const TOGETHER: usize = 512;
@@ -64,7 +65,7 @@ impl<F, const P: usize> Followed<F, P> {
         F: Fn(usize) -> M,
     {
         let groups = self.groups.iter();
-        let groups = groups.map(|&(number, first, size)| Place {
+        let groups = groups.map(|&(number, first, size)| FollowedGroup {
             number,
             first,
             size,
@@ -81,7 +82,7 @@ impl<F, const P: usize> Followed<F, P> {
             missing.extend(own.map(|(at, _)| at));
             ways.clear();
             ways.extend(missing.iter().map(|&at| self.whole(&all[at], lane)));
-            travel(&(self.mechanism)(lane), &groups, &mut ways);
+            track(&(self.mechanism)(lane), &groups, &mut ways);
             for (&at, there) in missing.iter().zip(&ways) {
                 if groups.have(there) {
                     self.put(&mut all[at], lane, there);

@@ -1,6 +1,6 @@
 //! Places that a mechanism has reached on its way, and where they lead.
 
-use super::Groups;
+use super::groups::Groups;
 use super::slots::Lane;
 use crate::Scalar;
 use core::array::from_fn;
@@ -12,7 +12,7 @@ const KNOWN: usize = 3;
 const FAR: f64 = 4.0;
 
 /// The last places on the way.
-pub(super) struct History<const R: usize> {
+pub(super) struct PathSamples<const R: usize> {
     /// What was reached: the states, and as floors half of the determinants.
     rows: [[f64; R]; KNOWN],
     shares: [f64; KNOWN],
@@ -22,9 +22,9 @@ pub(super) struct History<const R: usize> {
 }
 
 /// How states are extrapolated: the weight of each place.
-pub(super) struct Outlook([f64; KNOWN]);
+pub(super) struct Extrapolation([f64; KNOWN]);
 
-impl<const R: usize> History<R> {
+impl<const R: usize> PathSamples<R> {
     /// Nothing to go by yet.
     pub(super) fn new() -> Self {
         Self {
@@ -65,7 +65,7 @@ impl<const R: usize> History<R> {
 
     /// The place in the slot is beside the last one, and the only other one that counts. The determinants are those of the last one: floors
     /// from a table are bounds of them.
-    pub(super) fn look(&mut self, share: f64, groups: &Groups, lane: &Lane<'_, R>) {
+    pub(super) fn measure(&mut self, share: f64, groups: &Groups, lane: &Lane<'_, R>) {
         self.known = 2;
         self.put(self.before(), share, groups, lane);
         for group in &groups.places {
@@ -97,7 +97,7 @@ impl<const R: usize> History<R> {
     }
 
     /// To another share of the way. If a dead point is at `end`, states change with the root of the distance from there.
-    pub(super) fn outlook(&self, share: f64, end: f64) -> Outlook {
+    pub(super) fn extrapolation(&self, share: f64, end: f64) -> Extrapolation {
         let known: [usize; KNOWN] = from_fn(|k| (self.latest + k) % KNOWN);
         let known = &known[..self.known];
         let ends = end < FAR && known.iter().all(|&at| self.shares[at] < end);
@@ -118,11 +118,11 @@ impl<const R: usize> History<R> {
             }
             weights[i] = over / under;
         }
-        Outlook(weights)
+        Extrapolation(weights)
     }
 
     /// A number of the states there.
-    pub(super) fn ahead(&self, Outlook([a, b, c]): &Outlook, number: usize) -> f64 {
+    pub(super) fn ahead(&self, Extrapolation([a, b, c]): &Extrapolation, number: usize) -> f64 {
         let [x, y, z] = &self.rows;
         a * x[number] + b * y[number] + c * z[number]
     }
@@ -130,7 +130,7 @@ impl<const R: usize> History<R> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Place;
+    use super::super::groups::FollowedGroup;
     use super::super::slots::Slots;
     use super::*;
     use alloc::vec;
@@ -142,14 +142,14 @@ mod tests {
     }
 
     /// Goes to shares of a way that ends.
-    fn walked(shares: [f64; 3], end: f64) -> (History<2>, Groups) {
-        let groups = Groups::new(vec![Place {
+    fn walked(shares: [f64; 3], end: f64) -> (PathSamples<2>, Groups) {
+        let groups = Groups::new(vec![FollowedGroup {
             number: 0,
             first: 0,
             size: 1,
         }]);
         let mut slots = Slots::<0, 2>::new([]);
-        let mut history = History::new();
+        let mut history = PathSamples::new();
         history.begin(&reached(shares[0], end));
         for share in &shares[1..] {
             slots.put(0, &reached(*share, end));
@@ -163,11 +163,11 @@ mod tests {
         let (history, groups) = walked([0.0, 0.25, 0.4], 0.9);
         let end = history.end(&groups);
         assert!((end - 0.9).abs() < 1e-12, "{end}");
-        let ahead = history.ahead(&history.outlook(0.89, end), 0);
+        let ahead = history.ahead(&history.extrapolation(0.89, end), 0);
         let there = reached(0.89, 0.9)[0];
         assert!((ahead - there).abs() < 1e-12, "{ahead}, not {there}");
         // A parabola of the way itself would miss it.
-        let ahead = history.ahead(&history.outlook(0.89, f64::INFINITY), 0);
+        let ahead = history.ahead(&history.extrapolation(0.89, f64::INFINITY), 0);
         assert!((ahead - there).abs() > 1e-2);
     }
 

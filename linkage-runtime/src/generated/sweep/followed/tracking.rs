@@ -1,16 +1,18 @@
 //! Many mechanisms on their straight ways to dimensions of their own, side by side: each takes its own steps, and whoever has arrived makes
 //! room for the next.
 
-mod history;
+pub(super) mod groups;
+mod path_samples;
 mod slots;
-mod traveller;
+mod tracker;
 
 use super::super::Arguments;
 use crate::generated::CoupledGroup;
 use crate::{Columns, Scalar};
 use alloc::vec::Vec;
+use groups::Groups;
 use slots::{SLOTS, Slots};
-use traveller::{Traveller, Verdict};
+use tracker::{Tracker, Verdict};
 
 /// A mechanism whose inputs stay while its `P` dimensions change, on plain numbers. A row of `R` numbers is the dimensions, all inputs,
 /// then for each coupled group its state and floor.
@@ -49,54 +51,9 @@ impl<T: Scalar, const I: usize> Arguments<T, I> for Rows<'_, T, I> {
     }
 }
 
-/// A coupled group that is followed.
-#[derive(Clone, Copy)]
-pub(super) struct Place {
-    pub(super) number: usize,
-    /// Of its state in a row; the floor stands behind that.
-    pub(super) first: usize,
-    pub(super) size: usize,
-}
-
-impl Place {
-    fn floor(self) -> usize {
-        self.first + self.size
-    }
-
-    fn state(self) -> core::ops::Range<usize> {
-        self.first..self.floor()
-    }
-}
-
-/// The coupled groups that are followed, in order.
-pub(super) struct Groups {
-    places: Vec<Place>,
-    /// Where all numbers of their states stand, and these with the floors.
-    states: Vec<usize>,
-    numbers: Vec<usize>,
-}
-
-impl Groups {
-    pub(super) fn new(places: Vec<Place>) -> Self {
-        let states = places.iter().flat_map(|place| place.state()).collect();
-        let numbers = places.iter().flat_map(|place| place.first..=place.floor());
-        let numbers = numbers.collect();
-        Self {
-            places,
-            states,
-            numbers,
-        }
-    }
-
-    /// Whether a row has all their states.
-    pub(super) fn have<const R: usize>(&self, row: &[f64; R]) -> bool {
-        self.numbers.iter().all(|&number| row[number].is_finite())
-    }
-}
-
 /// Takes all as far as they come: each row has the dimensions that are wanted, the inputs, and the states at the dimensions of the mechanism.
 /// Who arrives gets the states there, who is blocked states that are not a number.
-pub(super) fn travel<M, const P: usize, const R: usize>(
+pub(super) fn track<M, const P: usize, const R: usize>(
     mechanism: &M,
     groups: &Groups,
     rows: &mut [[f64; R]],
@@ -110,15 +67,15 @@ pub(super) fn travel<M, const P: usize, const R: usize>(
     let mut columns: Vec<Columns<f64>> = columns.collect();
     let mut slots = Slots::new(mechanism.dimensions());
     let mut waiting = 0..rows.len();
-    let begin = |_| Traveller::new();
-    let mut under_way: Vec<Traveller<R>> = waiting.by_ref().take(SLOTS).map(begin).collect();
-    for (number, own) in under_way.iter_mut().enumerate() {
+    let begin = |_| Tracker::new();
+    let mut trackers: Vec<Tracker<R>> = waiting.by_ref().take(SLOTS).map(begin).collect();
+    for (number, own) in trackers.iter_mut().enumerate() {
         slots.put(number, &rows[number]);
         own.begin(number, &rows[number], groups, &mut slots.lane(number));
     }
     loop {
         let mut slot = 0;
-        while let Some(own) = under_way.get_mut(slot) {
+        while let Some(own) = trackers.get_mut(slot) {
             if own.leave(groups, rows) {
                 match waiting.next() {
                     Some(number) => {
@@ -126,23 +83,23 @@ pub(super) fn travel<M, const P: usize, const R: usize>(
                         own.begin(number, &rows[number], groups, &mut slots.lane(slot));
                     }
                     None => {
-                        under_way.swap_remove(slot);
-                        slots.copy(under_way.len(), slot);
+                        trackers.swap_remove(slot);
+                        slots.copy(trackers.len(), slot);
                     }
                 }
             } else {
                 slot += 1;
             }
         }
-        if under_way.is_empty() {
+        if trackers.is_empty() {
             return;
         }
-        slots.taken = under_way.len();
+        slots.taken = trackers.len();
         for (at, (place, found)) in groups.places.iter().zip(&mut columns).enumerate() {
-            if under_way.iter().any(|own| own.wants(at)) {
+            if trackers.iter().any(|own| own.wants(at)) {
                 mechanism.correct(place.number, &slots, found);
                 let group = &M::GROUPS[place.number];
-                take(&mut under_way, &mut slots, groups, at, group, found);
+                take(&mut trackers, &mut slots, groups, at, group, found);
             }
         }
     }
@@ -150,7 +107,7 @@ pub(super) fn travel<M, const P: usize, const R: usize>(
 
 /// What has been found for a group, by its place among those that are followed, goes to all that want it.
 fn take<const P: usize, const R: usize>(
-    under_way: &mut [Traveller<R>],
+    trackers: &mut [Tracker<R>],
     slots: &mut Slots<P, R>,
     groups: &Groups,
     at: usize,
@@ -164,7 +121,7 @@ fn take<const P: usize, const R: usize>(
         .zip(found.column(place.size + 1));
     let mut verdicts = [None; SLOTS];
     let mut sound = [false; SLOTS];
-    for (slot, (own, (&square, &determinant))) in under_way.iter_mut().zip(outputs).enumerate() {
+    for (slot, (own, (&square, &determinant))) in trackers.iter_mut().zip(outputs).enumerate() {
         if own.wants(at) {
             let verdict = own.judge(place, Scalar::sqrt(square), determinant);
             verdicts[slot] = Some(verdict);
@@ -174,7 +131,7 @@ fn take<const P: usize, const R: usize>(
     for (k, number) in place.state().enumerate() {
         slots.take(number, found.column(k), &sound);
     }
-    for (slot, (own, verdict)) in under_way.iter_mut().zip(verdicts).enumerate() {
+    for (slot, (own, verdict)) in trackers.iter_mut().zip(verdicts).enumerate() {
         if let Some(verdict) = verdict {
             own.go_on(verdict, groups, at, group, &mut slots.lane(slot));
         }

@@ -1,8 +1,8 @@
 //! One mechanism on its way.
 
-use super::history::History;
+use super::groups::{FollowedGroup, Groups};
+use super::path_samples::PathSamples;
 use super::slots::Lane;
-use super::{Groups, Place};
 use crate::Scalar;
 use crate::generated::CoupledGroup;
 use crate::generated::settle::{CORRECTIONS, scaled, scales};
@@ -51,9 +51,9 @@ pub(super) enum Verdict {
 }
 
 /// A mechanism on its way; the place that it tries is in its slot.
-pub(super) struct Traveller<const R: usize> {
+pub(super) struct Tracker<const R: usize> {
     number: usize,
-    history: History<R>,
+    history: PathSamples<R>,
     /// The place that is tried, and the step to it.
     share: f64,
     length: f64,
@@ -72,12 +72,12 @@ pub(super) struct Traveller<const R: usize> {
     determinant: f64,
 }
 
-impl<const R: usize> Traveller<R> {
+impl<const R: usize> Tracker<R> {
     /// Nobody yet.
     pub(super) fn new() -> Self {
         Self {
             number: 0,
-            history: History::new(),
+            history: PathSamples::new(),
             share: 0.0,
             length: 0.0,
             stage: Stage::Blocked,
@@ -104,7 +104,7 @@ impl<const R: usize> Traveller<R> {
         self.stage = Stage::Blocked;
         self.history.begin(row);
         if groups.have(row) {
-            self.look(lane);
+            self.measure(lane);
         }
     }
 
@@ -133,7 +133,7 @@ impl<const R: usize> Traveller<R> {
     }
 
     /// Finds how states change where it is, by a correction a little further on.
-    fn look(&mut self, lane: &mut Lane<'_, R>) {
+    fn measure(&mut self, lane: &mut Lane<'_, R>) {
         self.looks = true;
         self.share = (self.history.share() + BESIDE).min(1.0);
         lane.go(self.share);
@@ -152,10 +152,10 @@ impl<const R: usize> Traveller<R> {
                 return;
             }
             self.share = if length < left { here + length } else { 1.0 };
-            let outlook = self.history.outlook(self.share, end);
+            let extrapolation = self.history.extrapolation(self.share, end);
             let mut moved = 0.0_f64;
             for &k in &groups.states {
-                let ahead = self.history.ahead(&outlook, k);
+                let ahead = self.history.ahead(&extrapolation, k);
                 moved = moved.max((ahead - self.here()[k]).abs());
                 lane.set(k, ahead);
             }
@@ -177,7 +177,7 @@ impl<const R: usize> Traveller<R> {
     }
 
     /// What a correction of this size, from where the determinant is that, is worth.
-    pub(super) fn judge(&mut self, place: Place, size: f64, determinant: f64) -> Verdict {
+    pub(super) fn judge(&mut self, place: FollowedGroup, size: f64, determinant: f64) -> Verdict {
         if self.corrections == 0 {
             self.first = self.first.max(size);
         }
@@ -229,7 +229,7 @@ impl<const R: usize> Traveller<R> {
     /// Goes on from where a step has led.
     fn arrive(&mut self, groups: &Groups, lane: &mut Lane<'_, R>) {
         if self.looks {
-            self.history.look(self.share, groups, lane);
+            self.history.measure(self.share, groups, lane);
             self.looks = false;
             return self.set_out(1.0, groups, lane);
         }
@@ -239,7 +239,7 @@ impl<const R: usize> Traveller<R> {
             return;
         }
         if self.rescaled {
-            return self.look(lane);
+            return self.measure(lane);
         }
         let longer = Scalar::sqrt(WANTED / self.first).clamp(SHORTER, LONGER);
         self.set_out(longer * self.length, groups, lane);
@@ -276,15 +276,15 @@ impl<const R: usize> Traveller<R> {
 mod tests {
     use super::*;
 
-    const PLACE: Place = Place {
+    const PLACE: FollowedGroup = FollowedGroup {
         number: 0,
         first: 0,
         size: 1,
     };
 
     /// At a place with a positive determinant, where a step has been predicted.
-    fn predicted() -> Traveller<2> {
-        let mut own = Traveller::new();
+    fn predicted() -> Tracker<2> {
+        let mut own = Tracker::new();
         own.history.begin(&[0.3, 0.5]);
         own.try_group(0);
         own
