@@ -1,7 +1,7 @@
 //! Numeric searches and tables over the range of an input, on plain `f64`: no dependencies.
 //!
-//! For the compiler and generated code, which shall do the same: what they need may change with every version, so users
-//! do not see it.
+//! For the compiler and generated code, which shall do the same: what they need may change with
+//! every version, so users do not see it.
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod cholesky;

@@ -3,9 +3,9 @@
 /// The skeleton of a mechanism, as the quantity `picture()` shows it: the constant `PICTURE` of a
 /// mechanism one of whose functions asks for it.
 ///
-/// The quantity is an array of vectors: first the points, in the order of [`points`](Self::points), in the mechanism's
-/// length unit, then unit vectors, in the order of [`directions`](Self::directions). All indices here are indices into
-/// these two lists.
+/// The quantity is an array of vectors: first the points, in the order of [`points`](Self::points),
+/// in the mechanism's length unit, then unit vectors, in the order of
+/// [`directions`](Self::directions). All indices here are indices into these two lists.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Picture {
     /// 2 in the plane, 3 in space: the number of components.
@@ -28,7 +28,8 @@ pub struct Picture {
     pub drives: &'static [Drive],
     /// Loops that are not drawn, by number from 1: it is not known where in space they lie.
     pub undrawn: &'static [usize],
-    /// The parts of a machine, mechanisms within the one that is drawn: what of all this each of them has. Empty without parts.
+    /// The parts of a machine, mechanisms within the one that is drawn: what of all this each of
+    /// them has. Empty without parts.
     pub parts: &'static [PicturePart],
 }
 
@@ -105,7 +106,8 @@ pub enum GuideOn {
 /// What a part has of a picture, by indices. What the machine itself adds belongs to no part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PicturePart {
-    /// Its name in the program; names of what it has begin with it: `hook.tip` is the tip of `hook`.
+    /// Its name in the program; names of what it has begin with it: `hook.tip` is the tip of
+    /// `hook`.
     pub name: &'static str,
     /// Points. One in which parts meet belongs to all of them.
     pub points: &'static [usize],

@@ -1,5 +1,5 @@
-//! The criteria and the words of the check of a range: one place for the compiler, which checks the default dimensions, and for assembled
-//! mechanisms, which check others.
+//! The criteria and the words of the check of a range: one place for the compiler, which checks the
+//! default dimensions, and for assembled mechanisms, which check others.
 
 mod checked;
 mod message;
@@ -12,11 +12,13 @@ pub use message::{
 };
 pub use numbers::{length_as_written, place, rounded_inwards, rounded_to, significant};
 
-/// Samples for each turn of an input angle, or for a whole range of lengths. A search for dips finds what is between two of them.
+/// Samples for each turn of an input angle, or for a whole range of lengths. A search for dips
+/// finds what is between two of them.
 pub const SAMPLES: f64 = 180.0;
 
-/// A slack this small inside a range is a dead point: beyond it the mechanism may run on in its mirror image, even where
-/// the slack only touches zero (a parallelogram stretched out). The search takes -1e-12 for rounding.
+/// A slack this small inside a range is a dead point: beyond it the mechanism may run on in its
+/// mirror image, even where the slack only touches zero (a parallelogram stretched out). The search
+/// takes -1e-12 for rounding.
 pub const DEAD: f64 = 2e-12;
 
 /// The share of a range at its ends where a dead point is allowed: a range may end at one.
@@ -25,7 +27,8 @@ pub const END: f64 = 1e-9;
 /// A slack that is negative by less is 0, apart from rounding.
 pub const ROUNDING: f64 = 1e-12;
 
-/// Where a slack touches zero as a square does, [`DEAD`] is reached so far from there, in radians: what is finer is not known.
+/// Where a slack touches zero as a square does, [`DEAD`] is reached so far from there, in radians:
+/// what is finer is not known.
 pub const FOUND: f64 = 2e-6;
 
 /// A dead point that is nearer to an end of its range than this share of it is at the end.
@@ -52,7 +55,8 @@ pub enum Slack {
     Number,
     /// To be compared with its largest value, of a group with two assemblies.
     Relative,
-    /// To be compared with its largest value. It changes its sign at a dead point of a group with one assembly.
+    /// To be compared with its largest value. It changes its sign at a dead point of a group with
+    /// one assembly.
     Signed,
     /// Not computed: what is prepared of the group ends before a dead point.
     Prepared,

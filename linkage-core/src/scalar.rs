@@ -27,15 +27,15 @@ pub use lanes::Lanes;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Whether this build may use fused multiply-add instructions everywhere. Sweeps may use them where the machine turns
-/// out to have them.
+/// True if this build may use fused multiply-add instructions everywhere. Sweeps may use them where
+/// the machine turns out to have them.
 pub const FUSED: bool = cfg!(all(
     feature = "std",
     any(target_feature = "fma", target_arch = "aarch64")
 ));
 
-/// Roundings that the terms of a discriminant may have had, of their size each: a value that is negative by no more is a
-/// root of zero.
+/// Roundings that the terms of a discriminant may have had, of their size each: a value that is
+/// negative by no more is a root of zero.
 const ROUNDINGS: f64 = 8.0;
 
 /// A real number, or several side by side (lanes), or one with derivatives (a dual number).
@@ -73,22 +73,26 @@ pub trait Scalar:
     /// How many numbers are held side by side; 1 for a plain number.
     const LANES: usize;
 
-    /// Whether loops over this type can become vector code: sweeps are then compiled for several instruction sets.
+    /// True if loops over this type can become vector code: sweeps are then compiled for several
+    /// instruction sets.
     const VECTORISES: bool = false;
 
-    /// What a discriminant may be negative by for its terms' rounding, as a part of them: eight times the distance from 1 to the next number.
+    /// What a discriminant may be negative by for its terms' rounding, as a part of them: eight
+    /// times the distance from 1 to the next number.
     const SLACK: f64 = ROUNDINGS * f64::EPSILON;
 
-    /// The largest Newton correction, in radians or scaled lengths, of a prepared solution of a coupled group that is trusted: far
-    /// above what a table is wrong by, far below the distance of another assembly.
+    /// The largest Newton correction, in radians or scaled lengths, of a prepared solution of a
+    /// coupled group that is trusted: far above what a table is wrong by, far below the distance of
+    /// another assembly.
     const CORRECTION_LIMIT: f64 = 1e-7;
 
-    /// The largest last correction of a solution that is followed from position to position. Newton's method squares it and multiplies by
-    /// how curved the equations are: up to ten thousand, what is left in an `f64` is rounding.
+    /// The largest last correction of a solution that is followed from position to position.
+    /// Newton's method squares it and multiplies by how curved the equations are: up to ten
+    /// thousand, what is left in an `f64` is rounding.
     const LAST_CORRECTION: f64 = 1e-10;
 
-    /// Whether a prepared solution, a plain `f64`, needs several Newton steps: for derivatives and digits that it does not
-    /// have.
+    /// True if a prepared solution, a plain `f64`, needs several Newton steps: for derivatives and
+    /// digits that it does not have.
     const REFINES: bool = true;
 
     /// A constant, the same in every lane, with derivative zero.
@@ -115,16 +119,17 @@ pub trait Scalar:
     fn acos(self) -> Self;
     /// Arc tangent, from -pi/2 to pi/2.
     fn atan(self) -> Self;
-    /// Sine and cosine of an angle; NaN for an infinite one, and for one so large that its sine would be noise (`f64`:
-    /// from 2^30 radians on, `f32`: from 2^20).
+    /// Sine and cosine of an angle; NaN for an infinite one, and for one so large that its sine
+    /// would be noise (`f64`: from 2^30 radians on, `f32`: from 2^20).
     fn sin_cos(self) -> (Self, Self);
     /// Angle of the vector (`x`, `self`) from the x axis, from -pi to pi.
     fn atan2(self, x: Self) -> Self;
 
-    /// `self * factor + term`. With `FUSED` it is rounded once if the type can do that in one instruction, else twice.
+    /// `self * factor + term`. With `FUSED` it is rounded once if the type can do that in one
+    /// instruction, else twice.
     ///
-    /// Only code that is compiled for machines with fused multiply-add instructions may say `FUSED`; elsewhere it is
-    /// correct but slow.
+    /// Only code that is compiled for machines with fused multiply-add instructions may say
+    /// `FUSED`; elsewhere it is correct but slow.
     #[inline(always)]
     fn mul_add<const FUSED: bool>(self, factor: Self, term: Self) -> Self {
         self * factor + term
@@ -136,22 +141,24 @@ pub trait Scalar:
         self.sin_cos()
     }
 
-    /// As [`sin_cos_with`](Self::sin_cos_with), to the last bit. With `ROWS` it stands in a loop over many positions that
-    /// becomes vector code, which has other instructions at hand.
+    /// As [`sin_cos_with`](Self::sin_cos_with), to the last bit. With `ROWS` it stands in a loop
+    /// over many positions that becomes vector code, which has other instructions at hand.
     #[inline(always)]
     fn sin_cos_in_rows<const FUSED: bool, const ROWS: bool>(self) -> (Self, Self) {
         self.sin_cos_with::<FUSED>()
     }
 
-    /// As [`sin_cos_in_rows`](Self::sin_cos_in_rows), but in the way that is shortest for one position or, with `ROWS`, for many, which
-    /// may round another way: where nothing hangs on the sine of an angle being that of the same angle elsewhere to the last bit.
+    /// As [`sin_cos_in_rows`](Self::sin_cos_in_rows), but in the way that is shortest for one
+    /// position or, with `ROWS`, for many, which may round another way: where nothing hangs on the
+    /// sine of an angle being that of the same angle elsewhere to the last bit.
     #[inline(always)]
     fn sin_cos_shortest<const FUSED: bool, const ROWS: bool>(self) -> (Self, Self) {
         self.sin_cos_in_rows::<FUSED, ROWS>()
     }
 
-    /// `self / divisor`, NaN where that is infinite: a rate at a dead point or a change point, where the root of a discriminant is 0. For the
-    /// machines that [`mul_add`](Self::mul_add) speaks of.
+    /// `self / divisor`, NaN where that is infinite: a rate at a dead point or a change point,
+    /// where the root of a discriminant is 0. For the machines that [`mul_add`](Self::mul_add)
+    /// speaks of.
     #[inline(always)]
     fn quotient_with<const FUSED: bool>(self, divisor: Self) -> Self {
         let quotient = self / divisor;
@@ -170,8 +177,8 @@ pub trait Scalar:
     /// when `|self|` is between 1e-150 and 1e150 (`f32`: 1e-18 and 1e18).
     fn inverse_scale(self) -> Self;
 
-    /// By how much rounding may turn negative what was computed from terms of the size `self`: [`SLACK`](Self::SLACK) times its absolute
-    /// value, derivative zero; NaN for what is infinite.
+    /// By how much rounding may turn negative what was computed from terms of the size `self`:
+    /// [`SLACK`](Self::SLACK) times its absolute value, derivative zero; NaN for what is infinite.
     #[inline(always)]
     fn slack(self) -> Self {
         Self::from_lanes(|lane| {
@@ -180,11 +187,13 @@ pub trait Scalar:
         })
     }
 
-    /// Square root of a discriminant `self`, with a fused multiply-add on the way if `FUSED`: where that is an instruction.
+    /// Square root of a discriminant `self`, with a fused multiply-add on the way if `FUSED`: where
+    /// that is an instruction.
     ///
-    /// It is 0 for a value that is negative by no more than `slack` times `size`, so that a position at a dead point has a value, and NaN
-    /// below that. `slack` is [that](Self::slack) of a length or an area, `size` a factor, neither of them negative; where one is NaN, so is
-    /// the root.
+    /// It is 0 for a value that is negative by no more than `slack` times `size`, so that a
+    /// position at a dead point has a value, and NaN below that. `slack` is [that](Self::slack) of
+    /// a length or an area, `size` a factor, neither of them negative; where one is NaN, so is the
+    /// root.
     fn root_with<const FUSED: bool>(self, slack: Self, size: Self) -> Self;
 
     /// The angle of the vector (`x`, `y`) that lies nearest to `guide`, turns counted.
@@ -192,13 +201,15 @@ pub trait Scalar:
     /// Accurate to about a unit in the last place for up to a million turns (`f32`: 2000).
     fn angle_near(y: Self, x: Self, guide: Self) -> Self;
 
-    /// As [`angle_near`](Self::angle_near), for the machines that [`mul_add`](Self::mul_add) speaks of.
+    /// As [`angle_near`](Self::angle_near), for the machines that [`mul_add`](Self::mul_add) speaks
+    /// of.
     #[inline(always)]
     fn angle_near_with<const FUSED: bool>(y: Self, x: Self, guide: Self) -> Self {
         Self::angle_near(y, x, guide)
     }
 
-    /// The nearest whole number, of two the even one: a constant, derivative zero. Right up to 2^51 (`f32`: 2^22).
+    /// The nearest whole number, of two the even one: a constant, derivative zero. Right up to 2^51
+    /// (`f32`: 2^22).
     #[inline(always)]
     fn whole(self) -> Self {
         // Added and taken away again, it leaves whole numbers.

@@ -89,7 +89,8 @@ macro_rules! atan2 {
             const RIGHT: $float = core::$float::consts::FRAC_PI_2;
 
             let (width, height) = (x.abs(), y.abs());
-            // Which is larger, in integers: a comparison would become a branch, at the latest where two angles are computed together.
+            // Which is larger, in integers: a comparison would become a branch, at the latest where
+            // two angles are computed together.
             let difference = width.to_bits().wrapping_sub(height.to_bits());
             let steep_sign = difference & SIGN;
             let steep = (difference.cast_signed() >> ($bits::BITS - 1)).cast_unsigned();

@@ -29,8 +29,8 @@ pub(crate) fn sin_cos<const FUSED: bool, const ROWS: bool>(x: f64) -> (f64, f64)
     }
 }
 
-/// As [`sin_cos`], but in fewer operations and rounded in their way, where multiply-adds are fused: by a table for one position, in one word
-/// for rows.
+/// As [`sin_cos`], but in fewer operations and rounded in their way, where multiply-adds are fused:
+/// by a table for one position, in one word for rows.
 #[inline(always)]
 pub(crate) fn sin_cos_shortest<const FUSED: bool, const ROWS: bool>(x: f64) -> (f64, f64) {
     match (one_rounding::<FUSED>(), ROWS) {
@@ -80,9 +80,10 @@ fn reduced<const FUSED: bool>(high: f64, low: f64) -> [[f64; 2]; 2] {
     [[high, s], [base, c]]
 }
 
-/// The pair turned by `n` right angles, of which `n` has the low bits: products with 1, -1 and 0, which are exact. All
-/// that depends on `n` is ready before the sines are, and of a single number nothing goes from the registers of integers to those of
-/// floats behind them. (A choice would become a branch in some places.)
+/// The pair turned by `n` right angles, of which `n` has the low bits: products with 1, -1 and 0,
+/// which are exact. All that depends on `n` is ready before the sines are, and of a single number
+/// nothing goes from the registers of integers to those of floats behind them. (A choice would
+/// become a branch in some places.)
 #[inline(always)]
 fn turned<const FUSED: bool>(pair: [[f64; 2]; 2], n: u64) -> (f64, f64) {
     const ONE: u64 = 1.0_f64.to_bits();
@@ -100,7 +101,8 @@ fn turned<const FUSED: bool>(pair: [[f64; 2]; 2], n: u64) -> (f64, f64) {
     (turned(even, odd), turned(odd, even))
 }
 
-/// As [`turned`], to the last bit, by the bits of the sines: 13 operations instead of 21, all of them on vectors.
+/// As [`turned`], to the last bit, by the bits of the sines: 13 operations instead of 21, all of
+/// them on vectors.
 #[inline(always)]
 fn swapped(pair: [[f64; 2]; 2], n: u64) -> (f64, f64) {
     let [[high, s], [base, c]] = pair;

@@ -1,4 +1,5 @@
-//! Cholesky's factorisation of symmetric positive definite matrices, of which the lower triangles are given by rows.
+//! Cholesky's factorisation of symmetric positive definite matrices, of which the lower triangles
+//! are given by rows.
 
 use crate::math::double::sqrt;
 use alloc::vec::Vec;
@@ -17,7 +18,8 @@ pub struct Cholesky<const N: usize> {
 }
 
 impl<const N: usize> Cholesky<N> {
-    /// Factors a matrix. A pivot counts as at least `least` of its diagonal, where rounding has taken it away.
+    /// Factors a matrix. A pivot counts as at least `least` of its diagonal, where rounding has
+    /// taken it away.
     pub fn with_least_pivot(mut matrix: [[f64; N]; N], least: f64) -> Self {
         factor(&mut matrix, |diagonal, rest| {
             Some(rest.max(least * diagonal))
@@ -32,8 +34,8 @@ impl<const N: usize> Cholesky<N> {
     }
 }
 
-/// Replaces the lower triangle by its factor. `pivot` gives the square of a pivot, from the diagonal of the matrix and what is
-/// left of it.
+/// Replaces the lower triangle by its factor. `pivot` gives the square of a pivot, from the
+/// diagonal of the matrix and what is left of it.
 fn factor<R: AsRef<[f64]> + AsMut<[f64]>>(
     rows: &mut [R],
     pivot: impl Fn(f64, f64) -> Option<f64>,

@@ -1,21 +1,24 @@
 //! Which of several assemblies start estimates mean.
 
-/// How far from where assemblies meet a listing may say that they do: a path may be so far from the multiple solution at which it ends.
+/// How far from where assemblies meet a listing may say that they do: a path may be so far from the
+/// multiple solution at which it ends.
 pub const MEETING: f64 = 0.01;
 
-/// When estimates do not choose: the two least distances differ by at most this share of the second.
+/// When estimates do not choose: the two least distances differ by at most this share of the
+/// second.
 ///
 /// The compiler and `assemble()` ask for different shares on purpose.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Ambiguity(f64);
 
 impl Ambiguity {
-    /// At the defaults, while compiling. Estimates are read off a drawing, so what they hardly choose may not be what is
-    /// meant; it is refused while the user can still move them.
+    /// At the defaults, while compiling. Estimates are read off a drawing, so what they hardly
+    /// choose may not be what is meant; it is refused while the user can still move them.
     pub const AS_WRITTEN: Self = Self(0.01);
 
-    /// At run time, for a coupled group with other dimensions. Nobody can move the estimates there, so what they choose is
-    /// taken, however narrowly; only a choice that rounding would make, as between mirror images, is refused.
+    /// At run time, for a coupled group with other dimensions. Nobody can move the estimates there,
+    /// so what they choose is taken, however narrowly; only a choice that rounding would make, as
+    /// between mirror images, is refused.
     pub const AT_RUN_TIME: Self = Self(1e-6);
 }
 
@@ -24,12 +27,12 @@ impl Ambiguity {
 pub struct Choice {
     /// Its index; that of the first one if several are equally near.
     pub index: usize,
-    /// Whether another one is so near that the estimates do not choose.
+    /// True if another one is so near that the estimates do not choose.
     pub ambiguous: bool,
 }
 
-/// Chooses among assemblies by their distances from the estimates; `None` if there is none. A distance that is NaN is the
-/// largest of all.
+/// Chooses among assemblies by their distances from the estimates; `None` if there is none. A
+/// distance that is NaN is the largest of all.
 ///
 /// ```
 /// use linkage_core::numeric::choose_assembly::{Ambiguity, Choice, choose_assembly};
@@ -64,8 +67,8 @@ pub fn choose_assembly(
     })
 }
 
-/// Whether the estimates may mean assemblies that meet at a dead point, about at this distance from them, although another one is nearest
-/// of those that are told apart.
+/// Returns whether the estimates may mean assemblies that meet at a dead point, about at this
+/// distance from them, although another one is nearest of those that are told apart.
 ///
 /// ```
 /// use linkage_core::numeric::choose_assembly::{Ambiguity, may_be_meant};

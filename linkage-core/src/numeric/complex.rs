@@ -1,7 +1,9 @@
-//! Complex numbers over any real numbers that add and multiply: plain ones, double-double ones, and longer ones.
+//! Complex numbers over any real numbers that add and multiply: plain ones, double-double ones, and
+//! longer ones.
 //!
-//! `num-complex` is not used: it divides by the squared absolute value where this type multiplies by its inverse, which would
-//! change last digits, and it would bring two more crates, one of them with a build script, into every build of the macro.
+//! `num-complex` is not used: it divides by the squared absolute value where this type multiplies
+//! by its inverse, which would change last digits, and it would bring two more crates, one of them
+//! with a build script, into every build of the macro.
 
 use super::double_double::DoubleDouble;
 use core::ops::{Add, AddAssign, Mul, Neg, Sub};

@@ -16,8 +16,9 @@ pub fn sum<const N: usize>(a: &Vector<N>, b: &Vector<N>) -> Vector<N> {
     core::array::from_fn(|j| a[j] + b[j])
 }
 
-/// Solves `matrix * x = right` for several right sides in place, two equations by determinants. Returns about the square of the
-/// smallest pivot; 0 for a singular matrix (the right sides are spoilt then).
+/// Solves `matrix * x = right` for several right sides in place, two equations by determinants.
+/// Returns about the square of the smallest pivot; 0 for a singular matrix (the right sides are
+/// spoilt then).
 #[inline(always)]
 pub fn solve<const N: usize, const R: usize>(
     matrix: &mut Matrix<N>,
@@ -50,7 +51,8 @@ fn solve_two<const N: usize, const R: usize>(
     square / (a.square() + b.square() + c.square() + d.square())
 }
 
-// Not inlined: trackers of paths call it in several places, each with its own number of right sides.
+// Not inlined: trackers of paths call it in several places, each with its own number of right
+// sides.
 #[inline(never)]
 fn solve_many<const N: usize, const R: usize>(
     matrix: &mut Matrix<N>,
@@ -59,7 +61,8 @@ fn solve_many<const N: usize, const R: usize>(
     eliminate(matrix, right, |square, _| square)
 }
 
-/// Solves as [`solve`] does, by elimination alone. Returns the square of the smallest pivot as a part of its row.
+/// Solves as [`solve`] does, by elimination alone. Returns the square of the smallest pivot as a
+/// part of its row.
 #[inline(always)]
 pub fn solve_scaled<const N: usize, const R: usize>(
     matrix: &mut Matrix<N>,
@@ -68,8 +71,9 @@ pub fn solve_scaled<const N: usize, const R: usize>(
     eliminate(matrix, right, |square, scale| square * scale)
 }
 
-/// Eliminates with pivots chosen as if all rows were of one size. `measure` gives what counts of a pivot, from its square and the
-/// inverse square of its row. Returns the smallest of these, or 0 where one is 0 or not finite.
+/// Eliminates with pivots chosen as if all rows were of one size. `measure` gives what counts of a
+/// pivot, from its square and the inverse square of its row. Returns the smallest of these, or 0
+/// where one is 0 or not finite.
 #[inline(always)]
 fn eliminate<const N: usize, const R: usize>(
     matrix: &mut Matrix<N>,

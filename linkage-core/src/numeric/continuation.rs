@@ -1,13 +1,15 @@
-//! Groups of equations without a closed form: their solution is prepared as a table over the input, followed from one
-//! known solution, and corrected by Newton steps where it is used.
+//! Groups of equations without a closed form: their solution is prepared as a table over the input,
+//! followed from one known solution, and corrected by Newton steps where it is used.
 //!
-//! The *state* of a group is a few numbers, all about 1: cosine and sine of its angles, its lengths scaled. A table gives
-//! the state at any input with an error of 1e-9 or less, so that a single Newton step brings it to rounding. It also
-//! gives the *floor*, half of the smallest determinant near that input: a step that is small while the determinant is not
-//! below the floor cannot have ended on another solution.
+//! The *state* of a group is a few numbers, all about 1: cosine and sine of its angles, its lengths
+//! scaled. A table gives the state at any input with an error of 1e-9 or less, so that a single
+//! Newton step brings it to rounding. It also gives the *floor*, half of the smallest determinant
+//! near that input: a step that is small while the determinant is not below the floor cannot have
+//! ended on another solution.
 //!
-//! With several inputs, or none, the states are prepared on a [`Grid`]. Over two inputs it has polynomials and one step is made, as from a table;
-//! over others it has slopes, and four steps are made.
+//! With several inputs, or none, the states are prepared on a [`Grid`]. Over two inputs it has
+//! polynomials and one step is made, as from a table; over others it has slopes, and four steps are
+//! made.
 
 mod cell;
 mod certificate;
@@ -52,8 +54,8 @@ impl<F: FnMut(&[f64], &mut [f64]) -> Step> Correction for F {
 
 /// A group of which a solution can be proven.
 pub trait Residuals: Correction {
-    /// What its equations miss by over a box of states, at the inputs `x`: as many as its unknowns have numbers, less one for each unit vector.
-    /// Of a group of which nothing is proven, nothing.
+    /// What its equations miss by over a box of states, at the inputs `x`: as many as its unknowns
+    /// have numbers, less one for each unit vector. Of a group of which nothing is proven, nothing.
     fn residuals(&mut self, _x: &[f64], _state: &[Enclosure]) -> Vec<Enclosure> {
         Vec::new()
     }
@@ -75,7 +77,7 @@ pub struct Range {
     pub low: f64,
     /// The other end; below the first one it is the lower.
     pub high: f64,
-    /// Whether the input is an angle in radians of which everything repeats after a turn.
+    /// True if the input is an angle in radians of which everything repeats after a turn.
     pub turn: bool,
 }
 

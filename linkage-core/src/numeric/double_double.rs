@@ -1,8 +1,9 @@
-//! Double-double numbers of about 32 digits: the unevaluated sum of two plain numbers, the second of which is at most half of
-//! the last place of the first.
+//! Double-double numbers of about 32 digits: the unevaluated sum of two plain numbers, the second
+//! of which is at most half of the last place of the first.
 //!
-//! The errors of sums and products are plain numbers and are computed exactly (Knuth, Dekker). Products split their factors in
-//! halves: not every target has a fused operation, and results must not depend on the target.
+//! The errors of sums and products are plain numbers and are computed exactly (Knuth, Dekker).
+//! Products split their factors in halves: not every target has a fused operation, and results must
+//! not depend on the target.
 
 use core::ops::{Add, Mul, Neg, Sub};
 

@@ -3,7 +3,8 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// The inverse of a matrix by rows, by elimination with the largest pivots; nothing where one is 0 or not finite.
+/// The inverse of a matrix by rows, by elimination with the largest pivots; nothing where one is 0
+/// or not finite.
 pub fn inverse(mut matrix: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
     let count = matrix.len();
     for (k, row) in matrix.iter_mut().enumerate() {

@@ -13,13 +13,15 @@ const LONGEST: f64 = 0.1;
 /// A slope below this part of the misses is none: differences know no more.
 const LEVEL: f64 = 1e-8;
 
-/// Where derivatives are differences: over twice this step they have an error of its square, and as much rounding.
+/// Where derivatives are differences: over twice this step they have an error of its square, and as
+/// much rounding.
 pub const STEP: f64 = 1e-5;
 
 /// Smaller misses are none, where lengths are about 1.
 pub const CLOSED: f64 = 1e-9;
 
-/// Damping as a part of the largest diagonal: where it begins, by how much it changes, and where no step is worth more.
+/// Damping as a part of the largest diagonal: where it begins, by how much it changes, and where no
+/// step is worth more.
 const DAMPING: f64 = 1e-3;
 const LESS: f64 = 0.3;
 const MORE: f64 = 5.0;

@@ -15,8 +15,9 @@ pub struct Maximum {
     pub missing: usize,
 }
 
-/// The highest value over `low` to `high`: the highest of evenly spaced positions (two or more, both ends among them), and what a golden
-/// section search finds around the highest ones. `None` if all of them are NaN.
+/// The highest value over `low` to `high`: the highest of evenly spaced positions (two or more,
+/// both ends among them), and what a golden section search finds around the highest ones. `None` if
+/// all of them are NaN.
 pub fn maximise(
     [low, high]: [f64; 2],
     positions: usize,

@@ -2,8 +2,8 @@
 //!
 //! A *margin* is a function of the input that is positive where the mechanism works and continuous
 //! there, and negative or NaN where it does not. A margin that touches zero and rises again counts
-//! as working: rounding below zero is allowed for, down to -1e-12, so the margin should be scaled to
-//! about 1.
+//! as working: rounding below zero is allowed for, down to -1e-12, so the margin should be scaled
+//! to about 1.
 
 use super::golden_section::{Point, descend};
 
@@ -22,7 +22,7 @@ pub struct Failure {
     pub margin: f64,
     /// The sampling interval in which the boundary lies, counted from the lower end.
     pub index: usize,
-    /// Whether it fails above `at` (and works below); otherwise the other way round.
+    /// True if it fails above `at` (and works below); otherwise the other way round.
     pub above: bool,
 }
 
@@ -113,8 +113,8 @@ pub fn minimum(lo: f64, hi: f64, samples: usize, mut margin: impl FnMut(f64) -> 
     (best.x, best.margin)
 }
 
-/// Whether the middle of three neighbouring samples is a local minimum. At the lower end the first
-/// two are the same sample, which then counts if the margin rises from it.
+/// Returns whether the middle of three neighbouring samples is a local minimum. At the lower end
+/// the first two are the same sample, which then counts if the margin rises from it.
 fn dips(before: Point, middle: Point, next: Point) -> bool {
     let (fall, rise) = (before.margin - middle.margin, next.margin - middle.margin);
     fall >= 0.0 && rise >= 0.0 && fall + rise > 0.0

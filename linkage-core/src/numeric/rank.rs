@@ -1,4 +1,5 @@
-//! Ranks of matrices of plain numbers by elimination: independence of rows and columns, combinations, null vectors.
+//! Ranks of matrices of plain numbers by elimination: independence of rows and columns,
+//! combinations, null vectors.
 
 use crate::math::double::sqrt;
 use alloc::vec::Vec;
@@ -20,7 +21,8 @@ impl Rows {
         }
     }
 
-    /// Moves the row with the largest number in column `k` to row `k`. Returns that number, or `None` if no row is left.
+    /// Moves the row with the largest number in column `k` to row `k`. Returns that number, or
+    /// `None` if no row is left.
     fn pivot_in_column(&mut self, k: usize) -> Option<f64> {
         let Self(rows) = self;
         let largest =
@@ -29,7 +31,8 @@ impl Rows {
         Some(rows[k][k])
     }
 
-    /// Moves the largest number among the rows and columns from `k` on to the diagonal. Returns that number.
+    /// Moves the largest number among the rows and columns from `k` on to the diagonal. Returns
+    /// that number.
     fn pivot_anywhere(&mut self, k: usize) -> f64 {
         let Self(rows) = self;
         let count = rows.len();
@@ -58,8 +61,9 @@ impl Rows {
     }
 }
 
-/// Returns the factors that make a list of numbers from others; `None` if there are none. Numbers below `least` are zero: factors,
-/// errors of the combination, and pivots of lists that are combinations of those before them.
+/// Returns the factors that make a list of numbers from others; `None` if there are none. Numbers
+/// below `least` are zero: factors, errors of the combination, and pivots of lists that are
+/// combinations of those before them.
 pub fn combination(basis: &[&[f64]], numbers: &[f64], least: f64) -> Option<Vec<f64>> {
     let count = basis.len();
     // [basis | numbers], one row for each number.
@@ -83,8 +87,8 @@ pub fn combination(basis: &[&[f64]], numbers: &[f64], least: f64) -> Option<Vec<
     Some(shares.collect())
 }
 
-/// Returns whether the rows of a square matrix repeat each other: they do if they are independent by less than `least` of their
-/// size.
+/// Returns whether the rows of a square matrix repeat each other: they do if they are independent
+/// by less than `least` of their size.
 pub fn is_singular(rows: Vec<Vec<f64>>, least: f64) -> bool {
     let mut rows = Rows(rows);
     rows.balance();
@@ -98,8 +102,9 @@ pub fn is_singular(rows: Vec<Vec<f64>>, least: f64) -> bool {
     false
 }
 
-/// Returns the null vectors of a matrix with `width` columns, one for each free column; none of a regular matrix. A pivot is zero
-/// below `least`, the last one below `last`, both as parts of the largest entry.
+/// Returns the null vectors of a matrix with `width` columns, one for each free column; none of a
+/// regular matrix. A pivot is zero below `least`, the last one below `last`, both as parts of the
+/// largest entry.
 pub fn null_vectors(matrix: &[Vec<f64>], width: usize, [least, last]: [f64; 2]) -> Vec<Vec<f64>> {
     let mut rows = matrix.to_vec();
     for row in &mut rows {
@@ -154,8 +159,8 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// Returns whether no column is a combination of those before it. A column is one if less than `least` of its length is across
-/// them.
+/// Returns whether no column is a combination of those before it. A column is one if less than
+/// `least` of its length is across them.
 pub fn are_independent(columns: &[Vec<f64>], least: f64) -> bool {
     let mut units: Vec<Vec<f64>> = Vec::new();
     for column in columns {

@@ -13,7 +13,8 @@ const COMFORT: f64 = 0.8 * PI;
 /// Remainders must stay below this.
 const LIMIT: f64 = 0.95 * PI;
 
-/// A sum of middles of several inputs that is larger would leave the angle at the start too little of its half turn.
+/// A sum of middles of several inputs that is larger would leave the angle at the start too little
+/// of its half turn.
 const MOST_MIDDLE: f64 = 0.9 * PI;
 
 /// Longer walks are not begun: thousands of turns of the fastest candidate.
@@ -102,11 +103,11 @@ pub fn follow(
 
 /// The centre of an angle that follows several inputs.
 ///
-/// Along input `i` alone, `angle = c_i + k_i x_i + remainder`, the remainder lying evenly about zero;
-/// `m_i = c_i + k_i x_i - angle` at the start is how far the middle of the motion along `i` is from
-/// the angle there. Motions along several inputs add up, and so do their middles:
-/// `c = angle + sum m_i - sum k_i x_i`, all at the start. Where the sum is so large that the angle at
-/// the start would be a turn off, their mean takes its place.
+/// Along input `i` alone, `angle = c_i + k_i x_i + remainder`, the remainder lying evenly about
+/// zero; `m_i = c_i + k_i x_i - angle` at the start is how far the middle of the motion along `i`
+/// is from the angle there. Motions along several inputs add up, and so do their middles:
+/// `c = angle + sum m_i - sum k_i x_i`, all at the start. Where the sum is so large that the angle
+/// at the start would be a turn off, their mean takes its place.
 #[derive(Clone, Copy, Debug)]
 pub struct Centre {
     angle: f64,
@@ -147,7 +148,8 @@ impl Centre {
 /// Candidate rates that are compared in one walk.
 const TOGETHER: usize = 8;
 
-/// First step of a walk: a part of the range, short enough that the fastest candidate turns by a quarter radian.
+/// First step of a walk: a part of the range, short enough that the fastest candidate turns by a
+/// quarter radian.
 fn step(range: f64, fastest: f64) -> f64 {
     const FEWEST: f64 = 256.0;
     const MOST: f64 = 65536.0;
@@ -200,7 +202,8 @@ impl Stray {
         if other_is_better { other } else { self }
     }
 
-    /// Whether the line repeats with every turn of the input, and so serves beyond the range too.
+    /// Returns whether the line repeats with every turn of the input, and so serves beyond the
+    /// range too.
     fn is_whole(&self) -> bool {
         self.rate % 1.0 == 0.0
     }

@@ -6,7 +6,7 @@ use core::fmt;
 /// An input, as the check sees it.
 #[derive(Clone, Copy, Debug)]
 pub struct Driven {
-    /// Whether it is an angle.
+    /// True if it is an angle.
     pub angle: bool,
     /// Its reference.
     pub reference: f64,
@@ -23,8 +23,8 @@ pub enum Unchecked {
     NoRange,
 }
 
-/// The number of the input that is checked, and its range: the only one that is declared, or a turn about the reference of the only input.
-/// `prepared`: whether a group is prepared over ranges only.
+/// The number of the input that is checked, and its range: the only one that is declared, or a turn
+/// about the reference of the only input. `prepared`: whether a group is prepared over ranges only.
 ///
 /// # Errors
 ///

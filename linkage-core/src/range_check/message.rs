@@ -38,7 +38,7 @@ impl Comes<'_> {
 pub struct Reaches<'a> {
     /// The group that comes apart.
     pub group: Comes<'a>,
-    /// Whether the mechanism closes on both sides: a change point.
+    /// True if the mechanism closes on both sides: a change point.
     pub change: bool,
     /// The input there: `` `phi = 30deg` ``.
     pub place: &'a str,

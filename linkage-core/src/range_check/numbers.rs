@@ -4,7 +4,8 @@ use alloc::borrow::ToOwned;
 use alloc::format;
 use alloc::string::String;
 
-/// Ends of a range that are proposed are this share of it inside the dead point, rounded to a power of ten.
+/// Ends of a range that are proposed are this share of it inside the dead point, rounded to a power
+/// of ten.
 const INSIDE: f64 = 1e-4;
 
 /// A position of an input: `30deg` for an angle, `12mm` for a length.
@@ -36,8 +37,8 @@ fn length(x: f64, unit: &str) -> String {
     format!("{}{unit}", significant(x))
 }
 
-/// A length as a person has written it, probably: in this unit, or in the other one of inches and millimetres if it is a short number there and
-/// none here.
+/// A length as a person has written it, probably: in this unit, or in the other one of inches and
+/// millimetres if it is a short number there and none here.
 ///
 /// ```
 /// use linkage_core::range_check::length_as_written;
@@ -65,8 +66,8 @@ fn rounded(x: f64, digits: usize) -> Option<f64> {
     ((rounded - x).abs() <= 1e-13 * x.abs()).then_some(rounded)
 }
 
-/// The ends of a stretch that works, moved to round numbers inside of it, and the step of these numbers. An end that is that of the range
-/// stays.
+/// The ends of a stretch that works, moved to round numbers inside of it, and the step of these
+/// numbers. An end that is that of the range stays.
 #[must_use]
 pub fn rounded_inwards(
     reach: [f64; 2],

@@ -6,12 +6,13 @@ mod operators;
 use super::Scalar;
 use bounds::Bounds;
 
-/// A function of one variable over an interval, as a [`Scalar`]: between which numbers all its values are, all its slopes, and
-/// the value in the middle of the interval.
+/// A function of one variable over an interval, as a [`Scalar`]: between which numbers all its
+/// values are, all its slopes, and the value in the middle of the interval.
 ///
-/// All bounds are rounded outwards, so that they hold for the function itself and not only for what is computed of it. They
-/// are the tighter, by the square, the shorter the interval is: values are those of interval arithmetic and of the mean value
-/// theorem at once (R. E. Moore, *Interval Analysis*, 1966). Where nothing can be said, bounds are NaN.
+/// All bounds are rounded outwards, so that they hold for the function itself and not only for what
+/// is computed of it. They are the tighter, by the square, the shorter the interval is: values are
+/// those of interval arithmetic and of the mean value theorem at once (R. E. Moore, *Interval
+/// Analysis*, 1966). Where nothing can be said, bounds are NaN.
 ///
 /// ```
 /// use linkage_core::{Enclosure, Scalar};
@@ -59,7 +60,8 @@ impl Enclosure {
         [self.range.low, self.range.high]
     }
 
-    /// A number below all derivatives by the variable and one above them; NaN where nothing is known.
+    /// A number below all derivatives by the variable and one above them; NaN where nothing is
+    /// known.
     #[must_use]
     pub fn slopes(self) -> [f64; 2] {
         [self.slope.low, self.slope.high]
@@ -203,7 +205,8 @@ impl Scalar for Enclosure {
         }
     }
 
-    /// What is negative counts as 0: whoever asks for bounds of what depends on a root looks after its discriminant, too.
+    /// What is negative counts as 0: whoever asks for bounds of what depends on a root looks after
+    /// its discriminant, too.
     #[inline(never)]
     fn root_with<const FUSED: bool>(self, _slack: Self, _size: Self) -> Self {
         let positive = |range: Bounds| Bounds::between(range.low.max(0.0), range.high);

@@ -1,8 +1,10 @@
-//! Sine and cosine for vectors, with fused multiply-add: what a polynomial is of has one word, which takes 11 operations of 44 less. No
-//! mechanism's error changes by it, since all that is computed of a sine is rounded as much.
+//! Sine and cosine for vectors, with fused multiply-add: what a polynomial is of has one word,
+//! which takes 11 operations of 44 less. No mechanism's error changes by it, since all that is
+//! computed of a sine is rounded as much.
 //!
-//! Largest errors found against 512 bits: 1.54 units in the last place up to 1e5, but next to multiples of a right angle, where the error is
-//! that of the remainder; 1.4 roundoffs (2^-53) up to the limit of 2^30.
+//! Largest errors found against 512 bits: 1.54 units in the last place up to 1e5, but next to
+//! multiples of a right angle, where the error is that of the remainder; 1.4 roundoffs (2^-53) up
+//! to the limit of 2^30.
 
 use super::super::multiply::double as mul_add;
 use super::kernel::{COSINE, ROUND, SINE, exchanged, polynomial, unless_large};

@@ -9,23 +9,26 @@ use crate::math::double;
 use crate::numeric::roots::Variable;
 use alloc::vec::Vec;
 
-/// The longest step, in radians or on the scale of the state: far less than the distance of another solution.
+/// The longest step, in radians or on the scale of the state: far less than the distance of another
+/// solution.
 const LONGEST: f64 = 0.1;
 
-/// What the next correction may differ from the one that was foreseen, as a part of the correction: where Newton's method is certain to find
-/// the nearest solution, a full step leaves a quarter.
+/// What the next correction may differ from the one that was foreseen, as a part of the correction:
+/// where Newton's method is certain to find the nearest solution, a full step leaves a quarter.
 const FORESEEN: f64 = 0.25;
 
 /// A step that is a smaller part of a correction leads nowhere.
 const SHORTEST: f64 = 1e-6;
 
-/// Corrections, at most: an estimate that is off by a radian in every unknown takes less than a hundred.
+/// Corrections, at most: an estimate that is off by a radian in every unknown takes less than a
+/// hundred.
 const CORRECTIONS: usize = 1000;
 
 /// Corrections of this size leave nothing but rounding.
 const SETTLED: f64 = 1e-9;
 
-/// What is not proven to be isolated is singular, or one of many: a state that is off by this leads back to it, but for a thousandth, or not.
+/// What is not proven to be isolated is singular, or one of many: a state that is off by this leads
+/// back to it, but for a thousandth, or not.
 const ASIDE: f64 = 1e-6;
 const BACK: f64 = 1e-3 * ASIDE;
 const STEPS_BACK: usize = 4;
@@ -37,23 +40,28 @@ pub enum Astray {
     NoValue,
     /// The way ends at a dead point.
     DeadPoint {
-        /// The part of what the equations miss by at the estimate that is left there: 1 if it is the estimate.
+        /// The part of what the equations miss by at the estimate that is left there: 1 if it is
+        /// the estimate.
         left: f64,
         /// The state where the way ends.
         at: Vec<f64>,
     },
-    /// It leads to a solution beside which there are others: these states, both of which solve the equations.
+    /// It leads to a solution beside which there are others: these states, both of which solve the
+    /// equations.
     Movable([Vec<f64>; 2]),
-    /// It leads to a state that is not proven to be the only solution near it: a dead point, or too near to one.
+    /// It leads to a state that is not proven to be the only solution near it: a dead point, or too
+    /// near to one.
     Singular(Vec<f64>),
 }
 
 /// Follows a state from where the unknowns are estimated to a solution at the inputs `x`.
 ///
-/// At the estimate the equations miss by something, as if the links had other lengths. All of that is taken back in the same ratio, in steps
-/// that are short enough to stay on the way: after each step the next correction must be the one before, less the step, but for a quarter,
-/// and the determinant must keep its sign. So what is found is the assembly that the estimate becomes while its links
-/// grow to their lengths, or nothing. It is proven to be a solution, and the only one in a box about it.
+/// At the estimate the equations miss by something, as if the links had other lengths. All of that
+/// is taken back in the same ratio, in steps that are short enough to stay on the way: after each
+/// step the next correction must be the one before, less the step, but for a quarter, and the
+/// determinant must keep its sign. So what is found is the assembly that the estimate becomes while
+/// its links grow to their lengths, or nothing. It is proven to be a solution, and the only one in
+/// a box about it.
 ///
 /// # Errors
 ///
@@ -161,7 +169,7 @@ impl StateOnPath {
         turned(variables, &self.state, &way)
     }
 
-    /// Whether the correction at the next index is what is left of the one here.
+    /// Returns whether the correction at the next index is what is left of the one here.
     fn foresees(&self, next: &Self, part: f64) -> bool {
         let pairs = self.correction.iter().zip(&next.correction);
         let off = pairs.map(|(here, next)| next - (1.0 - part) * here);

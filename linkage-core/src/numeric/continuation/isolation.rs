@@ -6,20 +6,24 @@ use crate::numeric::roots::Variable;
 use crate::scalar::Enclosure;
 use alloc::vec::Vec;
 
-/// The box in which a solution is alone: half its side is tried from the largest to the smallest one.
+/// The box in which a solution is alone: half its side is tried from the largest to the smallest
+/// one.
 const LARGEST: f64 = 1e-2;
-/// Where the equations know no more of a solution than this, it is a multiple one for numbers of 16 digits.
+/// Where the equations know no more of a solution than this, it is a multiple one for numbers of 16
+/// digits.
 const SMALLEST: f64 = 1e-10;
 const SMALLER: f64 = 0.1;
 
 /// Rounding errors of a sum of products, for each of them; twice what they can be.
 const ROUNDING: f64 = f64::EPSILON;
 
-/// Half the side of a box about a state in which exactly one solution is, if that can be proven: the largest of some.
+/// Half the side of a box about a state in which exactly one solution is, if that can be proven:
+/// the largest of some.
 ///
-/// Over the box, `state - C F(state) + (1 - C F')(box - state)` contains all solutions in it, where `F'` bounds all derivatives there and `C` is
-/// any matrix, best the inverse of one of them. If it is inside the box there is a solution, and no second one (R. Krawczyk, *Newton-Algorithmen
-/// zur Bestimmung von Nullstellen mit Fehlerschranken*, 1969).
+/// Over the box, `state - C F(state) + (1 - C F')(box - state)` contains all solutions in it, where
+/// `F'` bounds all derivatives there and `C` is any matrix, best the inverse of one of them. If it
+/// is inside the box there is a solution, and no second one (R. Krawczyk, *Newton-Algorithmen zur
+/// Bestimmung von Nullstellen mit Fehlerschranken*, 1969).
 pub(super) fn isolation(
     residuals: &mut dyn Residuals,
     variables: &[Variable],
@@ -86,7 +90,8 @@ impl Equations<'_> {
         all
     }
 
-    /// How far from 0 the equations are in the state, at most; nothing if they are not as many as its numbers.
+    /// How far from 0 the equations are in the state, at most; nothing if they are not as many as
+    /// its numbers.
     fn missed(&mut self) -> Option<Vec<f64>> {
         let state = self.state.iter().map(|&x| Enclosure::between(x, x));
         let values = self.values(&state.collect::<Vec<_>>()).into_iter();
@@ -114,7 +119,7 @@ impl Equations<'_> {
         columns.collect()
     }
 
-    /// Whether exactly one solution is in a box.
+    /// Returns whether exactly one solution is in a box.
     fn holds_one(&mut self, missed: &[f64], half: f64) -> bool {
         let slopes = self.slopes(half);
         let count = missed.len();
@@ -148,7 +153,8 @@ mod tests {
     use crate::numeric::continuation::{Correction, Step};
     use alloc::vec;
 
-    /// Two links of length 1 from `(0, 0)` and `(d, 0)` meet: the direction of the first, and how far up they meet.
+    /// Two links of length 1 from `(0, 0)` and `(d, 0)` meet: the direction of the first, and how
+    /// far up they meet.
     struct Triangle;
 
     impl Correction for Triangle {

@@ -5,7 +5,8 @@ use super::scale::Scale;
 use super::table::Table;
 use alloc::vec::Vec;
 
-/// From an input to a place, -1/2 at the lower end of the range and 1/2 at the upper one, and to a slot.
+/// From an input to a place, -1/2 at the lower end of the range and 1/2 at the upper one, and to a
+/// slot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
     /// The input in the middle of the range.
@@ -43,8 +44,8 @@ pub struct TableLayout<'a> {
     pub cells: Vec<CellLayout<'a>>,
 }
 
-/// A cell of a table. The state is a polynomial in `t = (place - centre) * inverse`, and there is none for `|t|` above
-/// [`OUTSIDE`](Self::OUTSIDE).
+/// A cell of a table. The state is a polynomial in `t = (place - centre) * inverse`, and there is
+/// none for `|t|` above [`OUTSIDE`](Self::OUTSIDE).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CellLayout<'a> {
     /// The place of its centre.
@@ -91,11 +92,13 @@ pub struct GridLayout<'a> {
     pub terms: Terms,
 }
 
-/// A cell of a grid. There is no state farther from its centre, in cells along any input, than [`OUTSIDE`](Self::OUTSIDE).
+/// A cell of a grid. There is no state farther from its centre, in cells along any input, than
+/// [`OUTSIDE`](Self::OUTSIDE).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NodeLayout<'a> {
-    /// Term by term, the numbers of the state side by side. Of degree 1 the state at the centre and its slopes, input by input; of
-    /// polynomials, over two inputs, power by power of the second one, and for each of these power by power of the first.
+    /// Term by term, the numbers of the state side by side. Of degree 1 the state at the centre and
+    /// its slopes, input by input; of polynomials, over two inputs, power by power of the second
+    /// one, and for each of these power by power of the first.
     pub coefficients: &'a [f64],
     /// Half of the smallest determinant, with its sign.
     pub floor: f64,

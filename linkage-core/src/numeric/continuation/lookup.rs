@@ -100,8 +100,9 @@ impl<const S: usize> Lookup<S> {
         }
     }
 
-    /// The state at `x`, with an error of 1e-9 or less inside the range, and the floor. Far outside the floor is NaN, and with it every
-    /// result: steps from the state compare their determinant with it. The state does not wait for that.
+    /// The state at `x`, with an error of 1e-9 or less inside the range, and the floor. Far outside
+    /// the floor is NaN, and with it every result: steps from the state compare their determinant
+    /// with it. The state does not wait for that.
     #[must_use]
     #[inline(always)]
     pub fn at(&self, x: f64) -> ([f64; S], f64) {
@@ -130,8 +131,9 @@ impl<const S: usize> Lookup<S> {
 #[allow(unsafe_code, reason = "a bounds check would be a branch")]
 #[inline(always)]
 fn cell<'a, const S: usize>(index: &[u16], cells: &'a [Fixed<S>], slot: usize) -> &'a Fixed<S> {
-    // SAFETY: the index has as many elements as the scale has slots, at least one, and `Scale::find` gives a slot whatever the input is;
-    // its elements are numbers of cells, and nothing changes either after `Table::from_pieces`.
+    // SAFETY: the index has as many elements as the scale has slots, at least one, and
+    // `Scale::find` gives a slot whatever the input is; its elements are numbers of cells, and
+    // nothing changes either after `Table::from_pieces`.
     unsafe {
         let number = *index.get_unchecked(slot);
         cells.get_unchecked(usize::from(number))

@@ -68,8 +68,8 @@ const fn fit_matrix() -> [[f64; TERMS]; TERMS] {
     fit
 }
 
-/// Turns the values of `width` numbers at the nodes into coefficients, power by power. Returns the largest coefficient of
-/// the last Chebyshev polynomial, a measure of what is missing.
+/// Turns the values of `width` numbers at the nodes into coefficients, power by power. Returns the
+/// largest coefficient of the last Chebyshev polynomial, a measure of what is missing.
 pub(super) fn fit(values: &[f64], coefficients: &mut [f64], width: usize) -> f64 {
     for (row, weights) in coefficients.chunks_exact_mut(width).zip(&FIT) {
         row.fill(0.0);
@@ -84,7 +84,8 @@ pub(super) fn fit(values: &[f64], coefficients: &mut [f64], width: usize) -> f64
         .fold(0.0, |most: f64, last| most.max(last.abs() / LAST))
 }
 
-/// The value of one polynomial at `t`, pairs of powers side by side: generated code waits for fewer operations than one after the other.
+/// The value of one polynomial at `t`, pairs of powers side by side: generated code waits for fewer
+/// operations than one after the other.
 #[inline(always)]
 pub(super) fn by_pairs<const FUSED: bool>(coefficient: impl Fn(usize) -> f64, t: f64) -> f64 {
     let t2 = t * t;

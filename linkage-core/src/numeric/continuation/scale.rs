@@ -47,7 +47,8 @@ impl Scale {
         let from_middle = x - self.frame.middle;
         let turns = (from_middle * self.turns + ROUND) - ROUND;
         let place = from_middle * self.rate - turns;
-        // A maximum and a minimum are instructions; a choice between integers may become a branch. NaN becomes 0.
+        // A maximum and a minimum are instructions; a choice between integers may become a branch.
+        // NaN becomes 0.
         let slot = place * self.slots + 0.5 * self.slots;
         let slot = select_unpredictable(slot > 0.0, slot, 0.0);
         let slot = select_unpredictable(slot < self.last, slot, self.last);
@@ -61,7 +62,8 @@ impl Scale {
         self.count
     }
 
-    /// The slot of an input, and how far from its centre the input is, in slots: from -1/2 to 1/2 inside the range.
+    /// The slot of an input, and how far from its centre the input is, in slots: from -1/2 to 1/2
+    /// inside the range.
     #[inline(always)]
     pub(super) fn cell(&self, x: f64) -> (usize, f64) {
         let (place, slot) = self.find(x);
@@ -105,7 +107,8 @@ impl Scale {
     }
 }
 
-/// Zero up to this distance, NaN beyond it and for NaN: arithmetic, since a choice may become a branch.
+/// Zero up to this distance, NaN beyond it and for NaN: arithmetic, since a choice may become a
+/// branch.
 #[inline(always)]
 pub(super) fn guard(distance: f64, most: f64) -> f64 {
     // All bits set if the sign is.

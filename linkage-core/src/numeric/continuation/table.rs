@@ -24,11 +24,13 @@ const CLOSURE: f64 = 1e-8;
 /// Places in a turn, as shares of it, where the state must solve the equations one turn later, too.
 const REPEATS: [f64; 4] = [0.137, 0.382, 0.618, 0.871];
 
-/// The state of a group over the range of one input, for any number of state numbers. Cheap to clone.
+/// The state of a group over the range of one input, for any number of state numbers. Cheap to
+/// clone.
 ///
-/// It consists of cells, each with polynomials of degree 7. The cells are as short as the solution needs them: where it
-/// bends sharply, and towards a turning point, they become shorter. While the table is built the solution is followed
-/// from the given one, in steps that are small enough to stay on it, and the sign of the determinant must not change.
+/// It consists of cells, each with polynomials of degree 7. The cells are as short as the solution
+/// needs them: where it bends sharply, and towards a turning point, they become shorter. While the
+/// table is built the solution is followed from the given one, in steps that are small enough to
+/// stay on it, and the sign of the determinant must not change.
 #[derive(Clone, PartialEq)]
 pub struct Table {
     pub(super) scale: Scale,
@@ -42,9 +44,10 @@ pub struct Table {
 impl Table {
     /// Follows the solution `state` at the input `at` through the range.
     ///
-    /// Where a full turn is asked for and the state returns after it, the table serves every input. Outside another range
-    /// it reaches as far as the state can be extrapolated. With `partial` the table may end inside the range; it then
-    /// reaches to some 1e-5 of the range before a turning point. Otherwise that is refused.
+    /// Where a full turn is asked for and the state returns after it, the table serves every input.
+    /// Outside another range it reaches as far as the state can be extrapolated. With `partial` the
+    /// table may end inside the range; it then reaches to some 1e-5 of the range before a turning
+    /// point. Otherwise that is refused.
     ///
     /// # Errors
     ///
@@ -128,7 +131,8 @@ impl Table {
         cell.floor + guard
     }
 
-    /// As [`state`](Self::state), to the last bit what [`Lookup::at_with`](super::Lookup::at_with) gives. With `FUSED` only on machines with fused multiply-add.
+    /// As [`state`](Self::state), to the last bit what [`Lookup::at_with`](super::Lookup::at_with)
+    /// gives. With `FUSED` only on machines with fused multiply-add.
     ///
     /// # Panics
     ///
@@ -189,7 +193,7 @@ impl Table {
         Ok(repeats.then_some(table))
     }
 
-    /// Whether the states of the first turn solve the equations one turn later.
+    /// Returns whether the states of the first turn solve the equations one turn later.
     fn repeats(&self, follower: &mut Follower<'_>) -> bool {
         let mut state = vec![0.0; self.width];
         REPEATS.iter().all(|share| {

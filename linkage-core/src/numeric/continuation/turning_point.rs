@@ -1,5 +1,5 @@
-//! Where a solution ends: beside a turning point input and state are smooth functions of the determinant, and the turning
-//! point is where it vanishes.
+//! Where a solution ends: beside a turning point input and state are smooth functions of the
+//! determinant, and the turning point is where it vanishes.
 
 use super::cell::{Cell, Frame};
 use super::follow::Follower;
@@ -12,13 +12,15 @@ const POINTS: usize = 4;
 /// Approaches.
 const APPROACHES: usize = 24;
 
-/// The part of the determinant that each approach aims at, and where that leads nowhere, a more careful one.
+/// The part of the determinant that each approach aims at, and where that leads nowhere, a more
+/// careful one.
 const SHARES: [f64; 2] = [0.5, 0.8];
 
 /// An approach that leaves more of the determinant than this has not come nearer.
 const NEARER: f64 = 0.95;
 
-/// Estimates of the place that agree so well are taken, and not worse than this when the approach has to end.
+/// Estimates of the place that agree so well are taken, and not worse than this when the approach
+/// has to end.
 const AGREEMENT: (f64, f64) = (1e-13, 1e-10);
 
 /// A position near the turning point.
@@ -28,8 +30,8 @@ struct Point {
     state: Vec<f64>,
 }
 
-/// The place of the turning point behind the end of `cell`, in the direction `side` (1 or -1). `None` if there is none
-/// within `reach`.
+/// The place of the turning point behind the end of `cell`, in the direction `side` (1 or -1).
+/// `None` if there is none within `reach`.
 pub(super) fn locate(
     follower: &mut Follower<'_>,
     frame: &Frame,

@@ -62,7 +62,8 @@ impl Walk<'_, '_> {
         Err(Refusal::NotConverging { at: x })
     }
 
-    /// Cells from `piece` on upwards or downwards (`side` 1 or -1), nearest first, as far as they go.
+    /// Cells from `piece` on upwards or downwards (`side` 1 or -1), nearest first, as far as they
+    /// go.
     pub(super) fn run(&mut self, piece: &Piece, side: f64) -> (Vec<Piece>, End) {
         let mut pieces: Vec<Piece> = Vec::new();
         loop {

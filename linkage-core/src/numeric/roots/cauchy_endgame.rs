@@ -19,19 +19,22 @@ pub(super) struct Cycle<const N: usize> {
     pub(super) extent: [f64; N],
 }
 
-/// Paths that are not closed after so many turns are given up: the mean of a longer one would be blurred by the paths beside it.
+/// Paths that are not closed after so many turns are given up: the mean of a longer one would be
+/// blurred by the paths beside it.
 const MOST_TURNS: usize = 12;
 /// Points of a turn of which the mean is taken; `STEP` leads from one to the next.
 const POINTS: usize = 16;
 const STEP: Complex = Complex::new(0.923_879_532_511_286_7, 0.382_683_432_365_089_8);
 /// How often the way from point to point is halved where corrections are too long.
 const HALVINGS: u32 = 5;
-/// The longest first correction, and the part of it that the second one may be: those of a careful follower, since another path may be near.
+/// The longest first correction, and the part of it that the second one may be: those of a careful
+/// follower, since another path may be near.
 const LONGEST: f64 = 2e-3;
 const CONTRACTION: f64 = 0.03;
 /// Corrections that are rounding.
 const ROUNDING: f64 = 1e-9;
-/// A path that is nearer than this to where it was is closed. Others are as far as a path moves in a turn.
+/// A path that is nearer than this to where it was is closed. Others are as far as a path moves in
+/// a turn.
 const CLOSED: f64 = 1e-6;
 
 /// A point beside the path, and its derivative with respect to `t`.
@@ -42,7 +45,8 @@ struct Point<const N: usize> {
     tangent: Vector<N>,
 }
 
-/// Leads the path from `x` at `t` around 0 until it is closed; `None` if it cannot be followed so far.
+/// Leads the path from `x` at `t` around 0 until it is closed; `None` if it cannot be followed so
+/// far.
 pub(super) fn around<const N: usize>(
     homotopy: &mut Homotopy<N>,
     x: &Vector<N>,

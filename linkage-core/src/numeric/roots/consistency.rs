@@ -53,7 +53,8 @@ fn count_equal<const N: usize>(mut places: Vec<(ProjectivePoint<N>, f64)>, large
     equal
 }
 
-/// Takes ends at multiple solutions for lost where no other path ends: several do at a solution that is one.
+/// Takes ends at multiple solutions for lost where no other path ends: several do at a solution
+/// that is one.
 pub(super) fn lose_single<const N: usize>(traces: &mut [Trace<N>]) {
     const NEAR: f64 = 1e-2;
     let multiple = traces

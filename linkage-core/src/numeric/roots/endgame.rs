@@ -37,19 +37,21 @@ pub(super) struct Root<const N: usize> {
 const LAST: f64 = 1e-13;
 /// Rounding errors of an equation.
 const NOISE: f64 = 1e-15;
-/// So many roundings of an equation are amply more than it can have: below, nothing is known of where a path leads.
+/// So many roundings of an equation are amply more than it can have: below, nothing is known of
+/// where a path leads.
 const BLURRED: f64 = 10.0 * NOISE;
 /// Pivots below this may be those of a singular matrix but for rounding errors.
 const UNCERTAIN: f64 = 100.0 * NOISE;
 /// Shorter steps, as a part of `t`, lead nowhere.
 const SHORT: f64 = 1e-6;
-/// The last correction at a solution is shorter than this part of how far Newton's method may start from it.
+/// The last correction at a solution is shorter than this part of how far Newton's method may start
+/// from it.
 const SETTLED: f64 = 0.01;
-/// A path ends in a singular solution if its end is nearer than [`MEETING`], and Newton's method would have to start nearer than
-/// so many times the way.
+/// A path ends in a singular solution if its end is nearer than [`MEETING`], and Newton's method
+/// would have to start nearer than so many times the way.
 const SINGULAR_REACH: f64 = 1000.0;
-/// A coordinate that vanishes is smaller than this and falls with a higher power of `t`. The powers are fractions with small
-/// denominators.
+/// A coordinate that vanishes is smaller than this and falls with a higher power of `t`. The powers
+/// are fractions with small denominators.
 const VANISHED: f64 = 0.01;
 const LEAST_RATE: f64 = 0.05;
 /// Exponents that differ by less than this part are the same.
@@ -58,10 +60,12 @@ const SAME_RATE: f64 = 0.01;
 const LATE: f64 = 1e-4;
 /// Where a path is noted on its way: whenever `t` has become smaller by this.
 const BETWEEN_MARKS: f64 = 0.125;
-/// Multiple solutions of up to four paths are met as precisely as this; what is farther may be several solutions.
+/// Multiple solutions of up to four paths are met as precisely as this; what is farther may be
+/// several solutions.
 const PRECISE: f64 = 1e-3;
-/// Within a circle, sums of powers of the paths that run around it are no larger than on it. So none of the paths is farther from their middle
-/// than twice what it is on the circle; and as much again is beside its reflection.
+/// Within a circle, sums of powers of the paths that run around it are no larger than on it. So
+/// none of the paths is farther from their middle than twice what it is on the circle; and as much
+/// again is beside its reflection.
 const CONFINED: f64 = 4.0;
 
 /// The end of a path that has come near it; `marks` are where it has been on its way there.
@@ -222,8 +226,9 @@ enum Led<const N: usize> {
     Onto(ProjectivePoint<N>),
 }
 
-/// Leads the path around its end: it ends within that way, so in nothing real if the way is narrower than its middle is away from its reflection.
-/// That holds unless the path meets another one within the way, which is found out where it is followed with more digits.
+/// Leads the path around its end: it ends within that way, so in nothing real if the way is
+/// narrower than its middle is away from its reflection. That holds unless the path meets another
+/// one within the way, which is found out where it is followed with more digits.
 fn led_around<const N: usize>(
     tracker: &mut PathTracker<'_, N>,
     marks: &[(f64, ProjectivePoint<N>)],
@@ -268,9 +273,9 @@ impl<const N: usize> Rates<N> {
         }
     }
 
-    /// Whether a coordinate that would be outside if it vanished tends to zero by a law that has
-    /// been the same for some time. Then its end is a hundred times smaller at least, which is
-    /// too small for a real solution.
+    /// Returns whether a coordinate that would be outside if it vanished tends to zero by a law
+    /// that has been the same for some time. Then its end is a hundred times smaller at least,
+    /// which is too small for a real solution.
     fn are_settled(&mut self, tracker: &PathTracker<'_, N>) -> bool {
         /// Part of `t` after which the exponents are looked at again.
         const AFTER: f64 = 0.125;

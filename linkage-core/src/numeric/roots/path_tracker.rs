@@ -32,12 +32,14 @@ pub(super) struct PathTracker<'a, const N: usize> {
 }
 
 const FIRST_STEP: f64 = 0.02;
-/// A step is at least and at most this part of the one before: where it was refused, and where it was made.
+/// A step is at least and at most this part of the one before: where it was refused, and where it
+/// was made.
 const SHORTER: [f64; 2] = [0.1, 0.6];
 const LONGER: [f64; 2] = [0.2, 3.0];
 /// Less of the correction aimed at (its square) makes a step no longer: `LONGER` limits it before.
 const LEAST_EXCESS: f64 = 1e-8;
-/// Coordinates with a larger square are followed as their inverses. Above 1, so that they do not change to and fro.
+/// Coordinates with a larger square are followed as their inverses. Above 1, so that they do not
+/// change to and fro.
 const LARGE: f64 = 2.0;
 /// By how much corrections may be longer than what is aimed at.
 const TOO_MUCH: f64 = 4.0;

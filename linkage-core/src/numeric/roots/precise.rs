@@ -1,13 +1,15 @@
-//! Paths that numbers of 16 digits do not lead to a certain end are followed on in numbers of about 32.
+//! Paths that numbers of 16 digits do not lead to a certain end are followed on in numbers of about
+//! 32.
 //!
-//! The coefficients have no more than 16 digits, whatever they are computed with. So an end counts only if it hangs on none of their last
-//! places: it must stay where it is, far from all others, when every coefficient is changed by a rounding. Ends that coefficients do not
-//! tell, such as those of paths that meet at infinity but for rounding, stay as uncertain as they were.
+//! The coefficients have no more than 16 digits, whatever they are computed with. So an end counts
+//! only if it hangs on none of their last places: it must stay where it is, far from all others,
+//! when every coefficient is changed by a rounding. Ends that coefficients do not tell, such as
+//! those of paths that meet at infinity but for rounding, stay as uncertain as they were.
 
-mod wide_equations;
 mod path_tracker;
 #[cfg(test)]
 mod tests;
+mod wide_equations;
 
 use super::endgame::{PathEnd, Root};
 use super::homotopy::Homotopy;
@@ -17,10 +19,11 @@ use super::projective::ProjectivePoint;
 use super::rough_root::rough_root;
 use super::system::Variable;
 use alloc::vec::Vec;
-use wide_equations::Equations;
 use path_tracker::Reached;
+use wide_equations::Equations;
 
-/// An end that roundings of coefficients move by more than this part of its distance from others is not certain.
+/// An end that roundings of coefficients move by more than this part of its distance from others is
+/// not certain.
 const STEADY: f64 = 0.1;
 /// Distances below this are roundings of places.
 const ROUNDING: f64 = 1e-15;
@@ -45,8 +48,9 @@ struct Pursuit<'a, const N: usize> {
     equations: Equations<N>,
 }
 
-/// Follows the paths without a certain end on: first those that are lost, then those that are blurred. Where ends become known, paths that
-/// seemed to lead to infinity are asked, too: the same numbers have said so.
+/// Follows the paths without a certain end on: first those that are lost, then those that are
+/// blurred. Where ends become known, paths that seemed to lead to infinity are asked, too: the same
+/// numbers have said so.
 pub(super) fn pursue<const N: usize>(
     homotopy: &mut Homotopy<N>,
     variables: &[Variable],
@@ -85,8 +89,9 @@ fn paths<const N: usize>(traces: &[Trace<N>], such: impl Fn(&PathEnd<N>) -> bool
 }
 
 impl<const N: usize> Pursuit<'_, N> {
-    /// Whether the ends of all these paths become known. Otherwise none does: a single one that is uncertain spoils the number of solutions, and
-    /// one that is lost the listing, so that no others are followed.
+    /// Returns whether the ends of all these paths become known. Otherwise none does: a single one
+    /// that is uncertain spoils the number of solutions, and one that is lost the listing, so that
+    /// no others are followed.
     fn become_known(&mut self, paths: &[usize]) -> bool {
         let mut found = Vec::with_capacity(paths.len());
         for &path in paths {
@@ -120,8 +125,8 @@ impl<const N: usize> Pursuit<'_, N> {
         path_tracker::follow(self.homotopy, &mut self.equations, *t, place)
     }
 
-    /// A way around an end stays away from what is real, but a path that turns off within it may not, nor one that seemed to lead to infinity:
-    /// it is lost if it has come near.
+    /// A way around an end stays away from what is real, but a path that turns off within it may
+    /// not, nor one that seemed to lead to infinity: it is lost if it has come near.
     fn reconsider(&mut self, path: usize, place: Option<&ProjectivePoint<N>>) {
         let end = &mut self.traces[path].end;
         let may_be_real = |place: &ProjectivePoint<N>| {

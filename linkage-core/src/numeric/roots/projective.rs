@@ -49,7 +49,8 @@ impl<const N: usize> ProjectivePoint<N> {
         image
     }
 
-    /// How far the coordinate of each variable is from what it would be if the solution were real: that of its reflection.
+    /// How far the coordinate of each variable is from what it would be if the solution were real:
+    /// that of its reflection.
     pub(super) fn gaps(&self, variables: &[Variable]) -> [f64; N] {
         let image = self.reflection(variables);
         core::array::from_fn(|j| {
@@ -76,12 +77,13 @@ impl<const N: usize> ProjectivePoint<N> {
         }
     }
 
-    /// Whether no variable is infinite and no unit vector is zero.
+    /// Returns whether no variable is infinite and no unit vector is zero.
     pub(super) fn is_inside(&self, variables: &[Variable]) -> bool {
         (0..N).all(|j| !self.is_outer(j, variables) || self.x[j].square() > OUTSIDE * OUTSIDE)
     }
 
-    /// Whether a variable would be infinite, or a unit vector zero, if its coordinate vanished.
+    /// Returns whether a variable would be infinite, or a unit vector zero, if its coordinate
+    /// vanished.
     pub(super) fn is_outer(&self, j: usize, variables: &[Variable]) -> bool {
         self.flipped[j] || variables[j] == Variable::Unit
     }

@@ -71,7 +71,8 @@ fn polished<const N: usize>(
     (place.distance(&root.place) < root.reach * root.reach).then(|| place.values())
 }
 
-/// About where real solutions meet: multiple ones that are no farther from their reflections than both may be off.
+/// About where real solutions meet: multiple ones that are no farther from their reflections than
+/// both may be off.
 pub(super) fn meeting<const N: usize>(
     variables: &[Variable],
     multiple: &[ProjectivePoint<N>],

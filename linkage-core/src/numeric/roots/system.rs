@@ -51,8 +51,9 @@ pub struct Listing {
     /// Real and imaginary part of every variable, for every real solution; in ascending order of
     /// the first variable (by its angle from -pi to pi, or its value), then of the next ones.
     pub real: Vec<Vec<[f64; 2]>>,
-    /// Where multiple solutions are that may be real, made real; off by up to [`MEETING`](crate::numeric::choose_assembly::MEETING), in ones and sizes of variables. No more of
-    /// them than `multiple`.
+    /// Where multiple solutions are that may be real, made real; off by up to
+    /// [`MEETING`](crate::numeric::choose_assembly::MEETING), in ones and sizes of variables. No
+    /// more of them than `multiple`.
     pub meeting: Vec<Vec<[f64; 2]>>,
     /// Number of isolated solutions, real and complex, in which no variable is infinite and no
     /// unit vector is 0. Multiple solutions are not counted.
@@ -60,8 +61,9 @@ pub struct Listing {
     /// Number of paths that end in multiple solutions, or in solutions too close together to be
     /// told apart, as next to a turning point. None of these is among `real`.
     pub multiple: usize,
-    /// Number of paths that end where nothing is real, too far out or too close to others for coefficients of 16 digits to
-    /// tell the end: what isolated solutions are there are not counted as `complex`.
+    /// Number of paths that end where nothing is real, too far out or too close to others for
+    /// coefficients of 16 digits to tell the end: what isolated solutions are there are not counted
+    /// as `complex`.
     pub blurred: usize,
     /// Number of paths followed.
     pub paths: usize,
@@ -86,7 +88,8 @@ pub enum Unlisted {
         /// Most paths that are followed.
         most: u64,
     },
-    /// Some paths could not be followed to their ends without doubt, however small the steps and with twice the digits.
+    /// Some paths could not be followed to their ends without doubt, however small the steps and
+    /// with twice the digits.
     Lost {
         /// Number of paths without a certain end.
         lost: usize,

@@ -3,13 +3,16 @@
 use crate::scalar::Scalar;
 use core::f64::consts::TAU;
 
-/// The vectors beside the longest one turn their sum from its direction by at most `0.45 pi`, where their lengths add up to no more than this part of its length, the
-/// sine of that. With the quarter turn of the angle itself it strays by `0.95 pi` then, as in [`follow`](super::follow).
+/// The vectors beside the longest one turn their sum from its direction by at most `0.45 pi`, where
+/// their lengths add up to no more than this part of its length, the sine of that. With the quarter
+/// turn of the angle itself it strays by `0.95 pi` then, as in [`follow`](super::follow).
 const MOST_BESIDE: f64 = 0.987_688_340_595_137_8;
 
-/// Centre and turns of an angle that keeps within a quarter turn of the sum of vectors, by one that is longer than all others together: the angle
-/// turns with it, for all inputs for which it exists. `vectors` are those at inputs of 0, `turns` says how many turns each of them makes for a turn
-/// of each input, or `None` for one that turns with something else, too; the angle is `here` at the inputs `start`.
+/// Centre and turns of an angle that keeps within a quarter turn of the sum of vectors, by one that
+/// is longer than all others together: the angle turns with it, for all inputs for which it exists.
+/// `vectors` are those at inputs of 0, `turns` says how many turns each of them makes for a turn of
+/// each input, or `None` for one that turns with something else, too; the angle is `here` at the
+/// inputs `start`.
 ///
 /// `None` if no vector decides.
 ///

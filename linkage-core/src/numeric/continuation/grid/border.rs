@@ -34,7 +34,8 @@ impl BorderState {
 pub(super) enum Joint {
     /// With the same solution.
     Same,
-    /// Somewhere on a face the solution exists for one of the cells only, as around a cusp: they may hold different assemblies.
+    /// Somewhere on a face the solution exists for one of the cells only, as around a cusp: they
+    /// may hold different assemblies.
     Unclear,
     /// With another solution.
     Other,
@@ -58,7 +59,8 @@ impl<'a> Border<'a> {
         }
     }
 
-    /// How a cell continues all others at its corners, and every neighbour on the whole face between them: the worst counts.
+    /// How a cell continues all others at its corners, and every neighbour on the whole face
+    /// between them: the worst counts.
     pub(super) fn joint(
         &self,
         layout: &Layout<'_>,
@@ -91,7 +93,8 @@ impl<'a> Border<'a> {
         self.filled[layout.number(cell)] = places;
     }
 
-    /// How two cells join on the face that is the upper or lower one of the first; nothing is known of a cell that is not filled.
+    /// How two cells join on the face that is the upper or lower one of the first; nothing is known
+    /// of a cell that is not filled.
     fn across(
         &self,
         axis: usize,
@@ -129,7 +132,7 @@ impl<'a> Border<'a> {
     }
 }
 
-/// Whether two states are of one solution.
+/// Returns whether two states are of one solution.
 pub(super) fn agree(one: &[f64], other: &[f64]) -> bool {
     let mut pairs = one.iter().zip(other);
     pairs.all(|(a, b)| (a - b).abs() <= AGREEMENT)

@@ -17,7 +17,8 @@ pub(super) struct Cell {
     pub(super) missed: usize,
     /// and at how many it does not exist.
     pub(super) absent: usize,
-    /// Whether the determinant nearly vanishes in it: a boundary is near, although it may lie between all places.
+    /// True if the determinant nearly vanishes in it: a boundary is near, although it may lie
+    /// between all places.
     pub(super) vanishing: bool,
     /// A place where it is missed, as offsets from the centre in cells.
     pub(super) example: Option<Vec<f64>>,
@@ -55,12 +56,13 @@ impl Cell {
         }
     }
 
-    /// Whether the solution ends in it, or nearly does.
+    /// Returns whether the solution ends in it, or nearly does.
     fn has_boundary(&self) -> bool {
         matches!(self.found, CellState::Beyond) || self.absent > 0 || self.vanishing
     }
 
-    /// Places at which the solution exists, or may exist, and is not served. What no way leads to is behind the `boundary`, if there is one.
+    /// Places at which the solution exists, or may exist, and is not served. What no way leads to
+    /// is behind the `boundary`, if there is one.
     fn left_out(&self, places: usize, boundary: bool) -> usize {
         match self.found {
             CellState::Unseen if !boundary => places,
@@ -80,15 +82,16 @@ pub(super) struct Sum {
     pub(super) served: usize,
     /// Places at which the solution is not served where it exists.
     pub(super) left_out: usize,
-    /// Those of them for which no boundary of the solution is to blame: it is neither in the cell nor beside it, and nowhere for cells
-    /// that do not continue a neighbour, since ways around a cusp of the boundary may lead to different solutions anywhere.
+    /// Those of them for which no boundary of the solution is to blame: it is neither in the cell
+    /// nor beside it, and nowhere for cells that do not continue a neighbour, since ways around a
+    /// cusp of the boundary may lead to different solutions anywhere.
     pub(super) regular: usize,
-    /// Whether the solution ends in some cell, or nearly does.
+    /// True if the solution ends in some cell, or nearly does.
     pub(super) boundary: bool,
     /// The number of the cell that leaves out most of the regular places.
     pub(super) worst: Option<usize>,
-    /// How much the state bends, input by input, along the cells that leave out regular places; else along those that leave out any, else
-    /// along all.
+    /// How much the state bends, input by input, along the cells that leave out regular places;
+    /// else along those that leave out any, else along all.
     pub(super) bends: Vec<f64>,
 }
 
@@ -142,8 +145,8 @@ fn add(sum: &mut Vec<f64>, terms: &[f64]) {
     }
 }
 
-/// Which cells have a boundary, or are so many steps from neighbour to neighbour away from one: how hard a cell is to fill goes with its
-/// distance from a boundary in cells, however small they are.
+/// Which cells have a boundary, or are so many steps from neighbour to neighbour away from one: how
+/// hard a cell is to fill goes with its distance from a boundary in cells, however small they are.
 fn beside_boundary(cells: &[Cell], layout: &Layout<'_>) -> Vec<bool> {
     let mut near: Vec<bool> = cells.iter().map(Cell::has_boundary).collect();
     for _ in 0..BESIDE {

@@ -7,8 +7,9 @@ use alloc::vec::Vec;
 /// Cells of a grid, at most.
 pub(super) const CELLS: usize = 1 << 12;
 
-/// The share of places on the borders of more cells at which the solution may be left out although it exists: near its boundary it always
-/// is at some. A grid that leaves out more even away from boundaries is not what was declared.
+/// The share of places on the borders of more cells at which the solution may be left out although
+/// it exists: near its boundary it always is at some. A grid that leaves out more even away from
+/// boundaries is not what was declared.
 pub(super) const MISSED: f64 = 0.005;
 
 /// The ranges in so many cells each.
@@ -19,7 +20,8 @@ pub(super) fn scales(ranges: &[(Frame, bool)], counts: &[u32]) -> Vec<Scale> {
         .collect()
 }
 
-/// The input along which the state bends most in a cell; of equal ones, the one that is divided least. `None` if no range has a length.
+/// The input along which the state bends most in a cell; of equal ones, the one that is divided
+/// least. `None` if no range has a length.
 pub(super) fn longest(bends: &[f64], counts: &[u32]) -> Option<usize> {
     let bend = |axis: usize| bends.get(axis).copied().unwrap_or_default();
     let ranges = (0..counts.len()).filter(|&axis| counts[axis] > 1);

@@ -14,14 +14,15 @@ use super::walk::{Solution, fill};
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// Up to so many cells, which take two milliseconds, nothing is left out and the boundary of the solution is looked at closely.
+/// Up to so many cells, which take two milliseconds, nothing is left out and the boundary of the
+/// solution is looked at closely.
 const FEW: usize = 64;
 
 /// The same for polynomials, which take ten milliseconds.
 const FEW_POLYNOMIALS: usize = 256;
 
-/// Before more places than these are looked at, a few cells say whether the ranges can be served at all; before any, where a cell takes as long as that
-/// many places.
+/// Before more places than these are looked at, a few cells say whether the ranges can be served at
+/// all; before any, where a cell takes as long as that many places.
 const MANY: usize = 256;
 
 /// A grid of twice as many cells takes less than so many times the corrections.
@@ -53,7 +54,7 @@ impl Divided {
         Some(LeftOut { share, at })
     }
 
-    /// Whether smaller cells are wanted.
+    /// Returns whether smaller cells are wanted.
     fn is_coarse(&self, terms: Terms) -> bool {
         let sum = &self.sum;
         let few = match terms {
@@ -66,8 +67,9 @@ impl Divided {
     }
 }
 
-/// Divides the ranges until the solution is served wherever it exists, or as far as cells and corrections go. Each range is given with
-/// whether it is a full turn. Where `all` of the ranges must be served and cannot be, nothing is.
+/// Divides the ranges until the solution is served wherever it exists, or as far as cells and
+/// corrections go. Each range is given with whether it is a full turn. Where `all` of the ranges
+/// must be served and cannot be, nothing is.
 pub(super) fn divided(
     follower: &mut Follower<'_>,
     ranges: &[(Frame, bool)],

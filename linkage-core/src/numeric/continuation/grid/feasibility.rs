@@ -1,4 +1,5 @@
-//! Whether ranges can be served at all, and by how small cells: looked at in a few places, before all of them are divided.
+//! Whether ranges can be served at all, and by how small cells: looked at in a few places, before
+//! all of them are divided.
 
 use super::super::cell::Frame;
 use super::super::follow::Follower;
@@ -18,18 +19,21 @@ use alloc::vec::Vec;
 /// Cells that are looked at, spread over the ranges.
 const LOOKS: usize = 16;
 
-/// Where the smallest cells that there can be leave out more than this at the places that are looked at, they do not serve all but half a
-/// percent of the ranges: a chance of one to a hundred million, if what is left out lies anywhere.
+/// Where the smallest cells that there can be leave out more than this at the places that are
+/// looked at, they do not serve all but half a percent of the ranges: a chance of one to a hundred
+/// million, if what is left out lies anywhere.
 const HOPELESS: f64 = 0.3;
 
-/// Where cells leave out more than this at the places that are looked at, twice what they may, all of them would leave out too much, too. They are not
-/// filled to learn it: that takes ten to a hundred times the corrections of a look.
+/// Where cells leave out more than this at the places that are looked at, twice what they may, all
+/// of them would leave out too much, too. They are not filled to learn it: that takes ten to a
+/// hundred times the corrections of a look.
 const COARSE: f64 = 2.0 * MISSED;
 
 /// Corrections on the way to a place that is missed, at least, when a grid is filled.
 const WAY: usize = 8;
 
-/// So far apart are places along an input, as shares of its range: square roots of primes, so that they never repeat.
+/// So far apart are places along an input, as shares of its range: square roots of primes, so that
+/// they never repeat.
 const PRIMES: [f64; 8] = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0];
 
 /// A solution at a place.
@@ -62,8 +66,8 @@ pub(super) enum Feasibility {
     From(Vec<u32>),
 }
 
-/// Looks at cells of so many along each input, then at smaller ones. If a boundary of the solution is met, which changes what counts as left out, nothing
-/// is said.
+/// Looks at cells of so many along each input, then at smaller ones. If a boundary of the solution
+/// is met, which changes what counts as left out, nothing is said.
 pub(super) fn feasibility(
     follower: &mut Follower<'_>,
     ranges: &[(Frame, bool)],
@@ -216,7 +220,7 @@ fn hopeless(
     regular(follower, reference, examples).then_some(LeftOut { share, at })
 }
 
-/// Whether the solution exists at all examples, away from its boundary.
+/// Returns whether the solution exists at all examples, away from its boundary.
 fn regular(
     follower: &mut Follower<'_>,
     reference: &Solution<'_>,

@@ -9,8 +9,9 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::f64::consts::PI;
 
-/// Where polynomials over a cell are interpolated, and how their coefficients follow from what is found there: the Padua points, which are as many as
-/// there are terms of a degree (Bos, Caliari, De Marchi, Vianello, Xu: Bivariate Lagrange interpolation at the Padua points, 2006).
+/// Where polynomials over a cell are interpolated, and how their coefficients follow from what is
+/// found there: the Padua points, which are as many as there are terms of a degree (Bos, Caliari,
+/// De Marchi, Vianello, Xu: Bivariate Lagrange interpolation at the Padua points, 2006).
 pub(super) struct Fit {
     /// As offsets from the centre, in cells, each with what its value adds to all coefficients.
     points: Vec<([f64; 2], Vec<f64>)>,
@@ -31,7 +32,8 @@ impl Fit {
         self.terms
     }
 
-    /// Puts polynomials through the solutions around a centre, of which the node knows the slopes. Where they do not all exist it stays as it is.
+    /// Puts polynomials through the solutions around a centre, of which the node knows the slopes.
+    /// Where they do not all exist it stays as it is.
     pub(super) fn refine(
         &self,
         follower: &mut Follower<'_>,
@@ -84,7 +86,8 @@ fn weights(powers: &[Vec<f64>], degree: usize, at: [f64; 2], weight: f64) -> Vec
     let mut all = vec![0.0; Terms::Polynomials.count(2)];
     for p in 0..=degree {
         for q in 0..=degree - p {
-            // Those of degree 0 are half as long; the last one of the first input is counted twice by this rule.
+            // Those of degree 0 are half as long; the last one of the first input is counted twice
+            // by this rule.
             let long = [1.0, 2.0, 4.0][usize::from(p > 0) + usize::from(q > 0)];
             let share = if p == degree { 0.5 } else { 1.0 };
             let factor = weight * long * share * values[0][p] * values[1][q];

@@ -96,7 +96,8 @@ impl Layout<'_> {
     }
 }
 
-/// Places on the border of a cell: all corners, then, if they are not too many, the middles of edges and faces.
+/// Places on the border of a cell: all corners, then, if they are not too many, the middles of
+/// edges and faces.
 pub(super) struct Places {
     /// As offsets from its centre, in cells.
     pub(super) offsets: Vec<Vec<f64>>,

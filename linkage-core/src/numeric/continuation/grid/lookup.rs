@@ -31,7 +31,8 @@ impl<const S: usize, const T: usize> Fixed<S, T> {
 }
 
 impl Grid {
-    /// For generated code: the numbers of inputs and of state numbers are fixed. `None` if they are not `I` and `S`.
+    /// For generated code: the numbers of inputs and of state numbers are fixed. `None` if they are
+    /// not `I` and `S`.
     #[must_use]
     pub fn lookup<const I: usize, const S: usize, const T: usize>(
         &self,
@@ -82,7 +83,8 @@ impl<const I: usize, const S: usize, const T: usize> GridLookup<I, S, T> {
         self.served
     }
 
-    /// The state near `x` from which steps are made, and the floor; NaN where there is none. With `FUSED` only on machines with fused multiply-add.
+    /// The state near `x` from which steps are made, and the floor; NaN where there is none. With
+    /// `FUSED` only on machines with fused multiply-add.
     #[must_use]
     #[inline(always)]
     pub fn at_with<const FUSED: bool>(&self, x: [f64; I]) -> ([f64; S], f64) {
@@ -109,8 +111,8 @@ impl<const I: usize, const S: usize, const T: usize> GridLookup<I, S, T> {
     #[allow(unsafe_code, reason = "a bounds check would be a branch")]
     #[inline(always)]
     fn cell(&self, number: usize) -> &Fixed<S, T> {
-        // SAFETY: `Scale::cell` gives slots below `Scale::slots`, `Grid::build` makes a cell for every combination of
-        // them, and nothing changes the axes or the cells afterwards.
+        // SAFETY: `Scale::cell` gives slots below `Scale::slots`, `Grid::build` makes a cell for
+        // every combination of them, and nothing changes the axes or the cells afterwards.
         unsafe { self.cells.get_unchecked(number) }
     }
 }

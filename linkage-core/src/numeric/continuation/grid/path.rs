@@ -3,16 +3,19 @@
 use super::super::follow::Follower;
 use alloc::vec::Vec;
 
-/// A step is as long as this share of the way at least, if the determinant has nearly vanished by then: a dead point is there.
+/// A step is as long as this share of the way at least, if the determinant has nearly vanished by
+/// then: a dead point is there.
 const SHORT: f64 = 1.0 / 256.0;
 
-/// Steps are never shorter: beside a dead point the determinant goes with the root of the distance, and is a thousandth of what it was.
+/// Steps are never shorter: beside a dead point the determinant goes with the root of the distance,
+/// and is a thousandth of what it was.
 const SHORTEST: f64 = 1e-6;
 
 /// A determinant below this share of the one at the reference has nearly vanished.
 const VANISHING: f64 = 0.3;
 
-/// So much may be left, beside a dead point, of the determinant that a way begins with. Where more is left, something else ends.
+/// So much may be left, beside a dead point, of the determinant that a way begins with. Where more
+/// is left, something else ends.
 const LEFT: f64 = 0.1;
 
 /// Where a way ends.
@@ -25,8 +28,8 @@ pub(super) enum PathEnd {
     Lost,
 }
 
-/// Brings a solution from one place to another, in smaller steps if need be; the determinants are those at the first place and at the
-/// reference.
+/// Brings a solution from one place to another, in smaller steps if need be; the determinants are
+/// those at the first place and at the reference.
 pub(super) fn follow(
     follower: &mut Follower<'_>,
     from: &[f64],

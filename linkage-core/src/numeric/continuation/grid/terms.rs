@@ -1,15 +1,16 @@
 //! The polynomials of a cell over the inputs, as offsets from its centre.
 //!
-//! Of degree 1 their coefficients are the state at the centre and the slopes, input by input. Of a higher degree, over two inputs, they stand power by
-//! power of the second input, and for each of these power by power of the first, up to the degree of both together.
+//! Of degree 1 their coefficients are the state at the centre and the slopes, input by input. Of a
+//! higher degree, over two inputs, they stand power by power of the second input, and for each of
+//! these power by power of the first, up to the degree of both together.
 
 use crate::scalar::Scalar;
 
 /// So far from the centre of a cell, in cells, there is no state: half a cell outside the grid.
 pub(in super::super) const OUTSIDE: f64 = 1.0;
 
-/// The degree over two inputs. With each degree less a grid has twice as many cells and takes twice as long to prepare; with more, it takes longer to
-/// look a state up.
+/// The degree over two inputs. With each degree less a grid has twice as many cells and takes twice
+/// as long to prepare; with more, it takes longer to look a state up.
 const DEGREE: usize = 6;
 
 /// What is known of the state in a cell.
@@ -58,7 +59,8 @@ pub(super) const fn index(first: usize, second: usize) -> usize {
     second * (2 * DEGREE + 3 - second) / 2 + first
 }
 
-/// The values of `S` polynomials at these offsets from the centre, in cells: coefficients of a term side by side.
+/// The values of `S` polynomials at these offsets from the centre, in cells: coefficients of a term
+/// side by side.
 #[inline(always)]
 pub(super) fn values<const FUSED: bool, const S: usize>(
     terms: Terms,
@@ -104,7 +106,8 @@ fn row<const FUSED: bool, const S: usize, const N: usize>(
     by_pairs::<FUSED, S, N>(row, x)
 }
 
-/// The values of polynomials of one number at `t`, pairs of powers side by side: that waits for fewer operations than one after the other.
+/// The values of polynomials of one number at `t`, pairs of powers side by side: that waits for
+/// fewer operations than one after the other.
 #[inline(always)]
 fn by_pairs<const FUSED: bool, const S: usize, const N: usize>(
     mut sums: [[f64; S]; N],

@@ -14,7 +14,8 @@ use alloc::collections::VecDeque;
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// Where the determinant is a smaller share of the one at the reference a dead point is near: its distance goes with the square of it.
+/// Where the determinant is a smaller share of the one at the reference a dead point is near: its
+/// distance goes with the square of it.
 pub(super) const NEAR: f64 = 0.1;
 
 /// A solution at a place.
@@ -107,7 +108,8 @@ impl Walk<'_, '_, '_> {
         filled
     }
 
-    /// Follows the solution to the centre of a cell, and fills the cell from there. False if it is not filled, or was before.
+    /// Follows the solution to the centre of a cell, and fills the cell from there. False if it is
+    /// not filled, or was before.
     fn reach(&mut self, cell: &[usize], from: &Solution<'_>, to: &[f64]) -> bool {
         let number = self.layout.number(cell);
         if matches!(self.cells[number].found, CellState::Filled(_)) {
@@ -145,8 +147,8 @@ impl Walk<'_, '_, '_> {
         matches!(self.cells[number].found, CellState::Filled(_))
     }
 
-    /// The cell with this node: whether evaluators reach the solution wherever it exists on the border. Refused if it does not
-    /// continue its neighbours.
+    /// The cell with this node: whether evaluators reach the solution wherever it exists on the
+    /// border. Refused if it does not continue its neighbours.
     fn checked(&mut self, slots: &[usize], centre: &[f64], mut node: Node) -> Cell {
         let mut cell = Cell::default();
         let mut least = node.floor;

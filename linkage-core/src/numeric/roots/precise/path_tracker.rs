@@ -1,8 +1,9 @@
-//! A path that is followed to its end in small parts of what is left of `t`: of the logarithm of `t` a path is smooth down to its end, whatever
-//! powers of `t` it falls with.
+//! A path that is followed to its end in small parts of what is left of `t`: of the logarithm of
+//! `t` a path is smooth down to its end, whatever powers of `t` it falls with.
 //!
-//! A point has 32 digits, and so has what is left of the equations there. Its derivatives and corrections have 16: these are of use as long
-//! as matrices are not singular but for rounding, and so are ends.
+//! A point has 32 digits, and so has what is left of the equations there. Its derivatives and
+//! corrections have 16: these are of use as long as matrices are not singular but for rounding, and
+//! so are ends.
 
 use super::super::homotopy::Homotopy;
 use super::super::projective::ProjectivePoint;
@@ -16,18 +17,22 @@ const LAST: f64 = 1e-18;
 /// What a path leads to is seen from here at the latest.
 const NEAR: f64 = 1e-12;
 const MOST_STEPS: usize = 200;
-/// The longest first correction, that after which the next step is longer, and the part of a correction that the next one may be.
+/// The longest first correction, that after which the next step is longer, and the part of a
+/// correction that the next one may be.
 const LONGEST: f64 = 2e-3;
 const SHORT: f64 = 1e-4;
 const CONTRACTION: f64 = 0.1;
-/// After shorter corrections a point is near enough for the next step, and an end is as good as its equations.
+/// After shorter corrections a point is near enough for the next step, and an end is as good as its
+/// equations.
 const SETTLED: [f64; 2] = [1e-10, 1e-16];
-/// Parts of `t` that a step takes away: powers of 1/2, from the first to this one. With the third a path is taken up.
+/// Parts of `t` that a step takes away: powers of 1/2, from the first to this one. With the third a
+/// path is taken up.
 const FINEST: i32 = 14;
 const FIRST: i32 = 3;
 /// The end is looked for whenever `t` has become smaller by this.
 const BETWEEN_LOOKS: f64 = 0.125;
-/// What two looks in succession see is the same if it is no farther apart than this part of the way there.
+/// What two looks in succession see is the same if it is no farther apart than this part of the way
+/// there.
 const SAME: f64 = 1e-3;
 /// Coordinates with a larger square are followed as their inverses.
 const LARGE: f64 = 2.0;
@@ -146,7 +151,8 @@ impl<const N: usize> PathSample<N> {
     }
 }
 
-/// The point `length` ahead: by the polynomial (Hermite's) through the last two points and their slopes, where there are two.
+/// The point `length` ahead: by the polynomial (Hermite's) through the last two points and their
+/// slopes, where there are two.
 fn predict<const N: usize>(
     now: &PathSample<N>,
     before: Option<&(PathSample<N>, f64)>,
@@ -166,7 +172,8 @@ fn predict<const N: usize>(
     })
 }
 
-/// The point of the path at `t`, unless it is far from this one, and the length of the first correction.
+/// The point of the path at `t`, unless it is far from this one, and the length of the first
+/// correction.
 fn corrected<const N: usize>(
     homotopy: &mut Homotopy<N>,
     equations: &Equations<N>,

@@ -13,7 +13,8 @@ pub(super) type Point<const N: usize> = [Wide; N];
 /// A complex number of about 32 digits.
 type Wide = Complex<DoubleDouble>;
 
-/// `(1 - t) * target + t * start`, of the same coefficients as the homotopy that has been followed so far.
+/// `(1 - t) * target + t * start`, of the same coefficients as the homotopy that has been followed
+/// so far.
 #[derive(Clone)]
 pub(super) struct Equations<const N: usize> {
     equations: [Equation<N>; N],
@@ -54,8 +55,8 @@ impl<const N: usize> Equations<N> {
         }
     }
 
-    /// The same with every coefficient changed by a rounding, in directions that have nothing to do with each other or, with the other
-    /// sign, against these.
+    /// The same with every coefficient changed by a rounding, in directions that have nothing to do
+    /// with each other or, with the other sign, against these.
     pub(super) fn changed(&self, sign: f64) -> Self {
         let mut changed = self.clone();
         let mut direction = ONE;
@@ -70,7 +71,8 @@ impl<const N: usize> Equations<N> {
         changed
     }
 
-    /// What is left of the equations at a point: little beside their terms, so that 16 digits of it are enough.
+    /// What is left of the equations at a point: little beside their terms, so that 16 digits of it
+    /// are enough.
     pub(super) fn values(&self, x: &Point<N>, t: f64) -> Vector<N> {
         let powers: [Vec<Wide>; N] = core::array::from_fn(|j| self.powers(x, j));
         core::array::from_fn(|i| {
