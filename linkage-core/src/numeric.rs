@@ -1,4 +1,5 @@
-//! Numeric searches and tables over the range of an input, on plain `f64`: no dependencies.
+//! Numeric methods on plain `f64`, without dependencies: complex and double-double numbers, linear
+//! systems, searches, and tables over the range of an input.
 //!
 //! For the compiler and generated code, which shall do the same: what they need may change with
 //! every version, so users do not see it.

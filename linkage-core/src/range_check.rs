@@ -13,7 +13,7 @@ pub use message::{
 pub use numbers::{length_as_written, place, rounded_inwards, rounded_to, significant};
 
 /// Samples for each turn of an input angle, or for a whole range of lengths. A search for dips
-/// finds what is between two of them.
+/// covers the gaps between two of them.
 pub const SAMPLES: f64 = 180.0;
 
 /// A slack this small inside a range is a dead point: beyond it the mechanism may run on in its
@@ -27,8 +27,8 @@ pub const END: f64 = 1e-9;
 /// A slack that is negative by less is 0, apart from rounding.
 pub const ROUNDING: f64 = 1e-12;
 
-/// Where a slack touches zero as a square does, [`DEAD`] is reached so far from there, in radians:
-/// what is finer is not known.
+/// The distance, in radians, at which [`DEAD`] is reached where a slack touches zero as a square
+/// does: the limit of resolution.
 pub const FOUND: f64 = 2e-6;
 
 /// A dead point that is nearer to an end of its range than this share of it is at the end.
@@ -48,7 +48,7 @@ pub fn samples(length: f64, angle: bool) -> usize {
     samples as usize
 }
 
-/// What the slack of a group is: positive where the group can be assembled, zero at a dead point.
+/// The kind of slack of a group: positive where the group can be assembled, zero at a dead point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Slack {
     /// A number of about 1, of a group with two assemblies.
@@ -58,6 +58,6 @@ pub enum Slack {
     /// To be compared with its largest value. It changes its sign at a dead point of a group with
     /// one assembly.
     Signed,
-    /// Not computed: what is prepared of the group ends before a dead point.
+    /// No slack: the prepared states of the group end before a dead point.
     Prepared,
 }

@@ -70,25 +70,25 @@ pub trait Scalar:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// How many numbers are held side by side; 1 for a plain number.
+    /// The count of numbers side by side; 1 for a plain number.
     const LANES: usize;
 
     /// True if loops over this type can become vector code: sweeps are then compiled for several
     /// instruction sets.
     const VECTORISES: bool = false;
 
-    /// What a discriminant may be negative by for its terms' rounding, as a part of them: eight
+    /// The largest negative discriminant due to the rounding of its terms, as a part of them: eight
     /// times the distance from 1 to the next number.
     const SLACK: f64 = ROUNDINGS * f64::EPSILON;
 
     /// The largest Newton correction, in radians or scaled lengths, of a prepared solution of a
-    /// coupled group that is trusted: far above what a table is wrong by, far below the distance of
+    /// coupled group that is trusted: far above the error of a table, far below the distance of
     /// another assembly.
     const CORRECTION_LIMIT: f64 = 1e-7;
 
     /// The largest last correction of a solution that is followed from position to position.
-    /// Newton's method squares it and multiplies by how curved the equations are: up to ten
-    /// thousand, what is left in an `f64` is rounding.
+    /// Newton's method squares it and multiplies by the curvature of the equations. Up to a
+    /// curvature of ten thousand, the rest in an `f64` is rounding.
     const LAST_CORRECTION: f64 = 1e-10;
 
     /// True if a prepared solution, a plain `f64`, needs several Newton steps: for derivatives and
@@ -135,22 +135,23 @@ pub trait Scalar:
         self * factor + term
     }
 
-    /// As [`sin_cos`](Self::sin_cos), for the machines that [`mul_add`](Self::mul_add) speaks of.
+    /// Returns the result of [`sin_cos`](Self::sin_cos), for the machines that
+    /// [`mul_add`](Self::mul_add) names.
     #[inline(always)]
     fn sin_cos_with<const FUSED: bool>(self) -> (Self, Self) {
         self.sin_cos()
     }
 
-    /// As [`sin_cos_with`](Self::sin_cos_with), to the last bit. With `ROWS` it stands in a loop
-    /// over many positions that becomes vector code, which has other instructions at hand.
+    /// Returns the result of [`sin_cos_with`](Self::sin_cos_with), to the last bit. `ROWS` is for a
+    /// loop over many positions that becomes vector code, which has other instructions.
     #[inline(always)]
     fn sin_cos_in_rows<const FUSED: bool, const ROWS: bool>(self) -> (Self, Self) {
         self.sin_cos_with::<FUSED>()
     }
 
-    /// As [`sin_cos_in_rows`](Self::sin_cos_in_rows), but in the way that is shortest for one
-    /// position or, with `ROWS`, for many, which may round another way: where nothing hangs on the
-    /// sine of an angle being that of the same angle elsewhere to the last bit.
+    /// Returns sine and cosine as [`sin_cos_in_rows`](Self::sin_cos_in_rows) does, but by the
+    /// shortest method for one position or, with `ROWS`, for many, which may round differently. For
+    /// callers that do not need equal bits for equal angles elsewhere.
     #[inline(always)]
     fn sin_cos_shortest<const FUSED: bool, const ROWS: bool>(self) -> (Self, Self) {
         self.sin_cos_in_rows::<FUSED, ROWS>()
@@ -165,7 +166,8 @@ pub trait Scalar:
         quotient.mul_add::<FUSED>(Self::from_f64(0.0), quotient)
     }
 
-    /// As [`atan2`](Self::atan2), for the machines that [`mul_add`](Self::mul_add) speaks of.
+    /// Returns the result of [`atan2`](Self::atan2), for the machines that
+    /// [`mul_add`](Self::mul_add) names.
     #[inline(always)]
     fn atan2_with<const FUSED: bool>(self, x: Self) -> Self {
         self.atan2(x)
@@ -177,8 +179,8 @@ pub trait Scalar:
     /// when `|self|` is between 1e-150 and 1e150 (`f32`: 1e-18 and 1e18).
     fn inverse_scale(self) -> Self;
 
-    /// By how much rounding may turn negative what was computed from terms of the size `self`:
-    /// [`SLACK`](Self::SLACK) times its absolute value, derivative zero; NaN for what is infinite.
+    /// Returns the bound of a negative rounding error in a sum of terms of the size `self`:
+    /// [`SLACK`](Self::SLACK) times its absolute value, derivative zero; NaN for infinite terms.
     #[inline(always)]
     fn slack(self) -> Self {
         Self::from_lanes(|lane| {
@@ -201,8 +203,8 @@ pub trait Scalar:
     /// Accurate to about a unit in the last place for up to a million turns (`f32`: 2000).
     fn angle_near(y: Self, x: Self, guide: Self) -> Self;
 
-    /// As [`angle_near`](Self::angle_near), for the machines that [`mul_add`](Self::mul_add) speaks
-    /// of.
+    /// Returns the result of [`angle_near`](Self::angle_near), for the machines that
+    /// [`mul_add`](Self::mul_add) names.
     #[inline(always)]
     fn angle_near_with<const FUSED: bool>(y: Self, x: Self, guide: Self) -> Self {
         Self::angle_near(y, x, guide)

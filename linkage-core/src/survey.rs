@@ -1,5 +1,4 @@
-//! What the search for circuits is told: the range of an input, and group by group which assemblies
-//! there are.
+//! Input of the search for circuits: the range of an input, and the assemblies of each group.
 
 /// The range of an input whose assemblies are looked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +30,7 @@ impl Cycle {
     }
 }
 
-/// What assemblies of a group there are.
+/// The assemblies of a group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Level {
     /// One.

@@ -29,8 +29,8 @@ pub(crate) fn sin_cos<const FUSED: bool, const ROWS: bool>(x: f64) -> (f64, f64)
     }
 }
 
-/// As [`sin_cos`], but in fewer operations and rounded in their way, where multiply-adds are fused:
-/// by a table for one position, in one word for rows.
+/// Returns sine and cosine in fewer operations than [`sin_cos`] where multiply-adds are fused, with
+/// other roundings: by a table for one position, in one word for rows.
 #[inline(always)]
 pub(crate) fn sin_cos_shortest<const FUSED: bool, const ROWS: bool>(x: f64) -> (f64, f64) {
     match (one_rounding::<FUSED>(), ROWS) {
@@ -101,8 +101,8 @@ fn turned<const FUSED: bool>(pair: [[f64; 2]; 2], n: u64) -> (f64, f64) {
     (turned(even, odd), turned(odd, even))
 }
 
-/// As [`turned`], to the last bit, by the bits of the sines: 13 operations instead of 21, all of
-/// them on vectors.
+/// Returns the result of [`turned`], to the last bit, by the bits of the sines: 13 operations
+/// instead of 21, all of them on vectors.
 #[inline(always)]
 fn swapped(pair: [[f64; 2]; 2], n: u64) -> (f64, f64) {
     let [[high, s], [base, c]] = pair;

@@ -47,8 +47,8 @@ fn reduce<const FUSED: bool>(x: f32) -> ([f32; 2], u32) {
     ([high, low], shifted.to_bits())
 }
 
-/// As [`reduce`], without fused multiply-add: by a multiple of 1024 right angles and by at most 513
-/// more, so that products with words of 14 bits are exact.
+/// Reduces as [`reduce`] does, without fused multiply-add: by a multiple of 1024 right angles and
+/// by at most 513 more, so that products with words of 14 bits are exact.
 #[inline(always)]
 fn reduce_in_parts(x: f32) -> ([f32; 2], u32) {
     const ROUND_TO_1024: f32 = 1024.0 * ROUND;

@@ -35,7 +35,7 @@ impl<const N: usize> Cholesky<N> {
 }
 
 /// Replaces the lower triangle by its factor. `pivot` gives the square of a pivot, from the
-/// diagonal of the matrix and what is left of it.
+/// diagonal of the matrix and its rest after elimination.
 fn factor<R: AsRef<[f64]> + AsMut<[f64]>>(
     rows: &mut [R],
     pivot: impl Fn(f64, f64) -> Option<f64>,

@@ -1,7 +1,7 @@
-//! Which of several assemblies start estimates mean.
+//! The choice among several assemblies by start estimates.
 
-/// How far from where assemblies meet a listing may say that they do: a path may be so far from the
-/// multiple solution at which it ends.
+/// The largest error of a listed meeting of assemblies: a path may be so far from the multiple
+/// solution at which it ends.
 pub const MEETING: f64 = 0.01;
 
 /// When estimates do not choose: the two least distances differ by at most this share of the
@@ -12,13 +12,14 @@ pub const MEETING: f64 = 0.01;
 pub struct Ambiguity(f64);
 
 impl Ambiguity {
-    /// At the defaults, while compiling. Estimates are read off a drawing, so what they hardly
-    /// choose may not be what is meant; it is refused while the user can still move them.
+    /// The share at the defaults, while compiling. Estimates are read off a drawing, so a narrow
+    /// choice may not be the intended one. It is refused while the user can still move the
+    /// estimates.
     pub const AS_WRITTEN: Self = Self(0.01);
 
-    /// At run time, for a coupled group with other dimensions. Nobody can move the estimates there,
-    /// so what they choose is taken, however narrowly; only a choice that rounding would make, as
-    /// between mirror images, is refused.
+    /// The share at run time, for a coupled group with other dimensions. Nobody can move the
+    /// estimates there, so even a narrow choice is taken. Only a choice by rounding, as between
+    /// mirror images, is refused.
     pub const AT_RUN_TIME: Self = Self(1e-6);
 }
 
@@ -68,7 +69,7 @@ pub fn choose_assembly(
 }
 
 /// Returns whether the estimates may mean assemblies that meet at a dead point, about at this
-/// distance from them, although another one is nearest of those that are told apart.
+/// distance from them, although another one is the nearest of the listed ones.
 ///
 /// ```
 /// use linkage_core::numeric::choose_assembly::{Ambiguity, may_be_meant};
@@ -115,7 +116,7 @@ mod tests {
         assert_eq!(choice(&[0.989, 1.0]), Some((0, false)));
     }
 
-    /// What differs by more than rounding is a choice at run time.
+    /// A difference larger than rounding decides at run time.
     #[test]
     fn at_run_time_rounding_alone_chooses_nothing() {
         let ambiguous = |less: f64| {

@@ -71,9 +71,9 @@ pub fn solve_scaled<const N: usize, const R: usize>(
     eliminate(matrix, right, |square, scale| square * scale)
 }
 
-/// Eliminates with pivots chosen as if all rows were of one size. `measure` gives what counts of a
-/// pivot, from its square and the inverse square of its row. Returns the smallest of these, or 0
-/// where one is 0 or not finite.
+/// Eliminates with pivots chosen as if all rows were of one size. `measure` gives the size of a
+/// pivot, from its square and the inverse square of its row. Returns the smallest size, or 0 where
+/// one is 0 or not finite.
 #[inline(always)]
 fn eliminate<const N: usize, const R: usize>(
     matrix: &mut Matrix<N>,

@@ -40,7 +40,7 @@ pub use table::Table;
 use crate::scalar::Enclosure;
 use alloc::vec::Vec;
 
-/// A group of equations: what brings a state nearer to the solution.
+/// A group of equations with a correction that brings a state nearer to the solution.
 pub trait Correction {
     /// One Newton step at the inputs `x`, in place. Where there is none the step's size is NaN.
     fn correct(&mut self, x: &[f64], state: &mut [f64]) -> Step;
@@ -54,8 +54,9 @@ impl<F: FnMut(&[f64], &mut [f64]) -> Step> Correction for F {
 
 /// A group of which a solution can be proven.
 pub trait Residuals: Correction {
-    /// What its equations miss by over a box of states, at the inputs `x`: as many as its unknowns
-    /// have numbers, less one for each unit vector. Of a group of which nothing is proven, nothing.
+    /// Returns the errors of the equations over a box of states, at the inputs `x`: as many as the
+    /// unknowns have numbers, less one for each unit vector. Returns none for a group without a
+    /// proof.
     fn residuals(&mut self, _x: &[f64], _state: &[Enclosure]) -> Vec<Enclosure> {
         Vec::new()
     }
@@ -81,7 +82,7 @@ pub struct Range {
     pub turn: bool,
 }
 
-/// How a table ends.
+/// The end of a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum End {
     /// It does not: the state repeats after a turn.
@@ -90,7 +91,7 @@ pub enum End {
     Range(f64),
     /// At a turning point, where this solution meets another one and both end.
     TurningPoint(f64),
-    /// Where the solution cannot be followed any further: another one is too near.
+    /// A place beyond which the solution cannot be followed: another one is too near.
     Lost(f64),
 }
 

@@ -1,4 +1,4 @@
-//! Where equations come nearest to holding: the least sum of squares of what they miss by.
+//! Nearest approach of equations to a solution: the least sum of squares of their errors.
 
 use super::cholesky;
 use crate::math::double::sqrt;
@@ -7,14 +7,14 @@ use alloc::vec::Vec;
 /// Steps of Levenberg's and Marquardt's method: near a dead point it converges linearly.
 const STEPS: usize = 400;
 
-/// The longest step, in what counts like radians: a long one may leave the neighbourhood.
+/// The longest step, in units like radians: a longer one may leave the neighbourhood.
 const LONGEST: f64 = 0.1;
 
 /// A slope below this part of the misses is none: differences know no more.
 const LEVEL: f64 = 1e-8;
 
-/// Where derivatives are differences: over twice this step they have an error of its square, and as
-/// much rounding.
+/// The step of differences that serve as derivatives: their error is about its square, and rounding
+/// is as much.
 pub const STEP: f64 = 1e-5;
 
 /// Smaller misses are none, where lengths are about 1.
@@ -30,22 +30,22 @@ const LEAST: f64 = 1e-13;
 
 /// Equations about a place, to first order.
 pub trait Rows {
-    /// What each equation misses by.
+    /// Returns the error of each equation.
     fn missed(&self) -> &[f64];
 
-    /// Its derivatives, by what can change.
+    /// Returns the derivatives of each equation with respect to all that can change.
     fn matrix(&self) -> &[Vec<f64>];
 }
 
 /// Equations that may not hold anywhere; a place has values for all that can change.
 pub trait Equations<Place> {
-    /// What is known about a place.
+    /// The equations about a place.
     type Rows: Rows;
 
     /// The equations about a place; nothing where they have no value.
     fn rows(&mut self, at: &Place) -> Option<Self::Rows>;
 
-    /// What those of `rows` miss by at a place.
+    /// Returns the errors of the equations of `rows` at a place.
     fn misses(&mut self, at: &Place, rows: &Self::Rows) -> Vec<f64>;
 
     /// A place after changes, where `rows` are the equations.
@@ -97,7 +97,7 @@ fn slope(rows: &impl Rows) -> Vec<f64> {
     (0..width).map(along).collect()
 }
 
-/// The damped step, by what can change.
+/// Returns the damped step, for all that can change.
 fn step(rows: &impl Rows, slope: &[f64], damping: f64) -> Option<Vec<f64>> {
     let product = |i: usize, j: usize| rows.matrix().iter().map(|row| row[i] * row[j]).sum();
     let mut matrix: Vec<Vec<f64>> = (0..slope.len())

@@ -3,7 +3,7 @@
 use super::golden_section::{Point, descend};
 use alloc::vec::Vec;
 
-/// How many of the highest samples are refined.
+/// The number of highest samples that are refined.
 const SUMMITS: usize = 16;
 
 /// The highest value found.
@@ -15,8 +15,8 @@ pub struct Maximum {
     pub missing: usize,
 }
 
-/// The highest value over `low` to `high`: the highest of evenly spaced positions (two or more,
-/// both ends among them), and what a golden section search finds around the highest ones. `None` if
+/// Returns the highest value over `low` to `high`: the highest of evenly spaced positions (two or
+/// more, both ends among them) and of golden section searches around the highest ones. `None` if
 /// all of them are NaN.
 pub fn maximise(
     [low, high]: [f64; 2],
@@ -72,7 +72,7 @@ fn summits(values: &[f64]) -> Vec<usize> {
     summits
 }
 
-/// The figure turned upside down, with what is NaN highest.
+/// Returns the figure turned upside down; NaN becomes the highest.
 fn depth(value: f64) -> f64 {
     if value.is_nan() {
         f64::INFINITY

@@ -1,4 +1,4 @@
-//! Where in the range of an input a mechanism stops working.
+//! Boundaries of the range of an input in which a mechanism works.
 //!
 //! A *margin* is a function of the input that is positive where the mechanism works and continuous
 //! there, and negative or NaN where it does not. A margin that touches zero and rises again counts
@@ -10,7 +10,7 @@ use super::golden_section::{Point, descend};
 /// A margin down to here is rounding.
 const ROUNDING: f64 = -1e-12;
 
-/// How precisely a boundary is located, relative to the size of the numbers in the range.
+/// The precision of a boundary, relative to the size of the numbers in the range.
 const PRECISION: f64 = 1e-12;
 
 /// A boundary between input values where the mechanism works and input values where it does not.

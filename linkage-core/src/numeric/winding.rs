@@ -1,4 +1,4 @@
-//! How an angle turns while an input runs through its range.
+//! Turns of an angle while an input runs through its range.
 
 mod uniform;
 
@@ -117,7 +117,7 @@ pub struct Centre {
 }
 
 impl Centre {
-    /// Of an angle with this value at the start.
+    /// Starts at an angle of this value.
     pub fn new(angle: f64) -> Self {
         Self {
             angle,
@@ -159,7 +159,7 @@ fn step(range: f64, fastest: f64) -> f64 {
         .max(range / MOST)
 }
 
-/// How far an angle strays from a line of a given rate.
+/// The largest distance of an angle from a line of a given rate.
 #[derive(Clone, Copy)]
 struct Stray {
     rate: f64,

@@ -51,7 +51,7 @@ pub struct Reaches<'a> {
 }
 
 impl Reaches<'_> {
-    /// What happens, without the help.
+    /// Returns the text without the help.
     #[must_use]
     pub fn fact(&self) -> String {
         let (point, beyond) = match self.change {
@@ -70,7 +70,7 @@ impl Reaches<'_> {
         )
     }
 
-    /// What to do instead.
+    /// Returns the text of the help.
     #[must_use]
     pub fn help(&self) -> String {
         let other = match self.change {
@@ -95,7 +95,7 @@ impl Reaches<'_> {
     }
 }
 
-/// The equations of a group have no finite value at a place: what happens, and the help.
+/// Returns the text and the help for equations of a group without a finite value at a place.
 #[must_use]
 pub fn not_finite(group: Comes, place: &str, how: &str) -> [String; 2] {
     [

@@ -124,7 +124,7 @@ pub fn significant(x: f64) -> String {
     }
 }
 
-/// The exponent of the first digit in powers of ten; 0 for what is no finite number.
+/// Returns the exponent of the first digit in powers of ten; 0 for numbers that are not finite.
 fn exponent(x: f64) -> i32 {
     let text = format!("{x:e}");
     let exponent = text.rsplit('e').next();

@@ -6,8 +6,8 @@ mod operators;
 use super::Scalar;
 use bounds::Bounds;
 
-/// A function of one variable over an interval, as a [`Scalar`]: between which numbers all its
-/// values are, all its slopes, and the value in the middle of the interval.
+/// A function of one variable over an interval, as a [`Scalar`]: bounds of all its values, bounds
+/// of all its slopes, and the value in the middle of the interval.
 ///
 /// All bounds are rounded outwards, so that they hold for the function itself and not only for what
 /// is computed of it. They are the tighter, by the square, the shorter the interval is: values are
@@ -83,7 +83,7 @@ impl Enclosure {
         }
     }
 
-    /// A value of these parts, within what the mean value theorem says.
+    /// Returns a value of these parts, within the bounds of the mean value theorem.
     fn from_parts(range: Bounds, middle: Bounds, slope: Bounds, half: f64) -> Self {
         let aside = Bounds::between(-half, half);
         let mean = match slope.low.is_finite() && slope.high.is_finite() {
@@ -205,8 +205,8 @@ impl Scalar for Enclosure {
         }
     }
 
-    /// What is negative counts as 0: whoever asks for bounds of what depends on a root looks after
-    /// its discriminant, too.
+    /// Clamps negative numbers to 0. Callers that need bounds of an expression with a root must
+    /// check its discriminant themselves.
     #[inline(never)]
     fn root_with<const FUSED: bool>(self, _slack: Self, _size: Self) -> Self {
         let positive = |range: Bounds| Bounds::between(range.low.max(0.0), range.high);
@@ -251,7 +251,7 @@ impl Scalar for Enclosure {
         }
     }
 
-    /// Where either may be chosen, nothing is known of the slope.
+    /// Returns unknown slopes where either may be chosen.
     fn select(s: Self, a: Self, b: Self) -> Self {
         if s.range.low >= 0.0 {
             return a;

@@ -1,6 +1,6 @@
 //! Sine and cosine by a table of directions, with fused multiply-add: fewer operations than
-//! polynomials over a quarter of pi. It is for what is computed one by one, since a vector would
-//! gather four numbers for each lane.
+//! polynomials over a quarter of pi. Only single positions use it, since a vector would gather four
+//! numbers for each lane.
 //!
 //! The angle is `n` steps of pi/64 and a remainder `high + low` of at most half a step, whose pair
 //! comes from short polynomials. The direction of `n` stands in the table, in two words, and is

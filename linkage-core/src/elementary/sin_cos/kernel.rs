@@ -4,7 +4,7 @@ use super::super::multiply::double as mul_add;
 
 /// Adding this number rounds to an integer, which the low bits then hold.
 pub(super) const ROUND: f64 = 6_755_399_441_055_744.0;
-/// From this angle on a sine is noise: 2^30.
+/// Limit of the angle, 2^30: beyond it a sine is noise.
 pub(super) const LIMIT: f64 = 1_073_741_824.0;
 /// Multiplied by this number, [`LIMIT`] and above become infinite.
 const TO_INFINITY: f64 = f64::from_bits(0x7E10_0000_0000_0000);

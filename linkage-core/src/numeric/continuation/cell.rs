@@ -111,7 +111,7 @@ impl Cell {
     }
 }
 
-/// Where the first guess for a new cell comes from.
+/// The source of the first guess for a new cell.
 #[derive(Clone, Copy)]
 pub(super) enum Guess<'a> {
     /// A solution at a place inside it or on its border.

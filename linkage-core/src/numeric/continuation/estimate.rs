@@ -1,4 +1,4 @@
-//! From an estimate to the solution that is meant by it.
+//! Continuation from an estimate to the solution that it means.
 
 #[cfg(test)]
 mod tests;
@@ -13,8 +13,9 @@ use alloc::vec::Vec;
 /// solution.
 const LONGEST: f64 = 0.1;
 
-/// What the next correction may differ from the one that was foreseen, as a part of the correction:
-/// where Newton's method is certain to find the nearest solution, a full step leaves a quarter.
+/// The largest difference between the next correction and the predicted one, as a part of the
+/// correction. Where Newton's method is certain to find the nearest solution, a full step leaves a
+/// quarter.
 const FORESEEN: f64 = 0.25;
 
 /// A step that is a smaller part of a correction leads nowhere.
@@ -27,21 +28,21 @@ const CORRECTIONS: usize = 1000;
 /// Corrections of this size leave nothing but rounding.
 const SETTLED: f64 = 1e-9;
 
-/// What is not proven to be isolated is singular, or one of many: a state that is off by this leads
-/// back to it, but for a thousandth, or not.
+/// A state that is not proven to be isolated is singular, or one of many. Moved aside by this, it
+/// returns with an error of a thousandth, or it does not.
 const ASIDE: f64 = 1e-6;
 const BACK: f64 = 1e-3 * ASIDE;
 const STEPS_BACK: usize = 4;
 
-/// Where an estimate leads to no solution.
+/// The failure of an estimate that leads to no solution.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Astray {
     /// The equations, or a correction, have no value at the estimate.
     NoValue,
     /// The way ends at a dead point.
     DeadPoint {
-        /// The part of what the equations miss by at the estimate that is left there: 1 if it is
-        /// the estimate.
+        /// The part of the closure error of the estimate that is left there: 1 if the estimate
+        /// itself is the dead point.
         left: f64,
         /// The state where the way ends.
         at: Vec<f64>,
@@ -54,7 +55,7 @@ pub enum Astray {
     Singular(Vec<f64>),
 }
 
-/// Follows a state from where the unknowns are estimated to a solution at the inputs `x`.
+/// Follows a state from the estimated unknowns to a solution at the inputs `x`.
 ///
 /// At the estimate the equations miss by something, as if the links had other lengths. All of that
 /// is taken back in the same ratio, in steps that are short enough to stay on the way: after each
@@ -122,7 +123,7 @@ struct EstimatePath<'w> {
 struct StateOnPath {
     state: Vec<f64>,
     corrected: Vec<f64>,
-    /// By unknown.
+    /// The correction of each unknown.
     correction: Vec<f64>,
     step: Step,
 }
@@ -139,7 +140,7 @@ impl EstimatePath<'_> {
         }
     }
 
-    /// What a state is that solves the equations and is not proven to be alone.
+    /// Classifies a state that solves the equations and is not proven to be isolated.
     fn not_isolated(&mut self, state: Vec<f64>) -> Astray {
         let count = self.variables.len();
         // No direction in which a mechanism moves is at right angles to all of these but by chance.
@@ -169,7 +170,7 @@ impl StateOnPath {
         turned(variables, &self.state, &way)
     }
 
-    /// Returns whether the correction at the next index is what is left of the one here.
+    /// Returns whether the correction at the next state is the rest of the one here.
     fn foresees(&self, next: &Self, part: f64) -> bool {
         let pairs = self.correction.iter().zip(&next.correction);
         let off = pairs.map(|(here, next)| next - (1.0 - part) * here);
@@ -205,7 +206,7 @@ pub fn turned(variables: &[Variable], state: &[f64], way: &[f64]) -> Vec<f64> {
     turned
 }
 
-/// From one state to another, by unknown.
+/// Returns the difference between two states for each unknown.
 fn difference(variables: &[Variable], from: &[f64], to: &[f64]) -> Vec<f64> {
     let mut index = 0;
     let differences = variables.iter().map(|variable| match variable {

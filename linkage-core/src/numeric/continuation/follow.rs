@@ -2,11 +2,12 @@
 
 use super::{Correction, Step};
 
-/// Steps of this size leave nothing but rounding: half of their square, times what equations bend
-/// over what they slope, is less than the rounding that is inherent in such equations.
+/// Steps of this size leave nothing but rounding: half of their square, times the ratio of second
+/// to first derivatives of the equations, is less than the rounding that is inherent in such
+/// equations.
 pub(super) const SETTLED: f64 = 1e-8;
 
-/// Steps of this size leave about a hundredth of what polynomials may be off, [`SETTLED`].
+/// Steps of this size leave about a hundredth of the error allowed for polynomials, [`SETTLED`].
 const ABOUT: f64 = 1e-5;
 
 /// A first correction must not be larger: radians, or lengths on the scale of the state.
@@ -60,7 +61,7 @@ impl<'a> Follower<'a> {
         self.settle_within(x, state, STEPS, CONTRACTION)
     }
 
-    /// The same until what is left is less than polynomials may be off.
+    /// Corrects until the rest is less than the error allowed for polynomials.
     pub(super) fn settle_about(&mut self, x: &[f64], state: &mut [f64]) -> Option<f64> {
         self.settle_to(ABOUT, x, state, STEPS, CONTRACTION)
     }
@@ -98,7 +99,7 @@ impl<'a> Follower<'a> {
         None
     }
 
-    /// How many corrections may still be made.
+    /// Returns the number of corrections that may still be made.
     pub(super) fn left(&self) -> usize {
         self.left
     }

@@ -159,7 +159,7 @@ impl Grid {
         })
     }
 
-    /// How many cells it has.
+    /// Returns the number of cells.
     #[must_use]
     pub fn cells(&self) -> usize {
         self.nodes.len()
@@ -178,20 +178,20 @@ impl Grid {
         self.served
     }
 
-    /// What is not served although the solution exists, or may exist, away from its boundary: more
-    /// of the ranges than may be.
+    /// Returns the part that is not served although the solution exists, or may exist, away from
+    /// its boundary, if it is more of the ranges than allowed.
     #[must_use]
     pub fn left_out(&self) -> Option<&LeftOut> {
         self.left_out.as_ref()
     }
 
-    /// How many numbers the state has.
+    /// Returns the number of state numbers.
     #[must_use]
     pub fn width(&self) -> usize {
         self.width
     }
 
-    /// How many inputs there are.
+    /// Returns the number of inputs.
     #[must_use]
     pub fn inputs(&self) -> usize {
         self.axes.len()
@@ -208,8 +208,8 @@ impl Grid {
         self.look_up::<false>(x, state)
     }
 
-    /// The same, to the last bit what [`GridLookup::at_with`] gives. With `FUSED` only on machines
-    /// with fused multiply-add.
+    /// Returns the result of [`GridLookup::at_with`], to the last bit. `FUSED` is for machines with
+    /// fused multiply-add only.
     ///
     /// # Panics
     ///

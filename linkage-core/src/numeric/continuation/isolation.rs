@@ -9,12 +9,11 @@ use alloc::vec::Vec;
 /// The box in which a solution is alone: half its side is tried from the largest to the smallest
 /// one.
 const LARGEST: f64 = 1e-2;
-/// Where the equations know no more of a solution than this, it is a multiple one for numbers of 16
-/// digits.
+/// The accuracy of a solution below which it counts as a multiple one for numbers of 16 digits.
 const SMALLEST: f64 = 1e-10;
 const SMALLER: f64 = 0.1;
 
-/// Rounding errors of a sum of products, for each of them; twice what they can be.
+/// The rounding error of each product in a sum; twice the largest possible one.
 const ROUNDING: f64 = f64::EPSILON;
 
 /// Half the side of a box about a state in which exactly one solution is, if that can be proven:
@@ -90,7 +89,7 @@ impl Equations<'_> {
         all
     }
 
-    /// How far from 0 the equations are in the state, at most; nothing if they are not as many as
+    /// Returns bounds of the errors of the equations in the state; none if they are not as many as
     /// its numbers.
     fn missed(&mut self) -> Option<Vec<f64>> {
         let state = self.state.iter().map(|&x| Enclosure::between(x, x));

@@ -5,19 +5,19 @@ use super::scale::Scale;
 use super::table::Table;
 use alloc::vec::Vec;
 
-/// From an input to a place, -1/2 at the lower end of the range and 1/2 at the upper one, and to a
-/// slot.
+/// The map of an input to a place, -1/2 at the lower end of the range and 1/2 at the upper one, and
+/// to a slot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
     /// The input in the middle of the range.
     pub middle: f64,
-    /// How long the range is.
+    /// The length of the range.
     pub length: f64,
     /// Places for each unit of the input.
     pub rate: f64,
     /// The same where the range repeats, else 0: the place less its nearest integer is taken.
     pub turns: f64,
-    /// How many slots there are.
+    /// Returns the number of slots.
     pub slots: usize,
 }
 
@@ -36,7 +36,7 @@ impl Axis {
 /// A table as [`Table::state`] reads it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableLayout<'a> {
-    /// Of its input.
+    /// The axis of the input.
     pub axis: Axis,
     /// For each slot the number of its cell.
     pub index: &'a [u16],
@@ -84,11 +84,11 @@ impl Table {
 /// A grid as [`Grid::state`] reads it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GridLayout<'a> {
-    /// Of its inputs.
+    /// The axes of the inputs.
     pub axes: Vec<Axis>,
     /// Cell by cell, the last input changing fastest; `None` where the solution cannot be reached.
     pub nodes: Vec<Option<NodeLayout<'a>>>,
-    /// What is known in a cell.
+    /// The data of a cell.
     pub terms: Terms,
 }
 

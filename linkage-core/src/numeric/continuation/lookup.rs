@@ -14,7 +14,7 @@ use core::fmt;
 #[derive(Clone, PartialEq)]
 pub struct Lookup<const S: usize> {
     scale: Scale,
-    /// As long as the scale has slots; every element is the number of a cell.
+    /// A number of a cell for each slot of the scale.
     index: Shared<[u16]>,
     cells: Shared<[Fixed<S>]>,
 }
@@ -127,7 +127,7 @@ impl<const S: usize> Lookup<S> {
     }
 }
 
-/// Of the index and the cells of a table, the cell that serves a slot.
+/// Returns the cell that serves a slot, from the index and the cells of a table.
 #[allow(unsafe_code, reason = "a bounds check would be a branch")]
 #[inline(always)]
 fn cell<'a, const S: usize>(index: &[u16], cells: &'a [Fixed<S>], slot: usize) -> &'a Fixed<S> {

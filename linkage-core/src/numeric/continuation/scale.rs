@@ -1,4 +1,4 @@
-//! From inputs to places in a range and slots of an index: no branch, no call, no panic.
+//! The map of inputs to places in a range and slots of an index: no branch, no call, no panic.
 
 use super::cell::Frame;
 use core::hint::select_unpredictable;
@@ -12,7 +12,7 @@ const POINT: f64 = 6_755_399_441_055_744.0 / (1_u64 << FRACTION) as f64;
 /// Adding and subtracting this number rounds to an integer.
 const ROUND: f64 = 6_755_399_441_055_744.0;
 
-/// From inputs to places in the range and slots of the index.
+/// A map of inputs to places in the range and slots of the index.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Scale {
     pub(super) frame: Frame,
@@ -56,7 +56,7 @@ impl Scale {
         (place, (fixed >> FRACTION) as usize)
     }
 
-    /// How many slots there are.
+    /// Returns the number of slots.
     #[inline(always)]
     pub(super) fn slots(&self) -> usize {
         self.count
@@ -81,7 +81,7 @@ impl Scale {
         self.frame.length / self.slots
     }
 
-    /// How many borders the slots have: as many as slots where the range repeats.
+    /// Returns the number of borders of slots: as many as slots where the range repeats.
     pub(super) fn corners(&self) -> usize {
         if self.repeats() {
             self.slots()

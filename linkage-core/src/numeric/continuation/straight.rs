@@ -11,7 +11,7 @@ const FIRST: f64 = 0.125;
 const SHORTEST: f64 = 1e-9;
 
 /// Beside a dead point, as near as the shortest steps lead, the determinant is a ten thousandth of
-/// what it was; where it is more, something else ends.
+/// its first value; where it is more, the path has not ended at a dead point.
 const VANISHED: f64 = 0.01;
 
 /// Corrections on a way, at most: a way to a dead point takes some hundred.

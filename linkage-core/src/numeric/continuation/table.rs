@@ -34,7 +34,7 @@ const REPEATS: [f64; 4] = [0.137, 0.382, 0.618, 0.871];
 #[derive(Clone, PartialEq)]
 pub struct Table {
     pub(super) scale: Scale,
-    /// Which cell is where, in parts of the range as long as the shortest cell.
+    /// The cell of each part of the range, as long as the shortest cell.
     pub(super) index: Shared<[u16]>,
     pub(super) cells: Shared<[Cell]>,
     width: usize,
@@ -86,19 +86,19 @@ impl Table {
         Self::open(&mut follower, at, &state, low, high, range.turn, partial)
     }
 
-    /// How the table ends, below and above.
+    /// The lower and the upper end of the table.
     #[must_use]
     pub fn ends(&self) -> [End; 2] {
         self.ends
     }
 
-    /// How many cells it has.
+    /// Returns the number of cells.
     #[must_use]
     pub fn cells(&self) -> usize {
         self.cells.len()
     }
 
-    /// How many numbers the state has.
+    /// Returns the number of state numbers.
     #[must_use]
     pub fn width(&self) -> usize {
         self.width
@@ -131,8 +131,9 @@ impl Table {
         cell.floor + guard
     }
 
-    /// As [`state`](Self::state), to the last bit what [`Lookup::at_with`](super::Lookup::at_with)
-    /// gives. With `FUSED` only on machines with fused multiply-add.
+    /// Writes as [`state`](Self::state) does, to the last bit the result of
+    /// [`Lookup::at_with`](super::Lookup::at_with). `FUSED` is for machines with fused multiply-add
+    /// only.
     ///
     /// # Panics
     ///

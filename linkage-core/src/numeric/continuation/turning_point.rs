@@ -1,4 +1,4 @@
-//! Where a solution ends: beside a turning point input and state are smooth functions of the
+//! The end of a solution: beside a turning point input and state are smooth functions of the
 //! determinant, and the turning point is where it vanishes.
 
 use super::cell::{Cell, Frame};

@@ -1,4 +1,4 @@
-//! From cell to cell through the range.
+//! The walk from cell to cell through the range.
 
 use super::cell::{Cell, Frame, Guess, attempt};
 use super::follow::Follower;

@@ -15,7 +15,7 @@ use alloc::vec::Vec;
 pub(super) struct Cycle<const N: usize> {
     /// The mean of the way.
     pub(super) middle: Vector<N>,
-    /// How far the way is from there, by coordinate.
+    /// The largest distance of the path from there, by coordinate.
     pub(super) extent: [f64; N],
 }
 
@@ -25,7 +25,7 @@ const MOST_TURNS: usize = 12;
 /// Points of a turn of which the mean is taken; `STEP` leads from one to the next.
 const POINTS: usize = 16;
 const STEP: Complex = Complex::new(0.923_879_532_511_286_7, 0.382_683_432_365_089_8);
-/// How often the way from point to point is halved where corrections are too long.
+/// The number of times that the path between two points is halved where corrections are too long.
 const HALVINGS: u32 = 5;
 /// The longest first correction, and the part of it that the second one may be: those of a careful
 /// follower, since another path may be near.

@@ -1,4 +1,4 @@
-//! What does not fit together: ends and ways of paths that show that a path has been lost.
+//! Consistency checks: ends and positions of paths that show that a path has been lost.
 
 use super::endgame::{PathEnd, Root};
 use super::path_trace::Trace;

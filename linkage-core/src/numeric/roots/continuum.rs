@@ -1,4 +1,4 @@
-//! Whether a multiple solution is one of a continuum.
+//! The test whether a multiple solution is one of a continuum.
 
 use super::homotopy::Homotopy;
 use super::projective::ProjectivePoint;
@@ -43,9 +43,9 @@ fn weakest_component<const N: usize>(homotopy: &mut Homotopy<N>, x: &Vector<N>) 
     (sizes(best) > SINGULAR * SINGULAR).then_some(best)
 }
 
-/// By how much the equations miss, in a fixed combination of them and as a share of their terms, at
-/// the nearest point with the coordinate `along` moved by `offset`. `None` if there is no such
-/// point.
+/// Returns the error of the equations, in a fixed combination of them and as a share of their
+/// terms, at the nearest point with the coordinate `along` moved by `offset`. `None` if there is no
+/// such point.
 fn slack<const N: usize>(
     homotopy: &mut Homotopy<N>,
     x: &Vector<N>,

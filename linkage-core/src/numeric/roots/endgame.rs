@@ -1,5 +1,5 @@
-//! Where paths end: at an isolated solution, at a multiple one, or where variables vanish or
-//! become infinite.
+//! The ends of paths: isolated solutions, multiple ones, or points where variables vanish or become
+//! infinite.
 
 use super::cauchy_endgame;
 use super::homotopy::Homotopy;
@@ -20,7 +20,7 @@ pub(super) enum PathEnd<const N: usize> {
     Outside,
     /// A multiple solution, or one of a continuum.
     Multiple(ProjectivePoint<N>),
-    /// Nothing real, as far as is known of it; what else it is, the coefficients do not tell.
+    /// Nothing real, as far as known; the coefficients do not decide more.
     Blurred,
     Lost,
 }
@@ -33,14 +33,14 @@ pub(super) struct Root<const N: usize> {
     pub(super) reach: f64,
 }
 
-/// Where the given system and the one of a path can no longer be told apart.
+/// The value of `t` at which the given system equals that of a path to rounding.
 const LAST: f64 = 1e-13;
 /// Rounding errors of an equation.
 const NOISE: f64 = 1e-15;
-/// So many roundings of an equation are amply more than it can have: below, nothing is known of
-/// where a path leads.
+/// A number of roundings of an equation that is amply more than it can have: below it, the end of a
+/// path is unknown.
 const BLURRED: f64 = 10.0 * NOISE;
-/// Pivots below this may be those of a singular matrix but for rounding errors.
+/// Pivots below this may be those of a singular matrix, except for rounding errors.
 const UNCERTAIN: f64 = 100.0 * NOISE;
 /// Shorter steps, as a part of `t`, lead nowhere.
 const SHORT: f64 = 1e-6;
@@ -58,14 +58,14 @@ const LEAST_RATE: f64 = 0.05;
 const SAME_RATE: f64 = 0.01;
 /// Paths that cannot be followed any further earlier than this are lost.
 const LATE: f64 = 1e-4;
-/// Where a path is noted on its way: whenever `t` has become smaller by this.
+/// The ratio of `t` between two notes of the position of a path.
 const BETWEEN_MARKS: f64 = 0.125;
-/// Multiple solutions of up to four paths are met as precisely as this; what is farther may be
-/// several solutions.
+/// The precision of multiple solutions of up to four paths; a larger distance may mean several
+/// solutions.
 const PRECISE: f64 = 1e-3;
-/// Within a circle, sums of powers of the paths that run around it are no larger than on it. So
-/// none of the paths is farther from their middle than twice what it is on the circle; and as much
-/// again is beside its reflection.
+/// Within a circle, sums of powers of the paths that run around it are no larger than on it. So no
+/// path is farther from their middle than twice its distance on the circle. The same distance again
+/// is next to its reflection.
 const CONFINED: f64 = 4.0;
 
 /// The end of a path that has come near it; `marks` are where it has been on its way there.
@@ -102,7 +102,7 @@ pub(super) fn find<const N: usize>(
     PathEnd::Lost
 }
 
-/// How far the end is away, about.
+/// Returns the distance of the end, approximately.
 fn way_left<const N: usize>(tracker: &PathTracker<'_, N>) -> f64 {
     let PathSample { t, tangent, .. } = tracker.now();
     t * rough_root(size(tangent))
@@ -153,8 +153,8 @@ pub(super) fn polish<const N: usize>(
     (last <= LONGEST).then(|| (x, rough_root(last)))
 }
 
-/// How far Newton's method may start from a solution: a part of the inverse of the second
-/// derivatives, measured by the first ones.
+/// Returns the largest distance from a solution at which Newton's method may start: a part of the
+/// inverse of the second derivatives, measured by the first ones.
 fn reach<const N: usize>(homotopy: &mut Homotopy<N>, x: &Vector<N>) -> Option<f64> {
     const PART: f64 = 0.3;
     const LONGEST: f64 = 0.1;
@@ -218,7 +218,7 @@ fn conclude<const N: usize>(
     }
 }
 
-/// What lies within a way around the end of a path.
+/// The contents of a circle around the end of a path.
 enum Led<const N: usize> {
     /// Nothing real.
     PathSamples,
@@ -260,7 +260,7 @@ fn rate<const N: usize>(tracker: &PathTracker<'_, N>, j: usize) -> f64 {
 struct Rates<const N: usize> {
     t: f64,
     rates: [f64; N],
-    /// How often in succession each of them has been the same as before.
+    /// The number of times in succession that each of them has been the same as before.
     same: [u8; N],
 }
 

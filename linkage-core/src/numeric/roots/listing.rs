@@ -13,7 +13,8 @@ use super::real;
 use super::system::{Listing, Unlisted, Variable};
 use alloc::vec::Vec;
 
-/// How often all paths are followed, each time from another start system and with smaller steps.
+/// The number of attempts to follow all paths, each from another start system and with smaller
+/// steps.
 const ATTEMPTS: usize = 4;
 /// Multiple solutions that are examined for being part of a continuum.
 const EXAMINED: usize = 8;
@@ -46,7 +47,7 @@ pub(super) fn list<const N: usize>(
     Err(Unlisted::Lost { lost, paths })
 }
 
-/// What following all paths once comes to.
+/// The result of following all paths once.
 enum Outcome {
     Listed(Listing),
     Degenerate,

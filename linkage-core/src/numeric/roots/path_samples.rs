@@ -87,7 +87,7 @@ impl<const N: usize> PathSamples<N> {
         used.iter().fold(1.0, |span, knot| span * (knot.t - t))
     }
 
-    /// How far ahead the span has this value, about.
+    /// Returns about the distance ahead at which the span has this value.
     #[inline(always)]
     pub(super) fn length_of_span(&self, span: f64, guess: f64) -> f64 {
         const STEPS: usize = 3;

@@ -10,7 +10,7 @@ use alloc::vec::Vec;
 
 /// A path that has been followed.
 pub(super) struct Trace<const N: usize> {
-    /// Where it was at `WAYPOINT`, and the smallest pivot there. There all paths are apart.
+    /// The position at `WAYPOINT`, and the smallest pivot there. There all paths are apart.
     pub(super) waypoint: (ProjectivePoint<N>, f64),
     pub(super) end: PathEnd<N>,
     /// `t` and where it was shortly before its end, where numbers still have digits to spare.

@@ -10,7 +10,7 @@ use super::rough_root::rough_root;
 use super::system::Variable;
 use crate::numeric::complex_matrix::{Vector, size, solve, sum};
 
-/// How carefully paths are followed.
+/// The limits of corrections along a path.
 #[derive(Clone, Copy)]
 pub(super) struct Pace {
     /// First correction that steps aim at.
@@ -41,12 +41,12 @@ const LEAST_EXCESS: f64 = 1e-8;
 /// Coordinates with a larger square are followed as their inverses. Above 1, so that they do not
 /// change to and fro.
 const LARGE: f64 = 2.0;
-/// By how much corrections may be longer than what is aimed at.
+/// The largest allowed ratio of a correction to its target.
 const TOO_MUCH: f64 = 4.0;
 /// Rounding errors of an equation, amply.
 const NOISE: f64 = 1e-14;
 
-/// What a Newton step gives.
+/// The result of a Newton step.
 struct Correction<const N: usize> {
     x: Vector<N>,
     /// Square of the correction.
@@ -123,8 +123,8 @@ impl<'a, const N: usize> PathTracker<'a, N> {
         self.keep_small();
     }
 
-    /// The point of the path at `t` with its smallest pivot, unless it is too far from the
-    /// predicted one; and the square of what corrections are, compared with what is aimed at.
+    /// Returns the point of the path at `t` with its smallest pivot, unless it is too far from the
+    /// predicted one, and the square of the ratio of the corrections to their targets.
     #[inline(always)]
     fn corrected(&mut self, t: f64) -> (Option<(PathSample<N>, f64)>, f64) {
         const MOST: f64 = TOO_MUCH * TOO_MUCH;

@@ -1,5 +1,4 @@
-//! Paths that numbers of 16 digits do not lead to a certain end are followed on in numbers of about
-//! 32.
+//! Continuation with about 32 digits, for paths whose ends 16 digits do not determine.
 //!
 //! The coefficients have no more than 16 digits, whatever they are computed with. So an end counts
 //! only if it hangs on none of their last places: it must stay where it is, far from all others,
@@ -27,10 +26,10 @@ use wide_equations::Equations;
 const STEADY: f64 = 0.1;
 /// Distances below this are roundings of places.
 const ROUNDING: f64 = 1e-15;
-/// How far a solution reaches, as a part of its distance from others.
+/// The reach of a solution, as a part of its distance from others.
 const REACH: f64 = 0.3;
 const LONGEST_REACH: f64 = 0.1;
-/// What is nearer than this to its reflection may be real; far out, as a part of the inverse.
+/// A point nearer than this to its reflection may be real; far out, as a part of the inverse.
 const NEARLY_REAL: f64 = 0.1;
 
 /// The end of a path, and how far it is moved by roundings of coefficients.
@@ -40,7 +39,7 @@ struct ReachedEnd<const N: usize> {
     moved: f64,
 }
 
-/// Paths of a listing, and what they are followed on with.
+/// Paths of a listing, with all that is needed to follow them on.
 struct Pursuit<'a, const N: usize> {
     homotopy: &'a mut Homotopy<N>,
     variables: &'a [Variable],
@@ -125,7 +124,7 @@ impl<const N: usize> Pursuit<'_, N> {
         path_tracker::follow(self.homotopy, &mut self.equations, *t, place)
     }
 
-    /// A way around an end stays away from what is real, but a path that turns off within it may
+    /// A circle around an end stays away from real points, but a path that turns off within it may
     /// not, nor one that seemed to lead to infinity: it is lost if it has come near.
     fn reconsider(&mut self, path: usize, place: Option<&ProjectivePoint<N>>) {
         let end = &mut self.traces[path].end;

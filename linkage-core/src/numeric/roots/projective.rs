@@ -49,7 +49,7 @@ impl<const N: usize> ProjectivePoint<N> {
         image
     }
 
-    /// How far the coordinate of each variable is from what it would be if the solution were real:
+    /// Returns the distance of the coordinate of each variable from its value in a real solution:
     /// that of its reflection.
     pub(super) fn gaps(&self, variables: &[Variable]) -> [f64; N] {
         let image = self.reflection(variables);

@@ -1,6 +1,6 @@
-//! Two equations of at most the second degree in each of two variables, which is what triads
-//! come to: all coefficients are kept, those of both equations side by side, so that evaluation is
-//! a fixed sequence of operations on pairs of numbers.
+//! Two equations of at most the second degree in each of two variables, the form of triads. All
+//! coefficients are kept, those of both equations side by side, so that evaluation is a fixed
+//! sequence of operations on pairs of numbers.
 
 use super::evaluation::Evaluation;
 use super::polynomial::Polynomial;
@@ -19,7 +19,7 @@ struct Pair {
 type Quadratic = [Pair; 3];
 
 pub(super) struct Quadratics {
-    /// By the exponents of the first and of the second variable.
+    /// Coefficients by the exponents of the first and of the second variable.
     target: [Quadratic; 3],
     /// The factors of the start system, by variable.
     factors: [Quadratic; 2],

@@ -57,7 +57,7 @@ fn partner<const N: usize>(
     (distance < reach * reach).then_some(index)
 }
 
-/// The exactly real values next to a solution that is real but for rounding errors.
+/// Returns the exactly real values next to a solution that is real to rounding.
 fn polished<const N: usize>(
     homotopy: &mut Homotopy<N>,
     variables: &[Variable],

@@ -12,7 +12,7 @@ use alloc::vec::Vec;
 pub(super) struct Univariate {
     pub(super) degree: u8,
     pub(super) roots: [Complex; HIGHEST_DEGREE],
-    /// From the constant up; the highest is 1.
+    /// The coefficients from the constant up; the highest is 1.
     pub(super) coefficients: [Complex; HIGHEST_DEGREE + 1],
 }
 

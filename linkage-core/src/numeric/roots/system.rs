@@ -10,7 +10,7 @@ pub const HIGHEST_DEGREE: usize = 12;
 /// Most paths that are followed.
 pub const MOST_PATHS: usize = 4096;
 
-/// What a variable stands for, and hence which of its values are real.
+/// The kind of a variable, and hence its real values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Variable {
     /// A unit vector `exp(i angle)`; real where its absolute value is 1. Its exponents may be
@@ -51,7 +51,7 @@ pub struct Listing {
     /// Real and imaginary part of every variable, for every real solution; in ascending order of
     /// the first variable (by its angle from -pi to pi, or its value), then of the next ones.
     pub real: Vec<Vec<[f64; 2]>>,
-    /// Where multiple solutions are that may be real, made real; off by up to
+    /// Multiple solutions that may be real, made real; off by up to
     /// [`MEETING`](crate::numeric::choose_assembly::MEETING), in ones and sizes of variables. No
     /// more of them than `multiple`.
     pub meeting: Vec<Vec<[f64; 2]>>,
@@ -59,11 +59,10 @@ pub struct Listing {
     /// unit vector is 0. Multiple solutions are not counted.
     pub complex: usize,
     /// Number of paths that end in multiple solutions, or in solutions too close together to be
-    /// told apart, as next to a turning point. None of these is among `real`.
+    /// distinguished, as next to a turning point. None of these is among `real`.
     pub multiple: usize,
-    /// Number of paths that end where nothing is real, too far out or too close to others for
-    /// coefficients of 16 digits to tell the end: what isolated solutions are there are not counted
-    /// as `complex`.
+    /// Number of paths that end at no real point, too far out or too close to others for
+    /// coefficients of 16 digits to decide. Isolated solutions there are not counted as `complex`.
     pub blurred: usize,
     /// Number of paths followed.
     pub paths: usize,

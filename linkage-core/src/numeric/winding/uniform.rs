@@ -1,4 +1,4 @@
-//! Turns of an angle whose closed form says what it stays near to: no need to follow it.
+//! Turns of an angle whose closed form gives its mean rate, so that it need not be followed.
 
 use crate::scalar::Scalar;
 use core::f64::consts::TAU;

@@ -2,7 +2,7 @@ use super::*;
 use crate::numeric::continuation::Correction;
 use crate::scalar::Enclosure;
 
-/// A correction, and what is missed over boxes.
+/// A correction, and errors over boxes.
 struct Group<C, R>(C, R);
 
 impl<C: FnMut(&[f64], &mut [f64]) -> Step, R> Correction for Group<C, R> {
@@ -47,7 +47,7 @@ fn triangle(x: &[f64], state: &mut [f64]) -> Step {
     }
 }
 
-/// What it misses by.
+/// Returns the closure error.
 fn missed(x: &[f64], state: &[Enclosure]) -> Vec<Enclosure> {
     let [cos, sin, height] = [state[0], state[1], state[2]];
     let away = cos - number(x[0]);

@@ -1,4 +1,4 @@
-//! Whether neighbouring cells are on one solution.
+//! The test that neighbouring cells are on one solution.
 
 use super::layout::{Layout, Places};
 use alloc::vec;
@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 /// Two cells that agree this well at a place are on one solution.
 const AGREEMENT: f64 = 1e-6;
 
-/// What a cell knows of a place on its border.
+/// The state at a place on the border of a cell.
 #[derive(Clone, Debug)]
 pub(super) enum BorderState {
     /// The solution there, which evaluators reach.
@@ -29,7 +29,7 @@ impl BorderState {
     }
 }
 
-/// How a cell continues its neighbours.
+/// The joint between a cell and its neighbours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Joint {
     /// With the same solution.
@@ -41,7 +41,7 @@ pub(super) enum Joint {
     Other,
 }
 
-/// What is known of the borders of all cells.
+/// The states on the borders of all cells.
 pub(super) struct Border<'a> {
     pub(super) places: &'a Places,
     /// The solution at the corners of the filled cells.
@@ -59,8 +59,8 @@ impl<'a> Border<'a> {
         }
     }
 
-    /// How a cell continues all others at its corners, and every neighbour on the whole face
-    /// between them: the worst counts.
+    /// Returns the joint of a cell with all others at its corners, and with every neighbour on the
+    /// whole face between them. The worst one counts.
     pub(super) fn joint(
         &self,
         layout: &Layout<'_>,
@@ -84,7 +84,7 @@ impl<'a> Border<'a> {
         at_corners.chain(on_faces).max().unwrap_or(Joint::Same)
     }
 
-    /// Keeps what a filled cell knows.
+    /// Stores the states of a filled cell.
     pub(super) fn keep(&mut self, layout: &Layout<'_>, cell: &[usize], places: Vec<BorderState>) {
         for (corner, state) in self.served_corners(&places) {
             let number = layout.corner(cell, &self.places.offsets[corner]);
@@ -93,8 +93,8 @@ impl<'a> Border<'a> {
         self.filled[layout.number(cell)] = places;
     }
 
-    /// How two cells join on the face that is the upper or lower one of the first; nothing is known
-    /// of a cell that is not filled.
+    /// Returns the joint of two cells on the upper or lower face of the first. A cell that is not
+    /// filled joins with any other.
     fn across(
         &self,
         axis: usize,

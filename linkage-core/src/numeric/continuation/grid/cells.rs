@@ -1,4 +1,4 @@
-//! What a walk finds out about the cells of a grid.
+//! The cells of a grid after a walk.
 
 use super::layout::Layout;
 use super::node::Node;
@@ -22,11 +22,12 @@ pub(super) struct Cell {
     pub(super) vanishing: bool,
     /// A place where it is missed, as offsets from the centre in cells.
     pub(super) example: Option<Vec<f64>>,
-    /// How much the state bends along it, input by input; nothing if its centre was not reached.
+    /// The second differences of the state along the cell, input by input; empty if its centre was
+    /// not reached.
     pub(super) bends: Vec<f64>,
 }
 
-/// How far the walk came with a cell.
+/// The state of a cell after a walk.
 #[derive(Clone, Debug, Default)]
 pub(super) enum CellState {
     /// No cell beside it was filled.
@@ -61,8 +62,8 @@ impl Cell {
         matches!(self.found, CellState::Beyond) || self.absent > 0 || self.vanishing
     }
 
-    /// Places at which the solution exists, or may exist, and is not served. What no way leads to
-    /// is behind the `boundary`, if there is one.
+    /// Returns the number of places at which the solution exists, or may exist, and is not served.
+    /// Cells without a path to them are behind the `boundary`, if there is one.
     fn left_out(&self, places: usize, boundary: bool) -> usize {
         match self.found {
             CellState::Unseen if !boundary => places,
@@ -74,7 +75,7 @@ impl Cell {
     }
 }
 
-/// What the cells are together, in places on their borders.
+/// The sum over all cells, in places on their borders.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sum {
     /// All places.
@@ -90,8 +91,8 @@ pub(super) struct Sum {
     pub(super) boundary: bool,
     /// The number of the cell that leaves out most of the regular places.
     pub(super) worst: Option<usize>,
-    /// How much the state bends, input by input, along the cells that leave out regular places;
-    /// else along those that leave out any, else along all.
+    /// The second differences of the state, input by input, along the cells that leave out regular
+    /// places; else along those that leave out any, else along all.
     pub(super) bends: Vec<f64>,
 }
 
@@ -130,7 +131,7 @@ impl Sum {
         sum
     }
 
-    /// So many places as a share of all.
+    /// Returns a number of places as a share of all.
     pub(super) fn share(&self, places: usize) -> f64 {
         places as f64 / self.places as f64
     }
@@ -145,8 +146,9 @@ fn add(sum: &mut Vec<f64>, terms: &[f64]) {
     }
 }
 
-/// Which cells have a boundary, or are so many steps from neighbour to neighbour away from one: how
-/// hard a cell is to fill goes with its distance from a boundary in cells, however small they are.
+/// Returns the cells with a boundary, and those within a few steps from neighbour to neighbour of
+/// one. The effort to fill a cell depends on its distance from a boundary in cells, however small
+/// they are.
 fn beside_boundary(cells: &[Cell], layout: &Layout<'_>) -> Vec<bool> {
     let mut near: Vec<bool> = cells.iter().map(Cell::has_boundary).collect();
     for _ in 0..BESIDE {

@@ -9,7 +9,7 @@ pub(super) const CELLS: usize = 1 << 12;
 
 /// The share of places on the borders of more cells at which the solution may be left out although
 /// it exists: near its boundary it always is at some. A grid that leaves out more even away from
-/// boundaries is not what was declared.
+/// boundaries does not serve the declared ranges.
 pub(super) const MISSED: f64 = 0.005;
 
 /// The ranges in so many cells each.

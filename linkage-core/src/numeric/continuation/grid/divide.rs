@@ -1,4 +1,4 @@
-//! How finely the ranges are divided.
+//! The number of cells of a grid.
 
 use super::super::cell::Frame;
 use super::super::follow::Follower;
@@ -33,12 +33,12 @@ pub(super) struct Divided {
     pub(super) axes: Vec<Scale>,
     pub(super) cells: Vec<Cell>,
     pub(super) sum: Sum,
-    /// What a look at a few places has shown not to be served by any cells.
+    /// The part that no cells can serve, as a look at a few places has shown.
     hopeless: Option<LeftOut>,
 }
 
 impl Divided {
-    /// What should be served and is not.
+    /// Returns the part of the ranges that should be served and is not.
     pub(super) fn left_out(&self) -> Option<LeftOut> {
         if self.hopeless.is_some() {
             return self.hopeless.clone();

@@ -1,5 +1,5 @@
-//! Whether ranges can be served at all, and by how small cells: looked at in a few places, before
-//! all of them are divided.
+//! A test in a few places of the ranges, before all of them are divided: whether they can be served
+//! at all, and the cell size for it.
 
 use super::super::cell::Frame;
 use super::super::follow::Follower;
@@ -19,21 +19,21 @@ use alloc::vec::Vec;
 /// Cells that are looked at, spread over the ranges.
 const LOOKS: usize = 16;
 
-/// Where the smallest cells that there can be leave out more than this at the places that are
-/// looked at, they do not serve all but half a percent of the ranges: a chance of one to a hundred
-/// million, if what is left out lies anywhere.
+/// The limit for the smallest possible cells: those that leave out more at the tested places do not
+/// serve all but half a percent of the ranges. The chance of an error is one in a hundred million,
+/// if the gaps can be anywhere.
 const HOPELESS: f64 = 0.3;
 
-/// Where cells leave out more than this at the places that are looked at, twice what they may, all
-/// of them would leave out too much, too. They are not filled to learn it: that takes ten to a
-/// hundred times the corrections of a look.
+/// The limit for cells of one size, twice the allowed share: where the tested places leave out
+/// more, the whole grid would leave out too much, too. It is not filled: that takes ten to a
+/// hundred times the corrections of a test.
 const COARSE: f64 = 2.0 * MISSED;
 
 /// Corrections on the way to a place that is missed, at least, when a grid is filled.
 const WAY: usize = 8;
 
-/// So far apart are places along an input, as shares of its range: square roots of primes, so that
-/// they never repeat.
+/// The spacing of places along an input, as shares of its range: square roots of primes, so that
+/// the places never repeat.
 const PRIMES: [f64; 8] = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0];
 
 /// A solution at a place.
@@ -52,22 +52,22 @@ struct Looks {
     missed: usize,
     /// The centres of cells of which places are missed, each with the first of these.
     examples: Vec<(Known, Vec<f64>)>,
-    /// How much the state bends along the cells, input by input.
+    /// The second differences of the state along the cells, input by input.
     bends: Vec<f64>,
     /// Corrections to fill one cell.
     each: usize,
 }
 
-/// What the looks say.
+/// The result of the test.
 pub(super) enum Feasibility {
-    /// What cells as small as they may be would leave out, at least, if that is much.
+    /// The part that cells of the smallest size would leave out, at least, if that is much.
     Hopeless(LeftOut),
     /// Cells along each input of which no larger ones would do.
     From(Vec<u32>),
 }
 
-/// Looks at cells of so many along each input, then at smaller ones. If a boundary of the solution
-/// is met, which changes what counts as left out, nothing is said.
+/// Tests cells of so many along each input, then smaller ones. Where a boundary of the solution is
+/// met, which changes the meaning of left out, the counts stay.
 pub(super) fn feasibility(
     follower: &mut Follower<'_>,
     ranges: &[(Frame, bool)],

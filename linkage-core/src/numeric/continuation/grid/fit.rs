@@ -9,17 +9,17 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::f64::consts::PI;
 
-/// Where polynomials over a cell are interpolated, and how their coefficients follow from what is
-/// found there: the Padua points, which are as many as there are terms of a degree (Bos, Caliari,
-/// De Marchi, Vianello, Xu: Bivariate Lagrange interpolation at the Padua points, 2006).
+/// The places where polynomials over a cell are interpolated, and the weights for their
+/// coefficients: the Padua points, as many as a degree has terms (Bos, Caliari, De Marchi,
+/// Vianello, Xu: Bivariate Lagrange interpolation at the Padua points, 2006).
 pub(super) struct Fit {
-    /// As offsets from the centre, in cells, each with what its value adds to all coefficients.
+    /// Offsets from the centre, in cells, each with the weights of its value for all coefficients.
     points: Vec<([f64; 2], Vec<f64>)>,
     terms: Terms,
 }
 
 impl Fit {
-    /// Of slopes nothing is interpolated.
+    /// Returns the points for polynomials; slopes need none.
     pub(super) fn new(terms: Terms) -> Self {
         let points = match terms {
             Terms::Slopes => Vec::new(),
@@ -80,7 +80,7 @@ fn points(degree: usize) -> Vec<([f64; 2], Vec<f64>)> {
     points
 }
 
-/// What the value at a point adds to all coefficients.
+/// Returns the weights of the value at a point for all coefficients.
 fn weights(powers: &[Vec<f64>], degree: usize, at: [f64; 2], weight: f64) -> Vec<f64> {
     let values = at.map(|t| chebyshev(degree, t));
     let mut all = vec![0.0; Terms::Polynomials.count(2)];
@@ -143,7 +143,7 @@ mod tests {
         power(offsets[0], a) * power(offsets[1], b)
     }
 
-    /// What the interpolation makes of a function.
+    /// Returns the coefficients of the interpolation of a function.
     fn fitted(function: impl Fn([f64; 2]) -> f64) -> [f64; WIDTH] {
         let mut all = [0.0; WIDTH];
         for (offsets, weights) in Fit::new(Terms::Polynomials).points {
@@ -182,7 +182,7 @@ mod tests {
         assert_eq!(Fit::new(Terms::Polynomials).points.len(), WIDTH);
     }
 
-    /// Of what no polynomial is, the error goes with the seventh power of the cell.
+    /// The error of a function that is no polynomial goes with the seventh power of the cell.
     #[test]
     fn errors_shrink_with_cells() {
         let error = |size: f64| {

@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-/// Where a grid serves less than it should.
+/// The part of the ranges that a grid should serve and does not.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LeftOut {
     /// The share of the ranges.

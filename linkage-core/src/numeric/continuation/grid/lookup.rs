@@ -11,7 +11,7 @@ use core::fmt;
 #[derive(Clone, PartialEq)]
 pub struct GridLookup<const I: usize, const S: usize, const T: usize> {
     axes: [Scale; I],
-    /// As many as the axes have cells together.
+    /// All cells of the grid, in the order of its axes.
     cells: Shared<[Fixed<S, T>]>,
     served: f64,
 }

@@ -1,4 +1,4 @@
-//! What is known of a cell.
+//! The state in a cell.
 
 use super::super::scale::guard;
 use super::terms::{OUTSIDE, Terms, index, values};
@@ -8,7 +8,7 @@ use alloc::vec::Vec;
 /// The state in a cell.
 #[derive(Clone, Debug, PartialEq)]
 pub(in super::super) struct Node {
-    /// Term by term, the numbers of the state side by side; first what they are at the centre.
+    /// The numbers of the state side by side, term by term; first those at the centre.
     pub(in super::super) coefficients: Vec<f64>,
     /// Half of the smallest determinant, with its sign.
     pub(in super::super) floor: f64,

@@ -7,18 +7,18 @@ use alloc::vec::Vec;
 /// then: a dead point is there.
 const SHORT: f64 = 1.0 / 256.0;
 
-/// Steps are never shorter: beside a dead point the determinant goes with the root of the distance,
-/// and is a thousandth of what it was.
+/// The shortest step: beside a dead point the determinant goes with the root of the distance, and
+/// is a thousandth of its value at the start.
 const SHORTEST: f64 = 1e-6;
 
 /// A determinant below this share of the one at the reference has nearly vanished.
 const VANISHING: f64 = 0.3;
 
-/// So much may be left, beside a dead point, of the determinant that a way begins with. Where more
-/// is left, something else ends.
+/// The largest determinant beside a dead point, as a part of the one at the start of the path.
+/// Where it is larger, the path has not ended at a dead point.
 const LEFT: f64 = 0.1;
 
-/// Where a way ends.
+/// The end of a path.
 pub(super) enum PathEnd {
     /// At the place, with this determinant.
     Reached(f64),

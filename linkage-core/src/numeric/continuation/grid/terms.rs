@@ -6,17 +6,18 @@
 
 use crate::scalar::Scalar;
 
-/// So far from the centre of a cell, in cells, there is no state: half a cell outside the grid.
+/// The largest distance from the centre of a cell, in cells, with a state: half a cell outside the
+/// grid.
 pub(in super::super) const OUTSIDE: f64 = 1.0;
 
 /// The degree over two inputs. With each degree less a grid has twice as many cells and takes twice
 /// as long to prepare; with more, it takes longer to look a state up.
 const DEGREE: usize = 6;
 
-/// What is known of the state in a cell.
+/// The terms of the state in a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Terms {
-    /// How it changes along each input: four Newton steps lead to the solution.
+    /// Derivatives with respect to each input: four Newton steps lead to the solution.
     Slopes,
     /// Polynomials over two inputs, of which one step leads there.
     Polynomials,
@@ -32,7 +33,7 @@ impl Terms {
         }
     }
 
-    /// How many coefficients there are over so many inputs; of polynomials over two.
+    /// Returns the number of coefficients over so many inputs; of polynomials over two.
     #[must_use]
     pub const fn count(self, inputs: usize) -> usize {
         match self {
@@ -41,7 +42,7 @@ impl Terms {
         }
     }
 
-    /// Of which so many coefficients over so many inputs are, if there are such.
+    /// Returns the kind of terms with so many coefficients over so many inputs, if there is one.
     pub(super) const fn with_count(inputs: usize, count: usize) -> Option<Self> {
         if count == Self::Slopes.count(inputs) {
             Some(Self::Slopes)
@@ -53,7 +54,7 @@ impl Terms {
     }
 }
 
-/// Where the coefficient of these powers of two inputs stands.
+/// Returns the index of the coefficient of these powers of two inputs.
 #[inline(always)]
 pub(super) const fn index(first: usize, second: usize) -> usize {
     second * (2 * DEGREE + 3 - second) / 2 + first
@@ -92,7 +93,7 @@ pub(super) fn values<const FUSED: bool, const S: usize>(
     }
 }
 
-/// What stands beside a power of the second input.
+/// Returns the factors of a power of the second input.
 #[inline(always)]
 fn row<const FUSED: bool, const S: usize, const N: usize>(
     coefficients: impl Fn(usize) -> [f64; S] + Copy,

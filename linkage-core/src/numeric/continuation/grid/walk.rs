@@ -14,8 +14,8 @@ use alloc::collections::VecDeque;
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// Where the determinant is a smaller share of the one at the reference a dead point is near: its
-/// distance goes with the square of it.
+/// A determinant below this share of the one at the reference means that a dead point is near: its
+/// distance goes with the square of the determinant.
 pub(super) const NEAR: f64 = 0.1;
 
 /// A solution at a place.

@@ -1,5 +1,5 @@
-//! Many look-ups in one table: what all rows do alike is done side by side, and row by row only
-//! what each does in a cell of its own.
+//! Many look-ups in one table: the common steps of all rows run side by side, and only the
+//! polynomials of each row's cell run row by row.
 
 use super::super::cell::OUTSIDE;
 use super::super::scale::guard;
@@ -25,8 +25,8 @@ impl<X, const B: usize> Column<X, B> {
 }
 
 impl<const S: usize> Lookup<S> {
-    /// What [`at_with`](Self::at_with) gives for the first `vectors` times `V` of `x`, to the last
-    /// bit: the numbers of the state and then the floor, a column each.
+    /// Returns the result of [`at_with`](Self::at_with) for the first `vectors` times `V` of `x`,
+    /// to the last bit: the numbers of the state and then the floor, a column each.
     #[allow(
         unsafe_code,
         reason = "rows that are written before they are read are not cleared"

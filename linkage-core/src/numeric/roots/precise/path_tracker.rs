@@ -1,5 +1,5 @@
-//! A path that is followed to its end in small parts of what is left of `t`: of the logarithm of
-//! `t` a path is smooth down to its end, whatever powers of `t` it falls with.
+//! A path that is followed to its end in steps that are parts of the remaining `t`: as a function
+//! of the logarithm of `t` a path is smooth down to its end, whatever powers of `t` it falls with.
 //!
 //! A point has 32 digits, and so has what is left of the equations there. Its derivatives and
 //! corrections have 16: these are of use as long as matrices are not singular but for rounding, and
@@ -12,9 +12,10 @@ use super::wide_equations::{Equations, Point};
 use crate::numeric::complex::Complex;
 use crate::numeric::complex_matrix::{Vector, size, solve};
 
-/// Below, a rounding of the coefficients makes more of a difference than what is left of the way.
+/// The smallest `t`: below it, a rounding of the coefficients changes more than the rest of the
+/// path.
 const LAST: f64 = 1e-18;
-/// What a path leads to is seen from here at the latest.
+/// The value of `t` from which the end of a path is seen at the latest.
 const NEAR: f64 = 1e-12;
 const MOST_STEPS: usize = 200;
 /// The longest first correction, that after which the next step is longer, and the part of a
@@ -31,13 +32,13 @@ const FINEST: i32 = 14;
 const FIRST: i32 = 3;
 /// The end is looked for whenever `t` has become smaller by this.
 const BETWEEN_LOOKS: f64 = 0.125;
-/// What two looks in succession see is the same if it is no farther apart than this part of the way
-/// there.
+/// The largest distance between the results of two looks in succession that are the same, as a part
+/// of the path there.
 const SAME: f64 = 1e-3;
 /// Coordinates with a larger square are followed as their inverses.
 const LARGE: f64 = 2.0;
 
-/// How far a path could be followed.
+/// The progress along a path.
 pub(super) enum Reached<const N: usize> {
     /// To its end, which roundings of coefficients move by about so much.
     End(ProjectivePoint<N>, f64),
@@ -130,7 +131,7 @@ fn arrive<const N: usize>(
     (now.x, t)
 }
 
-/// What is left of `t` after a step, and the logarithm of that.
+/// Returns the rest of `t` after a step, and its logarithm.
 fn part(step: i32) -> (f64, f64) {
     const TERMS: i32 = 40;
     let gone = 1.0 / f64::from(1 << step);

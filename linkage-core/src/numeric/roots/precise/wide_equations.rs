@@ -71,8 +71,8 @@ impl<const N: usize> Equations<N> {
         changed
     }
 
-    /// What is left of the equations at a point: little beside their terms, so that 16 digits of it
-    /// are enough.
+    /// Returns the errors of the equations at a point: little compared with their terms, so that 16
+    /// digits are enough.
     pub(super) fn values(&self, x: &Point<N>, t: f64) -> Vector<N> {
         let powers: [Vec<Wide>; N] = core::array::from_fn(|j| self.powers(x, j));
         core::array::from_fn(|i| {
