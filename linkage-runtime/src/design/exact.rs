@@ -32,8 +32,8 @@ pub use solutions::{Equations, Number, Solution, Solutions, Trace, solutions, so
 
 use linkage_core::numeric::complex::Complex;
 
-/// Ways from general constants, or stored ones, to the given ones: angles without pattern. All solutions are found by the first one but for
-/// accidents; what several find together is as sure.
+/// Ways from general constants, or stored ones, to the given ones: angles without pattern. All
+/// solutions are found by the first one but for accidents; what several find together is as sure.
 const ARCS: [f64; 3] = [2.1937, -1.3291, 0.8713];
 
 /// Where a body is in the plane: the place of the origin of its frame, and its angle (rad).

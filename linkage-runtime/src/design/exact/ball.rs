@@ -1,6 +1,7 @@
 //! Discs of complex numbers: arithmetic that holds all results, whatever the rounding.
 //!
-//! Rounding is to the nearest number; its errors are bounded by twice what they can be, and so are those of the radii.
+//! Rounding is to the nearest number; its errors are bounded by twice what they can be, and so are
+//! those of the radii.
 
 use super::long::Long;
 use super::real::Real;
@@ -59,7 +60,7 @@ impl Ball {
         Self::new(number.narrow(), rest * AMPLE)
     }
 
-    /// Whether no number is in both.
+    /// Returns whether no number is in both.
     pub(super) fn is_apart_from(self, other: Self) -> bool {
         let way = self.middle - other.middle;
         // A distance of two rounded numbers, which is wrong by less than this part of it.
@@ -89,7 +90,7 @@ impl Ball<Long> {
         Ball::new(middle, (self.radius + rest) * AMPLE)
     }
 
-    /// Whether no number is in both.
+    /// Returns whether no number is in both.
     pub(super) fn is_far_from(self, other: Self) -> bool {
         let way = Ball::exact(self.middle - other.middle).narrow();
         way.is_apart_from(Ball::new(ZERO, (self.radius + other.radius) * AMPLE))
@@ -133,8 +134,8 @@ impl Bound {
         Self(taxi(number.narrow()) * AMPLE)
     }
 
-    /// The value of a polynomial whose terms have these bounds, when it has been computed with `DoubleDouble`: fewer than a hundred
-    /// operations, each wrong by a few parts in 2^106.
+    /// The value of a polynomial whose terms have these bounds, when it has been computed with
+    /// `DoubleDouble`: fewer than a hundred operations, each wrong by a few parts in 2^106.
     pub(super) fn around(self, value: Complex<DoubleDouble>) -> Ball {
         const WRONG: f64 = 1.0 / (1_u128 << 96) as f64;
         Ball::from_wide(value).widened(self.0 * WRONG)

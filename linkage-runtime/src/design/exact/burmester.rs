@@ -36,16 +36,16 @@ impl Pivots {
 pub enum Dyad {
     /// A link with two revolute joints.
     Link(Pivots),
-    /// A point of the body on a straight line of the frame: a slider of the frame with a revolute joint. It is a link whose
-    /// fixed joint is at infinity.
+    /// A point of the body on a straight line of the frame: a slider of the frame with a revolute
+    /// joint. It is a link whose fixed joint is at infinity.
     PointOnLine {
         /// The point, in the body's frame.
         moving: [f64; 2],
         /// Angle of the line, rad; it goes through the places of the point.
         angle: f64,
     },
-    /// A straight line of the body through a point of the frame: a revolute joint of the frame with a slider. It is a link
-    /// whose moving joint is at infinity.
+    /// A straight line of the body through a point of the frame: a revolute joint of the frame with
+    /// a slider. It is a link whose moving joint is at infinity.
     LineThroughPoint {
         /// The point of the frame.
         fixed: [f64; 2],
@@ -61,14 +61,15 @@ pub struct Dyads {
     pub real: Vec<Dyad>,
     /// How many are complex: no mechanisms.
     pub complex: usize,
-    /// How many are too close to others, or to infinity, to say whether they are real, or do not lead the body through all poses
-    /// with the joints that rounding leaves.
+    /// How many are too close to others, or to infinity, to say whether they are real, or do not
+    /// lead the body through all poses with the joints that rounding leaves.
     pub undecided: usize,
-    /// Whether the count is shown: four links, each shown to exist (Krawczyk's test with discs, rounding included), to be
-    /// real or complex, and to differ from the others. There are no more than four, if finitely many. It is not shown if
-    /// one of them is a slider, or undecided.
+    /// True if the count is shown: four links, each shown to exist (Krawczyk's test with discs,
+    /// rounding included), to be real or complex, and to differ from the others. There are no more
+    /// than four, if finitely many. It is not shown if one of them is a slider, or undecided.
     pub certified: bool,
-    /// Bound of the errors of `fixed` and `moving` that comes with the certificate, in units of the poses.
+    /// Bound of the errors of `fixed` and `moving` that comes with the certificate, in units of the
+    /// poses.
     pub error: f64,
 }
 

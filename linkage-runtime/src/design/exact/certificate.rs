@@ -1,11 +1,12 @@
 //! Proof that a system of equations has one solution near a point, and that it is real or is not.
 //!
-//! Krawczyk's operator on discs: with `A` about the inverse of the Jacobian at the point, `x - A f(x)` takes the product of
-//! the discs into itself and contracts it, rounding included. Then (Banach) it has one fixed point there, a solution of
-//! `f`. Data that are not exact are discs, too: what is shown then holds for all of them.
+//! Krawczyk's operator on discs: with `A` about the inverse of the Jacobian at the point,
+//! `x - A f(x)` takes the product of the discs into itself and contracts it, rounding included.
+//! Then (Banach) it has one fixed point there, a solution of `f`. Data that are not exact are
+//! discs, too: what is shown then holds for all of them.
 //!
-//! A real solution is its own mirror image: a variable is the conjugate of its partner, which is itself if it stands for a real
-//! number.
+//! A real solution is its own mirror image: a variable is the conjugate of its partner, which is
+//! itself if it stands for a real number.
 
 mod long;
 
@@ -19,7 +20,8 @@ pub(super) use long::certify_long;
 
 /// As many equations as unknowns.
 pub(super) trait System<const N: usize> {
-    /// The variable that is the conjugate of this one in a real solution: they come in pairs, if nothing else is said.
+    /// The variable that is the conjugate of this one in a real solution: they come in pairs, if
+    /// nothing else is said.
     fn partner(i: usize) -> usize {
         i ^ 1
     }
@@ -30,7 +32,8 @@ pub(super) trait System<const N: usize> {
     /// The Jacobian at all points of the discs.
     fn matrix(&self, discs: &[Ball; N]) -> [[Ball; N]; N];
 
-    /// Values and Jacobian with 77 digits, of equations whose data are exact: others are not known any better.
+    /// Values and Jacobian with 77 digits, of equations whose data are exact: others are not known
+    /// any better.
     fn long(&self, _discs: &[Ball<Long>; N]) -> Option<Evaluated<N>> {
         None
     }
@@ -42,16 +45,17 @@ pub(super) type Evaluated<const N: usize> = ([Ball<Long>; N], [[Ball<Long>; N]; 
 /// With more digits than the solutions are told: next to singular points the values need them.
 pub(super) type Point<const N: usize> = [Complex<DoubleDouble>; N];
 
-/// Discs around a solution; it is the only one in them, or in smaller ones that plain numbers do not tell from a point.
+/// Discs around a solution; it is the only one in them, or in smaller ones that plain numbers do
+/// not tell from a point.
 #[derive(Clone, Debug)]
 pub(super) struct Certificate<const N: usize> {
     pub(super) discs: [Ball; N],
-    /// Whether the solution is real; nothing if it cannot be told.
+    /// True if the solution is real; nothing if it cannot be told.
     pub(super) real: Option<bool>,
 }
 
 impl<const N: usize> Certificate<N> {
-    /// Whether the solutions of both are two.
+    /// Returns whether the solutions of both are two.
     pub(super) fn is_apart_from(&self, other: &Self) -> bool {
         let mut pairs = self.discs.iter().zip(&other.discs);
         pairs.any(|(a, b)| a.is_apart_from(*b))
@@ -97,7 +101,8 @@ fn one_solution<const N: usize, S: System<N>>(point: &Point<N>, system: &S) -> O
     contracted::<N, S, f64>(&there, &inverse, &shift, |discs| Some(system.matrix(discs)))
 }
 
-/// Discs around `there` that the map `x - inverse f(x)` takes into themselves; `shift` bounds `inverse f` at their middle.
+/// Discs around `there` that the map `x - inverse f(x)` takes into themselves; `shift` bounds
+/// `inverse f` at their middle.
 fn contracted<const N: usize, S: System<N>, R: Real>(
     there: &[Ball<R>; N],
     inverse: &[[Complex<R>; N]],

@@ -1,9 +1,10 @@
 //! The equation of a link between two revolute joints, in isotropic coordinates.
 //!
-//! A point of the plane is a complex number and its conjugate, which are variables of their own (a hat says conjugate).
-//! In pose `j` the body is shifted by `d` and turned by the unit vector `t`, `u` for its hat, against pose 0. The joint
-//! of the body at `x` in pose 0 then is at `d + t x`; it stays at the distance from the fixed joint `a` that it has in
-//! pose 0 (Wampler, Morgan and Sommese, Journal of Mechanical Design 114, 1992):
+//! A point of the plane is a complex number and its conjugate, which are variables of their own (a
+//! hat says conjugate). In pose `j` the body is shifted by `d` and turned by the unit vector `t`,
+//! `u` for its hat, against pose 0. The joint of the body at `x` in pose 0 then is at `d + t x`; it
+//! stays at the distance from the fixed joint `a` that it has in pose 0 (Wampler, Morgan and
+//! Sommese, Journal of Mechanical Design 114, 1992):
 //!
 //! `(d + t x - a) (d^ + u x^ - a^) = (x - a) (x^ - a^)`
 

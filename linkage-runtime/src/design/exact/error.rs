@@ -12,19 +12,22 @@ pub enum Unsolved {
         /// Index of the condition.
         index: usize,
     },
-    /// Two conditions are one: there is one condition less than dimensions, and infinitely many mechanisms meet them.
+    /// Two conditions are one: there is one condition less than dimensions, and infinitely many
+    /// mechanisms meet them.
     Equal {
         /// Indices of the conditions.
         indices: [usize; 2],
     },
-    /// The conditions depend on each other, so that infinitely many mechanisms meet them, or rounding decides how many.
+    /// The conditions depend on each other, so that infinitely many mechanisms meet them, or
+    /// rounding decides how many.
     Dependent {
         /// The smallest singular value of their equations as a part of the largest one.
         rank: f64,
         /// Below which we take them for dependent.
         least: f64,
     },
-    /// So many points are on a circle that it would be a part of the coupler curve: infinitely many four-bars pass them, or none.
+    /// So many points are on a circle that it would be a part of the coupler curve: infinitely many
+    /// four-bars pass them, or none.
     OnCircle {
         /// How many points are on it.
         count: usize,
@@ -42,7 +45,8 @@ pub enum Unsolved {
         /// The largest distance of these points from it.
         off: f64,
     },
-    /// What is asked for is at infinity, as the pole of poses that are only shifted against each other.
+    /// What is asked for is at infinity, as the pole of poses that are only shifted against each
+    /// other.
     AtInfinity,
     /// Whoever was told of the progress asked to stop.
     Stopped {

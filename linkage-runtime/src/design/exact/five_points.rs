@@ -1,5 +1,6 @@
-//! Five points of a path, the joints of the frame given: at most 36 four-bars (Morgan and Wampler, Journal of Mechanical
-//! Design 112, 1990), by the homotopy that finds the positions of coupled groups.
+//! Five points of a path, the joints of the frame given: at most 36 four-bars (Morgan and Wampler,
+//! Journal of Mechanical Design 112, 1990), by the homotopy that finds the positions of coupled
+//! groups.
 
 use super::Pose;
 use super::ball::{Ball, Bound};
@@ -18,18 +19,19 @@ use linkage_core::numeric::complex_matrix;
 /// The four-bars through five points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FivePoints {
-    /// The real ones, with the pose of the coupler at each point. The coupler's frame has its origin at the point of the
-    /// path, and angle 0 at the first point.
+    /// The real ones, with the pose of the coupler at each point. The coupler's frame has its
+    /// origin at the point of the path, and angle 0 at the first point.
     pub four_bars: Vec<(FourBar, [Pose; 5])>,
     /// How many are complex.
     pub complex: usize,
-    /// How many are multiple, too close to others to say whether they are real, or do not close with the joints that rounding leaves.
+    /// How many are multiple, too close to others to say whether they are real, or do not close
+    /// with the joints that rounding leaves.
     pub undecided: usize,
-    /// Number of paths of the homotopy, each of which has been followed to its end without doubt. That they meet all
-    /// solutions is certain with probability one: the start system is random.
+    /// Number of paths of the homotopy, each of which has been followed to its end without doubt.
+    /// That they meet all solutions is certain with probability one: the start system is random.
     pub paths: usize,
-    /// Bound of the errors of the joints, from Krawczyk's test (rounding included), which shows that each four-bar listed
-    /// exists, is real, and differs from the others.
+    /// Bound of the errors of the joints, from Krawczyk's test (rounding included), which shows
+    /// that each four-bar listed exists, is real, and differs from the others.
     pub error: f64,
 }
 
@@ -79,12 +81,13 @@ struct Task {
     fixed: [Shift; 2],
 }
 
-/// All four-bars with these joints of the frame whose coupler has a point that passes the five points.
+/// All four-bars with these joints of the frame whose coupler has a point that passes the five
+/// points.
 ///
 /// # Errors
 ///
-/// `NotFinite`, also for a joint (index 5 and 6); `Equal`; `Unlisted` if the homotopy has paths without a certain end, as for
-/// points with a symmetry.
+/// `NotFinite`, also for a joint (index 5 and 6); `Equal`; `Unlisted` if the homotopy has paths
+/// without a certain end, as for points with a symmetry.
 pub fn five_points(points: &[[f64; 2]; 5], fixed: [[f64; 2]; 2]) -> Result<FivePoints, Unsolved> {
     let [first, others @ ..] = *points;
     let all: Vec<[f64; 2]> = points.iter().chain(&fixed).copied().collect();
@@ -184,7 +187,8 @@ impl Task {
         (exponents, coefficients)
     }
 
-    /// Values and Jacobian of both links at each point, and of the product of each turn and its inverse, in any numbers.
+    /// Values and Jacobian of both links at each point, and of the product of each turn and its
+    /// inverse, in any numbers.
     fn system<T: Ring>(
         &self,
         all: &[T; ALL],

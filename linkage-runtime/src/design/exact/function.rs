@@ -1,6 +1,7 @@
 //! Function generation: four-bars whose links of the frame turn together by given angles.
 //!
-//! With the frame of length 1 from (0, 0) to (1, 0), Freudenstein's equation (Transactions of the ASME 77, 1955) is
+//! With the frame of length 1 from (0, 0) to (1, 0), Freudenstein's equation (Transactions of the
+//! ASME 77, 1955) is
 //!
 //! `cos(i - o) = K1 cos(o) - K2 cos(i) + K3`, `K1 = 1 / crank`, `K2 = 1 / rocker`,
 //! `K3 = (1 + crank^2 + rocker^2 - coupler^2) / (2 crank rocker)`
@@ -51,11 +52,11 @@ pub struct Functions {
     pub four_bars: Vec<FunctionFourBar>,
     /// How many are complex, or have an imaginary length.
     pub complex: usize,
-    /// How many are at infinity (their frame is nothing beside the links), too close to others to say what they are, or do not
-    /// close at all pairs with the lengths that rounding leaves.
+    /// How many are at infinity (their frame is nothing beside the links), too close to others to
+    /// say what they are, or do not close at all pairs with the lengths that rounding leaves.
     pub undecided: usize,
-    /// Whether the count is shown: as of [`Dyads`] for five pairs; for fewer, roots of a linear or quadratic equation that
-    /// are clear of rounding.
+    /// True if the count is shown: as of [`Dyads`] for five pairs; for fewer, roots of a linear or
+    /// quadratic equation that are clear of rounding.
     pub certified: bool,
 }
 
@@ -81,7 +82,8 @@ impl Pair {
     }
 }
 
-/// Both joints of the frame are at 0 as seen from the crank: a link whose joints are not so near is another one.
+/// Both joints of the frame are at 0 as seen from the crank: a link whose joints are not so near is
+/// another one.
 const FRAME: f64 = 1e-6;
 
 /// Below this part of the largest singular value or coefficient, rounding decides.
@@ -131,8 +133,8 @@ impl Functions {
 
     /// Five pairs, both starts free: at most three four-bars.
     ///
-    /// Seen from the crank, the rocker takes five poses; the coupler is a link that leads it through them (Burmester). The
-    /// frame is another such link, so that three are left.
+    /// Seen from the crank, the rocker takes five poses; the coupler is a link that leads it
+    /// through them (Burmester). The frame is another such link, so that three are left.
     ///
     /// # Errors
     ///
@@ -227,7 +229,8 @@ impl Functions {
 }
 
 impl FunctionFourBar {
-    /// The coupler as a body: its frame has its origin at the crank pin and its x axis towards the rocker pin.
+    /// The coupler as a body: its frame has its origin at the crank pin and its x axis towards the
+    /// rocker pin.
     #[must_use]
     pub fn four_bar(&self) -> FourBar {
         FourBar {
@@ -236,7 +239,8 @@ impl FunctionFourBar {
         }
     }
 
-    /// Where the coupler is at a pair of turns, and by how much the distance of both pins differs from its length.
+    /// Where the coupler is at a pair of turns, and by how much the distance of both pins differs
+    /// from its length.
     #[must_use]
     pub fn pose(&self, pair: &Pair) -> (Pose, f64) {
         let crank = Complex::polar(self.input_start + pair.input).scaled(self.crank);
@@ -279,7 +283,8 @@ impl FunctionFourBar {
         }
     }
 
-    /// With the links of the frame exchanged, seen in a mirror: the frame is from (0, 0) to (1, 0) again.
+    /// With the links of the frame exchanged, seen in a mirror: the frame is from (0, 0) to (1, 0)
+    /// again.
     fn mirrored(self) -> Self {
         Self {
             crank: self.rocker,

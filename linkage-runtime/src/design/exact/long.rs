@@ -1,4 +1,5 @@
-//! Numbers of 77 digits: for the few solutions that plain and double-double numbers do not tell from singular ones.
+//! Numbers of 77 digits: for the few solutions that plain and double-double numbers do not tell
+//! from singular ones.
 
 use super::real::Real;
 use core::ops::{Add, Mul, Neg, Sub};
@@ -15,8 +16,8 @@ const DIGITS: i32 = 256;
 
 /// A whole number of 256 bits times a power of two.
 ///
-/// An operation cuts off what has no place, less than two units of the last bit. Exponents far beyond those of all plain numbers
-/// stay where they end.
+/// An operation cuts off what has no place, less than two units of the last bit. Exponents far
+/// beyond those of all plain numbers stay where they end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Long {
     negative: bool,
@@ -122,8 +123,8 @@ impl Real for Long {
     }
 
     fn rounding(size: f64) -> f64 {
-        // 2^-240: operations of complex numbers are a few of real ones, each wrong by less than 2^-253. Plain numbers may be too
-        // small for such a part.
+        // 2^-240: operations of complex numbers are a few of real ones, each wrong by less than
+        // 2^-253. Plain numbers may be too small for such a part.
         const WRONG: f64 = 1.0 / ((1_u128 << 120) as f64 * (1_u128 << 120) as f64);
         size * WRONG + f64::MIN_POSITIVE
     }

@@ -1,8 +1,8 @@
-//! Nine points of a path: all four-bars with a coupler point that passes them (Alt's problem of 1923; Wampler, Morgan and
-//! Sommese, Journal of Mechanical Design 114, 1992).
+//! Nine points of a path: all four-bars with a coupler point that passes them (Alt's problem of
+//! 1923; Wampler, Morgan and Sommese, Journal of Mechanical Design 114, 1992).
 //!
-//! For almost all points there are 1442 triples of cognates. Those of some stored points are followed while the points are
-//! changed into the given ones.
+//! For almost all points there are 1442 triples of cognates. Those of some stored points are
+//! followed while the points are changed into the given ones.
 
 mod cognates;
 mod curve;
@@ -29,12 +29,14 @@ use task::Task;
 ///
 /// # Errors
 ///
-/// `NotFinite`; `Equal` points; `OnCircle` or `OnLine` for more than six points on a circle or a line.
+/// `NotFinite`; `Equal` points; `OnCircle` or `OnLine` for more than six points on a circle or a
+/// line.
 pub fn nine_points(points: &[[f64; 2]; 9]) -> Result<NinePoints, Unsolved> {
     nine_points_reporting(points, |_| true)
 }
 
-/// As [`nine_points`], telling how far it has come some dozen times; it stops where `report` gives `false`.
+/// As [`nine_points`], telling how far it has come some dozen times; it stops where `report` gives
+/// `false`.
 ///
 /// # Errors
 ///

@@ -3,11 +3,12 @@
 use alloc::vec::Vec;
 use linkage_core::numeric::complex::{Complex, ONE, ZERO};
 
-/// Roots converge by squares (Ehrlich and Aberth); this is far more than simple roots need, and what double ones are worth.
+/// Roots converge by squares (Ehrlich and Aberth); this is far more than simple roots need, and
+/// what double ones are worth.
 const STEPS: usize = 60;
 
-/// The roots, from the coefficients (the constant first). Leading coefficients that are nothing beside the others are
-/// left out: their roots are at infinity.
+/// The roots, from the coefficients (the constant first). Leading coefficients that are nothing
+/// beside the others are left out: their roots are at infinity.
 pub(super) fn roots(coefficients: &[Complex]) -> Vec<Complex> {
     let size = |coefficient: &Complex| coefficient.size();
     let largest = coefficients.iter().map(size).fold(0.0, f64::max);

@@ -27,9 +27,11 @@ pub struct Solutions<const N: usize> {
     pub real: Vec<Solution<N>>,
     /// How many are complex.
     pub complex: usize,
-    /// Solutions that almost all constants in place of the 0 give: each isolated solution is the end of one of their paths.
+    /// Solutions that almost all constants in place of the 0 give: each isolated solution is the
+    /// end of one of their paths.
     pub general: usize,
-    /// Paths without a certified end of their own, which end at infinity, in multiple solutions, or next to those.
+    /// Paths without a certified end of their own, which end at infinity, in multiple solutions, or
+    /// next to those.
     pub undecided: usize,
     /// Loops of the constants that have brought no further solution after the last one that did.
     pub idle: usize,
@@ -47,17 +49,18 @@ pub struct Solution<const N: usize> {
 }
 
 impl<const N: usize> Solutions<N> {
-    /// Whether there are no others, as far as numbers can tell: each path has a certified end of its own, and the trace test was
-    /// made and passed.
+    /// Returns whether there are no others, as far as numbers can tell: each path has a certified
+    /// end of its own, and the trace test was made and passed.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         self.undecided == 0 && self.trace.is_some_and(|trace| trace.passed())
     }
 }
 
-/// All solutions of polynomial equations: from a random complex place, which solves them with other constants, by loops of the
-/// constants (monodromy), then along the way to the given ones. Each is shown to be one, to differ from the others and to be real
-/// or not by Krawczyk's test. That none is missing is not shown: see [`solutions_traced`].
+/// All solutions of polynomial equations: from a random complex place, which solves them with other
+/// constants, by loops of the constants (monodromy), then along the way to the given ones. Each is
+/// shown to be one, to differ from the others and to be real or not by Krawczyk's test. That none
+/// is missing is not shown: see [`solutions_traced`].
 ///
 /// The same equations always give the same listing, whatever the number of threads.
 ///
@@ -68,9 +71,10 @@ pub fn solutions<const N: usize>(equations: &impl Equations<N>) -> Result<Soluti
     found(equations, None)
 }
 
-/// As [`solutions`], with the trace test, along equation `row`: its constant is what the curve has as a coordinate that the test
-/// sums up. The degree of that curve, which takes most of the time, may depend on the choice. Where the test leaves a point open
-/// along that equation, it is made along the next ones, four at most: `trace` names the equation.
+/// As [`solutions`], with the trace test, along equation `row`: its constant is what the curve has
+/// as a coordinate that the test sums up. The degree of that curve, which takes most of the time,
+/// may depend on the choice. Where the test leaves a point open along that equation, it is made
+/// along the next ones, four at most: `trace` names the equation.
 ///
 /// # Errors
 ///

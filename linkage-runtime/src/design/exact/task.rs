@@ -1,4 +1,5 @@
-//! Conditions as shifts and turns against the first of them, of size about 1, and what their rounding leaves open.
+//! Conditions as shifts and turns against the first of them, of size about 1, and what their
+//! rounding leaves open.
 
 use super::ball::Ball;
 use super::dyad::Pair;
@@ -37,7 +38,8 @@ impl Shift {
     }
 }
 
-/// A power of two near the size of the shifts: with it as the unit of length they are about 1, and nothing is rounded.
+/// A power of two near the size of the shifts: with it as the unit of length they are about 1, and
+/// nothing is rounded.
 pub(super) fn unit(shifts: impl Iterator<Item = Complex>) -> f64 {
     let largest = shifts.map(Complex::size).fold(0.0, f64::max);
     largest.log2().round().exp2()

@@ -1,6 +1,7 @@
-//! Five poses: the equations of a dyad are linear in `k`, `X = k x`, `A = k a` and `S = k x a^`, and what is left of
-//! these seven real unknowns are the points of a plane; `k S = X A^` are two conics of it (after Hayes, Luu and Chang,
-//! and Ge and Purwar, who take the conditions of all dyads as one). Their four points are the dyads; `k = 0` are sliders.
+//! Five poses: the equations of a dyad are linear in `k`, `X = k x`, `A = k a` and `S = k x a^`,
+//! and what is left of these seven real unknowns are the points of a plane; `k S = X A^` are two
+//! conics of it (after Hayes, Luu and Chang, and Ge and Purwar, who take the conditions of all
+//! dyads as one). Their four points are the dyads; `k = 0` are sliders.
 
 use super::super::ball::Ball;
 use super::super::certificate::{self, Certificate, System};
@@ -21,7 +22,8 @@ type Solution = dyad::Dyad<Complex>;
 
 /// Below this, the singular values of four rows of rounded numbers say nothing.
 const LEAST_RANK: f64 = 1e-12;
-/// With `k` a smaller part of the others, joints are further away than the shifts by the inverse: a slider within rounding.
+/// With `k` a smaller part of the others, joints are further away than the shifts by the inverse: a
+/// slider within rounding.
 const INFINITE: f64 = 1e-10;
 const STEPS: usize = 6;
 
@@ -30,7 +32,8 @@ impl Dyads {
     ///
     /// # Errors
     ///
-    /// `NotFinite`; `Equal` poses; `Dependent` poses, as those of a body that only turns about one point.
+    /// `NotFinite`; `Equal` poses; `Dependent` poses, as those of a body that only turns about one
+    /// point.
     pub fn of_poses(poses: &[Pose; 5]) -> Result<Self, Unsolved> {
         error::check(&poses.map(|pose| [pose.point[0], pose.point[1], pose.angle]))?;
         let [first, others @ ..] = poses;

@@ -19,8 +19,8 @@ impl Pivots {
         verified(moves.pivots(moving, fixed), poses)
     }
 
-    /// The link with this joint of the body (in its frame) that leads it through three poses: the centre of the circle
-    /// through the places of the joint.
+    /// The link with this joint of the body (in its frame) that leads it through three poses: the
+    /// centre of the circle through the places of the joint.
     ///
     /// # Errors
     ///

@@ -1,4 +1,5 @@
-//! The test with 77 digits, for solutions next to others and far away ones, where Jacobians of plain numbers are singular.
+//! The test with 77 digits, for solutions next to others and far away ones, where Jacobians of
+//! plain numbers are singular.
 
 use super::{Certificate, Evaluated, System, contracted, mirrored, times};
 use crate::design::exact::ball::Ball;
@@ -10,8 +11,8 @@ use linkage_core::numeric::complex::Complex;
 
 type Place<const N: usize> = [Complex<Long>; N];
 
-/// Newton steps: six double 77 digits' worth, the others are for places that are further from the solution than this is from
-/// another one. Near a double solution they only halve the distance.
+/// Newton steps: six double 77 digits' worth, the others are for places that are further from the
+/// solution than this is from another one. Near a double solution they only halve the distance.
 const STEPS: usize = 16;
 /// Newton steps below this part of the place, 2^-192, are rounding.
 const SMALL: f64 = 1.0 / ((1_u128 << 96) as f64 * (1_u128 << 96) as f64);

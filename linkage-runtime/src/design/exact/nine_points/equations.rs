@@ -1,8 +1,9 @@
-//! The equations of nine points: for both links at each point but the first, and for the turn of the coupler there.
+//! The equations of nine points: for both links at each point but the first, and for the turn of
+//! the coupler there.
 //!
-//! Unknown are the joints `x`, `a` of one link and `y`, `b` of the other one with their hats, and at each point the turn `t`
-//! and its inverse `u`: 24 equations of the third degree. The two unknowns of a turn are in three equations only, so that
-//! eight equations are left for the joints.
+//! Unknown are the joints `x`, `a` of one link and `y`, `b` of the other one with their hats, and
+//! at each point the turn `t` and its inverse `u`: 24 equations of the third degree. The two
+//! unknowns of a turn are in three equations only, so that eight equations are left for the joints.
 
 use super::super::dyad::{self, Link, Pair};
 use super::super::path::Step;

@@ -5,8 +5,8 @@ use super::cognates::{cognate, exchanged};
 use super::equations::{ALL, Shifts, Unknowns, newton};
 use linkage_core::numeric::complex::{Complex, ONE};
 
-/// The way from some points to others: not straight, but along an arc of complex points, which for almost every `arc` keeps
-/// away from points with double solutions.
+/// The way from some points to others: not straight, but along an arc of complex points, which for
+/// almost every `arc` keeps away from points with double solutions.
 pub(super) struct ParameterPath<'a> {
     pub(super) from: &'a Shifts<Complex>,
     pub(super) to: &'a Shifts<Complex>,
@@ -40,7 +40,8 @@ impl Moving<ALL> for ParameterPath<'_> {
 /// How often another cognate may be followed.
 const MOST_CHANGES: usize = 12;
 
-/// Where the path of a solution ends, as one of its cognates; `None` if it sticks or takes too many steps.
+/// Where the path of a solution ends, as one of its cognates; `None` if it sticks or takes too many
+/// steps.
 ///
 /// Where the equations of one cognate are nearly singular, those of another one can be plain.
 pub(super) fn follow(

@@ -7,8 +7,9 @@ use alloc::vec::Vec;
 
 /// Triples of cognates for almost all nine points, real and complex.
 ///
-/// The number is that of the literature (first by Wampler, Morgan and Sommese, found again by all methods since), and of
-/// the generator of the stored solutions: a number computed with much evidence, not a theorem.
+/// The number is that of the literature (first by Wampler, Morgan and Sommese, found again by all
+/// methods since), and of the generator of the stored solutions: a number computed with much
+/// evidence, not a theorem.
 pub const TRIPLES: usize = 1442;
 
 /// The four-bars through nine points.
@@ -18,15 +19,16 @@ pub struct NinePoints {
     pub triples: Vec<Triple>,
     /// How many triples are complex: no mechanisms.
     pub complex: usize,
-    /// Paths without an end of their own: at points with a symmetry or next to others with double solutions. Also triples of which a
-    /// cognate does not close at all points with the joints that rounding leaves.
+    /// Paths without an end of their own: at points with a symmetry or next to others with double
+    /// solutions. Also triples of which a cognate does not close at all points with the joints that
+    /// rounding leaves.
     pub undecided: usize,
 }
 
 impl NinePoints {
-    /// Whether all [`TRIPLES`] have been found: each shown to exist, to be real or complex and to differ from the others
-    /// (Krawczyk's test on discs, rounding included). There are no others then, if 1442 is the number. This holds whatever
-    /// way they have been found.
+    /// Returns whether all [`TRIPLES`] have been found: each shown to exist, to be real or complex
+    /// and to differ from the others (Krawczyk's test on discs, rounding included). There are no
+    /// others then, if 1442 is the number. This holds whatever way they have been found.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         self.triples.len() + self.complex == TRIPLES
@@ -43,7 +45,7 @@ pub struct Triple {
 }
 
 impl Triple {
-    /// Whether both links of each cognate keep their lengths at all points.
+    /// Returns whether both links of each cognate keep their lengths at all points.
     pub(super) fn closes(&self) -> bool {
         let mut cognates = self.four_bars.iter();
         cognates.all(|path| verify::closes(&path.four_bar, &path.poses))
@@ -53,7 +55,8 @@ impl Triple {
 /// A four-bar and how it passes the points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathFourBar {
-    /// Its joints. The coupler's frame has its origin at the point of the path, and angle 0 at the first point.
+    /// Its joints. The coupler's frame has its origin at the point of the path, and angle 0 at the
+    /// first point.
     pub four_bar: FourBar,
     /// The coupler at the points.
     pub poses: [Pose; 9],

@@ -85,8 +85,8 @@ impl SolutionSearch {
         Ok(search)
     }
 
-    /// The starts whose paths must be followed again: this one if it has no end, and both of two with one end, of which one
-    /// has come off its path.
+    /// The starts whose paths must be followed again: this one if it has no end, and both of two
+    /// with one end, of which one has come off its path.
     fn doubtful(&mut self, start: usize, end: Option<FoundSolution>) -> Vec<usize> {
         let Some(end) = end else {
             return [start].into();

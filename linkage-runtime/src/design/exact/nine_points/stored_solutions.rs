@@ -1,20 +1,23 @@
-//! Nine points whose solutions are stored: one of each three cognates, with the digits of a single-precision number.
+//! Nine points whose solutions are stored: one of each three cognates, with the digits of a
+//! single-precision number.
 //!
-//! The points are real, so that complex solutions are pairs of conjugates, of which one is stored. How the file is made is
-//! in `tests/generator.rs`.
+//! The points are real, so that complex solutions are pairs of conjugates, of which one is stored.
+//! How the file is made is in `tests/generator.rs`.
 
 use super::equations::{Shifts, Unknowns, with_turns};
 use alloc::vec::Vec;
 use linkage_core::numeric::complex::Complex;
 
-/// Two numbers: of real triples, and of complex ones that are their own conjugates (each cognate that of another one). Then the
-/// real ones, `x`, `a`, `y`, `b` as real and imaginary part; the others with the hats, too, of pairs of conjugates one.
+/// Two numbers: of real triples, and of complex ones that are their own conjugates (each cognate
+/// that of another one). Then the real ones, `x`, `a`, `y`, `b` as real and imaginary part; the
+/// others with the hats, too, of pairs of conjugates one.
 static STORED: &[u8] = include_bytes!("starts.bin");
 
 /// Bytes of a number.
 const NUMBER: usize = 4;
 
-/// Points 1 to 8 against point 0, thirty-seconds of the unit: without pattern, not too close to each other.
+/// Points 1 to 8 against point 0, thirty-seconds of the unit: without pattern, not too close to
+/// each other.
 #[rustfmt::skip]
 const POINTS: [[i8; 2]; 8] =
     [[40, 23], [0, 33], [26, -21], [-25, -10], [-34, 16], [34, 1], [40, -37], [-35, 40]];

@@ -1,4 +1,5 @@
-//! Paths and certificates in parts; whole searches, which are for optimised code, with `LINKAGE_LONG`.
+//! Paths and certificates in parts; whole searches, which are for optimised code, with
+//! `LINKAGE_LONG`.
 
 mod curves;
 mod generator;
@@ -15,8 +16,9 @@ use linkage_core::numeric::complex::{Complex, ONE};
 use linkage_random::Random;
 use std::println;
 
-/// Nine points of Wampler, Morgan and Sommese (1992), their problem 3, which has 64 real triples; Hauenstein and Sottile
-/// certified that number (ACM Transactions on Mathematical Software, Algorithm 921).
+/// Nine points of Wampler, Morgan and Sommese (1992), their problem 3, which has 64 real triples;
+/// Hauenstein and Sottile certified that number (ACM Transactions on Mathematical Software,
+/// Algorithm 921).
 const PROBLEM_3: [[f64; 2]; 9] = [
     [0.25, 0.00],
     [0.52, 0.10],
@@ -42,7 +44,8 @@ const JULIA: [[f64; 2]; 9] = [
     [1.3011834, 0.92153806],
 ];
 
-/// Joints of the frame, points of the path, and the poses of the coupler in them, of a crank-rocker.
+/// Joints of the frame, points of the path, and the poses of the coupler in them, of a
+/// crank-rocker.
 struct Planted {
     fixed: [[f64; 2]; 2],
     coupler: f64,
@@ -223,8 +226,8 @@ impl Problems {
     }
 }
 
-/// A triple of the fourth planted problem: a joint on the point of the path but for a hundred thousandth, links a hundred thousand
-/// times as long.
+/// A triple of the fourth planted problem: a joint on the point of the path but for a hundred
+/// thousandth, links a hundred thousand times as long.
 #[test]
 fn a_triple_next_to_singular_ones_is_shown() {
     let mut problems = Problems::new();

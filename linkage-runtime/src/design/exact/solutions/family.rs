@@ -129,8 +129,8 @@ impl<E: Equations<N>, const N: usize> System<N> for Member<'_, E, N> {
     }
 }
 
-/// From one member to another one: not straight, but along an arc of complex numbers, which for almost every `arc` keeps away
-/// from members with double solutions.
+/// From one member to another one: not straight, but along an arc of complex numbers, which for
+/// almost every `arc` keeps away from members with double solutions.
 pub(super) struct ParameterPath<'a, 'e, E, const N: usize> {
     pub(super) from: &'a Member<'e, E, N>,
     pub(super) to: &'a Member<'e, E, N>,

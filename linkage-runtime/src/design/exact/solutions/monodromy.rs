@@ -1,8 +1,9 @@
 //! All solutions of a member with general constants.
 //!
-//! A random place solves the equations with the constants that it gives: one solution for nothing. Followed around random
-//! loops of constants it comes back as others (monodromy), which do so in turn. All pairs of a place and its constants are one
-//! piece, the graph of the equations, so that there are loops from each solution to each other one.
+//! A random place solves the equations with the constants that it gives: one solution for nothing.
+//! Followed around random loops of constants it comes back as others (monodromy), which do so in
+//! turn. All pairs of a place and its constants are one piece, the graph of the equations, so that
+//! there are loops from each solution to each other one.
 
 use super::super::super::starts;
 use super::super::certificate::Certificate;
@@ -15,8 +16,9 @@ use alloc::vec::Vec;
 use core::f64::consts::TAU;
 use linkage_core::numeric::complex::{Complex, ZERO};
 
-/// Loops are made until solutions of which one is missing would have stayed among themselves with a probability below this: a
-/// loop exchanges them at random, and takes one of `k + 1` that are left out for itself with probability `1/(k + 1)`.
+/// Loops are made until solutions of which one is missing would have stayed among themselves with a
+/// probability below this: a loop exchanges them at random, and takes one of `k + 1` that are left
+/// out for itself with probability `1/(k + 1)`.
 const MISSED: f64 = 1e-9;
 const FEWEST_IDLE: usize = 6;
 /// Most solutions that are followed.
@@ -87,7 +89,7 @@ impl<'a, E: Equations<N>, const N: usize> Fibre<'a, E, N> {
         Ok(fibre)
     }
 
-    /// Whether enough loops have brought nothing.
+    /// Returns whether enough loops have brought nothing.
     pub(super) fn is_settled(&self) -> bool {
         let chance = 1.0 / (self.found.len() + 1) as f64;
         self.idle >= FEWEST_IDLE && chance.powf(self.idle as f64) <= MISSED

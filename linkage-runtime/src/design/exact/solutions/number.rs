@@ -3,7 +3,8 @@
 use core::ops::{Add, Mul, Neg, Sub};
 use linkage_core::numeric::complex::Ring;
 
-/// A number that equations are evaluated in: real, complex, with derivatives, with more digits, with bounds of its error.
+/// A number that equations are evaluated in: real, complex, with derivatives, with more digits,
+/// with bounds of its error.
 pub trait Number:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> + From<f64>
 {

@@ -1,10 +1,11 @@
 //! Whether solutions are all: the trace test.
 //!
-//! With all constants but one held, the solutions of `f(x) = constants` are a curve in the space of `x` and that constant `s`.
-//! A hyperplane `s + form . x = c` meets it in as many points as its degree says, and the sum of all these points is a linear
-//! function of `c`; that of a part of them is not (Sommese, Verschelde and Wampler, SIAM Journal on Numerical Analysis 40,
-//! 2002). When the form is taken away, each solution of the equations is the end of one of these points, and the others go to
-//! infinity.
+//! With all constants but one held, the solutions of `f(x) = constants` are a curve in the space of
+//! `x` and that constant `s`. A hyperplane `s + form . x = c` meets it in as many points as its
+//! degree says, and the sum of all these points is a linear function of `c`; that of a part of them
+//! is not (Sommese, Verschelde and Wampler, SIAM Journal on Numerical Analysis 40, 2002). When the
+//! form is taken away, each solution of the equations is the end of one of these points, and the
+//! others go to infinity.
 
 use super::family::{Member, ParameterPath};
 use super::monodromy::{Fibre, Random, end, middle};
@@ -21,7 +22,8 @@ pub struct Trace {
     pub row: usize,
     /// The degree of the curve: points of it on a hyperplane.
     pub degree: usize,
-    /// By how much the sum of the points misses a linear function, as a part of what one of them misses it by.
+    /// By how much the sum of the points misses a linear function, as a part of what one of them
+    /// misses it by.
     pub miss: f64,
     /// Points that go to infinity where solutions are looked for.
     pub outside: usize,
@@ -31,23 +33,27 @@ pub struct Trace {
 
 /// Sums of all points bend by rounding only, other sums by about what one of them does.
 pub(super) const LINEAR: f64 = 1e-6;
-/// Points that bend by less than this part of their size bend by rounding: they move along a line, which is the whole curve.
+/// Points that bend by less than this part of their size bend by rounding: they move along a line,
+/// which is the whole curve.
 const STRAIGHT: f64 = 1e-6;
-/// A point goes to infinity if it is so far away when so little of the form is left. All else is of size 1.
+/// A point goes to infinity if it is so far away when so little of the form is left. All else is of
+/// size 1.
 const FAR: f64 = 1e3;
 const LATE: f64 = 1e-4;
-/// What a path that ends in a solution is off it by, at most, as a part of its size: far more than the tracker leaves.
+/// What a path that ends in a solution is off it by, at most, as a part of its size: far more than
+/// the tracker leaves.
 const HERE: f64 = 1e-6;
 
 impl Trace {
-    /// Whether no solution is missing, as far as numbers can tell: the sum is linear, and each point has an end.
+    /// Returns whether no solution is missing, as far as numbers can tell: the sum is linear, and
+    /// each point has an end.
     #[must_use]
     pub fn passed(&self) -> bool {
         self.miss <= LINEAR && self.open == 0
     }
 
-    /// The test along equation `row` and, where it is not passed, along the next ones, as long as it is not; of several tests
-    /// that are not passed the one that leaves fewest points open.
+    /// The test along equation `row` and, where it is not passed, along the next ones, as long as
+    /// it is not; of several tests that are not passed the one that leaves fewest points open.
     pub(super) fn test_rows<E: Equations<N>, const N: usize>(
         general: &mut Fibre<'_, E, N>,
         row: usize,
@@ -69,7 +75,8 @@ impl Trace {
         Ok(best)
     }
 
-    /// The test with the curve along equation `row`; solutions that it finds besides are added to `general`.
+    /// The test with the curve along equation `row`; solutions that it finds besides are added to
+    /// `general`.
     pub(super) fn test<E: Equations<N>, const N: usize>(
         general: &mut Fibre<'_, E, N>,
         row: usize,
@@ -120,7 +127,8 @@ impl Trace {
     }
 }
 
-/// Equations along which the test is made, until it is passed along one: each takes as long as the first.
+/// Equations along which the test is made, until it is passed along one: each takes as long as the
+/// first.
 const ROWS: usize = 4;
 /// Ways on which the form is taken away, until one leaves no point open.
 const WAYS: usize = 3;
@@ -144,7 +152,8 @@ impl<'a, E: Equations<N>, const N: usize> Ends<'a, E, N> {
         };
         let found = in_parallel(&section.places(), |start| match end(&way, start) {
             Err(stuck) => Err(stuck.t < LATE && size(&stuck.place) > FAR),
-            // Newton's method may lead from far away to a solution that is not the end of this path.
+            // Newton's method may lead from far away to a solution that is not the end of this
+            // path.
             Ok(place) => plain
                 .shown(&place)
                 .filter(|end| size(&difference(&middle(end), &place)) < HERE * size(&place))
@@ -173,8 +182,8 @@ fn size<const N: usize>(place: &[Complex; N]) -> f64 {
     place.iter().map(|x| x.size()).fold(0.0, f64::max)
 }
 
-/// How much the sum of the points bends between three places in line, as a part of what a single point bends by: so much is
-/// added where one is missing.
+/// How much the sum of the points bends between three places in line, as a part of what a single
+/// point bends by: so much is added where one is missing.
 pub(super) fn miss<E: Equations<N>, const N: usize>(
     section: &Fibre<'_, E, N>,
     random: &mut Random,

@@ -1,8 +1,9 @@
-//! Five poses against 32 digits by another way, planted four-bars, the curve of four poses, special poses.
+//! Five poses against 32 digits by another way, planted four-bars, the curve of four poses, special
+//! poses.
 //!
-//! `burmester.txt` has 15 sets of poses and all real dyads: from `|p + R m - a|^2` equal in all poses, two determinants of
-//! the equations of `m` (cubics in `a`) with 90 digits, their resultant interpolated, its nine roots, of which those count
-//! that are zeros of the other two determinants.
+//! `burmester.txt` has 15 sets of poses and all real dyads: from `|p + R m - a|^2` equal in all
+//! poses, two determinants of the equations of `m` (cubics in `a`) with 90 digits, their resultant
+//! interpolated, its nine roots, of which those count that are zeros of the other two determinants.
 
 use super::super::*;
 use super::{point, spread};
@@ -51,7 +52,8 @@ fn all_dyads_as_by_resultants_with_90_digits() {
         for (pivots, known) in found.links().zip(dyads) {
             let joints = [pivots.fixed, pivots.moving].concat();
             for (joint, known) in joints.iter().zip(known) {
-                // The data have cosines of 16 digits, and some of the dyads depend on them a thousand times over.
+                // The data have cosines of 16 digits, and some of the dyads depend on them a
+                // thousand times over.
                 assert!(
                     (joint - known).abs() <= 2e-13 * known.abs().max(1.0),
                     "{joint} {known}"

@@ -4,7 +4,8 @@ use super::super::*;
 use super::coupler_at;
 use alloc::vec::Vec;
 
-/// Poses of the coupler for angles of link 0, on one side of the line from its pin to the other joint of the frame.
+/// Poses of the coupler for angles of link 0, on one side of the line from its pin to the other
+/// joint of the frame.
 fn poses(lengths: [f64; 4], angles: &[f64], side: f64) -> Vec<Pose> {
     let [frame, lengths @ ..] = lengths;
     let fixed = [[0.0, 0.0], [frame, 0.0]];
@@ -92,7 +93,8 @@ fn order_of_chains_whose_links_rock() {
         all.swap(1, 4);
         assert!(!four_bar.passage(&all).in_order);
     }
-    // The other side of the frame is another circuit of a double rocker, and the same one of a triple rocker.
+    // The other side of the frame is another circuit of a double rocker, and the same one of a
+    // triple rocker.
     let both = |lengths: [f64; 4], angle: f64| {
         let mut all = poses(lengths, &[angle], 1.0);
         all.extend(poses(lengths, &[-angle], 1.0));

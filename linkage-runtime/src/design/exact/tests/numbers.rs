@@ -1,4 +1,5 @@
-//! Discs hold what they must, double-double numbers have their digits, certificates fail where there is no solution.
+//! Discs hold what they must, double-double numbers have their digits, certificates fail where
+//! there is no solution.
 
 use super::super::ball::{Ball, Bound};
 use super::super::certificate::{self, Evaluated, Point, System};
@@ -9,7 +10,8 @@ use linkage_core::numeric::complex::{Complex, Ring};
 use linkage_core::numeric::double_double::DoubleDouble;
 use linkage_random::Random;
 
-/// Whole numbers as large as plain numbers hold them exactly when multiplied: rounding is known then.
+/// Whole numbers as large as plain numbers hold them exactly when multiplied: rounding is known
+/// then.
 fn whole(random: &mut Random) -> f64 {
     random.between(-1e9, 1e9).round()
 }

@@ -1,4 +1,5 @@
-//! What is returned closes, also where conditions nearly depend on each other; what does not is counted.
+//! What is returned closes, also where conditions nearly depend on each other; what does not is
+//! counted.
 
 use super::super::*;
 use super::{coupler_at, point, spread};
@@ -14,7 +15,8 @@ fn count(few: usize) -> usize {
     }
 }
 
-/// Pairs so near to each other that rounding decides: a closed form leaves nothing of the equations.
+/// Pairs so near to each other that rounding decides: a closed form leaves nothing of the
+/// equations.
 #[test]
 fn pairs_close_also_where_they_nearly_depend_on_each_other() {
     let mut random = Random::new(11);

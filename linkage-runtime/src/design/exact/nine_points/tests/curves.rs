@@ -15,7 +15,8 @@ const SEARCHED: Unsolved = Unsolved::Stopped {
     count: TRIPLES,
 };
 
-/// Points of a circle about (300, -40), in no order, over a part of the turn, with some of them moved away from the centre.
+/// Points of a circle about (300, -40), in no order, over a part of the turn, with some of them
+/// moved away from the centre.
 fn on_circle(radius: f64, turn: f64, moved: [f64; 9]) -> [[f64; 2]; 9] {
     core::array::from_fn(|i| {
         let place = (4 * i % 9) as f64 + 0.3 * (i as f64 * 1.7).sin();

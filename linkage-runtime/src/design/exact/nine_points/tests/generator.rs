@@ -1,9 +1,11 @@
-//! Makes the file of the stored solutions: `UPDATE=1 cargo test --release -p linkage-runtime --lib stored_solutions`.
+//! Makes the file of the stored solutions:
+//! `UPDATE=1 cargo test --release -p linkage-runtime --lib stored_solutions`.
 //!
-//! A random complex four-bar passes complex points that belong to random turns of its coupler: one solution of one problem.
-//! Followed around random loops in the space of points it comes back as others (monodromy), which do so in turn, until
-//! several loops bring nothing new. That these are all solutions is no proof, but they are as many as the literature has.
-//! The points are then changed into those that are stored.
+//! A random complex four-bar passes complex points that belong to random turns of its coupler: one
+//! solution of one problem. Followed around random loops in the space of points it comes back as
+//! others (monodromy), which do so in turn, until several loops bring nothing new. That these are
+//! all solutions is no proof, but they are as many as the literature has. The points are then
+//! changed into those that are stored.
 
 use super::super::super::path::Pace;
 use super::super::cognates::Mark;
@@ -41,7 +43,8 @@ fn start(random: &mut Random) -> (Unknowns<Complex>, Shifts<Complex>) {
         let t = unit(random).scaled(random.between(0.7, 1.3));
         let u = t.inverse();
         [unknowns[8 + 2 * j], unknowns[9 + 2 * j]] = [t, u];
-        // The link from a to the coupler is v, that from b is v + w: v v^ and (v + w)(v^ + w^) are given.
+        // The link from a to the coupler is v, that from b is v + w: v v^ and (v + w)(v^ + w^) are
+        // given.
         let (w, w_hat) = (t * (y - x) - (b - a), u * (y_hat - x_hat) - (b_hat - a_hat));
         let rest = second - first - w * w_hat;
         let root = (rest * rest - (w * w_hat * first).scaled(4.0)).root();
