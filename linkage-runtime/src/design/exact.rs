@@ -32,11 +32,11 @@ pub use solutions::{Equations, Number, Solution, Solutions, Trace, solutions, so
 
 use linkage_core::numeric::complex::Complex;
 
-/// Ways from general constants, or stored ones, to the given ones: angles without pattern. All
-/// solutions are found by the first one but for accidents; what several find together is as sure.
+/// Arcs from general constants, or stored ones, to the given ones: angles without pattern. The
+/// first arc finds all solutions except by accident; agreement of several arcs confirms them.
 const ARCS: [f64; 3] = [2.1937, -1.3291, 0.8713];
 
-/// Where a body is in the plane: the place of the origin of its frame, and its angle (rad).
+/// The pose of a body in the plane: the place of the origin of its frame, and its angle (rad).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pose {
     /// Place of the origin of the body's frame.
@@ -52,13 +52,13 @@ impl Pose {
         Self { point, angle }
     }
 
-    /// Where a point of the body is.
+    /// Returns the place of a point of the body.
     #[must_use]
     pub fn place(&self, point: [f64; 2]) -> [f64; 2] {
         (Complex::from(self.point) + Complex::polar(self.angle) * point.into()).into()
     }
 
-    /// Which point of the body is there.
+    /// Returns the point of the body that is at a place.
     #[must_use]
     pub fn point_at(&self, place: [f64; 2]) -> [f64; 2] {
         let way = Complex::from(place) - self.point.into();

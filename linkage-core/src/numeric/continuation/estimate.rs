@@ -57,12 +57,12 @@ pub enum Astray {
 
 /// Follows a state from the estimated unknowns to a solution at the inputs `x`.
 ///
-/// At the estimate the equations miss by something, as if the links had other lengths. All of that
-/// is taken back in the same ratio, in steps that are short enough to stay on the way: after each
-/// step the next correction must be the one before, less the step, but for a quarter, and the
-/// determinant must keep its sign. So what is found is the assembly that the estimate becomes while
-/// its links grow to their lengths, or nothing. It is proven to be a solution, and the only one in
-/// a box about it.
+/// The equations have a closure error at the estimate, as if the links had other lengths. All of
+/// its components are reduced in the same ratio, in steps that are short enough to stay on the
+/// path. After each step the next correction must be within 25 % of the predicted one, and the
+/// determinant must keep its sign. The result is the assembly that the estimate becomes while its
+/// links grow to their lengths, or nothing. It is proven to be a solution, and the only one in a
+/// box about it.
 ///
 /// # Errors
 ///

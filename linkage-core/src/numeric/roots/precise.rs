@@ -1,9 +1,9 @@
 //! Continuation with about 32 digits, for paths whose ends 16 digits do not determine.
 //!
-//! The coefficients have no more than 16 digits, whatever they are computed with. So an end counts
-//! only if it hangs on none of their last places: it must stay where it is, far from all others,
-//! when every coefficient is changed by a rounding. Ends that coefficients do not tell, such as
-//! those of paths that meet at infinity but for rounding, stay as uncertain as they were.
+//! The coefficients have no more than 16 digits, in any computation. So an end counts only if it
+//! does not depend on their last places: it must stay where it is, far from all others, when every
+//! coefficient is changed by a rounding. Ends that the coefficients do not determine, such as those
+//! of paths that meet at infinity to rounding, stay uncertain.
 
 mod path_tracker;
 #[cfg(test)]

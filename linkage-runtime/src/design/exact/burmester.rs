@@ -31,7 +31,7 @@ impl Pivots {
     }
 }
 
-/// What can lead a body through poses.
+/// The guides that can lead a body through poses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Dyad {
     /// A link with two revolute joints.
@@ -59,10 +59,10 @@ pub enum Dyad {
 pub struct Dyads {
     /// The real ones, in ascending order of the fixed joint.
     pub real: Vec<Dyad>,
-    /// How many are complex: no mechanisms.
+    /// The number of complex ones: no mechanisms.
     pub complex: usize,
-    /// How many are too close to others, or to infinity, to say whether they are real, or do not
-    /// lead the body through all poses with the joints that rounding leaves.
+    /// The number of those that are too close to others, or to infinity, to decide whether they are
+    /// real, or do not lead the body through all poses with rounded joints.
     pub undecided: usize,
     /// True if the count is shown: four links, each shown to exist (Krawczyk's test with discs,
     /// rounding included), to be real or complex, and to differ from the others. There are no more
@@ -114,7 +114,7 @@ pub(super) struct Moves<const N: usize> {
 }
 
 impl<const N: usize> Moves<N> {
-    /// Of as many poses as moves after the first one.
+    /// Collects as many moves as poses after the first one.
     fn new(first: &Pose, others: [&Pose; N]) -> Self {
         let shifts = others.map(|pose| Shift::between(first.point, pose.point));
         let sizes = shifts.iter().map(|shift| shift.narrow());

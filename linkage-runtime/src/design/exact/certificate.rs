@@ -18,7 +18,7 @@ use linkage_core::numeric::complex_matrix;
 use linkage_core::numeric::double_double::DoubleDouble;
 pub(super) use long::certify_long;
 
-/// As many equations as unknowns.
+/// A system of as many equations as unknowns.
 pub(super) trait System<const N: usize> {
     /// The variable that is the conjugate of this one in a real solution: they come in pairs, if
     /// nothing else is said.
@@ -42,7 +42,7 @@ pub(super) trait System<const N: usize> {
 /// Values and, by rows, derivatives.
 pub(super) type Evaluated<const N: usize> = ([Ball<Long>; N], [[Ball<Long>; N]; N]);
 
-/// With more digits than the solutions are told: next to singular points the values need them.
+/// A point with more digits than the solutions have: next to singular points the values need them.
 pub(super) type Point<const N: usize> = [Complex<DoubleDouble>; N];
 
 /// Discs around a solution; it is the only one in them, or in smaller ones that plain numbers do
@@ -50,7 +50,7 @@ pub(super) type Point<const N: usize> = [Complex<DoubleDouble>; N];
 #[derive(Clone, Debug)]
 pub(super) struct Certificate<const N: usize> {
     pub(super) discs: [Ball; N],
-    /// True if the solution is real; nothing if it cannot be told.
+    /// True for a real solution, false for a complex one; nothing if undecided.
     pub(super) real: Option<bool>,
 }
 
@@ -62,7 +62,8 @@ impl<const N: usize> Certificate<N> {
     }
 }
 
-/// Discs are widened so often; what is not shown then is too close to a singular point.
+/// The number of times that discs are widened; a solution without a proof by then is too close to a
+/// singular point.
 const ATTEMPTS: usize = 4;
 
 /// Looks for discs around `point` in which `system` has one solution.

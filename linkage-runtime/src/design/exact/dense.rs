@@ -4,9 +4,8 @@ use super::long::{self, Long};
 use alloc::vec::Vec;
 use linkage_core::numeric::complex::Complex;
 
-/// Solves `matrix * x = right` in place, in numbers of 77 digits; a row has what belongs to it of
-/// all right sides. `None` for a singular matrix. Long numbers take much room: they stand on the
-/// heap.
+/// Solves `matrix * x = right` in place, in numbers of 77 digits; a row has the elements of all
+/// right sides. `None` for a singular matrix. Long numbers take much room, so they are on the heap.
 pub(super) fn solve_long<const N: usize, const R: usize>(
     mut matrix: Vec<[Complex<Long>; N]>,
     mut right: Vec<[Complex<Long>; R]>,

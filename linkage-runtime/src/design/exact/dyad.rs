@@ -19,9 +19,9 @@ pub(super) type Pair<T> = [T; 2];
 pub(super) struct Link<T> {
     pub(super) value: T,
     pub(super) by_dyad: [T; 4],
-    /// By `t` and `u`.
+    /// Derivatives with respect to `t` and `u`.
     pub(super) by_turn: Pair<T>,
-    /// By `d` and `d^`.
+    /// Derivatives with respect to `d` and `d^`.
     pub(super) by_shift: Pair<T>,
 }
 

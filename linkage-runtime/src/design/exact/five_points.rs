@@ -22,10 +22,10 @@ pub struct FivePoints {
     /// The real ones, with the pose of the coupler at each point. The coupler's frame has its
     /// origin at the point of the path, and angle 0 at the first point.
     pub four_bars: Vec<(FourBar, [Pose; 5])>,
-    /// How many are complex.
+    /// The number of complex ones.
     pub complex: usize,
-    /// How many are multiple, too close to others to say whether they are real, or do not close
-    /// with the joints that rounding leaves.
+    /// The number of those that are multiple, too close to others to decide whether they are real,
+    /// or do not close with rounded joints.
     pub undecided: usize,
     /// Number of paths of the homotopy, each of which has been followed to its end without doubt.
     /// That they meet all solutions is certain with probability one: the start system is random.

@@ -1,5 +1,5 @@
-//! Four-bars that syntheses find, and how they pass what was asked: by which circuit and branch,
-//! and in which order.
+//! Four-bars that syntheses find, and their passage of the given poses or points: circuit, branch
+//! and order.
 
 use super::Pose;
 use alloc::vec::Vec;
@@ -17,7 +17,7 @@ pub struct FourBar {
     pub moving: [[f64; 2]; 2],
 }
 
-/// Which links of a four-bar turn fully (Grashof's condition).
+/// The links of a four-bar that turn fully (Grashof's condition).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GrashofType {
     /// This link (0 or 1) turns fully, the other one of the frame rocks.
@@ -30,17 +30,17 @@ pub enum GrashofType {
     TripleRocker,
 }
 
-/// Where a four-bar is in a pose.
+/// The configuration of a four-bar in a pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Visit {
-    /// Which of the sets of positions that can be reached without taking joints apart, 0 or 1;
-    /// always 0 for [`GrashofType::TripleRocker`].
+    /// The set of positions that can be reached without taking joints apart, 0 or 1; always 0 for
+    /// [`GrashofType::TripleRocker`].
     pub circuit: usize,
     /// For either link as the driving one: on which side of its dead points, 0 or 1.
     pub branch: [usize; 2],
 }
 
-/// How a four-bar goes through poses.
+/// The passage of a four-bar through poses.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Passage {
     /// Circuit and branches at each pose.
@@ -76,7 +76,7 @@ impl FourBar {
         [frame, left, coupler, right]
     }
 
-    /// Which links turn fully. What is about to change is told as rounding has it.
+    /// Returns the links that turn fully. Rounding decides next to a change point.
     #[must_use]
     pub fn turning(&self, pose: &Pose) -> GrashofType {
         match self.shortest(pose) {
@@ -88,7 +88,7 @@ impl FourBar {
         }
     }
 
-    /// How the coupler goes through poses, each of which it must be able to take.
+    /// Returns the passage of the coupler through poses, each of which it must be able to take.
     #[must_use]
     pub fn passage(&self, poses: &[Pose]) -> Passage {
         let Some(first) = poses.first() else {

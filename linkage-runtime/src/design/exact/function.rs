@@ -50,17 +50,17 @@ pub struct FunctionFourBar {
 pub struct Functions {
     /// The real ones.
     pub four_bars: Vec<FunctionFourBar>,
-    /// How many are complex, or have an imaginary length.
+    /// The number of those that are complex, or have an imaginary length.
     pub complex: usize,
-    /// How many are at infinity (their frame is nothing beside the links), too close to others to
-    /// say what they are, or do not close at all pairs with the lengths that rounding leaves.
+    /// The number of those at infinity (their frame vanishes beside the links), too close to others
+    /// to decide, or not closed at all pairs with rounded lengths.
     pub undecided: usize,
     /// True if the count is shown: as of [`Dyads`] for five pairs; for fewer, roots of a linear or
     /// quadratic equation that are clear of rounding.
     pub certified: bool,
 }
 
-/// Which start of an angle is given, the other one is free.
+/// The given start of an angle; the other one is free.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum GivenStart {
     /// Angle of the crank at input 0, rad.
@@ -239,8 +239,8 @@ impl FunctionFourBar {
         }
     }
 
-    /// Where the coupler is at a pair of turns, and by how much the distance of both pins differs
-    /// from its length.
+    /// Returns the pose of the coupler at a pair of turns, and the difference between the distance
+    /// of both pins and its length.
     #[must_use]
     pub fn pose(&self, pair: &Pair) -> (Pose, f64) {
         let crank = Complex::polar(self.input_start + pair.input).scaled(self.crank);
@@ -250,14 +250,14 @@ impl FunctionFourBar {
         (pose, coupler.size() - self.coupler)
     }
 
-    /// How the four-bar goes through the pairs: circuits, branches, order.
+    /// Returns the passage of the four-bar through the pairs: circuits, branches, order.
     #[must_use]
     pub fn passage(&self, pairs: &[Pair]) -> Passage {
         let poses: Vec<Pose> = pairs.iter().map(|pair| self.pose(pair).0).collect();
         self.four_bar().passage(&poses)
     }
 
-    /// From Freudenstein's ratios; `None` if a length is imaginary or infinite.
+    /// Builds a four-bar from Freudenstein's ratios; `None` if a length is imaginary or infinite.
     fn of_ratios([k1, k2, k3]: [f64; 3], [input, output]: [f64; 2]) -> Option<Self> {
         let (crank, rocker) = (1.0 / k1, 1.0 / k2);
         let square = 1.0 + crank * crank + rocker * rocker - 2.0 * crank * rocker * k3;

@@ -21,7 +21,7 @@ const DIGITS: i32 = 256;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Long {
     negative: bool,
-    /// Of the last bit.
+    /// The exponent of the last bit.
     exponent: i32,
     /// The lowest word first. The highest bit is 1, but that of 0.
     digits: [u64; WORDS],
@@ -63,7 +63,7 @@ impl Long {
         (self.exponent, [d, c, b, a]) < (other.exponent, [h, g, f, e])
     }
 
-    /// As a plain number.
+    /// Returns the nearest plain number.
     pub(super) fn narrow(self) -> f64 {
         let first = self.digits[WORDS - 1] as f64;
         let exponent = self.exponent.saturating_add(DIGITS - BITS as i32);

@@ -35,8 +35,8 @@ pub fn nine_points(points: &[[f64; 2]; 9]) -> Result<NinePoints, Unsolved> {
     nine_points_reporting(points, |_| true)
 }
 
-/// As [`nine_points`], telling how far it has come some dozen times; it stops where `report` gives
-/// `false`.
+/// Lists as [`nine_points`] does, with some dozen reports of the progress; stops where `report`
+/// gives `false`.
 ///
 /// # Errors
 ///

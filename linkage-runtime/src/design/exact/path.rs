@@ -8,10 +8,10 @@ use linkage_core::numeric::complex::{Complex, ZERO};
 
 /// Equations that change with a parameter `t`, from 1 to 0.
 pub(super) trait Moving<const N: usize> {
-    /// What the equations depend on.
+    /// The data of the equations.
     type Data;
 
-    /// What they depend on at `t`, and how it changes there.
+    /// Returns the data at `t`, with their derivatives there.
     fn evaluate(&self, t: f64) -> Self::Data;
 
     /// A Newton step.
@@ -74,16 +74,16 @@ const LONGER: [f64; 2] = [0.2, 3.0];
 const TOO_MUCH: f64 = 4.0;
 /// Lengths below this part of the points' are measured as if they were of it.
 const SMALL: f64 = 0.1;
-/// Steps are shorter than what would be just good enough.
+/// The ratio of a step to the longest sufficient one.
 const CAREFUL: f64 = 0.7;
 
-/// Where a path that cannot be followed any further has come to.
+/// The last point of a path that cannot be followed any further.
 pub(super) struct Stuck<const N: usize> {
     pub(super) t: f64,
     pub(super) place: [Complex; N],
 }
 
-/// Where the path from `start` at `t` ends; an error if it sticks or takes too many steps.
+/// Returns the end of the path from `start` at `t`; an error if it sticks or takes too many steps.
 pub(super) fn follow<const N: usize, M: Moving<N>>(
     moving: &M,
     pace: Pace,
@@ -188,8 +188,8 @@ impl<const N: usize> Knots<N> {
         place
     }
 
-    /// The point at `t`, if the prediction is good enough, and how good it is: 1 is what is aimed
-    /// at.
+    /// Returns the point at `t`, if the prediction is good enough, and the ratio of its error to
+    /// the target.
     fn corrected<M: Moving<N>>(&self, moving: &M, pace: Pace, t: f64) -> (Option<Knot<N>>, f64) {
         let guess = self.predict(t);
         let data = moving.evaluate(t);

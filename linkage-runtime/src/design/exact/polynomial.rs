@@ -3,8 +3,8 @@
 use alloc::vec::Vec;
 use linkage_core::numeric::complex::{Complex, ONE, ZERO};
 
-/// Roots converge by squares (Ehrlich and Aberth); this is far more than simple roots need, and
-/// what double ones are worth.
+/// The number of steps. Roots converge by squares (Ehrlich and Aberth): this is far more than
+/// simple roots need, and useful digits of double ones need no more.
 const STEPS: usize = 60;
 
 /// The roots, from the coefficients (the constant first). Leading coefficients that are nothing

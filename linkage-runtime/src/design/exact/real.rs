@@ -2,7 +2,7 @@
 
 use linkage_core::numeric::complex::Ring;
 
-/// What the middles of discs consist of.
+/// A real number of the middles of discs.
 pub(super) trait Real: Ring {
     /// A plain number, exactly; it is finite.
     fn exact(number: f64) -> Self;
@@ -10,7 +10,8 @@ pub(super) trait Real: Ring {
     /// A bound of the absolute value.
     fn bound(self) -> f64;
 
-    /// By how much a complex sum of this size is wrong at most; products by four times that.
+    /// Returns a bound of the error of a complex sum of this size; that of products is four times
+    /// as large.
     fn rounding(size: f64) -> f64;
 }
 

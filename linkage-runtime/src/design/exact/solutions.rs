@@ -20,12 +20,12 @@ use family::Member;
 use linkage_core::numeric::complex::Complex;
 use monodromy::{Fibre, Random};
 
-/// The solutions of equations, and what is known of their number.
+/// The solutions of equations, and the evidence of their number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solutions<const N: usize> {
     /// The real ones, in ascending order of the first unknown, then of the next ones.
     pub real: Vec<Solution<N>>,
-    /// How many are complex.
+    /// The number of complex ones.
     pub complex: usize,
     /// Solutions that almost all constants in place of the 0 give: each isolated solution is the
     /// end of one of their paths.
@@ -71,10 +71,10 @@ pub fn solutions<const N: usize>(equations: &impl Equations<N>) -> Result<Soluti
     found(equations, None)
 }
 
-/// As [`solutions`], with the trace test, along equation `row`: its constant is what the curve has
-/// as a coordinate that the test sums up. The degree of that curve, which takes most of the time,
-/// may depend on the choice. Where the test leaves a point open along that equation, it is made
-/// along the next ones, four at most: `trace` names the equation.
+/// Solves as [`solutions`] does, with the trace test along equation `row`: its constant is the
+/// coordinate of the curve that the test sums up. The degree of that curve, which takes most of the
+/// time, may depend on the choice. Where the test leaves a point open along that equation, it is
+/// made along the next ones, four at most: `trace` names the equation.
 ///
 /// # Errors
 ///
@@ -140,7 +140,7 @@ fn ends<'a, E: Equations<N>, const N: usize>(
 }
 
 impl<const N: usize> Solution<N> {
-    /// If it is real.
+    /// Returns a real solution.
     fn from_certificate(certificate: &Certificate<N>) -> Option<Self> {
         (certificate.real == Some(true)).then(|| Self {
             values: certificate.discs.map(|disc| disc.middle.re),

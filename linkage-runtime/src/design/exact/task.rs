@@ -1,5 +1,5 @@
-//! Conditions as shifts and turns against the first of them, of size about 1, and what their
-//! rounding leaves open.
+//! Conditions as shifts and turns against the first of them, of size about 1, with the bounds of
+//! their rounding.
 
 use super::ball::Ball;
 use super::dyad::Pair;

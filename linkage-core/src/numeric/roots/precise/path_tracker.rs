@@ -1,9 +1,9 @@
 //! A path that is followed to its end in steps that are parts of the remaining `t`: as a function
 //! of the logarithm of `t` a path is smooth down to its end, whatever powers of `t` it falls with.
 //!
-//! A point has 32 digits, and so has what is left of the equations there. Its derivatives and
-//! corrections have 16: these are of use as long as matrices are not singular but for rounding, and
-//! so are ends.
+//! A point has 32 digits, and so have the errors of the equations there. Its derivatives and
+//! corrections have 16. They are of use as long as matrices, and ends, are not singular to
+//! rounding.
 
 use super::super::homotopy::Homotopy;
 use super::super::projective::ProjectivePoint;

@@ -1,5 +1,5 @@
-//! Five poses: the equations of a dyad are linear in `k`, `X = k x`, `A = k a` and `S = k x a^`,
-//! and what is left of these seven real unknowns are the points of a plane; `k S = X A^` are two
+//! Five poses: the equations of a dyad are linear in `k`, `X = k x`, `A = k a` and `S = k x a^`.
+//! Their solutions are the points of a plane in these seven real unknowns. `k S = X A^` are two
 //! conics of it (after Hayes, Luu and Chang, and Ge and Purwar, who take the conditions of all
 //! dyads as one). Their four points are the dyads; `k = 0` are sliders.
 
@@ -62,7 +62,7 @@ struct Plane {
 
 enum LinkOrSlider {
     Link(Solution),
-    /// `X`, `A` and `S` with their hats, real but for a common factor. `X` or `A` is about 0.
+    /// `X`, `A` and `S` with their hats, real except for a common factor. `X` or `A` is about 0.
     Slider {
         x: [Complex; 2],
         a: [Complex; 2],

@@ -17,7 +17,7 @@ const STEPS: usize = 16;
 /// Newton steps below this part of the place, 2^-192, are rounding.
 const SMALL: f64 = 1.0 / ((1_u128 << 96) as f64 * (1_u128 << 96) as f64);
 
-/// As `certify`, near `start`.
+/// Certifies as `certify` does, near `start`.
 pub(in super::super) fn certify_long<const N: usize, S: System<N>>(
     start: &[Complex; N],
     system: &S,
@@ -46,7 +46,7 @@ pub(in super::super) fn certify_long<const N: usize, S: System<N>>(
     })
 }
 
-/// By Newton's method.
+/// Refines by Newton's method.
 fn refined<const N: usize, S: System<N>>(start: &[Complex; N], system: &S) -> Option<Place<N>> {
     let mut place = start.map(|number| number.map(Long::exact));
     for _ in 0..STEPS {

@@ -33,8 +33,8 @@ pub(super) fn exchanged<T: Copy>(of: &Unknowns<T>) -> Unknowns<T> {
     core::array::from_fn(|i| if i < 8 { of[i ^ 4] } else { of[i] })
 }
 
-/// What the three cognates have in common: sum of the joints of the frame and sum of their
-/// products, both with hats.
+/// Quantities that the three cognates have in common: sum of the joints of the frame and sum of
+/// their products, both with hats.
 pub(super) struct Mark([Ball; 4]);
 
 impl Mark {

@@ -79,7 +79,7 @@ impl Curve {
         }
     }
 
-    /// How far a point is away, as a part of the extent.
+    /// Returns the distance of a point, as a part of the extent.
     fn off(&self, point: [f64; 2], extent: f64) -> f64 {
         let z = way(self.from, point, extent);
         let value = self.bend * z.square() + 2.0 * (self.slope.re * z.re + self.slope.im * z.im);

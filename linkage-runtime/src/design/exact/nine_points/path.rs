@@ -37,11 +37,11 @@ impl Moving<ALL> for ParameterPath<'_> {
     }
 }
 
-/// How often another cognate may be followed.
+/// The number of times that another cognate may be followed.
 const MOST_CHANGES: usize = 12;
 
-/// Where the path of a solution ends, as one of its cognates; `None` if it sticks or takes too many
-/// steps.
+/// Returns the end of the path of a solution, as one of its cognates; `None` if it sticks or takes
+/// too many steps.
 ///
 /// Where the equations of one cognate are nearly singular, those of another one can be plain.
 pub(super) fn follow(

@@ -17,7 +17,7 @@ pub const TRIPLES: usize = 1442;
 pub struct NinePoints {
     /// The real ones: three four-bars with the same coupler curve each (Roberts).
     pub triples: Vec<Triple>,
-    /// How many triples are complex: no mechanisms.
+    /// The number of complex triples: no mechanisms.
     pub complex: usize,
     /// Paths without an end of their own: at points with a symmetry or next to others with double
     /// solutions. Also triples of which a cognate does not close at all points with the joints that

@@ -1,4 +1,4 @@
-//! Following all stored solutions, and sorting out what is found.
+//! Continuation of all stored solutions, and classification of their ends.
 
 use super::super::ARCS;
 use super::super::ball::{Ball, Bound};
@@ -34,7 +34,7 @@ pub(super) struct SolutionSearch {
     origins: Vec<Option<usize>>,
 }
 
-/// How often a path without an end of its own is followed on each way, in ever shorter steps.
+/// The number of attempts for a path without an end of its own on each arc, in ever shorter steps.
 const ATTEMPTS: usize = 3;
 /// Paths of a block: some dozen reports in all, and enough for many threads.
 const BLOCK: usize = 64;
@@ -100,7 +100,7 @@ impl SolutionSearch {
         }
     }
 
-    /// Where a solution is among those found, the last place if it is new.
+    /// Returns the index of a solution among those found, the last one if it is new.
     pub(super) fn place(&mut self, end: FoundSolution) -> usize {
         let known = self
             .found
@@ -145,7 +145,7 @@ impl Data {
         }
     }
 
-    /// Where a path ends, as a certificate of the cognate for which it can be had.
+    /// Returns the end of a path, as a certificate of the cognate that has one.
     pub(super) fn end(
         &self,
         start: &Unknowns<Complex>,

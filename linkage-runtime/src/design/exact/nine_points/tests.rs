@@ -226,8 +226,8 @@ impl Problems {
     }
 }
 
-/// A triple of the fourth planted problem: a joint on the point of the path but for a hundred
-/// thousandth, links a hundred thousand times as long.
+/// A triple of the fourth planted problem: a joint within a hundred thousandth of the point of the
+/// path, links a hundred thousand times as long.
 #[test]
 fn a_triple_next_to_singular_ones_is_shown() {
     let mut problems = Problems::new();

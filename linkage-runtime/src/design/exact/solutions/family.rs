@@ -26,7 +26,8 @@ impl<E, const N: usize> Clone for Member<'_, E, N> {
 
 impl<E, const N: usize> Copy for Member<'_, E, N> {}
 
-/// So many roundings of numbers of 32 digits are more than equations that somebody can write have.
+/// A number of roundings of numbers of 32 digits that exceeds those of all equations that somebody
+/// can write.
 const WRONG: f64 = 1.0 / (1_u128 << 84) as f64;
 /// Newton steps with residuals of 32 digits: two of them are enough where the test can succeed.
 const STEPS: usize = 4;
@@ -129,8 +130,8 @@ impl<E: Equations<N>, const N: usize> System<N> for Member<'_, E, N> {
     }
 }
 
-/// From one member to another one: not straight, but along an arc of complex numbers, which for
-/// almost every `arc` keeps away from members with double solutions.
+/// The path from one member to another one: not straight, but along an arc of complex numbers,
+/// which for almost every `arc` keeps away from members with double solutions.
 pub(super) struct ParameterPath<'a, 'e, E, const N: usize> {
     pub(super) from: &'a Member<'e, E, N>,
     pub(super) to: &'a Member<'e, E, N>,

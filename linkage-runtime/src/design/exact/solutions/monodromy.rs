@@ -55,7 +55,7 @@ impl Random {
     }
 }
 
-/// A member and what is known of its solutions.
+/// A member and its known solutions.
 pub(super) struct Fibre<'a, E, const N: usize> {
     pub(super) member: Member<'a, E, N>,
     pub(super) found: Vec<Certificate<N>>,
@@ -64,7 +64,7 @@ pub(super) struct Fibre<'a, E, const N: usize> {
 }
 
 impl<'a, E: Equations<N>, const N: usize> Fibre<'a, E, N> {
-    /// Of which nothing is known.
+    /// Starts without known solutions.
     pub(super) fn starting(member: Member<'a, E, N>) -> Self {
         Self {
             member,
@@ -137,7 +137,7 @@ impl<'a, E: Equations<N>, const N: usize> Fibre<'a, E, N> {
         ends.into_iter().flatten().for_each(|end| self.place(end));
     }
 
-    /// Where each of the solutions of a member leads in another one; `None` if one leads nowhere.
+    /// Returns the ends of the solutions of a member in another one; `None` if one leads nowhere.
     pub(super) fn carried(
         from: &Member<'a, E, N>,
         to: &Member<'a, E, N>,

@@ -1,4 +1,5 @@
-//! What equations are evaluated in: numbers, and numbers with their derivatives by all unknowns.
+//! Numbers for the evaluation of equations, and numbers with their derivatives with respect to all
+//! unknowns.
 
 use core::ops::{Add, Mul, Neg, Sub};
 use linkage_core::numeric::complex::Ring;

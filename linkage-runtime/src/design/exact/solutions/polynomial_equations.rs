@@ -2,12 +2,12 @@
 
 use super::number::Number;
 
-/// As many polynomial equations as unknowns, with real coefficients.
+/// A system of as many polynomial equations as unknowns, with real coefficients.
 ///
 /// The equations of a group of links whose assemblies are asked for, as `loop` has them: distances
 /// as their squares, directions as their components, with equations for their lengths.
 pub trait Equations<const N: usize>: Sync {
-    /// By how much the equations are missed at `x`: all 0 at a solution. Coefficients are exact;
+    /// Returns the errors of the equations at `x`: all 0 at a solution. Coefficients are exact;
     /// fractions that binary numbers do not have are avoided by multiplying an equation. Unknowns
     /// and values should be about 1.
     fn values<T: Number>(&self, x: &[T; N]) -> [T; N];

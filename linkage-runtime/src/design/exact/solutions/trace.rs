@@ -1,4 +1,4 @@
-//! Whether solutions are all: the trace test.
+//! The trace test: evidence that no solution is missing.
 //!
 //! With all constants but one held, the solutions of `f(x) = constants` are a curve in the space of
 //! `x` and that constant `s`. A hyperplane `s + form . x = c` meets it in as many points as its
@@ -15,15 +15,15 @@ use crate::design::parallel::in_parallel;
 use alloc::vec::Vec;
 use linkage_core::numeric::complex::{Complex, ZERO};
 
-/// What the trace test has shown.
+/// The result of the trace test.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trace {
     /// The equation along which the curve goes.
     pub row: usize,
     /// The degree of the curve: points of it on a hyperplane.
     pub degree: usize,
-    /// By how much the sum of the points misses a linear function, as a part of what one of them
-    /// misses it by.
+    /// The difference of the sum of the points from a linear function, as a part of that of one
+    /// point.
     pub miss: f64,
     /// Points that go to infinity where solutions are looked for.
     pub outside: usize,
@@ -31,7 +31,8 @@ pub struct Trace {
     pub open: usize,
 }
 
-/// Sums of all points bend by rounding only, other sums by about what one of them does.
+/// The limit of a linear sum: sums of all points bend by rounding only, other sums by about as much
+/// as one of them.
 pub(super) const LINEAR: f64 = 1e-6;
 /// Points that bend by less than this part of their size bend by rounding: they move along a line,
 /// which is the whole curve.
@@ -40,8 +41,8 @@ const STRAIGHT: f64 = 1e-6;
 /// size 1.
 const FAR: f64 = 1e3;
 const LATE: f64 = 1e-4;
-/// What a path that ends in a solution is off it by, at most, as a part of its size: far more than
-/// the tracker leaves.
+/// The largest error of a path that ends in a solution, as a part of its size: far more than the
+/// tracker leaves.
 const HERE: f64 = 1e-6;
 
 impl Trace {
@@ -133,7 +134,7 @@ const ROWS: usize = 4;
 /// Ways on which the form is taken away, until one leaves no point open.
 const WAYS: usize = 3;
 
-/// Where points go when the form is taken away.
+/// The ends of the points when the form is taken away.
 struct Ends<'a, E, const N: usize> {
     solutions: Fibre<'a, E, N>,
     outside: usize,
@@ -182,8 +183,8 @@ fn size<const N: usize>(place: &[Complex; N]) -> f64 {
     place.iter().map(|x| x.size()).fold(0.0, f64::max)
 }
 
-/// How much the sum of the points bends between three places in line, as a part of what a single
-/// point bends by: so much is added where one is missing.
+/// Returns the bend of the sum of the points between three places in line, as a part of that of a
+/// single point: one missing point adds that much.
 pub(super) fn miss<E: Equations<N>, const N: usize>(
     section: &Fibre<'_, E, N>,
     random: &mut Random,

@@ -1,5 +1,4 @@
-//! What is returned closes, also where conditions nearly depend on each other; what does not is
-//! counted.
+//! Results close, also where conditions nearly depend on each other; failures are counted.
 
 use super::super::*;
 use super::{coupler_at, point, spread};
@@ -7,7 +6,7 @@ use alloc::vec::Vec;
 use core::f64::consts::PI;
 use linkage_random::Random;
 
-/// How many random problems are looked at: so many, or with `LINKAGE_LONG` 10,000.
+/// Returns the number of random problems: so many, or with `LINKAGE_LONG` 10,000.
 fn count(few: usize) -> usize {
     match std::env::var_os("LINKAGE_LONG") {
         Some(_) => 10_000,

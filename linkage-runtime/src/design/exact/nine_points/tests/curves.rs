@@ -5,7 +5,7 @@ use super::super::{TRIPLES, nine_points_reporting};
 use core::f64::consts::TAU;
 use std::string::ToString;
 
-/// What is said before the first path is followed.
+/// Returns the refusal before the first path is followed.
 fn refused(points: [[f64; 2]; 9]) -> Unsolved {
     nine_points_reporting(&points, |_| false).expect_err("it is refused or stopped")
 }
