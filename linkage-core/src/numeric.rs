@@ -24,5 +24,6 @@ pub mod range;
 pub mod rank;
 #[cfg(feature = "alloc")]
 pub mod roots;
+pub mod vector;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub mod winding;

@@ -1,6 +1,7 @@
 //! All loops on numbers, closed together: equations may be more than unknowns.
 
 use linkage_core::numeric::cholesky;
+use linkage_core::numeric::vector::dot;
 use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, substitute};
 
@@ -94,10 +95,6 @@ fn largest<'x>(numbers: impl IntoIterator<Item = &'x f64>) -> f64 {
     numbers.fold(0.0, |a, x| if x > a || x.is_nan() { x } else { a })
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
 /// The numbers with which `columns` come nearest to `right`, by the normal equations.
 fn least_squares(columns: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
     let trace: f64 = columns.iter().map(|column| dot(column, column)).sum();
@@ -107,5 +104,5 @@ fn least_squares(columns: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
         row
     });
     let right: Vec<f64> = columns.iter().map(|column| dot(column, right)).collect();
-    cholesky::solve(lower.collect(), &right)
+    cholesky::solve(&lower.collect::<Vec<_>>(), &right)
 }

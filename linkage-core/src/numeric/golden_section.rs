@@ -25,6 +25,9 @@ impl Point {
     }
 }
 
+/// The share of an interval that each step keeps.
+pub const RATIO: f64 = 0.618_033_988_749_894_9;
+
 /// Golden section search between `a` and `b`: the lowest point seen, or the first one for which
 /// `enough` holds.
 pub fn descend(
@@ -33,12 +36,11 @@ pub fn descend(
     margin: &mut impl FnMut(f64) -> f64,
     enough: impl Fn(Point) -> bool,
 ) -> Point {
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
     const STEPS: usize = 70;
 
     let (mut low, mut high) = (a.x, b.x);
-    let mut left = Point::evaluate(high - GOLDEN * (high - low), margin);
-    let mut right = Point::evaluate(low + GOLDEN * (high - low), margin);
+    let mut left = Point::evaluate(high - RATIO * (high - low), margin);
+    let mut right = Point::evaluate(low + RATIO * (high - low), margin);
     let mut best = a.lower(b).lower(left).lower(right);
     for _ in 0..STEPS {
         if enough(best) || left.x >= right.x {
@@ -47,12 +49,12 @@ pub fn descend(
         if left.margin <= right.margin {
             high = right.x;
             right = left;
-            left = Point::evaluate(high - GOLDEN * (high - low), margin);
+            left = Point::evaluate(high - RATIO * (high - low), margin);
             best = best.lower(left);
         } else {
             low = left.x;
             left = right;
-            right = Point::evaluate(low + GOLDEN * (high - low), margin);
+            right = Point::evaluate(low + RATIO * (high - low), margin);
             best = best.lower(right);
         }
     }

@@ -105,7 +105,7 @@ fn step(rows: &impl Rows, slope: &[f64], damping: f64) -> Option<Vec<f64>> {
         .collect();
     let most = (0..slope.len()).fold(0.0, |most: f64, i| most.max(matrix[i][i]));
     (0..slope.len()).for_each(|i| matrix[i][i] += damping * most);
-    cholesky::solve(matrix, slope)
+    cholesky::solve(&matrix, slope)
 }
 
 fn largest(all: &[f64]) -> f64 {

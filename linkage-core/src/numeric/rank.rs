@@ -1,6 +1,7 @@
 //! Ranks of matrices of plain numbers by elimination: independence of rows and columns,
 //! combinations, null vectors.
 
+use super::vector::dot;
 use crate::math::double::sqrt;
 use alloc::vec::Vec;
 
@@ -153,10 +154,6 @@ pub fn null_vectors(matrix: &[Vec<f64>], width: usize, [least, last]: [f64; 2]) 
         vector
     });
     vectors.collect()
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// Returns whether no column is a combination of those before it. A column is one if less than

@@ -1,11 +1,12 @@
 //! All solutions of a coupled group over a slab, strand by strand.
 
-use super::curve::{Curve, Node, dot};
+use super::curve::{Curve, Node};
 use super::slab::Slab;
 use super::trace::Strand;
 use crate::AssemblyError;
 use crate::generated::{CoupledGroup, CoupledPrograms, list};
 use alloc::vec::Vec;
+use linkage_core::numeric::vector::dot;
 
 /// Newton steps for all curves of a slab.
 const CORRECTIONS: usize = 1_000_000;

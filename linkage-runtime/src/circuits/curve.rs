@@ -6,6 +6,7 @@ use crate::numeric::roots::Variable;
 use alloc::vec;
 use alloc::vec::Vec;
 use linkage_core::math;
+use linkage_core::numeric::vector::dot;
 
 /// The derivative by the parameter is a difference over this. Its error is divided by the determinant, so it is short.
 const DIFFERENCE: f64 = 1e-8;
@@ -220,8 +221,4 @@ impl Curve<'_> {
         }
         state
     }
-}
-
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

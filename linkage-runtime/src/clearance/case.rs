@@ -5,8 +5,9 @@
 //! square of the distance is `q = E.E/2`, smooth in angle, places and parameters. Where a place is free, `dq/ds = 0`
 //! tells it; second derivatives are those of `q` less what the free places take up: `q_xy - q_xf (q_ff)^-1 q_fy`.
 
-use super::shape::{Jet, Pair, Part, difference, dot, edge};
+use super::shape::{Jet, Pair, Part, difference, edge};
 use crate::components::norm;
+use linkage_core::numeric::vector::dot;
 
 /// The distance of two parts at one angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,7 +76,7 @@ impl<const K: usize> Case<K> {
                     false => dot(&beside, &across) / dot(&across, &across),
                 };
                 // From `t`: the gap stays across the first edge, wherever rounding put the place on the second one.
-                let left = core::array::from_fn(|k| base[0][k] - t * w[0][k]);
+                let left: [f64; K] = core::array::from_fn(|k| base[0][k] - t * w[0][k]);
                 [-dot(&left, &u[0]) / uu, t]
             }
         };

@@ -208,8 +208,8 @@ fn products(rows: &[Vec<f64>], vector: &[f64]) -> Vec<f64> {
 
 /// The shortest vector with these products with the rows; nothing if these are not independent.
 fn across(rows: &[Vec<f64>], along: &[f64]) -> Option<Vec<f64>> {
-    let matrix = rows.iter().map(|row| products(rows, row)).collect();
-    let weights = cholesky::solve(matrix, along)?;
+    let matrix: Vec<Vec<f64>> = rows.iter().map(|row| products(rows, row)).collect();
+    let weights = cholesky::solve(&matrix, along)?;
     let width = rows.first().map_or(0, Vec::len);
     let mut sum = vec![0.0; width];
     for (row, weight) in rows.iter().zip(weights) {

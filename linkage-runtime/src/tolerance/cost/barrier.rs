@@ -10,6 +10,7 @@ use alloc::vec::Vec;
 
 use super::problem::{Cheapest, Condition, Term, length, vector};
 use linkage_core::numeric::cholesky;
+use linkage_core::numeric::vector::dot;
 
 /// Newton steps for each `mu`, and values of `mu`.
 const STEPS: usize = 60;
@@ -103,7 +104,7 @@ impl Problem {
         for _ in 0..STEPS {
             let (gradient, hessian) = self.derivatives(point, mu);
             let downhill: Vec<f64> = gradient.iter().map(|g| -g).collect();
-            let Some(step) = cholesky::solve(hessian, &downhill) else {
+            let Some(step) = cholesky::solve(&hessian, &downhill) else {
                 return;
             };
             let decrement: f64 = -step.iter().zip(&gradient).map(|(s, g)| s * g).sum::<f64>();
@@ -187,8 +188,4 @@ impl Problem {
         });
         (lowest.sum::<f64>() - total).max(0.0)
     }
-}
-
-fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    super::super::modulus::dot(a, b)
 }

@@ -5,9 +5,9 @@ use alloc::vec::Vec;
 
 use super::Slopes;
 use crate::components::{in_space, norm};
-use crate::design::quadratic::dot;
 use crate::tolerance::Tolerances;
 use crate::tolerance::modulus::corners as corners_of;
+use linkage_core::numeric::vector::dot;
 
 /// What an error is measured by.
 #[derive(Clone, Copy, Debug, PartialEq)]
