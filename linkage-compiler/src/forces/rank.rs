@@ -1,4 +1,5 @@
-//! Whether equations that are solved together tell their unknowns, by numbers: matching sees only which unknowns an equation contains.
+//! The numeric test that equations which are solved together determine their unknowns: matching
+//! sees only the unknowns of an equation.
 
 use linkage_core::numeric::rank::is_singular;
 use linkage_symbolic::Ex;
@@ -6,11 +7,13 @@ use linkage_symbolic::Ex;
 use super::positions::Positions;
 use super::system::System;
 
-/// Equations that differ by a smaller share repeat each other: far above what rounding leaves, far below what is left near a dead point.
+/// Equations that differ by a smaller share repeat each other: far above what rounding leaves, far
+/// below what is left near a dead point.
 const INDEPENDENT: f64 = 1e-9;
 
 impl System<'_> {
-    /// True if the equations of a block repeat each other at all positions where the mechanism closes.
+    /// True if the equations of a block repeat each other at all positions where the mechanism
+    /// closes.
     pub(super) fn repeats(&self, block: &[usize], positions: &Positions) -> bool {
         let unknowns = self.unknowns_of(block);
         let entries = block

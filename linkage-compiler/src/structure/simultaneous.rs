@@ -8,21 +8,25 @@ use linkage_symbolic::{Ex, SymbolId, substitute};
 use super::equations::{Coordinate, CoordinateKind};
 use crate::algebra::Nominal;
 
-/// Loops that miss by no more than this share of their links close: rounding is thousand times less.
+/// Loops that miss by no more than this share of their links close: rounding is thousand times
+/// less.
 const CLOSED: f64 = 1e-12;
 
-/// Differences for slopes: the error of a central difference is about this squared, its rounding the last place divided by it.
+/// Differences for slopes: the error of a central difference is about this squared, its rounding
+/// the last place divided by it.
 const STEP: f64 = 1e-5;
 
-/// Newton's method from an estimate 60 degrees away takes about ten steps of at most half a radian each.
+/// Newton's method from an estimate 60 degrees away takes about ten steps of at most half a radian
+/// each.
 const STEPS: usize = 40;
 const LONGEST_STEP: f64 = 0.5;
 
-/// Keeps a matrix regular where unknowns are not determined at all; too small to slow anything down.
+/// Keeps a matrix regular where unknowns are not determined at all; too small to slow anything
+/// down.
 const DAMPING: f64 = 1e-14;
 
-/// A column of which less than this share points across those before it is a combination of them: far above the error of differences, and the
-/// limit of a dead point.
+/// The limit of independence: a column of which a smaller share is across those before it is a
+/// combination of them. It is far above the error of differences, and the limit of a dead point.
 pub(super) const ACROSS: f64 = 1e-6;
 
 /// Loops on numbers.
@@ -30,14 +34,14 @@ pub(super) struct Together<'a, 'm> {
     pub(super) rows: Vec<Ex<'m>>,
     pub(super) coordinates: &'a [Coordinate],
     pub(super) symbols: Vec<Vec<SymbolId>>,
-    /// Where the search begins.
+    /// The start of the search.
     pub(super) estimates: Vec<f64>,
-    /// What counts like a radian, by coordinate.
+    /// The unit of each coordinate, comparable to a radian.
     pub(super) scales: Vec<f64>,
 }
 
 impl Together<'_, '_> {
-    /// By how much every row misses.
+    /// Returns the closure error of every row.
     fn missing(&self, x: &[f64], at: &Nominal) -> Vec<f64> {
         let graph = self.rows[0].graph();
         let mut values = Map::new();
@@ -52,7 +56,7 @@ impl Together<'_, '_> {
         at.evaluate(&substitute(&self.rows, &values))
     }
 
-    /// How the rows change with each coordinate, measured by its scale.
+    /// Returns the derivatives of the rows with respect to each coordinate in its unit.
     pub(super) fn slopes(&self, x: &[f64], at: &Nominal) -> Vec<Vec<f64>> {
         let slopes = (0..x.len()).map(|k| {
             let side = |sign: f64| {

@@ -6,8 +6,8 @@ use crate::math::double::sqrt;
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// Solves `matrix * x = right`; `None` if the matrix is not positive definite. Rows may end with the
-/// diagonal.
+/// Solves `matrix * x = right`; `None` if the matrix is not positive definite. Rows may end with
+/// the diagonal.
 pub fn solve(matrix: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
     let n = right.len();
     let mut lower = vec![0.0; n * n];

@@ -13,7 +13,7 @@ mod long;
 use super::ball::Ball;
 use super::long::Long;
 use super::real::Real;
-use linkage_core::numeric::complex::Complex;
+use linkage_core::numeric::complex::{Complex, Ring};
 use linkage_core::numeric::complex_matrix;
 use linkage_core::numeric::double_double::DoubleDouble;
 pub(super) use long::certify_long;
@@ -71,27 +71,59 @@ pub(super) fn certify<const N: usize, S: System<N>>(
     point: &Point<N>,
     system: &S,
 ) -> Option<Certificate<N>> {
-    let discs = one_solution(point, system)?;
-    let mirrored = mirrored::<N, S, f64>(&discs);
-    let mut images = discs.iter().zip(mirrored);
-    if images.any(|(disc, image)| disc.is_apart_from(image)) {
-        let real = Some(false);
-        return Some(Certificate { discs, real });
+    let half = Complex::from(0.5).wide();
+    let apart = |disc: Ball, image| disc.is_apart_from(image);
+    let (discs, real) =
+        decided::<N, S, _, _>(point, half, apart, |point| one_solution(point, system))?;
+    Some(Certificate { discs, real })
+}
+
+/// Discs around a solution, and whether it is real; nothing if undecided.
+type Decided<const N: usize, R> = ([Ball<R>; N], Option<bool>);
+
+/// Decides whether the solution near `point` is real. `apart` tests that two discs are, and
+/// `one_solution` gives discs with one solution.
+fn decided<const N: usize, S: System<N>, P: Ring, R: Real>(
+    point: &[Complex<P>; N],
+    half: Complex<P>,
+    apart: impl Fn(Ball<R>, Ball<R>) -> bool,
+    one_solution: impl Fn(&[Complex<P>; N]) -> Option<[Ball<R>; N]>,
+) -> Option<Decided<N, R>> {
+    let discs = one_solution(point)?;
+    let images = core::array::from_fn::<_, N, _>(|i| discs[S::partner(i)].conjugate());
+    if discs
+        .iter()
+        .zip(images)
+        .any(|(&disc, image)| apart(disc, image))
+    {
+        return Some((discs, Some(false)));
     }
     // Discs that are their own mirror image hold the mirror image of their only solution.
-    let half = Complex::new(0.5, 0.0).wide();
     let middle = core::array::from_fn(|i| (point[i] + point[S::partner(i)].conjugate()) * half);
-    Some(match one_solution(&middle, system) {
-        Some(discs) => Certificate {
-            discs,
-            real: Some(true),
-        },
-        None => Certificate { discs, real: None },
+    Some(match one_solution(&middle) {
+        Some(discs) => (discs, Some(true)),
+        None => (discs, None),
     })
 }
 
-fn mirrored<const N: usize, S: System<N>, R: Real>(discs: &[Ball<R>; N]) -> [Ball<R>; N] {
-    core::array::from_fn(|i| discs[S::partner(i)].conjugate())
+/// Refines a solution by Newton's steps with residuals of twice the digits. The error is the last
+/// point, where the matrix is singular.
+pub(super) fn refined<const N: usize>(
+    start: &[Complex; N],
+    steps: usize,
+    values: impl Fn(&Point<N>) -> [Complex; N],
+    matrix: impl Fn(&[Complex; N]) -> complex_matrix::Matrix<N>,
+) -> Result<Point<N>, Point<N>> {
+    let mut point = start.map(Complex::wide);
+    for _ in 0..steps {
+        let mut right = [values(&point).map(|value| -value)];
+        let mut matrix = matrix(&point.map(Complex::narrow));
+        if complex_matrix::solve_scaled(&mut matrix, &mut right) == 0.0 {
+            return Err(point);
+        }
+        point = core::array::from_fn(|i| point[i] + right[0][i].wide());
+    }
+    Ok(point)
 }
 
 fn one_solution<const N: usize, S: System<N>>(point: &Point<N>, system: &S) -> Option<[Ball; N]> {

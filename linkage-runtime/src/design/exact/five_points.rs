@@ -14,7 +14,6 @@ use super::verify;
 use crate::numeric::roots::{self, Term, Variable};
 use alloc::vec::Vec;
 use linkage_core::numeric::complex::{Complex, ONE, Ring, ZERO};
-use linkage_core::numeric::complex_matrix;
 
 /// The four-bars through five points.
 #[derive(Clone, Debug, PartialEq)]
@@ -229,19 +228,14 @@ impl Task {
 
     /// Newton's steps with residuals of twice the digits.
     fn refined(&self, start: [Complex; ALL]) -> Point<ALL> {
-        let mut all = start.map(Complex::wide);
-        for _ in 0..STEPS {
+        let values = |all: &_| {
             let (values, _) =
-                self.system(&all, [ZERO, ONE].map(Complex::wide), |shift| shift.wide());
-            let plain = |shift: &Shift| shift.wide().map(Complex::narrow);
-            let (_, mut matrix) = self.system(&all.map(Complex::narrow), [ZERO, ONE], plain);
-            let mut right = [values.map(|value| -value.narrow())];
-            if complex_matrix::solve_scaled(&mut matrix, &mut right) == 0.0 {
-                break;
-            }
-            all = core::array::from_fn(|i| all[i] + right[0][i].wide());
-        }
-        all
+                self.system(all, [ZERO, ONE].map(Complex::wide), |shift| shift.wide());
+            values.map(Complex::narrow)
+        };
+        let plain = |shift: &Shift| shift.wide().map(Complex::narrow);
+        let matrix = |all: &_| self.system(all, [ZERO, ONE], plain).1;
+        certificate::refined(&start, STEPS, values, matrix).unwrap_or_else(|last| last)
     }
 
     fn four_bar(&self, all: &[Complex; ALL]) -> (FourBar, [Pose; 5]) {

@@ -1,7 +1,7 @@
 //! The test with 77 digits, for solutions next to others and far away ones, where Jacobians of
 //! plain numbers are singular.
 
-use super::{Certificate, Evaluated, System, contracted, mirrored, times};
+use super::{Certificate, Evaluated, System, contracted, decided, times};
 use crate::design::exact::ball::Ball;
 use crate::design::exact::dense;
 use crate::design::exact::long::Long;
@@ -27,19 +27,10 @@ pub(in super::super) fn certify_long<const N: usize, S: System<N>>(
         return None;
     }
     let place = refined(start, system)?;
-    let discs = one_solution(&place, system)?;
-    let images = mirrored::<N, S, Long>(&discs);
-    let mut pairs = discs.iter().zip(images);
-    let (discs, real) = if pairs.any(|(disc, image)| disc.is_far_from(image)) {
-        (discs, Some(false))
-    } else {
-        let half = Complex::from(0.5).map(Long::exact);
-        let middle = core::array::from_fn(|i| (place[i] + place[S::partner(i)].conjugate()) * half);
-        match one_solution(&middle, system) {
-            Some(discs) => (discs, Some(true)),
-            None => (discs, None),
-        }
-    };
+    let half = Complex::from(0.5).map(Long::exact);
+    let far = |disc: Ball<Long>, image| disc.is_far_from(image);
+    let (discs, real) =
+        decided::<N, S, _, _>(&place, half, far, |place| one_solution(place, system))?;
     Some(Certificate {
         discs: discs.map(Ball::narrow),
         real,

@@ -18,7 +18,6 @@ use crate::design::parallel::in_parallel;
 use alloc::collections::BTreeSet;
 use alloc::vec::Vec;
 use linkage_core::numeric::complex::{Complex, ONE, ZERO};
-use linkage_core::numeric::complex_matrix;
 use linkage_core::numeric::double_double::DoubleDouble;
 
 pub(super) type Certificate = certificate::Certificate<ALL>;
@@ -197,18 +196,12 @@ impl Data {
 
     /// Newton's steps with residuals of twice the digits.
     fn refined(&self, start: &Unknowns<Complex>) -> Option<Point<ALL>> {
-        let mut unknowns = start.map(Complex::wide);
-        for _ in 0..STEPS {
-            let (values, _) = equations::all(&unknowns, &self.wide, [ZERO, ONE].map(Complex::wide));
-            let plain = unknowns.map(Complex::narrow);
-            let (_, mut matrix) = equations::all(&plain, &self.plain, [ZERO, ONE]);
-            let mut right = [values.map(|value| -value.narrow())];
-            if complex_matrix::solve_scaled(&mut matrix, &mut right) == 0.0 {
-                return None;
-            }
-            unknowns = core::array::from_fn(|i| unknowns[i] + right[0][i].wide());
-        }
-        Some(unknowns)
+        let values = |unknowns: &_| {
+            let (values, _) = equations::all(unknowns, &self.wide, [ZERO, ONE].map(Complex::wide));
+            values.map(Complex::narrow)
+        };
+        let matrix = |unknowns: &_| equations::all(unknowns, &self.plain, [ZERO, ONE]).1;
+        certificate::refined(start, STEPS, values, matrix).ok()
     }
 }
 

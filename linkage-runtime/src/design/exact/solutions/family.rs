@@ -96,16 +96,9 @@ impl<'a, E: Equations<N>, const N: usize> Member<'a, E, N> {
 
     /// One for which residuals of 32 digits are enough.
     pub(super) fn shown_soon(&self, place: &[Complex; N]) -> Option<Certificate<N>> {
-        let mut point: Point<N> = place.map(Complex::wide);
-        for _ in 0..STEPS {
-            let values = self.evaluated(&point).map(Complex::narrow);
-            let (_, mut matrix) = self.differentiated(&point.map(Complex::narrow));
-            let mut right = [values.map(|value| -value)];
-            if complex_matrix::solve_scaled(&mut matrix, &mut right) == 0.0 {
-                return None;
-            }
-            point = core::array::from_fn(|i| point[i] + right[0][i].wide());
-        }
+        let values = |point: &Point<N>| self.evaluated(point).map(Complex::narrow);
+        let matrix = |place: &_| self.differentiated(place).1;
+        let point = certificate::refined(place, STEPS, values, matrix).ok()?;
         certificate::certify(&point, self)
     }
 }
