@@ -1,8 +1,10 @@
-//! Counterweights that make the shaking force of a cycle small, and with it the shaking moment if that is asked for.
+//! Counterweights that make the shaking force of a cycle small, and with it the shaking moment if
+//! that is asked for.
 //!
-//! Unit masses at chosen points of the links add fixed *effects* `E` to the shaking force `f` of each position, so that masses
-//! `z` leave `f + E z`. [`Balance`] finds the masses with the least mean square ([`Balance::mean_square`]) or the
-//! least peak ([`Balance::peak`]) of its length; [`StaticMoment`] and [`Counterweight`] are what to make of them.
+//! Unit masses at chosen points of the links add fixed *effects* `E` to the shaking force `f` of
+//! each position, so that masses `z` leave `f + E z`. [`Balance`] finds the masses with the least
+//! mean square ([`Balance::mean_square`]) or the least peak ([`Balance::peak`]) of its length;
+//! [`StaticMoment`] and [`Counterweight`] are means to realise them.
 
 mod basis;
 mod counterweight;
@@ -59,13 +61,14 @@ struct Group<const N: usize> {
 }
 
 impl<const N: usize> Balance<N> {
-    /// Forces, one for each position, and there the effects of each of the masses at 1: numbers, vectors, or arrays of up to three
-    /// components. Positions should be evenly spaced over the cycle, and dense enough for its peak.
+    /// Forces, one for each position, and there the effects of each of the masses at 1: numbers,
+    /// vectors, or arrays of up to three components. Positions should be evenly spaced over the
+    /// cycle, and dense enough for its peak.
     ///
     /// # Errors
     ///
-    /// `Nothing` without positions or masses, `Count` if there are not as many effects as forces, `NotFinite` for a number that
-    /// is NaN or infinite.
+    /// `Nothing` without positions or masses, `Count` if there are not as many effects as forces,
+    /// `NotFinite` for a number that is NaN or infinite.
     pub fn new<V, const K: usize>(forces: &[V], effects: &[[V; N]]) -> Result<Self, BalanceError>
     where
         V: Components<K>,
@@ -74,8 +77,9 @@ impl<const N: usize> Balance<N> {
         nothing.and(forces, effects, 1.0)
     }
 
-    /// A second quantity of the same masses, such as moments beside forces: it counts after division by `length`. With a length of
-    /// 200 mm, a moment of 200 N mm is as bad as a force of 1 N. Its positions may be others.
+    /// A second quantity of the same masses, such as moments beside forces: it counts after
+    /// division by `length`. With a length of 200 mm, a moment of 200 N mm is as bad as a force of
+    /// 1 N. Its positions may be others.
     ///
     /// The mean squares of all quantities are added; the peak is the largest of theirs.
     ///
@@ -103,8 +107,8 @@ impl<const N: usize> Balance<N> {
     ///
     /// # Errors
     ///
-    /// `NoEffect` for a mass that changes nothing, `Dependent` for one whose effects are, to 12 digits, a combination of those
-    /// before it, `OutOfRange` if a result overflows.
+    /// `NoEffect` for a mass that changes nothing, `Dependent` for one whose effects are, to 12
+    /// digits, a combination of those before it, `OutOfRange` if a result overflows.
     pub fn mean_square(&self) -> Result<Solution<N>, BalanceError> {
         let rows = self.scaled(|group| {
             group.length * linkage_core::math::double::sqrt(group.rows.len() as f64)
@@ -116,8 +120,8 @@ impl<const N: usize> Balance<N> {
 
     /// The masses with the least peak: the length that is not exceeded at any position.
     ///
-    /// An interior point method; what it finds is as a rule within 1e-9 of the least possible peak, and `bound` says
-    /// how near it is.
+    /// An interior point method. Its result is as a rule within 1e-9 of the least possible peak,
+    /// and `bound` tells how near it is.
     ///
     /// # Errors
     ///
@@ -133,7 +137,7 @@ impl<const N: usize> Balance<N> {
         self.solution(values, |after| bound.clamp(0.0, after.peak))
     }
 
-    /// What masses leave, with the bound that belongs to it.
+    /// Builds the solution for masses, with the bound that belongs to it.
     fn solution(
         &self,
         values: [f64; N],
@@ -152,7 +156,8 @@ impl<const N: usize> Balance<N> {
         })
     }
 
-    /// Root mean square and peak that masses leave: of several quantities together, as they are minimised.
+    /// Root mean square and peak with these masses: of several quantities together, as they are
+    /// minimised.
     #[must_use]
     pub fn figures(&self, values: &[f64; N]) -> Figures {
         let figures = self.groups.iter().map(|group| {
@@ -162,8 +167,8 @@ impl<const N: usize> Balance<N> {
         figures.fold(Figures::default(), Figures::and)
     }
 
-    /// Root mean square and peak that masses leave of each quantity, in its own unit: forces first, then what was
-    /// added.
+    /// Root mean square and peak with these masses for each quantity, in its own unit: forces
+    /// first, then the added ones.
     #[must_use]
     pub fn figures_of_each(&self, values: &[f64; N]) -> Vec<Figures> {
         let groups = self.groups.iter();

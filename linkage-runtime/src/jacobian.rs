@@ -1,4 +1,5 @@
-//! Jacobians of mechanisms with as many results as inputs: both ways, for motions and for forces, and where they are singular.
+//! Jacobians of mechanisms with as many results as inputs: both ways, for motions and for forces,
+//! and where they are singular.
 
 mod factors;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
@@ -16,8 +17,9 @@ use small_matrix::{dot, transposed};
 
 /// The derivatives of `N` results by `N` inputs.
 ///
-/// Results and inputs can be chosen freely: of an ankle with two motors, the angles of the foot by those of the motors, or the other
-/// way round. Where it is singular, what is divided by zero is not finite.
+/// Results and inputs can be chosen freely: of an ankle with two motors, the angles of the foot by
+/// those of the motors, or the other way round. Where it is singular, what is divided by zero is
+/// not finite.
 ///
 /// ```
 /// use linkage_runtime::jacobian::Jacobian;
@@ -38,14 +40,16 @@ pub struct Jacobian<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> Jacobian<T, N> {
-    /// From the derivatives of each result by all inputs, as `velocity(result)` gives them in a function of several inputs.
+    /// Builds the Jacobian from the derivatives of each result with respect to all inputs, as
+    /// `velocity(result)` gives them in a function of several inputs.
     #[must_use]
     pub fn of_results(rows: [[T; N]; N]) -> Self {
         Self { rows }
     }
 
-    /// From the derivatives of all results by each input: `velocity(point)` of a point of as many components as there are inputs, each
-    /// brought to an array by `.into()`.
+    /// Builds the Jacobian from the derivatives of all results with respect to each input:
+    /// `velocity(point)` of a point of as many components as there are inputs, each brought to an
+    /// array by `.into()`.
     #[must_use]
     pub fn of_inputs(columns: [[T; N]; N]) -> Self {
         Self {
@@ -59,8 +63,9 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
         self.rows
     }
 
-    /// Without dimensions: results in these units, inputs in those. Singular values, condition and manipulability compare what results and
-    /// inputs do, which only means something if they are of one kind; for an angle beside a length the unit is a length that belongs to the
+    /// Returns the Jacobian without dimensions: results in these units, inputs in those. Singular
+    /// values, condition and manipulability compare results with inputs, which only means something
+    /// if they are of one kind. For an angle and a length the unit is a length that belongs to the
     /// task.
     #[must_use]
     pub fn in_units(&self, results: [T; N], inputs: [T; N]) -> Self {
@@ -73,13 +78,13 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
         }
     }
 
-    /// How fast the results are when the inputs are so fast.
+    /// Returns the rates of the results for these rates of the inputs.
     #[must_use]
     pub fn results_of(&self, inputs: [T; N]) -> [T; N] {
         self.rows.map(|row| dot(row, inputs))
     }
 
-    /// How fast the inputs must be for the results to be so fast.
+    /// Returns the rates of the inputs for these rates of the results.
     #[must_use]
     pub fn inputs_of(&self, results: [T; N]) -> [T; N] {
         Factors::of_rows(self.rows).solve(results)
@@ -99,36 +104,40 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
         Factors::of_rows(self.rows).determinant()
     }
 
-    /// The forces or torques at the inputs that do the same work as these at the results: `J^T` times the loads. Drives that carry the loads
-    /// exert the opposite ones, without friction and masses.
+    /// The forces or torques at the inputs that do the same work as these at the results: `J^T`
+    /// times the loads. Drives that carry the loads exert the opposite ones, without friction and
+    /// masses.
     #[must_use]
     pub fn efforts(&self, loads: [T; N]) -> [T; N] {
         transposed(self.rows).map(|column| dot(column, loads))
     }
 
-    /// What these forces or torques at the inputs do at the results.
+    /// Returns the loads at the results that correspond to these forces or torques at the inputs.
     #[must_use]
     pub fn loads(&self, efforts: [T; N]) -> [T; N] {
         Factors::of_rows(transposed(self.rows)).solve(efforts)
     }
 
-    /// The singular values, the largest first: the lengths of the half axes of the ellipsoid of velocities that inputs of a total of 1 (the
-    /// root of the sum of their squares) can give, by which loads are divided.
+    /// The singular values, the largest first: the lengths of the half axes of the ellipsoid of
+    /// velocities that inputs of a total of 1 (the root of the sum of their squares) can give, by
+    /// which loads are divided.
     #[must_use]
     pub fn singular_values(&self) -> [T; N] {
         singular_values::singular_values(transposed(self.rows))
     }
 
-    /// The largest singular value over the smallest: 1 where all directions are alike, infinite at a singular position. Errors and loads grow
-    /// by at most this factor more in one direction than in another.
+    /// The largest singular value over the smallest: 1 where all directions are alike, infinite at
+    /// a singular position. Errors and loads grow by at most this factor more in one direction than
+    /// in another.
     #[must_use]
     pub fn condition(&self) -> T {
         let values = self.singular_values();
         values[0] / values[N - 1]
     }
 
-    /// Yoshikawa's measure of how well the results can be moved, `sqrt(det(J J^T))`, here the size of the determinant (T. Yoshikawa,
-    /// "Manipulability of robotic mechanisms", Int. J. Robotics Research 4, 1985).
+    /// Yoshikawa's measure of how well the results can be moved, `sqrt(det(J J^T))`, here the size
+    /// of the determinant (T. Yoshikawa, "Manipulability of robotic mechanisms", Int. J. Robotics
+    /// Research 4, 1985).
     #[must_use]
     pub fn manipulability(&self) -> T {
         self.determinant().abs()

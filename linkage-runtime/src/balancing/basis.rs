@@ -1,4 +1,5 @@
-//! Perpendicular columns for the effects, so that the size of the masses and the likeness of their effects do no harm.
+//! Perpendicular columns for the effects, so that the size of the masses and the likeness of their
+//! effects do no harm.
 
 use alloc::vec::Vec;
 
@@ -6,10 +7,12 @@ use super::BalanceError;
 use super::rows::{ForceRow, add, dot};
 use crate::components::norm;
 
-/// The effects as a product: columns of length 1 that are perpendicular to each other, times a triangular matrix.
+/// The effects as a product: columns of length 1 that are perpendicular to each other, times a
+/// triangular matrix.
 pub(super) struct Basis<const N: usize> {
     columns: Vec<[[f64; 3]; N]>,
-    /// Column `j` of the scaled effects is the sum of `triangle[i][j]` times column `i` of the basis.
+    /// Column `j` of the scaled effects is the sum of `triangle[i][j]` times column `i` of the
+    /// basis.
     triangle: [[f64; N]; N],
     scales: [f64; N],
 }
@@ -18,8 +21,8 @@ pub(super) struct Basis<const N: usize> {
 const DEPENDENT: f64 = 1e-12;
 
 impl<const N: usize> Basis<N> {
-    /// By the modified process of Gram and Schmidt, with every projection made twice: then the columns are perpendicular to
-    /// rounding.
+    /// Orthogonalises by the modified process of Gram and Schmidt, with every projection made
+    /// twice: then the columns are perpendicular to rounding.
     pub(super) fn new(rows: &[ForceRow<N>]) -> Result<Self, BalanceError> {
         let mut columns: Vec<[[f64; 3]; N]> = rows.iter().map(|row| row.effects).collect();
         let mut triangle = [[0.0; N]; N];
@@ -57,7 +60,8 @@ impl<const N: usize> Basis<N> {
         &self.columns
     }
 
-    /// The coordinates that take most away from the forces, and what remains of these: perpendicular to all columns.
+    /// The coordinates that take most away from the forces, and what remains of these:
+    /// perpendicular to all columns.
     pub(super) fn project(&self, rows: &[ForceRow<N>]) -> ([f64; N], Vec<[f64; 3]>) {
         let mut rest: Vec<[f64; 3]> = rows.iter().map(|row| row.force).collect();
         let mut coordinates = [0.0; N];

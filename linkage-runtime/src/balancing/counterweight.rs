@@ -16,13 +16,13 @@ pub struct Counterweight {
 }
 
 impl Counterweight {
-    /// One mass in place of three: one at the link's origin, and two at a radius from it, 90 degrees apart: mass and
-    /// static moment are the same.
+    /// One mass in place of three: one at the link's origin, and two at a radius from it, 90
+    /// degrees apart: mass and static moment are the same.
     ///
     /// # Errors
     ///
-    /// `Counterweight` if a number is not finite, the radius is not positive, or the masses add up to 0 and have a static moment,
-    /// which no single mass has.
+    /// `Counterweight` if a number is not finite, the radius is not positive, or the masses add up
+    /// to 0 and have a static moment, which no single mass has.
     pub fn of_masses([at_origin, m_x, m_y]: [f64; 3], radius: f64) -> Result<Self, BalanceError> {
         positive("the radius of the masses", radius)?;
         let mass = at_origin + m_x + m_y;
@@ -60,8 +60,8 @@ impl Counterweight {
     }
 }
 
-/// Mass times place on a link, in the axes of the link from its origin: what a counterweight on a link with a fixed pivot
-/// does to the shaking force, whatever its mass.
+/// Mass times place on a link, in the axes of the link from its origin: the effect of a
+/// counterweight on the shaking force if its link has a fixed pivot, whatever its mass.
 ///
 /// ```
 /// use linkage_runtime::balancing::StaticMoment;
@@ -108,7 +108,8 @@ impl StaticMoment {
     ///
     /// # Errors
     ///
-    /// `Counterweight` if the radius is not positive and finite, or the static moment is 0, which has no direction, or not finite.
+    /// `Counterweight` if the radius is not positive and finite, or the static moment is 0, which
+    /// has no direction, or not finite.
     pub fn at_radius(&self, radius: f64) -> Result<Counterweight, BalanceError> {
         positive("the radius of the counterweight", radius)?;
         let size = self.size();

@@ -1,4 +1,4 @@
-//! What is wrong with the numbers of a balance.
+//! Errors of the numbers of a balance.
 
 use core::fmt;
 
@@ -8,21 +8,21 @@ use core::fmt;
 pub enum BalanceError {
     /// There is nothing to balance.
     Nothing {
-        /// What there is none of.
+        /// The missing part.
         what: &'static str,
     },
     /// There are not as many rows of effects as forces.
     Count {
-        /// The quantity, counted from 0: the forces, then what was added.
+        /// The quantity, counted from 0: the forces, then the added ones.
         group: usize,
-        /// How many forces there are.
+        /// The number of forces.
         forces: usize,
-        /// How many rows of effects.
+        /// The number of rows of effects.
         effects: usize,
     },
     /// A force or an effect is NaN or infinite.
     NotFinite {
-        /// The quantity, counted from 0: the forces, then what was added.
+        /// The quantity, counted from 0: the forces, then the added ones.
         group: usize,
         /// The position, counted from 0.
         position: usize,
@@ -39,20 +39,22 @@ pub enum BalanceError {
         /// The mass, counted from 0.
         effect: usize,
     },
-    /// A mass has the effects of some combination of those before it, so that there are many solutions.
+    /// A mass has the effects of some combination of those before it, so that there are many
+    /// solutions.
     Dependent {
         /// The mass, counted from 0.
         effect: usize,
     },
-    /// The numbers are so large or so small that a result is beyond the range of floating point numbers.
+    /// The numbers are so large or so small that a result is beyond the range of floating point
+    /// numbers.
     OutOfRange,
     /// A number that no counterweight can be made of.
     Counterweight {
-        /// What it stands for.
+        /// The name of the quantity.
         what: &'static str,
         /// The number.
         value: f64,
-        /// What it must be.
+        /// The condition for the value.
         expected: &'static str,
     },
 }

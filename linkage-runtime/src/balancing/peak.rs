@@ -1,8 +1,9 @@
 //! Least peak: the point that makes the longest of the vectors `f_i + Q_i y` as short as possible.
 //!
-//! A primal-dual interior point method on: the least `tau` with `|f_i + Q_i y|^2 <= tau` at each position `i`. Its multipliers
-//! give a lower bound that does not depend on how well it has converged: with vectors `u_i` for which `sum Q_i^T u_i = 0`, any
-//! `y` has `sum u_i . f_i = sum u_i . (f_i + Q_i y) <= sum |u_i| * peak`.
+//! A primal-dual interior point method on: the least `tau` with `|f_i + Q_i y|^2 <= tau` at each
+//! position `i`. Its multipliers give a lower bound that does not depend on how well it has
+//! converged: with vectors `u_i` for which `sum Q_i^T u_i = 0`, any `y` has
+//! `sum u_i . f_i = sum u_i . (f_i + Q_i y) <= sum |u_i| * peak`.
 
 mod step;
 
@@ -15,19 +16,20 @@ use linkage_core::math::double::sqrt;
 use linkage_core::numeric::cholesky::Cholesky;
 use step::{LEAST_PIVOT, State};
 
-/// A point, and what no point goes below.
+/// A point, and a lower bound of the peak of all points.
 pub(super) struct LeastPeak<const N: usize> {
     pub(super) coordinates: [f64; N],
     pub(super) bound: f64,
 }
 
-/// Rounds of the method at most, rounds without progress that end it, and the gap between peak and bound, as part of the
-/// peak, that is small enough.
+/// Rounds of the method at most, rounds without progress that end it, and the gap between peak and
+/// bound, as part of the peak, that is small enough.
 const ROUNDS: usize = 100;
 const PATIENCE: usize = 5;
 const GAP: f64 = 1e-13;
 
-/// The coordinates of the least peak. The columns are of length 1 and perpendicular to each other and to the forces.
+/// The coordinates of the least peak. The columns are of length 1 and perpendicular to each other
+/// and to the forces.
 pub(super) fn least_peak<const N: usize>(
     forces: &[[f64; 3]],
     columns: &[[[f64; 3]; N]],
@@ -92,14 +94,15 @@ impl<const N: usize> Problem<N> {
         lengths.fold(0.0, larger)
     }
 
-    /// What the multipliers prove: with `u_i` the forces that remain times their multipliers, less what is along
-    /// the columns.
+    /// Returns the bound that the multipliers prove: with `u_i` the forces that remain times their
+    /// multipliers, less their part along the columns.
     fn bound(&self, point: &[f64; N], multipliers: &[f64]) -> f64 {
         let weighted = self.rows.iter().zip(multipliers);
         let mut u: Vec<[f64; 3]> = weighted
             .map(|(row, multiplier)| row.with(point).map(|x| multiplier * x))
             .collect();
-        // First where the multipliers are, which changes work and sizes alike; then the little that is left, anywhere.
+        // First where the multipliers are, which changes work and sizes alike; then the little that
+        // is left, anywhere.
         let sizes: Vec<f64> = u.iter().map(|u| norm(u)).collect();
         self.make_perpendicular(&mut u, &sizes);
         self.make_perpendicular(&mut u, &vec![1.0; sizes.len()]);
@@ -150,7 +153,8 @@ mod tests {
         }
     }
 
-    /// Whatever the point and the multipliers are, the bound is one, and it is only met at the optimum.
+    /// Whatever the point and the multipliers are, the bound is one, and it is only met at the
+    /// optimum.
     #[test]
     fn the_bound_holds_wherever_the_method_is() {
         let mut nearest = 0.0_f64;

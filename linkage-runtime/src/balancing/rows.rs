@@ -1,4 +1,4 @@
-//! The conditions: at each position a force, and what the masses add to it.
+//! The conditions: at each position a force, and the effects of the masses.
 
 use alloc::vec::Vec;
 
@@ -31,7 +31,7 @@ impl<const N: usize> ForceRow<N> {
         sum
     }
 
-    /// What masses add to the force.
+    /// Returns the effect of masses on the force.
     pub(super) fn change(&self, values: &[f64; N]) -> [f64; 3] {
         let mut sum = [0.0; 3];
         for (effect, value) in self.effects.iter().zip(values) {
@@ -95,7 +95,7 @@ where
     Ok(forces.iter().zip(effects).map(row).collect())
 }
 
-/// What masses leave of a group.
+/// Returns root mean square and peak of a group with these masses.
 pub(super) fn figures<const N: usize>(rows: &[ForceRow<N>], values: &[f64; N]) -> Figures {
     let lengths: Vec<f64> = rows.iter().map(|row| norm(&row.with(values))).collect();
     Figures {
@@ -104,7 +104,7 @@ pub(super) fn figures<const N: usize>(rows: &[ForceRow<N>], values: &[f64; N]) -
     }
 }
 
-/// How far the forces that masses leave, and sums over them, may be off by rounding.
+/// Returns a bound of the rounding error of the forces with masses, and of sums over them.
 pub(super) fn rounding<const N: usize>(rows: &[ForceRow<N>], values: &[f64; N]) -> f64 {
     let terms = |row: &ForceRow<N>| {
         let effects = row.effects.iter().zip(values);

@@ -1,11 +1,11 @@
-//! What comes out.
+//! The results of balancing.
 
 use core::fmt;
 
 use crate::words::rounded;
 use linkage_core::math::double::sqrt;
 
-/// How large a quantity is over the cycle.
+/// The size of a quantity over the cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Figures {
     /// The root of its mean square length.
@@ -33,7 +33,7 @@ impl Figures {
     }
 }
 
-/// Masses that balance, and what they leave.
+/// Masses that balance, and the remaining forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solution<const N: usize> {
     /// The masses, in units of those that the effects were given for.
@@ -42,8 +42,9 @@ pub struct Solution<const N: usize> {
     pub before: Figures,
     /// With them.
     pub after: Figures,
-    /// No masses leave less than this of what was minimised: by [`peak`](super::Balance::peak) the peak, proven
-    /// independently of how the masses were found; by [`mean_square`](super::Balance::mean_square) the root mean square, which is that of `after`.
+    /// The lower bound of the minimised figure for any masses: by [`peak`](super::Balance::peak)
+    /// the peak, proven independently of the search; by
+    /// [`mean_square`](super::Balance::mean_square) the root mean square, which is that of `after`.
     pub bound: f64,
 }
 

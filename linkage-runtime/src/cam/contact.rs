@@ -1,28 +1,31 @@
-//! Where and how a follower touches its cam.
+//! Contact of a follower with its cam.
 
 use super::plane::{direction, length, relative};
 use super::{Cam, Follower};
 use linkage_core::Scalar;
 use linkage_core::numeric::complex::{Complex, I};
 
-/// How the follower touches the cam at one angle.
+/// The contact between follower and cam at one angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
     /// The angle of the cam.
     pub angle: f64,
-    /// The roller's centre, in the cam's coordinates; of a flat face the foot of the way of its middle.
+    /// The roller's centre, in the cam's coordinates; of a flat face the foot of the way of its
+    /// middle.
     pub pitch: [f64; 2],
     /// The point of the profile.
     pub profile: [f64; 2],
-    /// From the follower's way to the contact normal, counter-clockwise; 0 for a flat face.
+    /// The angle between the follower's direction and the contact normal, counter-clockwise; 0 for
+    /// a flat face.
     pub pressure_angle: f64,
-    /// One over the radius of curvature of the pitch curve, positive where it is convex; of a flat face that of the profile.
+    /// One over the radius of curvature of the pitch curve, positive where it is convex; of a flat
+    /// face that of the profile.
     pub pitch_curvature: f64,
-    /// Radius of curvature of the profile, positive where it is convex. Where the pitch curve is convex and this is negative, the
-    /// profile is undercut.
+    /// Radius of curvature of the profile, positive where it is convex. Where the pitch curve is
+    /// convex and this is negative, the profile is undercut.
     pub radius: f64,
-    /// How fast the follower slides along the cam, for an angular speed of 1, if its roller does not turn; one that rolls turns on its
-    /// pin at this speed over its radius.
+    /// The sliding speed of the follower along the cam, for an angular speed of 1, if its roller
+    /// does not turn; one that rolls turns on its pin at this speed over its radius.
     pub sliding: f64,
 }
 
@@ -33,10 +36,10 @@ pub(super) struct Rate {
     pub(super) slope: f64,
 }
 
-/// What is looked at over the turn.
+/// The figures for a search over the turn.
 pub(super) struct Figures {
     pub(super) pressure: Rate,
-    /// Of the pitch curve; of a flat face the radius of the profile.
+    /// The curvature of the pitch curve; of a flat face the radius of the profile.
     pub(super) bend: Rate,
 }
 
@@ -75,7 +78,7 @@ impl<F: Fn(f64) -> [f64; 4]> Cam<F> {
         }
     }
 
-    /// How far a flat face is from the centre at the base.
+    /// Returns the distance of a flat face from the centre at the base.
     fn face(&self) -> f64 {
         match self.follower {
             Follower::Flat { base } => base,

@@ -9,21 +9,23 @@ use super::plane::direction;
 use linkage_core::Scalar;
 use linkage_core::numeric::complex::{Complex, I};
 
-/// What the cam moves. A roller of radius 0 is a point.
+/// The follower of a cam. A roller of radius 0 is a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Follower {
-    /// A roller that is pushed along a guide, upwards, to the right of the cam's centre by `offset`.
+    /// A roller that is pushed along a guide, upwards, to the right of the cam's centre by
+    /// `offset`.
     Roller {
-        /// Radius of the pitch circle: how far the roller's centre is from that of the cam where the motion is 0.
+        /// Radius of the pitch circle: how far the roller's centre is from that of the cam where
+        /// the motion is 0.
         base: f64,
-        /// How far the guide passes the cam's centre to the right.
+        /// The distance of the guide to the right of the cam's centre.
         offset: f64,
         /// Radius of the roller.
         radius: f64,
     },
-    /// A roller on an arm about a pivot to the right of the cam's centre, above the line between them. The motion is the arm's angle
-    /// from where the motion is 0, away from the cam.
+    /// A roller on an arm about a pivot to the right of the cam's centre, above the line between
+    /// them. The motion is the arm's angle from where the motion is 0, away from the cam.
     Swinging {
         /// Radius of the pitch circle.
         base: f64,
@@ -36,13 +38,13 @@ pub enum Follower {
     },
     /// A flat face that is pushed upwards, perpendicular to its way.
     Flat {
-        /// How far the face is from the cam's centre where the motion is 0.
+        /// The distance of the face from the cam's centre where the motion is 0.
         base: f64,
     },
 }
 
-/// The centre of a roller in the frame, with three derivatives, and the direction in which it is pushed, with the rate at which that
-/// turns.
+/// The centre of a roller in the frame, with three derivatives, and the direction in which it is
+/// pushed, with the rate at which that turns.
 pub(super) struct Centre {
     pub(super) jet: [Complex; 4],
     pub(super) way: Complex,
@@ -116,7 +118,7 @@ impl Follower {
         }
     }
 
-    /// Of a roller; `None` for a flat face.
+    /// Returns the centre of a roller; `None` for a flat face.
     pub(super) fn centre(&self, [s, first, second, third]: [f64; 4]) -> Option<Centre> {
         match *self {
             Self::Roller { base, offset, .. } => {

@@ -1,4 +1,5 @@
-//! A matrix as reflections and a triangle (Householder): no pivots, hence no branch, and as stable as with them.
+//! A matrix as reflections and a triangle (Householder): no pivots, hence no branch, and as stable
+//! as with them.
 
 use linkage_core::Scalar;
 
@@ -6,7 +7,8 @@ use super::small_matrix::dot;
 
 /// `Q R` of a square matrix.
 pub(super) struct Factors<T, const N: usize> {
-    /// The vectors across which columns are reflected, each with 2 over its square; 0 for one that is zero.
+    /// The vectors across which columns are reflected, each with 2 over its square; 0 for one that
+    /// is zero.
     mirrors: [([T; N], T); N],
     /// The triangle, by columns.
     triangle: [[T; N]; N],

@@ -1,4 +1,4 @@
-//! Where a path of positions passes singular ones.
+//! Singular positions on a path.
 
 use alloc::vec::Vec;
 
@@ -7,32 +7,34 @@ use super::Jacobian;
 /// Halvings that leave neighbouring numbers of any range.
 const HALVINGS: usize = 1100;
 
-/// Beside a pole the determinant has grown at least so much: it is one over the root of the distance, which is halved many times.
+/// Beside a pole the determinant has grown at least so much: it is one over the root of the
+/// distance, which is halved many times.
 const GROWN: f64 = 100.0;
 
-/// Positions that end shortly before a pole, as tables of coupled groups do: one over the determinant's square is a straight line there, which reaches
-/// zero within this part of a step beyond their end.
+/// Positions that end shortly before a pole, as tables of coupled groups do: one over the
+/// determinant's square is a straight line there, which reaches zero within this part of a step
+/// beyond their end.
 const SHORTLY: f64 = 1.0 / 64.0;
 
-/// How a position is singular (C. Gosselin, J. Angeles, "Singularity analysis of closed-loop kinematic chains", IEEE Trans. Robotics
-/// Automation 6, 1990).
+/// The kind of a singular position (C. Gosselin, J. Angeles, "Singularity analysis of closed-loop
+/// kinematic chains", IEEE Trans. Robotics Automation 6, 1990).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SingularityKind {
-    /// The determinant of the results by the inputs is zero: inputs move, and the results stand still in some direction. The drives carry any
-    /// load there.
+    /// The determinant of the results by the inputs is zero: inputs move, and the results stand
+    /// still in some direction. The drives carry any load there.
     First,
-    /// It is infinite: the results can move although the inputs stand still, and the drives hold no load in some direction. A dead point of
-    /// the mechanism that is driven by these inputs.
+    /// It is infinite: the results can move although the inputs stand still, and the drives hold no
+    /// load in some direction. A dead point of the mechanism that is driven by these inputs.
     Second,
-    /// Beyond are no positions although the determinant stays finite and heads for no pole: the end of a range that is served, or both kinds at
-    /// once.
+    /// Beyond are no positions although the determinant stays finite and heads for no pole: the end
+    /// of a range that is served, or both kinds at once.
     End,
 }
 
 /// A singular position on a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Singularity {
-    /// Where on the path, to the last digit of what the determinant tells.
+    /// The position on the path, to the last digit that the determinant determines.
     pub at: f64,
     /// In which way.
     pub kind: SingularityKind,
@@ -40,12 +42,14 @@ pub struct Singularity {
 
 /// The singular positions that a path passes, in order, and where its positions begin and end.
 ///
-/// `jacobian` gives the derivatives at a place of the path, not finite where there is no position. Between `steps + 1` places at equal
-/// distances changes of the determinant's sign, and borders to where it is not finite, are enclosed by halving. What happens twice
-/// between two neighbouring places is not seen, nor is a position that is touched and not passed.
+/// `jacobian` gives the derivatives at a place of the path, not finite where there is no position.
+/// Between `steps + 1` places at equal distances changes of the determinant's sign, and borders to
+/// where it is not finite, are enclosed by halving. What happens twice between two neighbouring
+/// places is not seen, nor is a position that is touched and not passed.
 ///
-/// What is prepared of a coupled group ends shortly before a dead point. That is told as one of the second kind, at the border, if the determinant grows
-/// towards it like one over the root of a distance that is less than a 64th of a step beyond the border: smaller steps ask for more.
+/// What is prepared of a coupled group ends shortly before a dead point. That is told as one of the
+/// second kind, at the border, if the determinant grows towards it like one over the root of a
+/// distance that is less than a 64th of a step beyond the border: smaller steps ask for more.
 ///
 /// ```
 /// use linkage_runtime::jacobian::{Jacobian, SingularityKind, singularities};
@@ -134,7 +138,8 @@ fn between(
     })
 }
 
-/// Whether the determinant has a pole shortly beyond the border at `near`; `far` is a step away on the side where positions are.
+/// Returns whether the determinant has a pole shortly beyond the border at `near`; `far` is a step
+/// away on the side where positions are.
 fn heads_for_pole(at: &mut impl FnMut(f64) -> Sample, near: Sample, far: Sample) -> bool {
     let beside = at(near.place + SHORTLY * (far.place - near.place));
     let [level, above] =

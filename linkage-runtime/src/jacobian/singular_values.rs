@@ -1,15 +1,17 @@
-//! Singular values by turning columns until they are perpendicular (one-sided Jacobi), which finds small ones to full relative accuracy
-//! (J. Demmel, K. Veselic, "Jacobi's method is more accurate than QR", SIAM J. Matrix Anal. Appl. 13, 1992).
+//! Singular values by turning columns until they are perpendicular (one-sided Jacobi), which finds
+//! small ones to full relative accuracy (J. Demmel, K. Veselic, "Jacobi's method is more accurate
+//! than QR", SIAM J. Matrix Anal. Appl. 13, 1992).
 
 use linkage_core::Scalar;
 
 use super::small_matrix::dot;
 
-/// Each sweep over all pairs squares what is left; from any matrix of up to six columns nothing is left after eight, and the last two
-/// are for columns of very different lengths.
+/// The number of sweeps. Each sweep over all pairs squares the remaining products; from any matrix
+/// of up to six columns nothing remains after eight, and the last two are for columns of very
+/// different lengths.
 const SWEEPS: usize = 10;
 
-/// Of a matrix by its columns, the largest first.
+/// Returns the singular values of a matrix of these columns, the largest first.
 pub(super) fn singular_values<T: Scalar, const N: usize>(mut columns: [[T; N]; N]) -> [T; N] {
     for _ in 0..SWEEPS {
         for second in 1..N {

@@ -46,7 +46,8 @@ fn singular_values_are_those_that_were_put_in() {
 
 #[test]
 fn small_singular_values_keep_their_digits() {
-    // Columns of very different lengths, by exact powers of two: (3, 4) and (4, -3) / 2^40, turned against each other.
+    // Columns of very different lengths, by exact powers of two: (3, 4) and (4, -3) / 2^40, turned
+    // against each other.
     let small = 2.0_f64.powi(-40);
     let jacobian = Jacobian::of_inputs([[3.0, 4.0], [4.0 * small, -3.0 * small]]);
     let [large, least] = jacobian.singular_values();
@@ -115,7 +116,8 @@ fn zeros_poles_and_ends_are_told_apart() {
         close(at, place, 1e-15);
         assert_eq!(kind, expected);
     }
-    // A root's pole at 2, of which the last stretch is not served: a hundredth of a step, and a tenth.
+    // A root's pole at 2, of which the last stretch is not served: a hundredth of a step, and a
+    // tenth.
     for (rest, kind) in [
         (1e-3, SingularityKind::Second),
         (1e-2, SingularityKind::End),

@@ -1,8 +1,8 @@
 //! The least cost under convex conditions.
 //!
 //! Minimises the sum of `c / u^k` where vectors `sum of row_i u_i` must not be longer than 1. Each
-//! position of a cycle has many such conditions, of which few matter. So a small set of them is solved,
-//! the tightest ones at the solution are added, and so on until nothing is violated.
+//! position of a cycle has many such conditions, of which few matter. So a small set of them is
+//! solved, the tightest ones at the solution are added, and so on until nothing is violated.
 
 mod barrier;
 mod problem;
@@ -11,7 +11,7 @@ use alloc::vec::Vec;
 pub(super) use problem::{Cheapest, Term};
 use problem::{Condition, length, norm};
 
-/// How often conditions are added.
+/// The number of times that conditions are added.
 const ROUNDS: usize = 60;
 /// A condition that is violated by less holds.
 const HOLDS: f64 = 1e-9;
@@ -117,7 +117,8 @@ fn closed(terms: &[Term], row: &[f64]) -> Cheapest {
 mod tests {
     use super::{Term, closed};
 
-    /// Nothing is cheaper than what one condition allows: the bound is the cost itself, with one exponent and with two.
+    /// Nothing is cheaper than what one condition allows: the bound is the cost itself, with one
+    /// exponent and with two.
     #[test]
     fn one_condition_is_solved_to_its_bound() {
         for exponents in [[1.0, 1.0], [1.0, 2.0]] {

@@ -2,7 +2,8 @@
 
 use core::fmt;
 
-/// How a dimension is distributed within its tolerance `t`, symmetrically about the middle of its zone.
+/// The distribution of a dimension within its tolerance `t`, symmetrically about the middle of its
+/// zone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Distribution {
     /// Normal with a standard deviation of `t / 3`: 0.27 % lie outside of the tolerance.
@@ -11,8 +12,8 @@ pub enum Distribution {
     Uniform,
     /// Triangular between the limits, most frequent in the middle.
     Triangular,
-    /// The sine of an angle that may be any: most frequent at the limits. That is what an eccentricity or a runout
-    /// does which is mounted as it comes.
+    /// The sine of an angle that may be any: most frequent at the limits. An eccentricity or a
+    /// runout of a part that is mounted at random has this distribution.
     Arcsine,
 }
 
@@ -39,8 +40,8 @@ impl Distribution {
         }
     }
 
-    /// The value, for a tolerance of 1, below which this part of all dimensions lies; by inversion, so
-    /// that each dimension takes one random number.
+    /// The value, for a tolerance of 1, below which this part of all dimensions lies; by inversion,
+    /// so that each dimension takes one random number.
     #[must_use]
     pub fn quantile(self, probability: f64) -> f64 {
         let p = probability;
@@ -54,7 +55,7 @@ impl Distribution {
     }
 }
 
-/// As in `uniform`.
+/// Writes a name such as `uniform`.
 impl fmt::Display for Distribution {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {
@@ -66,8 +67,8 @@ impl fmt::Display for Distribution {
     }
 }
 
-/// The quantile of the standard normal distribution by Wichura's algorithm AS 241 (PPND16), which is
-/// good to about 16 digits.
+/// The quantile of the standard normal distribution by Wichura's algorithm AS 241 (PPND16), which
+/// is good to about 16 digits.
 pub(super) fn normal(p: f64) -> f64 {
     let q = p - 0.5;
     if q.abs() <= 0.425 {

@@ -2,19 +2,22 @@
 
 use super::distribution::normal;
 
-/// From here on the series about the normal distribution is good to the last digits, up to confidences of 0.999999: a
-/// term is at least a hundred times as small as the one before it.
+/// The degrees of freedom beyond which the series about the normal distribution is good to the last
+/// digits, up to confidences of 0.999999: a term is at least a hundred times as small as the one
+/// before it.
 const MANY: f64 = 3000.0;
 /// An iteration of the continued fraction that has converged changes its value by roundoffs only.
 const SETTLED: f64 = 1e-16;
 
-/// The size that a variable of Student's distribution with these degrees of freedom exceeds with a probability of
-/// `1 - confidence`. NaN if the confidence is not between 0 and 1 or the degrees of freedom are below 1.
+/// The size that a variable of Student's distribution with these degrees of freedom exceeds with a
+/// probability of `1 - confidence`. NaN if the confidence is not between 0 and 1 or the degrees of
+/// freedom are below 1.
 pub(super) fn two_sided(confidence: f64, degrees: f64) -> f64 {
     outside(1.0 - confidence, degrees)
 }
 
-/// The size that such a variable exceeds with this probability, which keeps the digits of a small one.
+/// The size that such a variable exceeds with this probability, which keeps the digits of a small
+/// one.
 pub(crate) fn outside(outside: f64, degrees: f64) -> f64 {
     if !(outside > 0.0 && outside < 1.0 && degrees >= 1.0) {
         return f64::NAN;
@@ -30,8 +33,8 @@ pub(crate) fn outside(outside: f64, degrees: f64) -> f64 {
     newton(start, outside, degrees)
 }
 
-/// Quantiles about those of the normal distribution, by inverse powers of the degrees of freedom (Abramowitz and
-/// Stegun, 26.7.5).
+/// Quantiles about those of the normal distribution, by inverse powers of the degrees of freedom
+/// (Abramowitz and Stegun, 26.7.5).
 fn expansion(z: f64, degrees: f64) -> f64 {
     let (w, v) = (z * z, 1.0 / degrees);
     let first = (w + 1.0) / 4.0;
@@ -43,7 +46,7 @@ fn expansion(z: f64, degrees: f64) -> f64 {
     z * (1.0 + v * (first + v * (second + v * (third + v * (fourth + v * fifth)))))
 }
 
-/// Newton's method, and bisection where it leaves what is known.
+/// Solves by Newton's method, and by bisection where a step leaves the known interval.
 fn newton(start: f64, outside: f64, degrees: f64) -> f64 {
     let (mut low, mut high) = (0.0, f64::INFINITY);
     let mut t = start;
@@ -90,8 +93,8 @@ fn beyond(t: f64, degrees: f64) -> f64 {
     }
 }
 
-/// The beta function of `a` and 1/2: `sqrt(pi) gamma(a) / gamma(a + 1/2)`, by the asymptotic series of that ratio after
-/// some steps upwards.
+/// The beta function of `a` and 1/2: `sqrt(pi) gamma(a) / gamma(a + 1/2)`, by the asymptotic series
+/// of that ratio after some steps upwards.
 fn beta(a: f64) -> f64 {
     /// The series of five terms is good to 1e-17 from here on.
     const FAR: f64 = 30.0;
@@ -107,10 +110,11 @@ fn beta(a: f64) -> f64 {
     factor * series.exp() / a.sqrt()
 }
 
-/// The continued fraction of the incomplete beta function, by Lentz's method (Numerical Recipes, 6.4).
-/// `y` is `1 - x`.
+/// The continued fraction of the incomplete beta function, by Lentz's method (Numerical Recipes,
+/// 6.4). `y` is `1 - x`.
 fn fraction([x, y]: [f64; 2], a: f64, b: f64) -> f64 {
-    // The number of terms grows with the square root of the larger parameter: some hundred for the largest.
+    // The number of terms grows with the square root of the larger parameter: some hundred for the
+    // largest.
     const TERMS: i32 = 10_000;
     // `a + 1 - (a + b) x`, by the smaller of both parts of 1, which has more digits.
     let first = if x < 0.5 {
@@ -179,7 +183,8 @@ mod tests {
         for (degrees, confidence, quantile) in known {
             let found = two_sided(confidence, degrees);
             let off = (found / quantile - 1.0).abs();
-            // What a digit of the confidence does to the quantile, and the continued fraction's loss for many degrees.
+            // What a digit of the confidence does to the quantile, and the continued fraction's
+            // loss for many degrees.
             let limit = 2e-15 / (1.0 - confidence) + 1e-17 * degrees.min(3000.0);
             assert!(off < limit, "{degrees} {confidence}: {found}, {off:e} off");
         }

@@ -1,4 +1,4 @@
-//! Steps of the interior point method: a predictor, and a corrector that knows what the predictor has missed.
+//! Steps of the interior point method: a predictor, and a corrector for the error of the predictor.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -9,10 +9,11 @@ use linkage_core::numeric::cholesky::Cholesky;
 /// The least part of its diagonal that a pivot counts as, where rounding has taken it away.
 pub(super) const LEAST_PIVOT: f64 = 1e-15;
 
-/// How much of the way to zero a slack or a multiplier may go.
+/// The largest part of the distance to zero in one step of a slack or a multiplier.
 const BOUNDARY: f64 = 0.99;
 
-/// A point, `tau`, and for each position a slack, `tau - |f_i + Q_i y|^2` in the end, and a multiplier, both positive.
+/// A point, `tau`, and for each position a slack, `tau - |f_i + Q_i y|^2` in the end, and a
+/// multiplier, both positive.
 pub(super) struct State<const N: usize> {
     pub(super) point: [f64; N],
     tau: f64,
@@ -41,8 +42,8 @@ impl<const N: usize> State<N> {
         }
     }
 
-    /// The state after a step. Values that are not finite, after a breakdown by rounding, make no harm: they never count as
-    /// progress.
+    /// The state after a step. Values that are not finite, after a breakdown by rounding, make no
+    /// harm: they never count as progress.
     pub(super) fn next(&self, rows: &[ForceRow<N>]) -> Self {
         let system = System::new(rows, self);
         let products = |slacks: &[f64], multipliers: &[f64]| -> f64 {
@@ -96,11 +97,11 @@ impl<const N: usize> Step<N> {
     }
 }
 
-/// The linear system of a state. Slacks, multipliers and `tau` are eliminated from it: gradients of the squares count from
-/// their weighted mean.
+/// The linear system of a state. Slacks, multipliers and `tau` are eliminated from it: gradients of
+/// the squares count from their weighted mean.
 struct System<const N: usize> {
     gradients: Vec<[f64; N]>,
-    /// What a slack is too small by.
+    /// The errors of the slacks.
     lacks: Vec<f64>,
     /// Multiplier over slack, and their sum.
     weights: Vec<f64>,
@@ -150,7 +151,8 @@ impl<const N: usize> System<N> {
         }
     }
 
-    /// The step to products of slack and multiplier of `centres`, if the squares grow by `bends` beyond their gradients.
+    /// The step to products of slack and multiplier of `centres`, if the squares grow by `bends`
+    /// beyond their gradients.
     fn step(&self, state: &State<N>, centres: &[f64], bends: &[f64]) -> Step<N> {
         let count = self.weights.len();
         let lacks: Vec<f64> = (0..count).map(|i| self.lacks[i] - bends[i]).collect();

@@ -1,8 +1,8 @@
 //! An interior point method for few conditions.
 //!
 //! Newton's method on the cost minus `mu` times the logarithms of what the conditions leave, for a
-//! falling `mu`. The multipliers at the end give a bound that is valid whether or not the method has
-//! converged: each condition implies the linear one along its own direction, and with linear
+//! falling `mu`. The multipliers at the end give a bound that is valid whether or not the method
+//! has converged: each condition implies the linear one along its own direction, and with linear
 //! conditions the dual function is a sum of closed forms.
 
 use alloc::vec;
@@ -16,17 +16,18 @@ use linkage_core::numeric::vector::dot;
 const STEPS: usize = 60;
 const REDUCTIONS: usize = 9;
 const REDUCTION: f64 = 0.1;
-/// The last step at a value of `mu`: what it gains, in units of `mu`.
+/// The gain of the last step at a value of `mu`, in units of `mu`.
 const CENTRED: f64 = 1e-9;
-/// Below this gain, in units of `mu`, the merit's own rounding hides how much it falls: any finite merit is taken.
+/// Below this gain, in units of `mu`, the merit's own rounding hides how much it falls: any finite
+/// merit is taken.
 const HIDDEN: f64 = 1e-3;
 /// The part of the gain foretold that a step must bring, Armijo's usual one.
 const SUFFICIENT: f64 = 1e-4;
 /// Steps are not shortened further than to this part: no progress is left to make.
 const SHORTEST: f64 = 1e-12;
 
-/// The cheapest values that hold `conditions`; `start` need not hold them, but has the right order of
-/// size.
+/// The cheapest values that hold `conditions`; `start` need not hold them, but has the right order
+/// of size.
 pub(super) fn solve(terms: &[Term], start: &[f64], conditions: &[Condition]) -> Cheapest {
     let problem = Problem::scaled(terms, start, conditions);
     let mut point = vec![1.0; terms.len()];

@@ -14,7 +14,7 @@ impl Term {
         self.cost / value.powf(self.exponent)
     }
 
-    /// Where `cost / u^exponent + weight u` is lowest.
+    /// Returns the value with the least `cost / u^exponent + weight u`.
     pub(super) fn lowest(&self, weight: f64) -> f64 {
         (self.exponent * self.cost / weight).powf(1.0 / (self.exponent + 1.0))
     }
