@@ -65,7 +65,7 @@ pub(super) fn add_product<const N: usize>(
     for (i, &a) in a.iter().enumerate() {
         for (j, &b) in b.iter().enumerate() {
             for (k, &c) in c.iter().enumerate() {
-                sum[i + j + k] = sum[i + j + k] + sign * a * b * c;
+                sum[i + j + k] += sign * a * b * c;
             }
         }
     }

@@ -106,7 +106,7 @@ impl<const N: usize> Equation<N> {
                     product = product * powers[j][usize::from(exponent)];
                 }
             }
-            sum = sum + product;
+            sum += product;
         }
         sum
     }

@@ -59,7 +59,7 @@ pub(super) fn common(conics: &[Conic; 2]) -> Vec<Point> {
     let mut resultant = [ZERO; 5];
     for (i, &left) in ac.iter().enumerate() {
         for (j, &right) in ac.iter().enumerate() {
-            resultant[i + j] = resultant[i + j] + left * right;
+            resultant[i + j] += left * right;
         }
     }
     for (i, &left) in ab.iter().enumerate() {

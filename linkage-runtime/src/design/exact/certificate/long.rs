@@ -46,7 +46,7 @@ fn refined<const N: usize, S: System<N>>(start: &[Complex; N], system: &S) -> Op
         let step = dense::solve_long(middles(&matrix), right)?;
         let mut small = true;
         for (number, [step]) in place.iter_mut().zip(step) {
-            *number = *number + step;
+            *number += step;
             small &= step.map(Long::narrow).size() <= SMALL * number.map(Long::narrow).size();
         }
         if small {

@@ -194,7 +194,7 @@ pub(super) fn miss<E: Equations<N>, const N: usize>(
     let shift = here.through(&random.place()).constants[here.row] - here.constants[here.row];
     let moved = |by: f64| {
         let mut constants = here.constants;
-        constants[here.row] = constants[here.row] + shift.scaled(by);
+        constants[here.row] += shift.scaled(by);
         here.with_constants(constants)
     };
     let first = section.places();
