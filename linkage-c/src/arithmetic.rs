@@ -3,12 +3,11 @@
 use std::fmt::Write;
 
 use crate::comment::comment;
-use crate::helper::{Helper, Helpers};
+use crate::operations::Helpers;
 use crate::real::Real;
-use crate::refusal::Why;
-use crate::source::Writer;
-use crate::surface::Surface;
+use crate::surface::{Surface, Why};
 use crate::template::fill;
+use crate::writer::Writer;
 
 /// Returns the function that tests rounding, digits and the order of sums; the sine, if the mechanism has one, is tested with them.
 pub(crate) fn arithmetic(surface: &Surface, helpers: &Helpers) -> String {
@@ -28,7 +27,7 @@ pub(crate) fn arithmetic(surface: &Surface, helpers: &Helpers) -> String {
         })
     };
     let filled = |template: &str| fill(template, *real, own, word);
-    let sine = match helpers.has(Helper::SinCos) {
+    let sine = match helpers.has("sin_cos") {
         true => filled(include_str!("templates/arithmetic_sine.c")),
         false => String::new(),
     };
@@ -37,12 +36,12 @@ pub(crate) fn arithmetic(surface: &Surface, helpers: &Helpers) -> String {
 
 /// The function that tests a number.
 pub(crate) fn ok(writer: &mut Writer) {
-    let Surface { own, ok, real, .. } = writer.surface;
-    writer.printer.helpers.need(Helper::Infinite);
+    let Surface { own, ok, .. } = writer.surface;
+    writer.printer.helpers.need("infinite");
     writer.text += &comment("", "Whether a number exists and is finite.");
     let _ = writeln!(
         writer.text,
-        "int {ok}({} number)\n{{\n    return !{own}infinite(number);\n}}\n",
-        real.name()
+        "{}\n{{\n    return !{own}infinite(number);\n}}\n",
+        ok.signature
     );
 }

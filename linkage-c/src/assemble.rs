@@ -4,13 +4,32 @@ use std::fmt::Write;
 
 use crate::comment::comment;
 use crate::coupled::deciding;
-use crate::header::reference;
-use crate::helper::Helper;
 use crate::real::Real;
-use crate::refusal::Why;
-use crate::source::Writer;
-use crate::surface::Surface;
+use crate::surface::{Surface, Why, reference};
 use crate::template::fill;
+use crate::writer::{Writer, used};
+
+/// What depends on the dimensions alone.
+pub(crate) fn prepare(writer: &mut Writer) {
+    let Surface {
+        unit, prefix, own, ..
+    } = writer.surface;
+    let printed = writer.printed(&unit.prepare);
+    let mut body = printed.statements;
+    for (slot, value) in printed.results.iter().enumerate() {
+        let _ = writeln!(body, "    m->prepared[{slot}] = {value};");
+    }
+    let takes = match unit.angles.is_empty() {
+        true => format!("{prefix} *m"),
+        false => format!("{prefix} *m, const {own}turns *turns"),
+    };
+    writer.text += &comment("", "What depends on the dimensions alone.");
+    let body = used(&["m", "turns"][..takes.matches('*').count()], body);
+    let _ = writeln!(
+        writer.text,
+        "static void {own}prepare({takes})\n{{\n{body}}}\n"
+    );
+}
 
 /// The function that says whether the groups close; nothing if nobody asks for it.
 pub(crate) fn close(writer: &mut Writer) {
@@ -85,11 +104,9 @@ pub(crate) fn assemble(writer: &mut Writer) {
     let surface = writer.surface;
     let Surface {
         unit,
-        prefix,
         own,
         real,
         assemble,
-        dimensions_type,
         ..
     } = surface;
     let mut declared = String::new();
@@ -104,7 +121,7 @@ pub(crate) fn assemble(writer: &mut Writer) {
             "    static const {} at[] = {{ {} }}; /* {} */",
             real.name(),
             references.join(", "),
-            reference(surface)
+            reference(unit)
         );
     }
     let coupled = !unit.coupled.is_empty();
@@ -139,13 +156,14 @@ pub(crate) fn assemble(writer: &mut Writer) {
         false => (String::new(), String::new()),
     };
     // What the test of the arithmetic reads.
-    writer.printer.helpers.need(Helper::Bits);
+    writer.printer.helpers.need("bits");
     let finite = finite(writer);
     let zero = real.literal(0.0);
     let _ = writeln!(
         writer.text,
-        "int {assemble}({prefix} *m, const {dimensions_type} *dimensions)\n{{\n{declared}    m->dimensions = *dimensions;\n    \
-         m->miss = {zero};\n    code = {own}arithmetic();\n    if (code != 0) return code;\n{moved}{finite}{turn}{prepared}{reached}    return {closed};\n}}\n"
+        "{}\n{{\n{declared}    m->dimensions = *dimensions;\n    \
+         m->miss = {zero};\n    code = {own}arithmetic();\n    if (code != 0) return code;\n{moved}{finite}{turn}{prepared}{reached}    return {closed};\n}}\n",
+        assemble.signature
     );
 }
 
@@ -177,7 +195,7 @@ fn finite(writer: &mut Writer) -> String {
     let mut checks = String::new();
     for (index, code) in codes.iter().enumerate() {
         if let Why::NotFinite(place) = code.why {
-            writer.printer.helpers.need(Helper::Infinite);
+            writer.printer.helpers.need("infinite");
             let scalar = &scalars[place];
             let _ = writeln!(
                 checks,
@@ -209,8 +227,9 @@ pub(crate) fn error(writer: &mut Writer) {
     writer.text += &comment("", "One text for each number that assembling returns.");
     let _ = writeln!(
         writer.text,
-        "const char *{error}(int code)\n{{\n    static const char *const texts[] = {{\n{quoted}\n    }};\n    \
+        "{}\n{{\n    static const char *const texts[] = {{\n{quoted}\n    }};\n    \
          return code < 0 || code > {} ? \"{title}: assembling returns no such number\" : texts[code];\n}}\n",
+        error.signature,
         codes.len()
     );
 }

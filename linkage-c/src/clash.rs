@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::Refused;
+use crate::error::Refused;
 
 /// Fails if two of these mechanisms give the same name to something.
 pub(crate) fn check<'a>(

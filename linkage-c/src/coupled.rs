@@ -6,57 +6,15 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use linkage_compiler::ir::{CompiledMechanism, Coupled, Start};
+use linkage_core::certificate::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE};
 use linkage_core::numeric::continuation::{Axis, CellLayout, NodeLayout, Terms};
-use linkage_symbolic::program::{Instruction, Program, Source};
+use linkage_symbolic::program::Program;
 
-use crate::helper::Helper;
 use crate::real::Real;
-use crate::refusal::Why;
-use crate::source::Writer;
-use crate::surface::Surface;
+use crate::states::{limit, look_up};
+use crate::surface::{Surface, Why};
 use crate::template::fill;
-
-/// Newton steps for other dimensions than those of the table, the largest first one, in radians or scaled lengths, and the square of a
-/// correction over that of the one before, at most: as in sweeps over dimensions of generated Rust.
-const STEPS: usize = 4;
-const FIRST: f64 = 0.05;
-const CONTRACTION: f64 = 1.0 / 16.0;
-
-/// The largest correction of a state from a table that is trusted.
-pub(crate) fn limit(real: Real) -> String {
-    real.literal(match real {
-        Real::Double => 1e-7,
-        Real::Single => 1e-4,
-    })
-}
-
-/// Statements that find the states that a program loads, in front of it, but for that of group `own`; `inputs` is the array of all inputs.
-pub(crate) fn look_up(
-    surface: &Surface,
-    program: &Program,
-    own: Option<usize>,
-    inputs: &str,
-) -> String {
-    let loads = program.instructions.iter();
-    let groups: BTreeSet<usize> = loads
-        .filter_map(|instruction| match instruction {
-            Instruction::Load(Source::State(group, _)) => Some(*group),
-            _ => None,
-        })
-        .filter(|group| Some(*group) != own)
-        .collect();
-    let number = surface.real.name();
-    let all = groups.iter().map(|&group| {
-        let size = surface.unit.coupled[group].size;
-        let own = &surface.own;
-        (
-            format!("    {number} state_{group}[{}];\n", size + 1),
-            format!("    {own}state_{group}(m, {inputs}, state_{group});\n"),
-        )
-    });
-    let (declared, found): (Vec<String>, Vec<String>) = all.unzip();
-    declared.concat() + &found.concat()
-}
+use crate::writer::{Writer, used, written};
 
 /// The templates of a group: the value of a number of the state in a cell, what looks up a state, and what is made of it.
 struct Templates {
@@ -69,14 +27,7 @@ struct Templates {
 pub(crate) fn items(writer: &mut Writer) {
     let surface = writer.surface;
     for (number, coupled) in surface.unit.coupled.iter().enumerate() {
-        for helper in [
-            Helper::Nan,
-            Helper::Select,
-            Helper::Whole,
-            Helper::Within,
-            Helper::Min,
-            Helper::Max,
-        ] {
+        for helper in ["nan", "select", "whole", "within", "min", "max"] {
             writer.printer.helpers.need(helper);
         }
         let (text, words, templates) = match &coupled.start {
@@ -130,10 +81,28 @@ pub(crate) fn items(writer: &mut Writer) {
         writer.text += &text;
         writer.text += filled(templates.value).trim_end_matches('\n');
         writer.text += &filled(templates.table);
-        writer.correct(number, &coupled.correct);
+        correct(writer, number, &coupled.correct);
         writer.text += &filled(include_str!("templates/settle.c"));
         writer.text += &filled(templates.state);
     }
+}
+
+/// A Newton step of a coupled group from a state.
+fn correct(writer: &mut Writer, number: usize, program: &Program) {
+    let Surface {
+        prefix, own, real, ..
+    } = writer.surface;
+    let real = real.name();
+    let printed = writer.printed(program);
+    let body = look_up(writer.surface, program, Some(number), "x") + &written(&printed);
+    let state = format!("state_{number}");
+    let body = used(&["m", "x", &state], body);
+    let takes = format!("const {prefix} *m, const {real} *x, const {real} *{state}, {real} *out");
+    let _ = writeln!(
+        writer.text,
+        "/* The state after a Newton step, the square of its change, the determinant before. */\n\
+         static void {own}correct_{number}({takes})\n{{\n{body}}}\n"
+    );
 }
 
 fn of_axis(real: Real, axis: &Axis) -> Vec<(&'static str, String)> {
@@ -157,10 +126,10 @@ fn of_group(surface: &Surface, coupled: &Coupled, word: &str) -> Option<String> 
         "SIZE" => coupled.size.to_string(),
         "STEPPED" => (coupled.size + 2).to_string(),
         "INPUTS" => surface.unit.inputs.len().to_string(),
-        "STEPS" => STEPS.to_string(),
+        "STEPS" => STEPS_BESIDE.to_string(),
         "LIMIT" => limit(real),
-        "FIRST" => real.literal(FIRST),
-        "CONTRACTION" => real.literal(CONTRACTION),
+        "FIRST" => real.literal(FIRST_CORRECTION),
+        "CONTRACTION" => real.literal(ALLOWED_CONTRACTION * ALLOWED_CONTRACTION),
         _ => return None,
     })
 }

@@ -2,24 +2,16 @@
 
 use std::fmt::Write;
 
-use linkage_compiler::ir::in_degrees;
 use linkage_symbolic::count::Count;
 
-use crate::checks;
 use crate::comment::comment;
+use crate::preprocessor;
 use crate::range;
-use crate::refusal::Code;
-use crate::renamed::listed;
-use crate::surface::{Evaluator, Surface};
+use crate::surface::{Code, Evaluator, Surface, listed};
 
 /// The text of the header.
 pub(crate) fn header(surface: &Surface) -> String {
-    let Surface {
-        prefix,
-        title,
-        real,
-        ..
-    } = surface;
+    let Surface { title, real, .. } = surface;
     let guard = surface.constant("h");
     let length = length_unit(surface);
     let first = format!(
@@ -38,7 +30,7 @@ pub(crate) fn header(surface: &Surface) -> String {
         "#ifndef {guard}\n#define {guard}\n\n#include <float.h>\n#include <stddef.h>\n\n"
     );
     text += &listed(&surface.renamed);
-    text += &checks::of_header(surface);
+    text += &preprocessor::of_header(surface);
     text += "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n";
     for own in surface.vector_types() {
         text += &own;
@@ -47,29 +39,19 @@ pub(crate) fn header(surface: &Surface) -> String {
     text += &dimensions(surface);
     text += &assembled(surface);
     text += &codes(surface);
-    let Surface {
-        assemble,
-        error,
-        ok,
-        dimensions_type,
-        ..
-    } = surface;
     text += &comment(
         "",
         "Closes the loops at the reference inputs in the assembly that the start estimates of the declaration choose, and computes what \
          depends on the dimensions alone. 0, or why not: then `m` is of no use.",
     );
-    let _ = writeln!(
-        text,
-        "int {assemble}({prefix} *m, const {dimensions_type} *dimensions);\n"
-    );
+    let _ = writeln!(text, "{};\n", surface.assemble.signature);
     text += &comment("", "What a number from assembling means, in words.");
-    let _ = writeln!(text, "const char *{error}(int code);\n");
+    let _ = writeln!(text, "{};\n", surface.error.signature);
     text += &comment(
         "",
         "1 for a number that exists and is finite, else 0. It looks at the bits: compilers keep this test where NaN is taken for impossible.",
     );
-    let _ = writeln!(text, "int {ok}({} number);\n", real.name());
+    let _ = writeln!(text, "{};\n", surface.ok.signature);
     text += &range::declared(surface);
     for own in &surface.functions {
         text += &evaluator(surface, own);
@@ -172,9 +154,9 @@ fn codes(surface: &Surface) -> String {
 }
 
 fn evaluator(surface: &Surface, own: &Evaluator) -> String {
-    let Evaluator { name, result, .. } = own;
-    let prefix = &surface.prefix;
-    let number = surface.real.name();
+    let Evaluator {
+        declared, result, ..
+    } = own;
     let mut text = format!("typedef struct {result} {{\n");
     for field in &own.fields {
         let declared = surface.declared(&field.name, &field.shape);
@@ -193,23 +175,10 @@ fn evaluator(surface: &Surface, own: &Evaluator) -> String {
         cost(&own.function.called.count),
     ];
     text += &comment("", &[&about, &notes[..]].concat().join("\n"));
-    let arguments: String = own
-        .arguments
-        .iter()
-        .map(|own| format!(", {number} {own}"))
-        .collect();
-    let _ = writeln!(text, "{result} {name}(const {prefix} *m{arguments});\n");
+    let _ = writeln!(text, "{};\n", declared.signature);
     if let Some(sweep) = &own.sweep {
         text += &comment("", "The same at `count` positions.");
-        let arrays: String = own
-            .arguments
-            .iter()
-            .map(|own| format!(", const {number} *{own}"))
-            .collect();
-        let _ = writeln!(
-            text,
-            "void {sweep}(const {prefix} *m, size_t count{arrays}, {result} *results);\n"
-        );
+        let _ = writeln!(text, "{};\n", sweep.signature);
     }
     text
 }
@@ -245,13 +214,4 @@ fn cost(count: &Count) -> String {
         true => "No operation at all.".to_owned(),
         false => words.join(", ") + ".",
     }
-}
-
-/// What an input's reference is called in comments.
-pub(crate) fn reference(surface: &Surface) -> String {
-    let inputs = surface.unit.inputs.iter();
-    let places: Vec<String> = inputs
-        .map(|own| format!("{} = {}", own.name, in_degrees(own.reference, &own.unit)))
-        .collect();
-    places.join(", ")
 }

@@ -31,31 +31,29 @@
 
 mod arithmetic;
 mod assemble;
-mod checks;
 mod clash;
 mod comment;
 mod coupled;
+mod error;
+mod evaluator;
 mod header;
-mod helper;
-mod instruction;
 mod names;
+mod operations;
+mod preprocessor;
 mod range;
 mod real;
-mod refusal;
-mod renamed;
-mod shape;
 mod source;
+mod states;
 mod surface;
 mod template;
 mod winding;
-
-use std::error::Error;
-use std::fmt::{self, Display, Formatter};
+mod writer;
 
 use linkage_compiler::ir::{CompiledMechanism, Coupled};
 
+pub use error::Refused;
 pub use real::Real;
-pub use renamed::Renamed;
+pub use surface::Renamed;
 
 /// A mechanism as C.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -69,20 +67,6 @@ pub struct Sources {
     /// Names of the declaration that have another form in C, in the order in which the header has them.
     pub renamed: Vec<Renamed>,
 }
-
-/// Why a mechanism is not printed.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Refused {
-    message: String,
-}
-
-impl Display for Refused {
-    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        f.write_str(&self.message)
-    }
-}
-
-impl Error for Refused {}
 
 /// Prints a mechanism that is called `name` in its declaration.
 ///
@@ -133,7 +117,7 @@ fn exported(
             ),
         });
     }
-    let surface = surface::Surface::new(name, unit, real);
+    let surface = surface::surface(name, unit, real);
     let names = surface.names();
     let sources = Sources {
         header: header::header(&surface),

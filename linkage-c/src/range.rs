@@ -7,40 +7,9 @@ use linkage_core::range_check::{AT_END, DEAD, END, ROUNDING, Slack, samples};
 
 use crate::comment::comment;
 use crate::real::Real;
-use crate::source::Writer;
-use crate::surface::Surface;
+use crate::surface::{KINDS, OFF, RangeNames, Surface};
 use crate::template::fill;
-
-/// The kinds of findings, in the order of their numbers from 1 on.
-const KINDS: [&str; 4] = ["CHANGE_POINT", "DEAD_POINT", "GAP", "UNDEFINED"];
-
-/// The end of the macro without which the check is compiled.
-pub(crate) const OFF: &str = "without_range_check";
-
-/// The names that users see.
-#[derive(Debug)]
-pub(crate) struct Names {
-    check_range: String,
-    finding: String,
-}
-
-impl Names {
-    /// Names from those that are not taken.
-    pub(crate) fn new(global: &mut dyn FnMut(&str) -> String) -> Self {
-        let [check_range, finding] = ["check_range", "range_finding"].map(global);
-        Self {
-            check_range,
-            finding,
-        }
-    }
-
-    /// All of them, with the kinds of findings.
-    pub(crate) fn all(&self, surface: &Surface) -> Vec<String> {
-        let kinds = KINDS.iter().map(|kind| constant(surface, kind));
-        let functions = [self.check_range.clone(), self.finding.clone()];
-        functions.into_iter().chain(kinds).collect()
-    }
-}
+use crate::writer::Writer;
 
 /// What the search goes by: how small a slack is a dead point, what is rounding, the share of a range at its ends where a dead point is
 /// allowed, the share of it within which a place is at its end.
@@ -75,10 +44,9 @@ impl Criteria {
 /// Type, constants and function in the header.
 pub(crate) fn declared(surface: &Surface) -> String {
     let Surface {
-        prefix,
         real,
         unit,
-        range: Names {
+        range: RangeNames {
             check_range,
             finding,
         },
@@ -108,7 +76,7 @@ pub(crate) fn declared(surface: &Surface) -> String {
     );
     text += "enum {\n";
     let kinds = KINDS.iter().enumerate();
-    let kinds = kinds.map(|(k, kind)| format!("    {} = {}", constant(surface, kind), k + 1));
+    let kinds = kinds.map(|(k, kind)| format!("    {} = {}", surface.kind(kind), k + 1));
     let _ = writeln!(text, "{}\n}};\n", kinds.collect::<Vec<_>>().join(",\n"));
     let _ = writeln!(
         text,
@@ -123,10 +91,7 @@ pub(crate) fn declared(surface: &Surface) -> String {
              and writes the first `room` of them. Some thousand evaluations: for the start, not for the loop."
         ),
     );
-    let _ = writeln!(
-        text,
-        "int {check_range}(const {prefix} *m, {finding} *findings, int room);\n"
-    );
+    let _ = writeln!(text, "{};\n", check_range.signature);
     text
 }
 
@@ -138,7 +103,7 @@ pub(crate) fn items(writer: &mut Writer) {
         prefix,
         own,
         real,
-        range: Names {
+        range: RangeNames {
             check_range,
             finding,
         },
@@ -171,7 +136,7 @@ pub(crate) fn items(writer: &mut Writer) {
     let text = fill(include_str!("templates/range.c"), *real, own, |word| {
         Some(match word {
             "MECHANISM" => prefix.clone(),
-            "CHECK" => check_range.clone(),
+            "CHECK" => check_range.name.clone(),
             "FINDING" => finding.clone(),
             "GROUPS" => unit.groups.len().to_string(),
             "INPUTS" => unit.inputs.len().to_string(),
@@ -194,14 +159,10 @@ pub(crate) fn items(writer: &mut Writer) {
                 Real::Double => "DBL_MAX".to_owned(),
                 Real::Single => "FLT_MAX".to_owned(),
             },
-            kind if KINDS.contains(&kind) => constant(surface, kind),
+            kind if KINDS.contains(&kind) => surface.kind(kind),
             _ => return None,
         })
     });
     writer.text += &text;
     writer.text += "#endif\n\n";
-}
-
-fn constant(surface: &Surface, kind: &str) -> String {
-    surface.constant(&format!("range_{kind}"))
 }

@@ -1,5 +1,7 @@
 //! The numbers that C computes with.
 
+use linkage_core::certificate;
+
 /// What exported C computes with: nothing in it has another floating-point type.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Real {
@@ -71,7 +73,7 @@ impl Real {
             "HALF_BITS" => bits(0.5_f64.to_bits(), 0.5_f32.to_bits()),
             // Half of the digits.
             "UPPER_BITS" => bits(u64::MAX << 27, u32::MAX << 12),
-            "EIGHT_ROUNDOFFS" => self.literal(8.0 * self.roundoff()),
+            "EIGHT_ROUNDOFFS" => self.literal(certificate::ROUNDINGS * self.roundoff()),
             // 1.5 times the number from which on there is nothing behind the point: added to another, it rounds that.
             "ROUND" => self.literal(1.5 / self.roundoff()),
             "TWO_OVER_PI" => self.literal(std::f64::consts::FRAC_2_PI),
@@ -86,9 +88,9 @@ impl Real {
             "SINE_LIMIT" => number(0x7e10_0000_0000_0000, 0x7580_0000),
             // See `linkage_core::numeric::winding`: remainders that serve inputs a little outside the range, too, those that serve the range,
             // and a sum of middles.
-            "COMFORT" => self.literal(0.8 * std::f64::consts::PI),
-            "MOST_STRAY" => self.literal(0.95 * std::f64::consts::PI),
-            "MOST_MIDDLE" => self.literal(0.9 * std::f64::consts::PI),
+            "COMFORT" => self.literal(certificate::COMFORTABLE_STRAY * std::f64::consts::PI),
+            "MOST_STRAY" => self.literal(certificate::MOST_STRAY * std::f64::consts::PI),
+            "MOST_MIDDLE" => self.literal(certificate::MOST_MIDDLE * std::f64::consts::PI),
             "TURN" => self.literal(std::f64::consts::TAU),
             "TURNS" => match double {
                 true => self.literal(1.0 / std::f64::consts::TAU),

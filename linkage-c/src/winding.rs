@@ -4,11 +4,9 @@ use std::fmt::Write;
 
 use linkage_compiler::ir::CompiledMechanism;
 
-use crate::helper::Helper;
-use crate::refusal::Why;
-use crate::source::{Writer, used, written};
-use crate::surface::Surface;
+use crate::surface::{Surface, Why};
 use crate::template::fill;
+use crate::writer::{Writer, used, written};
 
 /// The type of the turns of all angles; nothing if no angle counts them.
 pub(crate) fn turns_type(surface: &Surface) -> String {
@@ -39,14 +37,7 @@ pub(crate) fn items(writer: &mut Writer) {
         "Cosine and sine, of some length, of each angle whose turns are counted.",
     );
     bearings(writer);
-    for helper in [
-        Helper::Nan,
-        Helper::Infinite,
-        Helper::Whole,
-        Helper::Hypot,
-        Helper::Atan2,
-        Helper::AngleNear,
-    ] {
+    for helper in ["nan", "infinite", "whole", "hypot", "atan2", "angle_near"] {
         writer.printer.helpers.need(helper);
     }
     let text = tables(surface);

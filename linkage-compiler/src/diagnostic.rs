@@ -5,11 +5,11 @@ use std::fmt::Display;
 use proc_macro2::{Ident, TokenStream};
 use quote::{quote, quote_spanned};
 
-mod place;
+mod origin;
 pub(crate) mod text;
 
-pub use place::SourceSpan;
-pub(crate) use place::{OriginId, Origins};
+pub use origin::SourceSpan;
+pub(crate) use origin::{OriginId, Origins};
 
 /// What is wrong, and where.
 #[derive(Clone, Debug)]

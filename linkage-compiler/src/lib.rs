@@ -52,17 +52,19 @@
 
 mod algebra;
 mod assembly;
-mod call;
 mod diagnostic;
+mod driver;
 mod emit;
 mod forces;
 pub mod ir;
 mod lower;
+mod message_format;
 mod mobility;
 mod model;
 mod observer;
 mod oracle;
 mod outputs;
+mod part_order;
 mod picture;
 mod pipeline;
 mod solve;
@@ -70,17 +72,16 @@ mod structure;
 mod syntax;
 pub mod trace;
 mod vector;
-mod words;
 
 use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
 use quote::quote;
 
-use call::Call;
+use driver::Driver;
 use ir::CompiledMechanism;
 
-pub use call::Checked;
 pub use diagnostic::text::{short_words, shortened};
 pub use diagnostic::{Message, SourceSpan};
+pub use driver::Checked;
 #[doc(inline)]
 pub use linkage_core::range_check::length_as_written;
 pub use oracle::Oracle;
@@ -93,13 +94,13 @@ pub fn compile(
     printed: impl Fn(&str, &CompiledMechanism) -> String,
 ) -> TokenStream {
     let (krate, body) = split_crate_path(input);
-    Call::new(body, &mut ()).emitted(&krate, &printed)
+    Driver::run(body, &mut ()).emitted(&krate, &printed)
 }
 
 /// Analyses a mechanism, the macro's input without the path of the facade. Of several it answers for the last, which may have the others as
 /// parts, with the messages of all; [`check_all`] answers for each.
 pub fn check(body: TokenStream) -> Checked {
-    Call::new(body, &mut ()).last()
+    Driver::run(body, &mut ()).last()
 }
 
 /// Analyses all mechanisms of a call, in the order in which they are written; at least one is answered for.
@@ -122,7 +123,7 @@ pub fn check(body: TokenStream) -> Checked {
 /// assert_eq!(names, ["left.radius"]);
 /// ```
 pub fn check_all(body: TokenStream) -> Vec<Checked> {
-    Call::new(body, &mut ()).checked()
+    Driver::run(body, &mut ()).checked()
 }
 
 /// Reads a value that is given apart from a mechanism, as on a command line: that of a parameter of this name, with its

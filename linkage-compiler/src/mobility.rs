@@ -2,21 +2,21 @@
 //!
 //! A body counts as a whole: its loops are differentiated by shifts and turns, not by the unknowns that it consists of.
 
-mod line;
-mod loops;
-mod motion;
-mod nearest;
-mod null_space;
-mod overconstrained;
+pub(crate) mod line;
+pub(crate) mod loops;
+pub(crate) mod motion;
+pub(crate) mod nearest;
+pub(crate) mod null_space;
+pub(crate) mod overconstrained;
 
 use linkage_core::numeric::least_squares::STEP;
 use linkage_symbolic::Graph;
 
 use crate::algebra::Nominal;
+use crate::message_format::MessageFormat;
+use crate::message_format::loop_list;
 use crate::model::{Mechanism, Type};
 use crate::vector::{Vector, cross, dot, norm};
-use crate::words::Words;
-use crate::words::loop_list;
 
 use loops::Loops;
 pub(crate) use loops::difference;
@@ -43,7 +43,7 @@ type Column = (usize, usize);
 pub(crate) struct Position<'w, 'm> {
     mechanism: &'m Mechanism,
     nominal: &'w Nominal,
-    words: &'w Words<'m>,
+    words: &'w MessageFormat<'m>,
     /// The length that counts like a radian.
     length: f64,
     /// By unknown, with all components; NaN for what is not known.
@@ -64,7 +64,7 @@ struct Rows {
 impl<'w, 'm> Position<'w, 'm> {
     /// The unknowns of a mechanism at these values, with all components; NaN for what is not known. `length` counts like a radian.
     pub(crate) fn new(
-        words: &'w Words<'m>,
+        words: &'w MessageFormat<'m>,
         nominal: &'w Nominal,
         length: f64,
         mut values: Vec<Vec<f64>>,
@@ -101,7 +101,7 @@ impl<'w, 'm> Position<'w, 'm> {
     }
 
     fn told(&self, rows: &Rows, last: f64) -> Option<String> {
-        let motion = self.motion(rows, last)?;
+        let motion = motion::motion(self, rows, last)?;
         let dependent = self.dependent(rows, last).into_iter().next();
         Some(
             match dependent.and_then(|own| self.dependence(rows, &own)) {
@@ -217,7 +217,7 @@ impl Position<'_, '_> {
     /// Which loops say the same, if these rows do.
     fn dependence(&self, rows: &Rows, dependent: &[usize]) -> Option<String> {
         let loops: Vec<usize> = dependent.iter().map(|&k| rows.loops[k]).collect();
-        if let Some(shape) = self.shape_of_links(rows, dependent) {
+        if let Some(shape) = line::shape_of_links(self, rows, dependent) {
             return Some(format!("the links of {} {shape}", loop_list(&loops)));
         }
         (loops.len() > 1).then(|| {

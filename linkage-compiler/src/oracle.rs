@@ -8,7 +8,7 @@ use linkage_symbolic::{Ex, Graph, NodeId, evaluate};
 use proc_macro2::TokenStream;
 
 use crate::algebra::{Algebra, Angle, Nominal};
-use crate::call::{Call, Checked};
+use crate::driver::{Checked, Driver};
 use crate::forces::Forces;
 use crate::observer::PhaseObserver;
 use crate::outputs::{State, requested};
@@ -28,7 +28,7 @@ impl Oracle {
     /// The graph of a mechanism, beside what [`check`](crate::check) says of it. With a mistake there are no functions in it.
     pub fn new(body: TokenStream) -> (Self, Checked) {
         let mut oracle = Self::default();
-        let checked = Call::new(body, &mut oracle).last();
+        let checked = Driver::run(body, &mut oracle).last();
         (oracle, checked)
     }
 

@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::algebra::{Algebra, Nominal};
-use crate::call::Call;
+use crate::driver::Driver;
 use crate::ir::{self, CompiledMechanism};
 use crate::observer::PhaseObserver;
 use crate::solve::Formulation;
@@ -38,7 +38,7 @@ pub struct Trace {
 /// Runs all phases on a mechanism without the facade's path in front; of several, the last one's are told.
 pub fn trace(body: TokenStream) -> Trace {
     let mut middle = Middle::default();
-    let call = Call::new(body, &mut middle);
+    let call = Driver::run(body, &mut middle);
     let mut messages = call.syntax.texts();
     messages.extend(
         call.mechanisms

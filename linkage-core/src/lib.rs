@@ -15,6 +15,8 @@ extern crate alloc;
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
+#[doc(hidden)]
+pub mod certificate;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod elementary;
 #[cfg(any(feature = "std", feature = "libm"))]

@@ -34,9 +34,10 @@ pub const FOUND: f64 = 2e-6;
 /// A dead point that is nearer to an end of its range than this share of it is at the end.
 pub const AT_END: f64 = 1e-6;
 
-/// The smallest and the largest number of samples of a range of an angle.
-const LEAST_SAMPLES: f64 = 64.0;
-const MOST_SAMPLES: f64 = 4000.0;
+/// Smallest number of samples of a range of an angle.
+pub const LEAST_SAMPLES: f64 = 64.0;
+/// Largest number of samples of a range of an angle.
+pub const MOST_SAMPLES: f64 = 4000.0;
 
 /// The number of samples of a stretch of an input.
 #[must_use]

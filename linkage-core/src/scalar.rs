@@ -24,6 +24,7 @@ pub use float::Float;
 #[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
 pub use lanes::Lanes;
 
+use crate::certificate::{self, ROUNDINGS};
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -33,10 +34,6 @@ pub const FUSED: bool = cfg!(all(
     feature = "std",
     any(target_feature = "fma", target_arch = "aarch64")
 ));
-
-/// Roundings that the terms of a discriminant may have had, of their size each: a value that is
-/// negative by no more is a root of zero.
-const ROUNDINGS: f64 = 8.0;
 
 /// A real number, or several side by side (lanes), or one with derivatives (a dual number).
 ///
@@ -84,12 +81,12 @@ pub trait Scalar:
     /// The largest Newton correction, in radians or scaled lengths, of a prepared solution of a
     /// coupled group that is trusted: far above the error of a table, far below the distance of
     /// another assembly.
-    const CORRECTION_LIMIT: f64 = 1e-7;
+    const CORRECTION_LIMIT: f64 = certificate::CORRECTION_LIMIT;
 
     /// The largest last correction of a solution that is followed from position to position.
     /// Newton's method squares it and multiplies by the curvature of the equations. Up to a
     /// curvature of ten thousand, the rest in an `f64` is rounding.
-    const LAST_CORRECTION: f64 = 1e-10;
+    const LAST_CORRECTION: f64 = certificate::LAST_CORRECTION;
 
     /// True if a prepared solution, a plain `f64`, needs several Newton steps: for derivatives and
     /// digits that it does not have.

@@ -1,46 +1,64 @@
-//! Instructions as JavaScript. What they are is matched without a wildcard: a new one does not compile before JavaScript knows it.
+//! Programs as JavaScript.
 
-use linkage_symbolic::program::{
-    Binary, Fused, Instruction, Program, Source, Ternary, Unary, Value,
-};
+use linkage_symbolic::program::{Language, Program, Source, print};
 
 /// A program as a function of an assembly, inputs and states of groups without a closed form, which writes its results to `out`.
 pub(crate) fn function(program: &Program, inputs: usize) -> String {
-    let mut values = Vec::new();
-    let mut places: Vec<String> = Vec::with_capacity(program.instructions.len());
-    let mut take = |index: usize, value: &str| {
-        values.push(format!("v{index} = {value}"));
-        format!("v{index}")
+    let mut script = Script {
+        inputs,
+        values: Vec::new(),
     };
-    for (index, instruction) in program.instructions.iter().enumerate() {
-        let of = |value: Value| &places[value.0][..];
-        let place = match *instruction {
-            Instruction::Constant(x) => literal(x),
-            Instruction::Load(source) => take(index, &place(source, inputs)),
-            Instruction::SinCos(a) => {
-                // The cosine waits beside it until another sine is asked for.
-                let sine = format!("sine({}), w{index} = beside", of(a));
-                take(index, &sine)
-            }
-            Instruction::Second(pair) => format!("w{}", pair.0),
-            Instruction::Unary(op, a) => take(index, &unary(op, of(a))),
-            Instruction::Binary(op, a, b) => take(index, &binary(op, of(a), of(b))),
-            Instruction::Ternary(op, a, b, c) => take(index, &ternary(op, of(a), of(b), of(c))),
-            Instruction::Fused(op, a, b, c) => take(index, &fused(op, of(a), of(b), of(c))),
-        };
-        places.push(place);
-    }
+    let results = print(program, &mut script);
+    let values = script.values;
     let constants = match values.is_empty() {
         true => String::new(),
         false => format!("const {};", values.join(", ")),
     };
-    let outputs = program.outputs.iter().enumerate();
-    let results: String = outputs
-        .map(|(index, value)| format!(" out[{index}] = {};", places[value.0]))
+    let results = results.iter().enumerate();
+    let results: String = results
+        .map(|(index, value)| format!(" out[{index}] = {value};"))
         .collect();
     format!(
         "(own, x, states, out) => {{ const d = own.dimensions, p = own.prepared; {constants}{results} }}"
     )
+}
+
+/// A program while it is printed.
+struct Script {
+    /// The number of inputs of the mechanism.
+    inputs: usize,
+    /// Definitions of values, in order.
+    values: Vec<String>,
+}
+
+impl Language for Script {
+    fn number(&self, x: f64) -> String {
+        literal(x)
+    }
+
+    fn load(&mut self, index: usize, source: Source) -> String {
+        let value = place(source, self.inputs);
+        self.define(index, &value)
+    }
+
+    fn define(&mut self, index: usize, value: &str) -> String {
+        self.values.push(format!("v{index} = {value}"));
+        format!("v{index}")
+    }
+
+    fn define_sine_pair(&mut self, index: usize, angle: &str) -> [String; 2] {
+        // The engine keeps the cosine until the next sine is computed.
+        let sine = self.define(index, &format!("sine({angle}), w{index} = beside"));
+        [sine, format!("w{index}")]
+    }
+
+    fn call(&mut self, name: &'static str, operands: &[&str]) -> String {
+        format!("{}({})", function_of(name), operands.join(", "))
+    }
+
+    fn sine_or_cosine(&mut self, number: usize, angle: &str) -> String {
+        format!("{}({angle})", ["sine", "cosine"][number])
+    }
 }
 
 /// Where a number stands.
@@ -58,53 +76,33 @@ fn place(source: Source, inputs: usize) -> String {
     }
 }
 
-fn unary(op: Unary, a: &str) -> String {
-    match op {
-        Unary::Neg => format!("-{a}"),
-        Unary::Abs => format!("Math.abs({a})"),
-        Unary::Sqrt => format!("Math.sqrt({a})"),
-        Unary::Sin => format!("sine({a})"),
-        Unary::Cos => format!("cosine({a})"),
-        Unary::Tan => format!("tangent({a})"),
-        Unary::Asin => format!("Math.asin({a})"),
-        Unary::Acos => format!("Math.acos({a})"),
-        Unary::Atan => format!("Math.atan({a})"),
-        Unary::Sign => format!("signOf({a})"),
-        Unary::Whole => format!("whole({a})"),
-        Unary::Slack => format!("slack({a})"),
-        Unary::InverseScale => format!("inverseScale({a})"),
-    }
-}
+/// Operations whose function does not have their own name in JavaScript, by the names of their rows.
+const FUNCTIONS: [(&str, &str); 10] = [
+    ("abs", "Math.abs"),
+    ("sqrt", "Math.sqrt"),
+    ("tan", "tangent"),
+    ("asin", "Math.asin"),
+    ("acos", "Math.acos"),
+    ("atan", "Math.atan"),
+    ("sign", "signOf"),
+    ("atan2", "angleOf"),
+    ("min", "Math.min"),
+    ("max", "Math.max"),
+];
 
-fn binary(op: Binary, a: &str, b: &str) -> String {
-    match op {
-        Binary::Add => format!("{a} + {b}"),
-        Binary::Sub => format!("{a} - {b}"),
-        Binary::Mul => format!("{a} * {b}"),
-        Binary::Div => format!("{a} / {b}"),
-        Binary::Quotient => format!("quotient({a}, {b})"),
-        Binary::Atan2 => format!("angleOf({a}, {b})"),
-        Binary::Hypot => format!("hypot({a}, {b})"),
-        Binary::Min => format!("Math.min({a}, {b})"),
-        Binary::Max => format!("Math.max({a}, {b})"),
+/// The function of JavaScript for an operation: by default that of its name, `inverseScale` for `inverse_scale`.
+fn function_of(name: &str) -> String {
+    if let Some((_, function)) = FUNCTIONS.iter().find(|(operation, _)| *operation == name) {
+        return (*function).to_owned();
     }
-}
-
-fn ternary(op: Ternary, a: &str, b: &str, c: &str) -> String {
-    match op {
-        Ternary::AngleNear => format!("angleNear({a}, {b}, {c})"),
-        Ternary::Root => format!("root({a}, {b}, {c})"),
-        Ternary::Select => format!("select({a}, {b}, {c})"),
+    let mut parts = name.split('_');
+    let mut function = String::from(parts.next().unwrap_or_default());
+    for part in parts {
+        let (first, rest) = part.split_at(1);
+        function += &first.to_uppercase();
+        function += rest;
     }
-}
-
-/// Rounded twice: JavaScript has no fused multiply-add.
-fn fused(op: Fused, a: &str, b: &str, c: &str) -> String {
-    match op {
-        Fused::MulAdd => format!("{a} * {b} + {c}"),
-        Fused::MulSub => format!("{a} * {b} - {c}"),
-        Fused::SubMul => format!("{c} - {a} * {b}"),
-    }
+    function
 }
 
 /// The number with the fewest digits that JavaScript reads back to the last bit; `-` in front of it is never behind another one.
@@ -114,5 +112,31 @@ pub(crate) fn literal(x: f64) -> String {
         x if x.is_infinite() => format!("({}Infinity)", if x < 0.0 { "-" } else { "" }),
         x if x.is_sign_negative() => format!("({x:?})"),
         x => format!("{x:?}"),
+    }
+}
+
+#[cfg(all(test, feature = "module"))]
+mod tests {
+    use super::*;
+    use linkage_runtime::javascript::engine;
+    use linkage_symbolic::program::{Binary, Call, Ternary, Unary};
+
+    /// JavaScript has the function of each operation, or the engine defines it.
+    #[test]
+    fn operations_have_functions() {
+        let engine = engine();
+        let unary = Unary::ALL.iter().map(|op| (op.row().name, op.row().call));
+        let binary = Binary::ALL.iter().map(|op| (op.row().name, op.row().call));
+        let ternary = Ternary::ALL.iter().map(|op| (op.row().name, op.row().call));
+        for (name, call) in unary.chain(binary).chain(ternary) {
+            if let Call::Method(_) | Call::FusedMethod(_) = call {
+                let function = function_of(name);
+                let is_defined = engine.contains(&format!("function {function}("));
+                assert!(
+                    function.starts_with("Math.") || is_defined,
+                    "the engine does not define {function} for {name}"
+                );
+            }
+        }
     }
 }

@@ -5,7 +5,7 @@ use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 
 use linkage_compiler::ir::CompiledMechanism;
-use linkage_runtime::javascript::{ENGINE, MODULE};
+use linkage_runtime::javascript::module_engine;
 
 use crate::{description, names, types};
 
@@ -39,7 +39,7 @@ impl Error for Clash {}
 ///
 /// The module exports the mechanism by [`Module::name`], and `AssemblyError`, which its `assemble` throws.
 pub fn module(title: &str, unit: &CompiledMechanism) -> Module {
-    let engine = [&ENGINE[..], &MODULE].concat().join("\n");
+    let engine = module_engine();
     let description = description(title, unit);
     let name = names::exported(title);
     let renamed = match name == title {

@@ -1,8 +1,15 @@
 //! What closes loops and evaluates functions in a browser, as this crate does it for generated Rust: centres and windings of angles, groups without a
 //! closed form, misses. `linkage-js` prints the programs of a mechanism for it.
 
-/// The parts of the engine; a later one uses those before it.
-pub const ENGINE: [&str; 6] = [
+#[cfg(feature = "alloc")]
+use alloc::{borrow::ToOwned, format, string::String};
+#[cfg(feature = "alloc")]
+use linkage_core::{certificate, range_check};
+
+/// The parts of the engine as they are stored: a later one uses those before it, and `CORE.` is followed by the name of a constant of
+/// `linkage-core`.
+#[cfg(feature = "alloc")]
+pub(crate) const ENGINE: [&str; 6] = [
     include_str!("javascript/elementary.js"),
     include_str!("javascript/numbers.js"),
     include_str!("javascript/follow.js"),
@@ -13,7 +20,8 @@ pub const ENGINE: [&str; 6] = [
 
 /// What modules have after the engine, and pages do not. The function `mechanismOf` of the last part makes of a description what other people's
 /// programs use.
-pub const MODULE: [&str; 2] = [
+#[cfg(feature = "alloc")]
+pub(crate) const MODULE: [&str; 2] = [
     include_str!("javascript/range.js"),
     include_str!("javascript/mechanism.js"),
 ];
@@ -21,6 +29,74 @@ pub const MODULE: [&str; 2] = [
 /// Of the page of a report alone, behind those: other assemblies of groups without a closed form.
 #[cfg(feature = "report")]
 pub(crate) const OTHERS: &str = include_str!("javascript/others.js");
+
+/// Returns the engine as text, with the constants of `linkage-core`.
+#[cfg(feature = "alloc")]
+pub fn engine() -> String {
+    with_constants(&ENGINE.join("\n"))
+}
+
+/// Returns the engine of a module as text, with the constants of `linkage-core`.
+#[cfg(feature = "alloc")]
+pub fn module_engine() -> String {
+    with_constants(&[&ENGINE[..], &MODULE].concat().join("\n"))
+}
+
+/// Writes the values of constants of `linkage-core` where the sources of the engine have `CORE.` and a name.
+#[cfg(feature = "alloc")]
+fn with_constants(source: &str) -> String {
+    let mut parts = source.split("CORE.");
+    let mut text = String::from(parts.next().unwrap_or_default());
+    for part in parts {
+        let end = part.find(|c: char| !(c.is_ascii_uppercase() || c == '_'));
+        let (name, rest) = part.split_at(end.unwrap_or(part.len()));
+        match constant(name) {
+            Some(value) => text += &value,
+            None => unreachable!("linkage-core has no constant {name} for the engine"),
+        }
+        text += rest;
+    }
+    text
+}
+
+/// Returns a constant of `linkage-core` as JavaScript.
+#[cfg(feature = "alloc")]
+fn constant(name: &str) -> Option<String> {
+    let number = match name {
+        "FIRST_CORRECTION" => certificate::FIRST_CORRECTION,
+        "ALLOWED_CONTRACTION" => certificate::ALLOWED_CONTRACTION,
+        "CORRECTIONS" => certificate::CORRECTIONS as f64,
+        "SETTLED" => certificate::SETTLED,
+        "SCALES" => {
+            let scales = certificate::SCALES.map(literal);
+            return Some(format!("[{}]", scales.join(", ")));
+        }
+        "CORRECTION_LIMIT" => certificate::CORRECTION_LIMIT,
+        "ROUNDINGS" => certificate::ROUNDINGS,
+        "COMFORTABLE_STRAY" => certificate::COMFORTABLE_STRAY,
+        "MOST_STRAY" => certificate::MOST_STRAY,
+        "MOST_MIDDLE" => certificate::MOST_MIDDLE,
+        "DEAD" => range_check::DEAD,
+        "END" => range_check::END,
+        "AT_END" => range_check::AT_END,
+        "ROUNDING" => range_check::ROUNDING,
+        "SAMPLES" => range_check::SAMPLES,
+        "LEAST_SAMPLES" => range_check::LEAST_SAMPLES,
+        "MOST_SAMPLES" => range_check::MOST_SAMPLES,
+        _ => return None,
+    };
+    Some(literal(number))
+}
+
+/// Returns a number with the fewest digits, without a point for whole numbers.
+#[cfg(feature = "alloc")]
+fn literal(number: f64) -> String {
+    let text = format!("{number:?}");
+    match text.strip_suffix(".0") {
+        Some(whole) => whole.to_owned(),
+        None => text,
+    }
+}
 
 /// The programs of a mechanism as JavaScript, for the page of a report: the constant `PROGRAMS` of a mechanism with a function that asks for
 /// `picture()`.

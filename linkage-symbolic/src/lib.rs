@@ -8,39 +8,25 @@
 //!
 //! No tokens, spans or syntax here.
 
-mod build;
-pub mod count;
 mod differentiate;
-mod display;
-mod evaluate;
 mod expression;
 mod graph;
-mod half_angles;
-pub mod inline;
 pub mod interpret;
-mod multiples;
+pub mod lookup;
 mod operation;
-mod partial;
 pub mod passes;
-mod polynomial;
-mod probe;
 pub mod program;
-mod roots_last;
 pub mod rules;
-pub mod schedule;
-mod substitute;
-mod terms;
-pub mod unordered;
-mod vector;
 
 pub use differentiate::{Calculus, DerivativeMemo, differentiate, pull_back};
-pub use evaluate::{evaluate, evaluate_given};
-pub use expression::Ex;
+pub use expression::{
+    Ex, MAX_DEGREE, Monomial, Obstacle, Polynomial, V2, V3, Vector, Vn, agree, agree_within,
+    collect, evaluate, evaluate_given, obstacle, substitute,
+};
 pub use graph::{Binding, Graph, Node, NodeId, Symbol, SymbolId};
-pub use half_angles::by_half_angles;
-pub use multiples::share_multiples;
-pub use polynomial::{MAX_DEGREE, Monomial, Obstacle, Polynomial, collect, obstacle};
-pub use probe::{agree, agree_within};
-pub use roots_last::roots_last;
-pub use substitute::substitute;
-pub use vector::{V2, V3, Vector, Vn};
+pub use lookup as unordered;
+pub use passes::common_factors::share_multiples;
+pub use passes::half_angles::by_half_angles;
+pub use passes::inline;
+pub use passes::late_roots::roots_last;
+pub use program::{count, schedule};

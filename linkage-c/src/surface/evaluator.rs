@@ -2,14 +2,17 @@
 
 use linkage_compiler::ir::{CompiledMechanism, Function};
 
+use super::data::{Evaluator, Field};
+use super::declared::Declared;
 use super::notes::{field_note, input_note};
-use super::{Evaluator, Field};
+use super::renamed::Log;
 use crate::names::{Names, Place};
-use crate::renamed::Log;
+use crate::real::Real;
 
 /// What the names of a function's arguments and results must differ from.
 pub(super) struct Scope<'a> {
     pub(super) unit: &'a CompiledMechanism,
+    pub(super) real: Real,
     pub(super) prefix: &'a str,
     pub(super) types: &'a [&'a str],
 }
@@ -17,6 +20,7 @@ pub(super) struct Scope<'a> {
 pub(super) fn evaluator<'a>(
     Scope {
         unit,
+        real,
         prefix,
         types,
     }: Scope,
@@ -77,11 +81,30 @@ pub(super) fn evaluator<'a>(
             shape: field.shape.clone(),
         }
     });
+    let fields = fields.collect();
+    let number = real.name();
+    let numbers = arguments.iter().map(|own| format!(", {number} {own}"));
+    let arrays = arguments
+        .iter()
+        .map(|own| format!(", const {number} *{own}"));
+    let sweep = sweep.map(|name| Declared {
+        signature: format!(
+            "void {name}(const {prefix} *m, size_t count{}, {result} *results)",
+            arrays.collect::<String>()
+        ),
+        name,
+    });
     Evaluator {
-        fields: fields.collect(),
+        fields,
+        declared: Declared {
+            signature: format!(
+                "{result} {name}(const {prefix} *m{})",
+                numbers.collect::<String>()
+            ),
+            name,
+        },
         result,
         sweep,
-        name,
         function,
         arguments,
         argument_notes,

@@ -45,3 +45,12 @@ pub(super) fn field_note(field: &linkage_compiler::ir::Field, columns: &[Column]
         Shape::Scalar | Shape::Vector(_) | Shape::Frame | Shape::PlaneFrame => about,
     }
 }
+
+/// What an input's reference is called in comments.
+pub(crate) fn reference(unit: &CompiledMechanism) -> String {
+    let inputs = unit.inputs.iter();
+    let places: Vec<String> = inputs
+        .map(|own| format!("{} = {}", own.name, in_degrees(own.reference, &own.unit)))
+        .collect();
+    places.join(", ")
+}

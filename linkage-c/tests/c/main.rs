@@ -4,6 +4,7 @@
 mod all_programs;
 mod arithmetic;
 mod batch;
+mod constants;
 mod controller;
 mod coupled;
 mod emulated;

@@ -1,5 +1,6 @@
 //! Which way an angle points, as long as its group can be assembled: what its turns are counted by.
 
+use crate::algebra::parts;
 use linkage_symbolic::program::{Binary, Source, Unary};
 use linkage_symbolic::{Ex, Node, V2, Vector, agree};
 
@@ -48,7 +49,7 @@ impl<'m> AngleReference<'m> {
             false => vector,
         };
         let sign = if self.opposite { -self.mode } else { self.mode };
-        let mut phasors = algebra.phasors(vector)?;
+        let mut phasors = phasors(algebra, vector)?;
         for own in &mut phasors {
             own.coefficient = sign * own.coefficient;
         }
@@ -56,65 +57,66 @@ impl<'m> AngleReference<'m> {
     }
 }
 
-impl<'m> Algebra<'m> {
-    /// A vector as a sum of vectors of fixed lengths, each turning with a sum of angles; `None` if a length changes.
-    fn phasors(&self, vector: V2<'m>) -> Option<Vec<Phasor<'m>>> {
-        /// Products of more directions would be sums of too many.
-        const MOST_ANGLES: usize = 3;
+/// A vector as a sum of vectors of fixed lengths, each turning with a sum of angles; `None` if a length changes.
+fn phasors<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Option<Vec<Phasor<'m>>> {
+    /// Products of more directions would be sums of too many.
+    const MOST_ANGLES: usize = 3;
 
-        let parts = self.parts(vector);
-        let few = parts
-            .turning
-            .iter()
-            .all(|(angles, _)| angles.len() <= MOST_ANGLES);
-        if !(parts.rest_is_fixed && few) {
-            return None;
-        }
-        let mut phasors = Vec::new();
-        if !parts.fixed.is_zero() {
-            phasors.push(Phasor {
-                coefficient: parts.fixed,
-                rates: Some(Vec::new()),
-            });
-        }
-        for (angles, part) in &parts.turning {
-            let rates: Vec<_> = angles.iter().map(|&angle| self.rate_of(angle)).collect();
-            phasors.extend(part.phasors(&rates));
-        }
-        let fixed = phasors.iter().all(|own| own.coefficient.is_fixed());
-        fixed.then_some(phasors)
+    let parts = parts::parts(algebra, vector);
+    let few = parts
+        .turning
+        .iter()
+        .all(|(angles, _)| angles.len() <= MOST_ANGLES);
+    if !(parts.rest_is_fixed && few) {
+        return None;
     }
+    let mut phasors = Vec::new();
+    if !parts.fixed.is_zero() {
+        phasors.push(Phasor {
+            coefficient: parts.fixed,
+            rates: Some(Vec::new()),
+        });
+    }
+    for (angles, part) in &parts.turning {
+        let rates: Vec<_> = angles
+            .iter()
+            .map(|&angle| rate_of(algebra, angle))
+            .collect();
+        phasors.extend(part.phasors(&rates));
+    }
+    let fixed = phasors.iter().all(|own| own.coefficient.is_fixed());
+    fixed.then_some(phasors)
+}
 
-    /// The input that an angle is a multiple of, and the factor.
-    fn rate_of(&self, (cosine, _): Turning) -> Option<(usize, f64)> {
-        let Node::Unary(Unary::Cos, argument) = self.graph.ex(cosine).node() else {
-            return None;
-        };
-        let (mut factor, mut argument) = (1.0, self.graph.ex(argument));
-        loop {
-            let ex = |id| self.graph.ex(id);
-            match argument.node() {
-                Node::Symbol(symbol) => {
-                    return match self.graph.symbol(symbol).source {
-                        Some(Source::Input(input)) => Some((input, factor)),
-                        _ => None,
-                    };
-                }
-                Node::Unary(Unary::Neg, x) => {
-                    factor = -factor;
-                    argument = ex(x);
-                }
-                Node::Binary(Binary::Mul, x, y) => {
-                    let [x, y] = [x, y].map(ex);
-                    let (known, other) = match x.constant_value() {
-                        Some(known) => (known, y),
-                        None => (y.constant_value()?, x),
-                    };
-                    factor *= known;
-                    argument = other;
-                }
-                _ => return None,
+/// The input that an angle is a multiple of, and the factor.
+fn rate_of(algebra: &Algebra<'_>, (cosine, _): Turning) -> Option<(usize, f64)> {
+    let Node::Unary(Unary::Cos, argument) = algebra.graph.ex(cosine).node() else {
+        return None;
+    };
+    let (mut factor, mut argument) = (1.0, algebra.graph.ex(argument));
+    loop {
+        let ex = |id| algebra.graph.ex(id);
+        match argument.node() {
+            Node::Symbol(symbol) => {
+                return match algebra.graph.symbol(symbol).source {
+                    Some(Source::Input(input)) => Some((input, factor)),
+                    _ => None,
+                };
             }
+            Node::Unary(Unary::Neg, x) => {
+                factor = -factor;
+                argument = ex(x);
+            }
+            Node::Binary(Binary::Mul, x, y) => {
+                let [x, y] = [x, y].map(ex);
+                let (known, other) = match x.constant_value() {
+                    Some(known) => (known, y),
+                    None => (y.constant_value()?, x),
+                };
+                factor *= known;
+                argument = other;
+            }
+            _ => return None,
         }
     }
 }

@@ -7,6 +7,7 @@
 #[cfg(test)]
 mod tests;
 
+use crate::algebra::pivots;
 use linkage_symbolic::{Ex, V3, Vector, agree};
 
 use super::pivots::parity;
@@ -184,82 +185,80 @@ pub(super) struct SolvedBeside<'m> {
     pub(super) turns: Vec<V3<'m>>,
 }
 
-impl<'m> Algebra<'m> {
-    /// Solves a linear system by a scheme.
-    pub(crate) fn solve_by_scheme(
-        &self,
-        scheme: &Scheme<'m>,
-        matrix: &[Vec<Ex<'m>>],
-        right: &[Ex<'m>],
-    ) -> SolvedByScheme<'m> {
-        let bodies = &scheme.bodies;
-        let shifts = bodies.shifts(right);
-        let known = bodies.rows.iter().map(|&row| {
-            let own = bodies.all.iter().zip(&shifts);
-            own.fold(right[row], |left, (body, shifts)| {
-                let pairs = body.entries(&matrix[row]).into_iter().zip(shifts);
-                pairs.fold(left, |left, (entries, &shift)| left - entries.dot(shift))
-            })
-        });
-        let known: Vec<Ex> = known.collect();
-        let InOrder {
-            solution,
-            determinant,
-        } = self.solve_in_order(&scheme.order, &scheme.freedoms, &known);
-        let still = shifts.iter().flatten().all(|shift| shift.is_zero());
-        SolvedByScheme {
-            turns: still.then(|| bodies.turns(&solution)),
-            solution: bodies.unknowns(&solution, &shifts),
-            determinant: bodies.sign * determinant,
-        }
+/// Solves a linear system by a scheme.
+pub(crate) fn solve_by_scheme<'m>(
+    algebra: &Algebra<'m>,
+    scheme: &Scheme<'m>,
+    matrix: &[Vec<Ex<'m>>],
+    right: &[Ex<'m>],
+) -> SolvedByScheme<'m> {
+    let bodies = &scheme.bodies;
+    let shifts = bodies.shifts(right);
+    let known = bodies.rows.iter().map(|&row| {
+        let own = bodies.all.iter().zip(&shifts);
+        own.fold(right[row], |left, (body, shifts)| {
+            let pairs = body.entries(&matrix[row]).into_iter().zip(shifts);
+            pairs.fold(left, |left, (entries, &shift)| left - entries.dot(shift))
+        })
+    });
+    let known: Vec<Ex> = known.collect();
+    let InOrder {
+        solution,
+        determinant,
+    } = pivots::solve_in_order(algebra, &scheme.order, &scheme.freedoms, &known);
+    let still = shifts.iter().flatten().all(|shift| shift.is_zero());
+    SolvedByScheme {
+        turns: still.then(|| bodies.turns(&solution)),
+        solution: bodies.unknowns(&solution, &shifts),
+        determinant: bodies.sign * determinant,
     }
+}
 
-    /// The same system where `left` is what shifts of directions leave of the right-hand side in the other equations.
-    pub(super) fn solve_left_by_scheme(
-        &self,
-        scheme: &Scheme<'m>,
-        shifts: &[Shifts<'m>],
-        left: &[Ex<'m>],
-    ) -> SolvedBeside<'m> {
-        let bodies = &scheme.bodies;
-        let left: Vec<Ex> = bodies.rows.iter().map(|&row| left[row]).collect();
-        let freedoms = self.solve_in_order(&scheme.order, &scheme.freedoms, &left);
-        SolvedBeside {
-            solution: bodies.unknowns(&freedoms.solution, shifts),
-            turns: bodies.turns(&freedoms.solution),
-        }
+/// The same system where `left` is what shifts of directions leave of the right-hand side in the other equations.
+pub(super) fn solve_left_by_scheme<'m>(
+    algebra: &Algebra<'m>,
+    scheme: &Scheme<'m>,
+    shifts: &[Shifts<'m>],
+    left: &[Ex<'m>],
+) -> SolvedBeside<'m> {
+    let bodies = &scheme.bodies;
+    let left: Vec<Ex> = bodies.rows.iter().map(|&row| left[row]).collect();
+    let freedoms = pivots::solve_in_order(algebra, &scheme.order, &scheme.freedoms, &left);
+    SolvedBeside {
+        solution: bodies.unknowns(&freedoms.solution, shifts),
+        turns: bodies.turns(&freedoms.solution),
     }
+}
 
-    /// Solves the transposed system: one number for each equation.
-    pub(crate) fn solve_transposed_by_scheme(
-        &self,
-        scheme: &Scheme<'m>,
-        matrix: &[Vec<Ex<'m>>],
-        right: &[Ex<'m>],
-    ) -> Vec<Ex<'m>> {
-        let bodies = &scheme.bodies;
-        let transposed: Vec<Vec<Ex>> = (0..scheme.freedoms.len())
-            .map(|column| scheme.freedoms.iter().map(|row| row[column]).collect())
-            .collect();
-        let known = bodies.by_freedoms(right);
-        let order = scheme.order.transposed();
-        let others = self.solve_in_order(&order, &transposed, &known).solution;
-        let mut all = vec![self.zero(); right.len()];
+/// Solves the transposed system: one number for each equation.
+pub(crate) fn solve_transposed_by_scheme<'m>(
+    algebra: &Algebra<'m>,
+    scheme: &Scheme<'m>,
+    matrix: &[Vec<Ex<'m>>],
+    right: &[Ex<'m>],
+) -> Vec<Ex<'m>> {
+    let bodies = &scheme.bodies;
+    let transposed: Vec<Vec<Ex>> = (0..scheme.freedoms.len())
+        .map(|column| scheme.freedoms.iter().map(|row| row[column]).collect())
+        .collect();
+    let known = bodies.by_freedoms(right);
+    let order = scheme.order.transposed();
+    let others = pivots::solve_in_order(algebra, &order, &transposed, &known).solution;
+    let mut all = vec![algebra.zero(); right.len()];
+    for (&row, &own) in bodies.rows.iter().zip(&others) {
+        all[row] = own;
+    }
+    for body in &bodies.all {
+        let [mut by_u, mut by_w] = body.entries(right);
         for (&row, &own) in bodies.rows.iter().zip(&others) {
+            let [of_u, of_w] = body.entries(&matrix[row]);
+            (by_u, by_w) = (by_u - own * of_u, by_w - own * of_w);
+        }
+        let [u, w] = body.axes;
+        let own = [by_u.dot(u), by_w.dot(w), 0.5 * (by_u.dot(w) + by_w.dot(u))];
+        for (&row, own) in body.rows.iter().zip(own) {
             all[row] = own;
         }
-        for body in &bodies.all {
-            let [mut by_u, mut by_w] = body.entries(right);
-            for (&row, &own) in bodies.rows.iter().zip(&others) {
-                let [of_u, of_w] = body.entries(&matrix[row]);
-                (by_u, by_w) = (by_u - own * of_u, by_w - own * of_w);
-            }
-            let [u, w] = body.axes;
-            let own = [by_u.dot(u), by_w.dot(w), 0.5 * (by_u.dot(w) + by_w.dot(u))];
-            for (&row, own) in body.rows.iter().zip(own) {
-                all[row] = own;
-            }
-        }
-        all
     }
+    all
 }

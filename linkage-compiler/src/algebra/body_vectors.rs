@@ -3,6 +3,7 @@
 //! By the derivatives of the body's directions it would take those of the third one, a product of the others, too, and in second derivatives three
 //! times as many.
 
+use crate::algebra::turns;
 use linkage_symbolic::{Node, NodeId, SymbolId, V3};
 
 use super::Algebra;
@@ -19,42 +20,49 @@ pub(super) struct Aboard<'m> {
     coordinates: V3<'m>,
 }
 
-impl<'m> Algebra<'m> {
-    /// Notes that the body with two directions carries a vector.
-    pub(super) fn note_aboard(&mut self, vector: V3<'m>, coordinates: V3<'m>, axes: [V3<'m>; 2]) {
-        for component in 0..3 {
-            // Symbols are differentiated by their rules.
-            let is_operation = !matches!(
-                vector[component].node(),
-                Node::Symbol(_) | Node::Constant(_)
-            );
-            if is_operation {
-                let own = Aboard {
-                    axes,
-                    vector,
-                    component,
-                    coordinates,
-                };
-                self.solutions.aboard.insert(vector[component].id(), own);
-            }
+/// Notes that the body with two directions carries a vector.
+pub(super) fn note_aboard<'m>(
+    algebra: &mut Algebra<'m>,
+    vector: V3<'m>,
+    coordinates: V3<'m>,
+    axes: [V3<'m>; 2],
+) {
+    for component in 0..3 {
+        // Symbols are differentiated by their rules.
+        let is_operation = !matches!(
+            vector[component].node(),
+            Node::Symbol(_) | Node::Constant(_)
+        );
+        if is_operation {
+            let own = Aboard {
+                axes,
+                vector,
+                component,
+                coordinates,
+            };
+            algebra.solutions.aboard.insert(vector[component].id(), own);
         }
     }
+}
 
-    /// The derivative of a component of what a body carries, where it is known how the body turns.
-    pub(super) fn slope_aboard(&mut self, node: NodeId, variable: SymbolId) -> Option<NodeId> {
-        if self.derivatives.held > 0 {
-            return None;
-        }
-        let own = self.solutions.aboard.get(&node)?.clone();
-        self.derivatives.offered.turns = true;
-        if !self.solutions.shortcuts.turns {
-            return None;
-        }
-        let mut coordinates = own.coordinates.0.into_iter();
-        if !coordinates.all(|x| self.slope(x, variable).is_zero()) {
-            return None;
-        }
-        let turn = self.turn_about(&own.axes, variable)?;
-        Some(turn.cross(own.vector)[own.component].id())
+/// The derivative of a component of what a body carries, where it is known how the body turns.
+pub(super) fn slope_aboard(
+    algebra: &mut Algebra<'_>,
+    node: NodeId,
+    variable: SymbolId,
+) -> Option<NodeId> {
+    if algebra.derivatives.held > 0 {
+        return None;
     }
+    let own = algebra.solutions.aboard.get(&node)?.clone();
+    algebra.derivatives.offered.turns = true;
+    if !algebra.solutions.shortcuts.turns {
+        return None;
+    }
+    let mut coordinates = own.coordinates.0.into_iter();
+    if !coordinates.all(|x| algebra.slope(x, variable).is_zero()) {
+        return None;
+    }
+    let turn = turns::turn_about(algebra, &own.axes, variable)?;
+    Some(turn.cross(own.vector)[own.component].id())
 }

@@ -1,5 +1,8 @@
 //! The functions of the language.
 
+use crate::algebra::frame;
+use crate::algebra::scalar;
+use crate::algebra::translate;
 use linkage_symbolic::program::{Binary, Unary};
 use linkage_symbolic::{Ex, V2, V3, Vector, Vn};
 
@@ -7,114 +10,116 @@ use crate::model::Function;
 
 use super::{Algebra, Value};
 
-impl<'m> Algebra<'m> {
-    pub(crate) fn call(&mut self, function: Function, arguments: Vec<Value<'m>>) -> Value<'m> {
-        use Function::*;
-        let number = |k: usize| self.number(&arguments[k]);
-        let vector = |k: usize| self.vector(&arguments[k]);
-        match function {
-            Polar => {
-                let length = number(0);
-                in_plane(length * self.direction_of(&arguments[1]))
-            }
-            Dir => in_plane(self.direction_of(&arguments[0])),
-            Rotate => {
-                let v = vector(0);
-                let unit = self.direction_of(&arguments[1]);
-                in_plane(plane(v).turned(unit))
-            }
-            Turn => {
-                let (v, axis) = (spatial(vector(0)), spatial(vector(1)));
-                self.turn(v, axis, &arguments[2])
-            }
-            Dot => {
-                let (a, b) = (vector(0), vector(1));
-                match (a.in_space(), b.in_space()) {
-                    (Some(a), Some(b)) => a.product(b).into(),
-                    _ => a.dot(b).into(),
-                }
-            }
-            Cross => {
-                let (a, b) = (vector(0), vector(1));
-                match a.len().max(b.len()) {
-                    2 => plane(a).cross(plane(b)).into(),
-                    _ => in_space(spatial(a).cross(spatial(b))),
-                }
-            }
-            Norm => vector(0).length().into(),
-            Distance => (vector(0) - vector(1)).length().into(),
-            Unit => {
-                let v = vector(0);
-                match v.in_space() {
-                    Some(v) => in_space(self.unit_in_space(v)),
-                    None => in_plane(plane(v).length_and_unit().1),
-                }
-            }
-            Angle => {
-                let v = plane(vector(0));
-                v[1].atan2(v[0]).into()
-            }
-            TriangleAngle => triangle_angle([0, 1, 2].map(number)).into(),
-            Sin => self.direction_of(&arguments[0])[1].into(),
-            Cos => self.direction_of(&arguments[0])[0].into(),
-            Tan => {
-                let unit = self.direction_of(&arguments[0]);
-                (unit[1] / unit[0]).into()
-            }
-            Asin => number(0).unary(Unary::Asin).into(),
-            Acos => number(0).unary(Unary::Acos).into(),
-            Atan => number(0).unary(Unary::Atan).into(),
-            Sqrt => self.square_root(number(0)).into(),
-            Abs => number(0).abs().into(),
-            Atan2 => binary(Binary::Atan2, [0, 1].map(number)),
-            Min => binary(Binary::Min, [0, 1].map(number)),
-            Max => binary(Binary::Max, [0, 1].map(number)),
-            Hypot => Vector([0, 1].map(number)).length().into(),
-            Frame => self.frame(&arguments),
-            PointIn => self.point_in(&arguments),
-            CoordinatesIn => self.coordinates_in(&arguments),
+pub(crate) fn call<'m>(
+    algebra: &mut Algebra<'m>,
+    function: Function,
+    arguments: Vec<Value<'m>>,
+) -> Value<'m> {
+    use Function::*;
+    let number = |k: usize| translate::number(algebra, &arguments[k]);
+    let vector = |k: usize| translate::vector(algebra, &arguments[k]);
+    match function {
+        Polar => {
+            let length = number(0);
+            in_plane(length * direction_of(algebra, &arguments[1]))
         }
-    }
-
-    fn direction_of(&mut self, angle: &Value<'m>) -> V2<'m> {
-        let angle = self.scalar(angle);
-        self.direction(&angle)
-    }
-
-    /// The root of `v . v` is known as a length.
-    fn square_root(&self, square: Ex<'m>) -> Ex<'m> {
-        match self.graph.vector_of_square(square.id()) {
-            Some(vector) if vector.len() == 3 => self.graph.components(&vector).length(),
-            _ => square.sqrt(),
+        Dir => in_plane(direction_of(algebra, &arguments[0])),
+        Rotate => {
+            let v = vector(0);
+            let unit = direction_of(algebra, &arguments[1]);
+            in_plane(plane(v).turned(unit))
         }
-    }
-
-    /// Rodrigues: `v cos + (k x v) sin + k (k . v) (1 - cos)` about the unit axis `k`.
-    fn turn(&mut self, v: V3<'m>, axis: V3<'m>, angle: &Value<'m>) -> Value<'m> {
-        let axis = axis.unit();
-        let Vector([cos, sin]) = self.direction_of(angle);
-        let along = axis.dot(v);
-        let sideways = axis.cross(v);
-        let (turning, sideways, along) = if self.vanishes(along) {
-            (v, sideways, self.zero())
-        } else if v.is_fixed() && axis.is_fixed() {
-            // Of a vector that is prepared only the part across the axis turns: what is left of a long part along it by
-            // rounding would tilt the circle.
-            let across = sideways.cross(axis);
-            (across, axis.cross(across), along)
-        } else {
-            let versine = 1.0 - cos;
-            (v, sideways, along * versine)
-        };
-        let turned = Vector([0, 1, 2].map(|k| {
-            let terms = [turning[k] * cos, sideways[k] * sin, axis[k] * along];
-            terms[0] + terms[1] + terms[2]
-        }));
-        if v.is_unit() {
-            turned.mark_unit();
+        Turn => {
+            let (v, axis) = (spatial(vector(0)), spatial(vector(1)));
+            turn(algebra, v, axis, &arguments[2])
         }
-        in_space(turned)
+        Dot => {
+            let (a, b) = (vector(0), vector(1));
+            match (a.in_space(), b.in_space()) {
+                (Some(a), Some(b)) => a.product(b).into(),
+                _ => a.dot(b).into(),
+            }
+        }
+        Cross => {
+            let (a, b) = (vector(0), vector(1));
+            match a.len().max(b.len()) {
+                2 => plane(a).cross(plane(b)).into(),
+                _ => in_space(spatial(a).cross(spatial(b))),
+            }
+        }
+        Norm => vector(0).length().into(),
+        Distance => (vector(0) - vector(1)).length().into(),
+        Unit => {
+            let v = vector(0);
+            match v.in_space() {
+                Some(v) => in_space(frame::unit_in_space(algebra, v)),
+                None => in_plane(plane(v).length_and_unit().1),
+            }
+        }
+        Angle => {
+            let v = plane(vector(0));
+            v[1].atan2(v[0]).into()
+        }
+        TriangleAngle => triangle_angle([0, 1, 2].map(number)).into(),
+        Sin => direction_of(algebra, &arguments[0])[1].into(),
+        Cos => direction_of(algebra, &arguments[0])[0].into(),
+        Tan => {
+            let unit = direction_of(algebra, &arguments[0]);
+            (unit[1] / unit[0]).into()
+        }
+        Asin => number(0).unary(Unary::Asin).into(),
+        Acos => number(0).unary(Unary::Acos).into(),
+        Atan => number(0).unary(Unary::Atan).into(),
+        Sqrt => square_root(algebra, number(0)).into(),
+        Abs => number(0).abs().into(),
+        Atan2 => binary(Binary::Atan2, [0, 1].map(number)),
+        Min => binary(Binary::Min, [0, 1].map(number)),
+        Max => binary(Binary::Max, [0, 1].map(number)),
+        Hypot => Vector([0, 1].map(number)).length().into(),
+        Frame => frame::frame(algebra, &arguments),
+        PointIn => frame::point_in(algebra, &arguments),
+        CoordinatesIn => frame::coordinates_in(algebra, &arguments),
     }
+}
+
+fn direction_of<'m>(algebra: &mut Algebra<'m>, angle: &Value<'m>) -> V2<'m> {
+    let angle = translate::scalar(algebra, angle);
+    scalar::direction(algebra, &angle)
+}
+
+/// The root of `v . v` is known as a length.
+fn square_root<'m>(algebra: &Algebra<'m>, square: Ex<'m>) -> Ex<'m> {
+    match algebra.graph.vector_of_square(square.id()) {
+        Some(vector) if vector.len() == 3 => algebra.graph.components(&vector).length(),
+        _ => square.sqrt(),
+    }
+}
+
+/// Rodrigues: `v cos + (k x v) sin + k (k . v) (1 - cos)` about the unit axis `k`.
+fn turn<'m>(algebra: &mut Algebra<'m>, v: V3<'m>, axis: V3<'m>, angle: &Value<'m>) -> Value<'m> {
+    let axis = axis.unit();
+    let Vector([cos, sin]) = direction_of(algebra, angle);
+    let along = axis.dot(v);
+    let sideways = axis.cross(v);
+    let (turning, sideways, along) = if algebra.vanishes(along) {
+        (v, sideways, algebra.zero())
+    } else if v.is_fixed() && axis.is_fixed() {
+        // Of a vector that is prepared only the part across the axis turns: what is left of a long part along it by
+        // rounding would tilt the circle.
+        let across = sideways.cross(axis);
+        (across, axis.cross(across), along)
+    } else {
+        let versine = 1.0 - cos;
+        (v, sideways, along * versine)
+    };
+    let turned = Vector([0, 1, 2].map(|k| {
+        let terms = [turning[k] * cos, sideways[k] * sin, axis[k] * along];
+        terms[0] + terms[1] + terms[2]
+    }));
+    if v.is_unit() {
+        turned.mark_unit();
+    }
+    in_space(turned)
 }
 
 fn in_plane(v: V2) -> Value {

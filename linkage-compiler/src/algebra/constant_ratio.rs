@@ -35,25 +35,23 @@ impl ConstantRatio {
     }
 }
 
-impl Algebra<'_> {
-    /// Turns that an unknown angle may make for each turn of an input: the rates at which vectors turn with it, and simple
-    /// multiples.
-    pub(crate) fn candidate_rates(&self, input: usize) -> Vec<f64> {
-        let mut rates = vec![0.0];
-        if self.mechanism.inputs[input].dimension.half_lengths != 0 {
-            return rates;
-        }
-        for base in [1.0]
-            .into_iter()
-            .chain(self.names.input_rates(Atom::Input(input)))
-        {
-            for factor in [1.0, -1.0, 2.0, -2.0, 0.5, -0.5] {
-                let rate = base * factor;
-                if rate != 0.0 && !rates.contains(&rate) {
-                    rates.push(rate);
-                }
+/// Turns that an unknown angle may make for each turn of an input: the rates at which vectors turn with it, and simple
+/// multiples.
+pub(crate) fn candidate_rates(algebra: &Algebra<'_>, input: usize) -> Vec<f64> {
+    let mut rates = vec![0.0];
+    if algebra.mechanism.inputs[input].dimension.half_lengths != 0 {
+        return rates;
+    }
+    for base in [1.0]
+        .into_iter()
+        .chain(algebra.names.input_rates(Atom::Input(input)))
+    {
+        for factor in [1.0, -1.0, 2.0, -2.0, 0.5, -0.5] {
+            let rate = base * factor;
+            if rate != 0.0 && !rates.contains(&rate) {
+                rates.push(rate);
             }
         }
-        rates
     }
+    rates
 }

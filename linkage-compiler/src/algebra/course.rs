@@ -10,7 +10,7 @@ use linkage_symbolic::program::Unary;
 
 use super::choice::Choice;
 use super::law::profile;
-use crate::model::{Course, CourseKind, Law, Pieces, Repeats};
+use crate::model::{Law, MotionLaw, MotionLawKind, Pieces, Repeats};
 
 mod blocks;
 mod quintic;
@@ -26,22 +26,22 @@ const TURN_LOW: f64 = 1.935_307_179_586_476_9e-3;
 /// The value of a course at `argument`, or its derivative by that, its knots given as places and values, those of some splines as slopes, too.
 pub(super) fn value<'m>(
     argument: Ex<'m>,
-    course: &Course,
+    course: &MotionLaw,
     knots: &[(Ex<'m>, Ex<'m>)],
     slopes: &[Ex<'m>],
 ) -> Ex<'m> {
     let along = if_ordered(wound(argument, course.repeats, knots), knots);
     let order = usize::from(course.order);
     match course.kind {
-        CourseKind::Rise | CourseKind::Laws => {
+        MotionLawKind::Rise | MotionLawKind::Laws => {
             let laws: Vec<Option<Law>> = course.knots.iter().map(|own| own.law).collect();
             by_laws(along, knots, &laws, course.repeats, order)
         }
-        CourseKind::Spline(ends, Pieces::Cubic) => spline::value(along, knots, ends, order),
-        CourseKind::Spline(ends, Pieces::Quintic) => {
+        MotionLawKind::Spline(ends, Pieces::Cubic) => spline::value(along, knots, ends, order),
+        MotionLawKind::Spline(ends, Pieces::Quintic) => {
             quintic::value(along, knots, None, ends, order)
         }
-        CourseKind::Spline(ends, Pieces::QuinticBySlopes) => {
+        MotionLawKind::Spline(ends, Pieces::QuinticBySlopes) => {
             quintic::value(along, knots, Some(slopes), ends, order)
         }
     }

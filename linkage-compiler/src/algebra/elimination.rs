@@ -5,6 +5,9 @@
 //! of pivots, which would be a branch, and no division but the last. They grow with the factorial of the size: larger matrices are
 //! eliminated in an order that is known before (`pivots`).
 
+use crate::algebra::bodies;
+use crate::algebra::rows;
+use crate::algebra::turns;
 use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, Graph, SymbolId};
@@ -44,193 +47,201 @@ pub(crate) struct PrivateColumn<'m> {
     pub(crate) square: Ex<'m>,
 }
 
-impl<'m> Algebra<'m> {
-    /// The unknowns of `J r = right`, the core first: derivatives by some variables.
-    pub(super) fn eliminate(
-        &mut self,
-        group: usize,
-        right: &[Ex<'m>],
-        by: &[SymbolId],
-        name: &mut dyn FnMut(&mut Self, usize, Ex<'m>) -> Ex<'m>,
-    ) -> Vec<Ex<'m>> {
-        let solution = self.solutions.groups[group].clone();
-        let Some(elimination) = &solution.elimination else {
-            unreachable!("closed forms are solved by Cramer's rule");
-        };
-        let of_core = |algebra: &Self, right: &[Ex<'m>]| -> Vec<Ex<'m>> {
-            let rows = elimination.rows.iter();
-            rows.map(|row| algebra.product_sum(&row.factors, &right[row.first..]))
-                .collect()
-        };
-        let core = of_core(self, right);
-        let quotients = match &elimination.scheme {
-            Some(scheme) if by.len() > 1 && elimination.privates.is_empty() => {
-                let turns = self.turns_by_both(group, by);
-                let bodies = &scheme.bodies;
-                let shifts = match &turns {
-                    Some(turns) => self.shifts_by_turns(bodies, group, turns),
-                    None => bodies.shifts(&core),
-                };
-                // What that leaves in the other equations is a derivative like others: by the entries of the matrix it takes more.
-                let nothing = vec![self.zero(); scheme.freedoms.len()];
-                let held = bodies.unknowns(&nothing, &shifts);
-                let pairs = elimination.units.iter().zip(&held);
-                let held = pairs.map(|(&unit, &shift)| unit * shift).collect();
-                let left = self.right_of_rows(group, by, held, turns.as_ref());
-                let left = of_core(self, &left);
-                let solved = self.solve_left_by_scheme(scheme, &shifts, &left);
-                if let Some(Turns { by, .. }) = turns {
-                    let second = &mut self.derivatives.second_turns;
-                    second.insert((group, by), solved.turns);
-                }
-                solved.solution
-            }
-            Some(scheme) => {
-                let solved = self.solve_by_scheme(scheme, &elimination.matrix, &core);
-                if let (&[variable], Some(turns)) = (by, solved.turns) {
-                    self.derivatives.turns.insert((group, variable), turns);
-                }
-                solved.solution
-            }
-            None => self.solve_core(&elimination.matrix, &core, solution.determinant),
-        };
-        let mut rates = Vec::new();
-        for (position, quotient) in quotients.into_iter().enumerate() {
-            let rate = elimination.units[position] * quotient;
-            rates.push(name(self, position, rate));
-        }
-        let count = rates.len();
-        for (k, private) in elimination.privates.iter().enumerate() {
-            let rows = [private.first, private.first + 1];
-            let left = rows.map(|row| {
-                let columns = solution.jacobian[..count].iter().zip(&rates);
-                columns.fold(right[row], |sum, (column, &rate)| sum - column[row] * rate)
-            });
-            let own = rows.map(|row| solution.jacobian[count + k][row]);
-            let rate = self.product_sum(&own, &left) / private.square;
-            rates.push(name(self, count + k, rate));
-        }
-        rates
-    }
-
-    /// The multipliers of `J^T l = weights`.
-    pub(super) fn eliminate_transposed(&mut self, group: usize, weights: &[Ex<'m>]) -> Vec<Ex<'m>> {
-        let solution = self.solutions.groups[group].clone();
-        let Some(elimination) = &solution.elimination else {
-            unreachable!("closed forms are solved by Cramer's rule");
-        };
-        let count = elimination.units.len();
-        let zero = self.zero();
-        let mut multipliers = vec![zero; solution.jacobian[0].len()];
-        for (k, private) in elimination.privates.iter().enumerate() {
-            let factor = weights[count + k] / private.square;
-            for row in [private.first, private.first + 1] {
-                multipliers[row] = factor * solution.jacobian[count + k][row];
-            }
-        }
-        let core: Vec<Ex> = (0..count)
-            .map(|position| {
-                let known = self.product_sum(&multipliers, &solution.jacobian[position]);
-                elimination.units[position] * (weights[position] - known)
-            })
-            .collect();
-        let factors: Vec<Ex> = match &elimination.scheme {
-            Some(scheme) => self.solve_transposed_by_scheme(scheme, &elimination.matrix, &core),
-            None => {
-                let transposed: Vec<Vec<Ex>> = (0..count)
-                    .map(|column| elimination.matrix.iter().map(|row| row[column]).collect())
-                    .collect();
-                let numerators = self.cofactor_products(&transposed, &core).into_iter();
-                numerators.map(|own| own / solution.determinant).collect()
-            }
-        };
-        for (row, factor) in elimination.rows.iter().zip(factors) {
-            for (k, &own) in row.factors.iter().enumerate() {
-                multipliers[row.first + k] += factor * own;
-            }
-        }
-        multipliers
-    }
-
-    /// The sum of products, of any number.
-    pub(crate) fn product_sum(&self, a: &[Ex<'m>], b: &[Ex<'m>]) -> Ex<'m> {
-        let pairs = a.iter().zip(b);
-        pairs.fold(self.zero(), |sum, (&x, &y)| sum + x * y)
-    }
-
-    /// The solution of a linear system. What is divided by the determinant is the right-hand side where that is mostly 0.
-    fn solve_core(
-        &mut self,
-        matrix: &[Vec<Ex<'m>>],
-        right: &[Ex<'m>],
-        determinant: Ex<'m>,
-    ) -> Vec<Ex<'m>> {
-        let entries = right.iter().filter(|x| !x.is_zero()).count();
-        if entries < right.len() {
-            let right: Vec<Ex> = right.iter().map(|&x| x / determinant).collect();
-            return self.cofactor_products(matrix, &right);
-        }
-        let numerators = self.cofactor_products(matrix, right).into_iter();
-        numerators
-            .map(|numerator| numerator / determinant)
+/// The unknowns of `J r = right`, the core first: derivatives by some variables.
+pub(super) fn eliminate<'m>(
+    algebra: &mut Algebra<'m>,
+    group: usize,
+    right: &[Ex<'m>],
+    by: &[SymbolId],
+    name: &mut dyn FnMut(&mut Algebra<'m>, usize, Ex<'m>) -> Ex<'m>,
+) -> Vec<Ex<'m>> {
+    let solution = algebra.solutions.groups[group].clone();
+    let Some(elimination) = &solution.elimination else {
+        unreachable!("closed forms are solved by Cramer's rule");
+    };
+    let of_core = |algebra: &Algebra<'m>, right: &[Ex<'m>]| -> Vec<Ex<'m>> {
+        let rows = elimination.rows.iter();
+        rows.map(|row| product_sum(algebra, &row.factors, &right[row.first..]))
             .collect()
-    }
-
-    /// The adjugate of a matrix times a vector: the solution of the linear system times the determinant.
-    pub(crate) fn cofactor_products(
-        &self,
-        matrix: &[Vec<Ex<'m>>],
-        right: &[Ex<'m>],
-    ) -> Vec<Ex<'m>> {
-        let size = matrix.len();
-        let all = (1_u32 << size) - 1;
-        let mut minors = Minors::of(self.graph, matrix);
-        let zero = self.zero();
-        (0..size)
-            .map(|column| {
-                (0..size).fold(zero, |sum, row| {
-                    let minor = minors.minor(all & !(1 << row), all & !(1 << column));
-                    let product = minor * right[row];
-                    match (row + column) % 2 {
-                        0 => sum + product,
-                        _ => sum - product,
-                    }
-                })
-            })
-            .collect()
-    }
-
-    /// Cramer's rule for one right-hand side: what the solution is times the determinant, and that. The right-hand side is a further column, so that
-    /// fewer minors are needed than for several.
-    pub(crate) fn cramer(&self, matrix: &[Vec<Ex<'m>>], right: &[Ex<'m>]) -> (Vec<Ex<'m>>, Ex<'m>) {
-        let size = matrix.len();
-        if size < 3 {
-            // There is nothing to save.
-            let numerators = self.cofactor_products(matrix, right);
-            return (numerators, self.determinant(matrix));
-        }
-        let pairs = matrix.iter().zip(right);
-        let wide: Vec<Vec<Ex>> = pairs
-            .map(|(row, &own)| [&row[..], &[own]].concat())
-            .collect();
-        let mut minors = Minors::of(self.graph, &wide);
-        let (rows, all) = ((1_u32 << size) - 1, (1_u32 << (size + 1)) - 1);
-        let numerators = (0..size).map(|column| {
-            // The last column instead of this one: behind those that it passes.
-            let minor = minors.minor(rows, all & !(1 << column));
-            match (size - 1 - column) % 2 {
-                0 => minor,
-                _ => -minor,
+    };
+    let core = of_core(algebra, right);
+    let quotients = match &elimination.scheme {
+        Some(scheme) if by.len() > 1 && elimination.privates.is_empty() => {
+            let turns = turns::turns_by_both(algebra, group, by);
+            let bodies = &scheme.bodies;
+            let shifts = match &turns {
+                Some(turns) => turns::shifts_by_turns(algebra, bodies, group, turns),
+                None => bodies.shifts(&core),
+            };
+            // What that leaves in the other equations is a derivative like others: by the entries of the matrix it takes more.
+            let nothing = vec![algebra.zero(); scheme.freedoms.len()];
+            let held = bodies.unknowns(&nothing, &shifts);
+            let pairs = elimination.units.iter().zip(&held);
+            let held = pairs.map(|(&unit, &shift)| unit * shift).collect();
+            let left = rows::right_of_rows(algebra, group, by, held, turns.as_ref());
+            let left = of_core(algebra, &left);
+            let solved = bodies::solve_left_by_scheme(algebra, scheme, &shifts, &left);
+            if let Some(Turns { by, .. }) = turns {
+                let second = &mut algebra.derivatives.second_turns;
+                second.insert((group, by), solved.turns);
             }
+            solved.solution
+        }
+        Some(scheme) => {
+            let solved = bodies::solve_by_scheme(algebra, scheme, &elimination.matrix, &core);
+            if let (&[variable], Some(turns)) = (by, solved.turns) {
+                algebra.derivatives.turns.insert((group, variable), turns);
+            }
+            solved.solution
+        }
+        None => solve_core(algebra, &elimination.matrix, &core, solution.determinant),
+    };
+    let mut rates = Vec::new();
+    for (position, quotient) in quotients.into_iter().enumerate() {
+        let rate = elimination.units[position] * quotient;
+        rates.push(name(algebra, position, rate));
+    }
+    let count = rates.len();
+    for (k, private) in elimination.privates.iter().enumerate() {
+        let rows = [private.first, private.first + 1];
+        let left = rows.map(|row| {
+            let columns = solution.jacobian[..count].iter().zip(&rates);
+            columns.fold(right[row], |sum, (column, &rate)| sum - column[row] * rate)
         });
-        let numerators = numerators.collect();
-        (numerators, minors.minor(rows, rows))
+        let own = rows.map(|row| solution.jacobian[count + k][row]);
+        let rate = product_sum(algebra, &own, &left) / private.square;
+        rates.push(name(algebra, count + k, rate));
     }
+    rates
+}
 
-    pub(crate) fn determinant(&self, matrix: &[Vec<Ex<'m>>]) -> Ex<'m> {
-        let all = (1_u32 << matrix.len()) - 1;
-        Minors::of(self.graph, matrix).minor(all, all)
+/// The multipliers of `J^T l = weights`.
+pub(super) fn eliminate_transposed<'m>(
+    algebra: &mut Algebra<'m>,
+    group: usize,
+    weights: &[Ex<'m>],
+) -> Vec<Ex<'m>> {
+    let solution = algebra.solutions.groups[group].clone();
+    let Some(elimination) = &solution.elimination else {
+        unreachable!("closed forms are solved by Cramer's rule");
+    };
+    let count = elimination.units.len();
+    let zero = algebra.zero();
+    let mut multipliers = vec![zero; solution.jacobian[0].len()];
+    for (k, private) in elimination.privates.iter().enumerate() {
+        let factor = weights[count + k] / private.square;
+        for row in [private.first, private.first + 1] {
+            multipliers[row] = factor * solution.jacobian[count + k][row];
+        }
     }
+    let core: Vec<Ex> = (0..count)
+        .map(|position| {
+            let known = product_sum(algebra, &multipliers, &solution.jacobian[position]);
+            elimination.units[position] * (weights[position] - known)
+        })
+        .collect();
+    let factors: Vec<Ex> = match &elimination.scheme {
+        Some(scheme) => {
+            bodies::solve_transposed_by_scheme(algebra, scheme, &elimination.matrix, &core)
+        }
+        None => {
+            let transposed: Vec<Vec<Ex>> = (0..count)
+                .map(|column| elimination.matrix.iter().map(|row| row[column]).collect())
+                .collect();
+            let numerators = cofactor_products(algebra, &transposed, &core).into_iter();
+            numerators.map(|own| own / solution.determinant).collect()
+        }
+    };
+    for (row, factor) in elimination.rows.iter().zip(factors) {
+        for (k, &own) in row.factors.iter().enumerate() {
+            multipliers[row.first + k] += factor * own;
+        }
+    }
+    multipliers
+}
+
+/// The sum of products, of any number.
+pub(crate) fn product_sum<'m>(algebra: &Algebra<'m>, a: &[Ex<'m>], b: &[Ex<'m>]) -> Ex<'m> {
+    let pairs = a.iter().zip(b);
+    pairs.fold(algebra.zero(), |sum, (&x, &y)| sum + x * y)
+}
+
+/// The solution of a linear system. What is divided by the determinant is the right-hand side where that is mostly 0.
+fn solve_core<'m>(
+    algebra: &mut Algebra<'m>,
+    matrix: &[Vec<Ex<'m>>],
+    right: &[Ex<'m>],
+    determinant: Ex<'m>,
+) -> Vec<Ex<'m>> {
+    let entries = right.iter().filter(|x| !x.is_zero()).count();
+    if entries < right.len() {
+        let right: Vec<Ex> = right.iter().map(|&x| x / determinant).collect();
+        return cofactor_products(algebra, matrix, &right);
+    }
+    let numerators = cofactor_products(algebra, matrix, right).into_iter();
+    numerators
+        .map(|numerator| numerator / determinant)
+        .collect()
+}
+
+/// The adjugate of a matrix times a vector: the solution of the linear system times the determinant.
+pub(crate) fn cofactor_products<'m>(
+    algebra: &Algebra<'m>,
+    matrix: &[Vec<Ex<'m>>],
+    right: &[Ex<'m>],
+) -> Vec<Ex<'m>> {
+    let size = matrix.len();
+    let all = (1_u32 << size) - 1;
+    let mut minors = Minors::of(algebra.graph, matrix);
+    let zero = algebra.zero();
+    (0..size)
+        .map(|column| {
+            (0..size).fold(zero, |sum, row| {
+                let minor = minors.minor(all & !(1 << row), all & !(1 << column));
+                let product = minor * right[row];
+                match (row + column) % 2 {
+                    0 => sum + product,
+                    _ => sum - product,
+                }
+            })
+        })
+        .collect()
+}
+
+/// Cramer's rule for one right-hand side: what the solution is times the determinant, and that. The right-hand side is a further column, so that
+/// fewer minors are needed than for several.
+pub(crate) fn cramer<'m>(
+    algebra: &Algebra<'m>,
+    matrix: &[Vec<Ex<'m>>],
+    right: &[Ex<'m>],
+) -> (Vec<Ex<'m>>, Ex<'m>) {
+    let size = matrix.len();
+    if size < 3 {
+        // There is nothing to save.
+        let numerators = cofactor_products(algebra, matrix, right);
+        return (numerators, determinant(algebra, matrix));
+    }
+    let pairs = matrix.iter().zip(right);
+    let wide: Vec<Vec<Ex>> = pairs
+        .map(|(row, &own)| [&row[..], &[own]].concat())
+        .collect();
+    let mut minors = Minors::of(algebra.graph, &wide);
+    let (rows, all) = ((1_u32 << size) - 1, (1_u32 << (size + 1)) - 1);
+    let numerators = (0..size).map(|column| {
+        // The last column instead of this one: behind those that it passes.
+        let minor = minors.minor(rows, all & !(1 << column));
+        match (size - 1 - column) % 2 {
+            0 => minor,
+            _ => -minor,
+        }
+    });
+    let numerators = numerators.collect();
+    (numerators, minors.minor(rows, rows))
+}
+
+pub(crate) fn determinant<'m>(algebra: &Algebra<'m>, matrix: &[Vec<Ex<'m>>]) -> Ex<'m> {
+    let all = (1_u32 << matrix.len()) - 1;
+    Minors::of(algebra.graph, matrix).minor(all, all)
 }
 
 /// The minors of a matrix that are known already.

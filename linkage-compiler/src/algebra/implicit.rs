@@ -5,6 +5,13 @@
 //! every further derivative follows by differentiating that linear system, so that the square root of the
 //! closed form is never differentiated. Each rate is a symbol of its own: common parts are computed once.
 
+use crate::algebra::body_vectors;
+use crate::algebra::elimination;
+use crate::algebra::links;
+use crate::algebra::partial;
+use crate::algebra::rotating_frame;
+use crate::algebra::rows;
+use crate::algebra::turns;
 use linkage_symbolic::{
     Calculus, DerivativeMemo, Ex, Graph, NodeId, SymbolId, Vector, differentiate,
 };
@@ -89,7 +96,7 @@ pub(super) trait Implicit<'m>: Calculus<'m> {
         let [change, base] =
             [shown.vector, shown.base].map(|own| own.map(|x| self.slope(x, variable)));
         let turned = self.turning_of(shown.carrier, variable) * shown.vector.perp();
-        self.algebra().shown(shown.carrier, change + turned, base)[shown.component]
+        rotating_frame::shown(self.algebra(), shown.carrier, change + turned, base)[shown.component]
     }
 
     /// By how much a carrier turns.
@@ -101,7 +108,7 @@ pub(super) trait Implicit<'m>: Calculus<'m> {
     /// What changes in fixed coordinates, seen from the carrier, which turns itself.
     fn seen_rate(&mut self, seen: &Seen<'m>, variable: SymbolId) -> Ex<'m> {
         let change = seen.vector.map(|x| self.slope(x, variable));
-        let changed = self.algebra().seen(seen.carrier, change);
+        let changed = rotating_frame::seen(self.algebra(), seen.carrier, change);
         let turned = self.turning_of(seen.carrier, variable) * seen.own.perp();
         (changed - turned)[seen.component]
     }
@@ -134,7 +141,7 @@ impl<'m> Calculus<'m> for Algebra<'m> {
     }
 
     fn known_derivative(&mut self, node: NodeId, variable: SymbolId) -> Option<NodeId> {
-        self.slope_aboard(node, variable)
+        body_vectors::slope_aboard(self, node, variable)
     }
 
     fn symbol_derivative(&mut self, symbol: SymbolId, variable: SymbolId) -> NodeId {
@@ -148,7 +155,7 @@ impl<'m> Implicit<'m> for Algebra<'m> {
     }
 
     fn rate_of_turn(&mut self, own: &TurnRule<'m>, variable: SymbolId) -> Ex<'m> {
-        match self.second_turn(own, variable) {
+        match turns::second_turn(self, own, variable) {
             Some(turn) => turn,
             None => self.slope(own.equal, variable),
         }
@@ -163,133 +170,147 @@ impl<'m> Implicit<'m> for Algebra<'m> {
     ) -> Ex<'m> {
         by.push(variable);
         by.sort_unstable();
-        self.rates(group, by).rates[position]
+        rates(self, group, by).rates[position]
     }
 }
 
-impl<'m> Algebra<'m> {
-    /// The derivatives of a group's unknowns by the variables `by`, which are in order.
-    pub(super) fn rates(&mut self, group: usize, by: Vec<SymbolId>) -> Rates<'m> {
-        let key = (group, by);
-        if let Some(known) = self.derivatives.rates.get(&key) {
-            return known.clone();
-        }
-        let right = self.right_hand_side(group, &key.1);
-        let rates = match self.rates_by_products(group, &key.1) {
-            Some(rates) => rates,
-            None => self.solve(group, &right, &key.1),
-        };
-        let rates = Rates { right, rates };
-        self.derivatives.rates.insert(key, rates.clone());
-        rates
+/// The derivatives of a group's unknowns by the variables `by`, which are in order.
+pub(super) fn rates<'m>(algebra: &mut Algebra<'m>, group: usize, by: Vec<SymbolId>) -> Rates<'m> {
+    let key = (group, by);
+    if let Some(known) = algebra.derivatives.rates.get(&key) {
+        return known.clone();
     }
+    let right = right_hand_side(algebra, group, &key.1);
+    let rates = match links::rates_by_products(algebra, group, &key.1) {
+        Some(rates) => rates,
+        None => solve(algebra, group, &right, &key.1),
+    };
+    let rates = Rates { right, rates };
+    algebra.derivatives.rates.insert(key, rates.clone());
+    rates
+}
 
-    fn right_hand_side(&mut self, group: usize, by: &[SymbolId]) -> Vec<Ex<'m>> {
-        let (&last, before) = by.split_last().expect("a derivative has a variable");
-        let solution = self.solutions.groups[group].clone();
-        let equations = solution.jacobian[0].len();
-        if before.is_empty() {
-            let mut slope = |algebra: &mut Self, x| algebra.slope(x, last);
-            let mut of_links = self.right_of_links(group, last);
-            of_links.resize(equations, None);
-            return of_links
-                .into_iter()
-                .enumerate()
-                .map(|(row, own)| match own {
-                    Some(own) => own,
-                    None => self.sum_of_slopes(&solution.terms, row, |a, b| a - b, &mut slope),
-                })
-                .collect();
-        }
-        if !solution.rows.is_empty() {
-            let nothing = vec![self.zero(); solution.jacobian.len()];
-            return self.right_of_rows(group, by, nothing, None);
-        }
-        let lower = self.rates(group, before.to_vec());
-        (0..equations)
-            .map(|row| {
-                let start = self.slope(lower.right[row], last);
-                let columns = solution.jacobian.iter().zip(&lower.rates);
-                columns.fold(start, |sum, (column, &rate)| {
-                    sum - self.slope(column[row], last) * rate
-                })
-            })
-            .collect()
-    }
-
-    /// Cramer's rule, the determinant being known from the closed form; coupled groups are brought down to their core.
-    fn solve(&mut self, group: usize, right: &[Ex<'m>], by: &[SymbolId]) -> Vec<Ex<'m>> {
-        let solution = &self.solutions.groups[group];
-        let (determinant, count) = (solution.determinant, solution.jacobian.len());
-        if right.iter().all(|b| b.is_zero()) {
-            return vec![self.zero(); count];
-        }
-        if solution.elimination.is_some() {
-            return self.eliminate(group, right, by, &mut |algebra, position, rate| {
-                algebra.rate_symbol(group, position, by, rate)
-            });
-        }
-        let numerators = match *right {
-            [b] => vec![b],
-            [x, y] => {
-                let right = Vector([x, y]);
-                let [first, second] = [0, 1].map(|k| {
-                    let column = &solution.jacobian[k];
-                    Vector([column[0], column[1]])
-                });
-                vec![right.cross(second), first.cross(right)]
-            }
-            _ => unreachable!("closed forms have one or two equations"),
-        };
-        let jacobian = solution.jacobian.clone();
-        let mut rates: Vec<Ex> = (0..count)
-            .map(|position| {
-                let quotient = numerators[position] / determinant;
-                self.rate_symbol(group, position, by, quotient)
+fn right_hand_side<'m>(algebra: &mut Algebra<'m>, group: usize, by: &[SymbolId]) -> Vec<Ex<'m>> {
+    let (&last, before) = by.split_last().expect("a derivative has a variable");
+    let solution = algebra.solutions.groups[group].clone();
+    let equations = solution.jacobian[0].len();
+    if before.is_empty() {
+        let mut slope = |algebra: &mut Algebra<'m>, x| algebra.slope(x, last);
+        let mut of_links = rows::right_of_links(algebra, group, last);
+        of_links.resize(equations, None);
+        return of_links
+            .into_iter()
+            .enumerate()
+            .map(|(row, own)| match own {
+                Some(own) => own,
+                None => {
+                    partial::sum_of_slopes(algebra, &solution.terms, row, |a, b| a - b, &mut slope)
+                }
             })
             .collect();
-        // Where the other one does not change, only the determinant says whether the loop closes.
-        if let Some((alone, row)) = triangular(&jacobian)
-            && !rates[1 - alone].is_zero()
-        {
-            let other = jacobian[1 - alone][row] * rates[1 - alone];
-            let quotient = (right[row] - other) / jacobian[alone][row];
-            rates[alone] = self.rate_symbol(group, alone, by, quotient);
-        }
-        rates
     }
+    if !solution.rows.is_empty() {
+        let nothing = vec![algebra.zero(); solution.jacobian.len()];
+        return rows::right_of_rows(algebra, group, by, nothing, None);
+    }
+    let lower = rates(algebra, group, before.to_vec());
+    (0..equations)
+        .map(|row| {
+            let start = algebra.slope(lower.right[row], last);
+            let columns = solution.jacobian.iter().zip(&lower.rates);
+            columns.fold(start, |sum, (column, &rate)| {
+                sum - algebra.slope(column[row], last) * rate
+            })
+        })
+        .collect()
+}
 
-    /// A rate as a symbol of its own.
-    pub(super) fn rate_symbol(
-        &mut self,
-        group: usize,
-        position: usize,
-        by: &[SymbolId],
-        value: Ex<'m>,
-    ) -> Ex<'m> {
-        if value.constant_value().is_some() {
-            return value;
-        }
-        let rule = Rule::Rate {
+/// Cramer's rule, the determinant being known from the closed form; coupled groups are brought down to their core.
+fn solve<'m>(
+    algebra: &mut Algebra<'m>,
+    group: usize,
+    right: &[Ex<'m>],
+    by: &[SymbolId],
+) -> Vec<Ex<'m>> {
+    let solution = &algebra.solutions.groups[group];
+    let (determinant, count) = (solution.determinant, solution.jacobian.len());
+    if right.iter().all(|b| b.is_zero()) {
+        return vec![algebra.zero(); count];
+    }
+    if solution.elimination.is_some() {
+        return elimination::eliminate(
+            algebra,
             group,
-            position,
-            by: by.to_vec(),
-        };
-        self.symbol_for_value(format!("rate {group}.{position} {by:?}"), value, rule)
+            right,
+            by,
+            &mut |algebra, position, rate| rate_symbol(algebra, group, position, by, rate),
+        );
     }
+    let numerators = match *right {
+        [b] => vec![b],
+        [x, y] => {
+            let right = Vector([x, y]);
+            let [first, second] = [0, 1].map(|k| {
+                let column = &solution.jacobian[k];
+                Vector([column[0], column[1]])
+            });
+            vec![right.cross(second), first.cross(right)]
+        }
+        _ => unreachable!("closed forms have one or two equations"),
+    };
+    let jacobian = solution.jacobian.clone();
+    let mut rates: Vec<Ex> = (0..count)
+        .map(|position| {
+            let quotient = numerators[position] / determinant;
+            rate_symbol(algebra, group, position, by, quotient)
+        })
+        .collect();
+    // Where the other one does not change, only the determinant says whether the loop closes.
+    if let Some((alone, row)) = triangular(&jacobian)
+        && !rates[1 - alone].is_zero()
+    {
+        let other = jacobian[1 - alone][row] * rates[1 - alone];
+        let quotient = (right[row] - other) / jacobian[alone][row];
+        rates[alone] = rate_symbol(algebra, group, alone, by, quotient);
+    }
+    rates
+}
 
-    /// A new symbol that is computed as `value` and differentiated by a rule.
-    pub(crate) fn symbol_for_value(
-        &mut self,
-        name: String,
-        value: Ex<'m>,
-        rule: Rule<'m>,
-    ) -> Ex<'m> {
-        let (symbol, node) = self.graph.unknown(name);
-        self.graph.define(symbol, value.id());
-        self.solutions.set_rule(symbol, rule);
-        self.graph.ex(node)
+/// A rate as a symbol of its own.
+pub(super) fn rate_symbol<'m>(
+    algebra: &mut Algebra<'m>,
+    group: usize,
+    position: usize,
+    by: &[SymbolId],
+    value: Ex<'m>,
+) -> Ex<'m> {
+    if value.constant_value().is_some() {
+        return value;
     }
+    let rule = Rule::Rate {
+        group,
+        position,
+        by: by.to_vec(),
+    };
+    symbol_for_value(
+        algebra,
+        format!("rate {group}.{position} {by:?}"),
+        value,
+        rule,
+    )
+}
+
+/// A new symbol that is computed as `value` and differentiated by a rule.
+pub(crate) fn symbol_for_value<'m>(
+    algebra: &mut Algebra<'m>,
+    name: String,
+    value: Ex<'m>,
+    rule: Rule<'m>,
+) -> Ex<'m> {
+    let (symbol, node) = algebra.graph.unknown(name);
+    algebra.graph.define(symbol, value.id());
+    algebra.solutions.set_rule(symbol, rule);
+    algebra.graph.ex(node)
 }
 
 /// Of two equations, the unknown that only one of them contains, and which.

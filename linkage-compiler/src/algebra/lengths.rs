@@ -7,100 +7,100 @@ use super::Algebra;
 /// What rounding may add to the square of a direction.
 const UNIT: f64 = 8.0 * f64::EPSILON;
 
-impl Algebra<'_> {
+
     /// The length of a vector.
-    pub(crate) fn length(&mut self, v: &[NodeId]) -> NodeId {
+    pub(crate) fn length(algebra: &mut Algebra<'_>, v: &[NodeId]) -> NodeId {
         let length = match *v {
-            [x, y] => self.graph.hypot(x, y),
+            [x, y] => algebra.graph.hypot(x, y),
             _ => {
-                let square = self.sum_of_squares(v);
-                self.graph.sqrt(square)
+                let square = algebra.sum_of_squares(v);
+                algebra.graph.sqrt(square)
             }
         };
-        self.norms.insert(length, v.to_vec());
+        algebra.norms.insert(length, v.to_vec());
         length
     }
 
     /// `v . v`
-    pub(crate) fn sum_of_squares(&mut self, v: &[NodeId]) -> NodeId {
-        let zero = self.graph.zero();
+    pub(crate) fn sum_of_squares(algebra: &mut Algebra<'_>, v: &[NodeId]) -> NodeId {
+        let zero = algebra.graph.zero();
         let square = v.iter().fold(zero, |sum, &x| {
-            let x2 = self.graph.square(x);
-            self.graph.add(sum, x2)
+            let x2 = algebra.graph.square(x);
+            algebra.graph.add(sum, x2)
         });
-        self.squares.insert(square, v.to_vec());
+        algebra.squares.insert(square, v.to_vec());
         square
     }
 
     /// A vector's length and the unit vector along it. Directions of the language are known to be unit vectors.
     pub(crate) fn length_and_unit<const N: usize>(
-        &mut self,
+        algebra: &mut Algebra<'_>,
         v: [NodeId; N],
     ) -> (NodeId, [NodeId; N]) {
-        if self.is_unit(&v) {
-            return (self.graph.one(), v);
+        if algebra.is_unit(&v) {
+            return (algebra.graph.one(), v);
         }
-        let length = self.length(&v);
-        let unit = v.map(|x| self.graph.div(x, length));
-        self.mark_unit(&unit);
+        let length = algebra.length(&v);
+        let unit = v.map(|x| algebra.graph.div(x, length));
+        algebra.mark_unit(&unit);
         (length, unit)
     }
 
     /// The direction of a space vector. What has length 1 by its formula, as `(cos t, 0, sin t)`, is not divided.
-    pub(crate) fn unit_vector(&mut self, v: [NodeId; 3]) -> [NodeId; 3] {
-        if !self.is_unit(&v) {
-            let (square, one) = (self.sum_of_squares(&v), self.graph.one());
-            if agree_within(&self.graph, square, one, UNIT) {
-                self.mark_unit(&v);
+    pub(crate) fn unit_vector(algebra: &mut Algebra<'_>, v: [NodeId; 3]) -> [NodeId; 3] {
+        if !algebra.is_unit(&v) {
+            let (square, one) = (algebra.sum_of_squares(&v), algebra.graph.one());
+            if agree_within(&algebra.graph, square, one, UNIT) {
+                algebra.mark_unit(&v);
             }
         }
-        self.length_and_unit(v).1
+        algebra.length_and_unit(v).1
     }
 
     /// Remembers that a vector has length 1.
-    pub(crate) fn mark_unit(&mut self, v: &[NodeId]) {
-        let back: Vec<NodeId> = v.iter().map(|&x| self.graph.neg(x)).collect();
+    pub(crate) fn mark_unit(algebra: &mut Algebra<'_>, v: &[NodeId]) {
+        let back: Vec<NodeId> = v.iter().map(|&x| algebra.graph.neg(x)).collect();
         if let ([x, y], [back_x, back_y]) = (v, &back[..]) {
-            self.units.extend([vec![*back_y, *x], vec![*y, *back_x]]);
+            algebra.units.extend([vec![*back_y, *x], vec![*y, *back_x]]);
         }
-        self.units.extend([v.to_vec(), back]);
+        algebra.units.extend([v.to_vec(), back]);
     }
 
     /// True if a vector is known to have length 1.
-    pub(crate) fn is_unit(&self, v: &[NodeId]) -> bool {
-        let constants: Option<Vec<f64>> = v.iter().map(|&x| self.graph.constant_value(x)).collect();
+    pub(crate) fn is_unit(algebra: &Algebra<'_>, v: &[NodeId]) -> bool {
+        let constants: Option<Vec<f64>> = v.iter().map(|&x| algebra.graph.constant_value(x)).collect();
         match constants {
             Some(numbers) => {
                 let square: f64 = numbers.iter().map(|x| x * x).sum();
                 (square - 1.0).abs() <= 2.0 * f64::EPSILON
             }
-            None => self.units.contains(v),
+            None => algebra.units.contains(v),
         }
     }
 
     /// True if two vectors are perpendicular and of one length. Not by a product that vanishes: rounded constants leave a rest of it, which
     /// is small only beside the squares.
-    pub(crate) fn is_turned(&mut self, a: &[NodeId], b: &[NodeId]) -> bool {
-        let [first, second] = [a, b].map(|v| self.sum_of_squares(v));
+    pub(crate) fn is_turned(algebra: &mut Algebra<'_>, a: &[NodeId], b: &[NodeId]) -> bool {
+        let [first, second] = [a, b].map(|v| algebra.sum_of_squares(v));
         let pairs = a.iter().zip(b);
-        let sum: Vec<NodeId> = pairs.map(|(&x, &y)| self.graph.add(x, y)).collect();
-        let whole = self.sum_of_squares(&sum);
-        let parts = self.graph.add(first, second);
-        agree(&self.graph, first, second) && agree(&self.graph, whole, parts)
+        let sum: Vec<NodeId> = pairs.map(|(&x, &y)| algebra.graph.add(x, y)).collect();
+        let whole = algebra.sum_of_squares(&sum);
+        let parts = algebra.graph.add(first, second);
+        agree(&algebra.graph, first, second) && agree(&algebra.graph, whole, parts)
     }
 
     /// Lengths in `roots` stay known as lengths of vectors when symbols are replaced.
     pub(crate) fn substitute_norms(
-        &mut self,
+        algebra: &mut Algebra<'_>,
         roots: &[NodeId],
         map: &linkage_symbolic::unordered::Map<SymbolId, NodeId>,
     ) {
-        let Self {
+        let Algebra {
             graph,
             norms,
             squares,
             ..
-        } = self;
+        } = algebra;
         for node in graph.reachable(roots) {
             for known in [&mut *norms, &mut *squares] {
                 if let Some(vector) = known.get(&node) {
@@ -111,4 +111,4 @@ impl Algebra<'_> {
             }
         }
     }
-}
+

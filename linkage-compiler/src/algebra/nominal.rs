@@ -1,5 +1,6 @@
 //! The numbers of the mechanism as written: defaults, tolerances, reference position, estimates.
 
+use crate::algebra::translate;
 use linkage_symbolic::program::Source;
 use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, evaluate, evaluate_given};
@@ -42,17 +43,17 @@ impl Nominal {
                 unit: &parameter.ty,
             };
             let component = Wanted { count: 1, ..whole };
-            let nominals = algebra.numbers(&parameter.nominal, whole, &[]);
+            let nominals = numbers(algebra, &parameter.nominal, whole, &[]);
             nominal.parameters.extend(nominals);
             for tolerance in &parameter.tolerances {
                 let value = tolerance
                     .as_ref()
-                    .map_or(0.0, |t| algebra.numbers(t, component, &[])[0]);
+                    .map_or(0.0, |t| numbers(algebra, t, component, &[])[0]);
                 nominal.tolerances.push(value);
             }
         }
         for input in &mechanism.inputs {
-            let mut number = |expr| algebra.evaluated(expr, &[], &[])[0];
+            let mut number = |expr| evaluated(algebra, expr, &[], &[])[0];
             nominal.inputs.push(number(&input.reference));
             let range = input.range.as_ref();
             let range = range.map(|(low, high)| (number(low), number(high)));
@@ -64,7 +65,7 @@ impl Nominal {
                 unit: &item.ty,
             };
             let estimate = match &item.estimate {
-                Some(estimate) => algebra.numbers(estimate, wanted, &nominal.parameters),
+                Some(estimate) => numbers(algebra, estimate, wanted, &nominal.parameters),
                 None => vec![0.0; wanted.count],
             };
             nominal.estimates.push(estimate);
@@ -135,80 +136,78 @@ impl Names<'_> {
     }
 }
 
-impl Algebra<'_> {
-    /// Expressions at the defaults and the reference position, with all unknowns where they are estimated.
-    pub(crate) fn at_estimates(&self, nominal: &Nominal, all: &[Ex]) -> Vec<f64> {
-        let mut unknowns: Map<SymbolId, f64> = Map::new();
-        for angle in &self.names.angles {
-            let estimate = angle.estimate(nominal);
-            let values = [estimate.cos(), estimate.sin(), estimate];
-            unknowns.extend(angle.symbols().into_iter().zip(values));
-        }
-        for (bound, estimates) in self.names.bound.iter().zip(&nominal.estimates) {
-            if let Bound::Lengths(symbols) = bound {
-                let symbols = symbols.iter().map(|(symbol, _)| *symbol);
-                unknowns.extend(symbols.zip(estimates.iter().copied()));
-            }
-        }
-        let load = |source| nominal.load(source);
-        evaluate_given(all, load, |symbol| unknowns.get(&symbol).copied())
+/// Expressions at the defaults and the reference position, with all unknowns where they are estimated.
+pub(crate) fn at_estimates(algebra: &Algebra<'_>, nominal: &Nominal, all: &[Ex]) -> Vec<f64> {
+    let mut unknowns: Map<SymbolId, f64> = Map::new();
+    for angle in &algebra.names.angles {
+        let estimate = angle.estimate(nominal);
+        let values = [estimate.cos(), estimate.sin(), estimate];
+        unknowns.extend(angle.symbols().into_iter().zip(values));
     }
+    for (bound, estimates) in algebra.names.bound.iter().zip(&nominal.estimates) {
+        if let Bound::Lengths(symbols) = bound {
+            let symbols = symbols.iter().map(|(symbol, _)| *symbol);
+            unknowns.extend(symbols.zip(estimates.iter().copied()));
+        }
+    }
+    let load = |source| nominal.load(source);
+    evaluate_given(all, load, |symbol| unknowns.get(&symbol).copied())
+}
 
-    /// An expression of constants and parameters as numbers.
-    fn numbers(&mut self, expr: &Expr, wanted: Wanted, parameters: &[f64]) -> Vec<f64> {
-        let scale = self.internal_per_unit(wanted.unit);
-        let mut numbers = match self.written(expr, scale) {
-            Some(numbers) => numbers,
-            None => {
-                let numbers = self.evaluated(expr, parameters, &[]).into_iter();
-                numbers.map(|number| number / scale).collect()
-            }
-        };
-        if numbers.len() == 1 {
-            numbers.resize(wanted.count, numbers[0]);
+/// An expression of constants and parameters as numbers.
+fn numbers(algebra: &mut Algebra<'_>, expr: &Expr, wanted: Wanted, parameters: &[f64]) -> Vec<f64> {
+    let scale = translate::internal_per_unit(algebra, wanted.unit);
+    let mut numbers = match written(algebra, expr, scale) {
+        Some(numbers) => numbers,
+        None => {
+            let numbers = evaluated(algebra, expr, parameters, &[]).into_iter();
+            numbers.map(|number| number / scale).collect()
         }
-        numbers
+    };
+    if numbers.len() == 1 {
+        numbers.resize(wanted.count, numbers[0]);
     }
+    numbers
+}
 
-    /// Numbers as they are written, if an expression is nothing else, in a unit of this scale: not rounded again.
-    fn written(&self, expr: &Expr, scale: f64) -> Option<Vec<f64>> {
-        match &expr.kind {
-            ExprKind::Number(value) => {
-                (self.internal_per_unit(&expr.ty) == scale).then(|| vec![*value])
-            }
-            ExprKind::Negate(inner) => {
-                let numbers = self.written(inner, scale)?;
-                Some(numbers.into_iter().map(|number| -number).collect())
-            }
-            ExprKind::Vector(components) => {
-                let components = components.iter();
-                let numbers: Option<Vec<_>> =
-                    components.map(|own| self.written(own, scale)).collect();
-                Some(numbers?.concat())
-            }
-            ExprKind::Name(Name::Const(index)) => {
-                self.written(&self.mechanism.constants[*index].value, scale)
-            }
-            _ => None,
+/// Numbers as they are written, if an expression is nothing else, in a unit of this scale: not rounded again.
+fn written(algebra: &Algebra<'_>, expr: &Expr, scale: f64) -> Option<Vec<f64>> {
+    match &expr.kind {
+        ExprKind::Number(value) => {
+            (translate::internal_per_unit(algebra, &expr.ty) == scale).then(|| vec![*value])
         }
+        ExprKind::Negate(inner) => {
+            let numbers = written(algebra, inner, scale)?;
+            Some(numbers.into_iter().map(|number| -number).collect())
+        }
+        ExprKind::Vector(components) => {
+            let components = components.iter();
+            let numbers: Option<Vec<_>> =
+                components.map(|own| written(algebra, own, scale)).collect();
+            Some(numbers?.concat())
+        }
+        ExprKind::Name(Name::Const(index)) => {
+            written(algebra, &algebra.mechanism.constants[*index].value, scale)
+        }
+        _ => None,
     }
+}
 
-    /// The components of an expression; NaN where one depends on something that is not given.
-    pub(crate) fn evaluated(
-        &mut self,
-        expr: &Expr,
-        parameters: &[f64],
-        inputs: &[f64],
-    ) -> Vec<f64> {
-        let numbers = match self.translate(expr) {
-            Value::Vector(vector) => vector.iter().collect(),
-            scalar => vec![self.number(&scalar)],
-        };
-        let given = |numbers: &[f64], index: usize| numbers.get(index).copied().unwrap_or(f64::NAN);
-        evaluate(&numbers, |source| match source {
-            Source::Parameter(index) => given(parameters, index),
-            Source::Input(index) => given(inputs, index),
-            _ => f64::NAN,
-        })
-    }
+/// The components of an expression; NaN where one depends on something that is not given.
+pub(crate) fn evaluated(
+    algebra: &mut Algebra<'_>,
+    expr: &Expr,
+    parameters: &[f64],
+    inputs: &[f64],
+) -> Vec<f64> {
+    let numbers = match algebra.translate(expr) {
+        Value::Vector(vector) => vector.iter().collect(),
+        scalar => vec![translate::number(algebra, &scalar)],
+    };
+    let given = |numbers: &[f64], index: usize| numbers.get(index).copied().unwrap_or(f64::NAN);
+    evaluate(&numbers, |source| match source {
+        Source::Parameter(index) => given(parameters, index),
+        Source::Input(index) => given(inputs, index),
+        _ => f64::NAN,
+    })
 }

@@ -1,5 +1,6 @@
 //! Partial derivatives: by one unknown, rate or parameter, while all other unknowns and rates are held.
 
+use crate::algebra::implicit;
 use std::collections::BTreeSet;
 
 use linkage_symbolic::unordered::Map;
@@ -85,121 +86,127 @@ impl<'m> Implicit<'m> for Partial<'_, 'm> {
     }
 }
 
-impl<'m> Algebra<'m> {
-    /// 0 plus or minus all derivatives of coefficients, which `slope` finds, times their factors.
-    pub(super) fn sum_of_slopes(
-        &mut self,
-        terms: &[Term<'m>],
-        row: usize,
-        join: fn(Ex<'m>, Ex<'m>) -> Ex<'m>,
-        slope: &mut dyn FnMut(&mut Self, Ex<'m>) -> Ex<'m>,
-    ) -> Ex<'m> {
-        let zero = self.zero();
-        let mut products = Vec::new();
-        let mut sum = zero;
-        for term in terms {
-            let slope = slope(self, term.coefficient[row]);
-            sum = join(sum, slope * term.factor);
-            if !slope.is_zero() {
-                products.push((slope, term.factor));
-            }
-        }
-        let gathered = gathered(&products);
-        if gathered.len() == products.len() {
-            return sum;
-        }
-        let gathered = gathered.into_iter();
-        gathered.fold(zero, |sum, (slope, factor)| join(sum, slope * factor))
-    }
-
-    /// The derivative of an expression that mentions `variable`, a parameter or a symbol from [`Self::symbol_for`].
-    pub(crate) fn partial(&mut self, x: Ex<'m>, variable: SymbolId) -> Ex<'m> {
-        Partial(self).slope(x, variable)
-    }
-
-    /// The symbol that stands for an unknown or a rate as a variable.
-    pub(super) fn symbol_for(&mut self, solved: &Solved) -> SymbolId {
-        let System { group, by, .. } = &solved.system;
-        if by.is_empty() {
-            let graph = self.graph;
-            let key = (*group, solved.position);
-            let unknowns = &mut self.derivatives.partials.unknowns;
-            return *unknowns
-                .entry(key)
-                .or_insert_with(|| graph.unknown(format!("unknown {key:?}")).0);
-        }
-        let rate = self.rates(*group, by.clone()).rates[solved.position];
-        match rate.node() {
-            Node::Symbol(symbol) => symbol,
-            _ => unreachable!("only rates that are symbols are mentioned"),
+/// 0 plus or minus all derivatives of coefficients, which `slope` finds, times their factors.
+pub(super) fn sum_of_slopes<'m>(
+    algebra: &mut Algebra<'m>,
+    terms: &[Term<'m>],
+    row: usize,
+    join: fn(Ex<'m>, Ex<'m>) -> Ex<'m>,
+    slope: &mut dyn FnMut(&mut Algebra<'m>, Ex<'m>) -> Ex<'m>,
+) -> Ex<'m> {
+    let zero = algebra.zero();
+    let mut products = Vec::new();
+    let mut sum = zero;
+    for term in terms {
+        let slope = slope(algebra, term.coefficient[row]);
+        sum = join(sum, slope * term.factor);
+        if !slope.is_zero() {
+            products.push((slope, term.factor));
         }
     }
+    let gathered = gathered(&products);
+    if gathered.len() == products.len() {
+        return sum;
+    }
+    let gathered = gathered.into_iter();
+    gathered.fold(zero, |sum, (slope, factor)| join(sum, slope * factor))
+}
 
-    /// The symbol that stands for an unknown of a group as a variable of [`Self::partial`].
-    pub(crate) fn unknown_variable(&mut self, group: usize, position: usize) -> SymbolId {
-        self.symbol_for(&Solved {
+/// The derivative of an expression that mentions `variable`, a parameter or a symbol from [`Self::symbol_for`].
+pub(crate) fn partial<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>, variable: SymbolId) -> Ex<'m> {
+    Partial(algebra).slope(x, variable)
+}
+
+/// The symbol that stands for an unknown or a rate as a variable.
+pub(super) fn symbol_for(algebra: &mut Algebra<'_>, solved: &Solved) -> SymbolId {
+    let System { group, by, .. } = &solved.system;
+    if by.is_empty() {
+        let graph = algebra.graph;
+        let key = (*group, solved.position);
+        let unknowns = &mut algebra.derivatives.partials.unknowns;
+        return *unknowns
+            .entry(key)
+            .or_insert_with(|| graph.unknown(format!("unknown {key:?}")).0);
+    }
+    let rate = implicit::rates(algebra, *group, by.clone()).rates[solved.position];
+    match rate.node() {
+        Node::Symbol(symbol) => symbol,
+        _ => unreachable!("only rates that are symbols are mentioned"),
+    }
+}
+
+/// The symbol that stands for an unknown of a group as a variable of [`Self::partial`].
+pub(crate) fn unknown_variable(
+    algebra: &mut Algebra<'_>,
+    group: usize,
+    position: usize,
+) -> SymbolId {
+    symbol_for(
+        algebra,
+        &Solved {
             system: System::new(group, Vec::new()),
             position,
-        })
-    }
+        },
+    )
+}
 
-    /// The unknowns and rates that expressions mention.
-    pub(super) fn mentioned_in(&mut self, all: &[Ex<'m>]) -> BTreeSet<Solved> {
-        let nodes: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
-        let symbols = self.graph.symbols_of(&nodes);
-        let behind = symbols.into_iter().map(|symbol| self.behind(symbol));
-        behind.flatten().collect()
-    }
+/// The unknowns and rates that expressions mention.
+pub(super) fn mentioned_in<'m>(algebra: &mut Algebra<'m>, all: &[Ex<'m>]) -> BTreeSet<Solved> {
+    let nodes: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
+    let symbols = algebra.graph.symbols_of(&nodes);
+    let behind = symbols.into_iter().map(|symbol| behind(algebra, symbol));
+    behind.flatten().collect()
+}
 
-    fn behind(&mut self, symbol: SymbolId) -> BTreeSet<Solved> {
-        if let Some(known) = self.derivatives.partials.mentioned.get(&symbol) {
-            return known.clone();
+fn behind(algebra: &mut Algebra<'_>, symbol: SymbolId) -> BTreeSet<Solved> {
+    if let Some(known) = algebra.derivatives.partials.mentioned.get(&symbol) {
+        return known.clone();
+    }
+    let result = |group, position, by| Solved {
+        system: System::new(group, by),
+        position,
+    };
+    let behind = match algebra.solutions.rule(symbol).cloned() {
+        None => BTreeSet::new(),
+        Some(Rule::Follow(equal)) => mentioned_in(algebra, &[equal]),
+        Some(Rule::Turn(own)) => mentioned_in(algebra, &[own.equal]),
+        Some(Rule::Seen(seen)) => {
+            let mut behind = mentioned_in(algebra, &seen.vector.0);
+            behind.extend(mentioned_in(algebra, &[seen.carrier.angle]));
+            behind
         }
-        let result = |group, position, by| Solved {
-            system: System::new(group, by),
+        Some(Rule::Shown(shown)) => {
+            let [x, y] = shown.vector.0;
+            let [base_x, base_y] = shown.base.0;
+            mentioned_in(algebra, &[x, y, base_x, base_y, shown.carrier.angle])
+        }
+        Some(Rule::Axis(own)) => mentioned_in(algebra, &[own.0.angle]),
+        Some(Rule::Turning(turning)) => {
+            let mut behind = mentioned_in(algebra, &turning.z.0);
+            behind.insert(result(turning.group, turning.position, Vec::new()));
+            behind
+        }
+        Some(Rule::Cosine(rule) | Rule::Sine(rule) | Rule::Value(rule)) => {
+            let angle = rule.carrier.map(|carrier| carrier.angle);
+            let mut behind = angle.map_or_else(BTreeSet::new, |x| mentioned_in(algebra, &[x]));
+            behind.insert(result(rule.group, rule.position, Vec::new()));
+            behind
+        }
+        Some(Rule::Unknown { group, position }) => {
+            BTreeSet::from([result(group, position, Vec::new())])
+        }
+        Some(Rule::Rate {
+            group,
             position,
-        };
-        let behind = match self.solutions.rule(symbol).cloned() {
-            None => BTreeSet::new(),
-            Some(Rule::Follow(equal)) => self.mentioned_in(&[equal]),
-            Some(Rule::Turn(own)) => self.mentioned_in(&[own.equal]),
-            Some(Rule::Seen(seen)) => {
-                let mut behind = self.mentioned_in(&seen.vector.0);
-                behind.extend(self.mentioned_in(&[seen.carrier.angle]));
-                behind
-            }
-            Some(Rule::Shown(shown)) => {
-                let [x, y] = shown.vector.0;
-                let [base_x, base_y] = shown.base.0;
-                self.mentioned_in(&[x, y, base_x, base_y, shown.carrier.angle])
-            }
-            Some(Rule::Axis(own)) => self.mentioned_in(&[own.0.angle]),
-            Some(Rule::Turning(turning)) => {
-                let mut behind = self.mentioned_in(&turning.z.0);
-                behind.insert(result(turning.group, turning.position, Vec::new()));
-                behind
-            }
-            Some(Rule::Cosine(rule) | Rule::Sine(rule) | Rule::Value(rule)) => {
-                let angle = rule.carrier.map(|carrier| carrier.angle);
-                let mut behind = angle.map_or_else(BTreeSet::new, |x| self.mentioned_in(&[x]));
-                behind.insert(result(rule.group, rule.position, Vec::new()));
-                behind
-            }
-            Some(Rule::Unknown { group, position }) => {
-                BTreeSet::from([result(group, position, Vec::new())])
-            }
-            Some(Rule::Rate {
-                group,
-                position,
-                by,
-            }) => BTreeSet::from([result(group, position, by)]),
-        };
-        self.derivatives
-            .partials
-            .mentioned
-            .insert(symbol, behind.clone());
-        behind
-    }
+            by,
+        }) => BTreeSet::from([result(group, position, by)]),
+    };
+    algebra
+        .derivatives
+        .partials
+        .mentioned
+        .insert(symbol, behind.clone());
+    behind
 }
 
 /// Products of slopes and factors, those of equal slopes put together: a centre that moves alone moves all differences from

@@ -27,84 +27,82 @@ pub(crate) struct Part<'m> {
     pub(super) rows: [Vec<Ex<'m>>; 2],
 }
 
-impl<'m> Algebra<'m> {
-    /// The parts of a vector, by the angles that they turn with.
-    pub(crate) fn parts(&self, vector: V2<'m>) -> Parts<'m> {
-        let zero = self.zero();
-        let mut fixed = Vector([zero; 2]);
-        let mut rest_is_fixed = true;
-        let mut turning: BTreeMap<Vec<Turning>, Part<'m>> = BTreeMap::new();
-        for (row, x) in vector.components().enumerate() {
-            for (known, term) in spread(x) {
-                let (angles, sines, factor) = self.factors(term);
-                let signed = known * factor;
-                if angles.is_empty() {
-                    rest_is_fixed &= signed.is_fixed();
-                    fixed.0[row] += signed;
-                    continue;
-                }
-                let count = 1 << angles.len();
-                let part = turning.entry(angles).or_insert_with(|| Part {
-                    rows: [vec![zero; count], vec![zero; count]],
-                });
-                part.rows[row][sines] += signed;
+/// The parts of a vector, by the angles that they turn with.
+pub(crate) fn parts<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Parts<'m> {
+    let zero = algebra.zero();
+    let mut fixed = Vector([zero; 2]);
+    let mut rest_is_fixed = true;
+    let mut turning: BTreeMap<Vec<Turning>, Part<'m>> = BTreeMap::new();
+    for (row, x) in vector.components().enumerate() {
+        for (known, term) in spread(x) {
+            let (angles, sines, factor) = factors(algebra, term);
+            let signed = known * factor;
+            if angles.is_empty() {
+                rest_is_fixed &= signed.is_fixed();
+                fixed.0[row] += signed;
+                continue;
             }
-        }
-        Parts {
-            fixed,
-            rest_is_fixed,
-            turning: turning.into_iter().collect(),
+            let count = 1 << angles.len();
+            let part = turning.entry(angles).or_insert_with(|| Part {
+                rows: [vec![zero; count], vec![zero; count]],
+            });
+            part.rows[row][sines] += signed;
         }
     }
-
-    /// A product's angles, in order, which of them it has the sines of, and its other factors. A power of a cosine is no direction: it stays
-    /// among the factors.
-    pub(super) fn factors(&self, term: Ex<'m>) -> (Vec<Turning>, usize, Ex<'m>) {
-        let mut angles: Vec<(Turning, bool)> = Vec::new();
-        let mut factor = term.number(1.0);
-        let mut open = vec![term];
-        while let Some(x) = open.pop() {
-            let ex = |id| x.graph().ex(id);
-            match x.node() {
-                Node::Binary(Binary::Mul, a, b) => open.extend([ex(a), ex(b)]),
-                Node::Unary(Unary::Neg, a) => {
-                    factor = -factor;
-                    open.push(ex(a));
-                }
-                _ => match self.turning_of(x) {
-                    Some((angle, sine)) if angles.iter().all(|(own, _)| *own != angle) => {
-                        angles.push((angle, sine));
-                    }
-                    _ => factor = factor * x,
-                },
-            }
-        }
-        angles.sort_unstable();
-        let sines = angles.iter().enumerate();
-        let sines = sines.map(|(k, (_, sine))| usize::from(*sine) << k).sum();
-        let angles = angles.into_iter().map(|(angle, _)| angle).collect();
-        (angles, sines, factor)
+    Parts {
+        fixed,
+        rest_is_fixed,
+        turning: turning.into_iter().collect(),
     }
+}
 
-    /// The angle whose cosine or, then true, sine this is, if it is known only in a call.
-    fn turning_of(&self, x: Ex<'m>) -> Option<(Turning, bool)> {
-        if x.is_fixed() {
-            return None;
-        }
+/// A product's angles, in order, which of them it has the sines of, and its other factors. A power of a cosine is no direction: it stays
+/// among the factors.
+pub(super) fn factors<'m>(algebra: &Algebra<'m>, term: Ex<'m>) -> (Vec<Turning>, usize, Ex<'m>) {
+    let mut angles: Vec<(Turning, bool)> = Vec::new();
+    let mut factor = term.number(1.0);
+    let mut open = vec![term];
+    while let Some(x) = open.pop() {
+        let ex = |id| x.graph().ex(id);
         match x.node() {
-            Node::Unary(Unary::Cos | Unary::Sin, argument) => {
-                let argument = x.graph().ex(argument);
-                let [cos, sin] = [Unary::Cos, Unary::Sin].map(|op| argument.unary(op).id());
-                Some(((cos, sin), x.id() == sin))
+            Node::Binary(Binary::Mul, a, b) => open.extend([ex(a), ex(b)]),
+            Node::Unary(Unary::Neg, a) => {
+                factor = -factor;
+                open.push(ex(a));
             }
-            Node::Symbol(symbol) => {
-                let mut angles = self.names.angles.iter();
-                let angle = angles.find(|own| own.cos == symbol || own.sin == symbol)?;
-                let [cos, sin] = angle.unit.0.map(Ex::id);
-                Some(((cos, sin), angle.sin == symbol))
-            }
-            _ => None,
+            _ => match turning_of(algebra, x) {
+                Some((angle, sine)) if angles.iter().all(|(own, _)| *own != angle) => {
+                    angles.push((angle, sine));
+                }
+                _ => factor = factor * x,
+            },
         }
+    }
+    angles.sort_unstable();
+    let sines = angles.iter().enumerate();
+    let sines = sines.map(|(k, (_, sine))| usize::from(*sine) << k).sum();
+    let angles = angles.into_iter().map(|(angle, _)| angle).collect();
+    (angles, sines, factor)
+}
+
+/// The angle whose cosine or, then true, sine this is, if it is known only in a call.
+fn turning_of<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> Option<(Turning, bool)> {
+    if x.is_fixed() {
+        return None;
+    }
+    match x.node() {
+        Node::Unary(Unary::Cos | Unary::Sin, argument) => {
+            let argument = x.graph().ex(argument);
+            let [cos, sin] = [Unary::Cos, Unary::Sin].map(|op| argument.unary(op).id());
+            Some(((cos, sin), x.id() == sin))
+        }
+        Node::Symbol(symbol) => {
+            let mut angles = algebra.names.angles.iter();
+            let angle = angles.find(|own| own.cos == symbol || own.sin == symbol)?;
+            let [cos, sin] = angle.unit.0.map(Ex::id);
+            Some(((cos, sin), angle.sin == symbol))
+        }
+        _ => None,
     }
 }
 

@@ -6,6 +6,7 @@
 #[cfg(test)]
 pub(super) mod tests;
 
+use crate::algebra::elimination;
 use linkage_symbolic::Ex;
 
 use super::Algebra;
@@ -184,87 +185,88 @@ pub(super) fn parity(permutation: &[usize]) -> f64 {
 /// The solution of a linear system times its determinant, and that.
 type Numerators<'m> = (Vec<Ex<'m>>, Ex<'m>);
 
-impl<'m> Algebra<'m> {
-    /// Solves a linear system in an order, for one of several right-hand sides: they share the cofactors.
-    pub(crate) fn solve_in_order(
-        &self,
-        order: &Order,
-        matrix: &[Vec<Ex<'m>>],
-        right: &[Ex<'m>],
-    ) -> InOrder<'m> {
-        self.eliminate_in_order(order, matrix, right, |rest, known| {
-            let determinant = self.determinant(rest);
-            (self.cofactor_products(rest, known), determinant)
-        })
-    }
+/// Solves a linear system in an order, for one of several right-hand sides: they share the cofactors.
+pub(crate) fn solve_in_order<'m>(
+    algebra: &Algebra<'m>,
+    order: &Order,
+    matrix: &[Vec<Ex<'m>>],
+    right: &[Ex<'m>],
+) -> InOrder<'m> {
+    eliminate_in_order(algebra, order, matrix, right, |rest, known| {
+        let determinant = elimination::determinant(algebra, rest);
+        (
+            elimination::cofactor_products(algebra, rest, known),
+            determinant,
+        )
+    })
+}
 
-    /// The same for a right-hand side that is the only one. Of the three unknowns that are left behind pivots all minors are few.
-    pub(crate) fn solve_once_in_order(
-        &self,
-        order: &Order,
-        matrix: &[Vec<Ex<'m>>],
-        right: &[Ex<'m>],
-    ) -> InOrder<'m> {
-        match order.pivots.is_empty() {
-            true => {
-                self.eliminate_in_order(order, matrix, right, |rest, own| self.cramer(rest, own))
+/// The same for a right-hand side that is the only one. Of the three unknowns that are left behind pivots all minors are few.
+pub(crate) fn solve_once_in_order<'m>(
+    algebra: &Algebra<'m>,
+    order: &Order,
+    matrix: &[Vec<Ex<'m>>],
+    right: &[Ex<'m>],
+) -> InOrder<'m> {
+    match order.pivots.is_empty() {
+        true => eliminate_in_order(algebra, order, matrix, right, |rest, own| {
+            elimination::cramer(algebra, rest, own)
+        }),
+        false => solve_in_order(algebra, order, matrix, right),
+    }
+}
+
+fn eliminate_in_order<'m>(
+    algebra: &Algebra<'m>,
+    order: &Order,
+    matrix: &[Vec<Ex<'m>>],
+    right: &[Ex<'m>],
+    solve: impl Fn(&[Vec<Ex<'m>>], &[Ex<'m>]) -> Numerators<'m>,
+) -> InOrder<'m> {
+    let mut matrix = matrix.to_vec();
+    let mut right = right.to_vec();
+    let mut determinant = algebra.graph.number(order.sign);
+    let mut open: Vec<usize> = (0..right.len()).collect();
+    let mut inverses = Vec::new();
+    for &Pivot { row, column, least } in &order.pivots {
+        open.retain(|&own| own != row);
+        let pivot = guarded(matrix[row][column], least);
+        determinant = determinant * pivot;
+        let inverse = algebra.one() / pivot;
+        inverses.push(inverse);
+        let (own, known) = (matrix[row].clone(), right[row]);
+        for &i in &open {
+            let factor = matrix[i][column] * inverse;
+            if factor.is_zero() {
+                continue;
             }
-            false => self.solve_in_order(order, matrix, right),
+            for (entry, &above) in matrix[i].iter_mut().zip(&own) {
+                *entry -= factor * above;
+            }
+            matrix[i][column] = algebra.zero();
+            right[i] -= factor * known;
         }
     }
-
-    fn eliminate_in_order(
-        &self,
-        order: &Order,
-        matrix: &[Vec<Ex<'m>>],
-        right: &[Ex<'m>],
-        solve: impl Fn(&[Vec<Ex<'m>>], &[Ex<'m>]) -> Numerators<'m>,
-    ) -> InOrder<'m> {
-        let mut matrix = matrix.to_vec();
-        let mut right = right.to_vec();
-        let mut determinant = self.graph.number(order.sign);
-        let mut open: Vec<usize> = (0..right.len()).collect();
-        let mut inverses = Vec::new();
-        for &Pivot { row, column, least } in &order.pivots {
-            open.retain(|&own| own != row);
-            let pivot = guarded(matrix[row][column], least);
-            determinant = determinant * pivot;
-            let inverse = self.one() / pivot;
-            inverses.push(inverse);
-            let (own, known) = (matrix[row].clone(), right[row]);
-            for &i in &open {
-                let factor = matrix[i][column] * inverse;
-                if factor.is_zero() {
-                    continue;
-                }
-                for (entry, &above) in matrix[i].iter_mut().zip(&own) {
-                    *entry -= factor * above;
-                }
-                matrix[i][column] = self.zero();
-                right[i] -= factor * known;
-            }
-        }
-        let rest: Vec<Vec<Ex>> = order
-            .rows
-            .iter()
-            .map(|&row| order.columns.iter().map(|&k| matrix[row][k]).collect())
-            .collect();
-        let known: Vec<Ex> = order.rows.iter().map(|&row| right[row]).collect();
-        let (numerators, of_rest) = solve(&rest, &known);
-        let mut solution = vec![self.zero(); right.len()];
-        for (&column, own) in order.columns.iter().zip(numerators) {
-            solution[column] = own / of_rest;
-        }
-        for (pivot, &inverse) in order.pivots.iter().zip(&inverses).rev() {
-            let row = pivot.row;
-            // Columns of earlier pivots are not solved yet, and 0 in this row.
-            let known = self.product_sum(&matrix[row], &solution);
-            solution[pivot.column] = (right[row] - known) * inverse;
-        }
-        InOrder {
-            solution,
-            determinant: determinant * of_rest,
-        }
+    let rest: Vec<Vec<Ex>> = order
+        .rows
+        .iter()
+        .map(|&row| order.columns.iter().map(|&k| matrix[row][k]).collect())
+        .collect();
+    let known: Vec<Ex> = order.rows.iter().map(|&row| right[row]).collect();
+    let (numerators, of_rest) = solve(&rest, &known);
+    let mut solution = vec![algebra.zero(); right.len()];
+    for (&column, own) in order.columns.iter().zip(numerators) {
+        solution[column] = own / of_rest;
+    }
+    for (pivot, &inverse) in order.pivots.iter().zip(&inverses).rev() {
+        let row = pivot.row;
+        // Columns of earlier pivots are not solved yet, and 0 in this row.
+        let known = elimination::product_sum(algebra, &matrix[row], &solution);
+        solution[pivot.column] = (right[row] - known) * inverse;
+    }
+    InOrder {
+        solution,
+        determinant: determinant * of_rest,
     }
 }
 

@@ -4,6 +4,9 @@
 //! are differentiated by the angle, the angle by the dimensions, and both are multiplied: what a sweep backwards would
 //! do for each number is done once for all of them.
 
+use crate::algebra::acting;
+use crate::algebra::adjoint;
+use crate::algebra::partial;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
@@ -32,132 +35,134 @@ pub(super) struct Through<'m> {
     acting: ByParameter,
 }
 
-impl<'m> Algebra<'m> {
-    /// Finds the narrow places between parameters and `results`: what is used of a group, if that is less than what
-    /// hangs on it. What the results themselves use may be more: what is behind it is gone through once.
-    pub(crate) fn find_narrow_places(&mut self, results: &[Ex<'m>]) {
-        let mut hanging: BTreeMap<Solved, BTreeSet<Behind>> = BTreeMap::new();
-        for (index, &result) in results.iter().enumerate() {
-            for solved in self.mentioned_in(&[result]) {
-                let behind = hanging.entry(solved).or_default();
-                behind.insert(Behind::Result(index));
-            }
+/// Finds the narrow places between parameters and `results`: what is used of a group, if that is less than what
+/// hangs on it. What the results themselves use may be more: what is behind it is gone through once.
+pub(crate) fn find_narrow_places<'m>(algebra: &mut Algebra<'m>, results: &[Ex<'m>]) {
+    let mut hanging: BTreeMap<Solved, BTreeSet<Behind>> = BTreeMap::new();
+    for (index, &result) in results.iter().enumerate() {
+        for solved in partial::mentioned_in(algebra, &[result]) {
+            let behind = hanging.entry(solved).or_default();
+            behind.insert(Behind::Result(index));
         }
-        let mut narrow = BTreeSet::new();
-        // The last group first.
-        while let Some(group) = hanging.keys().next_back().map(|own| own.system.group) {
-            let used = hanging.split_off(&first_of(group));
-            let behind: BTreeSet<&Behind> = used.values().flatten().collect();
-            let are_results = behind.iter().all(|own| matches!(own, Behind::Result(_)));
-            let is_narrow = used.len() < behind.len() || are_results;
-            for (solved, behind) in &used {
-                for earlier in self.mentioned_by_group(&solved.system) {
-                    let all = hanging.entry(earlier).or_default();
-                    match is_narrow {
-                        true => _ = all.insert(Behind::Place(solved.clone())),
-                        false => all.extend(behind.iter().cloned()),
-                    }
-                }
-            }
-            if is_narrow {
-                narrow.extend(used.into_keys());
-            }
-        }
-        self.solutions.narrow = narrow;
     }
-
-    /// What the equations of a system, and those of its group that it mentions, mention of earlier groups.
-    fn mentioned_by_group(&mut self, system: &System) -> BTreeSet<Solved> {
-        let mut earlier = BTreeSet::new();
-        let mut entered = BTreeSet::from([system.clone()]);
-        let mut open = vec![system.clone()];
-        while let Some(next) = open.pop() {
-            for solved in self.mentioned_by(&next) {
-                if solved.system.group < system.group {
-                    earlier.insert(solved);
-                } else if entered.insert(solved.system.clone()) {
-                    open.push(solved.system);
+    let mut narrow = BTreeSet::new();
+    // The last group first.
+    while let Some(group) = hanging.keys().next_back().map(|own| own.system.group) {
+        let used = hanging.split_off(&first_of(group));
+        let behind: BTreeSet<&Behind> = used.values().flatten().collect();
+        let are_results = behind.iter().all(|own| matches!(own, Behind::Result(_)));
+        let is_narrow = used.len() < behind.len() || are_results;
+        for (solved, behind) in &used {
+            for earlier in mentioned_by_group(algebra, &solved.system) {
+                let all = hanging.entry(earlier).or_default();
+                match is_narrow {
+                    true => _ = all.insert(Behind::Place(solved.clone())),
+                    false => all.extend(behind.iter().cloned()),
                 }
             }
         }
-        earlier
-    }
-
-    /// The derivative by a parameter through the narrow places.
-    pub(super) fn derivative_through(&mut self, x: Ex<'m>, parameter: SymbolId) -> Ex<'m> {
-        let known = self.derivatives.adjoints.flows.get(&x.id()).cloned();
-        let through = known.unwrap_or_else(|| {
-            let through = Rc::new(self.way_through(x));
-            let all = &mut self.derivatives.adjoints.flows;
-            all.insert(x.id(), Rc::clone(&through));
-            through
-        });
-        let start = self.partial(x, parameter);
-        let direct = self.minus_slopes(start, &through.flow, parameter);
-        let acting = through.acting.of(parameter).iter();
-        acting.fold(direct, |sum, &index| {
-            let (place, weight) = &through.places[index];
-            sum + *weight * self.rate_between(place, parameter)
-        })
-    }
-
-    /// From a number backwards, with its derivatives by all narrow places, also by those before others.
-    fn way_through(&mut self, x: Ex<'m>) -> Through<'m> {
-        let zero = self.zero();
-        let weights = self.weights_of(x);
-        let mut flow = self.sweep(weights, |own, solved| own.is_narrow(solved));
-        let mut open = std::mem::take(&mut flow.ends);
-        let mut places = BTreeMap::new();
-        while let Some((place, weight)) = open.pop_last() {
-            for (earlier, own) in &self.flow_of(&place).ends {
-                *open.entry(earlier.clone()).or_insert(zero) += weight * *own;
-            }
-            places.insert(place, weight);
+        if is_narrow {
+            narrow.extend(used.into_keys());
         }
-        let mut acting = ByParameter::default();
-        for (index, place) in places.keys().enumerate() {
-            for own in &self.flow_of(place).multipliers {
-                acting.add(index, &self.acting_on_system(&own.system));
+    }
+    algebra.solutions.narrow = narrow;
+}
+
+/// What the equations of a system, and those of its group that it mentions, mention of earlier groups.
+fn mentioned_by_group(algebra: &mut Algebra<'_>, system: &System) -> BTreeSet<Solved> {
+    let mut earlier = BTreeSet::new();
+    let mut entered = BTreeSet::from([system.clone()]);
+    let mut open = vec![system.clone()];
+    while let Some(next) = open.pop() {
+        for solved in adjoint::mentioned_by(algebra, &next) {
+            if solved.system.group < system.group {
+                earlier.insert(solved);
+            } else if entered.insert(solved.system.clone()) {
+                open.push(solved.system);
             }
         }
-        Through {
-            flow,
-            places: places.into_iter().collect(),
-            acting,
+    }
+    earlier
+}
+
+/// The derivative by a parameter through the narrow places.
+pub(super) fn derivative_through<'m>(
+    algebra: &mut Algebra<'m>,
+    x: Ex<'m>,
+    parameter: SymbolId,
+) -> Ex<'m> {
+    let known = algebra.derivatives.adjoints.flows.get(&x.id()).cloned();
+    let through = known.unwrap_or_else(|| {
+        let through = Rc::new(way_through(algebra, x));
+        let all = &mut algebra.derivatives.adjoints.flows;
+        all.insert(x.id(), Rc::clone(&through));
+        through
+    });
+    let start = partial::partial(algebra, x, parameter);
+    let direct = adjoint::minus_slopes(algebra, start, &through.flow, parameter);
+    let acting = through.acting.of(parameter).iter();
+    acting.fold(direct, |sum, &index| {
+        let (place, weight) = &through.places[index];
+        sum + *weight * rate_between(algebra, place, parameter)
+    })
+}
+
+/// From a number backwards, with its derivatives by all narrow places, also by those before others.
+fn way_through<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> Through<'m> {
+    let zero = algebra.zero();
+    let weights = adjoint::weights_of(algebra, x);
+    let mut flow = adjoint::sweep(algebra, weights, |own, solved| is_narrow(own, solved));
+    let mut open = std::mem::take(&mut flow.ends);
+    let mut places = BTreeMap::new();
+    while let Some((place, weight)) = open.pop_last() {
+        for (earlier, own) in &flow_of(algebra, &place).ends {
+            *open.entry(earlier.clone()).or_insert(zero) += weight * *own;
+        }
+        places.insert(place, weight);
+    }
+    let mut acting = ByParameter::default();
+    for (index, place) in places.keys().enumerate() {
+        for own in &flow_of(algebra, place).multipliers {
+            acting.add(index, &acting::acting_on_system(algebra, &own.system));
         }
     }
-
-    fn is_narrow(&self, solved: &Solved) -> bool {
-        self.solutions.narrow.contains(solved)
+    Through {
+        flow,
+        places: places.into_iter().collect(),
+        acting,
     }
+}
 
-    /// From a narrow place to those of earlier groups.
-    fn flow_of(&mut self, place: &Solved) -> Rc<Flow<'m>> {
-        if let Some(known) = self.derivatives.adjoints.of_places.get(place) {
-            return Rc::clone(known);
-        }
-        let group = place.system.group;
-        let weights = vec![(place.clone(), self.one())];
-        let flow = Rc::new(self.sweep(weights, |own, solved| {
-            solved.system.group < group && own.is_narrow(solved)
-        }));
-        let all = &mut self.derivatives.adjoints.of_places;
-        all.insert(place.clone(), Rc::clone(&flow));
-        flow
-    }
+fn is_narrow(algebra: &Algebra<'_>, solved: &Solved) -> bool {
+    algebra.solutions.narrow.contains(solved)
+}
 
-    /// The derivative of a narrow place by a parameter, without what passes those of earlier groups.
-    fn rate_between(&mut self, place: &Solved, parameter: SymbolId) -> Ex<'m> {
-        let key = (place.clone(), parameter);
-        if let Some(&known) = self.derivatives.adjoints.between.get(&key) {
-            return known;
-        }
-        let flow = self.flow_of(place);
-        let zero = self.zero();
-        let rate = self.minus_slopes(zero, &flow, parameter);
-        self.derivatives.adjoints.between.insert(key, rate);
-        rate
+/// From a narrow place to those of earlier groups.
+fn flow_of<'m>(algebra: &mut Algebra<'m>, place: &Solved) -> Rc<Flow<'m>> {
+    if let Some(known) = algebra.derivatives.adjoints.of_places.get(place) {
+        return Rc::clone(known);
     }
+    let group = place.system.group;
+    let weights = vec![(place.clone(), algebra.one())];
+    let flow = Rc::new(adjoint::sweep(algebra, weights, |own, solved| {
+        solved.system.group < group && is_narrow(own, solved)
+    }));
+    let all = &mut algebra.derivatives.adjoints.of_places;
+    all.insert(place.clone(), Rc::clone(&flow));
+    flow
+}
+
+/// The derivative of a narrow place by a parameter, without what passes those of earlier groups.
+fn rate_between<'m>(algebra: &mut Algebra<'m>, place: &Solved, parameter: SymbolId) -> Ex<'m> {
+    let key = (place.clone(), parameter);
+    if let Some(&known) = algebra.derivatives.adjoints.between.get(&key) {
+        return known;
+    }
+    let flow = flow_of(algebra, place);
+    let zero = algebra.zero();
+    let rate = adjoint::minus_slopes(algebra, zero, &flow, parameter);
+    algebra.derivatives.adjoints.between.insert(key, rate);
+    rate
 }
 
 /// The smallest of what is solved in a group.

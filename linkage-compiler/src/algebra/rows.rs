@@ -49,115 +49,115 @@ pub(crate) struct Carried<'m> {
     pub(crate) dimensions: Vec<SymbolId>,
 }
 
-impl<'m> Algebra<'m> {
-    /// What the derivatives by these variables leave of the right-hand side where those of the unknowns are `held`: bodies turn by `turns`, if that is
-    /// known, and no further.
-    pub(super) fn right_of_rows(
-        &mut self,
-        group: usize,
-        by: &[SymbolId],
-        held: Vec<Ex<'m>>,
-        turns: Option<&Turns<'m>>,
-    ) -> Vec<Ex<'m>> {
-        self.with_rates((group, by.to_vec()), held, |algebra, own| {
-            let by_turns = own.links.zip(turns);
-            let by_turns = by_turns.and_then(|(links, turns)| algebra.of_links(&links, turns));
-            let slope = by_turns.unwrap_or_else(|| {
-                by.iter()
-                    .fold(own.row, |x, &variable| algebra.slope(x, variable))
-            });
-            -slope
-        })
-    }
-
-    /// The right-hand sides of the first derivatives by a variable, of equations about links.
-    pub(super) fn right_of_links(
-        &mut self,
-        group: usize,
-        variable: SymbolId,
-    ) -> Vec<Option<Ex<'m>>> {
-        let nothing = vec![self.zero(); self.solutions.groups[group].jacobian.len()];
-        self.with_rates((group, vec![variable]), nothing, |algebra, own| {
-            let links = own.links?;
-            Some(-algebra.slope_of_squares(&links, &mut |algebra, x| algebra.slope(x, variable)))
-        })
-    }
-
-    /// The first derivative of an equation about links, by what `slope` finds: `(V.V' - l l')/l`. As a polynomial it has a multiple of the equation
-    /// itself besides, in all of its terms. Where loops close both are equal, so derivatives along solutions are, too.
-    pub(super) fn slope_of_squares(
-        &mut self,
-        links: &Links<'m>,
-        slope: &mut dyn FnMut(&mut Self, Ex<'m>) -> Ex<'m>,
-    ) -> Ex<'m> {
-        let mut of = |own: &Distance<'m>| {
-            let moved = own.vector.dot(own.vector.map(|x| slope(self, x)));
-            moved - own.length * slope(self, own.length)
-        };
-        let first = of(&links.first);
-        let less = links.less.as_ref().map(of);
-        less.map_or(first, |less| first - less) / links.first.length
-    }
-
-    /// Something of each equation of a group where some of its derivatives are given.
-    fn with_rates<R>(
-        &mut self,
-        key: (usize, Vec<SymbolId>),
-        rates: Vec<Ex<'m>>,
-        mut of: impl FnMut(&mut Self, Written<'m>) -> R,
-    ) -> Vec<R> {
-        let rows = self.solutions.groups[key.0].rows.clone();
-        let rates = Rates {
-            right: Vec::new(),
-            rates,
-        };
-        // What is made of them must not be found again.
-        let memo = mem::take(&mut self.derivatives.memo);
-        self.derivatives.held += 1;
-        self.derivatives.rates.insert(key.clone(), rates);
-        let all = rows.into_iter().map(|own| of(self, own)).collect();
-        self.derivatives.rates.remove(&key);
-        self.derivatives.held -= 1;
-        self.derivatives.memo = memo;
-        all
-    }
-
-    /// The second derivative, if lengths and arms are not changed by the variables.
-    fn of_links(&mut self, links: &Links<'m>, turns: &Turns<'m>) -> Option<Ex<'m>> {
-        let graph = self.graph;
-        let both = [Some(&links.first), links.less.as_ref()];
-        let given = both.into_iter().flatten().flat_map(|own| {
-            let dimensions = own.carried.iter().flat_map(|own| &own.dimensions);
-            let dimensions = dimensions.map(|&symbol| graph.ex(graph.symbol_node(symbol)));
-            dimensions.chain([own.length])
+/// What the derivatives by these variables leave of the right-hand side where those of the unknowns are `held`: bodies turn by `turns`, if that is
+/// known, and no further.
+pub(super) fn right_of_rows<'m>(
+    algebra: &mut Algebra<'m>,
+    group: usize,
+    by: &[SymbolId],
+    held: Vec<Ex<'m>>,
+    turns: Option<&Turns<'m>>,
+) -> Vec<Ex<'m>> {
+    with_rates(algebra, (group, by.to_vec()), held, |algebra, own| {
+        let by_turns = own.links.zip(turns);
+        let by_turns = by_turns.and_then(|(links, turns)| of_links(algebra, &links, turns));
+        let slope = by_turns.unwrap_or_else(|| {
+            by.iter()
+                .fold(own.row, |x, &variable| algebra.slope(x, variable))
         });
-        let given: Vec<Ex> = given.collect();
-        let mut is_fixed = |own: Ex<'m>| turns.by.iter().all(|&v| self.slope(own, v).is_zero());
-        if !given.into_iter().all(&mut is_fixed) {
-            return None;
-        }
-        let mut bend = self.bend(&links.first, turns);
-        if let Some(less) = &links.less {
-            bend -= self.bend(less, turns);
-        }
-        Some(bend / links.first.length)
-    }
+        -slope
+    })
+}
 
-    /// The second derivative of half of the square of a vector.
-    fn bend(&mut self, own: &Distance<'m>, turns: &Turns<'m>) -> Ex<'m> {
-        let vector = own.vector;
-        let rest = own.carried.as_ref().map_or(vector, |carried| carried.rest);
-        let [mut first, mut second] = turns
-            .by
-            .map(|variable| rest.map(|c| self.slope(c, variable)));
-        let mut bend = vector.dot(first.map(|c| self.slope(c, turns.by[1])));
-        if let Some(carried) = &own.carried {
-            let arm = carried.arm;
-            let [s, t] = [0, 1].map(|k| turns.of_bodies[k][carried.body]);
-            first = first + s.cross(arm);
-            second = second + t.cross(arm);
-            bend += vector.dot(t) * s.dot(arm) - vector.dot(arm) * s.dot(t);
-        }
-        bend + first.dot(second)
+/// The right-hand sides of the first derivatives by a variable, of equations about links.
+pub(super) fn right_of_links<'m>(
+    algebra: &mut Algebra<'m>,
+    group: usize,
+    variable: SymbolId,
+) -> Vec<Option<Ex<'m>>> {
+    let nothing = vec![algebra.zero(); algebra.solutions.groups[group].jacobian.len()];
+    with_rates(algebra, (group, vec![variable]), nothing, |algebra, own| {
+        let links = own.links?;
+        Some(-slope_of_squares(algebra, &links, &mut |algebra, x| {
+            algebra.slope(x, variable)
+        }))
+    })
+}
+
+/// The first derivative of an equation about links, by what `slope` finds: `(V.V' - l l')/l`. As a polynomial it has a multiple of the equation
+/// itself besides, in all of its terms. Where loops close both are equal, so derivatives along solutions are, too.
+pub(super) fn slope_of_squares<'m>(
+    algebra: &mut Algebra<'m>,
+    links: &Links<'m>,
+    slope: &mut dyn FnMut(&mut Algebra<'m>, Ex<'m>) -> Ex<'m>,
+) -> Ex<'m> {
+    let mut of = |own: &Distance<'m>| {
+        let moved = own.vector.dot(own.vector.map(|x| slope(algebra, x)));
+        moved - own.length * slope(algebra, own.length)
+    };
+    let first = of(&links.first);
+    let less = links.less.as_ref().map(of);
+    less.map_or(first, |less| first - less) / links.first.length
+}
+
+/// Something of each equation of a group where some of its derivatives are given.
+fn with_rates<'m, R>(
+    algebra: &mut Algebra<'m>,
+    key: (usize, Vec<SymbolId>),
+    rates: Vec<Ex<'m>>,
+    mut of: impl FnMut(&mut Algebra<'m>, Written<'m>) -> R,
+) -> Vec<R> {
+    let rows = algebra.solutions.groups[key.0].rows.clone();
+    let rates = Rates {
+        right: Vec::new(),
+        rates,
+    };
+    // What is made of them must not be found again.
+    let memo = mem::take(&mut algebra.derivatives.memo);
+    algebra.derivatives.held += 1;
+    algebra.derivatives.rates.insert(key.clone(), rates);
+    let all = rows.into_iter().map(|own| of(algebra, own)).collect();
+    algebra.derivatives.rates.remove(&key);
+    algebra.derivatives.held -= 1;
+    algebra.derivatives.memo = memo;
+    all
+}
+
+/// The second derivative, if lengths and arms are not changed by the variables.
+fn of_links<'m>(algebra: &mut Algebra<'m>, links: &Links<'m>, turns: &Turns<'m>) -> Option<Ex<'m>> {
+    let graph = algebra.graph;
+    let both = [Some(&links.first), links.less.as_ref()];
+    let given = both.into_iter().flatten().flat_map(|own| {
+        let dimensions = own.carried.iter().flat_map(|own| &own.dimensions);
+        let dimensions = dimensions.map(|&symbol| graph.ex(graph.symbol_node(symbol)));
+        dimensions.chain([own.length])
+    });
+    let given: Vec<Ex> = given.collect();
+    let mut is_fixed = |own: Ex<'m>| turns.by.iter().all(|&v| algebra.slope(own, v).is_zero());
+    if !given.into_iter().all(&mut is_fixed) {
+        return None;
     }
+    let mut bent = bend(algebra, &links.first, turns);
+    if let Some(less) = &links.less {
+        bent -= bend(algebra, less, turns);
+    }
+    Some(bent / links.first.length)
+}
+
+/// The second derivative of half of the square of a vector.
+fn bend<'m>(algebra: &mut Algebra<'m>, own: &Distance<'m>, turns: &Turns<'m>) -> Ex<'m> {
+    let vector = own.vector;
+    let rest = own.carried.as_ref().map_or(vector, |carried| carried.rest);
+    let [mut first, mut second] = turns
+        .by
+        .map(|variable| rest.map(|c| algebra.slope(c, variable)));
+    let mut bend = vector.dot(first.map(|c| algebra.slope(c, turns.by[1])));
+    if let Some(carried) = &own.carried {
+        let arm = carried.arm;
+        let [s, t] = [0, 1].map(|k| turns.of_bodies[k][carried.body]);
+        first = first + s.cross(arm);
+        second = second + t.cross(arm);
+        bend += vector.dot(t) * s.dot(arm) - vector.dot(arm) * s.dot(t);
+    }
+    bend + first.dot(second)
 }

@@ -72,60 +72,58 @@ impl Scalar<'_> {
     }
 }
 
-impl<'m> Algebra<'m> {
-    pub(crate) fn atom(&self, atom: Atom) -> Scalar<'m> {
-        Scalar {
-            terms: vec![(atom, 1.0)],
-            rest: self.zero(),
-        }
+pub(crate) fn atom<'m>(algebra: &Algebra<'m>, atom: Atom) -> Scalar<'m> {
+    Scalar {
+        terms: vec![(atom, 1.0)],
+        rest: algebra.zero(),
     }
+}
 
-    /// The value as one expression; unknown angles enter by their values.
-    pub(crate) fn value_of(&self, scalar: &Scalar<'m>) -> Ex<'m> {
-        let mut sum = scalar.rest;
-        for &(atom, k) in &scalar.terms {
-            let value = match atom {
-                Atom::Input(index) => self.input(index),
-                Atom::Angle(index) => self.names.angles[index].number,
-            };
-            sum += k * value;
-        }
-        sum
-    }
-
-    /// Cosine and sine.
-    pub(crate) fn direction(&mut self, angle: &Scalar<'m>) -> V2<'m> {
-        let mut rest = Scalar::from(angle.rest);
-        let mut result = Vector([self.one(), self.zero()]);
-        for &(atom, k) in &angle.terms {
-            match atom {
-                Atom::Input(index) => {
-                    self.names.add_rate(atom, k);
-                    let turned = cos_sin(k * self.input(index));
-                    result = result.turned(turned);
-                }
-                Atom::Angle(index) if k.fract() == 0.0 && k.abs() <= MAX_POWER => {
-                    let power = self.unit_power(index, k as i32);
-                    result = result.turned(power);
-                }
-                Atom::Angle(_) => rest.terms.push((atom, k)),
-            }
-        }
-        let argument = self.value_of(&rest);
-        let unit = cos_sin(argument).turned(result);
-        unit.mark_unit();
-        unit
-    }
-
-    /// The unit vector of an unknown angle to an integer power.
-    fn unit_power(&self, angle: usize, power: i32) -> V2<'m> {
-        let unit = self.names.angles[angle].unit;
-        let unit = match power < 0 {
-            true => unit.conjugate(),
-            false => unit,
+/// The value as one expression; unknown angles enter by their values.
+pub(crate) fn value_of<'m>(algebra: &Algebra<'m>, scalar: &Scalar<'m>) -> Ex<'m> {
+    let mut sum = scalar.rest;
+    for &(atom, k) in &scalar.terms {
+        let value = match atom {
+            Atom::Input(index) => algebra.input(index),
+            Atom::Angle(index) => algebra.names.angles[index].number,
         };
-        (1..power.unsigned_abs()).fold(unit, |product, _| product.turned(unit))
+        sum += k * value;
     }
+    sum
+}
+
+/// Cosine and sine.
+pub(crate) fn direction<'m>(algebra: &mut Algebra<'m>, angle: &Scalar<'m>) -> V2<'m> {
+    let mut rest = Scalar::from(angle.rest);
+    let mut result = Vector([algebra.one(), algebra.zero()]);
+    for &(atom, k) in &angle.terms {
+        match atom {
+            Atom::Input(index) => {
+                algebra.names.add_rate(atom, k);
+                let turned = cos_sin(k * algebra.input(index));
+                result = result.turned(turned);
+            }
+            Atom::Angle(index) if k.fract() == 0.0 && k.abs() <= MAX_POWER => {
+                let power = unit_power(algebra, index, k as i32);
+                result = result.turned(power);
+            }
+            Atom::Angle(_) => rest.terms.push((atom, k)),
+        }
+    }
+    let argument = value_of(algebra, &rest);
+    let unit = cos_sin(argument).turned(result);
+    unit.mark_unit();
+    unit
+}
+
+/// The unit vector of an unknown angle to an integer power.
+fn unit_power<'m>(algebra: &Algebra<'m>, angle: usize, power: i32) -> V2<'m> {
+    let unit = algebra.names.angles[angle].unit;
+    let unit = match power < 0 {
+        true => unit.conjugate(),
+        false => unit,
+    };
+    (1..power.unsigned_abs()).fold(unit, |product, _| product.turned(unit))
 }
 
 /// Cosine and sine of an expression. Quarter turns are exact, also as summands, and the argument of a vector is not taken

@@ -1,5 +1,7 @@
 //! Model expressions as graph nodes.
 
+use crate::algebra::calls;
+use crate::algebra::scalar;
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, NodeId, Vn};
 
@@ -38,10 +40,10 @@ pub(crate) trait Translate<'m> {
         match &expr.kind {
             ExprKind::Number(value) => {
                 let algebra = self.algebra();
-                let scale = algebra.internal_per_unit(&expr.ty);
+                let scale = internal_per_unit(algebra, &expr.ty);
                 algebra.graph.number(value * scale).into()
             }
-            ExprKind::Name(name) => self.algebra().name(*name),
+            ExprKind::Name(name) => value_of_name(self.algebra(), *name),
             ExprKind::Vector(components) => {
                 let components = components.iter().map(|own| self.translate_number(own).id());
                 let components: Vec<NodeId> = components.collect();
@@ -56,13 +58,13 @@ pub(crate) trait Translate<'m> {
             ExprKind::Binary(op, a, b) => {
                 let a = self.translate(a);
                 let b = self.translate(b);
-                self.algebra().arithmetic(*op, a, b)
+                arithmetic(self.algebra(), *op, a, b)
             }
             ExprKind::Call(function, arguments) => {
                 let arguments = arguments.iter().map(|a| self.translate(a)).collect();
-                self.algebra().call(*function, arguments)
+                calls::call(self.algebra(), *function, arguments)
             }
-            ExprKind::Course(course) => {
+            ExprKind::MotionLaw(course) => {
                 let argument = self.translate_number(&course.argument);
                 let knots = course.knots.iter().map(|own| {
                     let place = self.translate_number(&own.place);
@@ -87,7 +89,7 @@ pub(crate) trait Translate<'m> {
     /// An expression that is a number.
     fn translate_number(&mut self, expr: &Expr) -> Ex<'m> {
         let value = self.translate(expr);
-        self.algebra().number(&value)
+        number(self.algebra(), &value)
     }
 
     /// An expression that is a vector; a number counts as a vector of one component.
@@ -95,7 +97,7 @@ pub(crate) trait Translate<'m> {
         match self.translate(expr) {
             Value::Vector(vector) => vector,
             other => {
-                let number = self.algebra().number(&other);
+                let number = number(self.algebra(), &other);
                 number.graph().components(&[number.id()])
             }
         }
@@ -122,165 +124,159 @@ impl<'m> Value<'m> {
     }
 }
 
-impl<'m> Algebra<'m> {
-    /// A scalar value as one expression.
-    pub(crate) fn number(&self, value: &Value<'m>) -> Ex<'m> {
-        match value {
-            Value::Scalar(scalar) => self.value_of(scalar),
-            Value::Vector(vector) => vector.at(0),
-            Value::Array(entries) => self.number(&entries[0]),
+/// A scalar value as one expression.
+pub(crate) fn number<'m>(algebra: &Algebra<'m>, value: &Value<'m>) -> Ex<'m> {
+    match value {
+        Value::Scalar(scalar) => scalar::value_of(algebra, scalar),
+        Value::Vector(vector) => vector.at(0),
+        Value::Array(entries) => number(algebra, &entries[0]),
+    }
+}
+
+pub(crate) fn scalar<'m>(algebra: &Algebra<'m>, value: &Value<'m>) -> Scalar<'m> {
+    match value {
+        Value::Scalar(scalar) => scalar.clone(),
+        other => number(algebra, other).into(),
+    }
+}
+
+/// A vector value; a scalar (the literal 0 where a vector is meant) has two equal components.
+pub(crate) fn vector<'m>(algebra: &Algebra<'m>, value: &Value<'m>) -> Vn<'m> {
+    match value {
+        Value::Vector(vector) => *vector,
+        other => {
+            let number = number(algebra, other).id();
+            algebra.graph.components(&[number, number])
         }
     }
+}
 
-    pub(crate) fn scalar(&self, value: &Value<'m>) -> Scalar<'m> {
-        match value {
-            Value::Scalar(scalar) => scalar.clone(),
-            other => self.number(other).into(),
+/// Translates the derived names in order: each then finds those before it done, and a long chain does not recurse.
+pub(crate) fn translate_lets(algebra: &mut Algebra<'_>) {
+    translate_these_lets(algebra, |_| true);
+}
+
+/// The same for some of them.
+pub(crate) fn translate_these_lets(algebra: &mut Algebra<'_>, which: impl Fn(usize) -> bool) {
+    for index in (0..algebra.names.lets.len()).filter(|&index| which(index)) {
+        value_of_name(algebra, Name::Let(index));
+    }
+}
+
+/// What a name stands for.
+pub(crate) fn value_of_name<'m>(algebra: &mut Algebra<'m>, name: Name) -> Value<'m> {
+    match name {
+        Name::Pi => algebra.graph.number(std::f64::consts::PI).into(),
+        Name::Const(index) => {
+            if algebra.names.constants[index].is_none() {
+                let mechanism = algebra.mechanism;
+                let value = algebra.translate(&mechanism.constants[index].value);
+                algebra.names.constants[index] = Some(value);
+            }
+            algebra.names.constants[index]
+                .clone()
+                .expect("just translated")
         }
-    }
-
-    /// A vector value; a scalar (the literal 0 where a vector is meant) has two equal components.
-    pub(crate) fn vector(&self, value: &Value<'m>) -> Vn<'m> {
-        match value {
-            Value::Vector(vector) => *vector,
-            other => {
-                let number = self.number(other).id();
-                self.graph.components(&[number, number])
+        Name::Let(index) => {
+            if algebra.names.lets[index].is_none() {
+                let mechanism = algebra.mechanism;
+                let value = algebra.translate(&mechanism.lets[index].value);
+                algebra.names.lets[index] = Some(value);
+            }
+            algebra.names.lets[index].clone().expect("just translated")
+        }
+        Name::Parameter(index) => {
+            let parameter = &algebra.mechanism.parameters[index];
+            let first = parameter.first_scalar.0;
+            let scale = internal_per_unit(algebra, &parameter.ty);
+            match parameter.ty {
+                Type::Vector(count, _) | Type::Zero(count) if count > 1 => {
+                    let components = first..first + count;
+                    let components: Vec<NodeId> = components
+                        .map(|k| scaled(algebra, Source::Parameter(k), scale).id())
+                        .collect();
+                    algebra.graph.components(&components).into()
+                }
+                _ => scaled(algebra, Source::Parameter(first), scale).into(),
             }
         }
-    }
-
-    /// Translates the derived names in order: each then finds those before it done, and a long chain does not recurse.
-    pub(crate) fn translate_lets(&mut self) {
-        self.translate_these_lets(|_| true);
-    }
-
-    /// The same for some of them.
-    pub(crate) fn translate_these_lets(&mut self, which: impl Fn(usize) -> bool) {
-        for index in (0..self.names.lets.len()).filter(|&index| which(index)) {
-            self.name(Name::Let(index));
+        Name::Input(index) => {
+            if algebra.mechanism.inputs[index].dimension.half_lengths == 0 {
+                Value::Scalar(scalar::atom(algebra, Atom::Input(index)))
+            } else {
+                algebra.input(index).into()
+            }
         }
-    }
-
-    /// What a name stands for.
-    pub(crate) fn name(&mut self, name: Name) -> Value<'m> {
-        match name {
-            Name::Pi => self.graph.number(std::f64::consts::PI).into(),
-            Name::Const(index) => {
-                if self.names.constants[index].is_none() {
-                    let mechanism = self.mechanism;
-                    let value = self.translate(&mechanism.constants[index].value);
-                    self.names.constants[index] = Some(value);
+        Name::Argument(index) => {
+            let place = algebra.mechanism.inputs.len() + index;
+            let ty = Type::Scalar(algebra.mechanism.arguments[index].dimension);
+            let scale = internal_per_unit(algebra, &ty);
+            scaled(algebra, Source::Input(place), scale).into()
+        }
+        Name::Unknown(index) => match &algebra.names.bound[index] {
+            Bound::Angle(angle) => Value::Scalar(scalar::atom(algebra, Atom::Angle(*angle))),
+            Bound::Lengths(symbols) => match symbols[..] {
+                [(_, length)] => length.into(),
+                _ => {
+                    let components = symbols.iter().map(|(_, x)| x.id());
+                    let components: Vec<NodeId> = components.collect();
+                    algebra.graph.components(&components).into()
                 }
-                self.names.constants[index]
-                    .clone()
-                    .expect("just translated")
-            }
-            Name::Let(index) => {
-                if self.names.lets[index].is_none() {
-                    let mechanism = self.mechanism;
-                    let value = self.translate(&mechanism.lets[index].value);
-                    self.names.lets[index] = Some(value);
-                }
-                self.names.lets[index].clone().expect("just translated")
-            }
-            Name::Parameter(index) => {
-                let parameter = &self.mechanism.parameters[index];
-                let first = parameter.first_scalar.0;
-                let scale = self.internal_per_unit(&parameter.ty);
-                match parameter.ty {
-                    Type::Vector(count, _) | Type::Zero(count) if count > 1 => {
-                        let components = first..first + count;
-                        let components: Vec<NodeId> = components
-                            .map(|k| self.scaled(Source::Parameter(k), scale).id())
-                            .collect();
-                        self.graph.components(&components).into()
-                    }
-                    _ => self.scaled(Source::Parameter(first), scale).into(),
-                }
-            }
-            Name::Input(index) => {
-                if self.mechanism.inputs[index].dimension.half_lengths == 0 {
-                    Value::Scalar(self.atom(Atom::Input(index)))
-                } else {
-                    self.input(index).into()
-                }
-            }
-            Name::Argument(index) => {
-                let place = self.mechanism.inputs.len() + index;
-                let ty = Type::Scalar(self.mechanism.arguments[index].dimension);
-                let scale = self.internal_per_unit(&ty);
-                self.scaled(Source::Input(place), scale).into()
-            }
-            Name::Unknown(index) => match &self.names.bound[index] {
-                Bound::Angle(angle) => Value::Scalar(self.atom(Atom::Angle(*angle))),
-                Bound::Lengths(symbols) => match symbols[..] {
-                    [(_, length)] => length.into(),
-                    _ => {
-                        let components = symbols.iter().map(|(_, x)| x.id());
-                        let components: Vec<NodeId> = components.collect();
-                        self.graph.components(&components).into()
-                    }
-                },
             },
+        },
+    }
+}
+
+/// What is given in a unit with kilograms, as the program computes with it.
+fn scaled<'m>(algebra: &Algebra<'m>, source: Source, internal_per_unit: f64) -> Ex<'m> {
+    internal_per_unit * algebra.source(source)
+}
+
+/// See [`Dimension::internal_per_unit`](crate::model::Dimension::internal_per_unit).
+pub(crate) fn internal_per_unit(algebra: &Algebra<'_>, ty: &Type) -> f64 {
+    let unit = algebra.mechanism.unit;
+    ty.dimension()
+        .map_or(1.0, |dimension| dimension.internal_per_unit(unit))
+}
+
+fn arithmetic<'m>(algebra: &Algebra<'m>, op: BinaryOp, a: Value<'m>, b: Value<'m>) -> Value<'m> {
+    match (op, a, b) {
+        (BinaryOp::Add, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(a.combined(&b, 1.0)),
+        (BinaryOp::Sub, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(a.combined(&b, -1.0)),
+        (BinaryOp::Add, a, b) => (vector(algebra, &a) + vector(algebra, &b)).into(),
+        (BinaryOp::Sub, a, b) => (vector(algebra, &a) - vector(algebra, &b)).into(),
+        (BinaryOp::Mul, Value::Scalar(a), Value::Scalar(b)) => product(algebra, &a, &b),
+        (BinaryOp::Mul, Value::Scalar(a), v) | (BinaryOp::Mul, v, Value::Scalar(a)) => {
+            let factor = scalar::value_of(algebra, &a);
+            (factor * vector(algebra, &v)).into()
+        }
+        (BinaryOp::Div, Value::Scalar(a), Value::Scalar(b)) => quotient(algebra, &a, &b),
+        (BinaryOp::Div, v, b) => {
+            let divisor = number(algebra, &b);
+            (vector(algebra, &v) / divisor).into()
+        }
+        (BinaryOp::Mul, a, _) => a,
+    }
+}
+
+fn product<'m>(algebra: &Algebra<'m>, a: &Scalar<'m>, b: &Scalar<'m>) -> Value<'m> {
+    for (x, y) in [(a, b), (b, a)] {
+        if let (true, Some(factor)) = (x.terms.is_empty(), x.rest.constant_value()) {
+            return Value::Scalar(y.scaled(factor));
         }
     }
+    let (x, y) = (scalar::value_of(algebra, a), scalar::value_of(algebra, b));
+    (x * y).into()
+}
 
-    /// What is given in a unit with kilograms, as the program computes with it.
-    fn scaled(&self, source: Source, internal_per_unit: f64) -> Ex<'m> {
-        internal_per_unit * self.source(source)
+fn quotient<'m>(algebra: &Algebra<'m>, a: &Scalar<'m>, b: &Scalar<'m>) -> Value<'m> {
+    if let (true, Some(divisor)) = (b.terms.is_empty(), b.rest.constant_value()) {
+        let terms = a.terms.iter().map(|&(atom, k)| (atom, k / divisor));
+        return Value::Scalar(Scalar {
+            terms: terms.collect(),
+            rest: a.rest / b.rest,
+        });
     }
-
-    /// See [`Dimension::internal_per_unit`](crate::model::Dimension::internal_per_unit).
-    pub(crate) fn internal_per_unit(&self, ty: &Type) -> f64 {
-        let unit = self.mechanism.unit;
-        ty.dimension()
-            .map_or(1.0, |dimension| dimension.internal_per_unit(unit))
-    }
-
-    fn arithmetic(&self, op: BinaryOp, a: Value<'m>, b: Value<'m>) -> Value<'m> {
-        match (op, a, b) {
-            (BinaryOp::Add, Value::Scalar(a), Value::Scalar(b)) => {
-                Value::Scalar(a.combined(&b, 1.0))
-            }
-            (BinaryOp::Sub, Value::Scalar(a), Value::Scalar(b)) => {
-                Value::Scalar(a.combined(&b, -1.0))
-            }
-            (BinaryOp::Add, a, b) => (self.vector(&a) + self.vector(&b)).into(),
-            (BinaryOp::Sub, a, b) => (self.vector(&a) - self.vector(&b)).into(),
-            (BinaryOp::Mul, Value::Scalar(a), Value::Scalar(b)) => self.product(&a, &b),
-            (BinaryOp::Mul, Value::Scalar(a), v) | (BinaryOp::Mul, v, Value::Scalar(a)) => {
-                let factor = self.value_of(&a);
-                (factor * self.vector(&v)).into()
-            }
-            (BinaryOp::Div, Value::Scalar(a), Value::Scalar(b)) => self.quotient(&a, &b),
-            (BinaryOp::Div, v, b) => {
-                let divisor = self.number(&b);
-                (self.vector(&v) / divisor).into()
-            }
-            (BinaryOp::Mul, a, _) => a,
-        }
-    }
-
-    fn product(&self, a: &Scalar<'m>, b: &Scalar<'m>) -> Value<'m> {
-        for (x, y) in [(a, b), (b, a)] {
-            if let (true, Some(factor)) = (x.terms.is_empty(), x.rest.constant_value()) {
-                return Value::Scalar(y.scaled(factor));
-            }
-        }
-        let (x, y) = (self.value_of(a), self.value_of(b));
-        (x * y).into()
-    }
-
-    fn quotient(&self, a: &Scalar<'m>, b: &Scalar<'m>) -> Value<'m> {
-        if let (true, Some(divisor)) = (b.terms.is_empty(), b.rest.constant_value()) {
-            let terms = a.terms.iter().map(|&(atom, k)| (atom, k / divisor));
-            return Value::Scalar(Scalar {
-                terms: terms.collect(),
-                rest: a.rest / b.rest,
-            });
-        }
-        let (x, y) = (self.value_of(a), self.value_of(b));
-        (x / y).into()
-    }
+    let (x, y) = (scalar::value_of(algebra, a), scalar::value_of(algebra, b));
+    (x / y).into()
 }

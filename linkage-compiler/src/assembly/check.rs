@@ -5,14 +5,14 @@ use linkage_core::range_check::{Comes, PASSES_HELP, passes};
 use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::{OriginId, Reporter};
 use crate::ir::ContinuousAngle;
+use crate::message_format::loop_numbers;
 use crate::model::Input;
 use crate::solve::Formulation;
-use crate::words::loop_numbers;
 
 use super::Reference;
 use super::follow::{Unfollowed, follow_angles};
 use super::ranges::{Broken, Ranges};
-use crate::words::Words;
+use crate::message_format::MessageFormat;
 
 /// Checks the ranges; reports where the mechanism comes apart, and an angle whose value is used but cannot be followed.
 /// `asked` are the angles whose values functions use.
@@ -24,7 +24,7 @@ pub(crate) fn check_ranges<'m>(
     asked: &[ContinuousAngle],
     reporter: &mut Reporter,
 ) {
-    let words = Words::new(algebra.mechanism);
+    let words = MessageFormat::new(algebra.mechanism);
     let mut sound = true;
     for (index, input) in algebra.mechanism.inputs.iter().enumerate() {
         let Some((low, high)) = nominal.ranges[index] else {
@@ -76,9 +76,14 @@ pub(crate) fn check_ranges<'m>(
 }
 
 /// What is wrong with the ends of a range, or with the reference value.
-fn wrong_range(words: &Words, input: &Input, [low, high]: [f64; 2], value: f64) -> Option<String> {
+fn wrong_range(
+    words: &MessageFormat,
+    input: &Input,
+    [low, high]: [f64; 2],
+    value: f64,
+) -> Option<String> {
     let name = &input.name;
-    let show = |x, other| words.told_apart(input.dimension, x, other);
+    let show = |x, other| words.distinguished(input.dimension, x, other);
     let [from, to] = [show(low, high), show(high, low)];
     let of_angle = input.dimension.half_lengths == 0;
     if low == high {
@@ -123,7 +128,7 @@ fn warn_of_change_point(algebra: &mut Algebra, ranges: &mut Ranges, reporter: &m
     let Some(Broken { inputs, group, .. }) = ranges.first_change_point(0) else {
         return;
     };
-    let words = Words::new(algebra.mechanism);
+    let words = MessageFormat::new(algebra.mechanism);
     let group = &formulation.groups[group].group;
     let place = words.inputs(&inputs, &[0]);
     let loops = loop_numbers(&group.loops);

@@ -3,10 +3,11 @@
 //! A dead point on such a way lies in the ranges: that is found in a moment, where a grid over ranges with dead points in them takes
 //! seconds.
 
+use crate::assembly::listing;
 use linkage_core::numeric::continuation::{self, Grid, LeftOut};
 
+use crate::message_format::loop_list;
 use crate::solve::{Prepared, Solved};
-use crate::words::loop_list;
 
 use super::check::range_of;
 use super::reference::Assembly;
@@ -19,159 +20,177 @@ const HALVES: usize = 3;
 const MIDDLES: usize = 4;
 const INPUTS: usize = 8;
 
-impl<'m> Assembly<'_, 'm> {
-    /// The inputs at the dead point of a coupled group that is nearest to the reference, as a share of its way. `None` if there is none,
-    /// with one input, whose table finds its own, and without ranges.
-    pub(super) fn dead_point(&self, prepared: &Prepared<'m>, state: &[f64]) -> Option<Vec<f64>> {
-        if prepared.has_table() {
-            return None;
-        }
-        let (mut numbers, from) = self.numbers(prepared.number);
-        let mut nearest: Option<(f64, Vec<f64>)> = None;
-        for to in self.ends(prepared, &from) {
-            let share = continuation::dead_point(&mut numbers, &from, state, &to);
-            let Some(share) = share.filter(|share| *share < 1.0 - END) else {
-                continue;
-            };
-            if nearest.as_ref().is_none_or(|(least, _)| share < *least) {
-                let at = from.iter().zip(&to).map(|(a, b)| a + share * (b - a));
-                nearest = Some((share, at.collect()));
-            }
-        }
-        let (_, at) = nearest?;
-        let mut inputs = self.nominal.inputs.clone();
-        for (&input, x) in prepared.inputs.iter().zip(at) {
-            inputs[input] = x;
-        }
-        Some(inputs)
+/// The inputs at the dead point of a coupled group that is nearest to the reference, as a share of its way. `None` if there is none,
+/// with one input, whose table finds its own, and without ranges.
+pub(super) fn dead_point<'m>(
+    assembly: &Assembly<'_, 'm>,
+    prepared: &Prepared<'m>,
+    state: &[f64],
+) -> Option<Vec<f64>> {
+    if prepared.has_table() {
+        return None;
     }
-
-    /// Places on the border of the declared ranges: the corners, then, as far as they are not too many, what lies between them where some
-    /// inputs stay, or go half of their way.
-    fn ends(&self, prepared: &Prepared, from: &[f64]) -> Vec<Vec<f64>> {
-        let ranges = || {
-            prepared
-                .inputs
-                .iter()
-                .map(|&input| self.nominal.ranges[input])
+    let (mut numbers, from) = listing::numbers(assembly, prepared.number);
+    let mut nearest: Option<(f64, Vec<f64>)> = None;
+    for to in ends(assembly, prepared, &from) {
+        let share = continuation::dead_point(&mut numbers, &from, state, &to);
+        let Some(share) = share.filter(|share| *share < 1.0 - END) else {
+            continue;
         };
-        let declared = ranges().flatten().count();
-        if declared > INPUTS {
-            return Vec::new();
+        if nearest.as_ref().is_none_or(|(least, _)| share < *least) {
+            let at = from.iter().zip(&to).map(|(a, b)| a + share * (b - a));
+            nearest = Some((share, at.collect()));
         }
-        let mut ends = vec![(Vec::new(), false)];
-        for (range, &at) in ranges().zip(from) {
-            let (low, high) = range.unwrap_or((at, at));
-            let mut places = vec![(low, true), (high, true)];
-            if declared <= MIDDLES {
-                places.push((at, false));
-            }
-            if declared <= HALVES {
-                places.extend([low, high].map(|end| (0.5 * (at + end), false)));
-            }
-            if range.is_none() {
-                places = vec![(at, false)];
-            }
-            let longer = ends.iter().flat_map(|(end, border)| {
-                let place = |(place, is_end): &(f64, bool)| {
-                    ([end.as_slice(), &[*place]].concat(), *border || *is_end)
-                };
-                places.iter().map(place)
-            });
-            ends = longer.collect();
-        }
-        let border = ends.into_iter().filter(|(_, border)| *border);
-        border
-            .map(|(end, _)| end)
-            .filter(|end| end != from)
-            .collect()
     }
-
-    /// Whether a grid serves what it should, and says so if not: the reference, and as far as is known all positions at which the mechanism
-    /// is regular.
-    pub(super) fn is_served(
-        &mut self,
-        solved: &Solved<'m>,
-        prepared: &Prepared<'m>,
-        grid: &Grid,
-    ) -> bool {
-        if let Some(left_out) = grid.left_out() {
-            self.leaves_out(solved, prepared, left_out);
-            return false;
-        }
-        let (mut numbers, reference) = self.numbers(prepared.number);
-        let served = grid.serves(&mut numbers, &reference);
-        if !served {
-            self.beside_dead_point(solved, prepared);
-        }
-        served
+    let (_, at) = nearest?;
+    let mut inputs = assembly.nominal.inputs.clone();
+    for (&input, x) in prepared.inputs.iter().zip(at) {
+        inputs[input] = x;
     }
+    Some(inputs)
+}
 
-    /// Says that a grid does not reach the reference: its margin would be that of a dead point, which it is not.
-    fn beside_dead_point(&mut self, solved: &Solved<'m>, prepared: &Prepared<'m>) {
-        let mechanism = self.algebra.mechanism;
-        let origin = prepared
+/// Places on the border of the declared ranges: the corners, then, as far as they are not too many, what lies between them where some
+/// inputs stay, or go half of their way.
+fn ends(assembly: &Assembly<'_, '_>, prepared: &Prepared, from: &[f64]) -> Vec<Vec<f64>> {
+    let ranges = || {
+        prepared
             .inputs
-            .first()
-            .map_or(mechanism.loops[solved.group.loops[0]].origin, |&input| {
-                mechanism.inputs[input].origin
-            });
-        let message = format!(
-            "{} ({}) cannot be prepared at the reference inputs {}: a dead point is so near that the smallest cells of linkage do not reach \
+            .iter()
+            .map(|&input| assembly.nominal.ranges[input])
+    };
+    let declared = ranges().flatten().count();
+    if declared > INPUTS {
+        return Vec::new();
+    }
+    let mut ends = vec![(Vec::new(), false)];
+    for (range, &at) in ranges().zip(from) {
+        let (low, high) = range.unwrap_or((at, at));
+        let mut places = vec![(low, true), (high, true)];
+        if declared <= MIDDLES {
+            places.push((at, false));
+        }
+        if declared <= HALVES {
+            places.extend([low, high].map(|end| (0.5 * (at + end), false)));
+        }
+        if range.is_none() {
+            places = vec![(at, false)];
+        }
+        let longer = ends.iter().flat_map(|(end, border)| {
+            let place = |(place, is_end): &(f64, bool)| {
+                ([end.as_slice(), &[*place]].concat(), *border || *is_end)
+            };
+            places.iter().map(place)
+        });
+        ends = longer.collect();
+    }
+    let border = ends.into_iter().filter(|(_, border)| *border);
+    border
+        .map(|(end, _)| end)
+        .filter(|end| end != from)
+        .collect()
+}
+
+/// Whether a grid serves what it should, and says so if not: the reference, and as far as is known all positions at which the mechanism
+/// is regular.
+pub(super) fn is_served<'m>(
+    assembly: &mut Assembly<'_, 'm>,
+    solved: &Solved<'m>,
+    prepared: &Prepared<'m>,
+    grid: &Grid,
+) -> bool {
+    if let Some(left_out) = grid.left_out() {
+        leaves_out(assembly, solved, prepared, left_out);
+        return false;
+    }
+    let (mut numbers, reference) = listing::numbers(assembly, prepared.number);
+    let served = grid.serves(&mut numbers, &reference);
+    if !served {
+        beside_dead_point(assembly, solved, prepared);
+    }
+    served
+}
+
+/// Says that a grid does not reach the reference: its margin would be that of a dead point, which it is not.
+fn beside_dead_point<'m>(
+    assembly: &mut Assembly<'_, 'm>,
+    solved: &Solved<'m>,
+    prepared: &Prepared<'m>,
+) {
+    let mechanism = assembly.algebra.mechanism;
+    let origin = prepared
+        .inputs
+        .first()
+        .map_or(mechanism.loops[solved.group.loops[0]].origin, |&input| {
+            mechanism.inputs[input].origin
+        });
+    let message = format!(
+        "{} ({}) cannot be prepared at the reference inputs {}: a dead point is so near that the smallest cells of linkage do not reach \
              the assembly there; the reference itself is none\n\
              help: move the reference away from the dead point, or shorten the ranges",
-            loop_list(&solved.group.loops),
-            self.words.unknowns(&solved.group.unknowns),
-            self.words.inputs(&self.nominal.inputs, &prepared.inputs),
-        );
-        self.reporter.error(origin, message);
-    }
+        loop_list(&solved.group.loops),
+        assembly.words.unknowns(&solved.group.unknowns),
+        assembly
+            .words
+            .inputs(&assembly.nominal.inputs, &prepared.inputs),
+    );
+    assembly.reporter.error(origin, message);
+}
 
-    /// Says that a grid leaves out positions at which the mechanism is regular.
-    fn leaves_out(&mut self, solved: &Solved<'m>, prepared: &Prepared<'m>, left_out: &LeftOut) {
-        let mut inputs = self.nominal.inputs.clone();
-        for (&input, &x) in prepared.inputs.iter().zip(&left_out.at) {
-            inputs[input] = x;
-        }
-        let ranges = prepared.inputs.iter();
-        let declared = ranges.map(|&input| &self.algebra.mechanism.inputs[input]);
-        let declared: Vec<_> = declared.filter(|input| input.range.is_some()).collect();
-        let origins = declared.first().map_or(
-            [self.algebra.mechanism.loops[solved.group.loops[0]].origin; 2],
-            |input| range_of(input),
-        );
-        let message = format!(
-            "{} ({}) cannot be prepared over these ranges: {:.1} % of their positions would be left out, {} among them, though no dead point \
+/// Says that a grid leaves out positions at which the mechanism is regular.
+fn leaves_out<'m>(
+    assembly: &mut Assembly<'_, 'm>,
+    solved: &Solved<'m>,
+    prepared: &Prepared<'m>,
+    left_out: &LeftOut,
+) {
+    let mut inputs = assembly.nominal.inputs.clone();
+    for (&input, &x) in prepared.inputs.iter().zip(&left_out.at) {
+        inputs[input] = x;
+    }
+    let ranges = prepared.inputs.iter();
+    let declared = ranges.map(|&input| &assembly.algebra.mechanism.inputs[input]);
+    let declared: Vec<_> = declared.filter(|input| input.range.is_some()).collect();
+    let origins = declared.first().map_or(
+        [assembly.algebra.mechanism.loops[solved.group.loops[0]].origin; 2],
+        |input| range_of(input),
+    );
+    let message = format!(
+        "{} ({}) cannot be prepared over these ranges: {:.1} % of their positions would be left out, {} among them, though no dead point \
              is near; this is a limit of linkage, not a mistake of yours\n\
              help: shorten the ranges",
-            loop_list(&solved.group.loops),
-            self.words.unknowns(&solved.group.unknowns),
-            100.0 * left_out.share,
-            self.words.inputs(&inputs, &prepared.inputs),
-        );
-        self.reporter.error_between(origins, message);
-    }
+        loop_list(&solved.group.loops),
+        assembly.words.unknowns(&solved.group.unknowns),
+        100.0 * left_out.share,
+        assembly.words.inputs(&inputs, &prepared.inputs),
+    );
+    assembly.reporter.error_between(origins, message);
+}
 
-    /// Says that the mechanism comes apart within the ranges of several inputs.
-    pub(super) fn apart(&mut self, solved: &Solved<'m>, prepared: &Prepared<'m>, inputs: &[f64]) {
-        let mechanism = self.algebra.mechanism;
-        let moved = |&&input: &&usize| inputs[input] != self.nominal.inputs[input];
-        let first = prepared.inputs.iter().find(moved);
-        let origins = first.map_or(
-            [mechanism.loops[solved.group.loops[0]].origin; 2],
-            |&input| range_of(&mechanism.inputs[input]),
-        );
-        let reach = match solved.group.loops.len() {
-            1 => "reaches",
-            _ => "reach",
-        };
-        let message = format!(
-            "the mechanism comes apart in this range: {} ({}) {reach} a dead point at {}\n\
+/// Says that the mechanism comes apart within the ranges of several inputs.
+pub(super) fn apart<'m>(
+    assembly: &mut Assembly<'_, 'm>,
+    solved: &Solved<'m>,
+    prepared: &Prepared<'m>,
+    inputs: &[f64],
+) {
+    let mechanism = assembly.algebra.mechanism;
+    let moved = |&&input: &&usize| inputs[input] != assembly.nominal.inputs[input];
+    let first = prepared.inputs.iter().find(moved);
+    let origins = first.map_or(
+        [mechanism.loops[solved.group.loops[0]].origin; 2],
+        |&input| range_of(&mechanism.inputs[input]),
+    );
+    let reach = match solved.group.loops.len() {
+        1 => "reaches",
+        _ => "reach",
+    };
+    let message = format!(
+        "the mechanism comes apart in this range: {} ({}) {reach} a dead point at {}\n\
              help: restrict the range, or change the lengths so that the links reach each other all the way",
-            loop_list(&solved.group.loops),
-            self.words.unknowns(&solved.group.unknowns),
-            self.words.inputs(inputs, &prepared.inputs),
-        );
-        self.reporter.error_between(origins, message);
-    }
+        loop_list(&solved.group.loops),
+        assembly.words.unknowns(&solved.group.unknowns),
+        assembly.words.inputs(inputs, &prepared.inputs),
+    );
+    assembly.reporter.error_between(origins, message);
 }

@@ -2,13 +2,15 @@
 
 mod ends;
 
+use crate::algebra::nominal;
+use crate::algebra::translate;
 use linkage_symbolic::Graph;
 
 use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::{OriginId, Reporter};
-use crate::model::{Course, CourseKind, Expr, ExprKind, Mechanism, Name, Repeats, Type};
+use crate::model::{Expr, ExprKind, Mechanism, MotionLaw, MotionLawKind, Name, Repeats, Type};
 
-use crate::words::Words;
+use crate::message_format::MessageFormat;
 
 /// Of the size of speeds or accelerations: a smaller difference is rounding.
 const ROUNDING: f64 = 1e-9;
@@ -29,7 +31,7 @@ pub(crate) fn check_courses(mechanism: &Mechanism, nominal: &Nominal, reporter: 
         .chain(functions.map(|own| &own.value));
     let all = all.chain(mechanics).flat_map(Expr::parts);
     let courses: Vec<&Expr> = all
-        .filter(|own| matches!(own.kind, ExprKind::Course(_)))
+        .filter(|own| matches!(own.kind, ExprKind::MotionLaw(_)))
         .collect();
     if courses.is_empty() {
         return;
@@ -37,10 +39,10 @@ pub(crate) fn check_courses(mechanism: &Mechanism, nominal: &Nominal, reporter: 
     // A graph of its own: nodes made in another order would change how sums of the mechanism are written.
     let graph = Graph::new();
     let mut algebra = Algebra::new(mechanism, &graph);
-    algebra.translate_lets();
+    translate::translate_lets(&mut algebra);
     let mut seen: Vec<OriginId> = Vec::new();
     for expr in courses {
-        let ExprKind::Course(course) = &expr.kind else {
+        let ExprKind::MotionLaw(course) = &expr.kind else {
             continue;
         };
         // Slopes have the knots of what they are the slopes of.
@@ -49,8 +51,8 @@ pub(crate) fn check_courses(mechanism: &Mechanism, nominal: &Nominal, reporter: 
         }
         seen.push(course.knots[0].origin);
         let mut number = |own: &Expr| {
-            let scale = algebra.internal_per_unit(&own.ty);
-            algebra.evaluated(own, &nominal.parameters, &[])[0] / scale
+            let scale = translate::internal_per_unit(&algebra, &own.ty);
+            nominal::evaluated(&mut algebra, own, &nominal.parameters, &[])[0] / scale
         };
         let knots: Vec<At> = course
             .knots
@@ -65,7 +67,7 @@ pub(crate) fn check_courses(mechanism: &Mechanism, nominal: &Nominal, reporter: 
             .all(|own| own.place.is_finite() && own.value.is_finite());
         // What moves, or is told elsewhere as no number, is left to run time.
         if known {
-            let words = Words::new(mechanism);
+            let words = MessageFormat::new(mechanism);
             Check {
                 mechanism,
                 nominal,
@@ -88,9 +90,9 @@ struct At {
 struct Check<'c, 'm> {
     mechanism: &'m Mechanism,
     nominal: &'c Nominal,
-    course: &'m Course,
+    course: &'m MotionLaw,
     knots: Vec<At>,
-    words: Words<'m>,
+    words: MessageFormat<'m>,
 }
 
 impl Check<'_, '_> {
@@ -98,7 +100,7 @@ impl Check<'_, '_> {
         let before = reporter.errors();
         self.order(reporter);
         self.closure(reporter);
-        if self.course.kind == CourseKind::Laws {
+        if self.course.kind == MotionLawKind::Laws {
             self.laws(reporter);
         }
         if reporter.errors() == before {
@@ -218,7 +220,7 @@ impl Check<'_, '_> {
                 let at = self.place(self.knots[k].place);
                 let fact = format!("the {name} of this course jumps at {at}, from {from} to {to}");
                 let help = match order {
-                    _ if matches!(self.course.kind, CourseKind::Spline(..)) => {
+                    _ if matches!(self.course.kind, MotionLawKind::Spline(..)) => {
                         "write `clamped, quintic` behind the points, which ends without acceleration, or `jump` behind this one to accept it"
                     }
                     0 => {

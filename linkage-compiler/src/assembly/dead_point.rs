@@ -1,5 +1,6 @@
 //! What a dead point in a range looks like: which links are stretched or folded, what their lengths come to, and by how much they miss.
 
+use crate::algebra::translate;
 use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, V2, substitute};
 
@@ -10,7 +11,7 @@ use crate::structure::Form;
 use crate::vector::norm;
 
 use super::machine::Machine;
-use crate::words::Words;
+use crate::message_format::MessageFormat;
 
 /// Points nearer than this share of their distance from the origin and each other are one.
 const SAME: f64 = 1e-9;
@@ -22,7 +23,7 @@ const NOISE: f64 = 1e-6;
 pub(super) struct DeadPoint<'a, 'm> {
     pub(super) algebra: &'a mut Algebra<'m>,
     pub(super) machine: &'a Machine,
-    pub(super) words: &'a Words<'m>,
+    pub(super) words: &'a MessageFormat<'m>,
     pub(super) solved: &'a Solved<'m>,
     pub(super) inputs: &'a [f64],
     /// Another position, by which names are recognised.
@@ -209,7 +210,7 @@ impl<'m> DeadPoint<'_, 'm> {
             if !matches!(ty, Type::Vector(2, _)) {
                 return None;
             }
-            let Value::Vector(vector) = self.algebra.name(name) else {
+            let Value::Vector(vector) = translate::value_of_name(self.algebra, name) else {
                 return None;
             };
             let components: Vec<Ex> = vector.iter().collect();

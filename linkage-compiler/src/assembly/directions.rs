@@ -3,6 +3,8 @@
 
 mod asked;
 
+use crate::algebra::nominal;
+use crate::algebra::translate;
 use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::Graph;
@@ -11,7 +13,7 @@ use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::Reporter;
 use crate::model::{BinaryOp, Expr, ExprKind, Function, Mechanism, Name};
 
-use crate::words::Words;
+use crate::message_format::MessageFormat;
 use asked::{Asked, asked_for};
 
 /// Reports every axis and argument of `unit` that is zero, or parallel to the one that it must differ from, for the default dimensions, and in loops those that are zero
@@ -24,7 +26,7 @@ pub(crate) fn check_directions(mechanism: &Mechanism, nominal: &Nominal, reporte
     // A graph of its own: nodes made in another order would change how sums of the mechanism are written.
     let graph = Graph::new();
     let mut algebra = Algebra::new(mechanism, &graph);
-    algebra.translate_lets();
+    translate::translate_lets(&mut algebra);
     let mut check = Check {
         mechanism,
         nominal,
@@ -43,7 +45,7 @@ pub(crate) fn check_directions(mechanism: &Mechanism, nominal: &Nominal, reporte
         let mut found = check.mistake(&asked, &place);
         if found.is_none() && asked.in_loop {
             check.know(&nominal.inputs);
-            place = Words::new(mechanism).at_reference(&nominal.inputs);
+            place = MessageFormat::new(mechanism).at_reference(&nominal.inputs);
             found = check.mistake(&asked, &place);
         }
         if let Some((fact, help)) = found {
@@ -78,7 +80,7 @@ impl<'a> Check<'a, '_> {
         let Self {
             algebra, nominal, ..
         } = self;
-        algebra.evaluated(expr, &nominal.parameters, self.inputs)
+        nominal::evaluated(algebra, expr, &nominal.parameters, self.inputs)
     }
 
     fn is_zero(&mut self, vector: &Expr) -> bool {
@@ -209,13 +211,13 @@ impl<'m> Check<'_, 'm> {
             (true, Some(2)) => "write a direction such as `(1, 0)`, of any length",
             (true, _) => "write a direction such as `(0, 0, 1)`, of any length",
         };
-        let zero = Words::new(self.mechanism).vector(&vector.ty, &self.value(vector));
+        let zero = MessageFormat::new(self.mechanism).vector(&vector.ty, &self.value(vector));
         (format!("{subject} is {zero}"), help.to_owned())
     }
 
     /// `, (1, 2, 3) and (2, 4, 6)`; nothing if a number is not known.
     fn words(&mut self, vectors: &[&Expr]) -> String {
-        let words = Words::new(self.mechanism);
+        let words = MessageFormat::new(self.mechanism);
         let mut parts = Vec::new();
         for vector in vectors {
             let value = self.value(vector);

@@ -6,9 +6,9 @@ use std::f64::consts::{FRAC_PI_3, PI, TAU};
 use linkage_symbolic::program::Ternary;
 
 use crate::algebra::Bound;
+use crate::message_format::loop_list;
 use crate::model::Dimension;
 use crate::solve::Solved;
-use crate::words::loop_list;
 
 use super::reference::Assembly;
 
@@ -34,20 +34,22 @@ pub(super) struct Position {
     pub(super) distance: f64,
 }
 
-impl Position {
-    /// The unknowns in which this position differs from a neighbour, by more than a hundredth of the unknown that differs most; `yardstick` says
-    /// what counts like a radian.
-    pub(super) fn differing(&self, other: &Self, yardstick: impl Fn(usize) -> f64) -> Vec<usize> {
-        const LITTLE: f64 = 0.01;
-        let mut all: Vec<(usize, f64)> = Vec::new();
-        for ((unknown, own), (_, other)) in self.values.iter().zip(&other.values) {
-            let off = own.iter().zip(other).map(|(a, b)| (a - b).abs());
-            all.push((*unknown, off.fold(0.0, f64::max) / yardstick(*unknown)));
-        }
-        let most = all.iter().fold(0.0, |most: f64, (_, off)| most.max(*off));
-        let differing = all.into_iter().filter(|(_, off)| *off > LITTLE * most);
-        differing.map(|(unknown, _)| unknown).collect()
+/// The unknowns in which this position differs from a neighbour, by more than a hundredth of the unknown that differs most; `yardstick` says
+/// what counts like a radian.
+pub(super) fn differing(
+    position: &Position,
+    other: &Position,
+    yardstick: impl Fn(usize) -> f64,
+) -> Vec<usize> {
+    const LITTLE: f64 = 0.01;
+    let mut all: Vec<(usize, f64)> = Vec::new();
+    for ((unknown, own), (_, other)) in position.values.iter().zip(&other.values) {
+        let off = own.iter().zip(other).map(|(a, b)| (a - b).abs());
+        all.push((*unknown, off.fold(0.0, f64::max) / yardstick(*unknown)));
     }
+    let most = all.iter().fold(0.0, |most: f64, (_, off)| most.max(*off));
+    let differing = all.into_iter().filter(|(_, off)| *off > LITTLE * most);
+    differing.map(|(unknown, _)| unknown).collect()
 }
 
 /// How the assembly of a group was found.
@@ -79,214 +81,221 @@ struct Unmet<'p> {
     excess: f64,
 }
 
-impl Assembly<'_, '_> {
-    /// An unknown angle by its cosine and sine: the value that is nearest to its estimate.
-    pub(super) fn angle_near_estimate(&self, unknown: usize, [cos, sin]: [f64; 2]) -> f64 {
-        let estimate = self.nominal.estimates[unknown][0];
-        Ternary::AngleNear.apply([sin, cos, estimate])
-    }
+/// An unknown angle by its cosine and sine: the value that is nearest to its estimate.
+pub(super) fn angle_near_estimate(
+    assembly: &Assembly<'_, '_>,
+    unknown: usize,
+    [cos, sin]: [f64; 2],
+) -> f64 {
+    let estimate = assembly.nominal.estimates[unknown][0];
+    Ternary::AngleNear.apply([sin, cos, estimate])
+}
 
-    /// The unknowns of an assembly, compared with their estimates.
-    pub(super) fn position(&self, values: Vec<(usize, Vec<f64>)>) -> Position {
-        let estimated = values
-            .iter()
-            .filter(|(unknown, _)| self.is_estimated(*unknown));
-        let differences = estimated.flat_map(|(unknown, value)| {
-            let unit = self.yardstick(*unknown);
-            let limit = match self.algebra.names.bound[*unknown] {
-                Bound::Angle(_) => PI,
-                Bound::Lengths(_) => f64::INFINITY,
-            };
-            let pairs = value.iter().zip(&self.nominal.estimates[*unknown]);
-            pairs.map(move |(x, estimate)| ((x - estimate) / unit).clamp(-limit, limit))
-        });
-        let distance = differences.map(|x| x * x).sum::<f64>().sqrt();
-        Position {
-            distance: match distance.is_nan() {
-                true => f64::INFINITY,
-                false => distance,
-            },
-            values,
-        }
-    }
-
-    /// `theta = 60deg, psi = 120deg`
-    pub(super) fn shown(&self, position: &Position) -> String {
-        let values = position.values.iter();
-        let words = values.map(|(unknown, value)| self.words.unknown_value(*unknown, value));
-        words.collect::<Vec<_>>().join(", ")
-    }
-
-    /// Keeps what unknowns without an estimate are.
-    pub(super) fn keep_found(&mut self, chosen: &Position) {
-        let open = chosen.values.iter();
-        let open = open.filter(|(unknown, _)| !self.is_estimated(*unknown));
-        self.found.extend(open.cloned().collect::<Vec<_>>());
-    }
-
-    /// Reports unknowns without an estimate of a group whose assemblies the other estimates do not tell apart, the nearest first; false if
-    /// there is none.
-    pub(super) fn lacks_estimates(
-        &mut self,
-        solved: &Solved,
-        all: &[&Position],
-        choice: Choice,
-    ) -> bool {
-        let unknowns = all.iter().take(1).flat_map(|position| &position.values);
-        let unknowns = unknowns.map(|(unknown, _)| *unknown);
-        let open: Vec<usize> = unknowns.filter(|k| !self.is_estimated(*k)).collect();
-        let [first, ..] = open[..] else {
-            return false;
+/// The unknowns of an assembly, compared with their estimates.
+pub(super) fn position(assembly: &Assembly<'_, '_>, values: Vec<(usize, Vec<f64>)>) -> Position {
+    let estimated = values
+        .iter()
+        .filter(|(unknown, _)| is_estimated(assembly, *unknown));
+    let differences = estimated.flat_map(|(unknown, value)| {
+        let unit = assembly.yardstick(*unknown);
+        let limit = match assembly.algebra.names.bound[*unknown] {
+            Bound::Angle(_) => PI,
+            Bound::Lengths(_) => f64::INFINITY,
         };
-        let message = format!(
-            "{} {} no estimate{}, and {}\n\
+        let pairs = value.iter().zip(&assembly.nominal.estimates[*unknown]);
+        pairs.map(move |(x, estimate)| ((x - estimate) / unit).clamp(-limit, limit))
+    });
+    let distance = differences.map(|x| x * x).sum::<f64>().sqrt();
+    Position {
+        distance: match distance.is_nan() {
+            true => f64::INFINITY,
+            false => distance,
+        },
+        values,
+    }
+}
+
+/// `theta = 60deg, psi = 120deg`
+pub(super) fn shown(assembly: &Assembly<'_, '_>, position: &Position) -> String {
+    let values = position.values.iter();
+    let words = values.map(|(unknown, value)| assembly.words.unknown_value(*unknown, value));
+    words.collect::<Vec<_>>().join(", ")
+}
+
+/// Keeps what unknowns without an estimate are.
+pub(super) fn keep_found(assembly: &mut Assembly<'_, '_>, chosen: &Position) {
+    let open = chosen.values.iter();
+    let open = open.filter(|(unknown, _)| !is_estimated(assembly, *unknown));
+    assembly.found.extend(open.cloned().collect::<Vec<_>>());
+}
+
+/// Reports unknowns without an estimate of a group whose assemblies the other estimates do not tell apart, the nearest first; false if
+/// there is none.
+pub(super) fn lacks_estimates(
+    assembly: &mut Assembly<'_, '_>,
+    solved: &Solved,
+    all: &[&Position],
+    choice: Choice,
+) -> bool {
+    let unknowns = all.iter().take(1).flat_map(|position| &position.values);
+    let unknowns = unknowns.map(|(unknown, _)| *unknown);
+    let open: Vec<usize> = unknowns.filter(|k| !is_estimated(assembly, *k)).collect();
+    let [first, ..] = open[..] else {
+        return false;
+    };
+    let message = format!(
+        "{} {} no estimate{}, and {}\n\
              help: write the estimates of the assembly that is meant",
-            self.words.unknowns(&open),
-            if open.len() == 1 { "has" } else { "have" },
-            self.words.at_reference(&self.nominal.inputs),
-            self.listed(solved, all, choice),
-        );
-        let origin = self.algebra.mechanism.unknowns[first].origin;
-        self.reporter.error(origin, message);
-        true
-    }
+        assembly.words.unknowns(&open),
+        if open.len() == 1 { "has" } else { "have" },
+        assembly.words.at_reference(&assembly.nominal.inputs),
+        listed(assembly, solved, all, choice),
+    );
+    let origin = assembly.algebra.mechanism.unknowns[first].origin;
+    assembly.reporter.error(origin, message);
+    true
+}
 
-    pub(super) fn is_estimated(&self, unknown: usize) -> bool {
-        let own = &self.algebra.mechanism.unknowns[unknown];
-        own.of_part || own.estimate.is_some()
-    }
+pub(super) fn is_estimated(assembly: &Assembly<'_, '_>, unknown: usize) -> bool {
+    let own = &assembly.algebra.mechanism.unknowns[unknown];
+    own.of_part || own.estimate.is_some()
+}
 
-    /// Reports an assembly whose unknowns are not where their estimates are, among all that the group has, the nearest first; false if it did.
-    pub(super) fn meets_estimates(
-        &mut self,
-        solved: &Solved,
-        all: &[&Position],
-        choice: Choice,
-    ) -> bool {
-        let Some(unmet) = all.first().and_then(|chosen| self.worst(chosen)) else {
-            return true;
-        };
-        let item = &self.algebra.mechanism.unknowns[unmet.unknown];
-        let own = self.words.coordinate(&item.ty, unmet.value);
-        let estimate = &self.nominal.estimates[unmet.unknown];
-        let difference = self.difference(unmet.unknown, unmet.value);
-        let loops = loop_list(&solved.group.loops);
-        let message = format!(
-            "`{}` is found at {own}, {difference} its estimate {}{}; {}\n\
+/// Reports an assembly whose unknowns are not where their estimates are, among all that the group has, the nearest first; false if it did.
+pub(super) fn meets_estimates(
+    assembly: &mut Assembly<'_, '_>,
+    solved: &Solved,
+    all: &[&Position],
+    choice: Choice,
+) -> bool {
+    let Some(unmet) = all.first().and_then(|chosen| worst(assembly, chosen)) else {
+        return true;
+    };
+    let item = &assembly.algebra.mechanism.unknowns[unmet.unknown];
+    let own = assembly.words.coordinate(&item.ty, unmet.value);
+    let estimate = &assembly.nominal.estimates[unmet.unknown];
+    let difference = difference(assembly, unmet.unknown, unmet.value);
+    let loops = loop_list(&solved.group.loops);
+    let message = format!(
+        "`{}` is found at {own}, {difference} its estimate {}{}; {}\n\
              help: look for a wrong sign or number in {loops}, or write the estimates of the assembly that is meant",
-            item.name,
-            self.words.coordinate(&item.ty, estimate),
-            self.words.at_reference(&self.nominal.inputs),
-            self.listed(solved, all, choice),
-        );
-        let estimate = item.estimate.as_ref();
-        let origin = estimate.map_or(item.origin, |estimate| estimate.origin);
-        self.reporter.error(origin, message);
-        false
-    }
+        item.name,
+        assembly.words.coordinate(&item.ty, estimate),
+        assembly.words.at_reference(&assembly.nominal.inputs),
+        listed(assembly, solved, all, choice),
+    );
+    let estimate = item.estimate.as_ref();
+    let origin = estimate.map_or(item.origin, |estimate| estimate.origin);
+    assembly.reporter.error(origin, message);
+    false
+}
 
-    /// `loop 1 has two assemblies:`, and each on a line as estimates that can be copied.
-    fn listed(&self, solved: &Solved, all: &[&Position], choice: Choice) -> String {
-        let loops = loop_list(&solved.group.loops);
-        let has = match solved.group.loops.len() {
-            1 => "has",
-            _ => "have",
-        };
-        let count = match all.len() {
-            1 => "one assembly".to_owned(),
-            2 => "two assemblies".to_owned(),
-            more if more > LISTED => format!("{more} assemblies, the nearest of them"),
-            more => format!("{more} assemblies"),
-        };
-        let lines = all.iter().take(LISTED).map(|position| {
-            let values = position.values.iter();
-            let items = values.map(|(unknown, value)| {
-                let within_a_turn = match self.algebra.names.bound[*unknown] {
-                    Bound::Angle(_) => value.iter().map(|angle| angle % TAU).collect(),
-                    Bound::Lengths(_) => value.clone(),
-                };
-                let words = self.words.unknown_value(*unknown, &within_a_turn);
-                format!("unknown {words};")
-            });
-            format!("\n    {}", items.collect::<Vec<_>>().join(" "))
+/// `loop 1 has two assemblies:`, and each on a line as estimates that can be copied.
+fn listed(
+    assembly: &Assembly<'_, '_>,
+    solved: &Solved,
+    all: &[&Position],
+    choice: Choice,
+) -> String {
+    let loops = loop_list(&solved.group.loops);
+    let has = match solved.group.loops.len() {
+        1 => "has",
+        _ => "have",
+    };
+    let count = match all.len() {
+        1 => "one assembly".to_owned(),
+        2 => "two assemblies".to_owned(),
+        more if more > LISTED => format!("{more} assemblies, the nearest of them"),
+        more => format!("{more} assemblies"),
+    };
+    let lines = all.iter().take(LISTED).map(|position| {
+        let values = position.values.iter();
+        let items = values.map(|(unknown, value)| {
+            let within_a_turn = match assembly.algebra.names.bound[*unknown] {
+                Bound::Angle(_) => value.iter().map(|angle| angle % TAU).collect(),
+                Bound::Lengths(_) => value.clone(),
+            };
+            let words = assembly.words.unknown_value(*unknown, &within_a_turn);
+            format!("unknown {words};")
         });
-        let lines: String = lines.collect();
-        match choice {
-            Choice::Listed | Choice::ListedApart => {
-                format!("{loops} {has} {count}{}:{lines}", choice.beside())
+        format!("\n    {}", items.collect::<Vec<_>>().join(" "))
+    });
+    let lines: String = lines.collect();
+    match choice {
+        Choice::Listed | Choice::ListedApart => {
+            format!("{loops} {has} {count}{}:{lines}", choice.beside())
+        }
+        Choice::Followed => {
+            format!(
+                "{loops} cannot be listed, and {has} this assembly where the estimates lead:{lines}"
+            )
+        }
+    }
+}
+
+/// The unknown that is farthest from its estimate, if that is too far.
+fn worst<'p>(assembly: &Assembly<'_, '_>, position: &'p Position) -> Option<Unmet<'p>> {
+    let all = position.values.iter().map(|(unknown, value)| Unmet {
+        unknown: *unknown,
+        value,
+        excess: excess(assembly, *unknown, value),
+    });
+    let worst = all.max_by(|a, b| a.excess.total_cmp(&b.excess))?;
+    (worst.excess > 1.0 + ROUNDING).then_some(worst)
+}
+
+/// How far an unknown is from its estimate, over what is allowed.
+fn excess(assembly: &Assembly<'_, '_>, unknown: usize, value: &[f64]) -> f64 {
+    if !is_estimated(assembly, unknown) {
+        return 0.0;
+    }
+    let difference = distance(assembly, unknown, value);
+    match is_direction(assembly, unknown) {
+        true => difference / FAR_ANGLE,
+        false => difference / (FAR_SHARE * size_with(assembly, value)),
+    }
+}
+
+/// The size of the mechanism where a slide has this value: as far as it reaches. Where a point is says nothing about size.
+fn size_with(assembly: &Assembly<'_, '_>, value: &[f64]) -> f64 {
+    match value {
+        [slide] => assembly.size.max(slide.abs()),
+        _ => assembly.size,
+    }
+}
+
+/// `108deg from`, `95mm from`
+fn difference(assembly: &Assembly<'_, '_>, unknown: usize, value: &[f64]) -> String {
+    let difference = distance(assembly, unknown, value);
+    let dimension = match is_direction(assembly, unknown) {
+        true => Dimension::ANGLE,
+        false => Dimension::LENGTH,
+    };
+    format!("{} from", assembly.words.rounded(dimension, difference))
+}
+
+/// Angles, and vectors of numbers: what counts is where they point.
+fn is_direction(assembly: &Assembly<'_, '_>, unknown: usize) -> bool {
+    let dimension = assembly.algebra.mechanism.unknowns[unknown].ty.dimension();
+    dimension.is_some_and(|dimension| dimension.half_lengths == 0)
+}
+
+/// Between an unknown and its estimate: an angle or a length.
+fn distance(assembly: &Assembly<'_, '_>, unknown: usize, value: &[f64]) -> f64 {
+    let estimate = &assembly.nominal.estimates[unknown];
+    let length = |v: &mut dyn Iterator<Item = f64>| v.fold(0.0, |sum: f64, x| sum.hypot(x));
+    let pairs = || value.iter().zip(estimate);
+    match (is_direction(assembly, unknown), value) {
+        (true, [angle]) => (angle - estimate[0]).abs(),
+        (true, _) => {
+            let [own, other] = [value, estimate].map(|v| length(&mut v.iter().copied()));
+            let product: f64 = pairs().map(|(x, e)| (x / own) * (e / other)).sum();
+            // A vector of zeros points nowhere, which estimates nothing.
+            match product.is_nan() {
+                true => 0.0,
+                false => product.clamp(-1.0, 1.0).acos(),
             }
-            Choice::Followed => {
-                format!(
-                    "{loops} cannot be listed, and {has} this assembly where the estimates lead:{lines}"
-                )
-            }
         }
-    }
-
-    /// The unknown that is farthest from its estimate, if that is too far.
-    fn worst<'p>(&self, position: &'p Position) -> Option<Unmet<'p>> {
-        let all = position.values.iter().map(|(unknown, value)| Unmet {
-            unknown: *unknown,
-            value,
-            excess: self.excess(*unknown, value),
-        });
-        let worst = all.max_by(|a, b| a.excess.total_cmp(&b.excess))?;
-        (worst.excess > 1.0 + ROUNDING).then_some(worst)
-    }
-
-    /// How far an unknown is from its estimate, over what is allowed.
-    fn excess(&self, unknown: usize, value: &[f64]) -> f64 {
-        if !self.is_estimated(unknown) {
-            return 0.0;
-        }
-        let difference = self.distance(unknown, value);
-        match self.is_direction(unknown) {
-            true => difference / FAR_ANGLE,
-            false => difference / (FAR_SHARE * self.size_with(value)),
-        }
-    }
-
-    /// The size of the mechanism where a slide has this value: as far as it reaches. Where a point is says nothing about size.
-    fn size_with(&self, value: &[f64]) -> f64 {
-        match value {
-            [slide] => self.size.max(slide.abs()),
-            _ => self.size,
-        }
-    }
-
-    /// `108deg from`, `95mm from`
-    fn difference(&self, unknown: usize, value: &[f64]) -> String {
-        let difference = self.distance(unknown, value);
-        let dimension = match self.is_direction(unknown) {
-            true => Dimension::ANGLE,
-            false => Dimension::LENGTH,
-        };
-        format!("{} from", self.words.rounded(dimension, difference))
-    }
-
-    /// Angles, and vectors of numbers: what counts is where they point.
-    fn is_direction(&self, unknown: usize) -> bool {
-        let dimension = self.algebra.mechanism.unknowns[unknown].ty.dimension();
-        dimension.is_some_and(|dimension| dimension.half_lengths == 0)
-    }
-
-    /// Between an unknown and its estimate: an angle or a length.
-    fn distance(&self, unknown: usize, value: &[f64]) -> f64 {
-        let estimate = &self.nominal.estimates[unknown];
-        let length = |v: &mut dyn Iterator<Item = f64>| v.fold(0.0, |sum: f64, x| sum.hypot(x));
-        let pairs = || value.iter().zip(estimate);
-        match (self.is_direction(unknown), value) {
-            (true, [angle]) => (angle - estimate[0]).abs(),
-            (true, _) => {
-                let [own, other] = [value, estimate].map(|v| length(&mut v.iter().copied()));
-                let product: f64 = pairs().map(|(x, e)| (x / own) * (e / other)).sum();
-                // A vector of zeros points nowhere, which estimates nothing.
-                match product.is_nan() {
-                    true => 0.0,
-                    false => product.clamp(-1.0, 1.0).acos(),
-                }
-            }
-            (false, _) => length(&mut pairs().map(|(x, e)| x - e)),
-        }
+        (false, _) => length(&mut pairs().map(|(x, e)| x - e)),
     }
 }

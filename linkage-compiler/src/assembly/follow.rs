@@ -1,5 +1,6 @@
 //! Following angles whose values are used over the ranges of the inputs.
 
+use crate::algebra::constant_ratio;
 use std::f64::consts::PI;
 
 use linkage_core::numeric::winding::{Centre, follow};
@@ -59,7 +60,7 @@ impl Numbers<'_> {
             if low == high {
                 continue;
             }
-            let rates = algebra.candidate_rates(input);
+            let rates = constant_ratio::candidate_rates(algebra, input);
             let mut position = self.nominal.inputs.clone();
             let found = follow(low, high, at, here, &rates, |x| {
                 position[input] = x;

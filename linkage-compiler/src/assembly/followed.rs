@@ -1,12 +1,17 @@
 //! Closing a coupled group whose assemblies cannot be listed: the one that is meant is followed from its estimates.
 
+use crate::assembly::at_state;
+use crate::assembly::estimates;
+use crate::assembly::listing;
+use crate::assembly::refusal;
+use crate::mobility::nearest;
 use linkage_core::numeric::continuation::{Astray, from_estimate};
 use linkage_core::numeric::roots::Unlisted;
 
+use crate::message_format::loop_list;
 use crate::mobility::Nearest;
 use crate::solve::{Prepared, Solved};
 use crate::structure::unsolved::OURS;
-use crate::words::loop_list;
 
 use super::estimates::Choice;
 use super::listing::Candidate;
@@ -23,189 +28,199 @@ struct Ends {
     help: String,
 }
 
-impl<'m> Assembly<'_, 'm> {
-    /// Closes a coupled group from its estimates; false if that was not possible. `unlisted` says why its assemblies were not listed, if that
-    /// was tried.
-    pub(super) fn close_followed(
-        &mut self,
-        solved: &Solved<'m>,
-        prepared: &Prepared<'m>,
-        unlisted: Option<Unlisted>,
-    ) -> bool {
-        if self.has_no_estimates(solved, unlisted) {
+/// Closes a coupled group from its estimates; false if that was not possible. `unlisted` says why its assemblies were not listed, if that
+/// was tried.
+pub(super) fn close_followed<'m>(
+    assembly: &mut Assembly<'_, 'm>,
+    solved: &Solved<'m>,
+    prepared: &Prepared<'m>,
+    unlisted: Option<Unlisted>,
+) -> bool {
+    if has_no_estimates(assembly, solved, unlisted) {
+        return false;
+    }
+    let found = match followed(assembly, prepared) {
+        Ok(found) => found,
+        Err(astray) => {
+            leads_nowhere(assembly, solved, prepared, astray, unlisted);
             return false;
         }
-        let found = match self.followed(prepared) {
-            Ok(found) => found,
-            Err(astray) => {
-                self.leads_nowhere(solved, prepared, astray, unlisted);
-                return false;
-            }
-        };
-        if !self.meets_estimates(solved, &[&found.position], Choice::Followed) {
-            return false;
-        }
-        let group = &mut self.machine.closing.coupled[prepared.number];
-        group.followed = true;
-        group.terms.clear();
-        self.prepare(solved, prepared, &found.state)
+    };
+    if !estimates::meets_estimates(assembly, solved, &[&found.position], Choice::Followed) {
+        return false;
     }
+    let group = &mut assembly.machine.closing.coupled[prepared.number];
+    group.followed = true;
+    group.terms.clear();
+    listing::prepare(assembly, solved, prepared, &found.state)
+}
 
-    fn followed(&self, prepared: &Prepared<'m>) -> Result<Candidate, Astray> {
-        let (mut numbers, own) = self.numbers(prepared.number);
-        let group = &self.machine.closing.coupled[prepared.number];
-        let estimate = prepared.estimate_of_default(self.algebra, self.nominal);
-        let state = from_estimate(&mut numbers, &group.variables, &own, &estimate)?;
-        let placed = numbers.run(&group.placed, &state);
-        Ok(self.candidate_of(group, state, &placed))
-    }
+fn followed<'m>(assembly: &Assembly<'_, 'm>, prepared: &Prepared<'m>) -> Result<Candidate, Astray> {
+    let (mut numbers, own) = listing::numbers(assembly, prepared.number);
+    let group = &assembly.machine.closing.coupled[prepared.number];
+    let estimate = prepared.estimate_of_default(assembly.algebra, assembly.nominal);
+    let state = from_estimate(&mut numbers, &group.variables, &own, &estimate)?;
+    let placed = numbers.run(&group.placed, &state);
+    Ok(listing::candidate_of(assembly, group, state, &placed))
+}
 
-    /// Reports unknowns without an estimate; false if there is none.
-    fn has_no_estimates(&mut self, solved: &Solved<'m>, unlisted: Option<Unlisted>) -> bool {
-        let unknowns = solved.group.unknowns.iter().copied();
-        let open: Vec<usize> = unknowns.filter(|&k| !self.is_estimated(k)).collect();
-        let [first, ..] = open[..] else {
-            return false;
-        };
-        let message = format!(
-            "{} {} no estimate{}, and {} followed from estimates, since the assemblies cannot be listed: {}; {OURS}\n\
+/// Reports unknowns without an estimate; false if there is none.
+fn has_no_estimates<'m>(
+    assembly: &mut Assembly<'_, 'm>,
+    solved: &Solved<'m>,
+    unlisted: Option<Unlisted>,
+) -> bool {
+    let unknowns = solved.group.unknowns.iter().copied();
+    let open: Vec<usize> = unknowns
+        .filter(|&k| !estimates::is_estimated(assembly, k))
+        .collect();
+    let [first, ..] = open[..] else {
+        return false;
+    };
+    let message = format!(
+        "{} {} no estimate{}, and {} followed from estimates, since the assemblies cannot be listed: {}; {OURS}\n\
              help: write estimates, as they are read off a drawing",
-            self.words.unknowns(&open),
-            if open.len() == 1 { "has" } else { "have" },
-            self.words.at_reference(&self.nominal.inputs),
-            match solved.group.loops.len() {
-                1 => format!("{} is", loop_list(&solved.group.loops)),
-                _ => format!("{} are", loop_list(&solved.group.loops)),
-            },
-            not_listed(unlisted),
-        );
-        let origin = self.algebra.mechanism.unknowns[first].origin;
-        self.reporter.error(origin, message);
-        true
-    }
+        assembly.words.unknowns(&open),
+        if open.len() == 1 { "has" } else { "have" },
+        assembly.words.at_reference(&assembly.nominal.inputs),
+        match solved.group.loops.len() {
+            1 => format!("{} is", loop_list(&solved.group.loops)),
+            _ => format!("{} are", loop_list(&solved.group.loops)),
+        },
+        not_listed(unlisted),
+    );
+    let origin = assembly.algebra.mechanism.unknowns[first].origin;
+    assembly.reporter.error(origin, message);
+    true
+}
 
-    /// Says that the estimates of a group do not lead to an assembly.
-    fn leads_nowhere(
-        &mut self,
-        solved: &Solved<'m>,
-        prepared: &Prepared<'m>,
-        astray: Astray,
-        unlisted: Option<Unlisted>,
-    ) {
-        let place = self.words.at_reference(&self.nominal.inputs);
-        let are = match solved.group.loops.len() {
-            1 => "is",
-            _ => "are",
-        };
-        let loops = loop_list(&solved.group.loops);
-        let unknowns = self.words.unknowns(&solved.group.unknowns);
-        let why = not_listed(unlisted);
-        let message = match astray {
-            Astray::NoValue if self.without_value(&solved.group.loops).is_some() => {
-                return self.without_equations(solved);
-            }
-            Astray::Movable(ref states) => format!(
-                "{loops} ({unknowns}) cannot be solved{place}: where the estimates lead, {}\n\
+/// Says that the estimates of a group do not lead to an assembly.
+fn leads_nowhere<'m>(
+    assembly: &mut Assembly<'_, 'm>,
+    solved: &Solved<'m>,
+    prepared: &Prepared<'m>,
+    astray: Astray,
+    unlisted: Option<Unlisted>,
+) {
+    let place = assembly.words.at_reference(&assembly.nominal.inputs);
+    let are = match solved.group.loops.len() {
+        1 => "is",
+        _ => "are",
+    };
+    let loops = loop_list(&solved.group.loops);
+    let unknowns = assembly.words.unknowns(&solved.group.unknowns);
+    let why = not_listed(unlisted);
+    let message = match astray {
+        Astray::NoValue
+            if refusal::loops_without_value(assembly, &solved.group.loops).is_some() =>
+        {
+            return without_equations(assembly, solved);
+        }
+        Astray::Movable(ref states) => format!(
+            "{loops} ({unknowns}) cannot be solved{place}: where the estimates lead, {}\n\
                  help: look for links that coincide, guides that are parallel, lengths that are zero, and a loop that repeats another",
-                self.standing(prepared, &states[0])
-                    .freedom()
-                    .unwrap_or_else(|| {
-                        let moved = self.moved(prepared, states);
-                        format!(
-                            "{} can change and the loops stay closed",
-                            self.words.unknowns(&moved)
-                        )
-                    }),
-            ),
-            Astray::DeadPoint { left, ref at } if left > NOTHING && left < ALL => {
-                let Ends { fact, help } = self.way_ends(prepared, at);
-                format!(
-                    "{loops} ({unknowns}) {are} followed{place} from the estimates, and the way ends where {:.1} % of what the \
+            at_state::standing(assembly, prepared, &states[0])
+                .freedom()
+                .unwrap_or_else(|| {
+                    let moved = moved(assembly, prepared, states);
+                    format!(
+                        "{} can change and the loops stay closed",
+                        assembly.words.unknowns(&moved)
+                    )
+                }),
+        ),
+        Astray::DeadPoint { left, ref at } if left > NOTHING && left < ALL => {
+            let Ends { fact, help } = way_ends(assembly, prepared, at);
+            format!(
+                "{loops} ({unknowns}) {are} followed{place} from the estimates, and the way ends where {:.1} % of what the \
                      estimates miss by is taken back{fact}. The assemblies cannot be listed: {why}; {OURS}\n\
                      help: {help}",
-                    100.0 * (1.0 - left),
-                )
-            }
-            Astray::NoValue | Astray::DeadPoint { .. } | Astray::Singular(_) => format!(
-                "{loops} ({unknowns}) {are} singular{place} where the estimates {}{}; the assemblies cannot be listed: {why}\n\
+                100.0 * (1.0 - left),
+            )
+        }
+        Astray::NoValue | Astray::DeadPoint { .. } | Astray::Singular(_) => format!(
+            "{loops} ({unknowns}) {are} singular{place} where the estimates {}{}; the assemblies cannot be listed: {why}\n\
                  help: look for links that coincide, guides that are parallel, lengths that are zero, and a loop that repeats another; or write \
                  estimates, or a reference input, away from a dead point",
-                match astray {
-                    Astray::DeadPoint { left, .. } if left < ALL => "lead",
-                    Astray::Singular(_) => "lead",
-                    _ => "are",
-                },
-                match astray {
-                    Astray::DeadPoint { ref at, .. } | Astray::Singular(ref at) => {
-                        self.standing(prepared, at)
-                    }
-                    _ => {
-                        let estimate = prepared.estimate_of_default(self.algebra, self.nominal);
-                        self.standing(prepared, &estimate)
-                    }
+            match astray {
+                Astray::DeadPoint { left, .. } if left < ALL => "lead",
+                Astray::Singular(_) => "lead",
+                _ => "are",
+            },
+            match astray {
+                Astray::DeadPoint { ref at, .. } | Astray::Singular(ref at) => {
+                    at_state::standing(assembly, prepared, at)
                 }
-                .freedom()
-                .map_or_else(String::new, |freedom| format!(": there {freedom}")),
-            ),
-        };
-        let origin = self.algebra.mechanism.loops[solved.group.loops[0]].origin;
-        self.reporter.error(origin, message);
-    }
+                _ => {
+                    let estimate = prepared.estimate_of_default(assembly.algebra, assembly.nominal);
+                    at_state::standing(assembly, prepared, &estimate)
+                }
+            }
+            .freedom()
+            .map_or_else(String::new, |freedom| format!(": there {freedom}")),
+        ),
+    };
+    let origin = assembly.algebra.mechanism.loops[solved.group.loops[0]].origin;
+    assembly.reporter.error(origin, message);
+}
 
-    /// What is known of the end of a way: a dead point, and where behind it the loops come nearest to closing.
-    fn way_ends(&self, prepared: &Prepared<'m>, at: &[f64]) -> Ends {
-        let end = self.standing(prepared, at);
-        let dead = end.freedom();
-        let dead = dead.map_or_else(String::new, |freedom| {
-            format!(", at a dead point: there {freedom}")
-        });
-        let Some(Nearest { missing, motion }) = end.nearest() else {
-            return Ends {
+/// What is known of the end of a way: a dead point, and where behind it the loops come nearest to closing.
+fn way_ends<'m>(assembly: &Assembly<'_, 'm>, prepared: &Prepared<'m>, at: &[f64]) -> Ends {
+    let end = at_state::standing(assembly, prepared, at);
+    let dead = end.freedom();
+    let dead = dead.map_or_else(String::new, |freedom| {
+        format!(", at a dead point: there {freedom}")
+    });
+    let Some(Nearest { missing, motion }) = nearest::nearest(&end) else {
+        return Ends {
                 fact: dead,
                 help: "write estimates that are nearer to the assembly that is meant; or change a length, if the links do not reach each other"
                     .to_owned(),
             };
-        };
-        let motion = motion.map_or_else(String::new, |motion| {
-            format!("; there {motion}, which closes none of them")
-        });
-        Ends {
+    };
+    let motion = motion.map_or_else(String::new, |motion| {
+        format!("; there {motion}, which closes none of them")
+    });
+    Ends {
             fact: format!(
                 "{dead}. Where the loops come nearest to closing, their sides differ still, in {missing}{motion}"
             ),
             help: "change these lengths by about as much; or write estimates that are nearer to another assembly, if there is one".to_owned(),
         }
-    }
+}
 
-    /// The unknowns that differ between two states.
-    fn moved(&self, prepared: &Prepared<'m>, states: &[Vec<f64>; 2]) -> Vec<usize> {
-        let (numbers, _) = self.numbers(prepared.number);
-        let group = &self.machine.closing.coupled[prepared.number];
-        let [a, b] = states.each_ref().map(|state| {
-            let placed = numbers.run(&group.placed, state);
-            self.candidate_of(group, state.clone(), &placed).position
-        });
-        a.differing(&b, |unknown| self.yardstick(unknown))
-    }
+/// The unknowns that differ between two states.
+fn moved<'m>(
+    assembly: &Assembly<'_, 'm>,
+    prepared: &Prepared<'m>,
+    states: &[Vec<f64>; 2],
+) -> Vec<usize> {
+    let (numbers, _) = listing::numbers(assembly, prepared.number);
+    let group = &assembly.machine.closing.coupled[prepared.number];
+    let [a, b] = states.each_ref().map(|state| {
+        let placed = numbers.run(&group.placed, state);
+        listing::candidate_of(assembly, group, state.clone(), &placed).position
+    });
+    estimates::differing(&a, &b, |unknown| assembly.yardstick(unknown))
+}
 
-    /// Says that the equations of a group have no value.
-    pub(super) fn without_equations(&mut self, solved: &Solved<'m>) {
-        let loops = loop_list(&solved.group.loops);
-        let unknowns = self.words.unknowns(&solved.group.unknowns);
-        let place = self.words.at_reference(&self.nominal.inputs);
-        if let Some((part, fact)) = self.without_value(&solved.group.loops) {
-            let fact = format!("{loops} ({unknowns}) cannot be solved{place}: {fact}");
-            return self.reporter.error_with_help(part, fact, WITHIN_RANGE);
-        }
-        let origin = self.algebra.mechanism.loops[solved.group.loops[0]].origin;
-        self.reporter.error(
+/// Says that the equations of a group have no value.
+pub(super) fn without_equations<'m>(assembly: &mut Assembly<'_, 'm>, solved: &Solved<'m>) {
+    let loops = loop_list(&solved.group.loops);
+    let unknowns = assembly.words.unknowns(&solved.group.unknowns);
+    let place = assembly.words.at_reference(&assembly.nominal.inputs);
+    if let Some((part, fact)) = refusal::loops_without_value(assembly, &solved.group.loops) {
+        let fact = format!("{loops} ({unknowns}) cannot be solved{place}: {fact}");
+        return assembly.reporter.error_with_help(part, fact, WITHIN_RANGE);
+    }
+    let origin = assembly.algebra.mechanism.loops[solved.group.loops[0]].origin;
+    assembly.reporter.error(
             origin,
             format!(
                 "{loops} ({unknowns}) cannot be solved{place}: what is known of it is not a finite number\n\
                  help: look for a division by zero, or a root or an arc function out of its range"
             ),
         );
-    }
 }
 
 /// Why the assemblies of a group are not listed.

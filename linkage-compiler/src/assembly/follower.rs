@@ -1,9 +1,9 @@
 //! Functions with the names of what a follower has beside the functions.
 
 use crate::diagnostic::Reporter;
+use crate::message_format::loop_list;
 use crate::model::{METHODS_OF_FOLLOWER, Mechanism};
 use crate::solve::Formulation;
-use crate::words::loop_list;
 
 /// Reports functions that the follower of an assembly has no names for. One is generated if a coupled group depends on several inputs.
 pub(crate) fn check_names_of_follower(

@@ -3,9 +3,9 @@
 use crate::solve::Solved;
 use linkage_core::range_check::significant;
 
-use crate::words::Words;
+use crate::message_format::MessageFormat;
 
-impl Words<'_> {
+impl MessageFormat<'_> {
     pub(super) fn gap(&self, solved: &Solved, gap: f64) -> String {
         let dimension = solved.gap_dimension(self.mechanism());
         format!(

@@ -3,6 +3,8 @@
 //! The estimates of a part belong to its own reference. Alone it has been closed there; from there it is led to what its inputs are here, and
 //! what it arrives at are the estimates of its unknowns here: the assembly is that of the part alone, and so are the turns of its angles.
 
+use crate::algebra::nominal;
+use crate::algebra::translate;
 use std::f64::consts::PI;
 use std::rc::Rc;
 
@@ -130,7 +132,7 @@ pub(crate) fn inner_parts<'m>(
         let inputs = part.inputs.iter();
         let inputs = inputs.map(|&own| match algebra.translate(&named(mechanism, own)) {
             Value::Vector(vector) => vector.iter().next().unwrap_or(algebra.zero()),
-            scalar => algebra.number(&scalar),
+            scalar => translate::number(algebra, &scalar),
         });
         let inputs = inputs.collect();
         let mut numbers = Vec::new();
@@ -144,9 +146,13 @@ pub(crate) fn inner_parts<'m>(
                 }
                 Name::Let(index) => {
                     let own = &mechanism.lets[index].value;
-                    let scale = algebra.internal_per_unit(&own.ty);
-                    let found =
-                        algebra.evaluated(&named(mechanism, index), &nominal.parameters, &[]);
+                    let scale = translate::internal_per_unit(algebra, &own.ty);
+                    let found = nominal::evaluated(
+                        algebra,
+                        &named(mechanism, index),
+                        &nominal.parameters,
+                        &[],
+                    );
                     numbers.extend(found.into_iter().map(|number| number / scale));
                 }
                 // Parameters are nothing else.
@@ -188,72 +194,74 @@ fn power(ratio: f64, dimension: Dimension) -> f64 {
     }
 }
 
-impl<'m> Assembly<'_, 'm> {
-    /// Finds where those parts are whose inputs are known: all unknowns that they are made of are `closed`, or one of their own is among
-    /// those that are closed next.
-    pub(super) fn settle_parts(&mut self, formulation: &Formulation<'m>, closed: usize) {
-        let (before, rest) = formulation.groups.split_at(closed);
-        let is_closed = |unknown: usize| {
-            before
-                .iter()
-                .any(|own| own.group.unknowns.contains(&unknown))
-        };
-        let next = rest.first();
-        let parts = std::mem::take(&mut self.parts);
-        for part in parts {
-            let open: Vec<usize> = part
-                .needs
-                .iter()
-                .copied()
-                .filter(|&own| !is_closed(own))
-                .collect();
-            match open.is_empty() || next.is_some_and(|next| part.is_in(next)) {
-                true => self.settle(&part, &open),
-                false => self.parts.push(part),
-            }
+/// Finds where those parts are whose inputs are known: all unknowns that they are made of are `closed`, or one of their own is among
+/// those that are closed next.
+pub(super) fn settle_parts<'m>(
+    assembly: &mut Assembly<'_, 'm>,
+    formulation: &Formulation<'m>,
+    closed: usize,
+) {
+    let (before, rest) = formulation.groups.split_at(closed);
+    let is_closed = |unknown: usize| {
+        before
+            .iter()
+            .any(|own| own.group.unknowns.contains(&unknown))
+    };
+    let next = rest.first();
+    let parts = std::mem::take(&mut assembly.parts);
+    for part in parts {
+        let open: Vec<usize> = part
+            .needs
+            .iter()
+            .copied()
+            .filter(|&own| !is_closed(own))
+            .collect();
+        match open.is_empty() || next.is_some_and(|next| part.is_in(next)) {
+            true => settle(assembly, &part, &open),
+            false => assembly.parts.push(part),
         }
     }
+}
 
-    /// The position of a part becomes what its unknowns are estimated by; those of the unknowns that are open are where their own estimates are.
-    fn settle(&mut self, part: &InnerPart<'m>, open: &[usize]) {
-        let mut given = Map::new();
-        for &unknown in open {
-            let estimate = &self.nominal.estimates[unknown];
-            match &self.algebra.names.bound[unknown] {
-                Bound::Angle(angle) => {
-                    let angle = &self.algebra.names.angles[*angle];
-                    let (sin, cos) = estimate[0].sin_cos();
-                    given.insert(angle.cos, cos);
-                    given.insert(angle.sin, sin);
-                    given.insert(angle.value, estimate[0]);
-                }
-                Bound::Lengths(symbols) => {
-                    for ((symbol, _), x) in symbols.iter().zip(estimate) {
-                        given.insert(*symbol, *x);
-                    }
+/// The position of a part becomes what its unknowns are estimated by; those of the unknowns that are open are where their own estimates are.
+fn settle<'m>(assembly: &mut Assembly<'_, 'm>, part: &InnerPart<'m>, open: &[usize]) {
+    let mut given = Map::new();
+    for &unknown in open {
+        let estimate = &assembly.nominal.estimates[unknown];
+        match &assembly.algebra.names.bound[unknown] {
+            Bound::Angle(angle) => {
+                let angle = &assembly.algebra.names.angles[*angle];
+                let (sin, cos) = estimate[0].sin_cos();
+                given.insert(angle.cos, cos);
+                given.insert(angle.sin, sin);
+                given.insert(angle.value, estimate[0]);
+            }
+            Bound::Lengths(symbols) => {
+                for ((symbol, _), x) in symbols.iter().zip(estimate) {
+                    given.insert(*symbol, *x);
                 }
             }
         }
-        let inputs = self
-            .machine
-            .evaluate_open(&part.inputs, &self.nominal.inputs, &given);
-        let closed = &part.closed;
-        let inputs = inputs.iter().zip(&closed.inputs);
-        let inputs: Vec<f64> = inputs.map(|(x, own)| x * power(part.ratio, *own)).collect();
-        let found = closed.led_to(part.parameters.clone(), &inputs);
-        let alone = found.into_iter().zip(&closed.nominal.estimates);
-        for (index, ((found, reference), dimension)) in alone.zip(&closed.dimensions).enumerate() {
-            // What it cannot reach is told where its loops are closed.
-            let known = match found.iter().all(|x| x.is_finite()) {
-                true => &found,
-                false => reference,
-            };
-            let scale = power(part.ratio, *dimension);
-            let known = known.iter().map(|x| x / scale).collect();
-            self.nominal.estimates[part.first_unknown + index] = known;
-        }
-        self.centre(Some(part));
     }
+    let inputs = assembly
+        .machine
+        .evaluate_open(&part.inputs, &assembly.nominal.inputs, &given);
+    let closed = &part.closed;
+    let inputs = inputs.iter().zip(&closed.inputs);
+    let inputs: Vec<f64> = inputs.map(|(x, own)| x * power(part.ratio, *own)).collect();
+    let found = closed.led_to(part.parameters.clone(), &inputs);
+    let alone = found.into_iter().zip(&closed.nominal.estimates);
+    for (index, ((found, reference), dimension)) in alone.zip(&closed.dimensions).enumerate() {
+        // What it cannot reach is told where its loops are closed.
+        let known = match found.iter().all(|x| x.is_finite()) {
+            true => &found,
+            false => reference,
+        };
+        let scale = power(part.ratio, *dimension);
+        let known = known.iter().map(|x| x / scale).collect();
+        assembly.nominal.estimates[part.first_unknown + index] = known;
+    }
+    assembly.centre(Some(part));
 }
 
 impl InnerPart<'_> {

@@ -1,5 +1,7 @@
 //! What is said of a mechanism that comes apart in its range: dead points, change points.
 
+use crate::algebra::constant_ratio;
+use crate::algebra::dependence;
 use std::f64::consts::TAU;
 
 use linkage_core::range_check::{self, Comes, Reaches, not_finite, rounded_inwards};
@@ -7,13 +9,13 @@ use linkage_symbolic::program::Ternary;
 
 use crate::algebra::{ALIKE, Algebra, Bound, ConstantRatio};
 use crate::diagnostic::OriginId;
+use crate::message_format::loop_numbers;
 use crate::model::Mechanism;
-use crate::words::loop_numbers;
 
 use super::check::range_of;
 use super::dead_point::DeadPoint;
 use super::ranges::{Break, Broken, GRID, Ranges};
-use crate::words::Words;
+use crate::message_format::MessageFormat;
 
 /// Positions between the reference and a change point at which angles are compared.
 const COMPARED: usize = 8;
@@ -27,10 +29,10 @@ pub(super) struct Apart {
 impl<'m> Ranges<'_, 'm> {
     /// A range that meets a dead point.
     pub(super) fn apart(&mut self, algebra: &mut Algebra<'m>, at: Break) -> Apart {
-        let words = Words::new(algebra.mechanism);
+        let words = MessageFormat::new(algebra.mechanism);
         let input = &algebra.mechanism.inputs[at.input];
         let solved = &self.formulation.groups[at.place.group];
-        let concerned = algebra.inputs_below(&[solved.closed.slack]);
+        let concerned = dependence::inputs_below(algebra, &[solved.closed.slack]);
         let place = words.inputs(&at.place.inputs, &concerned);
         let loops = loop_numbers(&solved.group.loops);
         let unknowns = words.unknowns(&solved.group.unknowns);
@@ -89,9 +91,9 @@ impl<'m> Ranges<'_, 'm> {
         declared: &[usize],
         at: &Broken,
     ) -> Apart {
-        let words = Words::new(algebra.mechanism);
+        let words = MessageFormat::new(algebra.mechanism);
         let solved = &self.formulation.groups[at.group];
-        let concerned = algebra.inputs_below(&[solved.closed.slack]);
+        let concerned = dependence::inputs_below(algebra, &[solved.closed.slack]);
         let loops = loop_numbers(&solved.group.loops);
         let unknowns = words.unknowns(&solved.group.unknowns);
         let group = Comes {
@@ -119,7 +121,7 @@ impl<'m> Ranges<'_, 'm> {
     }
 
     /// The stretch around the reference in which it works.
-    fn works(&mut self, algebra: &Algebra, words: &Words, at: &Break) -> Works {
+    fn works(&mut self, algebra: &Algebra, words: &MessageFormat, at: &Break) -> Works {
         let input = &algebra.mechanism.inputs[at.input];
         let reference = self.nominal.inputs[at.input];
         let (low, high) = self.nominal.ranges[at.input].unwrap_or((reference, reference));
@@ -167,14 +169,16 @@ impl<'m> Ranges<'_, 'm> {
                 Ternary::AngleNear.apply([sin, cos, near])
             };
             let here = angle(self, from, estimate);
-            let rate = algebra.candidate_rates(at.input).into_iter().find(|rate| {
-                // Short of the change point itself, where digits are lost.
-                (1..COMPARED).all(|k| {
-                    let x = from + (to - from) * (k as f64 / COMPARED as f64);
-                    let expected = here + rate * (x - from);
-                    (angle(self, x, expected) - expected).abs() < ALIKE
-                })
-            })?;
+            let rate = constant_ratio::candidate_rates(algebra, at.input)
+                .into_iter()
+                .find(|rate| {
+                    // Short of the change point itself, where digits are lost.
+                    (1..COMPARED).all(|k| {
+                        let x = from + (to - from) * (k as f64 / COMPARED as f64);
+                        let expected = here + rate * (x - from);
+                        (angle(self, x, expected) - expected).abs() < ALIKE
+                    })
+                })?;
             let offset = here - rate * from;
             even.push(ConstantRatio {
                 unknown,
@@ -200,7 +204,7 @@ fn with_help([fact, help]: &[String; 2]) -> String {
 /// Links that stay parallel to others as far as the change point: relations say so without a second assembly.
 fn parallelogram(
     mechanism: &Mechanism,
-    words: &Words,
+    words: &MessageFormat,
     at: &Break,
     even: &[ConstantRatio],
     reaches: &Reaches,

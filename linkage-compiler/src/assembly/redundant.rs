@@ -10,7 +10,7 @@ use crate::model::{Loop, Mechanism, Type};
 use super::Reference;
 use super::places::places;
 use super::ranges::GRID;
-use crate::words::Words;
+use crate::message_format::MessageFormat;
 
 /// Positions along the range of each input.
 const ALONG: usize = 97;
@@ -64,7 +64,7 @@ pub(crate) fn check_redundant(
         if miss.size <= EQUAL * unit {
             continue;
         }
-        let words = Words::new(mechanism);
+        let words = MessageFormat::new(mechanism);
         let all: Vec<usize> = (0..miss.inputs.len()).collect();
         let place = match all.is_empty() {
             true => String::new(),

@@ -1,12 +1,16 @@
 //! Closing the loops at the reference input: the assembly mode of each group, chosen by the start estimates.
 
+use crate::assembly::estimates;
+use crate::assembly::listing;
+use crate::assembly::parts;
+use crate::assembly::refusal;
 use linkage_core::numeric::choose_assembly::{Ambiguity, choose_assembly};
 
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::diagnostic::Reporter;
 use crate::ir::{Closing, Outputs};
+use crate::message_format::loop_list;
 use crate::solve::{Formulation, Prepared, Solved};
-use crate::words::loop_list;
 
 use super::check::report_unfollowed;
 use super::estimates::{Choice, Position};
@@ -15,7 +19,7 @@ use super::machine::Machine;
 use super::parts::InnerPart;
 use super::refusal::Verdict;
 use super::sizes::Sizes;
-use crate::words::Words;
+use crate::message_format::MessageFormat;
 
 /// Below this margin a position cannot be told from a dead point.
 pub(super) const SINGULAR: f64 = 1e-6;
@@ -48,7 +52,7 @@ pub(crate) fn assemble_reference<'m>(
     let machine = Machine::new(closing, formulation, nominal);
     let Sizes { longest, largest } = Sizes::of(algebra, formulation, nominal);
     let mut assembly = Assembly {
-        words: Words::new(algebra.mechanism),
+        words: MessageFormat::new(algebra.mechanism),
         algebra,
         nominal,
         reporter,
@@ -65,7 +69,7 @@ pub(crate) fn assemble_reference<'m>(
     let mut closed = true;
     let mut start = 0;
     for (index, solved) in formulation.groups.iter().enumerate() {
-        assembly.settle_parts(formulation, index);
+        parts::settle_parts(&mut assembly, formulation, index);
         let stage = assembly.machine.closing.groups[index].clone();
         closed &= assembly.close(solved, &stage, start, closed);
         let slack = assembly.output(stage.slack);
@@ -85,7 +89,7 @@ pub(crate) fn assemble_reference<'m>(
 
 pub(super) struct Assembly<'a, 'm> {
     pub(super) algebra: &'a Algebra<'m>,
-    pub(super) words: Words<'m>,
+    pub(super) words: MessageFormat<'m>,
     pub(super) nominal: &'a mut Nominal,
     pub(super) reporter: Reporter<'a>,
     pub(super) machine: Machine,
@@ -129,7 +133,10 @@ impl<'m> Assembly<'_, 'm> {
     fn close(&mut self, solved: &Solved<'m>, stage: &Outputs, start: usize, closed: bool) -> bool {
         if let Some(prepared) = &solved.prepared {
             // What is known of it comes from groups before this one.
-            if !closed || !self.follow_before(prepared) || !self.close_coupled(solved, prepared) {
+            if !closed
+                || !self.follow_before(prepared)
+                || !listing::close_coupled(self, solved, prepared)
+            {
                 self.advance(solved, stage, start, 1.0);
                 return false;
             }
@@ -166,7 +173,7 @@ impl<'m> Assembly<'_, 'm> {
             None
         };
         if let Some(verdict) = verdict {
-            self.refuse(solved, verdict);
+            refusal::refuse(self, solved, verdict);
             return false;
         }
         let loops = loop_list(&solved.group.loops);
@@ -176,15 +183,15 @@ impl<'m> Assembly<'_, 'm> {
         positions.sort_by(|a, b| a.distance.total_cmp(&b.distance));
         if nearest.ambiguous {
             if let [a, b] = &candidates[..]
-                && !self.lacks_estimates(solved, &positions, Choice::Listed)
+                && !estimates::lacks_estimates(self, solved, &positions, Choice::Listed)
             {
                 let message = format!(
                     "the start estimates of {unknowns} lie equally near to two assembly modes of {loops}{place}: \
                      `{}` at distance {:.4} and `{}` at distance {:.4}\n\
                      help: move the estimates towards the assembly that is meant",
-                    self.shown(&a.position),
+                    estimates::shown(self, &a.position),
                     a.position.distance,
-                    self.shown(&b.position),
+                    estimates::shown(self, &b.position),
                     b.position.distance
                 );
                 let unknown = solved.group.unknowns.first();
@@ -193,9 +200,10 @@ impl<'m> Assembly<'_, 'm> {
             }
             return false;
         }
-        self.keep_found(&chosen.position);
+        estimates::keep_found(self, &chosen.position);
         // A coupled group has been compared where its assemblies were listed.
-        solved.prepared.is_some() || self.meets_estimates(solved, &positions, Choice::Listed)
+        solved.prepared.is_some()
+            || estimates::meets_estimates(self, solved, &positions, Choice::Listed)
     }
 
     /// Finds the turns of angles on which a coupled group depends; false if that was not possible.
@@ -240,7 +248,7 @@ impl<'m> Assembly<'_, 'm> {
             let value = match self.algebra.names.bound[unknown] {
                 Bound::Angle(_) => {
                     let unit = [output, output + 1].map(|k| self.output(k));
-                    vec![self.angle_near_estimate(unknown, unit)]
+                    vec![estimates::angle_near_estimate(self, unknown, unit)]
                 }
                 Bound::Lengths(_) => {
                     let count = self.algebra.names.components_of(unknown);
@@ -249,7 +257,7 @@ impl<'m> Assembly<'_, 'm> {
             };
             (unknown, value)
         });
-        let position = self.position(unknowns.collect());
+        let position = estimates::position(self, unknowns.collect());
         Candidate {
             sign,
             gap: self.output(stage.gap),

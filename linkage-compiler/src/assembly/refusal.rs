@@ -1,13 +1,14 @@
 //! What is said of a group that cannot be assembled at the reference inputs.
 
+use crate::assembly::degenerate;
 use crate::diagnostic::OriginId;
+use crate::message_format::loop_list;
 use crate::model::Dimension;
 use crate::solve::Solved;
 use crate::structure::Form;
-use crate::words::loop_list;
 
 use super::reference::{Assembly, SINGULAR};
-use super::values::without_value;
+use super::values;
 
 /// What to do about a part of a loop that has no value.
 pub(super) const WITHIN_RANGE: &str =
@@ -27,117 +28,121 @@ pub(super) enum Verdict {
     Singular,
 }
 
-impl<'m> Assembly<'_, 'm> {
-    pub(super) fn refuse(&mut self, solved: &Solved<'m>, verdict: Verdict) {
-        let origin = self.algebra.mechanism.loops[solved.group.loops[0]].origin;
-        let loops = loop_list(&solved.group.loops);
-        let unknowns = self.words.unknowns(&solved.group.unknowns);
-        let place = self.words.at_reference(&self.nominal.inputs);
-        if let Some((fact, help)) = self.degenerate(solved) {
-            let fact = format!("{loops} cannot be solved for {unknowns}{place}: {fact}");
-            return self.reporter.error_with_help(origin, fact, help);
-        }
-        if self.size > LARGEST && !matches!(verdict, Verdict::Open(_)) {
-            let size = self.words.scalar(Dimension::LENGTH, self.size);
-            let fact = format!(
-                "{loops} ({unknowns}) cannot be solved{place}: the mechanism has a length of {size}, and the square of a number above \
+pub(super) fn refuse<'m>(assembly: &mut Assembly<'_, 'm>, solved: &Solved<'m>, verdict: Verdict) {
+    let origin = assembly.algebra.mechanism.loops[solved.group.loops[0]].origin;
+    let loops = loop_list(&solved.group.loops);
+    let unknowns = assembly.words.unknowns(&solved.group.unknowns);
+    let place = assembly.words.at_reference(&assembly.nominal.inputs);
+    if let Some((fact, help)) = degenerate::degenerate(assembly, solved) {
+        let fact = format!("{loops} cannot be solved for {unknowns}{place}: {fact}");
+        return assembly.reporter.error_with_help(origin, fact, help);
+    }
+    if assembly.size > LARGEST && !matches!(verdict, Verdict::Open(_)) {
+        let size = assembly.words.scalar(Dimension::LENGTH, assembly.size);
+        let fact = format!(
+            "{loops} ({unknowns}) cannot be solved{place}: the mechanism has a length of {size}, and the square of a number above \
                  {LARGEST:e} is beyond the largest one"
-            );
-            let help = "choose a length unit in which the numbers are smaller";
-            return self.reporter.error_with_help(origin, fact, help);
-        }
-        let without_value = match verdict {
-            Verdict::NotFinite => self.without_value(&solved.group.loops),
-            Verdict::Open(_) | Verdict::Singular => None,
-        };
-        if let Some((part, fact)) = without_value {
-            let fact = format!("{loops} ({unknowns}) cannot be solved{place}: {fact}");
-            return self.reporter.error_with_help(part, fact, WITHIN_RANGE);
-        }
-        let (fact, help) = match verdict {
-            Verdict::NotFinite => (
-                format!(
-                    "{loops} ({unknowns}) cannot be solved{place}: what is known of it is not a finite number"
-                ),
-                format!(
-                    "look for {}a division by zero, or a root or an arc function out of its range",
-                    match self.has_guides(solved) {
-                        true => "guides that are parallel, ",
-                        false => "",
-                    }
-                ),
-            ),
-            Verdict::Open(gap) => {
-                let miss = self.words.gap(solved, gap);
-                let number = solved.gap_dimension(self.algebra.mechanism).half_lengths == 0;
-                let what = if number { "dimension" } else { "length" };
-                let other = match place.is_empty() {
-                    true => "",
-                    false => ", or give a reference input at which the links reach each other",
-                };
-                (
-                    format!("{loops} ({unknowns}) cannot close{place}: misses by {miss}"),
-                    format!("change a {what}{other}"),
-                )
-            }
-            Verdict::Singular => (
-                format!(
-                    "{loops} ({unknowns}) {} singular{place}, a dead point{}: its margin is below {SINGULAR:e}",
-                    if solved.group.loops.len() == 1 {
-                        "is"
-                    } else {
-                        "are"
-                    },
-                    self.shape(&solved.group.form)
-                ),
-                "choose a reference input or lengths away from the dead point".to_owned(),
-            ),
-        };
-        self.reporter.error_with_help(origin, fact, help);
-    }
-
-    /// What of some loops has no finite value at the reference inputs, and where it is written.
-    pub(super) fn without_value(&self, loops: &[usize]) -> Option<(OriginId, String)> {
-        let inputs = &self.nominal.inputs;
-        without_value(self.algebra.mechanism, self.nominal, inputs, loops)
-    }
-
-    /// True for an angle that is found across the guides of its loop.
-    fn has_guides(&self, solved: &Solved<'m>) -> bool {
-        let own = &self.algebra.mechanism.loops[solved.group.loops[0]];
-        let [left, right] = [&own.left, &own.right].map(|side| side.ty.components());
-        let alone = matches!(
-            solved.group.form,
-            Form::Trigonometric { .. } | Form::Linear { .. }
         );
-        alone && left.max(right) == Some(3)
+        let help = "choose a length unit in which the numbers are smaller";
+        return assembly.reporter.error_with_help(origin, fact, help);
     }
-
-    /// How a group in space looks at its dead point.
-    fn shape(&self, form: &Form<'m>) -> String {
-        match form {
-            Form::LinkToRotor { angle, .. } => format!(
-                " where the link lies in one plane with the axis of {}",
-                self.angle_name(*angle)
+    let without_value = match verdict {
+        Verdict::NotFinite => loops_without_value(assembly, &solved.group.loops),
+        Verdict::Open(_) | Verdict::Singular => None,
+    };
+    if let Some((part, fact)) = without_value {
+        let fact = format!("{loops} ({unknowns}) cannot be solved{place}: {fact}");
+        return assembly.reporter.error_with_help(part, fact, WITHIN_RANGE);
+    }
+    let (fact, help) = match verdict {
+        Verdict::NotFinite => (
+            format!(
+                "{loops} ({unknowns}) cannot be solved{place}: what is known of it is not a finite number"
             ),
-            Form::LinkToSlide { slide, .. } => format!(
-                " where the link is perpendicular to the guide of {}",
-                self.symbol_name(*slide)
+            format!(
+                "look for {}a division by zero, or a root or an arc function out of its range",
+                match has_guides(assembly, solved) {
+                    true => "guides that are parallel, ",
+                    false => "",
+                }
             ),
-            Form::Point { spheres, .. } if spheres.len() == 3 => {
-                " where the point lies in the plane of the three centres".to_owned()
-            }
-            Form::Point { .. }
-            | Form::TwoRotors { .. }
-            | Form::RotorAndSlide { .. }
-            | Form::SlideOnRotor { .. }
-            | Form::TwoSlides { .. }
-            | Form::Trigonometric { .. }
-            | Form::Quadratic { .. }
-            | Form::Linear { .. }
-            | Form::ThreeSlides { .. }
-            | Form::Relation { .. }
-            | Form::Coupled(_) => String::new(),
+        ),
+        Verdict::Open(gap) => {
+            let miss = assembly.words.gap(solved, gap);
+            let number = solved
+                .gap_dimension(assembly.algebra.mechanism)
+                .half_lengths
+                == 0;
+            let what = if number { "dimension" } else { "length" };
+            let other = match place.is_empty() {
+                true => "",
+                false => ", or give a reference input at which the links reach each other",
+            };
+            (
+                format!("{loops} ({unknowns}) cannot close{place}: misses by {miss}"),
+                format!("change a {what}{other}"),
+            )
         }
+        Verdict::Singular => (
+            format!(
+                "{loops} ({unknowns}) {} singular{place}, a dead point{}: its margin is below {SINGULAR:e}",
+                if solved.group.loops.len() == 1 {
+                    "is"
+                } else {
+                    "are"
+                },
+                shape(assembly, &solved.group.form)
+            ),
+            "choose a reference input or lengths away from the dead point".to_owned(),
+        ),
+    };
+    assembly.reporter.error_with_help(origin, fact, help);
+}
+
+/// What of some loops has no finite value at the reference inputs, and where it is written.
+pub(super) fn loops_without_value(
+    assembly: &Assembly<'_, '_>,
+    loops: &[usize],
+) -> Option<(OriginId, String)> {
+    let inputs = &assembly.nominal.inputs;
+    values::without_value(assembly.algebra.mechanism, assembly.nominal, inputs, loops)
+}
+
+/// True for an angle that is found across the guides of its loop.
+fn has_guides<'m>(assembly: &Assembly<'_, 'm>, solved: &Solved<'m>) -> bool {
+    let own = &assembly.algebra.mechanism.loops[solved.group.loops[0]];
+    let [left, right] = [&own.left, &own.right].map(|side| side.ty.components());
+    let alone = matches!(
+        solved.group.form,
+        Form::Trigonometric { .. } | Form::Linear { .. }
+    );
+    alone && left.max(right) == Some(3)
+}
+
+/// How a group in space looks at its dead point.
+fn shape<'m>(assembly: &Assembly<'_, 'm>, form: &Form<'m>) -> String {
+    match form {
+        Form::LinkToRotor { angle, .. } => format!(
+            " where the link lies in one plane with the axis of {}",
+            degenerate::angle_name(assembly, *angle)
+        ),
+        Form::LinkToSlide { slide, .. } => format!(
+            " where the link is perpendicular to the guide of {}",
+            degenerate::symbol_name(assembly, *slide)
+        ),
+        Form::Point { spheres, .. } if spheres.len() == 3 => {
+            " where the point lies in the plane of the three centres".to_owned()
+        }
+        Form::Point { .. }
+        | Form::TwoRotors { .. }
+        | Form::RotorAndSlide { .. }
+        | Form::SlideOnRotor { .. }
+        | Form::TwoSlides { .. }
+        | Form::Trigonometric { .. }
+        | Form::Quadratic { .. }
+        | Form::Linear { .. }
+        | Form::ThreeSlides { .. }
+        | Form::Relation { .. }
+        | Form::Coupled(_) => String::new(),
     }
 }

@@ -6,7 +6,7 @@ use crate::algebra::Nominal;
 use crate::diagnostic::Reporter;
 use crate::model::{Expr, ExprKind, Mechanism, Name, Parameter, Variable};
 
-use crate::words::Words;
+use crate::message_format::MessageFormat;
 
 /// Warns of parameters that neither loops nor bodies nor functions mention. One whose name begins with `_`, or with
 /// `#[allow(unused)]`, is meant to be so.
@@ -28,7 +28,7 @@ pub(crate) fn warn_of_unused(mechanism: &Mechanism, nominal: &Nominal, reporter:
             ..
         } = own;
         let values = &nominal.parameters[first_scalar.0..][..tolerances.len()];
-        let value = Words::new(mechanism).value(ty, values);
+        let value = MessageFormat::new(mechanism).value(ty, values);
         let fact =
             format!("the parameter `{name} = {value}` is used by no loop, no body and no function");
         let help = "remove it, or write `#[allow(unused)]` above it if it is to be a field only";

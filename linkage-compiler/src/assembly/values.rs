@@ -1,5 +1,7 @@
 //! What is computed of the declared dimensions alone and has no finite value for them: `sqrt(crank - rocker)`.
 
+use crate::algebra::nominal;
+use crate::algebra::translate;
 use std::collections::BTreeSet;
 
 use linkage_symbolic::Graph;
@@ -9,7 +11,7 @@ use crate::diagnostic::{OriginId, Reporter};
 use crate::model::{BinaryOp, Expr, ExprKind, Mechanism, Name};
 use crate::syntax::Word;
 
-use crate::words::Words;
+use crate::message_format::MessageFormat;
 
 /// Reports the innermost expressions of parameters and numbers that are not finite: as errors those that leave a loop without a
 /// solution, else as warnings, since other dimensions may be meant to be given, or an infinity to be compared with.
@@ -17,7 +19,7 @@ pub(crate) fn check_values(mechanism: &Mechanism, nominal: &Nominal, reporter: &
     // A graph of its own: nodes made in another order would change how sums of the mechanism are written.
     let graph = Graph::new();
     let mut algebra = Algebra::new(mechanism, &graph);
-    algebra.translate_lets();
+    translate::translate_lets(&mut algebra);
     let mut check = Check::new(algebra, nominal, &[]);
     let all: Vec<usize> = (0..mechanism.loops.len()).collect();
     let used = mechanism.usage(&all).lets;
@@ -60,7 +62,7 @@ pub(super) fn without_value(
 ) -> Option<(OriginId, String)> {
     let graph = Graph::new();
     let mut algebra = Algebra::new(mechanism, &graph);
-    algebra.translate_lets();
+    translate::translate_lets(&mut algebra);
     let mut check = Check::new(algebra, nominal, inputs);
     let used = mechanism.usage(loops).lets;
     for (index, own) in mechanism.lets.iter().enumerate() {
@@ -171,10 +173,13 @@ impl<'a, 'm> Check<'a, 'm> {
     }
 
     fn value(&mut self, expr: &Expr) -> Vec<f64> {
-        let scale = self.algebra.internal_per_unit(&expr.ty);
-        let values = self
-            .algebra
-            .evaluated(expr, &self.nominal.parameters, self.inputs);
+        let scale = translate::internal_per_unit(&self.algebra, &expr.ty);
+        let values = nominal::evaluated(
+            &mut self.algebra,
+            expr,
+            &self.nominal.parameters,
+            self.inputs,
+        );
         // Zero has no sign for a reader.
         values
             .into_iter()
@@ -184,7 +189,7 @@ impl<'a, 'm> Check<'a, 'm> {
 
     /// `` `sqrt` of -50mm is not a finite number, for `crank = 50mm`, `rocker = 100mm` ``
     fn fact(&mut self, Found { expr, .. }: &Found<'m>) -> String {
-        let words = Words::new(self.mechanism);
+        let words = MessageFormat::new(self.mechanism);
         let operands = expr.operands().into_iter();
         let operands: Vec<String> = operands
             .map(|own| words.value(&own.ty, &self.value(own)))

@@ -1,9 +1,7 @@
 //! A straight-line program as a flat list of statements.
 
-use linkage_symbolic::program::{
-    Binary, Fused, Instruction, Program, Source, Ternary, Unary, Value,
-};
-use proc_macro2::{Ident, Span, TokenStream};
+use linkage_symbolic::program::{Call, Fused, Instruction, Program, Source, Ternary, Value};
+use proc_macro2::{Ident, Literal, Punct, Spacing, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::literal;
@@ -46,14 +44,16 @@ pub(super) fn statements(
                 quote!(T::from_f64(#x))
             }
             Instruction::Load(source) => load(source),
-            Instruction::Unary(operation, x) => unary(operation, runs, &name(x)),
-            Instruction::Binary(operation, a, b) => binary(operation, &name(a), &name(b)),
+            Instruction::Unary(operation, x) => call(operation.row().call, runs, &[name(x)]),
+            Instruction::Binary(operation, a, b) => {
+                call(operation.row().call, runs, &[a, b].map(name))
+            }
             Instruction::Ternary(Ternary::Select, s, a, b) if is_nan(program, b) => {
                 let [s, a] = [s, a].map(name);
                 quote!(T::unless_negative(#s, #a))
             }
             Instruction::Ternary(operation, a, b, c) => {
-                ternary(operation, &name(a), &name(b), &name(c))
+                call(operation.row().call, runs, &[a, b, c].map(name))
             }
             Instruction::Fused(operation, a, b, c) => {
                 fused(operation, &name(a), &name(b), &name(c))
@@ -142,51 +142,32 @@ fn sin_cos(runs: Runs, x: &Ident) -> TokenStream {
     }
 }
 
-fn unary(operation: Unary, runs: Runs, x: &Ident) -> TokenStream {
-    let sin_cos = || sin_cos(runs, x);
-    match operation {
-        Unary::Neg => quote!(-#x),
-        Unary::Abs => quote!(T::abs(#x)),
-        Unary::Sqrt => quote!(T::sqrt(#x)),
+/// The code of an operation.
+fn call(call: Call, runs: Runs, operands: &[Ident]) -> TokenStream {
+    match call {
+        Call::Operator(sign) => {
+            let sign = Punct::new(sign, Spacing::Alone);
+            match operands {
+                [a, b] => quote!(#a #sign #b),
+                _ => quote!(#sign #(#operands)*),
+            }
+        }
+        Call::Method(name) => {
+            let name = format_ident!("{name}");
+            quote!(T::#name(#(#operands),*))
+        }
+        Call::FusedMethod(name) => {
+            let name = format_ident!("{name}");
+            quote!(T::#name::<__FUSED>(#(#operands),*))
+        }
         // Programs are paired before they are printed; alone they are right all the same.
-        Unary::Sin => {
-            let pair = sin_cos();
-            quote!(#pair.0)
+        Call::SinePair(number) => {
+            let (pair, number) = (
+                sin_cos(runs, &operands[0]),
+                Literal::usize_unsuffixed(number),
+            );
+            quote!(#pair.#number)
         }
-        Unary::Cos => {
-            let pair = sin_cos();
-            quote!(#pair.1)
-        }
-        Unary::Tan => quote!(T::tan(#x)),
-        Unary::Asin => quote!(T::asin(#x)),
-        Unary::Acos => quote!(T::acos(#x)),
-        Unary::Atan => quote!(T::atan(#x)),
-        Unary::Sign => quote!(T::sign(#x)),
-        Unary::Whole => quote!(T::whole(#x)),
-        Unary::Slack => quote!(T::slack(#x)),
-        Unary::InverseScale => quote!(T::inverse_scale(#x)),
-    }
-}
-
-fn binary(operation: Binary, a: &Ident, b: &Ident) -> TokenStream {
-    match operation {
-        Binary::Add => quote!(#a + #b),
-        Binary::Sub => quote!(#a - #b),
-        Binary::Mul => quote!(#a * #b),
-        Binary::Div => quote!(#a / #b),
-        Binary::Quotient => quote!(T::quotient_with::<__FUSED>(#a, #b)),
-        Binary::Atan2 => quote!(T::atan2_with::<__FUSED>(#a, #b)),
-        Binary::Hypot => quote!(T::hypot(#a, #b)),
-        Binary::Min => quote!(T::min(#a, #b)),
-        Binary::Max => quote!(T::max(#a, #b)),
-    }
-}
-
-fn ternary(operation: Ternary, a: &Ident, b: &Ident, c: &Ident) -> TokenStream {
-    match operation {
-        Ternary::AngleNear => quote!(T::angle_near_with::<__FUSED>(#a, #b, #c)),
-        Ternary::Root => quote!(T::root_with::<__FUSED>(#a, #b, #c)),
-        Ternary::Select => quote!(T::select(#a, #b, #c)),
     }
 }
 

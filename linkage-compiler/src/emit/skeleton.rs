@@ -81,7 +81,7 @@ fn sketch<'a>(
         .filter(|param| seen.first(&param.name))
         .map(|param| {
             let known = mechanism.and_then(|m| m.parameters.iter().find(|p| param.name == p.name));
-            let shape = known.map_or_else(|| guess.parameter(param), |p| Shape::of(&p.ty));
+            let shape = known.map_or_else(|| guess.parameter(param), |p| Shape::from_type(&p.ty));
             let components = components(&param.name, &shape);
             Parameter {
                 name: param.name.clone(),
@@ -130,7 +130,7 @@ fn parameters_of_parts<'a>(own: &[Parameter], mechanism: Option<&Mechanism>) -> 
     let of_parts = all.filter(|parameter| parameter.name.contains('.'));
     let fields = of_parts.map(|parameter| {
         let (name, attributes) = outline::of_part(&parameter.name, &parameter.documentation);
-        let shape = Shape::of(&parameter.ty);
+        let shape = Shape::from_type(&parameter.ty);
         Parameter {
             components: components(&name, &shape),
             name,
@@ -162,7 +162,7 @@ fn sketch_function<'a>(
             let known = known.filter(|q| !q.is_picture());
             let shape = known.map_or_else(
                 || guess.shape(&quantity.value, drives),
-                |q| Shape::of(&q.value.ty),
+                |q| Shape::from_type(&q.value.ty),
             );
             outline::field(quantity, shape, String::new())
         })

@@ -3,6 +3,11 @@
 use crate::algebra::{Algebra, Nominal};
 use crate::assembly::Reference;
 use crate::diagnostic::Reporter;
+use crate::forces::closed;
+use crate::forces::ends;
+use crate::forces::fit;
+use crate::forces::steady;
+use crate::forces::system;
 use crate::model::{EvaluatorDef, Mechanism};
 
 use super::positions::Positions;
@@ -26,50 +31,48 @@ pub(crate) fn check<'m>(
     let positions = Positions::new(mechanism, reference, nominal);
     let mut mechanics = forces.at(algebra, &[], false);
     let before = reporter.errors();
-    mechanics.check_fit(&positions, reporter);
-    mechanics.check_lengths(&positions, reporter);
-    mechanics.look_at_motion(&positions);
+    fit::check_fit(&mut mechanics, &positions, reporter);
+    ends::check_lengths(&mut mechanics, &positions, reporter);
+    steady::look_at_motion(&mut mechanics, &positions);
     let mut functions = mechanism.evaluators.iter();
     if reporter.errors() == before && functions.any(EvaluatorDef::asks_for_reactions) {
-        mechanics.find_links(&positions, nominal);
-        mechanics.check_system(&positions, reporter);
-        let system = mechanics.system();
-        mechanics.find_determinants(&system, &positions, nominal);
+        closed::find_links(&mut mechanics, &positions, nominal);
+        check_system(&mut mechanics, &positions, reporter);
+        let system = system::system(&mut mechanics);
+        closed::find_determinants(&mut mechanics, &system, &positions, nominal);
     }
 }
 
-impl Mechanics<'_, '_> {
-    /// Are there as many reactions as motions to be held, and is each in its place?
-    fn check_system(&mut self, positions: &Positions, reporter: &mut Reporter) {
-        let mechanism = self.algebra.mechanism;
-        let system = self.system();
-        let before = reporter.errors();
-        self.report_still(&system, reporter);
-        report_loose(mechanism, &system, reporter);
-        report_untold(mechanism, &system, reporter);
-        if reporter.errors() == before {
-            report_blocks(mechanism, &system, positions, reporter);
-        }
+/// Are there as many reactions as motions to be held, and is each in its place?
+fn check_system(mechanics: &mut Mechanics<'_, '_>, positions: &Positions, reporter: &mut Reporter) {
+    let mechanism = mechanics.algebra.mechanism;
+    let system = system::system(mechanics);
+    let before = reporter.errors();
+    report_still(mechanics, &system, reporter);
+    report_loose(mechanism, &system, reporter);
+    report_untold(mechanism, &system, reporter);
+    if reporter.errors() == before {
+        report_blocks(mechanism, &system, positions, reporter);
     }
+}
 
-    /// Drives that drive nothing.
-    fn report_still(&self, system: &System, reporter: &mut Reporter) {
-        let mechanism = self.algebra.mechanism;
-        let still = &self.forces.still;
-        let driven = system.driven.iter();
-        for way in driven.filter(|way| still.contains(&(way.body, way.slides))) {
-            let body = &mechanism.bodies[way.body];
-            let does = if way.slides { "slide" } else { "turn" };
-            reporter.error(
-                body.origin,
-                format!(
-                    "`{}` does not {does} in {}, and no joint holds it: reactions cannot be found\n\
+/// Drives that drive nothing.
+fn report_still(mechanics: &Mechanics<'_, '_>, system: &System, reporter: &mut Reporter) {
+    let mechanism = mechanics.algebra.mechanism;
+    let still = &mechanics.forces.still;
+    let driven = system.driven.iter();
+    for way in driven.filter(|way| still.contains(&(way.body, way.slides))) {
+        let body = &mechanism.bodies[way.body];
+        let does = if way.slides { "slide" } else { "turn" };
+        reporter.error(
+            body.origin,
+            format!(
+                "`{}` does not {does} in {}, and no joint holds it: reactions cannot be found\n\
                      help: if nothing moves there, write `fixed`",
-                    body.name,
-                    joint_name(mechanism, body.joint),
-                ),
-            );
-        }
+                body.name,
+                joint_name(mechanism, body.joint),
+            ),
+        );
     }
 }
 

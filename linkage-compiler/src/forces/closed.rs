@@ -2,6 +2,7 @@
 //! with their reciprocals. Loops may be written in any way, so which they are is found by numbers, with other
 //! dimensions and in other assemblies, too.
 
+use crate::algebra::elimination;
 use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, NodeId, Vn};
@@ -35,87 +36,89 @@ impl<'m> Closed<'m> {
     }
 }
 
-impl<'m> Mechanics<'_, 'm> {
-    /// Finds the arms from the joints of bodies to others that are links.
-    pub(super) fn find_links(&mut self, positions: &Positions, nominal: &Nominal) {
-        let groups = self.algebra.solutions.groups.iter();
-        let links = groups.flat_map(|group| group.links.iter().flatten());
-        let links: Vec<Vn> = links.map(|link| link.vector.into()).collect();
-        let ends: Vec<(usize, Vn)> = self.ends_of_arms();
-        if links.is_empty() || ends.is_empty() || !self.forces.geometry.is_plane() {
-            return;
-        }
-        let arms = ends.iter().map(|&(body, point)| self.arm(body, point));
-        let all: Vec<Ex> = arms
-            .chain(links.iter().copied())
-            .flat_map(|v| v.iter())
-            .collect();
-        let numbers = positions.numbers_anyhow(self.algebra.mechanism, nominal, &all);
-        for (index, &(body, point)) in ends.iter().enumerate() {
-            let found = links.iter().enumerate().find_map(|(link, &vector)| {
-                let other = ends.len() + link;
-                let signs = [0, 1].map(|k| sign(&numbers, 2 * index + k, 2 * other + k));
-                let [Some(sign), Some(same)] = signs else {
-                    return None;
-                };
-                (sign == same).then_some(if sign < 0.0 { -vector } else { vector })
-            });
-            if let Some(arm) = found {
-                let key = (body, point.ids().to_vec());
-                self.forces.closed.arms.insert(key, arm);
-            }
+/// Finds the arms from the joints of bodies to others that are links.
+pub(super) fn find_links(
+    mechanics: &mut Mechanics<'_, '_>,
+    positions: &Positions,
+    nominal: &Nominal,
+) {
+    let groups = mechanics.algebra.solutions.groups.iter();
+    let links = groups.flat_map(|group| group.links.iter().flatten());
+    let links: Vec<Vn> = links.map(|link| link.vector.into()).collect();
+    let ends: Vec<(usize, Vn)> = ends_of_arms(mechanics);
+    if links.is_empty() || ends.is_empty() || !mechanics.forces.geometry.is_plane() {
+        return;
+    }
+    let arms = ends.iter().map(|&(body, point)| mechanics.arm(body, point));
+    let all: Vec<Ex> = arms
+        .chain(links.iter().copied())
+        .flat_map(|v| v.iter())
+        .collect();
+    let numbers = positions.numbers_anyhow(mechanics.algebra.mechanism, nominal, &all);
+    for (index, &(body, point)) in ends.iter().enumerate() {
+        let found = links.iter().enumerate().find_map(|(link, &vector)| {
+            let other = ends.len() + link;
+            let signs = [0, 1].map(|k| sign(&numbers, 2 * index + k, 2 * other + k));
+            let [Some(sign), Some(same)] = signs else {
+                return None;
+            };
+            (sign == same).then_some(if sign < 0.0 { -vector } else { vector })
+        });
+        if let Some(arm) = found {
+            let key = (body, point.ids().to_vec());
+            mechanics.forces.closed.arms.insert(key, arm);
         }
     }
+}
 
-    /// The bodies with points that arms from their own joints lead to.
-    fn ends_of_arms(&self) -> Vec<(usize, Vn<'m>)> {
-        let (tree, geometry) = (&self.forces.tree, &self.forces.geometry);
-        let cut = tree.closing.iter().flat_map(|&joint| {
-            let declared = &self.algebra.mechanism.joints[joint];
-            let bodies = [Some(declared.body), declared.on].into_iter().flatten();
-            bodies.map(move |body| (body, geometry.points[joint]))
-        });
-        let children = tree.children.iter().enumerate().flat_map(|(body, all)| {
-            all.iter()
-                .map(move |&child| (body, geometry.origins[child]))
-        });
-        let ends = cut.chain(children);
-        ends.filter(|&(body, point)| !self.arm(body, point).is_zero())
-            .collect()
+/// The bodies with points that arms from their own joints lead to.
+fn ends_of_arms<'m>(mechanics: &Mechanics<'_, 'm>) -> Vec<(usize, Vn<'m>)> {
+    let (tree, geometry) = (&mechanics.forces.tree, &mechanics.forces.geometry);
+    let cut = tree.closing.iter().flat_map(|&joint| {
+        let declared = &mechanics.algebra.mechanism.joints[joint];
+        let bodies = [Some(declared.body), declared.on].into_iter().flatten();
+        bodies.map(move |body| (body, geometry.points[joint]))
+    });
+    let children = tree.children.iter().enumerate().flat_map(|(body, all)| {
+        all.iter()
+            .map(move |&child| (body, geometry.origins[child]))
+    });
+    let ends = cut.chain(children);
+    ends.filter(|&(body, point)| !mechanics.arm(body, point).is_zero())
+        .collect()
+}
+
+/// Finds the blocks of equations whose determinants are those of loops.
+pub(super) fn find_determinants<'m>(
+    mechanics: &mut Mechanics<'_, 'm>,
+    system: &System<'m>,
+    positions: &Positions,
+    nominal: &Nominal,
+) {
+    let groups = mechanics.algebra.solutions.groups.iter();
+    let known: Vec<Ex> = groups.map(|group| group.determinant).collect();
+    let blocks = system.blocks.iter().filter(|block| block.len() == 2);
+    let blocks: Vec<&Vec<usize>> = blocks.collect();
+    if known.is_empty() || blocks.is_empty() {
+        return;
     }
-
-    /// Finds the blocks of equations whose determinants are those of loops.
-    pub(super) fn find_determinants(
-        &mut self,
-        system: &System<'m>,
-        positions: &Positions,
-        nominal: &Nominal,
-    ) {
-        let groups = self.algebra.solutions.groups.iter();
-        let known: Vec<Ex> = groups.map(|group| group.determinant).collect();
-        let blocks = system.blocks.iter().filter(|block| block.len() == 2);
-        let blocks: Vec<&Vec<usize>> = blocks.collect();
-        if known.is_empty() || blocks.is_empty() {
-            return;
-        }
-        let own = blocks
-            .iter()
-            .map(|block| self.algebra.determinant(&system.matrix_of(block)));
-        let all: Vec<Ex> = own.chain(known.iter().copied()).collect();
-        let numbers = positions.numbers_anyhow(self.algebra.mechanism, nominal, &all);
-        for (index, block) in blocks.iter().enumerate() {
-            let found = known.iter().enumerate().find_map(|(group, &determinant)| {
-                let sign = sign(&numbers, index, blocks.len() + group)?;
-                Some(if sign < 0.0 {
-                    -determinant
-                } else {
-                    determinant
-                })
-            });
-            if let Some(determinant) = found {
-                let all = &mut self.forces.closed.determinants;
-                all.insert((*block).clone(), determinant);
-            }
+    let own = blocks
+        .iter()
+        .map(|block| elimination::determinant(mechanics.algebra, &system.matrix_of(block)));
+    let all: Vec<Ex> = own.chain(known.iter().copied()).collect();
+    let numbers = positions.numbers_anyhow(mechanics.algebra.mechanism, nominal, &all);
+    for (index, block) in blocks.iter().enumerate() {
+        let found = known.iter().enumerate().find_map(|(group, &determinant)| {
+            let sign = sign(&numbers, index, blocks.len() + group)?;
+            Some(if sign < 0.0 {
+                -determinant
+            } else {
+                determinant
+            })
+        });
+        if let Some(determinant) = found {
+            let all = &mut mechanics.forces.closed.determinants;
+            all.insert((*block).clone(), determinant);
         }
     }
 }

@@ -1,10 +1,13 @@
 //! Do bodies and joints fit the motion? Velocities compared on numbers.
 
+use crate::forces::geometry;
+use crate::forces::motion;
+use crate::forces::positions;
 use linkage_symbolic::Vn;
 
 use crate::diagnostic::{OriginId, Reporter};
+use crate::message_format::numbers;
 use crate::model::{Between, ElementKind, Expr, Mechanism};
-use crate::words::numbers;
 
 use super::Mechanics;
 use super::geometry::{Turns, slides_along, turns_of};
@@ -41,101 +44,107 @@ struct Point {
     origin: OriginId,
 }
 
-impl<'m> Mechanics<'_, 'm> {
-    /// Reports each joint and point that does not move as declared, once.
-    pub(super) fn check_fit(&mut self, positions: &Positions, reporter: &mut Reporter) {
-        let mechanism = self.algebra.mechanism;
-        let pairs = self.pairs();
-        let mut reported: Vec<OriginId> = Vec::new();
-        for position in positions.iter() {
-            for pair in &pairs {
-                let origin = pair.what.origin(mechanism);
-                if reported.contains(&origin) {
-                    continue;
-                }
-                if let Some(message) = pair.difference(mechanism, position) {
-                    reported.push(origin);
-                    reporter.error(origin, message);
-                }
+/// Reports each joint and point that does not move as declared, once.
+pub(super) fn check_fit(
+    mechanics: &mut Mechanics<'_, '_>,
+    positions: &Positions,
+    reporter: &mut Reporter,
+) {
+    let mechanism = mechanics.algebra.mechanism;
+    let pairs = pairs(mechanics);
+    let mut reported: Vec<OriginId> = Vec::new();
+    for position in positions.iter() {
+        for pair in &pairs {
+            let origin = pair.what.origin(mechanism);
+            if reported.contains(&origin) {
+                continue;
+            }
+            if let Some(message) = pair.difference(mechanism, position) {
+                reported.push(origin);
+                reporter.error(origin, message);
             }
         }
     }
+}
 
-    /// All that must move alike.
-    fn pairs(&mut self) -> Vec<Pair<'m>> {
-        let mechanism = self.algebra.mechanism;
-        let mut pairs = Vec::new();
-        for input in 0..self.drives() {
-            let by = By::Input(input);
-            for joint in 0..mechanism.joints.len() {
-                pairs.push(self.pair_of_points(joint, input));
-                pairs.extend(self.pair_of_turns(joint, input));
-            }
-            for (what, at) in carried_points(mechanism) {
-                let point = self.algebra.vector_of(at);
-                pairs.push(Pair {
-                    input,
-                    first: self.moved(point, by),
-                    second: self.velocity_of(what.body, point, by),
-                    except: None,
-                    what: What::Point(what),
-                });
-            }
-        }
-        pairs
-    }
-
-    fn pair_of_points(&mut self, joint: usize, input: usize) -> Pair<'m> {
-        let declared = &self.algebra.mechanism.joints[joint];
-        let (point, by) = (self.forces.geometry.points[joint], By::Input(input));
-        let direction = self.forces.geometry.directions[joint];
-        Pair {
-            input,
-            first: self.velocity_of(Some(declared.body), point, by),
-            second: self.velocity_of(declared.on, point, by),
-            except: direction.filter(|_| slides_along(declared.kind)),
-            what: What::Joint(joint),
-        }
-    }
-
-    /// Nothing for a ball joint, and for a pin of the plane.
-    fn pair_of_turns(&mut self, joint: usize, input: usize) -> Option<Pair<'m>> {
-        let declared = &self.algebra.mechanism.joints[joint];
-        let except = match turns_of(declared.kind) {
-            Turns::Not => None,
-            Turns::AboutAxis => Some(self.forces.geometry.directions[joint]?),
-            Turns::Freely => return None,
-        };
+/// All that must move alike.
+fn pairs<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Vec<Pair<'m>> {
+    let mechanism = mechanics.algebra.mechanism;
+    let mut pairs = Vec::new();
+    for input in 0..motion::drives(mechanics) {
         let by = By::Input(input);
-        Some(Pair {
-            input,
-            first: self.turn(Some(declared.body), by),
-            second: self.turn(declared.on, by),
-            except,
-            what: What::Turns(joint),
-        })
+        for joint in 0..mechanism.joints.len() {
+            pairs.push(pair_of_points(mechanics, joint, input));
+            pairs.extend(pair_of_turns(mechanics, joint, input));
+        }
+        for (what, at) in carried_points(mechanism) {
+            let point = geometry::vector_of(mechanics.algebra, at);
+            pairs.push(Pair {
+                input,
+                first: motion::moved(mechanics, point, by),
+                second: motion::velocity_of(mechanics, what.body, point, by),
+                except: None,
+                what: What::Point(what),
+            });
+        }
     }
+    pairs
+}
+
+fn pair_of_points<'m>(mechanics: &mut Mechanics<'_, 'm>, joint: usize, input: usize) -> Pair<'m> {
+    let declared = &mechanics.algebra.mechanism.joints[joint];
+    let (point, by) = (mechanics.forces.geometry.points[joint], By::Input(input));
+    let direction = mechanics.forces.geometry.directions[joint];
+    Pair {
+        input,
+        first: motion::velocity_of(mechanics, Some(declared.body), point, by),
+        second: motion::velocity_of(mechanics, declared.on, point, by),
+        except: direction.filter(|_| slides_along(declared.kind)),
+        what: What::Joint(joint),
+    }
+}
+
+/// Nothing for a ball joint, and for a pin of the plane.
+fn pair_of_turns<'m>(
+    mechanics: &mut Mechanics<'_, 'm>,
+    joint: usize,
+    input: usize,
+) -> Option<Pair<'m>> {
+    let declared = &mechanics.algebra.mechanism.joints[joint];
+    let except = match turns_of(declared.kind) {
+        Turns::Not => None,
+        Turns::AboutAxis => Some(mechanics.forces.geometry.directions[joint]?),
+        Turns::Freely => return None,
+    };
+    let by = By::Input(input);
+    Some(Pair {
+        input,
+        first: motion::turn(mechanics, Some(declared.body), by),
+        second: motion::turn(mechanics, declared.on, by),
+        except,
+        what: What::Turns(joint),
+    })
 }
 
 impl Pair<'_> {
     /// What is wrong with a pair at a position.
     fn difference(&self, mechanism: &Mechanism, position: Position) -> Option<String> {
-        let [first, second] = [self.first, self.second].map(|v| position.vector(v));
+        let [first, second] = [self.first, self.second].map(|v| positions::vector(position, v));
         let mut apart: Vec<f64> = first.iter().zip(&second).map(|(a, b)| a - b).collect();
         if let Some(except) = self.except {
-            let direction = position.vector(except);
+            let direction = positions::vector(position, except);
             let along: f64 = apart.iter().zip(&direction).map(|(x, d)| x * d).sum();
             let pairs = apart.iter_mut().zip(&direction);
             pairs.for_each(|(x, d)| *x -= along * d);
         }
         let unit = match self.what {
             What::Turns(_) => 1.0,
-            What::Joint(_) | What::Point(_) => position.longest(),
+            What::Joint(_) | What::Point(_) => positions::longest(position),
         };
         let scale = size(&first) + size(&second) + SLOW * unit;
         // Where the mechanism does not close there is nothing to compare.
         (size(&apart) > EQUAL * scale).then(|| {
-            let at = position.words(mechanism);
+            let at = positions::words(position, mechanism);
             self.message(mechanism, &at, [&first, &second].map(|v| vector_words(v)))
         })
     }

@@ -3,7 +3,8 @@
 //! A joint is driven if its motion depends on inputs alone: the drive holds it, with a couple (or a force along the guide) that is no
 //! unknown here. Gears tie the turns of several bodies, by couples that are unknowns of their own.
 
-use linkage_core::numeric::rank::combination;
+use crate::algebra::partial;
+use crate::forces::motion;
 use linkage_symbolic::{Ex, Vector, Vn};
 
 use crate::model::Variable;
@@ -11,6 +12,7 @@ use crate::model::Variable;
 use super::Mechanics;
 use super::geometry::{Turns, slides_along, turns_of};
 use super::motion::By;
+use linkage_core::numeric::rank::combination;
 
 /// A way in which a body moves in its own joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,148 +41,168 @@ pub(super) struct Motions<'m> {
 /// Rates of turns that differ by less are equal. They are ratios of gears, numbers near 1 that rounding alone changes.
 const RATIO: f64 = 1e-9;
 
-impl<'m> Mechanics<'_, 'm> {
-    /// All motions. `held` is how many of them reactions of cut joints can hold in the plane: what is beyond is tied by gears.
-    pub(super) fn motions(&mut self, held: usize) -> Motions<'m> {
-        let unknowns = self.unknown_variables();
-        let mut motions = Motions::default();
-        for body in self.forces.tree.order.clone() {
-            for way in self.ways(body) {
-                let is_held = unknowns.iter().all(|&unknown| {
-                    let rate = self.relative_rate(&way, unknown);
-                    self.algebra.vanishes(rate)
-                });
-                match is_held {
-                    true => motions.driven.push(way),
-                    false => motions.free.push(way),
-                }
-            }
-        }
-        if self.forces.geometry.is_plane() && motions.free.len() > held {
-            motions.ties = self.ties(&motions.free, motions.free.len() - held, &unknowns);
-        }
-        motions
-    }
-
-    /// Up to `count` turns that are determined by others, all of them against the frame. Bodies that turn as another because of their
-    /// joints are no case for gears.
-    fn ties(&mut self, free: &[Way<'m>], count: usize, unknowns: &[By]) -> Vec<Tie> {
-        let alike = self.alike();
-        let mut seen = vec![alike[self.forces.tree.parent.len()]];
-        let mut basis: Vec<(usize, Vec<f64>)> = Vec::new();
-        let mut ties = Vec::new();
-        for way in free.iter().filter(|way| !way.slides) {
-            if ties.len() == count || seen.contains(&alike[way.body]) {
-                continue;
-            }
-            seen.push(alike[way.body]);
-            let Some(rates) = self.constant_rates(way.body, unknowns) else {
-                continue;
-            };
-            let known: Vec<&[f64]> = basis.iter().map(|(_, rates)| &rates[..]).collect();
-            let Some(shares) = combination(&known, &rates, RATIO) else {
-                basis.push((way.body, rates));
-                continue;
-            };
-            let others = basis.iter().zip(shares).filter(|(_, share)| *share != 0.0);
-            let others = others.map(|((body, _), share)| (*body, -share));
-            ties.push(Tie {
-                couples: std::iter::once((way.body, 1.0)).chain(others).collect(),
+/// All motions. `held` is how many of them reactions of cut joints can hold in the plane: what is beyond is tied by gears.
+pub(super) fn motions<'m>(mechanics: &mut Mechanics<'_, 'm>, held: usize) -> Motions<'m> {
+    let unknowns = unknown_variables(mechanics);
+    let mut motions = Motions::default();
+    for body in mechanics.forces.tree.order.clone() {
+        for way in ways(mechanics, body) {
+            let is_held = unknowns.iter().all(|&unknown| {
+                let rate = relative_rate(mechanics, &way, unknown);
+                mechanics.algebra.vanishes(rate)
             });
-        }
-        ties
-    }
-
-    /// By body and, last, for the frame: a number that those share which slides and `fixed` joints let turn alike only.
-    fn alike(&self) -> Vec<usize> {
-        let frame = self.forces.tree.parent.len();
-        let mut alike: Vec<usize> = (0..=frame).collect();
-        for joint in &self.algebra.mechanism.joints {
-            if turns_of(joint.kind) == Turns::Not {
-                let [own, other] = [joint.body, joint.on.unwrap_or(frame)].map(|k| alike[k]);
-                for number in alike.iter_mut().filter(|number| **number == other) {
-                    *number = own;
-                }
+            match is_held {
+                true => motions.driven.push(way),
+                false => motions.free.push(way),
             }
         }
-        alike
     }
+    if mechanics.forces.geometry.is_plane() && motions.free.len() > held {
+        motions.ties = ties(
+            mechanics,
+            &motions.free,
+            motions.free.len() - held,
+            &unknowns,
+        );
+    }
+    motions
+}
 
-    /// How fast a body of the plane turns by each unknown, if these are constants.
-    fn constant_rates(&mut self, body: usize, unknowns: &[By]) -> Option<Vec<f64>> {
-        let rates = unknowns.iter().map(|&unknown| {
-            let turn = self.turn(Some(body), unknown);
-            turn.at(0).constant_value()
+/// Up to `count` turns that are determined by others, all of them against the frame. Bodies that turn as another because of their
+/// joints are no case for gears.
+fn ties<'m>(
+    mechanics: &mut Mechanics<'_, 'm>,
+    free: &[Way<'m>],
+    count: usize,
+    unknowns: &[By],
+) -> Vec<Tie> {
+    let alike = alike(mechanics);
+    let mut seen = vec![alike[mechanics.forces.tree.parent.len()]];
+    let mut basis: Vec<(usize, Vec<f64>)> = Vec::new();
+    let mut ties = Vec::new();
+    for way in free.iter().filter(|way| !way.slides) {
+        if ties.len() == count || seen.contains(&alike[way.body]) {
+            continue;
+        }
+        seen.push(alike[way.body]);
+        let Some(rates) = constant_rates(mechanics, way.body, unknowns) else {
+            continue;
+        };
+        let known: Vec<&[f64]> = basis.iter().map(|(_, rates)| &rates[..]).collect();
+        let Some(shares) = combination(&known, &rates, RATIO) else {
+            basis.push((way.body, rates));
+            continue;
+        };
+        let others = basis.iter().zip(shares).filter(|(_, share)| *share != 0.0);
+        let others = others.map(|((body, _), share)| (*body, -share));
+        ties.push(Tie {
+            couples: std::iter::once((way.body, 1.0)).chain(others).collect(),
         });
-        rates.collect()
     }
+    ties
+}
 
-    /// How fast what is tied would come apart by an input if it were not for the unknowns.
-    pub(super) fn tie_rate(&mut self, tie: &Tie, input: usize) -> Ex<'m> {
-        let input = By::Alone(self.algebra.variable(Variable::Input(input)));
-        let couples = tie.couples.iter();
-        couples.fold(self.algebra.zero(), |sum, &(body, share)| {
-            sum + share * self.turn(Some(body), input).at(0)
-        })
-    }
-
-    /// The ways in which a body's own joint lets it move.
-    pub(super) fn ways(&self, body: usize) -> Vec<Way<'m>> {
-        let joint = self.algebra.mechanism.bodies[body].joint;
-        let kind = self.algebra.mechanism.joints[joint].kind;
-        let geometry = &self.forces.geometry;
-        let direction = geometry.directions[joint];
-        let way = |slides, direction| Way {
-            body,
-            slides,
-            direction,
-        };
-        let mut ways = Vec::new();
-        if slides_along(kind) {
-            ways.extend(direction.map(|guide| way(true, guide)));
-        }
-        match turns_of(kind) {
-            Turns::Not => {}
-            Turns::AboutAxis => {
-                let in_plane = Vector([self.algebra.one()]).into();
-                ways.push(way(false, direction.unwrap_or(in_plane)));
-            }
-            Turns::Freely => {
-                let axes = geometry.units(self.graph()).into_iter();
-                ways.extend(axes.map(|axis| way(false, axis)));
+/// By body and, last, for the frame: a number that those share which slides and `fixed` joints let turn alike only.
+fn alike(mechanics: &Mechanics<'_, '_>) -> Vec<usize> {
+    let frame = mechanics.forces.tree.parent.len();
+    let mut alike: Vec<usize> = (0..=frame).collect();
+    for joint in &mechanics.algebra.mechanism.joints {
+        if turns_of(joint.kind) == Turns::Not {
+            let [own, other] = [joint.body, joint.on.unwrap_or(frame)].map(|k| alike[k]);
+            for number in alike.iter_mut().filter(|number| **number == other) {
+                *number = own;
             }
         }
-        ways
     }
+    alike
+}
 
-    /// How fast a body moves in its own joint.
-    pub(super) fn relative_rate(&mut self, way: &Way<'m>, by: By) -> Ex<'m> {
-        let on = self.forces.tree.parent[way.body];
-        let relative = match way.slides {
-            true => {
-                let origin = self.forces.geometry.origins[way.body];
-                self.moved(origin, by) - self.velocity_of(on, origin, by)
-            }
-            false => self.turn(Some(way.body), by) - self.turn(on, by),
-        };
-        way.direction.dot(relative)
+/// How fast a body of the plane turns by each unknown, if these are constants.
+fn constant_rates(
+    mechanics: &mut Mechanics<'_, '_>,
+    body: usize,
+    unknowns: &[By],
+) -> Option<Vec<f64>> {
+    let rates = unknowns.iter().map(|&unknown| {
+        let turn = motion::turn(mechanics, Some(body), unknown);
+        turn.at(0).constant_value()
+    });
+    rates.collect()
+}
+
+/// How fast what is tied would come apart by an input if it were not for the unknowns.
+pub(super) fn tie_rate<'m>(mechanics: &mut Mechanics<'_, 'm>, tie: &Tie, input: usize) -> Ex<'m> {
+    let input = By::Alone(mechanics.algebra.variable(Variable::Input(input)));
+    let couples = tie.couples.iter();
+    couples.fold(mechanics.algebra.zero(), |sum, &(body, share)| {
+        sum + share * motion::turn(mechanics, Some(body), input).at(0)
+    })
+}
+
+/// The ways in which a body's own joint lets it move.
+pub(super) fn ways<'m>(mechanics: &Mechanics<'_, 'm>, body: usize) -> Vec<Way<'m>> {
+    let joint = mechanics.algebra.mechanism.bodies[body].joint;
+    let kind = mechanics.algebra.mechanism.joints[joint].kind;
+    let geometry = &mechanics.forces.geometry;
+    let direction = geometry.directions[joint];
+    let way = |slides, direction| Way {
+        body,
+        slides,
+        direction,
+    };
+    let mut ways = Vec::new();
+    if slides_along(kind) {
+        ways.extend(direction.map(|guide| way(true, guide)));
     }
-
-    /// All unknowns, each changing alone.
-    fn unknown_variables(&mut self) -> Vec<By> {
-        let groups = self.algebra.solutions.groups.iter();
-        let counts: Vec<usize> = groups.map(|own| own.jacobian.len()).collect();
-        let mut all = Vec::new();
-        for (group, count) in counts.into_iter().enumerate() {
-            for position in 0..count {
-                all.push(By::Alone(self.algebra.unknown_variable(group, position)));
-            }
+    match turns_of(kind) {
+        Turns::Not => {}
+        Turns::AboutAxis => {
+            let in_plane = Vector([mechanics.algebra.one()]).into();
+            ways.push(way(false, direction.unwrap_or(in_plane)));
         }
-        all
+        Turns::Freely => {
+            let axes = geometry.units(mechanics.graph()).into_iter();
+            ways.extend(axes.map(|axis| way(false, axis)));
+        }
     }
+    ways
+}
 
-    /// True for a slender rod.
-    pub(super) fn is_rod(&self, body: usize) -> bool {
-        self.forces.geometry.rod(body).is_some()
+/// How fast a body moves in its own joint.
+pub(super) fn relative_rate<'m>(
+    mechanics: &mut Mechanics<'_, 'm>,
+    way: &Way<'m>,
+    by: By,
+) -> Ex<'m> {
+    let on = mechanics.forces.tree.parent[way.body];
+    let relative = match way.slides {
+        true => {
+            let origin = mechanics.forces.geometry.origins[way.body];
+            motion::moved(mechanics, origin, by) - motion::velocity_of(mechanics, on, origin, by)
+        }
+        false => motion::turn(mechanics, Some(way.body), by) - motion::turn(mechanics, on, by),
+    };
+    way.direction.dot(relative)
+}
+
+/// All unknowns, each changing alone.
+fn unknown_variables(mechanics: &mut Mechanics<'_, '_>) -> Vec<By> {
+    let groups = mechanics.algebra.solutions.groups.iter();
+    let counts: Vec<usize> = groups.map(|own| own.jacobian.len()).collect();
+    let mut all = Vec::new();
+    for (group, count) in counts.into_iter().enumerate() {
+        for position in 0..count {
+            all.push(By::Alone(partial::unknown_variable(
+                mechanics.algebra,
+                group,
+                position,
+            )));
+        }
     }
+    all
+}
+
+/// True for a slender rod.
+pub(super) fn is_rod(mechanics: &Mechanics<'_, '_>, body: usize) -> bool {
+    mechanics.forces.geometry.rod(body).is_some()
 }

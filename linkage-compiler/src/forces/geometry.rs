@@ -1,5 +1,6 @@
 //! The declared points, axes and angles as expressions.
 
+use crate::algebra::translate;
 use linkage_symbolic::{Graph, Vector, Vn};
 
 use crate::algebra::{Algebra, Scalar, Translate, Value};
@@ -42,11 +43,11 @@ impl<'m> Geometry<'m> {
         let joints = mechanism.joints.iter();
         let points: Vec<Vn> = joints
             .clone()
-            .map(|joint| algebra.vector_of(&joint.at))
+            .map(|joint| vector_of(algebra, &joint.at))
             .collect();
         let dimensions = points.iter().map(Vn::len).max().unwrap_or(2);
         let directions: Vec<Option<Vn>> = joints
-            .map(|joint| joint.direction.as_ref().map(|way| algebra.unit_of(way)))
+            .map(|joint| joint.direction.as_ref().map(|way| unit_of(algebra, way)))
             .collect();
         let mut turning = vec![Turning::Along; mechanism.bodies.len()];
         for &body in &tree.order {
@@ -54,7 +55,7 @@ impl<'m> Geometry<'m> {
             let Some(turns) = &own.turns else { continue };
             turning[body] = match algebra.translate(turns) {
                 Value::Array(parts) => {
-                    Turning::Frame([1, 2, 3].map(|axis| algebra.vector(&parts[axis])))
+                    Turning::Frame([1, 2, 3].map(|axis| translate::vector(algebra, &parts[axis])))
                 }
                 Value::Vector(along) => Turning::Rod(along),
                 Value::Scalar(angle) => match directions[own.joint] {
@@ -130,22 +131,20 @@ impl<'m> Geometry<'m> {
     }
 }
 
-impl<'m> Algebra<'m> {
-    /// A point or vector.
-    pub(super) fn vector_of(&mut self, expr: &Expr) -> Vn<'m> {
-        let value = self.translate(expr);
-        self.vector(&value)
-    }
+/// A point or vector.
+pub(super) fn vector_of<'m>(algebra: &mut Algebra<'m>, expr: &Expr) -> Vn<'m> {
+    let value = algebra.translate(expr);
+    translate::vector(algebra, &value)
+}
 
-    /// The direction of a vector.
-    fn unit_of(&mut self, expr: &Expr) -> Vn<'m> {
-        let vector = self.vector_of(expr);
-        match vector.in_space() {
-            Some(vector) => vector.unit().into(),
-            None => {
-                let vector = Vector([vector.at(0), vector.at(1)]);
-                vector.length_and_unit().1.into()
-            }
+/// The direction of a vector.
+fn unit_of<'m>(algebra: &mut Algebra<'m>, expr: &Expr) -> Vn<'m> {
+    let vector = vector_of(algebra, expr);
+    match vector.in_space() {
+        Some(vector) => vector.unit().into(),
+        None => {
+            let vector = Vector([vector.at(0), vector.at(1)]);
+            vector.length_and_unit().1.into()
         }
     }
 }

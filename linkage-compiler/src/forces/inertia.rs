@@ -2,6 +2,9 @@
 //!
 //! A body with a frame is looked at in its own axes, where its inertia does not change and nothing is turned to and fro.
 
+use crate::forces::geometry;
+use crate::forces::loads;
+use crate::forces::motion;
 use linkage_symbolic::{Ex, Vector, Vn};
 
 use crate::algebra::Translate;
@@ -17,153 +20,169 @@ struct Turned<'m> {
     gain: Vn<'m>,
 }
 
-impl<'m> Mechanics<'_, 'm> {
-    /// How fast the moment of momentum of a body grows beyond that of its masses as points: `I alpha`, in space `I alpha + omega x I omega`.
-    pub(super) fn inertia_couple(&mut self, body: usize) -> Option<Vn<'m>> {
-        if self.algebra.mechanism.bodies[body].inertias.is_empty() {
-            return None;
-        }
-        let turned = self.turned(body);
-        let couple = self.inertia_times(body, &turned, turned.gain);
-        if self.forces.geometry.is_plane() {
-            return Some(couple);
-        }
-        let momentum = self.inertia_times(body, &turned, turned.velocity);
-        let couple = couple + turned.velocity.moment_of(momentum);
-        Some(match &turned.axes {
-            Some(axes) => self.out_of_axes(axes, couple),
-            None => couple,
-        })
+/// How fast the moment of momentum of a body grows beyond that of its masses as points: `I alpha`, in space `I alpha + omega x I omega`.
+pub(super) fn inertia_couple<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Option<Vn<'m>> {
+    if mechanics.algebra.mechanism.bodies[body].inertias.is_empty() {
+        return None;
     }
-
-    /// Twice the energy of a body's turning beyond that of its masses as points: `omega . I omega`.
-    pub(super) fn twice_turning_energy(&mut self, body: usize) -> Ex<'m> {
-        if self.algebra.mechanism.bodies[body].inertias.is_empty() {
-            return self.algebra.zero();
-        }
-        let turned = self.turned(body);
-        let momentum = self.inertia_times(body, &turned, turned.velocity);
-        turned.velocity.dot(momentum)
+    let turned = turned(mechanics, body);
+    let couple = inertia_times(mechanics, body, &turned, turned.gain);
+    if mechanics.forces.geometry.is_plane() {
+        return Some(couple);
     }
+    let momentum = inertia_times(mechanics, body, &turned, turned.velocity);
+    let couple = couple + turned.velocity.moment_of(momentum);
+    Some(match &turned.axes {
+        Some(axes) => out_of_axes(mechanics, axes, couple),
+        None => couple,
+    })
+}
 
-    /// How a body turns at the speeds that are listed.
-    fn turned(&mut self, body: usize) -> Turned<'m> {
-        match self.forces.geometry.turning[body] {
-            Turning::Frame(axes) => self.turned_in_axes(axes),
-            Turning::Rod(along) => self.turned_rod(body, along),
-            Turning::Along | Turning::Angle(_) | Turning::About(..) => Turned {
-                gain: self.angular_acceleration(body),
-                velocity: self.angular_velocity(body),
-                axes: None,
-            },
-        }
+/// Twice the energy of a body's turning beyond that of its masses as points: `omega . I omega`.
+pub(super) fn twice_turning_energy<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Ex<'m> {
+    if mechanics.algebra.mechanism.bodies[body].inertias.is_empty() {
+        return mechanics.algebra.zero();
     }
+    let turned = turned(mechanics, body);
+    let momentum = inertia_times(mechanics, body, &turned, turned.velocity);
+    turned.velocity.dot(momentum)
+}
 
-    /// Components `w_x = y' . z` and so on, and their gain: `y" . z - w_y w_z` and so on.
-    fn turned_in_axes(&mut self, axes: [Vn<'m>; 3]) -> Turned<'m> {
-        let velocity = [0, 1, 2].map(|k| {
-            let [y, z] = [k + 1, k + 2].map(|k| axes[k % 3]);
-            self.point_velocity(y).dot(z)
-        });
-        let gain = [0, 1, 2].map(|k| {
-            let [y, z] = [k + 1, k + 2].map(|k| axes[k % 3]);
-            let [w_y, w_z] = [k + 1, k + 2].map(|k| velocity[k % 3]);
-            self.point_acceleration(y).dot(z) - w_y * w_z
-        });
-        Turned {
-            axes: Some(axes),
-            velocity: Vector(velocity).into(),
-            gain: Vector(gain).into(),
-        }
-    }
-
-    /// `w`, and `(V x V" - 2 (V . V') w) / V^2`, where a rod that keeps its length has no second term.
-    fn turned_rod(&mut self, body: usize, v: Vn<'m>) -> Turned<'m> {
-        let velocity = self.angular_velocity(body);
-        let mut across = v.moment_of(self.point_acceleration(v));
-        if !self.forces.rigid_rods.contains(&body) {
-            let moved = self.point_velocity(v);
-            across = across - (2.0 * v.dot(moved)) * velocity;
-        }
-        Turned {
+/// How a body turns at the speeds that are listed.
+fn turned<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Turned<'m> {
+    match mechanics.forces.geometry.turning[body] {
+        Turning::Frame(axes) => turned_in_axes(mechanics, axes),
+        Turning::Rod(along) => turned_rod(mechanics, body, along),
+        Turning::Along | Turning::Angle(_) | Turning::About(..) => Turned {
+            gain: motion::angular_acceleration(mechanics, body),
+            velocity: motion::angular_velocity(mechanics, body),
             axes: None,
-            velocity,
-            gain: across / v.square(),
-        }
+        },
     }
+}
 
-    /// `a x + b y + c z`
-    fn out_of_axes(&self, axes: &[Vn<'m>; 3], own: Vn<'m>) -> Vn<'m> {
-        let pairs = own.iter().zip(axes);
-        pairs.fold(self.zero_turn(), |sum, (along, &axis)| sum + along * axis)
+/// Components `w_x = y' . z` and so on, and their gain: `y" . z - w_y w_z` and so on.
+fn turned_in_axes<'m>(mechanics: &mut Mechanics<'_, 'm>, axes: [Vn<'m>; 3]) -> Turned<'m> {
+    let velocity = [0, 1, 2].map(|k| {
+        let [y, z] = [k + 1, k + 2].map(|k| axes[k % 3]);
+        motion::point_velocity(mechanics, y).dot(z)
+    });
+    let gain = [0, 1, 2].map(|k| {
+        let [y, z] = [k + 1, k + 2].map(|k| axes[k % 3]);
+        let [w_y, w_z] = [k + 1, k + 2].map(|k| velocity[k % 3]);
+        motion::point_acceleration(mechanics, y).dot(z) - w_y * w_z
+    });
+    Turned {
+        axes: Some(axes),
+        velocity: Vector(velocity).into(),
+        gain: Vector(gain).into(),
     }
+}
 
-    /// A body's inertia, without that of its masses as points, times a turn.
-    fn inertia_times(&mut self, body: usize, turned: &Turned<'m>, turn: Vn<'m>) -> Vn<'m> {
-        let mechanism = self.algebra.mechanism;
-        let mut sum = self.zero_turn();
-        for (inertia, about) in &mechanism.bodies[body].inertias {
-            let whole = match inertia {
-                Inertia::Scalar(inertia) => self.scalar_inertia(body, inertia, turn),
-                Inertia::Tensor(rows) => self.tensor_inertia(rows, turn),
-            };
-            sum = sum + whole;
-            let Some(about) = about else { continue };
-            let points = match (inertia, self.forces.geometry.axis(body)) {
-                // The number says nothing of the masses' products of inertia.
-                (Inertia::Scalar(_), Some(axis)) => {
-                    let turn = turn.along(axis);
-                    self.points_about(body, about, turned, turn).along(axis)
-                }
-                (Inertia::Scalar(_), None) | (Inertia::Tensor(_), _) => {
-                    self.points_about(body, about, turned, turn)
-                }
-            };
-            sum = sum - points;
-        }
-        sum
+/// `w`, and `(V x V" - 2 (V . V') w) / V^2`, where a rod that keeps its length has no second term.
+fn turned_rod<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize, v: Vn<'m>) -> Turned<'m> {
+    let velocity = motion::angular_velocity(mechanics, body);
+    let mut across = v.moment_of(motion::point_acceleration(mechanics, v));
+    if !mechanics.forces.rigid_rods.contains(&body) {
+        let moved = motion::point_velocity(mechanics, v);
+        across = across - (2.0 * v.dot(moved)) * velocity;
     }
+    Turned {
+        axes: None,
+        velocity,
+        gain: across / v.square(),
+    }
+}
 
-    /// What the masses as points have about a point, times a turn: `sum m r^2 w`, in space `sum m r x (w x r)`.
-    fn points_about(
-        &mut self,
-        body: usize,
-        about: &Expr,
-        turned: &Turned<'m>,
-        turn: Vn<'m>,
-    ) -> Vn<'m> {
-        let about = self.algebra.vector_of(about);
-        let mut sum = self.zero_turn();
-        for (mass, point) in self.masses(body) {
-            let arm = point - about;
-            let arm = match turned.axes {
-                Some(axes) => Vector(axes.map(|axis| axis.dot(arm))).into(),
-                None => arm,
-            };
-            let part = match self.forces.geometry.is_plane() {
-                true => arm.square() * turn,
-                false => arm.moment_of(turn.sweeping(arm)),
-            };
-            sum = sum + mass * part;
-        }
-        sum
-    }
+/// `a x + b y + c z`
+fn out_of_axes<'m>(mechanics: &Mechanics<'_, 'm>, axes: &[Vn<'m>; 3], own: Vn<'m>) -> Vn<'m> {
+    let pairs = own.iter().zip(axes);
+    pairs.fold(mechanics.zero_turn(), |sum, (along, &axis)| {
+        sum + along * axis
+    })
+}
 
-    /// In space a scalar is that of a sphere, of a rod across its line, or about the axis of a body that turns about one.
-    fn scalar_inertia(&mut self, body: usize, inertia: &Expr, turn: Vn<'m>) -> Vn<'m> {
-        let inertia = self.algebra.translate_number(inertia);
-        match self.forces.geometry.axis(body) {
-            Some(axis) => inertia * turn.along(axis),
-            None => inertia * turn,
-        }
+/// A body's inertia, without that of its masses as points, times a turn.
+fn inertia_times<'m>(
+    mechanics: &mut Mechanics<'_, 'm>,
+    body: usize,
+    turned: &Turned<'m>,
+    turn: Vn<'m>,
+) -> Vn<'m> {
+    let mechanism = mechanics.algebra.mechanism;
+    let mut sum = mechanics.zero_turn();
+    for (inertia, about) in &mechanism.bodies[body].inertias {
+        let whole = match inertia {
+            Inertia::Scalar(inertia) => scalar_inertia(mechanics, body, inertia, turn),
+            Inertia::Tensor(rows) => tensor_inertia(mechanics, rows, turn),
+        };
+        sum = sum + whole;
+        let Some(about) = about else { continue };
+        let points = match (inertia, mechanics.forces.geometry.axis(body)) {
+            // The number says nothing of the masses' products of inertia.
+            (Inertia::Scalar(_), Some(axis)) => {
+                let turn = turn.along(axis);
+                points_about(mechanics, body, about, turned, turn).along(axis)
+            }
+            (Inertia::Scalar(_), None) | (Inertia::Tensor(_), _) => {
+                points_about(mechanics, body, about, turned, turn)
+            }
+        };
+        sum = sum - points;
     }
+    sum
+}
 
-    /// In the axes of the body's frame.
-    fn tensor_inertia(&mut self, rows: &[[Expr; 3]; 3], turn: Vn<'m>) -> Vn<'m> {
-        let rows = rows.each_ref().map(|row| {
-            let row = row.each_ref().map(|x| self.algebra.translate_number(x));
-            Vn::from(Vector(row)).dot(turn)
-        });
-        Vector(rows).into()
+/// What the masses as points have about a point, times a turn: `sum m r^2 w`, in space `sum m r x (w x r)`.
+fn points_about<'m>(
+    mechanics: &mut Mechanics<'_, 'm>,
+    body: usize,
+    about: &Expr,
+    turned: &Turned<'m>,
+    turn: Vn<'m>,
+) -> Vn<'m> {
+    let about = geometry::vector_of(mechanics.algebra, about);
+    let mut sum = mechanics.zero_turn();
+    for (mass, point) in loads::masses(mechanics, body) {
+        let arm = point - about;
+        let arm = match turned.axes {
+            Some(axes) => Vector(axes.map(|axis| axis.dot(arm))).into(),
+            None => arm,
+        };
+        let part = match mechanics.forces.geometry.is_plane() {
+            true => arm.square() * turn,
+            false => arm.moment_of(turn.sweeping(arm)),
+        };
+        sum = sum + mass * part;
     }
+    sum
+}
+
+/// In space a scalar is that of a sphere, of a rod across its line, or about the axis of a body that turns about one.
+fn scalar_inertia<'m>(
+    mechanics: &mut Mechanics<'_, 'm>,
+    body: usize,
+    inertia: &Expr,
+    turn: Vn<'m>,
+) -> Vn<'m> {
+    let inertia = mechanics.algebra.translate_number(inertia);
+    match mechanics.forces.geometry.axis(body) {
+        Some(axis) => inertia * turn.along(axis),
+        None => inertia * turn,
+    }
+}
+
+/// In the axes of the body's frame.
+fn tensor_inertia<'m>(
+    mechanics: &mut Mechanics<'_, 'm>,
+    rows: &[[Expr; 3]; 3],
+    turn: Vn<'m>,
+) -> Vn<'m> {
+    let rows = rows.each_ref().map(|row| {
+        let row = row
+            .each_ref()
+            .map(|x| mechanics.algebra.translate_number(x));
+        Vn::from(Vector(row)).dot(turn)
+    });
+    Vector(rows).into()
 }

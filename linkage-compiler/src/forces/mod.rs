@@ -28,26 +28,26 @@
 //! | `steady` | what only numbers tell of the motion |
 //! | `print` | how reactions are found, for golden files |
 
-mod check;
-mod closed;
-mod drives;
-mod ends;
-mod fit;
-mod freedom;
-mod geometry;
-mod inertia;
-mod links;
-mod loads;
-mod motion;
-mod positions;
-mod print;
-mod quantities;
-mod rank;
-mod reactions;
-mod steady;
-mod system;
-mod tree;
-mod wrench;
+pub(crate) mod check;
+pub(crate) mod closed;
+pub(crate) mod drives;
+pub(crate) mod ends;
+pub(crate) mod fit;
+pub(crate) mod freedom;
+pub(crate) mod geometry;
+pub(crate) mod inertia;
+pub(crate) mod links;
+pub(crate) mod loads;
+pub(crate) mod motion;
+pub(crate) mod positions;
+pub(crate) mod print;
+pub(crate) mod quantities;
+pub(crate) mod rank;
+pub(crate) mod reactions;
+pub(crate) mod steady;
+pub(crate) mod system;
+pub(crate) mod tree;
+pub(crate) mod wrench;
 
 use linkage_symbolic::unordered::Map;
 use std::rc::Rc;
@@ -151,7 +151,7 @@ impl<'m> Mechanics<'_, 'm> {
     fn case(&mut self) -> &mut Case<'m> {
         if !self.forces.cases.contains_key(&self.speeds) {
             let case = Case {
-                loads: Rc::new(self.all_loads()),
+                loads: Rc::new(loads::all_loads(self)),
                 wrenches: Map::new(),
                 solved: Map::new(),
             };

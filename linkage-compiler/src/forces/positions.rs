@@ -4,8 +4,8 @@ use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::Nominal;
 use crate::assembly::{ALTERATIONS, Reference, altered, places};
+use crate::message_format::MessageFormat;
 use crate::model::Mechanism;
-use crate::words::Words;
 
 /// Velocities that differ by a smaller share are equal: derivatives are rounded far less than this, and what is
 /// written wrongly is wrong by far more.
@@ -78,36 +78,37 @@ impl<'a> Positions<'a> {
 
     /// Numbers at the positions where the mechanism closes.
     pub(super) fn numbers(&self, all: &[Ex]) -> Vec<Vec<f64>> {
-        let numbers = self.iter().map(|position| position.numbers(all));
+        let numbers = self.iter().map(|position| numbers(position, all));
         numbers
             .filter(|numbers| numbers.iter().all(|x| x.is_finite()))
             .collect()
     }
 }
 
-impl Position<'_> {
-    /// Values of expressions; NaN where the mechanism does not close.
-    pub(super) fn numbers(self, all: &[Ex]) -> Vec<f64> {
-        self.reference.machine.evaluate(all, self.inputs)
-    }
+/// Values of expressions; NaN where the mechanism does not close.
+pub(super) fn numbers(position: Position<'_>, all: &[Ex]) -> Vec<f64> {
+    position.reference.machine.evaluate(all, position.inputs)
+}
 
-    /// The components of a vector.
-    pub(super) fn vector(self, v: Vn) -> Vec<f64> {
-        self.numbers(&v.iter().collect::<Vec<_>>())
-    }
+/// The components of a vector.
+pub(super) fn vector(position: Position<'_>, v: Vn) -> Vec<f64> {
+    numbers(position, &v.iter().collect::<Vec<_>>())
+}
 
-    /// The length that lengths of the mechanism are compared with.
-    pub(super) fn longest(self) -> f64 {
-        self.reference.longest
-    }
+/// The length that lengths of the mechanism are compared with.
+pub(super) fn longest(position: Position<'_>) -> f64 {
+    position.reference.longest
+}
 
-    /// `at phi = 30deg `; nothing without inputs.
-    pub(super) fn words(self, mechanism: &Mechanism) -> String {
-        let all: Vec<usize> = (0..self.inputs.len()).collect();
-        match all.is_empty() {
-            true => String::new(),
-            false => format!("at {} ", Words::new(mechanism).inputs(self.inputs, &all)),
-        }
+/// `at phi = 30deg `; nothing without inputs.
+pub(super) fn words(position: Position<'_>, mechanism: &Mechanism) -> String {
+    let all: Vec<usize> = (0..position.inputs.len()).collect();
+    match all.is_empty() {
+        true => String::new(),
+        false => format!(
+            "at {} ",
+            MessageFormat::new(mechanism).inputs(position.inputs, &all)
+        ),
     }
 }
 

@@ -1,5 +1,6 @@
 //! How reactions are found, as text.
 
+use crate::forces::system;
 use std::fmt::Write;
 
 use crate::algebra::Algebra;
@@ -17,7 +18,7 @@ pub(crate) fn describe(algebra: &mut Algebra) -> String {
         return text;
     }
     let mut forces = Forces::new(algebra);
-    let system = forces.at(algebra, &[], true).system();
+    let system = system::system(&mut forces.at(algebra, &[], true));
     let driven: Vec<String> = system
         .driven
         .iter()

@@ -5,6 +5,10 @@
 //! a choice of pivots. A link that only a cut joint holds at its other end leaves one number of that joint's reaction open, the force
 //! along the link (`links`).
 
+use crate::forces::drives;
+use crate::forces::freedom;
+use crate::forces::links;
+use crate::forces::wrench;
 use std::rc::Rc;
 
 use linkage_symbolic::{Ex, Vector, Vn};
@@ -66,168 +70,176 @@ pub(super) const LARGEST_BLOCK: usize = 6;
 /// From this size on links are taken out of a block: a dyad, which no link makes smaller, has two equations.
 const LARGE: usize = 3;
 
-impl<'m> Mechanics<'_, 'm> {
-    /// The system, made when it is first asked for.
-    pub(super) fn system(&mut self) -> Rc<System<'m>> {
-        if let Some(known) = &self.forces.system {
-            return known.clone();
+/// The system, made when it is first asked for.
+pub(super) fn system<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Rc<System<'m>> {
+    if let Some(known) = &mechanics.forces.system {
+        return known.clone();
+    }
+    let plain = assembled(mechanics, Vec::new());
+    let links = links::links(mechanics, &plain);
+    let system = match links.is_empty() {
+        true => plain,
+        false => assembled(mechanics, links),
+    };
+    let system = Rc::new(system);
+    mechanics.forces.system = Some(system.clone());
+    system
+}
+
+/// The system in which some links leave one number open.
+fn assembled<'m>(mechanics: &mut Mechanics<'_, 'm>, axial: Vec<Axial>) -> System<'m> {
+    let (components, released) = reactions(mechanics, &axial);
+    let held = components.len() - released.len() + axial.len();
+    let Motions { free, driven, ties } = freedom::motions(mechanics, held);
+    let mut unknowns: Vec<Unknown> = components.into_iter().map(Unknown::Reaction).collect();
+    unknowns.extend(ties.into_iter().map(Unknown::Tie));
+    unknowns.extend(spins(mechanics, &axial));
+    let mut system = System {
+        unknowns,
+        driven,
+        axial,
+        ..System::default()
+    };
+    for component in released {
+        add(mechanics, &mut system, Equation::Released(component));
+    }
+    for way in free {
+        if system.axial.iter().all(|own| own.link != way.body) {
+            add(mechanics, &mut system, Equation::Motion(way));
         }
-        let plain = self.assembled(Vec::new());
-        let links = self.links(&plain);
-        let system = match links.is_empty() {
-            true => plain,
-            false => self.assembled(links),
+    }
+    system.order();
+    drives::drive_steady(mechanics, &mut system);
+    drives::release_held(mechanics, &mut system);
+    system
+}
+
+/// Rods that may turn about themselves.
+fn spins<'m>(mechanics: &Mechanics<'_, 'm>, axial: &[Axial]) -> Vec<Unknown<'m>> {
+    let mechanism = mechanics.algebra.mechanism;
+    let rods = (0..mechanism.bodies.len()).filter(|&body| {
+        let kind = mechanism.joints[mechanism.bodies[body].joint].kind;
+        turns_of(kind) == Turns::Freely && axial.iter().all(|own| own.link != body)
+    });
+    let rods = rods.filter_map(|rod| {
+        let along = mechanics.forces.geometry.rod(rod)?;
+        Some(Unknown::Spin { rod, along })
+    });
+    rods.collect()
+}
+
+/// Adds an equation, with a coefficient for each unknown.
+pub(super) fn add<'m>(
+    mechanics: &mut Mechanics<'_, 'm>,
+    system: &mut System<'m>,
+    equation: Equation<'m>,
+) {
+    let unknowns = system.unknowns.iter();
+    let row: Vec<Ex> = unknowns
+        .map(|unknown| coefficient(mechanics, &equation, unknown))
+        .collect();
+    let entries = (0..row.len()).filter(|&k| !row[k].is_zero());
+    system.incidence.push(entries.collect());
+    system.equations.push(equation);
+    system.matrix.push(row);
+}
+
+/// The components of the cut joints' reactions, and equations for those that are none.
+fn reactions<'m>(
+    mechanics: &Mechanics<'_, 'm>,
+    axial: &[Axial],
+) -> (Vec<Component<'m>>, Vec<Component<'m>>) {
+    let geometry = &mechanics.forces.geometry;
+    let plane = geometry.is_plane();
+    let (mut unknowns, mut equations) = (Vec::new(), Vec::new());
+    for &joint in &mechanics.forces.tree.closing {
+        let component = |is_moment| {
+            move |direction| Component {
+                joint,
+                is_moment,
+                direction,
+            }
         };
-        let system = Rc::new(system);
-        self.forces.system = Some(system.clone());
-        system
-    }
-
-    /// The system in which some links leave one number open.
-    fn assembled(&mut self, axial: Vec<Axial>) -> System<'m> {
-        let (components, released) = self.reactions(&axial);
-        let held = components.len() - released.len() + axial.len();
-        let Motions { free, driven, ties } = self.motions(held);
-        let mut unknowns: Vec<Unknown> = components.into_iter().map(Unknown::Reaction).collect();
-        unknowns.extend(ties.into_iter().map(Unknown::Tie));
-        unknowns.extend(self.spins(&axial));
-        let mut system = System {
-            unknowns,
-            driven,
-            axial,
-            ..System::default()
+        let [force, moment] = [false, true].map(component);
+        if let Some(own) = axial.iter().find(|own| own.joint == joint) {
+            unknowns.push(force(links::link_vector(mechanics, own)));
+            continue;
+        }
+        let units = || geometry.units(mechanics.graph()).into_iter();
+        let direction = geometry.directions[joint];
+        match direction {
+            Some(guide) if plane => {
+                let normal = Vector([-guide.at(1), guide.at(0)]);
+                unknowns.push(force(normal.into()));
+            }
+            _ => unknowns.extend(units().map(force)),
+        }
+        let kind = mechanics.algebra.mechanism.joints[joint].kind;
+        match turns_of(kind) {
+            Turns::Freely => {}
+            Turns::AboutAxis if plane => {}
+            Turns::Not if plane => unknowns.push(moment(Vector([mechanics.algebra.one()]).into())),
+            Turns::AboutAxis | Turns::Not => unknowns.extend(units().map(moment)),
+        }
+        let Some(direction) = direction.filter(|_| !plane) else {
+            continue;
         };
-        for component in released {
-            self.add(&mut system, Equation::Released(component));
+        if slides_along(kind) {
+            equations.push(force(direction));
         }
-        for way in free {
-            if system.axial.iter().all(|own| own.link != way.body) {
-                self.add(&mut system, Equation::Motion(way));
-            }
-        }
-        system.order();
-        self.drive_steady(&mut system);
-        self.release_held(&mut system);
-        system
-    }
-
-    /// Rods that may turn about themselves.
-    fn spins(&self, axial: &[Axial]) -> Vec<Unknown<'m>> {
-        let mechanism = self.algebra.mechanism;
-        let rods = (0..mechanism.bodies.len()).filter(|&body| {
-            let kind = mechanism.joints[mechanism.bodies[body].joint].kind;
-            turns_of(kind) == Turns::Freely && axial.iter().all(|own| own.link != body)
-        });
-        let rods = rods.filter_map(|rod| {
-            let along = self.forces.geometry.rod(rod)?;
-            Some(Unknown::Spin { rod, along })
-        });
-        rods.collect()
-    }
-
-    /// Adds an equation, with a coefficient for each unknown.
-    pub(super) fn add(&mut self, system: &mut System<'m>, equation: Equation<'m>) {
-        let unknowns = system.unknowns.iter();
-        let row: Vec<Ex> = unknowns
-            .map(|unknown| self.coefficient(&equation, unknown))
-            .collect();
-        let entries = (0..row.len()).filter(|&k| !row[k].is_zero());
-        system.incidence.push(entries.collect());
-        system.equations.push(equation);
-        system.matrix.push(row);
-    }
-
-    /// The components of the cut joints' reactions, and equations for those that are none.
-    fn reactions(&self, axial: &[Axial]) -> (Vec<Component<'m>>, Vec<Component<'m>>) {
-        let geometry = &self.forces.geometry;
-        let plane = geometry.is_plane();
-        let (mut unknowns, mut equations) = (Vec::new(), Vec::new());
-        for &joint in &self.forces.tree.closing {
-            let component = |is_moment| {
-                move |direction| Component {
-                    joint,
-                    is_moment,
-                    direction,
-                }
-            };
-            let [force, moment] = [false, true].map(component);
-            if let Some(own) = axial.iter().find(|own| own.joint == joint) {
-                unknowns.push(force(self.link_vector(own)));
-                continue;
-            }
-            let units = || geometry.units(self.graph()).into_iter();
-            let direction = geometry.directions[joint];
-            match direction {
-                Some(guide) if plane => {
-                    let normal = Vector([-guide.at(1), guide.at(0)]);
-                    unknowns.push(force(normal.into()));
-                }
-                _ => unknowns.extend(units().map(force)),
-            }
-            let kind = self.algebra.mechanism.joints[joint].kind;
-            match turns_of(kind) {
-                Turns::Freely => {}
-                Turns::AboutAxis if plane => {}
-                Turns::Not if plane => unknowns.push(moment(Vector([self.algebra.one()]).into())),
-                Turns::AboutAxis | Turns::Not => unknowns.extend(units().map(moment)),
-            }
-            let Some(direction) = direction.filter(|_| !plane) else {
-                continue;
-            };
-            if slides_along(kind) {
-                equations.push(force(direction));
-            }
-            if turns_of(kind) == Turns::AboutAxis {
-                equations.push(moment(direction));
-            }
-        }
-        (unknowns, equations)
-    }
-
-    /// How much of an unknown is in an equation.
-    fn coefficient(&self, equation: &Equation<'m>, unknown: &Unknown<'m>) -> Ex<'m> {
-        let zero = self.algebra.zero();
-        match (equation, unknown) {
-            (Equation::Released(released), Unknown::Reaction(own)) => {
-                match (released.joint, released.is_moment) == (own.joint, own.is_moment) {
-                    true => released.direction.dot(own.direction),
-                    false => zero,
-                }
-            }
-            (Equation::Motion(way), Unknown::Reaction(own)) => {
-                let work = self.work(way, own);
-                match self.joins(own.joint, way.body) {
-                    1 => work,
-                    -1 => -work,
-                    _ => zero,
-                }
-            }
-            (Equation::Motion(way), Unknown::Spin { rod, along }) if way.body == *rod => {
-                way.direction.dot(*along)
-            }
-            (Equation::Motion(way), Unknown::Tie(tie)) if !way.slides => {
-                let tree = &self.forces.tree;
-                let beyond = tie.couples.iter();
-                let beyond = beyond.filter(|(body, _)| tree.hangs_on(Some(*body), way.body));
-                let share = beyond.map(|(_, share)| share).sum();
-                self.graph().number(share)
-            }
-            (
-                Equation::Released(_) | Equation::Motion(_),
-                Unknown::Spin { .. } | Unknown::Tie(_),
-            ) => zero,
+        if turns_of(kind) == Turns::AboutAxis {
+            equations.push(moment(direction));
         }
     }
+    (unknowns, equations)
+}
 
-    /// The work of a reaction's component in a motion: `d . F`, `d . M`, `d . (r x F)`.
-    fn work(&self, way: &Way<'m>, unknown: &Component<'m>) -> Ex<'m> {
-        match (way.slides, unknown.is_moment) {
-            (true, true) => self.algebra.zero(),
-            (true, false) | (false, true) => way.direction.dot(unknown.direction),
-            (false, false) => {
-                let arm = self.arm(way.body, self.forces.geometry.points[unknown.joint]);
-                way.direction.dot(arm.moment_of(unknown.direction))
+/// How much of an unknown is in an equation.
+fn coefficient<'m>(
+    mechanics: &Mechanics<'_, 'm>,
+    equation: &Equation<'m>,
+    unknown: &Unknown<'m>,
+) -> Ex<'m> {
+    let zero = mechanics.algebra.zero();
+    match (equation, unknown) {
+        (Equation::Released(released), Unknown::Reaction(own)) => {
+            match (released.joint, released.is_moment) == (own.joint, own.is_moment) {
+                true => released.direction.dot(own.direction),
+                false => zero,
             }
+        }
+        (Equation::Motion(way), Unknown::Reaction(own)) => {
+            let work = work(mechanics, way, own);
+            match wrench::joins(mechanics, own.joint, way.body) {
+                1 => work,
+                -1 => -work,
+                _ => zero,
+            }
+        }
+        (Equation::Motion(way), Unknown::Spin { rod, along }) if way.body == *rod => {
+            way.direction.dot(*along)
+        }
+        (Equation::Motion(way), Unknown::Tie(tie)) if !way.slides => {
+            let tree = &mechanics.forces.tree;
+            let beyond = tie.couples.iter();
+            let beyond = beyond.filter(|(body, _)| tree.hangs_on(Some(*body), way.body));
+            let share = beyond.map(|(_, share)| share).sum();
+            mechanics.graph().number(share)
+        }
+        (Equation::Released(_) | Equation::Motion(_), Unknown::Spin { .. } | Unknown::Tie(_)) => {
+            zero
+        }
+    }
+}
+
+/// The work of a reaction's component in a motion: `d . F`, `d . M`, `d . (r x F)`.
+fn work<'m>(mechanics: &Mechanics<'_, 'm>, way: &Way<'m>, unknown: &Component<'m>) -> Ex<'m> {
+    match (way.slides, unknown.is_moment) {
+        (true, true) => mechanics.algebra.zero(),
+        (true, false) | (false, true) => way.direction.dot(unknown.direction),
+        (false, false) => {
+            let arm = mechanics.arm(way.body, mechanics.forces.geometry.points[unknown.joint]);
+            way.direction.dot(arm.moment_of(unknown.direction))
         }
     }
 }

@@ -1,5 +1,6 @@
 //! All loops on numbers, as they are written.
 
+use crate::algebra::translate;
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, Graph, SymbolId, evaluate_given, unordered::Map};
 
@@ -20,7 +21,7 @@ impl<'g> Loops<'g> {
     /// In a graph of their own: nodes made in another order would change how sums of the mechanism are written.
     pub(super) fn new(mechanism: &'g Mechanism, graph: &'g Graph) -> Self {
         let mut algebra = Algebra::new(mechanism, graph);
-        algebra.translate_lets();
+        translate::translate_lets(&mut algebra);
         let (mut sides, mut rows) = (Vec::new(), Vec::new());
         for (index, own) in mechanism.loops.iter().enumerate() {
             if mechanism.is_loop_of_frame(index) {
@@ -83,10 +84,10 @@ pub(crate) fn difference<'m>(algebra: &mut Algebra<'m>, own: &Loop) -> Vec<Ex<'m
     let [left, right] = [&own.left, &own.right].map(|side| algebra.translate(side));
     match (&left, &right) {
         (Value::Scalar(_), Value::Scalar(_)) => {
-            vec![algebra.number(&left) - algebra.number(&right)]
+            vec![translate::number(algebra, &left) - translate::number(algebra, &right)]
         }
         _ => {
-            let difference = algebra.vector(&left) - algebra.vector(&right);
+            let difference = translate::vector(algebra, &left) - translate::vector(algebra, &right);
             difference.iter().collect()
         }
     }

@@ -7,7 +7,7 @@ use crate::vector::{Vector, cross, dot, norm};
 
 use super::null_space::{LITTLE, largest, vectors};
 use super::{Mover, Position, Rows};
-use crate::words::numbers;
+use crate::message_format::numbers;
 
 /// So many motions are told.
 const TOLD: usize = 3;
@@ -18,106 +18,117 @@ const THOUSANDTH: f64 = 1e-3;
 /// Shown coordinates are rounded to this part of the longest length: differences know no more.
 const SHOWN: f64 = 1e-4;
 
-impl Position<'_, '_> {
-    /// `body` can turn about ..., `a` and `b` can change in the ratio ...
-    pub(super) fn motion(&self, rows: &Rows, last: f64) -> Option<String> {
-        let all = simple(vectors(&rows.matrix, rows.columns.len(), last), rows, self);
-        let count = all.len();
-        let told = all.iter().take(TOLD).map(|one| self.words_of(one, rows));
-        let told: Vec<String> = told.collect();
-        match count {
-            0 => None,
-            _ if count > TOLD => Some(format!("{}, and {} more", told.join("; "), count - TOLD)),
-            _ => Some(told.join("; ")),
-        }
+/// `body` can turn about ..., `a` and `b` can change in the ratio ...
+pub(super) fn motion(position: &Position<'_, '_>, rows: &Rows, last: f64) -> Option<String> {
+    let all = simple(
+        vectors(&rows.matrix, rows.columns.len(), last),
+        rows,
+        position,
+    );
+    let count = all.len();
+    let told = all
+        .iter()
+        .take(TOLD)
+        .map(|one| words_of(position, one, rows));
+    let told: Vec<String> = told.collect();
+    match count {
+        0 => None,
+        _ if count > TOLD => Some(format!("{}, and {} more", told.join("; "), count - TOLD)),
+        _ => Some(told.join("; ")),
     }
+}
 
-    fn words_of(&self, vector: &[f64], rows: &Rows) -> String {
-        let most = largest(vector);
-        let mut parts: Vec<String> = Vec::new();
-        let mut unknowns: Vec<(usize, Vec<f64>)> = Vec::new();
-        for (index, mover) in self.movers.iter().enumerate() {
-            let own = own_part(vector, rows, index);
-            if largest(&own) <= LITTLE * most {
-                continue;
+fn words_of(position: &Position<'_, '_>, vector: &[f64], rows: &Rows) -> String {
+    let most = largest(vector);
+    let mut parts: Vec<String> = Vec::new();
+    let mut unknowns: Vec<(usize, Vec<f64>)> = Vec::new();
+    for (index, mover) in position.movers.iter().enumerate() {
+        let own = own_part(vector, rows, index);
+        if largest(&own) <= LITTLE * most {
+            continue;
+        }
+        match mover {
+            Mover::Body { name, origin, .. } => {
+                let origin = [0, 1, 2].map(|k| position.values[*origin][k]);
+                parts.push(format!("`{name}` can {}", twist(position, &own, origin)));
             }
-            match mover {
-                Mover::Body { name, origin, .. } => {
-                    let origin = [0, 1, 2].map(|k| self.values[*origin][k]);
-                    parts.push(format!("`{name}` can {}", self.twist(&own, origin)));
+            Mover::Component { unknown, component } => {
+                let count = position.values[*unknown].len();
+                if unknowns.last().is_none_or(|(last, _)| last != unknown) {
+                    unknowns.push((*unknown, vec![0.0; count]));
                 }
-                Mover::Component { unknown, component } => {
-                    let count = self.values[*unknown].len();
-                    if unknowns.last().is_none_or(|(last, _)| last != unknown) {
-                        unknowns.push((*unknown, vec![0.0; count]));
-                    }
-                    if let Some((_, change)) = unknowns.last_mut() {
-                        change[*component] = own[0] / most;
-                    }
+                if let Some((_, change)) = unknowns.last_mut() {
+                    change[*component] = own[0] / most;
                 }
             }
         }
-        if !unknowns.is_empty() {
-            let changes = unknowns
-                .iter()
-                .enumerate()
-                .map(|(place, (unknown, change))| {
-                    let item = &self.mechanism.unknowns[*unknown];
-                    let change: Vec<f64> =
-                        change.iter().map(|x| self.shown(*unknown, *x)).collect();
-                    let can = if place == 0 { " can change" } else { "" };
-                    let change = self.words.coordinate(&item.ty, &change);
-                    format!("`{}`{can} by {change}", item.name)
-                });
-            let together = if unknowns.len() > 1 { " together" } else { "" };
-            parts.push(format!("{}{together}", list(changes.collect())));
-        }
-        parts.join(" while ")
     }
+    if !unknowns.is_empty() {
+        let changes = unknowns
+            .iter()
+            .enumerate()
+            .map(|(place, (unknown, change))| {
+                let item = &position.mechanism.unknowns[*unknown];
+                let change: Vec<f64> = change
+                    .iter()
+                    .map(|x| shown(position, *unknown, *x))
+                    .collect();
+                let can = if place == 0 { " can change" } else { "" };
+                let change = position.words.coordinate(&item.ty, &change);
+                format!("`{}`{can} by {change}", item.name)
+            });
+        let together = if unknowns.len() > 1 { " together" } else { "" };
+        parts.push(format!("{}{together}", list(changes.collect())));
+    }
+    parts.join(" while ")
+}
 
-    /// A share of an unknown as the change of an angle by a degree, or as far as the longest length turns by it.
-    fn shown(&self, unknown: usize, share: f64) -> f64 {
-        let degree = 1_f64.to_radians();
-        let dimension = self.mechanism.unknowns[unknown].ty.dimension();
-        match dimension.is_some_and(|own| own.half_lengths != 0) {
-            true => self.rounded(share * degree * self.length, degree * self.length),
-            // Whole thousandths of a degree.
-            false => (share / THOUSANDTH).round() * THOUSANDTH * degree,
-        }
+/// A share of an unknown as the change of an angle by a degree, or as far as the longest length turns by it.
+fn shown(position: &Position<'_, '_>, unknown: usize, share: f64) -> f64 {
+    let degree = 1_f64.to_radians();
+    let dimension = position.mechanism.unknowns[unknown].ty.dimension();
+    match dimension.is_some_and(|own| own.half_lengths != 0) {
+        true => rounded(
+            position,
+            share * degree * position.length,
+            degree * position.length,
+        ),
+        // Whole thousandths of a degree.
+        false => (share / THOUSANDTH).round() * THOUSANDTH * degree,
     }
+}
 
-    /// A body's shift and turn, both as long as the longest length turns.
-    fn twist(&self, own: &[f64], origin: Vector) -> String {
-        let shift: Vector = [0, 1, 2].map(|k| self.length * own[k]);
-        let turn: Vector = [0, 1, 2].map(|k| own[3 + k]);
-        if norm(turn) * self.length <= LITTLE * norm(shift) {
-            return format!("shift along {}", direction(shift));
-        }
-        let square = dot(turn, turn);
-        let foot = cross(turn, shift).map(|x| x / square);
-        let point = [0, 1, 2].map(|k| self.rounded(origin[k] + foot[k], self.length));
-        let lengths = Type::Vector(3, Dimension::LENGTH);
-        let line = format!(
-            "the line through {} along {}",
-            self.words.vector(&lengths, &point),
-            direction(turn)
-        );
-        let pitch = TAU * dot(shift, turn) / square;
-        if pitch.abs() <= LITTLE * self.length {
-            return format!("turn about {line}");
-        }
-        let pitch = self.rounded(pitch, self.length);
-        format!(
-            "turn about {line} and shift along it, by {} in a turn",
-            self.words.scalar(Dimension::LENGTH, pitch)
-        )
+/// A body's shift and turn, both as long as the longest length turns.
+fn twist(position: &Position<'_, '_>, own: &[f64], origin: Vector) -> String {
+    let shift: Vector = [0, 1, 2].map(|k| position.length * own[k]);
+    let turn: Vector = [0, 1, 2].map(|k| own[3 + k]);
+    if norm(turn) * position.length <= LITTLE * norm(shift) {
+        return format!("shift along {}", direction(shift));
     }
+    let square = dot(turn, turn);
+    let foot = cross(turn, shift).map(|x| x / square);
+    let point = [0, 1, 2].map(|k| rounded(position, origin[k] + foot[k], position.length));
+    let lengths = Type::Vector(3, Dimension::LENGTH);
+    let line = format!(
+        "the line through {} along {}",
+        position.words.vector(&lengths, &point),
+        direction(turn)
+    );
+    let pitch = TAU * dot(shift, turn) / square;
+    if pitch.abs() <= LITTLE * position.length {
+        return format!("turn about {line}");
+    }
+    let pitch = rounded(position, pitch, position.length);
+    format!(
+        "turn about {line} and shift along it, by {} in a turn",
+        position.words.scalar(Dimension::LENGTH, pitch)
+    )
+}
 
-    /// Without the digits that are rounding of something of this size.
-    fn rounded(&self, x: f64, size: f64) -> f64 {
-        let step = 10_f64.powf((SHOWN * size).log10().floor());
-        (x / step).round() * step + 0.0
-    }
+/// Without the digits that are rounding of something of this size.
+fn rounded(_position: &Position<'_, '_>, x: f64, size: f64) -> f64 {
+    let step = 10_f64.powf((SHOWN * size).log10().floor());
+    (x / step).round() * step + 0.0
 }
 
 /// `a, b and c`

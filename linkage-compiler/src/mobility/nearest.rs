@@ -3,6 +3,7 @@
 //! There the misses are a left null vector of the loops: like the forces of stretched links they hold each other, and no motion makes all of them
 //! less.
 
+use crate::mobility::motion;
 use linkage_core::numeric::least_squares::{self, CLOSED, Equations, minimise};
 use linkage_symbolic::Graph;
 
@@ -23,52 +24,50 @@ pub(crate) struct Nearest {
     pub(crate) motion: Option<String>,
 }
 
-impl Position<'_, '_> {
-    /// Where the loops come nearest to closing; nothing if they close, or if that is not found out.
-    pub(crate) fn nearest(&self) -> Option<Nearest> {
-        let graph = Graph::new();
-        let mut loops = Loops::new(self.mechanism, &graph);
-        let (there, rows) = minimise(&mut loops, self.clone())?;
-        let most = largest(&rows.missed);
-        (most > CLOSED).then(|| Nearest {
-            missing: there.missing(&rows, &loops),
-            motion: there.motion(&rows, NEARLY_ZERO),
-        })
-    }
+/// Where the loops come nearest to closing; nothing if they close, or if that is not found out.
+pub(crate) fn nearest(position: &Position<'_, '_>) -> Option<Nearest> {
+    let graph = Graph::new();
+    let mut loops = Loops::new(position.mechanism, &graph);
+    let (there, rows) = minimise(&mut loops, position.clone())?;
+    let most = largest(&rows.missed);
+    (most > CLOSED).then(|| Nearest {
+        missing: missing(&there, &rows, &loops),
+        motion: motion::motion(&there, &rows, NEARLY_ZERO),
+    })
+}
 
-    /// By how much each loop misses, the largest first.
-    fn missing(&self, rows: &Rows, loops: &Loops) -> String {
-        let mut all: Vec<(usize, f64, Vec<f64>)> = Vec::new();
-        for (row, (&index, missed)) in rows.loops.iter().zip(&rows.missed).enumerate() {
-            let value = missed * loops.unit(rows.kept[row], self.length);
-            match all.last_mut().filter(|(last, ..)| *last == index) {
-                Some((_, size, components)) => {
-                    *size = size.hypot(*missed);
-                    components.push(value);
-                }
-                None => all.push((index, missed.abs(), vec![value])),
+/// By how much each loop misses, the largest first.
+fn missing(position: &Position<'_, '_>, rows: &Rows, loops: &Loops) -> String {
+    let mut all: Vec<(usize, f64, Vec<f64>)> = Vec::new();
+    for (row, (&index, missed)) in rows.loops.iter().zip(&rows.missed).enumerate() {
+        let value = missed * loops.unit(rows.kept[row], position.length);
+        match all.last_mut().filter(|(last, ..)| *last == index) {
+            Some((_, size, components)) => {
+                *size = size.hypot(*missed);
+                components.push(value);
             }
+            None => all.push((index, missed.abs(), vec![value])),
         }
-        let most = all
-            .iter()
-            .fold(0.0, |most: f64, (_, size, _)| most.max(*size));
-        all.retain(|(_, size, _)| *size > LITTLE * most);
-        all.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let told = all.iter().take(TOLD).map(|(index, _, value)| {
-            let ty = &self.mechanism.loops[*index].left.ty;
-            let by = match (ty, &value[..]) {
-                (Type::Scalar(dimension), [x]) if dimension.half_lengths <= 2 => {
-                    self.words.rounded(*dimension, *x)
-                }
-                _ => self.words.value(ty, value),
-            };
-            format!("loop {} by {by}", index + 1)
-        });
-        let told: Vec<String> = told.collect();
-        match all.len() - told.len() {
-            0 => list(told),
-            more => format!("{}, and {more} more by less", told.join(", ")),
-        }
+    }
+    let most = all
+        .iter()
+        .fold(0.0, |most: f64, (_, size, _)| most.max(*size));
+    all.retain(|(_, size, _)| *size > LITTLE * most);
+    all.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let told = all.iter().take(TOLD).map(|(index, _, value)| {
+        let ty = &position.mechanism.loops[*index].left.ty;
+        let by = match (ty, &value[..]) {
+            (Type::Scalar(dimension), [x]) if dimension.half_lengths <= 2 => {
+                position.words.rounded(*dimension, *x)
+            }
+            _ => position.words.value(ty, value),
+        };
+        format!("loop {} by {by}", index + 1)
+    });
+    let told: Vec<String> = told.collect();
+    match all.len() - told.len() {
+        0 => list(told),
+        more => format!("{}, and {more} more by less", told.join(", ")),
     }
 }
 

@@ -1,11 +1,13 @@
 //! Loops that are too many: which of them hold nothing that others do not hold.
 
+use crate::mobility::line;
+use crate::mobility::motion;
 use linkage_symbolic::Graph;
 
 use super::loops::Loops;
 use super::null_space::{ZERO, transposed, used, vectors};
 use super::{Position, Rows};
-use crate::words::loop_list;
+use crate::message_format::loop_list;
 
 /// So many dependences are told.
 const TOLD: usize = 3;
@@ -20,57 +22,54 @@ pub(crate) struct Surplus {
     pub(crate) motion: Option<String>,
 }
 
-impl Position<'_, '_> {
-    /// The last loops that others make superfluous; nothing if there are none.
-    pub(crate) fn surplus(&self) -> Option<Surplus> {
-        let graph = Graph::new();
-        let rows = self.rows(&Loops::new(self.mechanism, &graph))?;
-        let mut held: Vec<usize> = Vec::new();
-        let mut dependences: Vec<(usize, Vec<usize>)> = Vec::new();
-        for row in 0..rows.loops.len() {
-            held.push(row);
-            if let Some(set) = rows.dependent_set(&held) {
-                held.pop();
-                dependences.push((row, set));
-            }
+/// The last loops that others make superfluous; nothing if there are none.
+pub(crate) fn surplus(position: &Position<'_, '_>) -> Option<Surplus> {
+    let graph = Graph::new();
+    let rows = position.rows(&Loops::new(position.mechanism, &graph))?;
+    let mut held: Vec<usize> = Vec::new();
+    let mut dependences: Vec<(usize, Vec<usize>)> = Vec::new();
+    for row in 0..rows.loops.len() {
+        held.push(row);
+        if let Some(set) = rows.dependent_set(&held) {
+            held.pop();
+            dependences.push((row, set));
         }
-        let holds = |index: &usize| held.iter().any(|&row| rows.loops[row] == *index);
-        let mut spare: Vec<usize> = dependences
-            .iter()
-            .map(|(row, _)| rows.loops[*row])
-            .collect();
-        spare.dedup();
-        spare.retain(|index| !holds(index));
-        let told: Vec<String> = dependences
-            .iter()
-            .take(TOLD)
-            .map(|(row, set)| self.dependence_of(&rows, *row, set))
-            .collect();
-        let more = match dependences.len() - told.len() {
-            0 => String::new(),
-            more => format!("; and {more} more"),
-        };
-        (!dependences.is_empty()).then(|| Surplus {
-            spare,
-            dependences: format!("{}{more}", told.join("; ")),
-            motion: self.motion(&rows, ZERO),
-        })
     }
+    let holds = |index: &usize| held.iter().any(|&row| rows.loops[row] == *index);
+    let mut spare: Vec<usize> = dependences
+        .iter()
+        .map(|(row, _)| rows.loops[*row])
+        .collect();
+    spare.dedup();
+    spare.retain(|index| !holds(index));
+    let told: Vec<String> = dependences
+        .iter()
+        .take(TOLD)
+        .map(|(row, set)| dependence_of(position, &rows, *row, set))
+        .collect();
+    let more = match dependences.len() - told.len() {
+        0 => String::new(),
+        more => format!("; and {more} more"),
+    };
+    (!dependences.is_empty()).then(|| Surplus {
+        spare,
+        dependences: format!("{}{more}", told.join("; ")),
+        motion: motion::motion(position, &rows, ZERO),
+    })
+}
 
-    fn dependence_of(&self, rows: &Rows, row: usize, set: &[usize]) -> String {
-        let others = set.iter().filter(|&&other| other != row);
-        let others: Vec<usize> = others.map(|&other| rows.loops[other]).collect();
-        let own = loop_list([&rows.loops[row]]);
-        let shape = self.shape_of_links(rows, set);
-        let because =
-            shape.map_or_else(String::new, |shape| format!(", since their links {shape}"));
-        match others.is_empty() {
-            true => format!("{own} holds nothing"),
-            false => format!(
-                "{own} holds nothing that {} do not hold{because}",
-                loop_list(&others)
-            ),
-        }
+fn dependence_of(position: &Position<'_, '_>, rows: &Rows, row: usize, set: &[usize]) -> String {
+    let others = set.iter().filter(|&&other| other != row);
+    let others: Vec<usize> = others.map(|&other| rows.loops[other]).collect();
+    let own = loop_list([&rows.loops[row]]);
+    let shape = line::shape_of_links(position, rows, set);
+    let because = shape.map_or_else(String::new, |shape| format!(", since their links {shape}"));
+    match others.is_empty() {
+        true => format!("{own} holds nothing"),
+        false => format!(
+            "{own} holds nothing that {} do not hold{because}",
+            loop_list(&others)
+        ),
     }
 }
 

@@ -1,5 +1,7 @@
 //! The way to the results, and the direction of sensitivities: every function takes what costs it least.
 
+use crate::algebra::links;
+use crate::algebra::preaccumulation;
 use linkage_symbolic::count::time;
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::passes::polished;
@@ -63,7 +65,7 @@ impl<'m> Choice<'m> {
     ) {
         // One after the other: each choice is made with those before.
         if !self.sensed.is_empty() {
-            state.algebra.find_narrow_places(&self.sensed);
+            preaccumulation::find_narrow_places(state.algebra, &self.sensed);
             for &direction in directions {
                 let way = Way {
                     direction,
@@ -79,7 +81,7 @@ impl<'m> Choice<'m> {
             };
             self.try_way(state, inliner, definition, way, 0.0);
         }
-        let offered = state.algebra.offered_shortcuts();
+        let offered = links::offered_shortcuts(state.algebra);
         if offered.turns {
             let mut way = self.way;
             way.shortcuts.turns = true;

@@ -24,7 +24,7 @@ pub(super) fn columns(
         firsts.push(next);
         next += match picture.filter(|_| quantity.is_picture()) {
             Some(picture) => picture.vectors() * picture.dimension,
-            None => Shape::of(&quantity.value.ty).width(),
+            None => Shape::from_type(&quantity.value.ty).width(),
         };
     }
     for quantity in &definition.quantities {
@@ -105,7 +105,7 @@ impl Namer<'_> {
 
     /// The unit of what is differentiated, and those of the variables.
     fn numerator(&self, expr: &Expr, offset: usize, divisors: &mut Vec<String>) -> String {
-        let width = |inner: &Expr| Shape::of(&inner.ty).width();
+        let width = |inner: &Expr| Shape::from_type(&inner.ty).width();
         match expr.derived() {
             Some(Derived::ByInputs(inner, order)) => {
                 let drives = self.drives();
@@ -215,7 +215,7 @@ impl Namer<'_> {
                 _ => Meaning::Value,
             },
             Some(Derived::ByParameters(inner, parameters)) => {
-                let width = Shape::of(&inner.ty).width();
+                let width = Shape::from_type(&inner.ty).width();
                 Meaning::Sensitivity {
                     parameter: parameters[offset / width].0,
                     of: self.column_of(inner, offset % width, firsts),

@@ -4,6 +4,7 @@
 //! number that is differentiated. In long chains one of the two grows with the square of the number of groups while the results
 //! grow with the number. Such a direction cannot cost least, and is not built.
 
+use crate::algebra::acting;
 use std::collections::{BTreeMap, BTreeSet};
 
 use linkage_symbolic::unordered::{Map, Set};
@@ -121,7 +122,7 @@ fn asked(part: &Expr) -> Option<Asked<'_>> {
     let before = of.parts().filter(|part| is_by_parameters(part));
     Some(Asked {
         order: 1 + before.count() as u32,
-        width: Shape::of(&of.ty).width(),
+        width: Shape::from_type(&of.ty).width(),
         of,
         parameters,
     })
@@ -230,7 +231,7 @@ impl<'a, 'm> Before<'a, 'm> {
         }
         let mut open: Vec<usize> = found.iter().copied().collect();
         while let Some(group) = open.pop() {
-            let earlier = self.algebra.groups_before(group).into_iter();
+            let earlier = acting::groups_before(self.algebra, group).into_iter();
             open.extend(earlier.filter(|&earlier| found.insert(earlier)));
         }
         found
@@ -241,9 +242,9 @@ impl<'a, 'm> Before<'a, 'm> {
         if let Some(known) = self.acting.get(&group) {
             return known.clone();
         }
-        let own = self.algebra.acting_on_group(group);
+        let own = acting::acting_on_group(self.algebra, group);
         let mut acting = Bits::new(own.iter().filter_map(|own| places.get(own).copied()));
-        for earlier in self.algebra.groups_before(group) {
+        for earlier in acting::groups_before(self.algebra, group) {
             acting.add(self.acting.get(&earlier).unwrap_or(&Bits::default()));
         }
         self.acting.insert(group, acting.clone());

@@ -42,7 +42,7 @@ pub(super) fn fields(
             }
         }
         None => {
-            let shape = Shape::of(&quantity.value.ty);
+            let shape = Shape::from_type(&quantity.value.ty);
             let columns = own_columns(&shape);
             Field {
                 name: quantity.field.clone(),

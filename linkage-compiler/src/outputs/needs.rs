@@ -1,6 +1,7 @@
 //! Do the arguments of a function fit its quantities?
 
 use crate::algebra::Algebra;
+use crate::algebra::dependence;
 use crate::diagnostic::Reporter;
 use crate::model::EvaluatorDef;
 
@@ -19,8 +20,8 @@ pub(super) fn check_inputs<'m>(
         true => "input",
         false => "argument",
     };
-    let mut needed = algebra.inputs_below(&requested.underlying);
-    let computed = algebra.inputs_below(&requested.scalars);
+    let mut needed = dependence::inputs_below(algebra, &requested.underlying);
+    let computed = dependence::inputs_below(algebra, &requested.scalars);
     needed.extend(&requested.variables);
     for (&input, &origin) in definition.inputs.iter().zip(&definition.input_origins) {
         if !needed.contains(&input) {

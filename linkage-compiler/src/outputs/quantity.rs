@@ -1,5 +1,14 @@
 //! Requested quantities as graph nodes: values, derivatives, sensitivities, margins.
 
+use crate::algebra::adjoint;
+use crate::algebra::dependence;
+use crate::algebra::frame;
+use crate::algebra::links;
+use crate::algebra::scalar;
+use crate::algebra::translate;
+use crate::algebra::turns;
+use crate::algebra::via_slider;
+use crate::forces::quantities;
 use linkage_symbolic::{Ex, SymbolId, Vector, Vn};
 
 use crate::algebra::{Algebra, Direction, Shortcuts, Translate, Value};
@@ -39,7 +48,7 @@ pub(super) fn request<'m>(
     definition: &EvaluatorDef,
     way: Way,
 ) -> Requested<'m> {
-    if state.algebra.use_shortcuts(way.shortcuts) {
+    if links::use_shortcuts(state.algebra, way.shortcuts) {
         state.forces.forget_derivatives();
     }
     let mut request = Request {
@@ -105,7 +114,7 @@ impl<'m> Request<'_, 'm> {
             value if !self.way.other_sides => value,
             Value::Vector(vector) if vector.len() == 2 => {
                 let plane = Vector([vector.at(0), vector.at(1)]);
-                Value::Vector(self.algebra.by_other_sides(plane).into())
+                Value::Vector(via_slider::by_other_sides(self.algebra, plane).into())
             }
             Value::Array(entries) => {
                 let entries = entries.into_iter();
@@ -122,13 +131,13 @@ impl<'m> Request<'_, 'm> {
                 let entries = entries.into_iter().zip(types);
                 Value::Array(entries.map(|(entry, ty)| self.in_unit(entry, ty)).collect())
             }
-            (value, ty) => divided(value, self.algebra.internal_per_unit(ty)),
+            (value, ty) => divided(value, translate::internal_per_unit(self.algebra, ty)),
         }
     }
 
     fn flatten(&self, value: &Value<'m>, scalars: &mut Vec<Ex<'m>>) {
         match value {
-            Value::Scalar(scalar) => scalars.push(self.algebra.value_of(scalar)),
+            Value::Scalar(scalar) => scalars.push(scalar::value_of(self.algebra, scalar)),
             Value::Vector(vector) => scalars.extend(vector.iter()),
             Value::Array(entries) => entries
                 .iter()
@@ -145,7 +154,7 @@ impl<'m> Request<'_, 'm> {
             let listed = &self.definition.inputs;
             let all = 0..formulation.groups.len();
             let mut determined = |group: &usize| {
-                let inputs = self.algebra.inputs_below(&[margin_of(*group)]);
+                let inputs = dependence::inputs_below(self.algebra, &[margin_of(*group)]);
                 inputs.iter().all(|input| listed.contains(input))
             };
             groups = all.clone().filter(&mut determined).collect();
@@ -185,7 +194,7 @@ impl<'m> Request<'_, 'm> {
         };
         let slope = self.slope(value, symbol, direction);
         // By the field, which is given in its own unit.
-        let field_unit = ty.map_or(1.0, |ty| self.algebra.internal_per_unit(&ty));
+        let field_unit = ty.map_or(1.0, |ty| translate::internal_per_unit(self.algebra, &ty));
         divided(slope, field_unit)
     }
 
@@ -193,11 +202,11 @@ impl<'m> Request<'_, 'm> {
         let algebra = &mut *self.algebra;
         match value {
             Value::Scalar(scalar) => {
-                let x = algebra.value_of(scalar);
-                algebra.derivative(x, variable, direction).into()
+                let x = scalar::value_of(algebra, scalar);
+                adjoint::derivative(algebra, x, variable, direction).into()
             }
             Value::Vector(vector) => {
-                Value::Vector(vector.map(|x| algebra.derivative(x, variable, direction)))
+                Value::Vector(vector.map(|x| adjoint::derivative(algebra, x, variable, direction)))
             }
             Value::Array(entries) => {
                 let entries = entries.iter();
@@ -232,11 +241,11 @@ impl<'m> Request<'_, 'm> {
     fn turning(&mut self, frame: &Value<'m>, order: u8) -> Value<'m> {
         self.by_each_input(|request, input| {
             let variable = request.algebra.variable(Variable::Input(input));
-            let turning = match request.algebra.turn_of_frame(frame, variable) {
+            let turning = match turns::turn_of_frame(request.algebra, frame, variable) {
                 Some(turn) => turn,
                 None => {
                     let slope = request.derivative(frame, Variable::Input(input));
-                    request.algebra.turning_of_frame(frame, &slope)
+                    frame::turning_of_frame(request.algebra, frame, &slope)
                 }
             };
             request.by_inputs(&turning, order - 1)
@@ -292,7 +301,7 @@ impl<'m> Translate<'m> for Request<'_, 'm> {
                 let motion = listed.iter().filter(|&&input| !mechanism.is_load(input));
                 self.requested.variables.extend(motion);
                 let mut mechanics = self.forces.at(self.algebra, listed, self.with_reactions);
-                mechanics.quantity(quantity)
+                quantities::quantity(&mut mechanics, quantity)
             }
             ExprKind::Picture(_) => {
                 let vectors = self.drawn.iter().copied();
@@ -311,7 +320,7 @@ impl<'m> Translate<'m> for Request<'_, 'm> {
             | ExprKind::Negate(_)
             | ExprKind::Binary(..)
             | ExprKind::Call(..)
-            | ExprKind::Course(_)
+            | ExprKind::MotionLaw(_)
             | ExprKind::Error => unreachable!("no quantity: translated as it stands"),
         }
     }

@@ -1,5 +1,7 @@
 //! What a unit says beside its programs: what goes in, and what was found out about the groups.
 
+use crate::algebra::constant_ratio;
+use crate::algebra::dependence;
 use std::collections::BTreeSet;
 
 use linkage_core::range_check::Slack;
@@ -26,7 +28,7 @@ pub(super) fn signature<'m>(
     } = at;
     let mechanism = algebra.mechanism;
     let parameters = mechanism.parameters.iter().map(|parameter| {
-        let shape = Shape::of(&parameter.ty);
+        let shape = Shape::from_type(&parameter.ty);
         let first = parameter.first_scalar.0;
         let scalars = (first..first + shape.width()).map(|index| {
             let scalar = &mechanism.scalar_parameters[index];
@@ -52,7 +54,7 @@ pub(super) fn signature<'m>(
         reference: nominal.inputs[index],
         range: nominal.ranges[index],
         followed: followed_range(algebra, nominal, index),
-        rates: algebra.candidate_rates(index),
+        rates: constant_ratio::candidate_rates(algebra, index),
     });
     let arguments = mechanism.arguments.iter().enumerate();
     let arguments = arguments.map(|(index, argument)| Argument {
@@ -110,7 +112,7 @@ fn own_parameters(algebra: &Algebra, formulation: &Formulation) -> Vec<Vec<usize
             needs.extend(coefficients.flat_map(|x| x.components()));
         }
         // What groups before are made of has been looked at.
-        let symbols = algebra.add_symbols_below(&needs, &mut seen).into_iter();
+        let symbols = dependence::add_symbols_below(algebra, &needs, &mut seen).into_iter();
         let mut parameters: Vec<usize> = symbols
             .filter_map(|symbol| match algebra.graph.symbol(symbol).source {
                 Some(Source::Parameter(index)) => Some(index),

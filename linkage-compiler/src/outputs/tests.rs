@@ -6,6 +6,7 @@ mod forces;
 mod space;
 mod units;
 
+use crate::algebra::preaccumulation;
 use linkage_core::numeric::continuation::Terms;
 use linkage_random::Random;
 use linkage_symbolic::program::Source;
@@ -77,7 +78,7 @@ fn expect_agreement(items: &str, function: &str) {
         let requested = request(&mut state, function, way);
         assert!(!requested.sensed.is_empty());
         // Forward is the first.
-        algebra.find_narrow_places(&requested.sensed);
+        preaccumulation::find_narrow_places(&mut algebra, &requested.sensed);
         requested.scalars
     });
     let results: Vec<Vec<Ex>> = results.collect();
@@ -98,7 +99,7 @@ fn expect_agreement(items: &str, function: &str) {
     let mut random = Random::new(1);
     let mut compared = 0;
     for _ in 0..8 {
-        let position = Position::new(&nominal, &mut random);
+        let position = new(&nominal, &mut random);
         let states = states(&formulation, &reference, &position);
         let at = At { position, states };
         compared += compare(&results, &at, &mut random);
@@ -115,37 +116,35 @@ struct Position {
     modes: Vec<f64>,
 }
 
-impl Position {
-    fn new(nominal: &Nominal, random: &mut Random) -> Self {
-        let vary = |values: &[f64], random: &mut Random| -> Vec<f64> {
-            let varied = values
-                .iter()
-                .map(|x| x + 0.05 * random.between(-1.0, 1.0) * x.abs());
-            varied.collect()
-        };
-        Self {
-            parameters: vary(&nominal.parameters, random),
-            inputs: vary(&nominal.inputs, random),
-            arguments: (0..4).map(|_| 5.0 * random.between(-1.0, 1.0)).collect(),
-            modes: (0..8).map(|_| random.between(-1.0, 1.0).signum()).collect(),
-        }
+fn new(nominal: &Nominal, random: &mut Random) -> Position {
+    let vary = |values: &[f64], random: &mut Random| -> Vec<f64> {
+        let varied = values
+            .iter()
+            .map(|x| x + 0.05 * random.between(-1.0, 1.0) * x.abs());
+        varied.collect()
+    };
+    Position {
+        parameters: vary(&nominal.parameters, random),
+        inputs: vary(&nominal.inputs, random),
+        arguments: (0..4).map(|_| 5.0 * random.between(-1.0, 1.0)).collect(),
+        modes: (0..8).map(|_| random.between(-1.0, 1.0).signum()).collect(),
     }
+}
 
-    /// Parameters and inputs are multiplied by `noise`.
-    fn load(&self, source: Source, states: &[Vec<f64>], noise: &[f64]) -> f64 {
-        match source {
-            Source::Parameter(k) => self.parameters[k] * noise[k],
-            Source::Input(k) => {
-                let all = self.inputs.iter().chain(&self.arguments);
-                all.copied().nth(k).unwrap_or(f64::NAN) * noise[39 - k]
-            }
-            Source::Mode(k) => self.modes[k],
-            Source::Centre(_) => 0.3,
-            Source::Winding(..) => 0.0,
-            Source::State(group, component) => states[group][component],
-            Source::Limit => 1e-7,
-            Source::Prepared(_) | Source::Carried(_) => f64::NAN,
+/// Parameters and inputs are multiplied by `noise`.
+fn load(position: &Position, source: Source, states: &[Vec<f64>], noise: &[f64]) -> f64 {
+    match source {
+        Source::Parameter(k) => position.parameters[k] * noise[k],
+        Source::Input(k) => {
+            let all = position.inputs.iter().chain(&position.arguments);
+            all.copied().nth(k).unwrap_or(f64::NAN) * noise[39 - k]
         }
+        Source::Mode(k) => position.modes[k],
+        Source::Centre(_) => 0.3,
+        Source::Winding(..) => 0.0,
+        Source::State(group, component) => states[group][component],
+        Source::Limit => 1e-7,
+        Source::Prepared(_) | Source::Carried(_) => f64::NAN,
     }
 }
 
@@ -154,7 +153,7 @@ fn states(formulation: &Formulation, reference: &Reference, position: &Position)
     let mut states = reference.machine.states(&position.inputs);
     for prepared in formulation.prepared() {
         for _ in 0..8 {
-            let load = |source| position.load(source, &states, &[1.0; 40]);
+            let load = |source| load(position, source, &states, &[1.0; 40]);
             let stepped = evaluate(&prepared.step, load);
             let state = &mut states[prepared.number];
             state[..prepared.size].copy_from_slice(&stepped[..prepared.size]);
@@ -176,7 +175,7 @@ fn compare(results: &[Vec<Ex>], at: &At, random: &mut Random) -> usize {
     let run = |scalars: &[Ex], noise: f64, random: &mut Random| {
         let noise = [0; 40].map(|_| 1.0 + noise * random.between(-1.0, 1.0));
         evaluate(scalars, |source| {
-            at.position.load(source, &at.states, &noise)
+            load(&at.position, source, &at.states, &noise)
         })
     };
     let (forward, others) = results.split_first().expect("several ways");

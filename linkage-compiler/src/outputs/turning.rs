@@ -1,5 +1,6 @@
 //! The angles whose values are used, and what their turns are counted by.
 
+use crate::algebra::dependence;
 use linkage_symbolic::Ex;
 
 use crate::algebra::{Algebra, Nominal, Phasor};
@@ -19,7 +20,7 @@ pub(super) fn continuous<'m>(
         coefficients.extend(phasors.iter().flat_map(|own| own.coefficient.components()));
         ContinuousAngle {
             unknown: angle.meant().unwrap_or(0),
-            inputs: algebra.inputs_below(&angle.unit.0),
+            inputs: dependence::inputs_below(algebra, &angle.unit.0),
             estimate: angle.estimate(nominal),
             phases: phasors.iter().map(|own| phase(algebra, own)).collect(),
         }

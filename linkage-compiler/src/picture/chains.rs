@@ -1,5 +1,12 @@
 //! Sums of vectors as chains: from a point, each term is a step to the next.
 
+use crate::algebra::translate;
+use crate::picture::frames;
+use crate::picture::loops;
+use crate::picture::parts;
+use crate::picture::starts;
+use crate::picture::terms;
+use crate::picture::titles;
 use linkage_symbolic::unordered::Set;
 
 use linkage_symbolic::Vn;
@@ -79,14 +86,14 @@ impl<'a, 'm> Sketch<'a, 'm> {
             return None;
         }
         let mut terms = Vec::new();
-        self.terms(expr, 1.0, None, &mut terms);
+        terms::collect_terms(self, expr, 1.0, None, &mut terms);
         self.chain(terms)
     }
 
     /// The point at the end of a sum; `None` if the sum is no point.
     pub(super) fn chain(&mut self, mut terms: Vec<Term<'m>>) -> Option<usize> {
-        let total: f64 = terms.iter().map(|term| self.weight_of(term)).sum();
-        let is_weighted = |term: &Term| self.weight_of(term) != 0.0;
+        let total: f64 = terms.iter().map(|term| terms::weight_of(self, term)).sum();
+        let is_weighted = |term: &Term| terms::weight_of(self, term) != 0.0;
         let weighted: Vec<usize> = (0..terms.len())
             .filter(|&k| is_weighted(&terms[k]))
             .collect();
@@ -95,7 +102,7 @@ impl<'a, 'm> Sketch<'a, 'm> {
             [] => self.fixed_start(&mut terms),
             [one] if total == 1.0 => {
                 let term = terms.remove(one);
-                self.start(term.expr)
+                starts::start(self, term.expr)
             }
             // A mean of points is a point without a chain.
             _ if total == 1.0 => return Some(self.sum(&terms)),
@@ -112,7 +119,7 @@ impl<'a, 'm> Sketch<'a, 'm> {
     fn fixed_start(&mut self, terms: &mut Vec<Term<'m>>) -> usize {
         let (moving, fixed): (Vec<_>, Vec<_>) = std::mem::take(terms)
             .into_iter()
-            .partition(|term| self.moves_of(term) != Moves::Not);
+            .partition(|term| parts::moves_of(self, term) != Moves::Not);
         *terms = moving;
         let point = self.sum(&fixed);
         if let [term] = &fixed[..]
@@ -120,9 +127,9 @@ impl<'a, 'm> Sketch<'a, 'm> {
             && term.part.is_none()
             && let ExprKind::Name(Name::Parameter(_) | Name::Const(_)) = term.expr.kind
         {
-            self.name(point, 2, term.expr);
+            titles::name(self, point, 2, term.expr);
         }
-        self.carried(point);
+        frames::carried(self, point);
         point
     }
 
@@ -130,25 +137,25 @@ impl<'a, 'm> Sketch<'a, 'm> {
     fn sum(&mut self, terms: &[Term<'m>]) -> usize {
         let start = self.algebra.graph.zeros(self.dimension);
         let sum = terms.iter().fold(start, |sum, term| {
-            let step = self.step_of(term);
+            let step = parts::step_of(self, term);
             moved(sum, step, term.sign)
         });
         self.point(sum)
     }
 
     fn step(&mut self, from: usize, term: Term<'m>) -> usize {
-        let step = self.step_of(&term);
-        let (way, own) = (self.seen_way(step), &self.points[from]);
+        let step = parts::step_of(self, &term);
+        let (way, own) = (frames::seen_way(self, step), &self.points[from]);
         let to = self.spot(
             moved(own.at, way, term.sign),
             moved(own.own, step, term.sign),
         );
-        for turn in self.turns_of(&term) {
-            let along = self.seen_way(turn.along);
+        for turn in parts::turns_of(self, &term) {
+            let along = frames::seen_way(self, turn.along);
             let turn = Turn { along, ..turn };
             // What turns with the step before does not turn against it.
             if !self.turns.contains(&(from, turn)) {
-                self.axis(from, turn.along);
+                parts::axis(self, from, turn.along);
             }
             self.turns.push((to, turn));
         }
@@ -158,7 +165,10 @@ impl<'a, 'm> Sketch<'a, 'm> {
                 Some(text(1 + self.remoteness)(name)),
                 Shape::Term(term.sign, term.expr),
             ),
-            (None, None) => (self.title(term.expr), Shape::Term(term.sign, term.expr)),
+            (None, None) => (
+                titles::title(self, term.expr),
+                Shape::Term(term.sign, term.expr),
+            ),
             (name, Some(part)) => {
                 let named = name.map(text(1 + self.remoteness));
                 let title = named.or(part.title);
@@ -188,7 +198,8 @@ impl<'a, 'm> Sketch<'a, 'm> {
         match &expr.ty {
             Type::Vector(count, dimension) => {
                 let is_flat = (*count, self.dimension) == (2, 3);
-                let is_drawn = *count == self.dimension || is_flat && !self.is_projection(expr);
+                let is_drawn =
+                    *count == self.dimension || is_flat && !loops::is_projection(self, expr);
                 is_drawn && dimension.half_lengths == 2
             }
             Type::Zero(_) => true,
@@ -200,12 +211,12 @@ impl<'a, 'm> Sketch<'a, 'm> {
 
     pub(super) fn vector(&mut self, expr: &Expr) -> Vn<'m> {
         let value = self.algebra.translate(expr);
-        self.algebra.vector(&value).resized(self.dimension)
+        translate::vector(self.algebra, &value).resized(self.dimension)
     }
 
     /// The point with these coordinates.
     pub(super) fn point(&mut self, own: Vn<'m>) -> usize {
-        let at = self.seen_point(own);
+        let at = frames::seen_point(self, own);
         self.spot(at, own)
     }
 

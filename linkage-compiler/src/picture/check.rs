@@ -3,7 +3,7 @@
 use crate::diagnostic::text::list;
 use crate::diagnostic::{OriginId, Reporter};
 use crate::ir::{Picture, PointKind};
-use crate::words::numbers;
+use crate::message_format::numbers;
 
 use super::chains::Sketch;
 use super::marks::Asked;

@@ -24,170 +24,165 @@ struct Wheel {
     angle: BTreeSet<SymbolId>,
 }
 
-impl<'m> Sketch<'_, 'm> {
-    /// The input that is a length in an expression.
-    pub(super) fn driving(&self, expr: &Expr) -> Option<usize> {
-        let mechanism = self.algebra.mechanism;
-        expr.parts().find_map(|part| match part.as_name()? {
-            Name::Input(input) => {
-                let is_length = mechanism.inputs[input].dimension.fits(Dimension::LENGTH);
-                is_length.then_some(input)
-            }
-            name => self.driving(mechanism.value_of(name)?),
-        })
-    }
-
-    /// For each input a link that it turns, or the guide that is called after it. Points are those of the picture, `place` tells
-    /// which.
-    pub(super) fn drives(
-        &self,
-        picture: &Picture,
-        place: &dyn Fn(usize) -> Option<usize>,
-    ) -> Vec<Drive> {
-        let links = &ByPoint::of_lists(picture.links.iter().map(|link| &link.points));
-        // What turns each step, and the steps that each symbol turns.
-        let steps = self.segments.iter().filter_map(|own| {
-            let ends = ends(own, picture, links, place)?;
-            Some((self.turning(own.step), ends))
-        });
-        let steps: Vec<(BTreeSet<SymbolId>, [usize; 2])> = steps.collect();
-        let mut turned: Map<SymbolId, Vec<usize>> = Map::new();
-        for (index, (angle, _)) in steps.iter().enumerate() {
-            for &symbol in angle {
-                turned.entry(symbol).or_default().push(index);
-            }
+/// The input that is a length in an expression.
+pub(super) fn driving(sketch: &Sketch<'_, '_>, expr: &Expr) -> Option<usize> {
+    let mechanism = sketch.algebra.mechanism;
+    expr.parts().find_map(|part| match part.as_name()? {
+        Name::Input(input) => {
+            let is_length = mechanism.inputs[input].dimension.fits(Dimension::LENGTH);
+            is_length.then_some(input)
         }
-        // The ends of the step that fewest others turn, too.
-        let turned_by = |input: usize| {
-            let symbol = self.algebra.graph.find_source(Source::Input(input))?;
-            let all = turned.get(&symbol)?.iter().map(|&index| &steps[index]);
-            let (_, ends) = all.min_by_key(|(angle, _)| angle.len())?;
-            Some(*ends)
-        };
-        let inputs = self.algebra.mechanism.inputs.iter().enumerate();
-        let drives = inputs.filter_map(|(input, own)| {
-            let mut guides = picture.guides.iter();
-            let slides = guides.position(|guide| guide.name == own.name);
-            let on = match slides {
-                Some(guide) => DriveOn::Slide(guide),
-                None => DriveOn::Turn(turned_by(input)?),
-            };
-            Some(Drive { input, on })
-        });
-        drives.collect()
-    }
+        name => driving(sketch, mechanism.value_of(name)?),
+    })
+}
 
-    /// Wheels that turn by one angle, or by angles with a relation between them. The first one of several turns the others.
-    pub(super) fn gears(
-        &self,
-        picture: &Picture,
-        place: &dyn Fn(usize) -> Option<usize>,
-        seen: &Seen,
-    ) -> Vec<Gear> {
-        let wheels = self.wheels(picture, place, seen);
-        let loops = self.algebra.mechanism.loops.iter();
-        let relations: Vec<BTreeSet<SymbolId>> = loops
-            .filter(|own| relates_angles(own))
-            .map(|own| self.related(own))
-            .collect();
-        let belong = |a: &Wheel, b: &Wheel| {
-            // Links that turn alike are held together by something else than wheels.
-            let differ = a.angle == b.angle && !seen.turn_alike(a.segment, b.segment);
-            // Parts on one shaft are each driven by it.
-            let differ = differ && !are_of_two_parts(picture, a.end, b.end);
-            let has_both =
-                |own: &BTreeSet<SymbolId>| a.angle.is_subset(own) && b.angle.is_subset(own);
-            differ || relations.iter().any(has_both)
-        };
-        let mut candidates = Candidates::new(&relations);
-        let mut gears = Vec::new();
-        for (index, own) in wheels.iter().enumerate() {
-            let mut before = candidates.before(&own.angle).into_iter();
-            let turning = before.find(|&other| belong(&wheels[other], own));
-            candidates.add(index, &own.angle);
-            let turning = turning.map(|other| &wheels[other]);
-            gears.extend(turning.map(|other| Gear {
-                centres: [other.centre, own.centre],
-                ends: [other.end, own.end],
-            }));
+/// For each input a link that it turns, or the guide that is called after it. Points are those of the picture, `place` tells
+/// which.
+pub(super) fn drives(
+    sketch: &Sketch<'_, '_>,
+    picture: &Picture,
+    place: &dyn Fn(usize) -> Option<usize>,
+) -> Vec<Drive> {
+    let links = &ByPoint::of_lists(picture.links.iter().map(|link| &link.points));
+    // What turns each step, and the steps that each symbol turns.
+    let steps = sketch.segments.iter().filter_map(|own| {
+        let ends = ends(own, picture, links, place)?;
+        Some((turning(sketch, own.step), ends))
+    });
+    let steps: Vec<(BTreeSet<SymbolId>, [usize; 2])> = steps.collect();
+    let mut turned: Map<SymbolId, Vec<usize>> = Map::new();
+    for (index, (angle, _)) in steps.iter().enumerate() {
+        for &symbol in angle {
+            turned.entry(symbol).or_default().push(index);
         }
-        gears
     }
-
-    /// The links that turn about points of the frame, one for each point.
-    fn wheels(
-        &self,
-        picture: &Picture,
-        place: &dyn Fn(usize) -> Option<usize>,
-        seen: &Seen,
-    ) -> Vec<Wheel> {
-        let links = &ByPoint::of_lists(picture.links.iter().map(|link| &link.points));
-        let mut wheels: Vec<Wheel> = Vec::new();
-        let mut centres: Set<usize> = Set::new();
-        for segment in self.segments.iter() {
-            // A distance does not say what turns it.
-            let is_step = matches!(segment.shape, Shape::Term(..) | Shape::Part(..));
-            if !is_step || !seen.is_fixed(segment.from) {
-                continue;
-            }
-            let Some([centre, end]) = ends(segment, picture, links, place) else {
-                continue;
-            };
-            let angle = self.turning(segment.step);
-            if !centres.contains(&centre) && self.is_one_angle(&angle) {
-                centres.insert(centre);
-                wheels.push(Wheel {
-                    centre,
-                    end,
-                    segment: (segment.from, segment.to),
-                    angle,
-                });
-            }
-        }
-        wheels
-    }
-
-    /// What a step turns by.
-    fn turning(&self, step: Vn) -> BTreeSet<SymbolId> {
-        let graph = self.algebra.graph;
-        let all = graph.symbols_of(step.ids()).into_iter();
-        let moves = |own: &SymbolId| {
-            let source = graph.symbol(*own).source;
-            !matches!(source, Some(Source::Parameter(_)))
+    // The ends of the step that fewest others turn, too.
+    let turned_by = |input: usize| {
+        let symbol = sketch.algebra.graph.find_source(Source::Input(input))?;
+        let all = turned.get(&symbol)?.iter().map(|&index| &steps[index]);
+        let (_, ends) = all.min_by_key(|(angle, _)| angle.len())?;
+        Some(*ends)
+    };
+    let inputs = sketch.algebra.mechanism.inputs.iter().enumerate();
+    let drives = inputs.filter_map(|(input, own)| {
+        let mut guides = picture.guides.iter();
+        let slides = guides.position(|guide| guide.name == own.name);
+        let on = match slides {
+            Some(guide) => DriveOn::Slide(guide),
+            None => DriveOn::Turn(turned_by(input)?),
         };
-        all.filter(moves).collect()
-    }
+        Some(Drive { input, on })
+    });
+    drives.collect()
+}
 
-    fn is_one_angle(&self, all: &BTreeSet<SymbolId>) -> bool {
-        // An angle has three symbols.
-        let few = all.len() <= 3;
-        let mut angles = self.algebra.names.angles.iter().map(|own| own.symbols());
-        let is_unknown = few && angles.any(|own| all.iter().all(|symbol| own.contains(symbol)));
-        let graph = self.algebra.graph;
-        let mut sources = all.iter().map(|own| graph.symbol(*own).source);
-        let is_input = all.len() == 1 && sources.all(|own| matches!(own, Some(Source::Input(_))));
-        !all.is_empty() && (is_unknown || is_input)
+/// Wheels that turn by one angle, or by angles with a relation between them. The first one of several turns the others.
+pub(super) fn gears(
+    sketch: &Sketch<'_, '_>,
+    picture: &Picture,
+    place: &dyn Fn(usize) -> Option<usize>,
+    seen: &Seen,
+) -> Vec<Gear> {
+    let wheels = wheels(sketch, picture, place, seen);
+    let loops = sketch.algebra.mechanism.loops.iter();
+    let relations: Vec<BTreeSet<SymbolId>> = loops
+        .filter(|own| relates_angles(own))
+        .map(|own| related(sketch, own))
+        .collect();
+    let belong = |a: &Wheel, b: &Wheel| {
+        // Links that turn alike are held together by something else than wheels.
+        let differ = a.angle == b.angle && !seen.turn_alike(a.segment, b.segment);
+        // Parts on one shaft are each driven by it.
+        let differ = differ && !are_of_two_parts(picture, a.end, b.end);
+        let has_both = |own: &BTreeSet<SymbolId>| a.angle.is_subset(own) && b.angle.is_subset(own);
+        differ || relations.iter().any(has_both)
+    };
+    let mut candidates = Candidates::new(&relations);
+    let mut gears = Vec::new();
+    for (index, own) in wheels.iter().enumerate() {
+        let mut before = candidates.before(&own.angle).into_iter();
+        let turning = before.find(|&other| belong(&wheels[other], own));
+        candidates.add(index, &own.angle);
+        let turning = turning.map(|other| &wheels[other]);
+        gears.extend(turning.map(|other| Gear {
+            centres: [other.centre, own.centre],
+            ends: [other.end, own.end],
+        }));
     }
+    gears
+}
 
-    /// All symbols of the angles that an equation names.
-    fn related(&self, own: &Loop) -> BTreeSet<SymbolId> {
-        let names = &self.algebra.names;
-        let parts = own.left.parts().chain(own.right.parts());
-        let symbols = parts.filter_map(|part| match part.as_name()? {
-            Name::Input(input) => {
-                let source = Source::Input(input);
-                Some(vec![self.algebra.graph.find_source(source)?])
-            }
-            Name::Unknown(unknown) => match names.bound[unknown] {
-                Bound::Angle(angle) => Some(names.angles[angle].symbols().to_vec()),
-                Bound::Lengths(_) => None,
-            },
-            Name::Const(_) | Name::Parameter(_) | Name::Let(_) | Name::Argument(_) | Name::Pi => {
-                None
-            }
-        });
-        symbols.flatten().collect()
+/// The links that turn about points of the frame, one for each point.
+fn wheels(
+    sketch: &Sketch<'_, '_>,
+    picture: &Picture,
+    place: &dyn Fn(usize) -> Option<usize>,
+    seen: &Seen,
+) -> Vec<Wheel> {
+    let links = &ByPoint::of_lists(picture.links.iter().map(|link| &link.points));
+    let mut wheels: Vec<Wheel> = Vec::new();
+    let mut centres: Set<usize> = Set::new();
+    for segment in sketch.segments.iter() {
+        // A distance does not say what turns it.
+        let is_step = matches!(segment.shape, Shape::Term(..) | Shape::Part(..));
+        if !is_step || !seen.is_fixed(segment.from) {
+            continue;
+        }
+        let Some([centre, end]) = ends(segment, picture, links, place) else {
+            continue;
+        };
+        let angle = turning(sketch, segment.step);
+        if !centres.contains(&centre) && is_one_angle(sketch, &angle) {
+            centres.insert(centre);
+            wheels.push(Wheel {
+                centre,
+                end,
+                segment: (segment.from, segment.to),
+                angle,
+            });
+        }
     }
+    wheels
+}
+
+/// What a step turns by.
+fn turning(sketch: &Sketch<'_, '_>, step: Vn) -> BTreeSet<SymbolId> {
+    let graph = sketch.algebra.graph;
+    let all = graph.symbols_of(step.ids()).into_iter();
+    let moves = |own: &SymbolId| {
+        let source = graph.symbol(*own).source;
+        !matches!(source, Some(Source::Parameter(_)))
+    };
+    all.filter(moves).collect()
+}
+
+fn is_one_angle(sketch: &Sketch<'_, '_>, all: &BTreeSet<SymbolId>) -> bool {
+    // An angle has three symbols.
+    let few = all.len() <= 3;
+    let mut angles = sketch.algebra.names.angles.iter().map(|own| own.symbols());
+    let is_unknown = few && angles.any(|own| all.iter().all(|symbol| own.contains(symbol)));
+    let graph = sketch.algebra.graph;
+    let mut sources = all.iter().map(|own| graph.symbol(*own).source);
+    let is_input = all.len() == 1 && sources.all(|own| matches!(own, Some(Source::Input(_))));
+    !all.is_empty() && (is_unknown || is_input)
+}
+
+/// All symbols of the angles that an equation names.
+fn related(sketch: &Sketch<'_, '_>, own: &Loop) -> BTreeSet<SymbolId> {
+    let names = &sketch.algebra.names;
+    let parts = own.left.parts().chain(own.right.parts());
+    let symbols = parts.filter_map(|part| match part.as_name()? {
+        Name::Input(input) => {
+            let source = Source::Input(input);
+            Some(vec![sketch.algebra.graph.find_source(source)?])
+        }
+        Name::Unknown(unknown) => match names.bound[unknown] {
+            Bound::Angle(angle) => Some(names.angles[angle].symbols().to_vec()),
+            Bound::Lengths(_) => None,
+        },
+        Name::Const(_) | Name::Parameter(_) | Name::Let(_) | Name::Argument(_) | Name::Pi => None,
+    });
+    symbols.flatten().collect()
 }
 
 /// The points of a segment, if they belong to one link of the picture.

@@ -1,5 +1,7 @@
 //! Parts of a machine that stand elsewhere: where the coordinates that they are written in are in the drawing.
 
+use crate::algebra::calls;
+use crate::algebra::translate;
 use linkage_symbolic::{Ex, NodeId, Vector, Vn};
 
 use crate::algebra::{Algebra, Translate, Value};
@@ -33,10 +35,10 @@ impl<'m> Pose<'m> {
         let moves = both.map(|own| roles.moves(own)).max();
         let place = placed.at.as_ref().map(|at| match algebra.translate(at) {
             Value::Array(parts) => {
-                let axes = [1, 2, 3].map(|axis| algebra.vector(&parts[axis]));
+                let axes = [1, 2, 3].map(|axis| translate::vector(algebra, &parts[axis]));
                 Place::Frame(Value::Array(parts), axes)
             }
-            value => Place::Point(algebra.vector(&value)),
+            value => Place::Point(translate::vector(algebra, &value)),
         });
         Self {
             place,
@@ -50,8 +52,8 @@ impl<'m> Pose<'m> {
             None => self.way(own, algebra),
             Some(Place::Point(at)) => at.resized(own.len()) + self.way(own, algebra),
             Some(Place::Frame(frame, _)) => {
-                let seen = algebra.call(Function::PointIn, vec![frame.clone(), own.into()]);
-                algebra.vector(&seen)
+                let seen = calls::call(algebra, Function::PointIn, vec![frame.clone(), own.into()]);
+                translate::vector(algebra, &seen)
             }
         }
     }
@@ -60,8 +62,9 @@ impl<'m> Pose<'m> {
     fn way(&self, own: Vn<'m>, algebra: &mut Algebra<'m>) -> Vn<'m> {
         match (&self.turned, &self.place) {
             (Some(angle), _) => {
-                let turned = algebra.call(Function::Rotate, vec![own.into(), angle.clone()]);
-                let turned = algebra.vector(&turned);
+                let turned =
+                    calls::call(algebra, Function::Rotate, vec![own.into(), angle.clone()]);
+                let turned = translate::vector(algebra, &turned);
                 // In a picture of space it turns about z.
                 let third = own.iter().skip(2);
                 let components: Vec<NodeId> = turned.iter().chain(third).map(Ex::id).collect();
@@ -79,81 +82,83 @@ impl<'m> Pose<'m> {
     }
 }
 
-impl<'m> Sketch<'_, 'm> {
-    /// Looks at something that is written in other coordinates.
-    pub(super) fn within<T>(&mut self, frames: Frames, look: impl FnOnce(&mut Self) -> T) -> T {
-        let before = std::mem::replace(&mut self.frames, frames);
-        let found = look(self);
-        self.frames = before;
-        found
-    }
+/// Looks at something that is written in other coordinates.
+pub(super) fn within<'m, T>(
+    sketch: &mut Sketch<'_, 'm>,
+    frames: Frames,
+    look: impl FnOnce(&mut Sketch<'_, 'm>) -> T,
+) -> T {
+    let before = std::mem::replace(&mut sketch.frames, frames);
+    let found = look(sketch);
+    sketch.frames = before;
+    found
+}
 
-    /// A point of a part that stands elsewhere, the coordinates that it is written in, and how.
-    pub(super) fn elsewhere(&self, expr: &'m Expr) -> Option<(Frames, &'m Expr)> {
-        let (index, own) = self.algebra.mechanism.standing(expr)?;
-        Some((self.frames_from(index), own))
-    }
+/// A point of a part that stands elsewhere, the coordinates that it is written in, and how.
+pub(super) fn elsewhere<'m>(sketch: &Sketch<'_, 'm>, expr: &'m Expr) -> Option<(Frames, &'m Expr)> {
+    let (index, own) = sketch.algebra.mechanism.standing(expr)?;
+    Some((frames_from(sketch, index), own))
+}
 
-    /// The coordinates of a placed part, and those around it.
-    fn frames_from(&self, index: usize) -> Frames {
-        let path = &self.algebra.mechanism.placed[index].path;
-        self.frames_around(|own| path == &own.path || is_in(path, own))
-    }
+/// The coordinates of a placed part, and those around it.
+fn frames_from(sketch: &Sketch<'_, '_>, index: usize) -> Frames {
+    let path = &sketch.algebra.mechanism.placed[index].path;
+    frames_around(sketch, |own| path == &own.path || is_in(path, own))
+}
 
-    /// The coordinates that a name is written in. Where a part stands is written around it.
-    pub(super) fn frames_of(&self, name: Name) -> Frames {
-        let text = self.algebra.mechanism.name(name);
-        let places = |placed: &Placed| {
-            let mut both = placed.at.iter().chain(&placed.turned);
-            both.any(|own| own.as_name() == Some(name))
-        };
-        self.frames_around(|own| is_in(text, own) && !places(own))
-    }
+/// The coordinates that a name is written in. Where a part stands is written around it.
+pub(super) fn frames_of(sketch: &Sketch<'_, '_>, name: Name) -> Frames {
+    let text = sketch.algebra.mechanism.name(name);
+    let places = |placed: &Placed| {
+        let mut both = placed.at.iter().chain(&placed.turned);
+        both.any(|own| own.as_name() == Some(name))
+    };
+    frames_around(sketch, |own| is_in(text, own) && !places(own))
+}
 
-    pub(super) fn frames_of_loop(&self, index: usize) -> Frames {
-        self.frames_around(|own| own.loops.contains(&index))
-    }
+pub(super) fn frames_of_loop(sketch: &Sketch<'_, '_>, index: usize) -> Frames {
+    frames_around(sketch, |own| own.loops.contains(&index))
+}
 
-    fn frames_around(&self, has: impl Fn(&Placed) -> bool) -> Frames {
-        let placed = &self.algebra.mechanism.placed;
-        let mut frames: Frames = (0..placed.len()).filter(|&own| has(&placed[own])).collect();
-        frames.sort_by_key(|&own| std::cmp::Reverse(placed[own].path.len()));
-        frames
-    }
+fn frames_around(sketch: &Sketch<'_, '_>, has: impl Fn(&Placed) -> bool) -> Frames {
+    let placed = &sketch.algebra.mechanism.placed;
+    let mut frames: Frames = (0..placed.len()).filter(|&own| has(&placed[own])).collect();
+    frames.sort_by_key(|&own| std::cmp::Reverse(placed[own].path.len()));
+    frames
+}
 
-    /// Where a point of the present coordinates is in the drawing.
-    pub(super) fn seen_point(&mut self, own: Vn<'m>) -> Vn<'m> {
-        let poses = self.frames.iter().map(|&frame| &self.poses[frame]);
-        poses.fold(own, |own, pose| pose.point(own, self.algebra))
-    }
+/// Where a point of the present coordinates is in the drawing.
+pub(super) fn seen_point<'m>(sketch: &mut Sketch<'_, 'm>, own: Vn<'m>) -> Vn<'m> {
+    let poses = sketch.frames.iter().map(|&frame| &sketch.poses[frame]);
+    poses.fold(own, |own, pose| pose.point(own, sketch.algebra))
+}
 
-    /// Where a step or a direction of the present coordinates leads in the drawing.
-    pub(super) fn seen_way(&mut self, own: Vn<'m>) -> Vn<'m> {
-        let poses = self.frames.iter().map(|&frame| &self.poses[frame]);
-        poses.fold(own, |own, pose| pose.way(own, self.algebra))
-    }
+/// Where a step or a direction of the present coordinates leads in the drawing.
+pub(super) fn seen_way<'m>(sketch: &mut Sketch<'_, 'm>, own: Vn<'m>) -> Vn<'m> {
+    let poses = sketch.frames.iter().map(|&frame| &sketch.poses[frame]);
+    poses.fold(own, |own, pose| pose.way(own, sketch.algebra))
+}
 
-    /// What does not move in coordinates that do is a point of what carries them.
-    pub(super) fn carried(&mut self, point: usize) {
-        let moves = |&frame: &usize| self.poses[frame].moves != Moves::Not;
-        let Some(moving) = self.frames.iter().position(moves) else {
-            return;
-        };
-        let around = self.frames[moving..].to_vec();
-        let origin = self.within(around, |sketch| {
-            let zero = sketch.algebra.graph.zeros(sketch.dimension);
-            sketch.point(zero)
-        });
-        // The part that the moving one is a part of, if it is one itself.
-        let mechanism = self.algebra.mechanism;
-        let path = &mechanism.placed[self.frames[moving]].path;
-        let mut parts = mechanism.parts.iter();
-        let carrier = parts.position(|part| {
-            let rest = path.strip_prefix(&part.name);
-            rest.is_some_and(|rest| rest.starts_with('.'))
-        });
-        self.segment(origin, point, None, Shape::Base(carrier));
-    }
+/// What does not move in coordinates that do is a point of what carries them.
+pub(super) fn carried(sketch: &mut Sketch<'_, '_>, point: usize) {
+    let moves = |&frame: &usize| sketch.poses[frame].moves != Moves::Not;
+    let Some(moving) = sketch.frames.iter().position(moves) else {
+        return;
+    };
+    let around = sketch.frames[moving..].to_vec();
+    let origin = within(sketch, around, |sketch| {
+        let zero = sketch.algebra.graph.zeros(sketch.dimension);
+        sketch.point(zero)
+    });
+    // The part that the moving one is a part of, if it is one itself.
+    let mechanism = sketch.algebra.mechanism;
+    let path = &mechanism.placed[sketch.frames[moving]].path;
+    let mut parts = mechanism.parts.iter();
+    let carrier = parts.position(|part| {
+        let rest = path.strip_prefix(&part.name);
+        rest.is_some_and(|rest| rest.starts_with('.'))
+    });
+    sketch.segment(origin, point, None, Shape::Base(carrier));
 }
 
 /// Whether a name is that of something in a placed part.

@@ -1,5 +1,11 @@
 //! Lines along which points slide.
 
+use crate::algebra::calls;
+use crate::algebra::dependence;
+use crate::algebra::translate;
+use crate::picture::drives;
+use crate::picture::frames;
+use crate::picture::parts;
 use linkage_symbolic::{Ex, NodeId, Vn};
 
 use crate::algebra::Translate;
@@ -50,11 +56,11 @@ impl<'m> Guides<'m> {
         for segment in sketch.segments.clone() {
             let (from, to) = (seen.same[segment.from], seen.same[segment.to]);
             if from != to && !is_rigid(&segment, seen) {
-                candidates.extend(sketch.slide(&segment, seen));
+                candidates.extend(slide(sketch, &segment, seen));
             }
         }
         for line in sketch.lines.clone() {
-            candidates.push(sketch.candidate(line));
+            candidates.push(candidate(sketch, line));
         }
         let known = seen.same.len();
         seen.add(&sketch.points[known..]);
@@ -120,169 +126,169 @@ impl<'m> Guides<'m> {
     }
 }
 
-impl<'m> Sketch<'_, 'm> {
-    /// The guide of a segment that changes its length.
-    fn slide(&mut self, segment: &Segment<'m>, seen: &Seen) -> Option<Candidate<'m>> {
-        let (mut origin, mut slider) = (segment.from, segment.to);
-        let from = self.points[segment.from].at;
-        let (sign, slide) = match segment.shape {
-            Shape::Term(sign, term) => {
-                let slide = self.direction_of(term)?;
-                (sign, self.seen_slide(slide, segment))
-            }
-            Shape::Part(sign, slide) => (sign, self.seen_slide(slide?, segment)),
-            Shape::Distance => {
-                // A cylinder hangs on its fixed end.
-                if seen.is_fixed(slider) {
-                    (origin, slider) = (slider, origin);
-                }
-                let slide = Slide {
-                    offset: None,
-                    along: (self.points[slider].at - self.points[origin].at).unit(),
-                    input: None,
-                };
-                (1.0, slide)
-            }
-            Shape::Body(_) | Shape::Frame(_) | Shape::Base(_) => return None,
-        };
-        let Slide {
-            offset,
-            along,
-            input,
-        } = slide;
-        // Towards where the slider goes as the length grows.
-        let signed = |vector: Vn<'m>| if sign > 0.0 { vector } else { -vector };
-        let (offset, along) = (offset.map(signed), signed(along));
-        if let Some(offset) = offset {
-            origin = self.point(from + offset);
+/// The guide of a segment that changes its length.
+fn slide<'m>(
+    sketch: &mut Sketch<'_, 'm>,
+    segment: &Segment<'m>,
+    seen: &Seen,
+) -> Option<Candidate<'m>> {
+    let (mut origin, mut slider) = (segment.from, segment.to);
+    let from = sketch.points[segment.from].at;
+    let (sign, slide) = match segment.shape {
+        Shape::Term(sign, term) => {
+            let slide = direction_of(sketch, term)?;
+            (sign, seen_slide(sketch, slide, segment))
         }
-        let inputs = &self.algebra.mechanism.inputs;
-        let name = match (input, &segment.title) {
-            (Some(input), _) => inputs[input].name.clone(),
-            (None, Some(title)) => title.text.clone(),
-            (None, None) => "slide".to_owned(),
-        };
-        Some(Candidate {
-            name,
-            origin,
-            slider,
-            along,
-            on_frame: false,
-            is_distance: matches!(segment.shape, Shape::Distance),
-            is_driven: input.is_some(),
-        })
-    }
-
-    /// In the drawing.
-    fn seen_slide(&mut self, own: Slide<'m>, segment: &Segment<'m>) -> Slide<'m> {
-        self.within(segment.frames.clone(), |sketch| Slide {
-            offset: own.offset.map(|offset| sketch.seen_way(offset)),
-            along: sketch.seen_way(own.along),
-            input: own.input,
-        })
-    }
-
-    /// Along which unit vector a term changes its length, and what it contains across that.
-    pub(super) fn direction_of(&mut self, term: &'m Expr) -> Option<Slide<'m>> {
-        let input = self.driving(term);
-        let straight = |along: Vn<'m>| Slide {
-            offset: None,
-            along,
-            input,
-        };
-        match &term.kind {
-            ExprKind::Call(Function::Polar, arguments) => {
-                let angle = self.algebra.translate(&arguments[1]);
-                let unit = self.algebra.call(Function::Dir, vec![angle]);
-                // In a picture of space, the plane is that of x and y.
-                let along = self.algebra.vector(&unit).resized(self.dimension);
-                Some(straight(along))
+        Shape::Part(sign, slide) => (sign, seen_slide(sketch, slide?, segment)),
+        Shape::Distance => {
+            // A cylinder hangs on its fixed end.
+            if seen.is_fixed(slider) {
+                (origin, slider) = (slider, origin);
             }
-            ExprKind::Binary(BinaryOp::Mul, a, b) => {
-                let vector = if matches!(a.ty, Type::Vector(..)) {
-                    a
-                } else {
-                    b
-                };
-                Some(straight(self.vector(vector).unit()))
-            }
-            ExprKind::Vector(components) => {
-                let (varying, rest) = self.varying(components)?;
-                Some(Slide {
-                    offset: Some(rest),
-                    along: self.axis_of(varying),
-                    input,
-                })
-            }
-            ExprKind::Call(function @ (Function::Rotate | Function::Turn), arguments) => {
-                let inner = self.direction_of(&arguments[0])?;
-                let mut turn = |v| self.turned_vector(*function, arguments, v);
-                Some(Slide {
-                    offset: inner.offset.map(&mut turn),
-                    along: turn(inner.along),
-                    input,
-                })
-            }
-            // Of anything else nobody knows along what it changes.
-            _ => None,
+            let slide = Slide {
+                offset: None,
+                along: (sketch.points[slider].at - sketch.points[origin].at).unit(),
+                input: None,
+            };
+            (1.0, slide)
         }
+        Shape::Body(_) | Shape::Frame(_) | Shape::Base(_) => return None,
+    };
+    let Slide {
+        offset,
+        along,
+        input,
+    } = slide;
+    // Towards where the slider goes as the length grows.
+    let signed = |vector: Vn<'m>| if sign > 0.0 { vector } else { -vector };
+    let (offset, along) = (offset.map(signed), signed(along));
+    if let Some(offset) = offset {
+        origin = sketch.point(from + offset);
     }
+    let inputs = &sketch.algebra.mechanism.inputs;
+    let name = match (input, &segment.title) {
+        (Some(input), _) => inputs[input].name.clone(),
+        (None, Some(title)) => title.text.clone(),
+        (None, None) => "slide".to_owned(),
+    };
+    Some(Candidate {
+        name,
+        origin,
+        slider,
+        along,
+        on_frame: false,
+        is_distance: matches!(segment.shape, Shape::Distance),
+        is_driven: input.is_some(),
+    })
+}
 
-    /// The unit vector along a coordinate axis.
-    pub(super) fn axis_of(&self, component: usize) -> Vn<'m> {
-        let graph = self.algebra.graph;
-        let mut axis = vec![graph.zero(); self.dimension];
-        axis[component] = graph.one();
-        graph.components(&axis)
-    }
+/// In the drawing.
+fn seen_slide<'m>(sketch: &mut Sketch<'_, 'm>, own: Slide<'m>, segment: &Segment<'m>) -> Slide<'m> {
+    frames::within(sketch, segment.frames.clone(), |sketch| Slide {
+        offset: own.offset.map(|offset| frames::seen_way(sketch, offset)),
+        along: frames::seen_way(sketch, own.along),
+        input: own.input,
+    })
+}
 
-    /// The one component that changes, and the vector without it.
-    fn varying(&mut self, components: &'m [Expr]) -> Option<(usize, Vn<'m>)> {
-        let numbers = components.iter();
-        let numbers: Vec<Ex> = numbers
-            .map(|own| {
-                let value = self.algebra.translate(own);
-                self.algebra.number(&value)
+/// Along which unit vector a term changes its length, and what it contains across that.
+pub(super) fn direction_of<'m>(sketch: &mut Sketch<'_, 'm>, term: &'m Expr) -> Option<Slide<'m>> {
+    let input = drives::driving(sketch, term);
+    let straight = |along: Vn<'m>| Slide {
+        offset: None,
+        along,
+        input,
+    };
+    match &term.kind {
+        ExprKind::Call(Function::Polar, arguments) => {
+            let angle = sketch.algebra.translate(&arguments[1]);
+            let unit = calls::call(sketch.algebra, Function::Dir, vec![angle]);
+            // In a picture of space, the plane is that of x and y.
+            let along = translate::vector(sketch.algebra, &unit).resized(sketch.dimension);
+            Some(straight(along))
+        }
+        ExprKind::Binary(BinaryOp::Mul, a, b) => {
+            let vector = if matches!(a.ty, Type::Vector(..)) {
+                a
+            } else {
+                b
+            };
+            Some(straight(sketch.vector(vector).unit()))
+        }
+        ExprKind::Vector(components) => {
+            let (varying, rest) = varying(sketch, components)?;
+            Some(Slide {
+                offset: Some(rest),
+                along: axis_of(sketch, varying),
+                input,
             })
-            .collect();
-        let changes = 0..numbers.len();
-        let changes: Vec<usize> = changes
-            .filter(|&k| !self.algebra.inputs_below(&[numbers[k]]).is_empty())
-            .collect();
-        let [varying] = changes[..] else { return None };
-        let mut rest: Vec<NodeId> = numbers.into_iter().map(Ex::id).collect();
-        rest[varying] = self.algebra.graph.zero();
-        Some((varying, self.algebra.graph.components(&rest)))
-    }
-
-    /// A guide whose origin is a point that the line goes through, or the one that is nearest to the carrier's point.
-    fn candidate(&mut self, line: Line<'m>) -> Candidate<'m> {
-        let base = match line.carrier {
-            Some(carrier) => self.points[carrier].at,
-            None => self.algebra.graph.zeros(self.dimension),
-        };
-        let slider = self.points[line.slider].at;
-        let origin = match (line.carrier, line.foot) {
-            (Some(carrier), Some(foot))
-                if foot.iter().all(|own| own.constant_value() == Some(0.0)) =>
-            {
-                carrier
-            }
-            (_, Some(foot)) => self.point(base + foot),
-            (_, None) => {
-                let reach = (slider - base).dot(line.along);
-                self.point(slider - reach * line.along)
-            }
-        };
-        Candidate {
-            name: line.name,
-            origin,
-            slider: line.slider,
-            along: line.along,
-            on_frame: line.carrier.is_none(),
-            is_distance: false,
-            is_driven: false,
         }
+        ExprKind::Call(function @ (Function::Rotate | Function::Turn), arguments) => {
+            let inner = direction_of(sketch, &arguments[0])?;
+            let mut turn = |v| parts::turned_vector(sketch, *function, arguments, v);
+            Some(Slide {
+                offset: inner.offset.map(&mut turn),
+                along: turn(inner.along),
+                input,
+            })
+        }
+        // Of anything else nobody knows along what it changes.
+        _ => None,
+    }
+}
+
+/// The unit vector along a coordinate axis.
+pub(super) fn axis_of<'m>(sketch: &Sketch<'_, 'm>, component: usize) -> Vn<'m> {
+    let graph = sketch.algebra.graph;
+    let mut axis = vec![graph.zero(); sketch.dimension];
+    axis[component] = graph.one();
+    graph.components(&axis)
+}
+
+/// The one component that changes, and the vector without it.
+fn varying<'m>(sketch: &mut Sketch<'_, 'm>, components: &'m [Expr]) -> Option<(usize, Vn<'m>)> {
+    let numbers = components.iter();
+    let numbers: Vec<Ex> = numbers
+        .map(|own| {
+            let value = sketch.algebra.translate(own);
+            translate::number(sketch.algebra, &value)
+        })
+        .collect();
+    let changes = 0..numbers.len();
+    let changes: Vec<usize> = changes
+        .filter(|&k| !dependence::inputs_below(sketch.algebra, &[numbers[k]]).is_empty())
+        .collect();
+    let [varying] = changes[..] else { return None };
+    let mut rest: Vec<NodeId> = numbers.into_iter().map(Ex::id).collect();
+    rest[varying] = sketch.algebra.graph.zero();
+    Some((varying, sketch.algebra.graph.components(&rest)))
+}
+
+/// A guide whose origin is a point that the line goes through, or the one that is nearest to the carrier's point.
+fn candidate<'m>(sketch: &mut Sketch<'_, 'm>, line: Line<'m>) -> Candidate<'m> {
+    let base = match line.carrier {
+        Some(carrier) => sketch.points[carrier].at,
+        None => sketch.algebra.graph.zeros(sketch.dimension),
+    };
+    let slider = sketch.points[line.slider].at;
+    let origin = match (line.carrier, line.foot) {
+        (Some(carrier), Some(foot)) if foot.iter().all(|own| own.constant_value() == Some(0.0)) => {
+            carrier
+        }
+        (_, Some(foot)) => sketch.point(base + foot),
+        (_, None) => {
+            let reach = (slider - base).dot(line.along);
+            sketch.point(slider - reach * line.along)
+        }
+    };
+    Candidate {
+        name: line.name,
+        origin,
+        slider: line.slider,
+        along: line.along,
+        on_frame: line.carrier.is_none(),
+        is_distance: false,
+        is_driven: false,
     }
 }
 

@@ -30,34 +30,34 @@
 //! | `names` | names for points and links that the program does not name |
 //! | `check` | links that the user added must be rigid |
 
-mod bodies;
-mod by_point;
-mod cells;
-mod chains;
-mod check;
-mod drives;
-mod frames;
-mod guides;
-mod joining;
-mod joints;
-mod links;
-mod literals;
-mod loops;
-mod marks;
-mod names;
-mod open_loop;
-mod ownership;
-mod parts;
-mod planes;
-mod point_or_vector;
-mod rigid_bodies;
-mod samples;
-mod starts;
-mod terms;
+pub(crate) mod bodies;
+pub(crate) mod by_point;
+pub(crate) mod cells;
+pub(crate) mod chains;
+pub(crate) mod check;
+pub(crate) mod drives;
+pub(crate) mod frames;
+pub(crate) mod guides;
+pub(crate) mod joining;
+pub(crate) mod joints;
+pub(crate) mod links;
+pub(crate) mod literals;
+pub(crate) mod loops;
+pub(crate) mod marks;
+pub(crate) mod names;
+pub(crate) mod open_loop;
+pub(crate) mod ownership;
+pub(crate) mod parts;
+pub(crate) mod planes;
+pub(crate) mod point_or_vector;
+pub(crate) mod rigid_bodies;
+pub(crate) mod samples;
+pub(crate) mod starts;
+pub(crate) mod terms;
 #[cfg(test)]
 mod tests;
-mod titles;
-mod views;
+pub(crate) mod titles;
+pub(crate) mod views;
 
 use linkage_symbolic::Vn;
 use linkage_symbolic::unordered::Set;
@@ -91,8 +91,8 @@ pub(crate) fn find<'m>(
 ) -> Found<'m> {
     let dimension = dimension(algebra, asked.links);
     let mut sketch = Sketch::new(algebra, dimension);
-    sketch.collect();
-    sketch.add_lists(asked.links);
+    loops::collect(&mut sketch);
+    loops::add_lists(&mut sketch, asked.links);
     let mut seen = Seen::new(sketch.algebra, &sketch.points, reference, nominal);
     if seen.places() < 2 && !sketch.algebra.mechanism.inputs.is_empty() {
         reporter.error_with_help(

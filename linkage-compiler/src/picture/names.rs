@@ -1,5 +1,6 @@
 //! The picture with names for everything, without what is not needed.
 
+use crate::picture::drives;
 use linkage_symbolic::Vn;
 use linkage_symbolic::unordered::Map;
 
@@ -108,10 +109,10 @@ pub(super) fn named<'m>(
         declared: declared.collect(),
     };
     picture.joints = turning.joints(&picture);
-    picture.drives = sketch.drives(&picture, &place);
+    picture.drives = drives::drives(sketch, &picture, &place);
     let own: Vec<usize> = kept.iter().map(|(point, _)| *point).collect();
     picture.parts = owners.parts(&picture, links, &own);
-    picture.gears = sketch.gears(&picture, &place, seen);
+    picture.gears = drives::gears(sketch, &picture, &place, seen);
     let vectors = kept.iter().map(|(point, _)| sketch.points[*point].at);
     Found {
         vectors: vectors.chain(directions).collect(),

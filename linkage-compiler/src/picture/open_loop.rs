@@ -1,6 +1,7 @@
 //! How points move where nothing closes the loops: each unknown by itself, as its name says. So what is written as one link is told from
 //! what is only held together by others.
 
+use crate::algebra::translate;
 use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, Vn};
 
@@ -56,7 +57,7 @@ impl<'a> Free<'a> {
             .map(|own| {
                 let [left, right] = [&own.left, &own.right].map(|side| {
                     let value = algebra.translate(side);
-                    algebra.number(&value)
+                    translate::number(algebra, &value)
                 });
                 left - right
             })

@@ -6,7 +6,7 @@ use linkage_symbolic::Ex;
 
 use crate::algebra::{Algebra, Nominal};
 use crate::assembly::{ALTERATIONS, Machine, Reference, altered, places};
-use crate::model::Part;
+use crate::model::MechanismPart;
 
 /// The mechanism with some dimensions at inputs where it closes.
 pub(super) struct View {
@@ -36,7 +36,7 @@ pub(super) fn views(
         all.iter().filter(closes).cloned().collect()
     };
     let altered = |number: usize| altered(mechanism, nominal, reference.longest, number);
-    let of_part = |part: &Part| -> Vec<f64> {
+    let of_part = |part: &MechanismPart| -> Vec<f64> {
         let own = mechanism.scalar_parameters.iter().zip(&nominal.parameters);
         let own = own.zip(altered(0)).map(|((scalar, &value), other)| {
             match scalar.name.split('.').next() == Some(part.name.as_str()) {

@@ -62,57 +62,59 @@ fn invertible(x: Ex) -> Ex {
     room.select(x, x.number(f64::NAN))
 }
 
-impl<'m> Solver<'_, 'm> {
-    /// `v1 + v2 = C` with `|v1| = r1`, `|v2| = r2`.
-    ///
-    /// With `L2 = C.C` the links' vectors are `(n1 C + w h C_perp)/L2` and `(n2 C - w h C_perp)/L2`, where
-    /// `n1,2 = (L2 +- (r1 - r2)(r1 + r2))/2`. The root `h = sqrt(r^2 L2 - n^2)` is taken for the smaller circle, which
-    /// keeps it accurate in needle triangles; `|r1^2 - r2^2|` selects that one without a choice. Computed are `w n1`, `w n2`, `h` and
-    /// `w C/L2`.
-    pub(super) fn circles(&mut self, c: V2<'m>, squares: &Squares<'m>) -> Circles<'m> {
-        let w = self.mode_sign();
-        let size = squares.imbalance.abs();
+/// `v1 + v2 = C` with `|v1| = r1`, `|v2| = r2`.
+///
+/// With `L2 = C.C` the links' vectors are `(n1 C + w h C_perp)/L2` and `(n2 C - w h C_perp)/L2`, where
+/// `n1,2 = (L2 +- (r1 - r2)(r1 + r2))/2`. The root `h = sqrt(r^2 L2 - n^2)` is taken for the smaller circle, which
+/// keeps it accurate in needle triangles; `|r1^2 - r2^2|` selects that one without a choice. Computed are `w n1`, `w n2`, `h` and
+/// `w C/L2`.
+pub(super) fn circles<'m>(
+    solver: &mut Solver<'_, 'm>,
+    c: V2<'m>,
+    squares: &Squares<'m>,
+) -> Circles<'m> {
+    let w = solver.mode_sign();
+    let size = squares.imbalance.abs();
 
-        let m = squares.half_scale2 * c.square(); // L2/2, scaled
-        let n = m - size; // of the smaller circle
-        let q = squares.twice * m - n.square();
-        // At both dead points the root's terms are of the size `r1 r2 L2`: what is there of `(m + size) n`, in one product.
-        let [r1, r2] = squares.radii;
-        let mut noise = (2.0 * r1 * r2) * m;
-        if let Some(noise2) = squares.noise2 {
-            // The derivative of `h^2` by the second circle's square is `n1`.
-            let own = noise2 * (m + squares.imbalance);
-            noise = ((m + size) * n).abs() + own.abs();
-        }
-        let h = q.root(noise);
+    let m = squares.half_scale2 * c.square(); // L2/2, scaled
+    let n = m - size; // of the smaller circle
+    let q = squares.twice * m - n.square();
+    // At both dead points the root's terms are of the size `r1 r2 L2`: what is there of `(m + size) n`, in one product.
+    let [r1, r2] = squares.radii;
+    let mut noise = (2.0 * r1 * r2) * m;
+    if let Some(noise2) = squares.noise2 {
+        // The derivative of `h^2` by the second circle's square is `n1`.
+        let own = noise2 * (m + squares.imbalance);
+        noise = ((m + size) * n).abs() + own.abs();
+    }
+    let h = q.root(noise);
 
-        // The mode's sign turns what is known before a call, and the direction; only of radii that change it turns the root.
-        let one = w.number(1.0);
-        let [of_feet, of_root] = match squares.imbalance.is_fixed() {
-            true => [w, one],
-            false => [one, w],
-        };
-        let [n1, n2] = {
-            let m = (of_feet * squares.half_scale2) * c.square();
-            let imbalance = of_feet * squares.imbalance;
-            [m + imbalance, m - imbalance]
-        };
-        let inverse = 0.5 * of_feet / m;
-        // The root comes last: what does not need it is ready by then, the direction divided by its length, too.
-        let (direction, factor) = match c.is_fixed() {
-            true => (c, inverse),
-            false => (inverse * c, one),
-        };
-        let [a1, a2, b] = [n1 * factor, n2 * factor, h * (factor * of_root)];
-        let across = direction.perp();
-        let vectors = [a1 * direction + b * across, a2 * direction - b * across];
-        Circles {
-            vectors,
-            h,
-            product: -w / squares.scale.square() * h,
-            q,
-            noise,
-            m,
-        }
+    // The mode's sign turns what is known before a call, and the direction; only of radii that change it turns the root.
+    let one = w.number(1.0);
+    let [of_feet, of_root] = match squares.imbalance.is_fixed() {
+        true => [w, one],
+        false => [one, w],
+    };
+    let [n1, n2] = {
+        let m = (of_feet * squares.half_scale2) * c.square();
+        let imbalance = of_feet * squares.imbalance;
+        [m + imbalance, m - imbalance]
+    };
+    let inverse = 0.5 * of_feet / m;
+    // The root comes last: what does not need it is ready by then, the direction divided by its length, too.
+    let (direction, factor) = match c.is_fixed() {
+        true => (c, inverse),
+        false => (inverse * c, one),
+    };
+    let [a1, a2, b] = [n1 * factor, n2 * factor, h * (factor * of_root)];
+    let across = direction.perp();
+    let vectors = [a1 * direction + b * across, a2 * direction - b * across];
+    Circles {
+        vectors,
+        h,
+        product: -w / squares.scale.square() * h,
+        q,
+        noise,
+        m,
     }
 }

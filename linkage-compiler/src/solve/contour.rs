@@ -1,5 +1,6 @@
 //! Loops of the plane that earlier groups close: they lead to one point in several ways.
 
+use crate::algebra::dependence;
 use linkage_symbolic::unordered::Map;
 
 use linkage_symbolic::{Ex, Polynomial, SymbolId, V2, Vector, collect, substitute};
@@ -110,56 +111,53 @@ impl<'m> Contour<'m> {
     }
 }
 
-impl<'m> Solver<'_, 'm> {
-    /// A vector without unknowns that are expressions of others, and of others again.
-    pub(super) fn without_explicit(&self, vector: V2<'m>) -> V2<'m> {
-        let [x, y] = substitute(&vector.0, self.explicit)[..] else {
-            unreachable!("as many as before");
-        };
-        let next = Vector([x, y]);
-        match next == vector {
-            true => vector,
-            false => self.without_explicit(self.multiplied_out(next)),
-        }
+/// A vector without unknowns that are expressions of others, and of others again.
+pub(super) fn without_explicit<'m>(solver: &Solver<'_, 'm>, vector: V2<'m>) -> V2<'m> {
+    let [x, y] = substitute(&vector.0, solver.explicit)[..] else {
+        unreachable!("as many as before");
+    };
+    let next = Vector([x, y]);
+    match next == vector {
+        true => vector,
+        false => without_explicit(solver, multiplied_out(solver, next)),
     }
+}
 
-    /// What turns forth and back with an angle does not turn: a link by an angle from another one, that one's way to its own angle.
-    fn multiplied_out(&self, vector: V2<'m>) -> V2<'m> {
-        let present = self.algebra.graph.symbols_of(&vector.ids());
-        let angles = self.algebra.names.angles.iter();
-        let angles =
-            angles.filter(|angle| present.contains(&angle.cos) || present.contains(&angle.sin));
-        let symbols: Vec<SymbolId> = angles.flat_map(|angle| [angle.cos, angle.sin]).collect();
-        let pairs: Vec<(usize, usize)> =
-            (0..symbols.len() / 2).map(|k| (2 * k, 2 * k + 1)).collect();
-        vector.map(|x| match collect(x, &symbols, &pairs) {
-            Some(polynomial) => self.sum(&polynomial, &symbols),
-            None => x,
+/// What turns forth and back with an angle does not turn: a link by an angle from another one, that one's way to its own angle.
+fn multiplied_out<'m>(solver: &Solver<'_, 'm>, vector: V2<'m>) -> V2<'m> {
+    let present = solver.algebra.graph.symbols_of(&vector.ids());
+    let angles = solver.algebra.names.angles.iter();
+    let angles =
+        angles.filter(|angle| present.contains(&angle.cos) || present.contains(&angle.sin));
+    let symbols: Vec<SymbolId> = angles.flat_map(|angle| [angle.cos, angle.sin]).collect();
+    let pairs: Vec<(usize, usize)> = (0..symbols.len() / 2).map(|k| (2 * k, 2 * k + 1)).collect();
+    vector.map(|x| match collect(x, &symbols, &pairs) {
+        Some(polynomial) => sum(solver, &polynomial, &symbols),
+        None => x,
+    })
+}
+
+fn sum<'m>(solver: &Solver<'_, 'm>, polynomial: &Polynomial<'m>, symbols: &[SymbolId]) -> Ex<'m> {
+    let terms = polynomial.iter().map(|(monomial, &coefficient)| {
+        let powers = symbols.iter().zip(monomial);
+        powers.fold(coefficient, |product, (&symbol, &power)| {
+            (0..power).fold(product, |product, _| product * solver.unknown(symbol))
         })
-    }
+    });
+    terms.fold(solver.algebra.zero(), |sum, term| sum + term)
+}
 
-    fn sum(&self, polynomial: &Polynomial<'m>, symbols: &[SymbolId]) -> Ex<'m> {
-        let terms = polynomial.iter().map(|(monomial, &coefficient)| {
-            let powers = symbols.iter().zip(monomial);
-            powers.fold(coefficient, |product, (&symbol, &power)| {
-                (0..power).fold(product, |product, _| product * self.unknown(symbol))
-            })
-        });
-        terms.fold(self.algebra.zero(), |sum, term| sum + term)
-    }
-
-    /// A vector, in all ways that lead around the loops of earlier groups: the way in which it is written is none of them by itself. Of each loop
-    /// one of its group's unknowns is got rid of, first of the last one. No way, where it hangs on a coupled group or on too many.
-    pub(super) fn ways_to(&self, vector: V2<'m>) -> Vec<V2<'m>> {
-        let below = self.algebra.symbols_below(&vector.0);
-        let contours: Vec<&Contour> = self.contours.iter().collect();
-        let behind = contours
-            .iter()
-            .filter(|contour| contour.is_in(below.iter().copied()));
-        match behind.count() > MOST_LOOPS {
-            true => Vec::new(),
-            false => ways(self.algebra, vector, &contours),
-        }
+/// A vector, in all ways that lead around the loops of earlier groups: the way in which it is written is none of them by itself. Of each loop
+/// one of its group's unknowns is got rid of, first of the last one. No way, where it hangs on a coupled group or on too many.
+pub(super) fn ways_to<'m>(solver: &Solver<'_, 'm>, vector: V2<'m>) -> Vec<V2<'m>> {
+    let below = dependence::symbols_below(solver.algebra, &vector.0);
+    let contours: Vec<&Contour> = solver.contours.iter().collect();
+    let behind = contours
+        .iter()
+        .filter(|contour| contour.is_in(below.iter().copied()));
+    match behind.count() > MOST_LOOPS {
+        true => Vec::new(),
+        false => ways(solver.algebra, vector, &contours),
     }
 }
 

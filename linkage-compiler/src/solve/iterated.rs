@@ -14,6 +14,9 @@ mod state;
 mod system;
 mod turns;
 
+use crate::algebra::bodies;
+use crate::algebra::dependence;
+use crate::algebra::elimination;
 use linkage_core::numeric::continuation::Terms;
 use linkage_symbolic::{Ex, Graph, NodeId, SymbolId, Vn, substitute};
 
@@ -186,80 +189,78 @@ impl<'m> Prepared<'m> {
     }
 }
 
-impl<'m> Solver<'_, 'm> {
-    /// Newton steps for the core, from which the private unknowns follow.
-    pub(super) fn coupled(&mut self, form: &Coupled<'m>) -> Closed<'m> {
-        self.declare_core(&form.core);
-        let equations = self.core_equations(form);
-        let system = System::new(self.algebra, &equations);
+/// Newton steps for the core, from which the private unknowns follow.
+pub(super) fn coupled<'m>(solver: &mut Solver<'_, 'm>, form: &Coupled<'m>) -> Closed<'m> {
+    state::declare_core(solver, &form.core);
+    let equations = equations::core_equations(solver, form);
+    let system = System::new(solver.algebra, &equations);
 
-        let rows: Vec<Ex> = form.blocks.iter().flat_map(|b| b.rows.clone()).collect();
-        let inputs = self.algebra.inputs_below(&rows);
-        let looked_up = self.prepared_state(&form.core);
-        let size = looked_up.iter().flat_map(|part| part.numbers()).count();
-        let floor = self.prepared_number(size);
-        let in_cells = match inputs.len() {
-            2 => self.in_cells,
-            _ => Terms::Slopes,
-        };
-        let plans = Plan::of(inputs.len(), in_cells);
-        let state = plans[1].start(&looked_up);
-        let first = self.step(&equations, &state);
-        let next = first.corrected(&first.corrections);
-        let numbers = next.into_iter().flat_map(Part::numbers);
-        let step = numbers.chain([first.size2, first.determinant]).collect();
+    let rows: Vec<Ex> = form.blocks.iter().flat_map(|b| b.rows.clone()).collect();
+    let inputs = dependence::inputs_below(solver.algebra, &rows);
+    let looked_up = state::prepared_state(solver, &form.core);
+    let size = looked_up.iter().flat_map(|part| part.numbers()).count();
+    let floor = state::prepared_number(solver, size);
+    let in_cells = match inputs.len() {
+        2 => solver.in_cells,
+        _ => Terms::Slopes,
+    };
+    let plans = Plan::of(inputs.len(), in_cells);
+    let state = plans[1].start(&looked_up);
+    let first = newton::step(solver, &equations, &state);
+    let next = first.corrected(&first.corrections);
+    let numbers = next.into_iter().flat_map(Part::numbers);
+    let step = numbers.chain([first.size2, first.determinant]).collect();
 
-        let [called, beside] = plans.map(|plan| self.solution(&equations, &state, floor, plan));
-        let unit = equations.unit;
-        let meanings = [&looked_up, &called, &beside].map(|state| self.meanings(state, unit));
-        self.define_core(&called, unit);
+    let [called, beside] =
+        plans.map(|plan| newton::solution(solver, &equations, &state, floor, plan));
+    let unit = equations.unit;
+    let meanings = [&looked_up, &called, &beside].map(|state| state::meanings(solver, state, unit));
+    state::define_core(solver, &called, unit);
 
-        let determinant = match &equations.large {
-            Some(large) => {
-                let nothing = vec![self.algebra.zero(); equations.matrix.len()];
-                let solved =
-                    self.algebra
-                        .solve_by_scheme(&large.scheme, &equations.matrix, &nothing);
-                solved.determinant
-            }
-            None => self.algebra.determinant(&equations.matrix),
-        };
-        let determinant = self.alias("det", determinant, determinant);
-        self.push_coupled(&equations, determinant);
-
-        let slack = determinant / self.largest_core_determinant(&equations);
-        let margin = slack.abs();
-        let gap = linear_gap(determinant);
-        let [raw, called, beside] = meanings;
-        let prepared = Prepared {
-            number: self.number,
-            inputs,
-            size,
-            in_cells,
-            system,
-            step,
-            equations: equations.residuals,
-            reach: equations.reach,
-            scale: equations.scale,
-            core: form.core.clone(),
-            raw,
-            called,
-            beside,
-        };
-        let method = prepared.method();
-        self.prepared = Some(prepared);
-        Closed {
-            kind: form.kind.clone().into(),
-            class: form.class,
-            order: form.order,
-            method,
-            two_modes: false,
-            margin,
-            slack,
-            slack_scale: margin,
-            gap,
-            gap_in: GapIn::Loop,
+    let determinant = match &equations.large {
+        Some(large) => {
+            let nothing = vec![solver.algebra.zero(); equations.matrix.len()];
+            let solved =
+                bodies::solve_by_scheme(solver.algebra, &large.scheme, &equations.matrix, &nothing);
+            solved.determinant
         }
+        None => elimination::determinant(solver.algebra, &equations.matrix),
+    };
+    let determinant = solver.alias("det", determinant, determinant);
+    differentiate::push_coupled(solver, &equations, determinant);
+
+    let slack = determinant / largest::largest_core_determinant(solver, &equations);
+    let margin = slack.abs();
+    let gap = linear_gap(determinant);
+    let [raw, called, beside] = meanings;
+    let prepared = Prepared {
+        number: solver.number,
+        inputs,
+        size,
+        in_cells,
+        system,
+        step,
+        equations: equations.residuals,
+        reach: equations.reach,
+        scale: equations.scale,
+        core: form.core.clone(),
+        raw,
+        called,
+        beside,
+    };
+    let method = prepared.method();
+    solver.prepared = Some(prepared);
+    Closed {
+        kind: form.kind.clone().into(),
+        class: form.class,
+        order: form.order,
+        method,
+        two_modes: false,
+        margin,
+        slack,
+        slack_scale: margin,
+        gap,
+        gap_in: GapIn::Loop,
     }
 }
 

@@ -3,25 +3,26 @@
 //! One file for each form of group. A group's unknowns get definitions that are computed by the closed form; their
 //! derivatives follow from the group's equations (see [`Solution`](crate::algebra::Solution)).
 
-mod circles;
-mod contour;
-mod iterated;
-mod longest;
-mod plane;
-mod point;
-mod prp;
-mod quadratic;
-mod rpr;
-mod rrp;
-mod rrr;
-mod rssp;
-mod rssr;
-mod scalar;
-mod solver;
-mod space;
-mod three_slides;
-mod trigonometric;
+pub(crate) mod circles;
+pub(crate) mod contour;
+pub(crate) mod iterated;
+pub(crate) mod longest;
+pub(crate) mod plane;
+pub(crate) mod point;
+pub(crate) mod prp;
+pub(crate) mod quadratic;
+pub(crate) mod rpr;
+pub(crate) mod rrp;
+pub(crate) mod rrr;
+pub(crate) mod rssp;
+pub(crate) mod rssr;
+pub(crate) mod scalar;
+pub(crate) mod solver;
+pub(crate) mod space;
+pub(crate) mod three_slides;
+pub(crate) mod trigonometric;
 
+use crate::algebra::dependence;
 use std::borrow::Cow;
 
 use linkage_core::numeric::continuation::Terms;
@@ -142,7 +143,7 @@ impl<'m> Formulation<'m> {
 
     /// The groups that expressions are computed from, in order.
     pub(crate) fn groups_of(&self, algebra: &Algebra<'m>, all: &[Ex<'m>]) -> Vec<usize> {
-        let symbols = algebra.symbols_below(all);
+        let symbols = dependence::symbols_below(algebra, all);
         let mut groups: Vec<usize> = symbols
             .iter()
             .filter_map(|symbol| self.group_of.get(symbol).copied())

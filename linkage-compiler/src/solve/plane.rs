@@ -71,57 +71,59 @@ pub(super) fn known_term<'m>(known: &[Ex<'m>]) -> Term<'m> {
     }
 }
 
-impl<'m> Solver<'_, 'm> {
-    /// Records a group of two equations. The determinant's closed value is `determinant`.
-    pub(super) fn push_pair(
-        &mut self,
-        terms: Vec<Term<'m>>,
-        columns: [V2<'m>; 2],
-        determinant: Ex<'m>,
-    ) {
-        let product = columns[0].cross(columns[1]);
-        let determinant = self.alias("det", determinant, product);
-        self.push_solution(Solution {
-            terms,
-            jacobian: columns.map(|column| column.0.to_vec()).to_vec(),
-            determinant,
-            elimination: None,
-            links: [None; 2],
-            rod: None,
-            rows: Vec::new(),
-        });
-    }
+/// Records a group of two equations. The determinant's closed value is `determinant`.
+pub(super) fn push_pair<'m>(
+    solver: &mut Solver<'_, 'm>,
+    terms: Vec<Term<'m>>,
+    columns: [V2<'m>; 2],
+    determinant: Ex<'m>,
+) {
+    let product = columns[0].cross(columns[1]);
+    let determinant = solver.alias("det", determinant, product);
+    solver.push_solution(Solution {
+        terms,
+        jacobian: columns.map(|column| column.0.to_vec()).to_vec(),
+        determinant,
+        elimination: None,
+        links: [None; 2],
+        rod: None,
+        rows: Vec::new(),
+    });
+}
 
-    /// Records that the link `vector`, which is `z unit`, turns with an unknown of the group of two equations that was recorded last.
-    pub(super) fn links_turn(
-        &mut self,
-        position: usize,
-        z: V2<'m>,
-        unit: V2<'m>,
-        vector: V2<'m>,
-        across: Ex<'m>,
-    ) {
-        let group = self.algebra.solutions.groups.last_mut();
-        let group = group.expect("the group that is solved");
-        group.links[position] = Some(Link {
-            vector,
-            z,
-            unit,
-            square: z.square(),
-            across,
-        });
-    }
+/// Records that the link `vector`, which is `z unit`, turns with an unknown of the group of two equations that was recorded last.
+pub(super) fn links_turn<'m>(
+    solver: &mut Solver<'_, 'm>,
+    position: usize,
+    z: V2<'m>,
+    unit: V2<'m>,
+    vector: V2<'m>,
+    across: Ex<'m>,
+) {
+    let group = solver.algebra.solutions.groups.last_mut();
+    let group = group.expect("the group that is solved");
+    group.links[position] = Some(Link {
+        vector,
+        z,
+        unit,
+        square: z.square(),
+        across,
+    });
+}
 
-    /// Records a group of one equation with one unknown.
-    pub(super) fn push_single(&mut self, terms: Vec<Term<'m>>, determinant: Ex<'m>) {
-        self.push_solution(Solution {
-            terms,
-            jacobian: vec![vec![determinant]],
-            determinant,
-            elimination: None,
-            links: [None; 2],
-            rod: None,
-            rows: Vec::new(),
-        });
-    }
+/// Records a group of one equation with one unknown.
+pub(super) fn push_single<'m>(
+    solver: &mut Solver<'_, 'm>,
+    terms: Vec<Term<'m>>,
+    determinant: Ex<'m>,
+) {
+    solver.push_solution(Solution {
+        terms,
+        jacobian: vec![vec![determinant]],
+        determinant,
+        elimination: None,
+        links: [None; 2],
+        rod: None,
+        rows: Vec::new(),
+    });
 }

@@ -43,89 +43,87 @@ struct Place<'m> {
     h: Ex<'m>,
 }
 
-impl<'m> Solver<'_, 'm> {
-    /// The difference of two spheres is a plane, so there are two planes `u.y = a`, `v.y = b` and a sphere. Their line goes along
-    /// `n = u x v`; its foot is `t x n / n.n` with `t = a v - b u`, at the distance `|t|/|n|`, and the root is
-    /// `h = sqrt(r^2 - t.t/n.n)`. Lengths are scaled by a power of two, so that products of many do not
-    /// overflow.
-    pub(super) fn point(
-        &mut self,
-        coordinates: &[(SymbolId, usize)],
-        spheres: &[Sphere<'m>],
-        planes: &[Plane<'m>],
-    ) -> Closed<'m> {
-        let mut coordinates = coordinates.to_vec();
-        coordinates.sort_by_key(|(_, component)| *component);
-        let missing = (0..3).find(|k| coordinates.iter().all(|(_, component)| component != k));
+/// The difference of two spheres is a plane, so there are two planes `u.y = a`, `v.y = b` and a sphere. Their line goes along
+/// `n = u x v`; its foot is `t x n / n.n` with `t = a v - b u`, at the distance `|t|/|n|`, and the root is
+/// `h = sqrt(r^2 - t.t/n.n)`. Lengths are scaled by a power of two, so that products of many do not
+/// overflow.
+pub(super) fn point<'m>(
+    solver: &mut Solver<'_, 'm>,
+    coordinates: &[(SymbolId, usize)],
+    spheres: &[Sphere<'m>],
+    planes: &[Plane<'m>],
+) -> Closed<'m> {
+    let mut coordinates = coordinates.to_vec();
+    coordinates.sort_by_key(|(_, component)| *component);
+    let missing = (0..3).find(|k| coordinates.iter().all(|(_, component)| component != k));
 
-        let (scale, balls) = balls(spheres);
-        let base = &balls[0];
-        let mut levels: Vec<Level> = Vec::new();
-        levels.extend(balls[1..].iter().map(|ball| radical_plane(base, ball)));
-        levels.extend(planes.iter().map(|plane| level(base, plane, scale)));
-        levels.extend(missing.map(|component| level(base, &self.axis(component), scale)));
-        let [first, second] = &levels[..] else {
-            unreachable!("three conditions: a sphere and two planes");
-        };
+    let (scale, balls) = balls(spheres);
+    let base = &balls[0];
+    let mut levels: Vec<Level> = Vec::new();
+    levels.extend(balls[1..].iter().map(|ball| radical_plane(base, ball)));
+    levels.extend(planes.iter().map(|plane| level(base, plane, scale)));
+    levels.extend(missing.map(|component| level(base, &axis(solver, component), scale)));
+    let [first, second] = &levels[..] else {
+        unreachable!("three conditions: a sphere and two planes");
+    };
 
-        let w = self.mode_sign();
-        let normal = first.normal.cross(second.normal);
-        let sine2 = normal.square();
-        let sine = normal.length();
-        let minus = -second.offset;
-        let inverse = 1.0 / sine2;
-        let between = first.offset * second.normal + minus * first.normal;
-        let radius = base.scaled;
-        let radius2 = radius.square();
-        let distance2 = between.square() * inverse;
-        let q = radius2 - distance2;
-        let reach = lengths_of(first, second);
-        let shallow = sine * inverse;
-        let sizes = reach * shallow;
-        let noise = SUM_OF_COMPONENTS * radius * sizes + radius2;
-        let h = q.root(noise);
-        let hw = w * h;
-        let volume = hw * sine;
-        let rise = hw * shallow;
-        let arm = inverse * between.cross(normal) + rise * normal;
+    let w = solver.mode_sign();
+    let normal = first.normal.cross(second.normal);
+    let sine2 = normal.square();
+    let sine = normal.length();
+    let minus = -second.offset;
+    let inverse = 1.0 / sine2;
+    let between = first.offset * second.normal + minus * first.normal;
+    let radius = base.scaled;
+    let radius2 = radius.square();
+    let distance2 = between.square() * inverse;
+    let q = radius2 - distance2;
+    let reach = lengths_of(first, second);
+    let shallow = sine * inverse;
+    let sizes = reach * shallow;
+    let noise = SUM_OF_COMPONENTS * radius * sizes + radius2;
+    let h = q.root(noise);
+    let hw = w * h;
+    let volume = hw * sine;
+    let rise = hw * shallow;
+    let arm = inverse * between.cross(normal) + rise * normal;
 
-        for (position, &(symbol, component)) in coordinates.iter().enumerate() {
-            let value = base.centre[component] + arm[component] / scale;
-            self.define_length(symbol, guarded(value, h), position);
-        }
-        let place = Place { arm, scale, h };
-        self.push_point(&coordinates, planes, &balls, &place, volume);
-
-        let mut margin = h / radius * sine;
-        for level in &levels {
-            margin = margin / level.largest;
-        }
-        let miss = distance2.sqrt() / scale - base.radius;
-        let gap = gap(q, noise, miss);
-        let (words, method) = words(spheres.len());
-        Closed {
-            kind: words.into(),
-            class: 0,
-            order: 0,
-            method,
-            two_modes: true,
-            margin,
-            slack: q / radius2,
-            slack_scale: self.algebra.one(),
-            gap: defined_gap(gap, sine2),
-            gap_in: GapIn::Unknown,
-        }
+    for (position, &(symbol, component)) in coordinates.iter().enumerate() {
+        let value = base.centre[component] + arm[component] / scale;
+        solver.define_length(symbol, guarded(value, h), position);
     }
+    let place = Place { arm, scale, h };
+    differentiate::push_point(solver, &coordinates, planes, &balls, &place, volume);
 
-    /// The plane in which a component is 0.
-    fn axis(&self, component: usize) -> Plane<'m> {
-        let (zero, one) = (self.algebra.zero(), self.algebra.one());
-        let mut normal = Vector([zero; 3]);
-        normal.0[component] = one;
-        Plane {
-            normal,
-            offset: zero,
-        }
+    let mut margin = h / radius * sine;
+    for level in &levels {
+        margin = margin / level.largest;
+    }
+    let miss = distance2.sqrt() / scale - base.radius;
+    let gap = gap(q, noise, miss);
+    let (words, method) = words(spheres.len());
+    Closed {
+        kind: words.into(),
+        class: 0,
+        order: 0,
+        method,
+        two_modes: true,
+        margin,
+        slack: q / radius2,
+        slack_scale: solver.algebra.one(),
+        gap: defined_gap(gap, sine2),
+        gap_in: GapIn::Unknown,
+    }
+}
+
+/// The plane in which a component is 0.
+fn axis<'m>(solver: &Solver<'_, 'm>, component: usize) -> Plane<'m> {
+    let (zero, one) = (solver.algebra.zero(), solver.algebra.one());
+    let mut normal = Vector([zero; 3]);
+    normal.0[component] = one;
+    Plane {
+        normal,
+        offset: zero,
     }
 }
 

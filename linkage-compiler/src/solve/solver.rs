@@ -1,5 +1,19 @@
 //! What the closed forms of all kinds of groups share: giving unknowns their definitions and rules.
 
+use crate::algebra::dependence;
+use crate::algebra::implicit;
+use crate::solve::iterated;
+use crate::solve::point;
+use crate::solve::prp;
+use crate::solve::quadratic;
+use crate::solve::rpr;
+use crate::solve::rrp;
+use crate::solve::rrr;
+use crate::solve::rssp;
+use crate::solve::rssr;
+use crate::solve::scalar;
+use crate::solve::three_slides;
+use crate::solve::trigonometric;
 use linkage_core::numeric::continuation::Terms;
 use linkage_symbolic::program::{Source, Ternary};
 use linkage_symbolic::unordered::Map;
@@ -46,52 +60,54 @@ impl<'m> Solver<'_, 'm> {
                 first,
                 second,
                 known,
-            } => self.two_rotors(first, second, *known),
+            } => rrr::two_rotors(self, first, second, *known),
             Form::RotorAndSlide {
                 rotor,
                 slide,
                 guide,
                 known,
-            } => self.rotor_and_slide(rotor, *slide, *guide, *known),
+            } => rrp::rotor_and_slide(self, rotor, *slide, *guide, *known),
             Form::SlideOnRotor {
                 rotor,
                 slide,
                 guide,
                 known,
-            } => self.slide_on_rotor(rotor, *slide, *guide, *known),
+            } => rpr::slide_on_rotor(self, rotor, *slide, *guide, *known),
             Form::TwoSlides {
                 slides,
                 guides,
                 known,
-            } => self.two_slides(*slides, *guides, *known),
-            Form::Trigonometric { angle, a, b, c } => self.trigonometric(*angle, *a, *b, *c),
-            Form::Quadratic { symbol, a, b, c } => self.quadratic(*symbol, *a, *b, *c),
-            Form::Linear { symbol, a, b } => self.linear(*symbol, *a, *b),
+            } => prp::two_slides(self, *slides, *guides, *known),
+            Form::Trigonometric { angle, a, b, c } => {
+                trigonometric::trigonometric(self, *angle, *a, *b, *c)
+            }
+            Form::Quadratic { symbol, a, b, c } => quadratic::quadratic(self, *symbol, *a, *b, *c),
+            Form::Linear { symbol, a, b } => scalar::linear(self, *symbol, *a, *b),
             Form::LinkToRotor {
                 angle,
                 cosine,
                 sine,
                 known,
                 length,
-            } => self.link_to_rotor(*angle, [*cosine, *sine], *known, *length),
+            } => rssr::link_to_rotor(self, *angle, [*cosine, *sine], *known, *length),
             Form::LinkToSlide {
                 slide,
                 guide,
                 known,
                 length,
-            } => self.link_to_slide(*slide, *guide, *known, *length),
+            } => rssp::link_to_slide(self, *slide, *guide, *known, *length),
             Form::Point {
                 coordinates,
                 spheres,
                 planes,
-            } => self.point(coordinates, spheres, planes),
+            } => point::point(self, coordinates, spheres, planes),
             Form::ThreeSlides {
                 slides,
                 guides,
                 known,
-            } => self.three_slides(*slides, *guides, *known),
-            Form::Relation { angle, value } => self.relation(*angle, value),
-            Form::Coupled(coupled) => self.coupled(coupled),
+            } => three_slides::three_slides(self, *slides, *guides, *known),
+            Form::Relation { angle, value } => scalar::relation(self, *angle, value),
+            Form::Coupled(coupled) => iterated::coupled(self, coupled),
         }
     }
 
@@ -221,7 +237,7 @@ impl<'m> Solver<'_, 'm> {
 
     /// `centre + sum of winding * input`: within half a turn of the angle's value over the whole range.
     fn guide(&mut self, angle: usize, unit: V2<'m>) -> Ex<'m> {
-        let inputs = self.algebra.inputs_below(&unit.0);
+        let inputs = dependence::inputs_below(self.algebra, &unit.0);
         let mut guide = self.algebra.source(Source::Centre(angle));
         for input in inputs {
             let winding = self.algebra.source(Source::Winding(angle, input));
@@ -234,7 +250,7 @@ impl<'m> Solver<'_, 'm> {
     pub(super) fn alias(&mut self, name: &str, definition: Ex<'m>, equal: Ex<'m>) -> Ex<'m> {
         let name = format!("{name} {}", self.index);
         let rule = Rule::Follow(equal);
-        self.algebra.symbol_for_value(name, definition, rule)
+        implicit::symbol_for_value(self.algebra, name, definition, rule)
     }
 
     /// The vector `z u` that turns with unknown `position`, computed as `value`.

@@ -19,12 +19,10 @@ pub(super) fn distance_terms<'m>(link: V3<'m>, known: V3<'m>, length: Ex<'m>) ->
     components.chain([(length, minus)]).map(term).collect()
 }
 
-impl<'m> Solver<'_, 'm> {
-    /// Records the rod of the group that was recorded last.
-    pub(super) fn rod(&mut self, rod: Rod<'m>) {
-        let group = self.algebra.solutions.groups.last_mut();
-        group.expect("the group that is solved").rod = Some(rod);
-    }
+/// Records the rod of the group that was recorded last.
+pub(super) fn rod<'m>(solver: &mut Solver<'_, 'm>, rod: Rod<'m>) {
+    let group = solver.algebra.solutions.groups.last_mut();
+    group.expect("the group that is solved").rod = Some(rod);
 }
 
 /// The length of a vector, which is `rounded`, without a root where it is some number that the vector was made of: a rocker's length times a direction.

@@ -3,6 +3,9 @@
 //! Three such points say where the frame is, so that three angles remain of nine unknowns, and of the loops the distances between the points.
 //! Of fewer, one says where the origin is: an angle instead of its coordinates, and two loops less.
 
+use crate::structure::body;
+use crate::structure::circle;
+use crate::structure::eliminate;
 use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, V3, Vector, substitute};
 
@@ -14,158 +17,177 @@ use super::equations::{Coordinate, Equation};
 /// Points of which one is nearer to the line through the others than this share of their distance determine no frame.
 const ON_A_LINE: f64 = 1e-3;
 
-impl<'m> Analysis<'_, 'm> {
-    /// One body of which points run on circles: three, or the first.
-    pub(super) fn body_to_circles(
-        &mut self,
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-    ) -> Option<System<'m>> {
-        for (_, unknowns) in self.algebra.mechanism.bodies_of_space() {
-            let Some(body) = self.body(&unknowns, equations, coordinates) else {
-                continue;
-            };
-            let joints = self.joints(&body, equations, coordinates);
-            if body.of_origin().len() == 3
-                && let Some(three) = self.three_of(&joints)
-            {
-                return Some(self.on_three_circles(&body, three, equations, coordinates));
-            }
-            if let Some(joint) = joints.first() {
-                return Some(self.on_one_circle(&body, joint, equations, coordinates));
+/// One body of which points run on circles: three, or the first.
+pub(super) fn body_to_circles<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> Option<System<'m>> {
+    for (_, unknowns) in analysis.algebra.mechanism.bodies_of_space() {
+        let Some(body) = body::body(analysis, &unknowns, equations, coordinates) else {
+            continue;
+        };
+        let joints = body::joints(analysis, &body, equations, coordinates);
+        if body.of_origin().len() == 3
+            && let Some(three) = three_of(analysis, &joints)
+        {
+            return Some(on_three_circles(
+                analysis,
+                &body,
+                three,
+                equations,
+                coordinates,
+            ));
+        }
+        if let Some(joint) = joints.first() {
+            return Some(on_one_circle(
+                analysis,
+                &body,
+                joint,
+                equations,
+                coordinates,
+            ));
+        }
+    }
+    None
+}
+
+/// Three joints that are on no line at the defaults.
+fn three_of<'m, 'j>(
+    analysis: &Analysis<'_, 'm>,
+    joints: &'j [Joint<'m>],
+) -> Option<[&'j Joint<'m>; 3]> {
+    let [first, second, others @ ..] = joints else {
+        return None;
+    };
+    let along = second.local - first.local;
+    let is_beside = |third: &&Joint<'m>| {
+        let arm = third.local - first.local;
+        let sizes = [along.cross(arm), along, arm].map(|v| v.length());
+        let sizes = analysis.nominal.evaluate(&sizes);
+        sizes[0] > ON_A_LINE * sizes[1] * sizes[2]
+    };
+    let third = others.iter().find(is_beside)?;
+    Some([first, second, third])
+}
+
+/// The frame by three of its points, which run on circles and keep their distances.
+fn on_three_circles<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    body: &Body<'m>,
+    joints: [&Joint<'m>; 3],
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> System<'m> {
+    let running = joints.map(|joint| {
+        let place = body.origin + body.arm(joint);
+        circle::running(analysis, place, [&joint.rods[0], &joint.rods[1]])
+    });
+    let points = [0, 1, 2].map(|k| running[k].point);
+    let locals = joints.map(|joint| joint.local);
+    let parts = frame_of(points, locals).into_iter();
+    let values = parts.flat_map(|part| part.0);
+    for (&symbol, value) in body.symbols.iter().zip(values) {
+        eliminate::make_explicit(analysis, symbol, value);
+    }
+    let explained = [body.of_origin(), body.of_axes.clone()].concat();
+    let rods = joints.iter().flat_map(|joint| &joint.rods);
+    let solved = rods.map(|rod| rod.place).chain(body.own.clone());
+    let mut kept = kept(analysis, solved.collect(), &explained, equations);
+    for [a, b] in [[0, 1], [1, 2], [2, 0]] {
+        let apart = (points[b] - points[a]).length();
+        let wanted = (locals[b] - locals[a]).length();
+        let mut equation = equations[joints[a].rods[0].place].clone();
+        for rod in joints[a].rods.iter().chain(&joints[b].rods) {
+            equation.absorb(&equations[rod.place], &explained);
+        }
+        equation.rows = vec![apart - wanted];
+        equation.relation = None;
+        kept.push(equation);
+    }
+    let mut left = without(coordinates, &explained);
+    left.extend(running.map(|own| own.angle));
+    (kept, left)
+}
+
+/// The origin by one of its points, which runs on a circle; the axes stay what they are.
+fn on_one_circle<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    body: &Body<'m>,
+    joint: &Joint<'m>,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> System<'m> {
+    let [first, second] = [0, 1].map(|k| &joint.rods[k]);
+    let arm = body.arm(joint);
+    let running = circle::running(analysis, body.origin + arm, [first, second]);
+    let origin = running.point - arm;
+    let of_origin = body.of_origin();
+    // What is left of the place is no unknown: where it is an expression by now, a row that remembers it would be about itself.
+    let zero = analysis.algebra.zero();
+    let given = Vector([0, 1, 2].map(|k| match body.open[k] {
+        Some(_) => zero,
+        None => body.origin[k],
+    }));
+    let mut known = Map::new();
+    let mut rows = Vec::new();
+    for (place, open) in body.open.iter().enumerate() {
+        let (symbol, own) = (body.symbols[place], origin[place]);
+        match open {
+            Some(_) => eliminate::make_explicit(analysis, symbol, own),
+            None => {
+                known.insert(symbol, own);
+                rows.push(circle::along(analysis, place).product(origin - given));
             }
         }
-        None
     }
-
-    /// Three joints that are on no line at the defaults.
-    fn three_of<'j>(&self, joints: &'j [Joint<'m>]) -> Option<[&'j Joint<'m>; 3]> {
-        let [first, second, others @ ..] = joints else {
-            return None;
-        };
-        let along = second.local - first.local;
-        let is_beside = |third: &&Joint<'m>| {
-            let arm = third.local - first.local;
-            let sizes = [along.cross(arm), along, arm].map(|v| v.length());
-            let sizes = self.nominal.evaluate(&sizes);
-            sizes[0] > ON_A_LINE * sizes[1] * sizes[2]
-        };
-        let third = others.iter().find(is_beside)?;
-        Some([first, second, third])
+    analysis.whole.extend(&body.symbols[3..]);
+    let mut rod = equations[first.place].clone();
+    rod.absorb(&equations[second.place], &of_origin);
+    let mut kept = kept(
+        analysis,
+        vec![first.place, second.place],
+        &of_origin,
+        equations,
+    );
+    for equation in &mut kept {
+        // As if it were not known: the body carries all that the loops are about as one.
+        analysis
+            .algebra
+            .graph
+            .substitute_lengths(&equation.rows, &known);
+        equation.rows = substitute(&equation.rows, &known);
     }
+    kept.extend(rows.into_iter().map(|row| Equation {
+        rows: vec![row],
+        relation: None,
+        ..rod.clone()
+    }));
+    let mut left = without(coordinates, &of_origin);
+    left.push(running.angle);
+    (kept, left)
+}
 
-    /// The frame by three of its points, which run on circles and keep their distances.
-    fn on_three_circles(
-        &mut self,
-        body: &Body<'m>,
-        joints: [&Joint<'m>; 3],
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-    ) -> System<'m> {
-        let running = joints.map(|joint| {
-            let place = body.origin + body.arm(joint);
-            self.running(place, [&joint.rods[0], &joint.rods[1]])
-        });
-        let points = [0, 1, 2].map(|k| running[k].point);
-        let locals = joints.map(|joint| joint.local);
-        let parts = frame_of(points, locals).into_iter();
-        let values = parts.flat_map(|part| part.0);
-        for (&symbol, value) in body.symbols.iter().zip(values) {
-            self.make_explicit(symbol, value);
-        }
-        let explained = [body.of_origin(), body.of_axes.clone()].concat();
-        let rods = joints.iter().flat_map(|joint| &joint.rods);
-        let solved = rods.map(|rod| rod.place).chain(body.own.clone());
-        let mut kept = self.kept(solved.collect(), &explained, equations);
-        for [a, b] in [[0, 1], [1, 2], [2, 0]] {
-            let apart = (points[b] - points[a]).length();
-            let wanted = (locals[b] - locals[a]).length();
-            let mut equation = equations[joints[a].rods[0].place].clone();
-            for rod in joints[a].rods.iter().chain(&joints[b].rods) {
-                equation.absorb(&equations[rod.place], &explained);
-            }
-            equation.rows = vec![apart - wanted];
-            equation.relation = None;
+/// The equations without those that were solved, in which some unknowns are expressions now.
+fn kept<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    solved: Vec<usize>,
+    explained: &[Coordinate],
+    equations: &[Equation<'m>],
+) -> Vec<Equation<'m>> {
+    let mut gone = equations[solved[0]].clone();
+    for &place in &solved {
+        gone.absorb(&equations[place], &[]);
+    }
+    let mut kept = Vec::new();
+    for (place, equation) in equations.iter().enumerate() {
+        if !solved.contains(&place) {
+            let mut equation = equation.clone();
+            eliminate::substitute_in(analysis, &mut equation, &gone, explained);
             kept.push(equation);
         }
-        let mut left = without(coordinates, &explained);
-        left.extend(running.map(|own| own.angle));
-        (kept, left)
     }
-
-    /// The origin by one of its points, which runs on a circle; the axes stay what they are.
-    fn on_one_circle(
-        &mut self,
-        body: &Body<'m>,
-        joint: &Joint<'m>,
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-    ) -> System<'m> {
-        let [first, second] = [0, 1].map(|k| &joint.rods[k]);
-        let arm = body.arm(joint);
-        let running = self.running(body.origin + arm, [first, second]);
-        let origin = running.point - arm;
-        let of_origin = body.of_origin();
-        // What is left of the place is no unknown: where it is an expression by now, a row that remembers it would be about itself.
-        let zero = self.algebra.zero();
-        let given = Vector([0, 1, 2].map(|k| match body.open[k] {
-            Some(_) => zero,
-            None => body.origin[k],
-        }));
-        let mut known = Map::new();
-        let mut rows = Vec::new();
-        for (place, open) in body.open.iter().enumerate() {
-            let (symbol, own) = (body.symbols[place], origin[place]);
-            match open {
-                Some(_) => self.make_explicit(symbol, own),
-                None => {
-                    known.insert(symbol, own);
-                    rows.push(self.along(place).product(origin - given));
-                }
-            }
-        }
-        self.whole.extend(&body.symbols[3..]);
-        let mut rod = equations[first.place].clone();
-        rod.absorb(&equations[second.place], &of_origin);
-        let mut kept = self.kept(vec![first.place, second.place], &of_origin, equations);
-        for equation in &mut kept {
-            // As if it were not known: the body carries all that the loops are about as one.
-            self.algebra
-                .graph
-                .substitute_lengths(&equation.rows, &known);
-            equation.rows = substitute(&equation.rows, &known);
-        }
-        kept.extend(rows.into_iter().map(|row| Equation {
-            rows: vec![row],
-            relation: None,
-            ..rod.clone()
-        }));
-        let mut left = without(coordinates, &of_origin);
-        left.push(running.angle);
-        (kept, left)
-    }
-
-    /// The equations without those that were solved, in which some unknowns are expressions now.
-    fn kept(
-        &mut self,
-        solved: Vec<usize>,
-        explained: &[Coordinate],
-        equations: &[Equation<'m>],
-    ) -> Vec<Equation<'m>> {
-        let mut gone = equations[solved[0]].clone();
-        for &place in &solved {
-            gone.absorb(&equations[place], &[]);
-        }
-        let mut kept = Vec::new();
-        for (place, equation) in equations.iter().enumerate() {
-            if !solved.contains(&place) {
-                let mut equation = equation.clone();
-                self.substitute_in(&mut equation, &gone, explained);
-                kept.push(equation);
-            }
-        }
-        kept
-    }
+    kept
 }
 
 fn without(coordinates: &[Coordinate], gone: &[Coordinate]) -> Vec<Coordinate> {

@@ -1,5 +1,9 @@
 //! A point at given distances from two fixed points runs on a circle: three unknowns and two loops become one angle.
 
+use crate::algebra::nominal;
+use crate::structure::eliminate;
+use crate::structure::point;
+use crate::structure::space;
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
 use super::Analysis;
@@ -26,132 +30,135 @@ pub(super) struct Running<'m> {
     pub(super) angle: Coordinate,
 }
 
-impl<'m> Analysis<'_, 'm> {
-    /// An unknown point that two distances from fixed points hold, and other loops determine.
-    pub(super) fn point_to_circle(
-        &mut self,
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-    ) -> Option<System<'m>> {
-        for point in coordinates.windows(3) {
-            let Some(symbols) = point_symbols(point) else {
-                continue;
-            };
-            let held = self.held_by(&symbols, equations, coordinates);
-            let [first, second] = &held[..] else { continue };
-            if equations.len() > 2
-                && let Some(system) = self.on_circle([first, second], point, equations, coordinates)
-            {
-                return Some(system);
-            }
-        }
-        None
-    }
-
-    /// The distances from fixed points that contain nothing but this point.
-    fn held_by(
-        &mut self,
-        point: &[SymbolId],
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-    ) -> Vec<Held<'m>> {
-        let mut held = Vec::new();
-        for (place, equation) in equations.iter().enumerate() {
-            let [row] = equation.rows[..] else { continue };
-            let Some((vector, length)) = self.space_distance(row, coordinates) else {
-                continue;
-            };
-            let Some((places, factor, known)) = self.moved_point(vector, point) else {
-                continue;
-            };
-            let is_whole = factor.constant_value().is_some_and(|own| own.abs() == 1.0);
-            let end = -(known / factor);
-            // Seen from points that move, a direction across both may vanish on the way.
-            if is_whole && places == [0, 1, 2] && end.is_fixed() {
-                held.push(Held { place, end, length });
-            }
-        }
-        held
-    }
-
-    fn on_circle(
-        &mut self,
-        [first, second]: [&Held<'m>; 2],
-        point: &[Coordinate],
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-    ) -> Option<System<'m>> {
-        let symbols = point_symbols(point)?;
-        let graph = self.algebra.graph;
-        let own = Vector([0, 1, 2].map(|k| graph.ex(graph.symbol_node(symbols[k]))));
-        let running = self.running(own, [first, second]);
-        for (symbol, value) in symbols.into_iter().zip(running.point.0) {
-            self.make_explicit(symbol, value);
-        }
-        let mut gone = equations[first.place].clone();
-        gone.absorb(&equations[second.place], &[]);
-        let kept = equations.iter().enumerate();
-        let kept = kept.filter(|(place, _)| ![first.place, second.place].contains(place));
-        let mut kept: Vec<Equation> = kept.map(|(_, equation)| equation.clone()).collect();
-        for equation in &mut kept {
-            self.substitute_in(equation, &gone, point);
-        }
-        let mut left: Vec<Coordinate> = coordinates.to_vec();
-        left.retain(|own| !point.contains(own));
-        left.push(running.angle);
-        Some((kept, left))
-    }
-
-    /// A point that two distances hold, by the angle on its circle; `point` is what it is by the unknowns so far.
-    pub(super) fn running(&mut self, point: V3<'m>, held: [&Held<'m>; 2]) -> Running<'m> {
-        let circle = self.circle(held[0], held[1]);
-        let angle = self.algebra.names.add_angle("circle", None);
-        self.algebra.names.angles[angle].estimated = self.angle_at_estimate(point, &circle);
-        let Circle { middle, axes } = circle;
-        let Vector([cos, sin]) = self.algebra.names.angles[angle].unit;
-        Running {
-            point: middle + axes[0].map(|x| cos * x) + axes[1].map(|x| sin * x),
-            angle: Coordinate {
-                kind: CoordinateKind::Angle(angle),
-                unknown: None,
-            },
+/// An unknown point that two distances from fixed points hold, and other loops determine.
+pub(super) fn point_to_circle<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> Option<System<'m>> {
+    for point in coordinates.windows(3) {
+        let Some(symbols) = point_symbols(point) else {
+            continue;
+        };
+        let held = held_by(analysis, &symbols, equations, coordinates);
+        let [first, second] = &held[..] else { continue };
+        if equations.len() > 2
+            && let Some(system) =
+                on_circle(analysis, [first, second], point, equations, coordinates)
+        {
+            return Some(system);
         }
     }
+    None
+}
 
-    /// Where two spheres meet.
-    fn circle(&self, first: &Held<'m>, second: &Held<'m>) -> Circle<'m> {
-        let (distance, along) = (second.end - first.end).length_and_unit();
-        let shares = first.length.difference_of_squares(second.length) / distance;
-        let foot = 0.5 * (distance + shares);
-        let square = (first.length - foot) * (first.length + foot);
-        let radius = square.root(first.length.square());
-        let across = along.cross(self.least_along(along)).unit();
-        Circle {
-            middle: first.end + foot * along,
-            axes: [radius * across.cross(along), radius * across],
+/// The distances from fixed points that contain nothing but this point.
+fn held_by<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    point: &[SymbolId],
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> Vec<Held<'m>> {
+    let mut held = Vec::new();
+    for (place, equation) in equations.iter().enumerate() {
+        let [row] = equation.rows[..] else { continue };
+        let Some((vector, length)) = space::space_distance(analysis, row, coordinates) else {
+            continue;
+        };
+        let Some((places, factor, known)) = point::moved_point(analysis, vector, point) else {
+            continue;
+        };
+        let is_whole = factor.constant_value().is_some_and(|own| own.abs() == 1.0);
+        let end = -(known / factor);
+        // Seen from points that move, a direction across both may vanish on the way.
+        if is_whole && places == [0, 1, 2] && end.is_fixed() {
+            held.push(Held { place, end, length });
         }
     }
+    held
+}
 
-    /// The axis of coordinates that is farthest from a direction, at the defaults.
-    fn least_along(&self, direction: V3<'m>) -> V3<'m> {
-        let values = self.nominal.evaluate(&direction.0);
-        let sizes = values.iter().map(|x| x.abs()).enumerate();
-        let least = sizes.min_by(|(_, a), (_, b)| a.total_cmp(b));
-        self.along(least.map_or(0, |(place, _)| place))
+fn on_circle<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    [first, second]: [&Held<'m>; 2],
+    point: &[Coordinate],
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> Option<System<'m>> {
+    let symbols = point_symbols(point)?;
+    let graph = analysis.algebra.graph;
+    let own = Vector([0, 1, 2].map(|k| graph.ex(graph.symbol_node(symbols[k]))));
+    let running = running(analysis, own, [first, second]);
+    for (symbol, value) in symbols.into_iter().zip(running.point.0) {
+        eliminate::make_explicit(analysis, symbol, value);
     }
+    let mut gone = equations[first.place].clone();
+    gone.absorb(&equations[second.place], &[]);
+    let kept = equations.iter().enumerate();
+    let kept = kept.filter(|(place, _)| ![first.place, second.place].contains(place));
+    let mut kept: Vec<Equation> = kept.map(|(_, equation)| equation.clone()).collect();
+    for equation in &mut kept {
+        eliminate::substitute_in(analysis, equation, &gone, point);
+    }
+    let mut left: Vec<Coordinate> = coordinates.to_vec();
+    left.retain(|own| !point.contains(own));
+    left.push(running.angle);
+    Some((kept, left))
+}
 
-    /// The direction of an axis of coordinates.
-    pub(super) fn along(&self, place: usize) -> V3<'m> {
-        let (zero, one) = (self.algebra.zero(), self.algebra.one());
-        Vector([0, 1, 2].map(|k| if k == place { one } else { zero }))
+/// A point that two distances hold, by the angle on its circle; `point` is what it is by the unknowns so far.
+pub(super) fn running<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    point: V3<'m>,
+    held: [&Held<'m>; 2],
+) -> Running<'m> {
+    let circle = circle(analysis, held[0], held[1]);
+    let angle = analysis.algebra.names.add_angle("circle", None);
+    analysis.algebra.names.angles[angle].estimated = angle_at_estimate(analysis, point, &circle);
+    let Circle { middle, axes } = circle;
+    let Vector([cos, sin]) = analysis.algebra.names.angles[angle].unit;
+    Running {
+        point: middle + axes[0].map(|x| cos * x) + axes[1].map(|x| sin * x),
+        angle: Coordinate {
+            kind: CoordinateKind::Angle(angle),
+            unknown: None,
+        },
     }
+}
 
-    /// The angle at which the point is estimated; 0 if that is nowhere.
-    fn angle_at_estimate(&self, point: V3<'m>, circle: &Circle<'m>) -> f64 {
-        let arm = point - circle.middle;
-        let sides = circle.axes.map(|axis| arm.dot(axis));
-        let values = self.algebra.at_estimates(self.nominal, &sides);
-        let angle = values[1].atan2(values[0]);
-        if angle.is_finite() { angle } else { 0.0 }
+/// Where two spheres meet.
+fn circle<'m>(analysis: &Analysis<'_, 'm>, first: &Held<'m>, second: &Held<'m>) -> Circle<'m> {
+    let (distance, along) = (second.end - first.end).length_and_unit();
+    let shares = first.length.difference_of_squares(second.length) / distance;
+    let foot = 0.5 * (distance + shares);
+    let square = (first.length - foot) * (first.length + foot);
+    let radius = square.root(first.length.square());
+    let across = along.cross(least_along(analysis, along)).unit();
+    Circle {
+        middle: first.end + foot * along,
+        axes: [radius * across.cross(along), radius * across],
     }
+}
+
+/// The axis of coordinates that is farthest from a direction, at the defaults.
+fn least_along<'m>(analysis: &Analysis<'_, 'm>, direction: V3<'m>) -> V3<'m> {
+    let values = analysis.nominal.evaluate(&direction.0);
+    let sizes = values.iter().map(|x| x.abs()).enumerate();
+    let least = sizes.min_by(|(_, a), (_, b)| a.total_cmp(b));
+    along(analysis, least.map_or(0, |(place, _)| place))
+}
+
+/// The direction of an axis of coordinates.
+pub(super) fn along<'m>(analysis: &Analysis<'_, 'm>, place: usize) -> V3<'m> {
+    let (zero, one) = (analysis.algebra.zero(), analysis.algebra.one());
+    Vector([0, 1, 2].map(|k| if k == place { one } else { zero }))
+}
+
+/// The angle at which the point is estimated; 0 if that is nowhere.
+fn angle_at_estimate<'m>(analysis: &Analysis<'_, 'm>, point: V3<'m>, circle: &Circle<'m>) -> f64 {
+    let arm = point - circle.middle;
+    let sides = circle.axes.map(|axis| arm.dot(axis));
+    let values = nominal::at_estimates(analysis.algebra, analysis.nominal, &sides);
+    let angle = values[1].atan2(values[0]);
+    if angle.is_finite() { angle } else { 0.0 }
 }

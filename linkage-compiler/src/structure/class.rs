@@ -1,5 +1,7 @@
 //! Class, order and kind of coupled groups, read from their loops.
 
+use crate::structure::coupled_core;
+use crate::structure::equations;
 use linkage_symbolic::agree;
 
 use super::Analysis;
@@ -7,138 +9,143 @@ use super::classify::Polynomials;
 use super::coupled_core::Private;
 use super::equations::{Coordinate, CoordinateKind};
 
-impl<'m> Analysis<'_, 'm> {
-    /// Class, order, and the number of links in the closed contour that changes its shape (0 without one). Loops whose known
-    /// parts are the same, and a loop without any, close a contour that leaves the frame out; every other loop adds a place where
-    /// the group is attached.
-    pub(super) fn class_and_order(
-        &mut self,
-        polynomials: &[Polynomials<'m>],
-        coordinates: &[Coordinate],
-    ) -> (u8, u8, usize) {
-        if let [only] = polynomials {
-            let dyad = if only.rows.len() == 2 { 2 } else { 0 };
-            return (dyad, dyad, 0);
-        }
-        let mut contours = 0;
-        let mut longest = 0;
-        for (index, a) in polynomials.iter().enumerate() {
-            let alone = std::iter::once(None);
-            let with_others = polynomials[..index].iter().map(Some);
-            let contour = alone
-                .chain(with_others)
-                .find_map(|b| self.contour(a, b, coordinates));
-            if let Some(length) = contour {
-                contours += 1;
-                longest = longest.max(length);
-            }
-        }
-        let order = polynomials.len() + 1 - contours;
-        let class = if contours == 0 { 3 } else { longest.max(4) };
-        (class as u8, order as u8, longest)
+/// Class, order, and the number of links in the closed contour that changes its shape (0 without one). Loops whose known
+/// parts are the same, and a loop without any, close a contour that leaves the frame out; every other loop adds a place where
+/// the group is attached.
+pub(super) fn class_and_order<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    polynomials: &[Polynomials<'m>],
+    coordinates: &[Coordinate],
+) -> (u8, u8, usize) {
+    if let [only] = polynomials {
+        let dyad = if only.rows.len() == 2 { 2 } else { 0 };
+        return (dyad, dyad, 0);
     }
-
-    /// The number of unknowns in a vector loop, or in the sum or difference of two, if the known parts cancel.
-    fn contour(
-        &mut self,
-        a: &Polynomials<'m>,
-        b: Option<&Polynomials<'m>>,
-        coordinates: &[Coordinate],
-    ) -> Option<usize> {
-        let both: Vec<&Polynomials> = std::iter::once(a).chain(b).collect();
-        if both.iter().any(|p| p.rows.len() != 2) {
-            return None;
+    let mut contours = 0;
+    let mut longest = 0;
+    for (index, a) in polynomials.iter().enumerate() {
+        let alone = std::iter::once(None);
+        let with_others = polynomials[..index].iter().map(Some);
+        let contour = alone
+            .chain(with_others)
+            .find_map(|b| contour(analysis, a, b, coordinates));
+        if let Some(length) = contour {
+            contours += 1;
+            longest = longest.max(length);
         }
-        [1.0, -1.0].into_iter().find_map(|sign| {
-            let cancels = |monomial: &[u8]| {
-                (0..2).all(|row| {
-                    let zero = self.algebra.zero();
-                    let of =
-                        |p: &Polynomials<'m>| p.rows[row].get(monomial).copied().unwrap_or(zero);
-                    let (x, y) = (of(a), b.map_or(zero, of));
-                    let y = if sign < 0.0 { -y } else { y };
-                    agree(x, y)
-                })
-            };
-            let mut monomials = both.iter().flat_map(|p| &p.rows).flat_map(|row| row.keys());
-            let known = vec![0; monomials.next().map_or(0, Vec::len)];
-            if known.is_empty() || !cancels(&known) {
-                return None;
-            }
-            let mut left: Vec<Vec<u8>> = Vec::new();
-            for monomial in both.iter().flat_map(|p| &p.rows).flat_map(|row| row.keys()) {
-                if !left.contains(monomial) && !cancels(monomial) {
-                    left.push(monomial.clone());
-                }
-            }
-            let in_contour = |k: &usize| {
-                let first = self.first_symbol(coordinates, *k);
-                let width = self.symbols(&coordinates[*k]).len();
-                left.iter()
-                    .any(|m| m[first..first + width].iter().any(|&e| e > 0))
-            };
-            Some((0..coordinates.len()).filter(in_contour).count())
-        })
     }
+    let order = polynomials.len() + 1 - contours;
+    let class = if contours == 0 { 3 } else { longest.max(4) };
+    (class as u8, order as u8, longest)
+}
 
-    /// The legs of a triad by their joints, the outer one first.
-    pub(super) fn kind(
-        &self,
-        private: &[Option<(Private<'m>, usize)>],
-        polynomials: &[Polynomials<'m>],
-        coordinates: &[Coordinate],
-        core: &[usize],
-        class: u8,
-        contour: usize,
-    ) -> String {
-        let angle = |k: &usize| matches!(coordinates[*k].kind, CoordinateKind::Angle(_));
-        let general = || match contour {
-            0 if private.len() == 1 => "polynomial".to_owned(),
-            0 => format!("{} loops", private.len()),
-            links => format!("contour of {links}"),
-        };
-        let (true, [Some(first), Some(second)], [a, b]) = (class == 3, private, core) else {
-            return general();
-        };
-        let mut legs: Vec<&str> = [first, second]
-            .map(|(p, _)| self.leg(p, coordinates))
-            .into();
-        let together = |monomial: &Vec<u8>| {
-            [a, b].into_iter().all(|k| {
-                let first = self.first_symbol(coordinates, *k);
-                let width = self.symbols(&coordinates[*k]).len();
-                monomial[first..first + width].iter().any(|&e| e > 0)
+/// The number of unknowns in a vector loop, or in the sum or difference of two, if the known parts cancel.
+fn contour<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    a: &Polynomials<'m>,
+    b: Option<&Polynomials<'m>>,
+    coordinates: &[Coordinate],
+) -> Option<usize> {
+    let both: Vec<&Polynomials> = std::iter::once(a).chain(b).collect();
+    if both.iter().any(|p| p.rows.len() != 2) {
+        return None;
+    }
+    [1.0, -1.0].into_iter().find_map(|sign| {
+        let cancels = |monomial: &[u8]| {
+            (0..2).all(|row| {
+                let zero = analysis.algebra.zero();
+                let of = |p: &Polynomials<'m>| p.rows[row].get(monomial).copied().unwrap_or(zero);
+                let (x, y) = (of(a), b.map_or(zero, of));
+                let y = if sign < 0.0 { -y } else { y };
+                agree(x, y)
             })
         };
-        let guide_turns = || {
-            polynomials
-                .iter()
-                .flat_map(|p| &p.rows)
-                .any(|row| row.keys().any(together))
-        };
-        match [a, b].map(angle) {
-            [true, true] => legs.push("RR"),
-            // The components of a point.
-            [false, false] if coordinates[*a].unknown == coordinates[*b].unknown => {
-                return general();
-            }
-            [false, false] => legs.push("PP"),
-            _ if guide_turns() => legs.push("RP"),
-            _ => legs.push("PR"),
+        let mut monomials = both.iter().flat_map(|p| &p.rows).flat_map(|row| row.keys());
+        let known = vec![0; monomials.next().map_or(0, Vec::len)];
+        if known.is_empty() || !cancels(&known) {
+            return None;
         }
-        legs.sort_unstable_by_key(|leg| ["PP", "RR", "PR", "RP"].iter().position(|l| l == leg));
-        legs.join("-")
-    }
+        let mut left: Vec<Vec<u8>> = Vec::new();
+        for monomial in both.iter().flat_map(|p| &p.rows).flat_map(|row| row.keys()) {
+            if !left.contains(monomial) && !cancels(monomial) {
+                left.push(monomial.clone());
+            }
+        }
+        let in_contour = |k: &usize| {
+            let first = coupled_core::first_symbol(analysis, coordinates, *k);
+            let width = equations::symbols(analysis, &coordinates[*k]).len();
+            left.iter()
+                .any(|m| m[first..first + width].iter().any(|&e| e > 0))
+        };
+        Some((0..coordinates.len()).filter(in_contour).count())
+    })
+}
 
-    fn leg(&self, private: &Private<'m>, coordinates: &[Coordinate]) -> &'static str {
-        match private {
-            Private::Rotor(_) => "RR",
-            Private::Slide { guide, .. } => {
-                let turns = |c: &Coordinate| guide.components().any(|g| self.contains(g, c));
-                match coordinates.iter().any(turns) {
-                    true => "RP",
-                    false => "PR",
-                }
+/// The legs of a triad by their joints, the outer one first.
+pub(super) fn kind<'m>(
+    analysis: &Analysis<'_, 'm>,
+    private: &[Option<(Private<'m>, usize)>],
+    polynomials: &[Polynomials<'m>],
+    coordinates: &[Coordinate],
+    core: &[usize],
+    class: u8,
+    contour: usize,
+) -> String {
+    let angle = |k: &usize| matches!(coordinates[*k].kind, CoordinateKind::Angle(_));
+    let general = || match contour {
+        0 if private.len() == 1 => "polynomial".to_owned(),
+        0 => format!("{} loops", private.len()),
+        links => format!("contour of {links}"),
+    };
+    let (true, [Some(first), Some(second)], [a, b]) = (class == 3, private, core) else {
+        return general();
+    };
+    let mut legs: Vec<&str> = [first, second]
+        .map(|(p, _)| leg(analysis, p, coordinates))
+        .into();
+    let together = |monomial: &Vec<u8>| {
+        [a, b].into_iter().all(|k| {
+            let first = coupled_core::first_symbol(analysis, coordinates, *k);
+            let width = equations::symbols(analysis, &coordinates[*k]).len();
+            monomial[first..first + width].iter().any(|&e| e > 0)
+        })
+    };
+    let guide_turns = || {
+        polynomials
+            .iter()
+            .flat_map(|p| &p.rows)
+            .any(|row| row.keys().any(together))
+    };
+    match [a, b].map(angle) {
+        [true, true] => legs.push("RR"),
+        // The components of a point.
+        [false, false] if coordinates[*a].unknown == coordinates[*b].unknown => {
+            return general();
+        }
+        [false, false] => legs.push("PP"),
+        _ if guide_turns() => legs.push("RP"),
+        _ => legs.push("PR"),
+    }
+    legs.sort_unstable_by_key(|leg| ["PP", "RR", "PR", "RP"].iter().position(|l| l == leg));
+    legs.join("-")
+}
+
+fn leg<'m>(
+    analysis: &Analysis<'_, 'm>,
+    private: &Private<'m>,
+    coordinates: &[Coordinate],
+) -> &'static str {
+    match private {
+        Private::Rotor(_) => "RR",
+        Private::Slide { guide, .. } => {
+            let turns = |c: &Coordinate| {
+                guide
+                    .components()
+                    .any(|g| equations::contains(analysis, g, c))
+            };
+            match coordinates.iter().any(turns) {
+                true => "RP",
+                false => "PR",
             }
         }
     }

@@ -20,82 +20,89 @@ const ALONG: f64 = 1e-6;
 /// Three digits are enough to recognise a direction.
 const DIGITS: f64 = 1000.0;
 
-impl<'m> Analysis<'_, 'm> {
-    /// What the unknowns do to a loop of three rows at their estimates: `none of them moves it along (0, 0, 1)`. Nothing if they
-    /// move it in all directions.
-    pub(super) fn short_of(
-        &mut self,
-        equation: &Equation<'m>,
-        own: &[Coordinate],
-    ) -> Option<String> {
-        let rows: [Ex<'m>; 3] = equation.rows.clone().try_into().ok()?;
-        let mut reached: Vec<Direction> = Vec::new();
-        for coordinate in own {
-            let column = self.column(rows, coordinate)?;
-            let across = reached.iter().fold(column, |rest, unit| {
-                let along = dot(rest, *unit);
-                [0, 1, 2].map(|k| rest[k] - along * unit[k])
-            });
-            if norm(across) > ALONG * norm(column) {
-                reached.push(across.map(|x| x / norm(across)));
+/// What the unknowns do to a loop of three rows at their estimates: `none of them moves it along (0, 0, 1)`. Nothing if they
+/// move it in all directions.
+pub(super) fn short_of<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    equation: &Equation<'m>,
+    own: &[Coordinate],
+) -> Option<String> {
+    let rows: [Ex<'m>; 3] = equation.rows.clone().try_into().ok()?;
+    let mut reached: Vec<Direction> = Vec::new();
+    for coordinate in own {
+        let column = column(analysis, rows, coordinate)?;
+        let across = reached.iter().fold(column, |rest, unit| {
+            let along = dot(rest, *unit);
+            [0, 1, 2].map(|k| rest[k] - along * unit[k])
+        });
+        if norm(across) > ALONG * norm(column) {
+            reached.push(across.map(|x| x / norm(across)));
+        }
+    }
+    match reached[..] {
+        [only] if own.len() == 1 => Some(format!("it is moved along {} only", words(only))),
+        [only] => Some(format!("they move it along {} only", words(only))),
+        [a, b] => Some(format!(
+            "none of them moves it along {}",
+            words(cross(a, b))
+        )),
+        _ => None,
+    }
+}
+
+/// How the rows change with one coordinate, at the estimates.
+fn column<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    rows: [Ex<'m>; 3],
+    coordinate: &Coordinate,
+) -> Option<Direction> {
+    coordinate.unknown?;
+    let unknowns = &analysis.algebra.mechanism.unknowns;
+    if unknowns.iter().any(|unknown| unknown.estimate.is_none()) {
+        return None;
+    }
+    let ahead = rows_at(analysis, rows, coordinate, STEP);
+    let behind = rows_at(analysis, rows, coordinate, -STEP);
+    let column = [0, 1, 2].map(|k| (ahead[k] - behind[k]) / (2.0 * STEP));
+    column.iter().all(|x| x.is_finite()).then_some(column)
+}
+
+/// The rows at the estimates with one coordinate moved: by radians, or by a share of the estimate.
+fn rows_at<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    rows: [Ex<'m>; 3],
+    moved: &Coordinate,
+    step: f64,
+) -> Vec<f64> {
+    let mut values: Map<SymbolId, Ex<'m>> = Map::new();
+    for (unknown, bound) in analysis.algebra.names.bound.iter().enumerate() {
+        let estimate = &analysis.nominal.estimates[unknown];
+        match bound {
+            Bound::Angle(index) => {
+                let angle = &analysis.algebra.names.angles[*index];
+                let shift = match moved.kind == CoordinateKind::Angle(*index) {
+                    true => step,
+                    false => 0.0,
+                };
+                let value = estimate[0] + shift;
+                let numbers = [value.cos(), value.sin(), value];
+                let numbers = numbers.map(|x| analysis.algebra.graph.number(x));
+                values.extend(angle.symbols().into_iter().zip(numbers));
             }
-        }
-        match reached[..] {
-            [only] if own.len() == 1 => Some(format!("it is moved along {} only", words(only))),
-            [only] => Some(format!("they move it along {} only", words(only))),
-            [a, b] => Some(format!(
-                "none of them moves it along {}",
-                words(cross(a, b))
-            )),
-            _ => None,
-        }
-    }
-
-    /// How the rows change with one coordinate, at the estimates.
-    fn column(&mut self, rows: [Ex<'m>; 3], coordinate: &Coordinate) -> Option<Direction> {
-        coordinate.unknown?;
-        let unknowns = &self.algebra.mechanism.unknowns;
-        if unknowns.iter().any(|unknown| unknown.estimate.is_none()) {
-            return None;
-        }
-        let ahead = self.rows_at(rows, coordinate, STEP);
-        let behind = self.rows_at(rows, coordinate, -STEP);
-        let column = [0, 1, 2].map(|k| (ahead[k] - behind[k]) / (2.0 * STEP));
-        column.iter().all(|x| x.is_finite()).then_some(column)
-    }
-
-    /// The rows at the estimates with one coordinate moved: by radians, or by a share of the estimate.
-    fn rows_at(&mut self, rows: [Ex<'m>; 3], moved: &Coordinate, step: f64) -> Vec<f64> {
-        let mut values: Map<SymbolId, Ex<'m>> = Map::new();
-        for (unknown, bound) in self.algebra.names.bound.iter().enumerate() {
-            let estimate = &self.nominal.estimates[unknown];
-            match bound {
-                Bound::Angle(index) => {
-                    let angle = &self.algebra.names.angles[*index];
-                    let shift = match moved.kind == CoordinateKind::Angle(*index) {
-                        true => step,
+            Bound::Lengths(symbols) => {
+                for ((symbol, _), estimate) in symbols.iter().zip(estimate) {
+                    let shift = match moved.kind == CoordinateKind::Length(*symbol) {
+                        true => step * estimate.abs().max(1.0),
                         false => 0.0,
                     };
-                    let value = estimate[0] + shift;
-                    let numbers = [value.cos(), value.sin(), value];
-                    let numbers = numbers.map(|x| self.algebra.graph.number(x));
-                    values.extend(angle.symbols().into_iter().zip(numbers));
-                }
-                Bound::Lengths(symbols) => {
-                    for ((symbol, _), estimate) in symbols.iter().zip(estimate) {
-                        let shift = match moved.kind == CoordinateKind::Length(*symbol) {
-                            true => step * estimate.abs().max(1.0),
-                            false => 0.0,
-                        };
-                        let value = self.algebra.graph.number(estimate + shift);
-                        values.insert(*symbol, value);
-                    }
+                    let value = analysis.algebra.graph.number(estimate + shift);
+                    values.insert(*symbol, value);
                 }
             }
         }
-        let rows = substitute(&rows, &values);
-        self.nominal.evaluate(&rows)
     }
+    let rows = substitute(&rows, &values);
+    analysis.nominal.evaluate(&rows)
 }
 
 /// A unit vector to three digits; of the two signs, the one whose first component other than 0 is positive.

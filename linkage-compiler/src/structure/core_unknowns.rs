@@ -5,32 +5,35 @@ use super::coupled_core::Core;
 use super::equations::{Coordinate, CoordinateKind};
 use crate::model::{Dimension, Type};
 
-impl Analysis<'_, '_> {
-    pub(super) fn of_core(&self, coordinate: &Coordinate) -> (Core, Option<usize>) {
-        match coordinate.kind {
-            CoordinateKind::Angle(angle) => (Core::Angle(angle), None),
-            CoordinateKind::Length(symbol) => (
-                Core::Length {
-                    symbol,
-                    number: coordinate.unknown.is_some_and(|k| self.is_number(k)),
-                    component: None,
-                },
-                coordinate.unknown,
-            ),
-        }
+pub(super) fn of_core(
+    analysis: &Analysis<'_, '_>,
+    coordinate: &Coordinate,
+) -> (Core, Option<usize>) {
+    match coordinate.kind {
+        CoordinateKind::Angle(angle) => (Core::Angle(angle), None),
+        CoordinateKind::Length(symbol) => (
+            Core::Length {
+                symbol,
+                number: coordinate
+                    .unknown
+                    .is_some_and(|k| is_number_unknown(analysis, k)),
+                component: None,
+            },
+            coordinate.unknown,
+        ),
     }
+}
 
-    /// True for an unknown without a length in it.
-    fn is_number(&self, unknown: usize) -> bool {
-        is_number(self.algebra.mechanism.unknowns[unknown].ty.dimension())
-    }
+/// True for an unknown without a length in it.
+fn is_number_unknown(analysis: &Analysis<'_, '_>, unknown: usize) -> bool {
+    is_number(analysis.algebra.mechanism.unknowns[unknown].ty.dimension())
+}
 
-    /// True for a loop without a length in it.
-    pub(super) fn is_number_loop(&self, index: usize) -> bool {
-        let own = &self.algebra.mechanism.loops[index];
-        let dimensions = [&own.left.ty, &own.right.ty].map(Type::dimension);
-        is_number(dimensions.into_iter().flatten().next())
-    }
+/// True for a loop without a length in it.
+pub(super) fn is_number_loop(analysis: &Analysis<'_, '_>, index: usize) -> bool {
+    let own = &analysis.algebra.mechanism.loops[index];
+    let dimensions = [&own.left.ty, &own.right.ty].map(Type::dimension);
+    is_number(dimensions.into_iter().flatten().next())
 }
 
 fn is_number(dimension: Option<Dimension>) -> bool {

@@ -4,6 +4,11 @@
 //! equation without it: a link keeps its length, or a point stays on its guide. What remains are the *core* unknowns, two for a
 //! triad, whatever its joints.
 
+use crate::structure::class;
+use crate::structure::classify;
+use crate::structure::core_unknowns;
+use crate::structure::equations;
+use crate::structure::product;
 use linkage_symbolic::{Ex, SymbolId, V2, V3, Vector, substitute};
 
 use super::classify::Polynomials;
@@ -100,186 +105,199 @@ struct Place<'p, 'm> {
     coordinate: &'p Coordinate,
 }
 
-impl<'m> Analysis<'_, 'm> {
-    /// The form of loops that remain coupled, if they are polynomials in their unknowns.
-    pub(super) fn coupled(
-        &mut self,
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-    ) -> Option<Form<'m>> {
-        let polynomials = equations
-            .iter()
-            .map(|equation| self.polynomials(&equation.rows, coordinates))
-            .collect::<Option<Vec<_>>>()?;
-        let values_free = coordinates.iter().enumerate().all(|(k, coordinate)| {
-            let first = self.first_symbol(coordinates, k);
-            !matches!(coordinate.kind, CoordinateKind::Angle(_))
-                || polynomials.iter().all(|p| !p.mention(first + 2))
-        });
-        if !values_free {
-            return None;
-        }
-        let (private, core) = self.private_and_core(&polynomials, coordinates);
-        if core.len() > MOST_CORE {
-            return None;
-        }
-        let (class, order, contour) = self.class_and_order(&polynomials, coordinates);
-        let mut kind = self.kind(&private, &polynomials, coordinates, &core, class, contour);
-        let in_space = equations
-            .iter()
-            .any(|e| e.rows.len() == 3 || e.distance.is_some());
-        // Class and order are notions of the plane.
-        let (class, order) = if in_space { (0, 0) } else { (class, order) };
-        if in_space {
-            kind = match equations.len() {
-                1 => "loop in space".to_owned(),
-                count => format!("{count} loops in space"),
-            };
-        }
-        let blocks = equations.iter().zip(&polynomials).zip(private);
-        let blocks = blocks.map(|((equation, polynomials), private)| {
-            let private = private.map(|(private, _)| private);
-            self.block(equation, polynomials, private, coordinates)
-        });
-        let blocks = blocks.collect();
-        let core = core
-            .into_iter()
-            .map(|k| self.of_core(&coordinates[k]))
-            .collect();
-        Some(Form::Coupled(Box::new(Coupled {
-            kind,
-            class,
-            order,
-            blocks,
-            core: paired(core),
-        })))
+/// The form of loops that remain coupled, if they are polynomials in their unknowns.
+pub(super) fn coupled<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> Option<Form<'m>> {
+    let polynomials = equations
+        .iter()
+        .map(|equation| classify::polynomials(analysis, &equation.rows, coordinates))
+        .collect::<Option<Vec<_>>>()?;
+    let values_free = coordinates.iter().enumerate().all(|(k, coordinate)| {
+        let first = first_symbol(analysis, coordinates, k);
+        !matches!(coordinate.kind, CoordinateKind::Angle(_))
+            || polynomials.iter().all(|p| !p.mention(first + 2))
+    });
+    if !values_free {
+        return None;
     }
+    let (private, core) = private_and_core(analysis, &polynomials, coordinates);
+    if core.len() > MOST_CORE {
+        return None;
+    }
+    let (class, order, contour) = class::class_and_order(analysis, &polynomials, coordinates);
+    let mut kind = class::kind(
+        analysis,
+        &private,
+        &polynomials,
+        coordinates,
+        &core,
+        class,
+        contour,
+    );
+    let in_space = equations
+        .iter()
+        .any(|e| e.rows.len() == 3 || e.distance.is_some());
+    // Class and order are notions of the plane.
+    let (class, order) = if in_space { (0, 0) } else { (class, order) };
+    if in_space {
+        kind = match equations.len() {
+            1 => "loop in space".to_owned(),
+            count => format!("{count} loops in space"),
+        };
+    }
+    let blocks = equations.iter().zip(&polynomials).zip(private);
+    let blocks = blocks.map(|((equation, polynomials), private)| {
+        let private = private.map(|(private, _)| private);
+        block(analysis, equation, polynomials, private, coordinates)
+    });
+    let blocks = blocks.collect();
+    let core = core
+        .into_iter()
+        .map(|k| core_unknowns::of_core(analysis, &coordinates[k]))
+        .collect();
+    Some(Form::Coupled(Box::new(Coupled {
+        kind,
+        class,
+        order,
+        blocks,
+        core: paired(core),
+    })))
+}
 
-    /// The unknowns that one loop alone contains, by loop with their coordinate, and the coordinates that remain.
-    pub(super) fn private_and_core(
-        &mut self,
-        polynomials: &[Polynomials<'m>],
-        coordinates: &[Coordinate],
-    ) -> (Vec<Option<(Private<'m>, usize)>>, Vec<usize>) {
-        let mut private = vec![None; polynomials.len()];
-        let mut core = Vec::new();
-        for (k, coordinate) in coordinates.iter().enumerate() {
-            let first = self.first_symbol(coordinates, k);
-            let width = self.symbols(coordinate).len();
-            let with: Vec<usize> = (0..polynomials.len())
-                .filter(|&e| (first..first + width).any(|s| polynomials[e].mention(s)))
-                .collect();
-            if let [only] = with[..]
-                && private[only].is_none()
-                && let Some(found) = self.private(Place {
+/// The unknowns that one loop alone contains, by loop with their coordinate, and the coordinates that remain.
+pub(super) fn private_and_core<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    polynomials: &[Polynomials<'m>],
+    coordinates: &[Coordinate],
+) -> (Vec<Option<(Private<'m>, usize)>>, Vec<usize>) {
+    let mut privates = vec![None; polynomials.len()];
+    let mut core = Vec::new();
+    for (k, coordinate) in coordinates.iter().enumerate() {
+        let first = first_symbol(analysis, coordinates, k);
+        let width = equations::symbols(analysis, coordinate).len();
+        let with: Vec<usize> = (0..polynomials.len())
+            .filter(|&e| (first..first + width).any(|s| polynomials[e].mention(s)))
+            .collect();
+        if let [only] = with[..]
+            && privates[only].is_none()
+            && let Some(found) = private(
+                analysis,
+                Place {
                     polynomials: &polynomials[only],
                     first,
                     coordinate,
-                })
-            {
-                private[only] = Some((found, k));
-                continue;
-            }
-            core.push(k);
+                },
+            )
+        {
+            privates[only] = Some((found, k));
+            continue;
         }
-        (private, core)
+        core.push(k);
     }
+    (privates, core)
+}
 
-    /// The place of a coordinate's first symbol among the symbols of polynomials.
-    pub(super) fn first_symbol(&self, coordinates: &[Coordinate], index: usize) -> usize {
-        let before = coordinates[..index].iter();
-        before.map(|c| self.symbols(c).len()).sum()
+/// The place of a coordinate's first symbol among the symbols of polynomials.
+pub(super) fn first_symbol(
+    analysis: &Analysis<'_, '_>,
+    coordinates: &[Coordinate],
+    index: usize,
+) -> usize {
+    let before = coordinates[..index].iter();
+    before.map(|c| equations::symbols(analysis, c).len()).sum()
+}
+
+/// A coordinate as the private unknown of a loop, if the loop can be solved for it.
+fn private<'m>(analysis: &mut Analysis<'_, 'm>, place: Place<'_, 'm>) -> Option<Private<'m>> {
+    let Place {
+        polynomials,
+        first,
+        coordinate,
+    } = place;
+    if polynomials.rows.len() != 2 {
+        return None;
     }
-
-    /// A coordinate as the private unknown of a loop, if the loop can be solved for it.
-    fn private(&mut self, place: Place<'_, 'm>) -> Option<Private<'m>> {
-        let Place {
-            polynomials,
-            first,
-            coordinate,
-        } = place;
-        if polynomials.rows.len() != 2 {
-            return None;
+    match coordinate.kind {
+        CoordinateKind::Angle(angle) => {
+            let mut rest = polynomials.clone();
+            let rotor = classify::take_rotor(analysis, &mut rest, angle, &[])?;
+            let gone = !rest.mention(first) && !rest.mention(first + 1);
+            (gone && !rotor.z.is_zero()).then_some(Private::Rotor(rotor))
         }
-        match coordinate.kind {
-            CoordinateKind::Angle(angle) => {
-                let mut rest = polynomials.clone();
-                let rotor = self.take_rotor(&mut rest, angle, &[])?;
-                let gone = !rest.mention(first) && !rest.mention(first + 1);
-                (gone && !rotor.z.is_zero()).then_some(Private::Rotor(rotor))
-            }
-            CoordinateKind::Length(slide) => {
-                let mut guide = Vector([self.algebra.zero(); 2]);
-                for (row, sum) in polynomials.rows.iter().zip(&mut guide.0) {
-                    for (monomial, &coefficient) in row {
-                        match monomial[first] {
-                            0 => continue,
-                            1 => {}
-                            _ => return None,
-                        }
-                        let mut others = monomial.clone();
-                        others[first] = 0;
-                        let factor = self.monomial(polynomials.powers(&others));
-                        *sum += coefficient * factor;
+        CoordinateKind::Length(slide) => {
+            let mut guide = Vector([analysis.algebra.zero(); 2]);
+            for (row, sum) in polynomials.rows.iter().zip(&mut guide.0) {
+                for (monomial, &coefficient) in row {
+                    match monomial[first] {
+                        0 => continue,
+                        1 => {}
+                        _ => return None,
                     }
+                    let mut others = monomial.clone();
+                    others[first] = 0;
+                    let factor = product_of_powers(analysis, polynomials.powers(&others));
+                    *sum += coefficient * factor;
                 }
-                (!guide.is_zero()).then_some(Private::Slide { slide, guide })
             }
+            (!guide.is_zero()).then_some(Private::Slide { slide, guide })
         }
     }
+}
 
-    fn monomial(&self, powers: Vec<(SymbolId, u8)>) -> Ex<'m> {
-        let graph = self.algebra.graph;
-        let mut product = self.algebra.one();
-        for (symbol, power) in powers {
-            for _ in 0..power {
-                let factor = graph.ex(graph.symbol_node(symbol));
-                product = product * factor;
-            }
+fn product_of_powers<'m>(analysis: &Analysis<'_, 'm>, powers: Vec<(SymbolId, u8)>) -> Ex<'m> {
+    let graph = analysis.algebra.graph;
+    let mut product = analysis.algebra.one();
+    for (symbol, power) in powers {
+        for _ in 0..power {
+            let factor = graph.ex(graph.symbol_node(symbol));
+            product = product * factor;
         }
-        product
     }
+    product
+}
 
-    fn block(
-        &mut self,
-        equation: &Equation<'m>,
-        polynomials: &Polynomials<'m>,
-        private: Option<Private<'m>>,
-        coordinates: &[Coordinate],
-    ) -> Block<'m> {
-        let zero = self.algebra.zero();
-        let mut monomials: Vec<_> = polynomials.rows.iter().flat_map(|row| row.keys()).collect();
-        monomials.sort();
-        monomials.dedup();
-        let terms = monomials.into_iter().map(|monomial| Product {
-            coefficient: polynomials
-                .rows
-                .iter()
-                .map(|row| row.get(monomial).copied().unwrap_or(zero))
-                .collect(),
-            powers: polynomials.powers(monomial),
-        });
-        let own: Vec<SymbolId> = match &private {
-            Some(Private::Rotor(rotor)) => {
-                let angle = &self.algebra.names.angles[rotor.angle];
-                vec![angle.cos, angle.sin]
-            }
-            Some(Private::Slide { slide, .. }) => vec![*slide],
-            None => Vec::new(),
-        };
-        let product = match equation.rows[..] {
-            [row] => self.product(row, coordinates),
-            _ => None,
-        };
-        let removed = own.into_iter().map(|symbol| (symbol, zero)).collect();
-        Block {
-            terms: terms.collect(),
-            rest: substitute(&equation.rows, &removed),
-            rows: equation.rows.clone(),
-            private,
-            distance: equation.distance.clone(),
-            product,
-            number: self.is_number_loop(equation.written),
+fn block<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    equation: &Equation<'m>,
+    polynomials: &Polynomials<'m>,
+    private: Option<Private<'m>>,
+    coordinates: &[Coordinate],
+) -> Block<'m> {
+    let zero = analysis.algebra.zero();
+    let mut monomials: Vec<_> = polynomials.rows.iter().flat_map(|row| row.keys()).collect();
+    monomials.sort();
+    monomials.dedup();
+    let terms = monomials.into_iter().map(|monomial| Product {
+        coefficient: polynomials
+            .rows
+            .iter()
+            .map(|row| row.get(monomial).copied().unwrap_or(zero))
+            .collect(),
+        powers: polynomials.powers(monomial),
+    });
+    let own: Vec<SymbolId> = match &private {
+        Some(Private::Rotor(rotor)) => {
+            let angle = &analysis.algebra.names.angles[rotor.angle];
+            vec![angle.cos, angle.sin]
         }
+        Some(Private::Slide { slide, .. }) => vec![*slide],
+        None => Vec::new(),
+    };
+    let product = match equation.rows[..] {
+        [row] => product::product(analysis, row, coordinates),
+        _ => None,
+    };
+    let removed = own.into_iter().map(|symbol| (symbol, zero)).collect();
+    Block {
+        terms: terms.collect(),
+        rest: substitute(&equation.rows, &removed),
+        rows: equation.rows.clone(),
+        private,
+        distance: equation.distance.clone(),
+        product,
+        number: core_unknowns::is_number_loop(analysis, equation.written),
     }
 }

@@ -1,5 +1,8 @@
 //! Distances in space as polynomials of low degree, for the general machinery.
 
+use crate::structure::classify;
+use crate::structure::coupled_core;
+use crate::structure::space;
 use linkage_symbolic::{Ex, V3};
 
 use super::Analysis;
@@ -14,73 +17,75 @@ pub(crate) struct Link<'m> {
     pub(crate) less: Option<Box<Link<'m>>>,
 }
 
-impl<'m> Analysis<'_, 'm> {
-    /// `|v| = l` becomes `(v . v / l - l)/2`, a length. Where an earlier distance is about the same point, their difference is taken: it
-    /// is of the first degree in that point, which leaves fewer solutions at infinity.
-    pub(super) fn squared(
-        &mut self,
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-    ) -> Vec<Equation<'m>> {
-        let mut squared = equations.to_vec();
-        let mut links: Vec<Link<'m>> = Vec::new();
-        for equation in &mut squared {
-            let &[row] = &equation.rows[..] else { continue };
-            let Some((vector, length)) = self.space_distance(row, coordinates) else {
-                continue;
-            };
-            let mut link = Link {
-                vector,
-                length,
-                less: None,
-            };
-            let partner = links
-                .iter()
-                .find_map(|other| Some((self.apart(&link, other, coordinates)?, other)));
-            let row = match partner {
-                Some(([apart, sum], other)) => {
-                    link.less = Some(Box::new(other.clone()));
-                    difference_of_links(&link, other, apart, sum)
-                }
-                None => square_of_link(&link),
-            };
-            equation.rows = vec![row];
-            equation.distance = Some(link.clone());
-            links.push(link);
-        }
-        squared
+/// `|v| = l` becomes `(v . v / l - l)/2`, a length. Where an earlier distance is about the same point, their difference is taken: it
+/// is of the first degree in that point, which leaves fewer solutions at infinity.
+pub(super) fn squared<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> Vec<Equation<'m>> {
+    let mut squared = equations.to_vec();
+    let mut links: Vec<Link<'m>> = Vec::new();
+    for equation in &mut squared {
+        let &[row] = &equation.rows[..] else { continue };
+        let Some((vector, length)) = space::space_distance(analysis, row, coordinates) else {
+            continue;
+        };
+        let mut link = Link {
+            vector,
+            length,
+            less: None,
+        };
+        let partner = links
+            .iter()
+            .find_map(|other| Some((apart(analysis, &link, other, coordinates)?, other)));
+        let row = match partner {
+            Some(([apart, sum], other)) => {
+                link.less = Some(Box::new(other.clone()));
+                difference_of_links(&link, other, apart, sum)
+            }
+            None => square_of_link(&link),
+        };
+        equation.rows = vec![row];
+        equation.distance = Some(link.clone());
+        links.push(link);
     }
+    squared
+}
 
-    /// Difference and sum of two links' vectors (one of them reversed if need be), if the difference is free of a length that the
-    /// first vector contains.
-    fn apart(
-        &mut self,
-        link: &Link<'m>,
-        other: &Link<'m>,
-        coordinates: &[Coordinate],
-    ) -> Option<[V3<'m>; 2]> {
-        let contained = self.lengths_in(link.vector, coordinates)?;
-        let sum = link.vector + other.vector;
-        let difference = link.vector - other.vector;
-        [[difference, sum], [sum, difference]]
-            .into_iter()
-            .find(|[apart, _]| {
-                let left = self.lengths_in(*apart, coordinates);
-                left.is_some_and(|left| {
-                    left.len() < contained.len() && left.iter().all(|k| contained.contains(k))
-                })
+/// Difference and sum of two links' vectors (one of them reversed if need be), if the difference is free of a length that the
+/// first vector contains.
+fn apart<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    link: &Link<'m>,
+    other: &Link<'m>,
+    coordinates: &[Coordinate],
+) -> Option<[V3<'m>; 2]> {
+    let contained = lengths_in(analysis, link.vector, coordinates)?;
+    let sum = link.vector + other.vector;
+    let difference = link.vector - other.vector;
+    [[difference, sum], [sum, difference]]
+        .into_iter()
+        .find(|[apart, _]| {
+            let left = lengths_in(analysis, *apart, coordinates);
+            left.is_some_and(|left| {
+                left.len() < contained.len() && left.iter().all(|k| contained.contains(k))
             })
-    }
+        })
+}
 
-    /// The unknown lengths that a vector contains.
-    fn lengths_in(&mut self, vector: V3<'m>, coordinates: &[Coordinate]) -> Option<Vec<usize>> {
-        let polynomials = self.polynomials(&vector.0, coordinates)?;
-        let is_length = |k: &usize| matches!(coordinates[*k].kind, CoordinateKind::Length(_));
-        let contained = (0..coordinates.len())
-            .filter(is_length)
-            .filter(|&k| polynomials.mention(self.first_symbol(coordinates, k)));
-        Some(contained.collect())
-    }
+/// The unknown lengths that a vector contains.
+fn lengths_in<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    vector: V3<'m>,
+    coordinates: &[Coordinate],
+) -> Option<Vec<usize>> {
+    let polynomials = classify::polynomials(analysis, &vector.0, coordinates)?;
+    let is_length = |k: &usize| matches!(coordinates[*k].kind, CoordinateKind::Length(_));
+    let contained = (0..coordinates.len())
+        .filter(is_length)
+        .filter(|&k| polynomials.mention(coupled_core::first_symbol(analysis, coordinates, k)));
+    Some(contained.collect())
 }
 
 fn square_of_link<'m>(link: &Link<'m>) -> Ex<'m> {

@@ -1,5 +1,9 @@
 //! An angle of which only products of two of cosine and sine occur: vectors turn with its double, which is solved for.
 
+use crate::algebra::scalar;
+use crate::structure::classify;
+use crate::structure::eliminate;
+use crate::structure::space;
 use linkage_symbolic::{Ex, V2, collect};
 
 use crate::algebra::{Atom, StandsFor};
@@ -9,110 +13,112 @@ use super::eliminate::System;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::space::Distance;
 
-impl<'m> Analysis<'_, 'm> {
-    /// An angle that turns vectors twice as fast only: they turn with its double, which is solved for.
-    pub(super) fn double_angle(
-        &mut self,
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-    ) -> Option<System<'m>> {
-        let [equation] = equations else { return None };
-        self.by_double_angle(equation, coordinates)
-    }
+/// An angle that turns vectors twice as fast only: they turn with its double, which is solved for.
+pub(super) fn double_angle<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> Option<System<'m>> {
+    let [equation] = equations else { return None };
+    by_double_angle(analysis, equation, coordinates)
+}
 
-    /// A distance between points that go around one centre on ellipses, as the foot of scissors and a point of an arm: its square contains products
-    /// of two of cosine and sine only.
-    pub(super) fn distance_of_double_angle(
-        &mut self,
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-    ) -> Option<System<'m>> {
-        let ([equation], [_]) = (equations, coordinates) else {
-            return None;
+/// A distance between points that go around one centre on ellipses, as the foot of scissors and a point of an arm: its square contains products
+/// of two of cosine and sine only.
+pub(super) fn distance_of_double_angle<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> Option<System<'m>> {
+    let ([equation], [_]) = (equations, coordinates) else {
+        return None;
+    };
+    let &[row] = &equation.rows[..] else {
+        return None;
+    };
+    let Distance { vector, length } = space::distance(analysis, row, coordinates)?;
+    let polynomials = classify::polynomials(analysis, &vector, coordinates)?;
+    let mut monomials = polynomials.rows.iter().flat_map(|row| row.keys());
+    if !monomials.all(|powers| powers.iter().sum::<u8>() == 1) {
+        return None;
+    }
+    let zero = analysis.algebra.zero();
+    let square = vector.iter().fold(zero, |sum, x| sum + x.square());
+    let squared = Equation {
+        rows: vec![0.5 * (square / length - length)],
+        relation: None,
+        ..equation.clone()
+    };
+    by_double_angle(analysis, &squared, coordinates)
+}
+
+fn by_double_angle<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    equation: &Equation<'m>,
+    coordinates: &[Coordinate],
+) -> Option<System<'m>> {
+    for (place, coordinate) in coordinates.iter().enumerate() {
+        let CoordinateKind::Angle(half) = coordinate.kind else {
+            continue;
         };
-        let &[row] = &equation.rows[..] else {
-            return None;
+        let Some(rows) = squares_of(analysis, half, equation) else {
+            continue;
         };
-        let Distance { vector, length } = self.distance(row, coordinates)?;
-        let polynomials = self.polynomials(&vector, coordinates)?;
-        let mut monomials = polynomials.rows.iter().flat_map(|row| row.keys());
-        if !monomials.all(|powers| powers.iter().sum::<u8>() == 1) {
-            return None;
-        }
-        let zero = self.algebra.zero();
-        let square = vector.iter().fold(zero, |sum, x| sum + x.square());
-        let squared = Equation {
-            rows: vec![0.5 * (square / length - length)],
+        let double = analysis.algebra.names.add_angle("double", None);
+        let own = &analysis.algebra.names.angles[half];
+        let summands = own.summands().into_iter();
+        let summands = summands
+            .map(|(unknown, sign)| (unknown, 2.0 * sign))
+            .collect();
+        let stands_for = own.meant().map(|unknown| StandsFor { unknown, summands });
+        analysis.algebra.names.angles[double].stands_for = stands_for;
+        let unit = analysis.algebra.names.angles[double].unit;
+        let rows = rows.into_iter().map(|row| row.turned_with(unit));
+        let mut changed = Equation {
+            rows: rows.collect(),
             relation: None,
             ..equation.clone()
         };
-        self.by_double_angle(&squared, coordinates)
-    }
-
-    fn by_double_angle(
-        &mut self,
-        equation: &Equation<'m>,
-        coordinates: &[Coordinate],
-    ) -> Option<System<'m>> {
-        for (place, coordinate) in coordinates.iter().enumerate() {
-            let CoordinateKind::Angle(half) = coordinate.kind else {
-                continue;
-            };
-            let Some(rows) = self.squares_of(half, equation) else {
-                continue;
-            };
-            let double = self.algebra.names.add_angle("double", None);
-            let own = &self.algebra.names.angles[half];
-            let summands = own.summands().into_iter();
-            let summands = summands
-                .map(|(unknown, sign)| (unknown, 2.0 * sign))
-                .collect();
-            let stands_for = own.meant().map(|unknown| StandsFor { unknown, summands });
-            self.algebra.names.angles[double].stands_for = stands_for;
-            let unit = self.algebra.names.angles[double].unit;
-            let rows = rows.into_iter().map(|row| row.turned_with(unit));
-            let mut changed = Equation {
-                rows: rows.collect(),
-                relation: None,
-                ..equation.clone()
-            };
-            changed.eliminated.extend(coordinate.unknown);
-            let mut coordinates = coordinates.to_vec();
-            coordinates[place] = Coordinate {
-                kind: CoordinateKind::Angle(double),
-                unknown: None,
-            };
-            if self.classify(&changed, &coordinates).is_some() {
-                let value = self.algebra.atom(Atom::Angle(double)).scaled(0.5);
-                self.replace_angle(half, &value);
-                return Some((vec![changed], coordinates));
-            }
+        changed.eliminated.extend(coordinate.unknown);
+        let mut coordinates = coordinates.to_vec();
+        coordinates[place] = Coordinate {
+            kind: CoordinateKind::Angle(double),
+            unknown: None,
+        };
+        if classify::classify(analysis, &changed, &coordinates).is_some() {
+            let value = scalar::atom(analysis.algebra, Atom::Angle(double)).scaled(0.5);
+            eliminate::replace_angle(analysis, half, &value);
+            return Some((vec![changed], coordinates));
         }
-        None
     }
+    None
+}
 
-    /// The rows of an equation, if they contain nothing of an angle but products of two of its cosine and sine.
-    fn squares_of(&self, angle: usize, equation: &Equation<'m>) -> Option<Vec<SquaresOf<'m>>> {
-        let own = &self.algebra.names.angles[angle];
-        let symbols = own.symbols();
-        let zero = self.algebra.zero();
-        let rows = equation.rows.iter().map(|&row| {
-            let mut terms = collect(row, &symbols, &[])?;
-            let mut take = |cos, sin| terms.remove(&vec![cos, sin, 0]).unwrap_or(zero);
-            let squares = SquaresOf {
-                cosine: take(2, 0),
-                sine: take(0, 2),
-                product: take(1, 1),
-                rest: take(0, 0),
-            };
-            terms.is_empty().then_some(squares)
-        });
-        let rows: Vec<SquaresOf> = rows.collect::<Option<_>>()?;
-        let turns = rows
-            .iter()
-            .any(|row| !row.product.is_zero() || row.cosine != row.sine);
-        turns.then_some(rows)
-    }
+/// The rows of an equation, if they contain nothing of an angle but products of two of its cosine and sine.
+fn squares_of<'m>(
+    analysis: &Analysis<'_, 'm>,
+    angle: usize,
+    equation: &Equation<'m>,
+) -> Option<Vec<SquaresOf<'m>>> {
+    let own = &analysis.algebra.names.angles[angle];
+    let symbols = own.symbols();
+    let zero = analysis.algebra.zero();
+    let rows = equation.rows.iter().map(|&row| {
+        let mut terms = collect(row, &symbols, &[])?;
+        let mut take = |cos, sin| terms.remove(&vec![cos, sin, 0]).unwrap_or(zero);
+        let squares = SquaresOf {
+            cosine: take(2, 0),
+            sine: take(0, 2),
+            product: take(1, 1),
+            rest: take(0, 0),
+        };
+        terms.is_empty().then_some(squares)
+    });
+    let rows: Vec<SquaresOf> = rows.collect::<Option<_>>()?;
+    let turns = rows
+        .iter()
+        .any(|row| !row.product.is_zero() || row.cosine != row.sine);
+    turns.then_some(rows)
 }
 
 /// `cosine c^2 + sine s^2 + product c s + rest`

@@ -1,5 +1,7 @@
 //! Equations and coordinates: the two sides of the bipartite graph.
 
+use crate::algebra::scalar;
+use crate::algebra::translate;
 use linkage_symbolic::{Ex, NodeId, SymbolId, substitute};
 
 use crate::algebra::{Bound, Scalar, Translate, Value};
@@ -51,103 +53,119 @@ pub(crate) enum CoordinateKind {
     Length(SymbolId),
 }
 
-impl<'m> Analysis<'_, 'm> {
-    /// Loops as equations, unknowns as coordinates.
-    pub(super) fn equations(&mut self, scope: &Scope) -> (Vec<Equation<'m>>, Vec<Coordinate>) {
-        let mechanism = self.algebra.mechanism;
-        self.algebra.translate_these_lets(|index| scope.lets[index]);
-        let loops = mechanism.loops.iter().enumerate();
-        let equations = loops
-            .filter(|(index, _)| scope.loops[*index])
-            .map(|(index, item)| self.equation(index, item))
-            .collect();
-        let mut coordinates = Vec::new();
-        let bound = self.algebra.names.bound.iter().enumerate();
-        for (unknown, bound) in bound.filter(|(unknown, _)| scope.unknowns[*unknown]) {
-            let kinds: Vec<CoordinateKind> = match bound {
-                Bound::Angle(angle) => vec![CoordinateKind::Angle(*angle)],
-                Bound::Lengths(symbols) => symbols
-                    .iter()
-                    .map(|(symbol, _)| CoordinateKind::Length(*symbol))
-                    .collect(),
-            };
-            let named = kinds.into_iter().map(|kind| Coordinate {
-                kind,
-                unknown: Some(unknown),
-            });
-            coordinates.extend(named);
-        }
-        (equations, coordinates)
-    }
-
-    fn equation(&mut self, index: usize, item: &Loop) -> Equation<'m> {
-        let left = self.algebra.translate(&item.left);
-        let right = self.algebra.translate(&item.right);
-        let (rows, relation) = match (&left, &right) {
-            (Value::Scalar(a), Value::Scalar(b)) => {
-                let relation = a.combined(b, -1.0);
-                (vec![self.algebra.value_of(&relation)], Some(relation))
-            }
-            _ => {
-                let (a, b) = (self.algebra.vector(&left), self.algebra.vector(&right));
-                ((a - b).iter().collect(), None)
-            }
+/// Loops as equations, unknowns as coordinates.
+pub(super) fn equations<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    scope: &Scope,
+) -> (Vec<Equation<'m>>, Vec<Coordinate>) {
+    let mechanism = analysis.algebra.mechanism;
+    translate::translate_these_lets(analysis.algebra, |index| scope.lets[index]);
+    let loops = mechanism.loops.iter().enumerate();
+    let equations = loops
+        .filter(|(index, _)| scope.loops[*index])
+        .map(|(index, item)| equation(analysis, index, item))
+        .collect();
+    let mut coordinates = Vec::new();
+    let bound = analysis.algebra.names.bound.iter().enumerate();
+    for (unknown, bound) in bound.filter(|(unknown, _)| scope.unknowns[*unknown]) {
+        let kinds: Vec<CoordinateKind> = match bound {
+            Bound::Angle(angle) => vec![CoordinateKind::Angle(*angle)],
+            Bound::Lengths(symbols) => symbols
+                .iter()
+                .map(|(symbol, _)| CoordinateKind::Length(*symbol))
+                .collect(),
         };
-        Equation {
-            rows,
-            relation,
-            distance: None,
-            written: index,
-            loops: vec![index],
-            eliminated: Vec::new(),
+        let named = kinds.into_iter().map(|kind| Coordinate {
+            kind,
+            unknown: Some(unknown),
+        });
+        coordinates.extend(named);
+    }
+    (equations, coordinates)
+}
+
+fn equation<'m>(analysis: &mut Analysis<'_, 'm>, index: usize, item: &Loop) -> Equation<'m> {
+    let left = analysis.algebra.translate(&item.left);
+    let right = analysis.algebra.translate(&item.right);
+    let (rows, relation) = match (&left, &right) {
+        (Value::Scalar(a), Value::Scalar(b)) => {
+            let relation = a.combined(b, -1.0);
+            (
+                vec![scalar::value_of(analysis.algebra, &relation)],
+                Some(relation),
+            )
         }
-    }
-
-    /// The symbols of a coordinate.
-    pub(super) fn symbols(&self, coordinate: &Coordinate) -> Vec<SymbolId> {
-        match coordinate.kind {
-            CoordinateKind::Length(symbol) => vec![symbol],
-            CoordinateKind::Angle(index) => self.algebra.names.angles[index].symbols().to_vec(),
+        _ => {
+            let (a, b) = (
+                translate::vector(analysis.algebra, &left),
+                translate::vector(analysis.algebra, &right),
+            );
+            ((a - b).iter().collect(), None)
         }
+    };
+    Equation {
+        rows,
+        relation,
+        distance: None,
+        written: index,
+        loops: vec![index],
+        eliminated: Vec::new(),
     }
+}
 
-    /// Which coordinates an equation contains.
-    pub(super) fn incidence(
-        &self,
-        equation: &Equation<'m>,
-        coordinates: &[Coordinate],
-    ) -> Vec<usize> {
-        let present = self.symbols_of(&equation.rows);
-        (0..coordinates.len())
-            .filter(|&k| {
-                self.symbols(&coordinates[k])
-                    .iter()
-                    .any(|s| present.contains(s))
-            })
-            .collect()
+/// The symbols of a coordinate.
+pub(super) fn symbols(analysis: &Analysis<'_, '_>, coordinate: &Coordinate) -> Vec<SymbolId> {
+    match coordinate.kind {
+        CoordinateKind::Length(symbol) => vec![symbol],
+        CoordinateKind::Angle(index) => analysis.algebra.names.angles[index].symbols().to_vec(),
     }
+}
 
-    pub(super) fn contains(&self, x: Ex<'m>, coordinate: &Coordinate) -> bool {
-        let present = self.symbols_of(&[x]);
-        self.symbols(coordinate).iter().any(|s| present.contains(s))
-    }
+/// Which coordinates an equation contains.
+pub(super) fn incidence<'m>(
+    analysis: &Analysis<'_, 'm>,
+    equation: &Equation<'m>,
+    coordinates: &[Coordinate],
+) -> Vec<usize> {
+    let present = symbols_of(analysis, &equation.rows);
+    (0..coordinates.len())
+        .filter(|&k| {
+            symbols(analysis, &coordinates[k])
+                .iter()
+                .any(|s| present.contains(s))
+        })
+        .collect()
+}
 
-    /// Replaces eliminated symbols in an equation.
-    pub(super) fn substituted(&mut self, equation: &Equation<'m>) -> Equation<'m> {
-        let graph = self.algebra.graph;
-        graph.substitute_lengths(&equation.rows, &self.substitutions);
-        let rows = substitute(&equation.rows, &self.substitutions);
-        let relation = equation.relation.clone().filter(|_| rows == equation.rows);
-        Equation {
-            rows,
-            relation,
-            ..equation.clone()
-        }
-    }
+pub(super) fn contains<'m>(
+    analysis: &Analysis<'_, 'm>,
+    x: Ex<'m>,
+    coordinate: &Coordinate,
+) -> bool {
+    let present = symbols_of(analysis, &[x]);
+    symbols(analysis, coordinate)
+        .iter()
+        .any(|s| present.contains(s))
+}
 
-    /// The symbols that expressions are made of.
-    pub(super) fn symbols_of(&self, all: &[Ex<'m>]) -> Vec<SymbolId> {
-        let nodes: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
-        self.algebra.graph.symbols_of(&nodes)
+/// Replaces eliminated symbols in an equation.
+pub(super) fn substituted<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    equation: &Equation<'m>,
+) -> Equation<'m> {
+    let graph = analysis.algebra.graph;
+    graph.substitute_lengths(&equation.rows, &analysis.substitutions);
+    let rows = substitute(&equation.rows, &analysis.substitutions);
+    let relation = equation.relation.clone().filter(|_| rows == equation.rows);
+    Equation {
+        rows,
+        relation,
+        ..equation.clone()
     }
+}
+
+/// The symbols that expressions are made of.
+pub(super) fn symbols_of<'m>(analysis: &Analysis<'_, 'm>, all: &[Ex<'m>]) -> Vec<SymbolId> {
+    let nodes: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
+    analysis.algebra.graph.symbols_of(&nodes)
 }

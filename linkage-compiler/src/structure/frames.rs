@@ -4,10 +4,12 @@ use super::Analysis;
 use super::equations::{Coordinate, Equation};
 use super::matching::{self, Matching};
 use super::report::counted;
+use crate::message_format::MessageFormat;
+use crate::message_format::loop_list;
 use crate::mobility::Position;
+use crate::mobility::overconstrained;
 use crate::model::{Expr, ExprKind, Function, Mechanism, Name};
-use crate::words::Words;
-use crate::words::loop_list;
+use crate::structure::redundant;
 
 /// An unknown frame of the model.
 struct Found {
@@ -84,190 +86,189 @@ impl Mechanism {
     }
 }
 
-impl<'m> Analysis<'_, 'm> {
-    /// Reports bodies that too few loops hold, or too many; the coordinates of which something has been said.
-    pub(super) fn report_frames(
-        &mut self,
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-        incidence: &[Vec<usize>],
-        matching: &Matching,
-    ) -> Vec<usize> {
-        let mut told = Vec::new();
-        for found in self.algebra.mechanism.unknown_frames() {
-            let is_own = |&k: &usize| {
-                let unknown = coordinates[k].unknown;
-                unknown.is_some_and(|own| found.unknowns.contains(&own))
-            };
-            let own: Vec<usize> = (0..coordinates.len()).filter(is_own).collect();
-            let open: Vec<usize> = own
-                .iter()
-                .copied()
-                .filter(|&k| matching.equation_of[k].is_none())
-                .collect();
-            let surplus = (0..equations.len()).map(|k| {
-                let is_about = incidence[k].iter().any(|own_k| own.contains(own_k));
-                let free = equations[k].rows.len() - matching.coordinates_of[k].len();
-                if is_about { free } else { 0 }
-            });
-            let surplus: usize = surplus.sum();
-            if !open.is_empty() {
-                self.report_open(&found, open.len(), coordinates.len(), equations);
-                let undetermined =
-                    |&k: &usize| matching::undetermined_with(k, incidence, matching).0;
-                told.extend(open.iter().flat_map(undetermined));
-                told.extend(own);
-            } else if surplus > 0 && told.is_empty() {
-                self.report_held_twice(&found, surplus, coordinates, equations);
-                told.extend(own);
-            }
-        }
-        told
-    }
-
-    fn report_open(
-        &mut self,
-        found: &Found,
-        open: usize,
-        coordinates: usize,
-        equations: &[Equation<'m>],
-    ) {
-        let Found {
-            name,
-            unknowns,
-            loops,
-            freedoms,
-            example,
-        } = found;
-        let mechanism = self.algebra.mechanism;
-        let inputs = mechanism.inputs.len();
-        let held = freedoms.saturating_sub(open);
-        let example = example.replace("BODY", name);
-        let by = match &loops[..] {
-            [] => "no loop mentions it".to_owned(),
-            [_] => format!("{} holds {held} of them", loop_list(loops)),
-            _ => format!("{} hold {held} of them", loop_list(loops)),
+/// Reports bodies that too few loops hold, or too many; the coordinates of which something has been said.
+pub(super) fn report_frames<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+    incidence: &[Vec<usize>],
+    matching: &Matching,
+) -> Vec<usize> {
+    let mut told = Vec::new();
+    for found in analysis.algebra.mechanism.unknown_frames() {
+        let is_own = |&k: &usize| {
+            let unknown = coordinates[k].unknown;
+            unknown.is_some_and(|own| found.unknowns.contains(&own))
         };
-        let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
-        let mobility = (inputs + coordinates).saturating_sub(rows);
-        // Without a loop it moves in every way.
-        let motion = match loops.is_empty() {
-            true => None,
-            false => self.position(&self.nominal.estimates, |at| at.motion_left()),
-        };
-        let motion = motion.map_or_else(String::new, |motion| {
-            format!("; where the estimates are, {motion}")
+        let own: Vec<usize> = (0..coordinates.len()).filter(is_own).collect();
+        let open: Vec<usize> = own
+            .iter()
+            .copied()
+            .filter(|&k| matching.equation_of[k].is_none())
+            .collect();
+        let surplus = (0..equations.len()).map(|k| {
+            let is_about = incidence[k].iter().any(|own_k| own.contains(own_k));
+            let free = equations[k].rows.len() - matching.coordinates_of[k].len();
+            if is_about { free } else { 0 }
         });
-        let message = format!(
-            "more unknowns than equations: the frame `{name}` has {freedoms} freedoms, and {by}; mobility {mobility}, driven \
+        let surplus: usize = surplus.sum();
+        if !open.is_empty() {
+            report_open(analysis, &found, open.len(), coordinates.len(), equations);
+            let undetermined = |&k: &usize| matching::undetermined_with(k, incidence, matching).0;
+            told.extend(open.iter().flat_map(undetermined));
+            told.extend(own);
+        } else if surplus > 0 && told.is_empty() {
+            report_held_twice(analysis, &found, surplus, coordinates, equations);
+            told.extend(own);
+        }
+    }
+    told
+}
+
+fn report_open<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    found: &Found,
+    open: usize,
+    coordinates: usize,
+    equations: &[Equation<'m>],
+) {
+    let Found {
+        name,
+        unknowns,
+        loops,
+        freedoms,
+        example,
+    } = found;
+    let mechanism = analysis.algebra.mechanism;
+    let inputs = mechanism.inputs.len();
+    let held = freedoms.saturating_sub(open);
+    let example = example.replace("BODY", name);
+    let by = match &loops[..] {
+        [] => "no loop mentions it".to_owned(),
+        [_] => format!("{} holds {held} of them", loop_list(loops)),
+        _ => format!("{} hold {held} of them", loop_list(loops)),
+    };
+    let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
+    let mobility = (inputs + coordinates).saturating_sub(rows);
+    // Without a loop it moves in every way.
+    let motion = match loops.is_empty() {
+        true => None,
+        false => position(analysis, &analysis.nominal.estimates, |at| at.motion_left()),
+    };
+    let motion = motion.map_or_else(String::new, |motion| {
+        format!("; where the estimates are, {motion}")
+    });
+    let message = format!(
+        "more unknowns than equations: the frame `{name}` has {freedoms} freedoms, and {by}; mobility {mobility}, driven \
              inputs {inputs}{motion}\n\
              help: add {}, like `{example}",
-            counted(open, "equation"),
-        );
-        self.reporter
-            .error(mechanism.unknowns[unknowns[0]].origin, message);
-    }
+        counted(open, "equation"),
+    );
+    analysis
+        .reporter
+        .error(mechanism.unknowns[unknowns[0]].origin, message);
+}
 
-    fn report_held_twice(
-        &mut self,
-        found: &Found,
-        surplus: usize,
-        coordinates: &[Coordinate],
-        equations: &[Equation<'m>],
-    ) {
-        let Found {
-            name,
-            loops,
-            freedoms,
-            ..
-        } = found;
-        let mechanism = self.algebra.mechanism;
-        let Some(last) = loops.last() else {
-            return;
-        };
-        let inputs = mechanism.inputs.len();
-        let about = equations
-            .iter()
-            .filter(|e| e.loops.iter().any(|k| loops.contains(k)));
-        let rows: usize = about.map(|e| e.rows.len()).sum();
-        let all: usize = equations.iter().map(|e| e.rows.len()).sum();
-        let mobility = (inputs + coordinates.len()) as isize - all as isize;
-        let too_many = self.too_many(surplus, equations, coordinates);
-        let message = format!(
-            "more equations than unknowns: the frame `{name}` has {freedoms} freedoms, and {} {} {rows} equations about it, {surplus} \
+fn report_held_twice<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    found: &Found,
+    surplus: usize,
+    coordinates: &[Coordinate],
+    equations: &[Equation<'m>],
+) {
+    let Found {
+        name,
+        loops,
+        freedoms,
+        ..
+    } = found;
+    let mechanism = analysis.algebra.mechanism;
+    let Some(last) = loops.last() else {
+        return;
+    };
+    let inputs = mechanism.inputs.len();
+    let about = equations
+        .iter()
+        .filter(|e| e.loops.iter().any(|k| loops.contains(k)));
+    let rows: usize = about.map(|e| e.rows.len()).sum();
+    let all: usize = equations.iter().map(|e| e.rows.len()).sum();
+    let mobility = (inputs + coordinates.len()) as isize - all as isize;
+    let too_many = too_many(analysis, surplus, equations, coordinates);
+    let message = format!(
+        "more equations than unknowns: the frame `{name}` has {freedoms} freedoms, and {} {} {rows} equations about it, {surplus} \
              too many (mobility {mobility}, driven inputs {inputs}){}\n\
              help: {}",
-            loop_list(loops),
-            if loops.len() == 1 { "has" } else { "have" },
-            too_many.fact,
-            too_many.help,
-        );
-        self.reporter.error(mechanism.loops[*last].origin, message);
-    }
+        loop_list(loops),
+        if loops.len() == 1 { "has" } else { "have" },
+        too_many.fact,
+        too_many.help,
+    );
+    analysis
+        .reporter
+        .error(mechanism.loops[*last].origin, message);
+}
 
-    /// Which loops about a frame depend on which, and what to do about that.
-    fn too_many(
-        &self,
-        surplus: usize,
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-    ) -> TooMany {
-        let closed = self.all_closed(equations, coordinates);
-        let at = closed.as_ref().unwrap_or(&self.nominal.estimates);
-        let Some(found) = self.position(at, |at| at.surplus()) else {
-            return TooMany {
-                fact: String::new(),
-                help: "remove a loop, or make a dimension or an input of one an `unknown`"
-                    .to_owned(),
-            };
+/// Which loops about a frame depend on which, and what to do about that.
+fn too_many<'m>(
+    analysis: &Analysis<'_, 'm>,
+    surplus: usize,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> TooMany {
+    let closed = redundant::all_closed(analysis, equations, coordinates);
+    let at = closed.as_ref().unwrap_or(&analysis.nominal.estimates);
+    let Some(found) = position(analysis, at, |at| overconstrained::surplus(at)) else {
+        return TooMany {
+            fact: String::new(),
+            help: "remove a loop, or make a dimension or an input of one an `unknown`".to_owned(),
         };
-        let all = match closed {
-            Some(_) => "; with these dimensions all of them close, and where they do, ",
-            None => "; where the estimates are, ",
-        };
-        let motion = found
-            .motion
-            .map_or_else(String::new, |motion| format!("; and yet {motion}"));
-        let enough = found.spare.len() >= surplus && motion.is_empty();
-        let [they, depend, them, each] = match found.spare.len() {
-            1 => ["it", "depends", "it", "it"],
-            _ => ["they", "depend", "them", "each"],
-        };
-        let spare = loop_list(&found.spare);
-        let help = match &closed {
-            Some(_) if enough => format!(
-                "write `redundant` at the end of {spare}, to have it checked whether {they} follow{} from the others; or leave {them} out",
-                if found.spare.len() == 1 { "s" } else { "" }
-            ),
-            None if enough => format!(
-                "remove {spare}, or a loop on which {they} {depend}; or make a dimension or an input of {each} an `unknown`"
-            ),
-            _ => "remove loops that depend on others, and write some that hold what can still move"
-                .to_owned(),
-        };
-        TooMany {
-            fact: format!("{all}{}{motion}", found.dependences),
-            help,
-        }
+    };
+    let all = match closed {
+        Some(_) => "; with these dimensions all of them close, and where they do, ",
+        None => "; where the estimates are, ",
+    };
+    let motion = found
+        .motion
+        .map_or_else(String::new, |motion| format!("; and yet {motion}"));
+    let enough = found.spare.len() >= surplus && motion.is_empty();
+    let [they, depend, them, each] = match found.spare.len() {
+        1 => ["it", "depends", "it", "it"],
+        _ => ["they", "depend", "them", "each"],
+    };
+    let spare = loop_list(&found.spare);
+    let help = match &closed {
+        Some(_) if enough => format!(
+            "write `redundant` at the end of {spare}, to have it checked whether {they} follow{} from the others; or leave {them} out",
+            if found.spare.len() == 1 { "s" } else { "" }
+        ),
+        None if enough => format!(
+            "remove {spare}, or a loop on which {they} {depend}; or make a dimension or an input of {each} an `unknown`"
+        ),
+        _ => "remove loops that depend on others, and write some that hold what can still move"
+            .to_owned(),
+    };
+    TooMany {
+        fact: format!("{all}{}{motion}", found.dependences),
+        help,
     }
+}
 
-    /// What is found out about the loops where the unknowns have these values; nothing if one has no estimate.
-    fn position<R>(
-        &self,
-        values: &[Vec<f64>],
-        question: impl FnOnce(&Position<'_, 'm>) -> Option<R>,
-    ) -> Option<R> {
-        let mechanism = self.algebra.mechanism;
-        let mut unknowns = mechanism.unknowns.iter();
-        if unknowns.any(|unknown| unknown.estimate.is_none()) {
-            return None;
-        }
-        let words = Words::new(mechanism);
-        question(&Position::new(
-            &words,
-            self.nominal,
-            self.longest(),
-            values.to_vec(),
-        ))
+/// What is found out about the loops where the unknowns have these values; nothing if one has no estimate.
+fn position<'m, R>(
+    analysis: &Analysis<'_, 'm>,
+    values: &[Vec<f64>],
+    question: impl FnOnce(&Position<'_, 'm>) -> Option<R>,
+) -> Option<R> {
+    let mechanism = analysis.algebra.mechanism;
+    let mut unknowns = mechanism.unknowns.iter();
+    if unknowns.any(|unknown| unknown.estimate.is_none()) {
+        return None;
     }
+    let words = MessageFormat::new(mechanism);
+    question(&Position::new(
+        &words,
+        analysis.nominal,
+        redundant::longest(analysis),
+        values.to_vec(),
+    ))
 }

@@ -4,30 +4,30 @@
 //! directed matching graph (Dulmage and Mendelsohn; Tarjan) are the Assur groups, in order. Each group is then brought
 //! to one of the [`Form`]s that have a closed solution, by looking at its loops as polynomials in its unknowns.
 
-mod body;
-mod body_circle;
-mod bound;
-mod circle;
-mod class;
-mod classify;
-mod closest_approach;
-mod core_unknowns;
-mod coupled_core;
-mod distance_polynomials;
-mod double;
-mod eliminate;
-mod equations;
-mod form;
-mod frames;
+pub(crate) mod body;
+pub(crate) mod body_circle;
+pub(crate) mod bound;
+pub(crate) mod circle;
+pub(crate) mod class;
+pub(crate) mod classify;
+pub(crate) mod closest_approach;
+pub(crate) mod core_unknowns;
+pub(crate) mod coupled_core;
+pub(crate) mod distance_polynomials;
+pub(crate) mod double;
+pub(crate) mod eliminate;
+pub(crate) mod equations;
+pub(crate) mod form;
+pub(crate) mod frames;
 pub(crate) mod matching;
-mod point;
-mod product;
-mod redundant;
+pub(crate) mod point;
+pub(crate) mod product;
+pub(crate) mod redundant;
 pub(crate) mod report;
-mod rewrite;
-mod scope;
-mod simultaneous;
-mod space;
+pub(crate) mod rewrite;
+pub(crate) mod scope;
+pub(crate) mod simultaneous;
+pub(crate) mod space;
 pub(crate) mod unsolved;
 
 use linkage_symbolic::{Ex, SymbolId};
@@ -128,7 +128,7 @@ pub(crate) fn decompose<'m>(
         steps: 0,
     };
     analysis.structure.mobility = analysis.algebra.mechanism.inputs.len();
-    let (equations, coordinates) = analysis.equations(scope);
+    let (equations, coordinates) = equations::equations(&mut analysis, scope);
     analysis.solve(equations, coordinates);
     analysis.structure
 }
@@ -155,15 +155,15 @@ impl<'m> Analysis<'_, 'm> {
     fn solve(&mut self, equations: Vec<Equation<'m>>, coordinates: Vec<Coordinate>) {
         let incidence: Vec<Vec<usize>> = equations
             .iter()
-            .map(|e| self.incidence(e, &coordinates))
+            .map(|e| equations::incidence(self, e, &coordinates))
             .collect();
         let rows: Vec<usize> = equations.iter().map(|e| e.rows.len()).collect();
         let matching = matching::maximum(&rows, &incidence, coordinates.len());
         let before = self.reporter.errors();
-        if !self.report_mobility(&equations, &coordinates, &incidence, &matching) {
+        if !report::report_mobility(self, &equations, &coordinates, &incidence, &matching) {
             if self.reporter.errors() == before {
                 // What lacks an equation, or an unknown, has been introduced here: the loop before that has no known form.
-                self.report_unsolved(&equations, &coordinates);
+                unsolved::report_unsolved(self, &equations, &coordinates);
             }
             return;
         }
@@ -182,27 +182,27 @@ impl<'m> Analysis<'_, 'm> {
     /// One strongly connected component: recognised, reduced, or reported.
     fn component(&mut self, equations: Vec<Equation<'m>>, coordinates: Vec<Coordinate>) {
         if let [equation] = &equations[..]
-            && let Some(form) = self.classify(equation, &coordinates)
+            && let Some(form) = classify::classify(self, equation, &coordinates)
         {
             return self.push_group(&equations, &coordinates, form);
         }
-        if let Some(form) = self.classify_point(&equations, &coordinates) {
+        if let Some(form) = point::classify_point(self, &equations, &coordinates) {
             return self.push_group(&equations, &coordinates, form);
         }
         self.steps += 1;
         let allowed = self.steps <= STEPS_PER_LOOP * self.algebra.mechanism.loops.len();
         let reduced = if allowed {
-            self.reduce(&equations, &coordinates)
+            eliminate::reduce(self, &equations, &coordinates)
         } else {
             None
         };
         if let Some((equations, coordinates)) = reduced {
             return self.solve(equations, coordinates);
         }
-        let squared = self.squared(&equations, &coordinates);
-        match self.coupled(&squared, &coordinates) {
+        let squared = distance_polynomials::squared(self, &equations, &coordinates);
+        match coupled_core::coupled(self, &squared, &coordinates) {
             Some(form) => self.push_group(&equations, &coordinates, form),
-            None => self.report_unsolved(&squared, &coordinates),
+            None => unsolved::report_unsolved(self, &squared, &coordinates),
         }
     }
 

@@ -1,102 +1,101 @@
 //! Recognising an unknown point, or a direction, by its distances from known points and planes.
 
+use crate::structure::space;
 use linkage_symbolic::{Ex, SymbolId, V3, Vector, agree};
 
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::{Analysis, Form, Plane, Sphere};
 
-impl<'m> Analysis<'_, 'm> {
-    /// Two or three numbers given by distances in space and planes: a point, or a direction.
-    pub(super) fn classify_point(
-        &mut self,
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-    ) -> Option<Form<'m>> {
-        let symbols: Vec<SymbolId> = coordinates
-            .iter()
-            .map(|c| match c.kind {
-                CoordinateKind::Length(symbol) => Some(symbol),
-                CoordinateKind::Angle(_) => None,
-            })
-            .collect::<Option<_>>()?;
-        let scalar = equations.iter().all(|e| e.rows.len() == 1);
-        if !scalar || equations.len() != symbols.len() || !matches!(symbols.len(), 2 | 3) {
+/// Two or three numbers given by distances in space and planes: a point, or a direction.
+pub(super) fn classify_point<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> Option<Form<'m>> {
+    let symbols: Vec<SymbolId> = coordinates
+        .iter()
+        .map(|c| match c.kind {
+            CoordinateKind::Length(symbol) => Some(symbol),
+            CoordinateKind::Angle(_) => None,
+        })
+        .collect::<Option<_>>()?;
+    let scalar = equations.iter().all(|e| e.rows.len() == 1);
+    if !scalar || equations.len() != symbols.len() || !matches!(symbols.len(), 2 | 3) {
+        return None;
+    }
+    let mut places: Option<Vec<usize>> = None;
+    let mut spheres = Vec::new();
+    let mut linear = Vec::new();
+    for equation in equations {
+        let row = equation.rows[0];
+        let Some((vector, radius)) = space::space_distance(analysis, row, coordinates) else {
+            linear.push(space::linear_row(analysis, row, &symbols)?);
+            continue;
+        };
+        let (own, factor, known) = moved_point(analysis, vector, &symbols)?;
+        if places.get_or_insert_with(|| own.clone()) != &own {
             return None;
         }
-        let mut places: Option<Vec<usize>> = None;
-        let mut spheres = Vec::new();
-        let mut linear = Vec::new();
-        for equation in equations {
-            let row = equation.rows[0];
-            let Some((vector, radius)) = self.space_distance(row, coordinates) else {
-                linear.push(self.linear_row(row, &symbols)?);
+        spheres.push(Sphere {
+            known,
+            factor,
+            radius,
+        });
+    }
+    if let ([_, _, _], [a, b, c]) = (&linear[..], &symbols[..]) {
+        return Some(three_slides([*a, *b, *c], &linear));
+    }
+    let places = places?;
+    smallest_first(analysis, &mut spheres);
+    let zero = analysis.algebra.zero();
+    let planes = linear.into_iter().map(|(factors, offset)| {
+        let mut normal = Vector([zero; 3]);
+        for (&place, factor) in places.iter().zip(factors) {
+            normal.0[place] = factor;
+        }
+        Plane { normal, offset }
+    });
+    Some(Form::Point {
+        coordinates: symbols.into_iter().zip(places.clone()).collect(),
+        spheres,
+        planes: planes.collect(),
+    })
+}
+
+/// The accuracy of the solution is that of the first sphere: at the defaults and the reference position, it is the smallest.
+fn smallest_first(analysis: &Analysis<'_, '_>, spheres: &mut [Sphere]) {
+    let size = |sphere: &Sphere| {
+        let values = analysis.nominal.evaluate(&[sphere.radius, sphere.factor]);
+        (values[0] / values[1]).abs()
+    };
+    spheres.sort_by(|a, b| size(a).total_cmp(&size(b)));
+}
+
+/// `k + f p`, where each symbol is a component of `p`: the components, `f` and `k`.
+pub(super) fn moved_point<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    vector: V3<'m>,
+    symbols: &[SymbolId],
+) -> Option<(Vec<usize>, Ex<'m>, V3<'m>)> {
+    let mut places = vec![None; symbols.len()];
+    let mut factor = None;
+    let mut known = Vector([analysis.algebra.zero(); 3]);
+    for (component, row) in vector.components().enumerate() {
+        let (factors, rest) = space::linear_row(analysis, row, symbols)?;
+        known.0[component] = rest;
+        for (place, own) in places.iter_mut().zip(factors) {
+            if own.is_zero() {
                 continue;
-            };
-            let (own, factor, known) = self.moved_point(vector, &symbols)?;
-            if places.get_or_insert_with(|| own.clone()) != &own {
+            }
+            let first = *factor.get_or_insert(own);
+            if place.replace(component).is_some() || !agree(first, own) {
                 return None;
             }
-            spheres.push(Sphere {
-                known,
-                factor,
-                radius,
-            });
         }
-        if let ([_, _, _], [a, b, c]) = (&linear[..], &symbols[..]) {
-            return Some(three_slides([*a, *b, *c], &linear));
-        }
-        let places = places?;
-        self.smallest_first(&mut spheres);
-        let zero = self.algebra.zero();
-        let planes = linear.into_iter().map(|(factors, offset)| {
-            let mut normal = Vector([zero; 3]);
-            for (&place, factor) in places.iter().zip(factors) {
-                normal.0[place] = factor;
-            }
-            Plane { normal, offset }
-        });
-        Some(Form::Point {
-            coordinates: symbols.into_iter().zip(places.clone()).collect(),
-            spheres,
-            planes: planes.collect(),
-        })
     }
-
-    /// The accuracy of the solution is that of the first sphere: at the defaults and the reference position, it is the smallest.
-    fn smallest_first(&self, spheres: &mut [Sphere]) {
-        let size = |sphere: &Sphere| {
-            let values = self.nominal.evaluate(&[sphere.radius, sphere.factor]);
-            (values[0] / values[1]).abs()
-        };
-        spheres.sort_by(|a, b| size(a).total_cmp(&size(b)));
-    }
-
-    /// `k + f p`, where each symbol is a component of `p`: the components, `f` and `k`.
-    pub(super) fn moved_point(
-        &mut self,
-        vector: V3<'m>,
-        symbols: &[SymbolId],
-    ) -> Option<(Vec<usize>, Ex<'m>, V3<'m>)> {
-        let mut places = vec![None; symbols.len()];
-        let mut factor = None;
-        let mut known = Vector([self.algebra.zero(); 3]);
-        for (component, row) in vector.components().enumerate() {
-            let (factors, rest) = self.linear_row(row, symbols)?;
-            known.0[component] = rest;
-            for (place, own) in places.iter_mut().zip(factors) {
-                if own.is_zero() {
-                    continue;
-                }
-                let first = *factor.get_or_insert(own);
-                if place.replace(component).is_some() || !agree(first, own) {
-                    return None;
-                }
-            }
-        }
-        let places: Vec<usize> = places.into_iter().collect::<Option<_>>()?;
-        let distinct = (1..places.len()).all(|k| !places[..k].contains(&places[k]));
-        Some((places, factor?, known)).filter(|_| distinct)
-    }
+    let places: Vec<usize> = places.into_iter().collect::<Option<_>>()?;
+    let distinct = (1..places.len()).all(|k| !places[..k].contains(&places[k]));
+    Some((places, factor?, known)).filter(|_| distinct)
 }
 
 /// Three linear rows in three lengths.

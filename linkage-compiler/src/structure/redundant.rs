@@ -1,14 +1,15 @@
 //! Loops that are one too many and close all the same: with the dimensions as they are they repeat others, as a third crank on one rod does that stays
 //! parallel to the first two. Whether they do is found by numbers: all loops are closed together at several positions.
 
-use linkage_core::numeric::rank::are_independent;
-
 use super::Analysis;
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::simultaneous::{ACROSS, Together};
+use crate::algebra::constant_ratio;
 use crate::algebra::{ALIKE, Bound, ConstantRatio, Nominal};
+use crate::message_format::loop_list;
 use crate::model::Dimension;
-use crate::words::loop_list;
+use crate::structure::equations;
+use linkage_core::numeric::rank::are_independent;
 
 /// Positions besides the reference, as shares of a small motion to both sides.
 const POSITIONS: [f64; 5] = [0.0, 0.5, 1.0, -0.5, -1.0];
@@ -23,235 +24,244 @@ pub(super) struct Repeated {
     pub(super) help: String,
 }
 
-impl<'m> Analysis<'_, 'm> {
-    /// Whether a loop with more equations than it has unknowns of its own repeats the others, and what to write then.
-    pub(super) fn repeated(
-        &self,
-        surplus: &Equation<'m>,
-        too_many: usize,
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-    ) -> Option<Repeated> {
-        let places = self.positions();
-        let together = self.together(equations, coordinates)?;
-        let found = self.closed_at(&together, &places)?;
-        let even = self.even(&places, &found, coordinates);
-        let at = Nominal {
-            inputs: places[0].clone(),
-            ..self.nominal.clone()
-        };
-        let slopes = together.slopes(&found[0], &at);
-        // The loop itself first; another one where its equations find something better than those that remain.
-        let others = equations.iter().filter(|e| e.loops != surplus.loops);
-        let spare = std::iter::once(surplus).chain(others).find_map(|left_out| {
-            let own = self.own(left_out, equations, coordinates);
-            let fits = left_out.rows.len() == own.len() + too_many;
-            let even: Option<Vec<&ConstantRatio>> = own
-                .iter()
-                .map(|&k| {
-                    even.iter()
-                        .find(|e| coordinates[k].unknown == Some(e.unknown))
-                })
-                .collect();
-            let even =
-                even.filter(|_| fits && remain_regular(&slopes, left_out, equations, &own))?;
-            Some((left_out, even))
-        });
-        let mut like = "";
-        let help = match spare {
-            Some((left_out, even)) => {
-                let loops = loop_list(&left_out.loops);
-                if !even.is_empty() {
-                    like = ", as a further crank on one rod does that stays parallel";
-                }
-                match self.lets(&even) {
-                    Some(lets) => format!("write {lets} and leave {loops} out"),
-                    None => format!("leave {loops} out, or write `redundant` at its end"),
-                }
-            }
-            None => format!(
-                "write of {} only what the others do not say, such as one component of its vectors",
-                loop_list(&surplus.loops)
-            ),
-        };
-        Some(Repeated {
-            fact: format!(
-                "; with these dimensions it closes all the same and repeats the other loops{like}"
-            ),
-            help,
-        })
-    }
-
-    /// The unknowns with all components where all loops close, if they do so wherever the inputs go.
-    pub(super) fn all_closed(
-        &self,
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-    ) -> Option<Vec<Vec<f64>>> {
-        let together = self.together(equations, coordinates)?;
-        let found = self.closed_at(&together, &self.positions())?;
-        let mut values: Vec<Vec<f64>> = vec![Vec::new(); self.nominal.estimates.len()];
-        for (coordinate, x) in coordinates.iter().zip(&found[0]) {
-            values[coordinate.unknown?].push(*x);
-        }
-        Some(values)
-    }
-
-    /// The coordinates that no other equation contains.
-    fn own(
-        &self,
-        equation: &Equation<'m>,
-        equations: &[Equation<'m>],
-        coordinates: &[Coordinate],
-    ) -> Vec<usize> {
-        let within = |e: &Equation<'m>, k: usize| {
-            let mut rows = e.rows.iter();
-            rows.any(|&row| self.contains(row, &coordinates[k]))
-        };
-        let alone = |k: &usize| {
-            let mut others = equations.iter().filter(|e| e.loops != equation.loops);
-            others.all(|e| !within(e, *k))
-        };
-        (0..coordinates.len()).filter(alone).collect()
-    }
-
-    /// `` `let chi = phi;` instead of the unknown``; nothing for none.
-    fn lets(&self, even: &[&ConstantRatio]) -> Option<String> {
-        let mechanism = self.algebra.mechanism;
-        let lets = even.iter().map(|own| {
-            let unknown = &mechanism.unknowns[own.unknown].name;
-            let input = &mechanism.inputs[0].name;
-            format!("`let {unknown} = {};`", own.relation(input))
-        });
-        let lets: Vec<String> = lets.collect();
-        match &lets[..] {
-            [] => None,
-            [one] => Some(format!("{one} instead of the unknown")),
-            several => Some(format!("{} instead of the unknowns", several.join(" and "))),
-        }
-    }
-
-    /// Inputs at the reference and around it. Several go their ways in different steps.
-    fn positions(&self) -> Vec<Vec<f64>> {
-        let longest = self.longest();
-        let inputs = self.algebra.mechanism.inputs.iter().enumerate();
-        let ends: Vec<[f64; 3]> = inputs
-            .map(|(k, input)| {
-                let at = self.nominal.inputs[k];
-                let most = match input.dimension.half_lengths {
-                    0 => TURN,
-                    _ => SHIFT * longest,
-                };
-                let (low, high) = self.nominal.ranges[k].unwrap_or((at - most, at + most));
-                [
-                    at,
-                    (0.5 * (at - low)).min(most),
-                    (0.5 * (high - at)).min(most),
-                ]
+/// Whether a loop with more equations than it has unknowns of its own repeats the others, and what to write then.
+pub(super) fn repeated<'m>(
+    analysis: &Analysis<'_, 'm>,
+    surplus: &Equation<'m>,
+    too_many: usize,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> Option<Repeated> {
+    let places = positions(analysis);
+    let together = together(analysis, equations, coordinates)?;
+    let found = closed_at(analysis, &together, &places)?;
+    let even = even(analysis, &places, &found, coordinates);
+    let at = Nominal {
+        inputs: places[0].clone(),
+        ..analysis.nominal.clone()
+    };
+    let slopes = together.slopes(&found[0], &at);
+    // The loop itself first; another one where its equations find something better than those that remain.
+    let others = equations.iter().filter(|e| e.loops != surplus.loops);
+    let spare = std::iter::once(surplus).chain(others).find_map(|left_out| {
+        let own = own(analysis, left_out, equations, coordinates);
+        let fits = left_out.rows.len() == own.len() + too_many;
+        let even: Option<Vec<&ConstantRatio>> = own
+            .iter()
+            .map(|&k| {
+                even.iter()
+                    .find(|e| coordinates[k].unknown == Some(e.unknown))
             })
             .collect();
-        let place = |step: usize| {
-            let inputs = ends.iter().enumerate().map(|(k, [at, below, above])| {
-                let share = match step {
-                    0 => 0.0,
-                    _ => POSITIONS[1 + (step - 1 + k) % (POSITIONS.len() - 1)],
-                };
-                at + share * if share < 0.0 { below } else { above }
-            });
-            inputs.collect()
-        };
-        (0..POSITIONS.len()).map(place).collect()
-    }
-
-    /// The largest length among parameters and estimates.
-    pub(super) fn longest(&self) -> f64 {
-        let parameters = &self.algebra.mechanism.scalar_parameters;
-        let lengths = parameters.iter().zip(&self.nominal.parameters);
-        let lengths = lengths.filter(|(p, _)| p.dimension.fits(Dimension::LENGTH));
-        let bound = self.algebra.names.bound.iter().zip(&self.nominal.estimates);
-        let slides = bound.filter(|(bound, _)| matches!(bound, Bound::Lengths(_)));
-        let all = lengths
-            .map(|(_, x)| *x)
-            .chain(slides.flat_map(|(_, x)| x.iter().copied()));
-        let longest = all.map(f64::abs).fold(0.0, f64::max);
-        if longest > 0.0 { longest } else { 1.0 }
-    }
-
-    /// The loops on numbers; `None` if there is an unknown that the compiler introduced, of which nothing is estimated.
-    fn together<'c>(
-        &self,
-        equations: &[Equation<'m>],
-        coordinates: &'c [Coordinate],
-    ) -> Option<Together<'c, 'm>> {
-        let longest = self.longest();
-        let mut estimates = Vec::new();
-        let mut scales = Vec::new();
-        for (k, coordinate) in coordinates.iter().enumerate() {
-            let unknown = coordinate.unknown?;
-            let before = coordinates[..k].iter();
-            let component = before.filter(|c| c.unknown == Some(unknown)).count();
-            estimates.push(*self.nominal.estimates[unknown].get(component)?);
-            scales.push(match coordinate.kind {
-                CoordinateKind::Angle(_) => 1.0,
-                CoordinateKind::Length(_) => longest,
-            });
+        let even = even.filter(|_| fits && remain_regular(&slopes, left_out, equations, &own))?;
+        Some((left_out, even))
+    });
+    let mut like = "";
+    let help = match spare {
+        Some((left_out, even)) => {
+            let loops = loop_list(&left_out.loops);
+            if !even.is_empty() {
+                like = ", as a further crank on one rod does that stays parallel";
+            }
+            match lets(analysis, &even) {
+                Some(lets) => format!("write {lets} and leave {loops} out"),
+                None => format!("leave {loops} out, or write `redundant` at its end"),
+            }
         }
-        Some(Together {
-            rows: equations.iter().flat_map(|e| e.rows.clone()).collect(),
-            coordinates,
-            symbols: coordinates.iter().map(|c| self.symbols(c)).collect(),
-            estimates,
-            scales,
-        })
-    }
+        None => format!(
+            "write of {} only what the others do not say, such as one component of its vectors",
+            loop_list(&surplus.loops)
+        ),
+    };
+    Some(Repeated {
+        fact: format!(
+            "; with these dimensions it closes all the same and repeats the other loops{like}"
+        ),
+        help,
+    })
+}
 
-    /// The coordinates at all positions, if every loop closes at each.
-    fn closed_at(&self, together: &Together, places: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
-        // An input that does not move proves nothing.
-        let moves = places.iter().any(|place| *place != places[0]);
-        let mut found: Vec<Vec<f64>> = Vec::new();
-        for inputs in places {
-            let at = Nominal {
-                inputs: inputs.clone(),
-                ..self.nominal.clone()
+/// The unknowns with all components where all loops close, if they do so wherever the inputs go.
+pub(super) fn all_closed<'m>(
+    analysis: &Analysis<'_, 'm>,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> Option<Vec<Vec<f64>>> {
+    let together = together(analysis, equations, coordinates)?;
+    let found = closed_at(analysis, &together, &positions(analysis))?;
+    let mut values: Vec<Vec<f64>> = vec![Vec::new(); analysis.nominal.estimates.len()];
+    for (coordinate, x) in coordinates.iter().zip(&found[0]) {
+        values[coordinate.unknown?].push(*x);
+    }
+    Some(values)
+}
+
+/// The coordinates that no other equation contains.
+fn own<'m>(
+    analysis: &Analysis<'_, 'm>,
+    equation: &Equation<'m>,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> Vec<usize> {
+    let within = |e: &Equation<'m>, k: usize| {
+        let mut rows = e.rows.iter();
+        rows.any(|&row| equations::contains(analysis, row, &coordinates[k]))
+    };
+    let alone = |k: &usize| {
+        let mut others = equations.iter().filter(|e| e.loops != equation.loops);
+        others.all(|e| !within(e, *k))
+    };
+    (0..coordinates.len()).filter(alone).collect()
+}
+
+/// `` `let chi = phi;` instead of the unknown``; nothing for none.
+fn lets(analysis: &Analysis<'_, '_>, even: &[&ConstantRatio]) -> Option<String> {
+    let mechanism = analysis.algebra.mechanism;
+    let lets = even.iter().map(|own| {
+        let unknown = &mechanism.unknowns[own.unknown].name;
+        let input = &mechanism.inputs[0].name;
+        format!("`let {unknown} = {};`", own.relation(input))
+    });
+    let lets: Vec<String> = lets.collect();
+    match &lets[..] {
+        [] => None,
+        [one] => Some(format!("{one} instead of the unknown")),
+        several => Some(format!("{} instead of the unknowns", several.join(" and "))),
+    }
+}
+
+/// Inputs at the reference and around it. Several go their ways in different steps.
+fn positions(analysis: &Analysis<'_, '_>) -> Vec<Vec<f64>> {
+    let longest = longest(analysis);
+    let inputs = analysis.algebra.mechanism.inputs.iter().enumerate();
+    let ends: Vec<[f64; 3]> = inputs
+        .map(|(k, input)| {
+            let at = analysis.nominal.inputs[k];
+            let most = match input.dimension.half_lengths {
+                0 => TURN,
+                _ => SHIFT * longest,
             };
-            let near = found.first().unwrap_or(&together.estimates).clone();
-            found.push(together.closed(near, &at)?);
-        }
-        moves.then_some(found)
-    }
+            let (low, high) = analysis.nominal.ranges[k].unwrap_or((at - most, at + most));
+            [
+                at,
+                (0.5 * (at - low)).min(most),
+                (0.5 * (high - at)).min(most),
+            ]
+        })
+        .collect();
+    let place = |step: usize| {
+        let inputs = ends.iter().enumerate().map(|(k, [at, below, above])| {
+            let share = match step {
+                0 => 0.0,
+                _ => POSITIONS[1 + (step - 1 + k) % (POSITIONS.len() - 1)],
+            };
+            at + share * if share < 0.0 { below } else { above }
+        });
+        inputs.collect()
+    };
+    (0..POSITIONS.len()).map(place).collect()
+}
 
-    /// The angles that turn evenly with the only input.
-    fn even(
-        &self,
-        places: &[Vec<f64>],
-        found: &[Vec<f64>],
-        coordinates: &[Coordinate],
-    ) -> Vec<ConstantRatio> {
-        if self.algebra.mechanism.inputs.len() != 1 {
-            return Vec::new();
-        }
-        let even = coordinates
-            .iter()
-            .enumerate()
-            .filter_map(|(k, coordinate)| {
-                let CoordinateKind::Angle(_) = coordinate.kind else {
-                    return None;
-                };
-                let (x, angle) = (places[0][0], found[0][k]);
-                let rates = self.algebra.candidate_rates(0).into_iter();
-                let rate = rates.into_iter().find(|rate| {
-                    let mut all = places.iter().zip(found);
-                    all.all(|(place, own)| (own[k] - angle - rate * (place[0] - x)).abs() < ALIKE)
-                })?;
-                Some(ConstantRatio {
-                    unknown: coordinate.unknown?,
-                    rate,
-                    offset: angle - rate * x,
-                })
-            });
-        even.collect()
+/// The largest length among parameters and estimates.
+pub(super) fn longest(analysis: &Analysis<'_, '_>) -> f64 {
+    let parameters = &analysis.algebra.mechanism.scalar_parameters;
+    let lengths = parameters.iter().zip(&analysis.nominal.parameters);
+    let lengths = lengths.filter(|(p, _)| p.dimension.fits(Dimension::LENGTH));
+    let bound = analysis
+        .algebra
+        .names
+        .bound
+        .iter()
+        .zip(&analysis.nominal.estimates);
+    let slides = bound.filter(|(bound, _)| matches!(bound, Bound::Lengths(_)));
+    let all = lengths
+        .map(|(_, x)| *x)
+        .chain(slides.flat_map(|(_, x)| x.iter().copied()));
+    let longest = all.map(f64::abs).fold(0.0, f64::max);
+    if longest > 0.0 { longest } else { 1.0 }
+}
+
+/// The loops on numbers; `None` if there is an unknown that the compiler introduced, of which nothing is estimated.
+fn together<'m, 'c>(
+    analysis: &Analysis<'_, 'm>,
+    equations: &[Equation<'m>],
+    coordinates: &'c [Coordinate],
+) -> Option<Together<'c, 'm>> {
+    let longest = longest(analysis);
+    let mut estimates = Vec::new();
+    let mut scales = Vec::new();
+    for (k, coordinate) in coordinates.iter().enumerate() {
+        let unknown = coordinate.unknown?;
+        let before = coordinates[..k].iter();
+        let component = before.filter(|c| c.unknown == Some(unknown)).count();
+        estimates.push(*analysis.nominal.estimates[unknown].get(component)?);
+        scales.push(match coordinate.kind {
+            CoordinateKind::Angle(_) => 1.0,
+            CoordinateKind::Length(_) => longest,
+        });
     }
+    Some(Together {
+        rows: equations.iter().flat_map(|e| e.rows.clone()).collect(),
+        coordinates,
+        symbols: coordinates
+            .iter()
+            .map(|c| equations::symbols(analysis, c))
+            .collect(),
+        estimates,
+        scales,
+    })
+}
+
+/// The coordinates at all positions, if every loop closes at each.
+fn closed_at(
+    analysis: &Analysis<'_, '_>,
+    together: &Together,
+    places: &[Vec<f64>],
+) -> Option<Vec<Vec<f64>>> {
+    // An input that does not move proves nothing.
+    let moves = places.iter().any(|place| *place != places[0]);
+    let mut found: Vec<Vec<f64>> = Vec::new();
+    for inputs in places {
+        let at = Nominal {
+            inputs: inputs.clone(),
+            ..analysis.nominal.clone()
+        };
+        let near = found.first().unwrap_or(&together.estimates).clone();
+        found.push(together.closed(near, &at)?);
+    }
+    moves.then_some(found)
+}
+
+/// The angles that turn evenly with the only input.
+fn even(
+    analysis: &Analysis<'_, '_>,
+    places: &[Vec<f64>],
+    found: &[Vec<f64>],
+    coordinates: &[Coordinate],
+) -> Vec<ConstantRatio> {
+    if analysis.algebra.mechanism.inputs.len() != 1 {
+        return Vec::new();
+    }
+    let even = coordinates
+        .iter()
+        .enumerate()
+        .filter_map(|(k, coordinate)| {
+            let CoordinateKind::Angle(_) = coordinate.kind else {
+                return None;
+            };
+            let (x, angle) = (places[0][0], found[0][k]);
+            let rates = constant_ratio::candidate_rates(analysis.algebra, 0).into_iter();
+            let rate = rates.into_iter().find(|rate| {
+                let mut all = places.iter().zip(found);
+                all.all(|(place, own)| (own[k] - angle - rate * (place[0] - x)).abs() < ALIKE)
+            })?;
+            Some(ConstantRatio {
+                unknown: coordinate.unknown?,
+                rate,
+                offset: angle - rate * x,
+            })
+        });
+    even.collect()
 }
 
 /// True if the other equations find all other coordinates, not at a dead point.

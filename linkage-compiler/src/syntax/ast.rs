@@ -4,8 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use syn::LitStr;
 use syn::ext::IdentExt;
 
-use super::vocabulary::vocabulary;
-use super::words::{ClauseWord, DeclarationWord, ItemWord, LoadWord};
+use super::keyword::{DeclarationWord, ItemWord, JointKind, LoadWord};
 use crate::diagnostic::SourceSpan;
 
 /// One mechanism of the macro's input: its struct block and its `impl` blocks.
@@ -192,17 +191,6 @@ pub(crate) struct JointPart {
     pub(crate) span: SourceSpan,
 }
 
-vocabulary! {
-    /// What a joint lets free.
-    pub(crate) enum JointKind {
-        Pin = "pin",
-        Slide = "slide",
-        Ball = "ball",
-        Cylinder = "cylinder",
-        Fixed = "fixed",
-    }
-}
-
 /// `mass expr at expr`
 #[derive(Debug)]
 pub(crate) struct MassPart {
@@ -352,19 +340,6 @@ impl Expr {
         Expr {
             kind: ExprKind::Error,
             span,
-        }
-    }
-}
-
-impl JointKind {
-    /// The clause that names its direction.
-    pub(crate) fn direction_word(self) -> ClauseWord {
-        match self {
-            JointKind::Slide => ClauseWord::Along,
-            // Those without a direction are asked for none.
-            JointKind::Pin | JointKind::Ball | JointKind::Cylinder | JointKind::Fixed => {
-                ClauseWord::About
-            }
         }
     }
 }

@@ -1,15 +1,15 @@
 //! Clauses: a word and what belongs to it, as in `on crank at p2`. Which an item has, in any order.
 
 use super::ast::{Expr, Member};
+use super::keyword::ClauseWord;
 use super::parser::{Parsed, Parser};
 use super::vocabulary::Word;
-use super::words::ClauseWord;
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::{list, nearest};
 
 /// A clause that an item may have.
 #[derive(Clone, Copy)]
-pub(super) struct Rule {
+pub(super) struct ClauseRule {
     pub(super) word: ClauseWord,
     content: Content,
     pub(super) point: Point,
@@ -31,10 +31,10 @@ pub(super) enum Point {
     Required,
 }
 
-impl Rule {
+impl ClauseRule {
     /// A word and a name; `what` is what the name is of.
     pub(super) const fn name(word: ClauseWord, what: &'static str) -> Self {
-        Rule {
+        ClauseRule {
             content: Content::Name(what),
             ..Self::value(word)
         }
@@ -42,7 +42,7 @@ impl Rule {
 
     /// A word and an expression.
     pub(super) const fn value(word: ClauseWord) -> Self {
-        Rule {
+        ClauseRule {
             word,
             content: Content::Value,
             point: Point::Never,
@@ -51,21 +51,21 @@ impl Rule {
     }
 
     pub(super) const fn with_point(self) -> Self {
-        Rule {
+        ClauseRule {
             point: Point::Required,
             ..self
         }
     }
 
     pub(super) const fn with_optional_point(self) -> Self {
-        Rule {
+        ClauseRule {
             point: Point::Optional,
             ..self
         }
     }
 
     pub(super) const fn repeated(self) -> Self {
-        Rule {
+        ClauseRule {
             repeats: true,
             ..self
         }
@@ -144,7 +144,7 @@ impl Clauses {
 
 impl Parser<'_> {
     /// The clauses of an item, commas between them or not, to its end.
-    pub(super) fn clauses(&mut self, owner: Owner, rules: &[Rule]) -> Clauses {
+    pub(super) fn clauses(&mut self, owner: Owner, rules: &[ClauseRule]) -> Clauses {
         let mut clauses = Clauses::default();
         loop {
             self.stream.eat_punct(',');
@@ -175,9 +175,9 @@ impl Parser<'_> {
     fn clause_word(
         &mut self,
         owner: Owner,
-        rules: &[Rule],
+        rules: &[ClauseRule],
         clauses: &Clauses,
-    ) -> Parsed<(Rule, bool)> {
+    ) -> Parsed<(ClauseRule, bool)> {
         let Some(ident) = self.stream.ident(0).cloned() else {
             return self.unexpected_after_expression("a clause or `;`");
         };
@@ -199,7 +199,7 @@ impl Parser<'_> {
                 self.diagnostics.error_with_help(span, &fact, &all);
             }
             self.stream.skip(1);
-            return Ok((Rule::foreign(foreign), false));
+            return Ok((ClauseRule::foreign(foreign), false));
         }
         if let Some(rule) = nearest(&word, words).and_then(find) {
             let help = format!("did you mean `{}`?", rule.word.word());
@@ -219,7 +219,7 @@ impl Parser<'_> {
     fn is_second(
         &mut self,
         owner: Owner,
-        rule: &Rule,
+        rule: &ClauseRule,
         start: SourceSpan,
         clauses: &Clauses,
     ) -> bool {
@@ -233,7 +233,7 @@ impl Parser<'_> {
     }
 
     /// What follows the clause's word.
-    fn clause(&mut self, rule: &Rule, start: SourceSpan) -> Clause {
+    fn clause(&mut self, rule: &ClauseRule, start: SourceSpan) -> Clause {
         let (name, value) = match rule.content {
             Content::Name(what) => (self.clause_name(rule.word, what), Expr::error(start)),
             Content::Value => {

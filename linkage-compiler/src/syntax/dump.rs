@@ -3,9 +3,10 @@
 use std::fmt::{self, Display, Formatter};
 
 use super::ast::{
-    Between, BinaryOp, BodyItem, ElementItem, Expr, ExprKind, InputItem, Item, JointItem,
-    JointKind, LoadItem, MechanismDef, Member, PartItem, Toleranced,
+    Between, BinaryOp, BodyItem, ElementItem, Expr, ExprKind, InputItem, Item, JointItem, LoadItem,
+    MechanismDef, Member, PartItem, Toleranced,
 };
+use super::keyword::JointKind;
 use super::vocabulary::Word;
 
 /// One line for each item and quantity, every operation in parentheses.

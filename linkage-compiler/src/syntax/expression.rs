@@ -3,8 +3,8 @@
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
 use super::ast::{BinaryOp, Expr, ExprKind};
+use super::keyword::is_keyword;
 use super::parser::{Parsed, Parser};
-use super::words::is_keyword;
 use crate::diagnostic::SourceSpan;
 
 /// What an outermost `+-` is.

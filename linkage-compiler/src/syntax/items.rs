@@ -3,14 +3,13 @@
 use proc_macro2::Delimiter;
 
 use super::ast::{
-    Attribute, Expr, Item, JointKind, LoopItem, NamedItem, ParamItem, Toleranced, UnitItem,
-    UnknownItem,
+    Attribute, Expr, Item, LoopItem, NamedItem, ParamItem, Toleranced, UnitItem, UnknownItem,
 };
 use super::expression::PlusMinus;
 use super::joints::{Kind, other_word};
+use super::keyword::{ClauseWord, DeclarationWord, ItemWord, JointKind, LoadWord};
 use super::parser::{Parsed, Parser};
 use super::vocabulary::Word;
-use super::words::{ClauseWord, DeclarationWord, ItemWord, LoadWord};
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::nearest;
 

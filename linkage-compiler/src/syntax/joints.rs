@@ -2,31 +2,29 @@
 
 use proc_macro2::{Ident, Span};
 
-use super::ast::{
-    BodyItem, Expr, InertiaPart, Item, JointItem, JointKind, JointPart, MassPart, Member,
-};
-use super::clauses::{Clause, Clauses, Owner, Rule};
+use super::ast::{BodyItem, Expr, InertiaPart, Item, JointItem, JointPart, MassPart, Member};
+use super::clauses::{Clause, ClauseRule, Clauses, Owner};
+use super::keyword::{ClauseWord, JointKind};
 use super::parser::{Parsed, Parser, Reported};
 use super::vocabulary::Word;
-use super::words::ClauseWord;
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::nearest;
 
-const ON: Rule = Rule::name(ClauseWord::On, "the name of a body");
-const AT: Rule = Rule::value(ClauseWord::At);
-const ALONG: Rule = Rule::value(ClauseWord::Along);
-const ABOUT: Rule = Rule::value(ClauseWord::About);
+const ON: ClauseRule = ClauseRule::name(ClauseWord::On, "the name of a body");
+const AT: ClauseRule = ClauseRule::value(ClauseWord::At);
+const ALONG: ClauseRule = ClauseRule::value(ClauseWord::Along);
+const ABOUT: ClauseRule = ClauseRule::value(ClauseWord::About);
 
 /// What a body has besides its joint.
-const BODY: [Rule; 3] = [
-    Rule::value(ClauseWord::Turns),
-    Rule::value(ClauseWord::Mass).with_point().repeated(),
-    Rule::value(ClauseWord::Inertia)
+const BODY: [ClauseRule; 3] = [
+    ClauseRule::value(ClauseWord::Turns),
+    ClauseRule::value(ClauseWord::Mass).with_point().repeated(),
+    ClauseRule::value(ClauseWord::Inertia)
         .with_optional_point()
         .repeated(),
 ];
 
-fn joint_rules(kind: JointKind) -> &'static [Rule] {
+fn joint_rules(kind: JointKind) -> &'static [ClauseRule] {
     match kind {
         JointKind::Pin => &[ON, AT, ABOUT],
         JointKind::Slide => &[ON, AT, ALONG],

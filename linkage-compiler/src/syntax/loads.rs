@@ -1,37 +1,37 @@
 //! Forces, torques, springs and dampers.
 
 use super::ast::{Between, ElementItem, Expr, ExprKind, GravityItem, LoadItem, Member};
-use super::clauses::{Clause, Clauses, Owner, Rule};
+use super::clauses::{Clause, ClauseRule, Clauses, Owner};
 use super::expression::PlusMinus;
+use super::keyword::{ClauseWord, LoadWord};
 use super::parser::{Parsed, Parser, Reported};
 use super::vocabulary::Word;
-use super::words::{ClauseWord, LoadWord};
 use crate::diagnostic::SourceSpan;
 
 const BODY: &str = "the name of a body";
 
-const FORCE: [Rule; 3] = [
-    Rule::name(ClauseWord::On, BODY),
-    Rule::name(ClauseWord::From, BODY),
-    Rule::value(ClauseWord::At),
+const FORCE: [ClauseRule; 3] = [
+    ClauseRule::name(ClauseWord::On, BODY),
+    ClauseRule::name(ClauseWord::From, BODY),
+    ClauseRule::value(ClauseWord::At),
 ];
 
-const TORQUE: [Rule; 2] = [
-    Rule::name(ClauseWord::On, BODY),
-    Rule::name(ClauseWord::From, BODY),
+const TORQUE: [ClauseRule; 2] = [
+    ClauseRule::name(ClauseWord::On, BODY),
+    ClauseRule::name(ClauseWord::From, BODY),
 ];
 
-const DAMPER: [Rule; 3] = [
-    Rule::name(ClauseWord::From, BODY).with_point(),
-    Rule::name(ClauseWord::To, BODY).with_point(),
-    Rule::name(ClauseWord::On, "the name of a joint"),
+const DAMPER: [ClauseRule; 3] = [
+    ClauseRule::name(ClauseWord::From, BODY).with_point(),
+    ClauseRule::name(ClauseWord::To, BODY).with_point(),
+    ClauseRule::name(ClauseWord::On, "the name of a joint"),
 ];
 
-const SPRING: [Rule; 4] = [
+const SPRING: [ClauseRule; 4] = [
     DAMPER[0],
     DAMPER[1],
     DAMPER[2],
-    Rule::value(ClauseWord::Free),
+    ClauseRule::value(ClauseWord::Free),
 ];
 
 impl Parser<'_> {
@@ -65,7 +65,12 @@ impl Parser<'_> {
         self.load(owner, &TORQUE, &[ClauseWord::On])
     }
 
-    fn load(&mut self, owner: Owner, rules: &[Rule], needed: &[ClauseWord]) -> Parsed<LoadItem> {
+    fn load(
+        &mut self,
+        owner: Owner,
+        rules: &[ClauseRule],
+        needed: &[ClauseWord],
+    ) -> Parsed<LoadItem> {
         let value = self.load_value(owner)?;
         let mut clauses = self.clauses(owner, rules);
         self.require(&clauses, owner, needed);
@@ -89,7 +94,12 @@ impl Parser<'_> {
         self.element(LoadWord::Damper, &DAMPER, span)
     }
 
-    fn element(&mut self, word: LoadWord, rules: &[Rule], span: SourceSpan) -> Parsed<ElementItem> {
+    fn element(
+        &mut self,
+        word: LoadWord,
+        rules: &[ClauseRule],
+        span: SourceSpan,
+    ) -> Parsed<ElementItem> {
         let what = word.word();
         let form =
             format!("{what} VALUE from BODY at POINT to BODY at POINT` or `{what} VALUE on JOINT");

@@ -3,11 +3,11 @@
 use proc_macro2::Ident;
 
 use super::ast::{Expr, Member};
-use super::clauses::{Point, Rule};
+use super::clauses::{ClauseRule, Point};
 use super::expression::PlusMinus;
+use super::keyword::ClauseWord;
 use super::parser::{Parsed, Parser};
 use super::vocabulary::Word;
-use super::words::ClauseWord;
 use crate::diagnostic::SourceSpan;
 
 impl Parser<'_> {
@@ -58,7 +58,7 @@ impl Parser<'_> {
     }
 
     /// `at POINT` that belongs to the clause before it.
-    pub(super) fn clause_point(&mut self, rule: &Rule, start: SourceSpan) -> Option<Expr> {
+    pub(super) fn clause_point(&mut self, rule: &ClauseRule, start: SourceSpan) -> Option<Expr> {
         if rule.point == Point::Never {
             return None;
         }
@@ -118,7 +118,7 @@ impl Parser<'_> {
     }
 
     /// To the next clause that the item may have, after something that is none; `at` may belong to that.
-    pub(super) fn skip_to_clause(&mut self, rules: &[Rule]) {
+    pub(super) fn skip_to_clause(&mut self, rules: &[ClauseRule]) {
         let is_rule = |word: &Ident| {
             word != ClauseWord::At.word() && rules.iter().any(|rule| word == rule.word.word())
         };

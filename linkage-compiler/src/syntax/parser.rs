@@ -2,8 +2,8 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, TokenTree};
 
+use super::keyword::is_keyword;
 use super::stream::Stream;
-use super::words::is_keyword;
 use crate::diagnostic::{Diagnostics, SourceSpan};
 
 /// A mistake that has been reported; the rule that recovers from it carries on.

@@ -3,18 +3,18 @@
 use proc_macro2::Delimiter;
 
 use super::ast::{GivenPart, Item, PartItem};
-use super::clauses::{Owner, Rule};
+use super::clauses::{ClauseRule, Owner};
+use super::keyword::ClauseWord;
 use super::parser::{Parsed, Parser};
-use super::words::ClauseWord;
 use crate::diagnostic::SourceSpan;
 
 const FORM: &str = "part NAME: MECHANISM { input = expression }";
 
 /// Where a part stands.
-const RULES: [Rule; 3] = [
-    Rule::name(ClauseWord::On, "the name of a body"),
-    Rule::value(ClauseWord::At),
-    Rule::value(ClauseWord::Turned),
+const RULES: [ClauseRule; 3] = [
+    ClauseRule::name(ClauseWord::On, "the name of a body"),
+    ClauseRule::value(ClauseWord::At),
+    ClauseRule::value(ClauseWord::Turned),
 ];
 
 impl Parser<'_> {

@@ -2,9 +2,9 @@
 
 use proc_macro2::TokenTree;
 
+use super::keyword::{ClauseWord, DeclarationWord, ItemWord, is_keyword};
 use super::parser::{Parsed, Parser};
 use super::vocabulary::Word;
-use super::words::{ClauseWord, DeclarationWord, ItemWord, is_keyword};
 
 impl Parser<'_> {
     /// `;`, which the last item may lack; a missing one before the next item is reported and read over.

@@ -2,8 +2,8 @@
 
 use proc_macro2::{Delimiter, TokenTree};
 
+use super::keyword::is_keyword;
 use super::parser::{Parsed, Parser};
-use super::words::is_keyword;
 
 impl Parser<'_> {
     /// Reports the token after a complete expression, where only `wanted` may stand.

@@ -2,7 +2,7 @@
 
 /// A unit: a scale times powers of kilogram, newton, metre and second.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Unit {
+pub(crate) struct UnitOfMeasure {
     pub(crate) kilograms: i32,
     pub(crate) newtons: i32,
     pub(crate) metres: i32,
@@ -19,7 +19,7 @@ pub(crate) struct Scale {
     pub(crate) whole: (u32, i32),
 }
 
-const ONE: Unit = Unit {
+const ONE: UnitOfMeasure = UnitOfMeasure {
     kilograms: 0,
     newtons: 0,
     metres: 0,
@@ -31,28 +31,28 @@ const ONE: Unit = Unit {
         whole: (1, 1),
     },
 };
-const METRE: Unit = Unit { metres: 1, ..ONE };
-const KILOGRAM: Unit = Unit {
+const METRE: UnitOfMeasure = UnitOfMeasure { metres: 1, ..ONE };
+const KILOGRAM: UnitOfMeasure = UnitOfMeasure {
     kilograms: 1,
     ..ONE
 };
-const NEWTON: Unit = Unit { newtons: 1, ..ONE };
-const SECOND: Unit = Unit { seconds: 1, ..ONE };
-const JOULE: Unit = Unit {
+const NEWTON: UnitOfMeasure = UnitOfMeasure { newtons: 1, ..ONE };
+const SECOND: UnitOfMeasure = UnitOfMeasure { seconds: 1, ..ONE };
+const JOULE: UnitOfMeasure = UnitOfMeasure {
     metres: 1,
     ..NEWTON
 };
-const WATT: Unit = Unit {
+const WATT: UnitOfMeasure = UnitOfMeasure {
     seconds: -1,
     ..JOULE
 };
-const PASCAL: Unit = Unit {
+const PASCAL: UnitOfMeasure = UnitOfMeasure {
     metres: -2,
     ..NEWTON
 };
-const RADIAN: Unit = Unit { angle: true, ..ONE };
+const RADIAN: UnitOfMeasure = UnitOfMeasure { angle: true, ..ONE };
 /// 254 of the unit 1e-4 m.
-const INCH: Unit = Unit {
+const INCH: UnitOfMeasure = UnitOfMeasure {
     scale: Scale {
         ten: -4,
         pi: 0,
@@ -60,7 +60,7 @@ const INCH: Unit = Unit {
     },
     ..METRE
 };
-const MINUTE: Unit = Unit {
+const MINUTE: UnitOfMeasure = UnitOfMeasure {
     scale: Scale {
         whole: (60, 1),
         ..ONE.scale
@@ -69,7 +69,7 @@ const MINUTE: Unit = Unit {
 };
 
 /// Spellings, the first of which messages list.
-const UNITS: [(&[&str], Unit); 30] = [
+const UNITS: [(&[&str], UnitOfMeasure); 30] = [
     (&["m"], METRE),
     (&["mm"], METRE.shifted(-3)),
     (&["cm"], METRE.shifted(-2)),
@@ -114,7 +114,7 @@ pub(crate) fn is_unit(name: &str) -> bool {
 }
 
 /// The unit of this name, in any spelling.
-pub(crate) fn find_unit(name: &str) -> Option<Unit> {
+pub(crate) fn find_unit(name: &str) -> Option<UnitOfMeasure> {
     row(name).map(|(_, unit)| *unit)
 }
 
@@ -123,20 +123,20 @@ pub(crate) fn first_spelling(name: &str) -> Option<&'static str> {
     row(name).map(|(spellings, _)| spellings[0])
 }
 
-fn row(name: &str) -> Option<&'static (&'static [&'static str], Unit)> {
+fn row(name: &str) -> Option<&'static (&'static [&'static str], UnitOfMeasure)> {
     UNITS
         .iter()
         .find(|(spellings, _)| spellings.contains(&name))
 }
 
-impl Unit {
-    const fn shifted(mut self, ten: i64) -> Unit {
+impl UnitOfMeasure {
+    const fn shifted(mut self, ten: i64) -> UnitOfMeasure {
         self.scale.ten = ten;
         self
     }
 
     /// Half a turn times a power of a number.
-    const fn half_turns(mut self, number: u32, power: i32) -> Unit {
+    const fn half_turns(mut self, number: u32, power: i32) -> UnitOfMeasure {
         self.scale.pi = 1;
         self.scale.whole = (number, power);
         self

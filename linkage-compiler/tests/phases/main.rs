@@ -7,6 +7,7 @@ mod forms;
 mod forms_space;
 mod golden;
 mod growth;
+mod intervals;
 mod margins;
 mod part_rates;
 mod parts;

@@ -1,7 +1,7 @@
 //! The table of docs/where-to-add.md with the files that have to know every kind of a thing, compared with the files that name every kind.
 //!
 //! A `match` without `_` names all variants of its enum, so the files that name all of them are those that rustc demands when one is
-//! added. A row that lacks such a file, or has one that no longer asks, fails here.
+//! added. A trait has the files that implement it. A row that lacks such a file, or has one that no longer asks, fails here.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -17,10 +17,18 @@ fn the_table_lists_all_files_that_know_every_kind() {
         let definition = sources
             .get(&files[0])
             .unwrap_or_else(|| panic!("`{name}` is defined in `{}`, which is no file", files[0]));
-        let variants = variants(definition, &name);
+        let is_demanded: Box<dyn Fn(&str) -> bool> =
+            if definition.contains(&format!("trait {name}")) {
+                let implementation = format!(" {name} for ");
+                Box::new(move |text| text.contains(&implementation))
+            } else {
+                let variants = variants(definition, &name);
+                let name = name.clone();
+                Box::new(move |text| names_all(text, &name, &variants))
+            };
         let found: BTreeSet<&String> = sources
             .iter()
-            .filter(|(path, text)| **path == files[0] || names_all(text, &name, &variants))
+            .filter(|(path, text)| **path == files[0] || is_demanded(text))
             .map(|(path, _)| path)
             .collect();
         let listed: BTreeSet<&String> = files.iter().collect();
@@ -112,7 +120,7 @@ fn has_silent_arm(block: &str, name: &str) -> bool {
     patterns.contains(&"_") && patterns.iter().any(|pattern| pattern.contains(&prefix))
 }
 
-/// An enum and the files that name all its variants, the one that defines it first.
+/// An enum and the files that name all its variants, or a trait and the files that implement it; the one that defines it first.
 struct Row {
     name: String,
     files: Vec<String>,
@@ -148,14 +156,22 @@ fn quoted(cell: &str) -> impl Iterator<Item = String> {
     cell.split('`').skip(1).step_by(2).map(str::to_owned)
 }
 
-/// All sources of the compiler by their paths below `src`, and those of linkage-symbolic by `linkage-symbolic/` and the rest, without
+/// Other crates than the compiler: their sources begin with the name of the crate.
+const OTHER_CRATES: [&str; 4] = [
+    "linkage-symbolic",
+    "linkage-core",
+    "linkage-c",
+    "linkage-js",
+];
+
+/// All sources of the compiler by their paths below `src`, and those of other crates by the name of the crate and the rest, without
 /// comments and tests.
 fn sources() -> BTreeMap<String, String> {
     let mut all = BTreeMap::new();
-    for (folder, prefix) in [
-        (root().join("src"), ""),
-        (root().join("../linkage-symbolic/src"), "linkage-symbolic/"),
-    ] {
+    let others =
+        OTHER_CRATES.map(|name| (root().join(format!("../{name}/src")), format!("{name}/")));
+    let own = (root().join("src"), String::new());
+    for (folder, prefix) in std::iter::once(own).chain(others) {
         for path in rust_files(&folder) {
             let below = path.strip_prefix(&folder).expect("a path below the folder");
             let parts: Vec<_> = below.iter().map(|part| part.to_string_lossy()).collect();

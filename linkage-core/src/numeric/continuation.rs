@@ -12,7 +12,6 @@
 //! made.
 
 mod cell;
-mod certificate;
 mod estimate;
 mod follow;
 mod grid;
@@ -28,7 +27,7 @@ mod table;
 mod turning_point;
 mod walk;
 
-pub use certificate::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE};
+pub use crate::certificate::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE};
 pub use estimate::{Astray, from_estimate, turned};
 pub use grid::{Grid, GridLookup, LeftOut, Terms};
 pub use layout::{Axis, CellLayout, GridLayout, NodeLayout, TableLayout};

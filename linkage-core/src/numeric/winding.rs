@@ -2,20 +2,21 @@
 
 mod uniform;
 
+use crate::certificate;
 use crate::scalar::Scalar;
 use core::f64::consts::{PI, TAU};
 pub use uniform::uniform;
 use uniform::whole;
 
 /// Remainders should stay below this, so that inputs a little outside the range are served too.
-const COMFORT: f64 = 0.8 * PI;
+const COMFORT: f64 = certificate::COMFORTABLE_STRAY * PI;
 
 /// Remainders must stay below this.
-const LIMIT: f64 = 0.95 * PI;
+const LIMIT: f64 = certificate::MOST_STRAY * PI;
 
 /// A sum of middles of several inputs that is larger would leave the angle at the start too little
 /// of its half turn.
-const MOST_MIDDLE: f64 = 0.9 * PI;
+const MOST_MIDDLE: f64 = certificate::MOST_MIDDLE * PI;
 
 /// Longer walks are not begun: thousands of turns of the fastest candidate.
 const MOST_RADIANS: f64 = 16384.0;

@@ -1,6 +1,7 @@
 //! `f64` and `f32`.
 
-use super::{FUSED, ROUNDINGS, Scalar};
+use super::{FUSED, Scalar};
+use crate::certificate::{self, ROUNDINGS};
 use crate::{elementary, math};
 use core::hint::select_unpredictable;
 
@@ -45,8 +46,16 @@ macro_rules! scalar {
             const LANES: usize = 1;
             const VECTORISES: bool = true;
             // Single precision rounds more coarsely than tables are wrong.
-            const CORRECTION_LIMIT: f64 = if $bits::BITS == 64 { 1e-7 } else { 1e-4 };
-            const LAST_CORRECTION: f64 = if $bits::BITS == 64 { 1e-10 } else { 1e-4 };
+            const CORRECTION_LIMIT: f64 = if $bits::BITS == 64 {
+                certificate::CORRECTION_LIMIT
+            } else {
+                certificate::SINGLE_CORRECTION_LIMIT
+            };
+            const LAST_CORRECTION: f64 = if $bits::BITS == 64 {
+                certificate::LAST_CORRECTION
+            } else {
+                certificate::SINGLE_LAST_CORRECTION
+            };
             const SLACK: f64 = ROUNDINGS * <$float>::EPSILON as f64;
             const REFINES: bool = false;
 

@@ -1,6 +1,7 @@
 //! Printed JavaScript in a real browser, against the same mechanisms on Rust's numbers.
 
 mod all_programs;
+mod constants;
 mod module;
 mod names;
 mod page;

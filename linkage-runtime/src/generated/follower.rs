@@ -1,8 +1,7 @@
 //! From position to position: coupled groups followed from where they stand, whatever the ranges of the inputs.
 
-use super::settle::CORRECTIONS;
-use crate::numeric::continuation::{ALLOWED_CONTRACTION, FIRST_CORRECTION};
 use crate::{Halt, Scalar};
+use linkage_core::certificate::{ALLOWED_CONTRACTION, CORRECTIONS, FIRST_CORRECTION};
 
 /// Shorter steps, as parts of the way, are not tried: beside a dead point.
 const SHORTEST: f64 = 1e-6;

@@ -1,15 +1,11 @@
 //! A small step of a coupled group to other dimensions, certified.
 
-use crate::numeric::continuation::{ALLOWED_CONTRACTION, Correction, FIRST_CORRECTION};
+use crate::numeric::continuation::Correction;
 use crate::numeric::roots::Variable;
 use alloc::vec::Vec;
-
-/// Corrections of a step, at most, and one that leaves rounding only.
-pub(super) const CORRECTIONS: usize = 8;
-const SETTLED: f64 = 1e-9;
-
-/// Lengths in states are scaled by a power of two, which changes on the way as links grow.
-const SCALES: [f64; 3] = [1.0, 0.5, 2.0];
+use linkage_core::certificate::{
+    ALLOWED_CONTRACTION, CORRECTIONS, FIRST_CORRECTION, SCALES, SETTLED,
+};
 
 /// The state near `before` that solves the equations, and its determinant, which has the sign of `sign` (if that has one).
 pub(super) fn moved(

@@ -1,19 +1,19 @@
 // Groups without a closed form: a solution that is known is followed, by steps of Newton's method that cannot jump to another one.
 
 // A first correction must not be larger, in radians or scaled lengths.
-const FIRST_CORRECTION = 0.05;
+const FIRST_CORRECTION = CORE.FIRST_CORRECTION;
 // Each correction is below this part of the one before, as where Newton's method is certain to find the nearest solution.
-const CONTRACTION = 0.25;
+const CONTRACTION = CORE.ALLOWED_CONTRACTION;
 // Corrections of a step, at most, and one that leaves rounding only.
-const CORRECTIONS = 8;
-const SETTLED = 1e-9;
+const CORRECTIONS = CORE.CORRECTIONS;
+const SETTLED = CORE.SETTLED;
 // Lengths in states are scaled by a power of two, which changes on the way as links grow.
-const SCALES = [1, 0.5, 2];
+const SCALES = CORE.SCALES;
 // The first step, as a share of the way; a step that succeeds is doubled. Steps that are a smaller share are not tried.
 const FIRST_STEP = 0.125;
 const SHORTEST_STEP = 1e-6;
 // The largest correction of a state from which results are computed.
-const CORRECTION_LIMIT = 1e-7;
+const CORRECTION_LIMIT = CORE.CORRECTION_LIMIT;
 // Beyond its range by less than this part of it, an input counts as within.
 const BESIDE = 1e-9;
 

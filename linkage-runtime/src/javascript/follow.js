@@ -1,9 +1,9 @@
 // How an angle turns while an input runs through its range.
 
 // Remainders should stay below this, so that inputs a little outside the range are served too.
-const COMFORT = 0.8 * Math.PI;
+const COMFORT = CORE.COMFORTABLE_STRAY * Math.PI;
 // Remainders must stay below this.
-const MOST_STRAY = 0.95 * Math.PI;
+const MOST_STRAY = CORE.MOST_STRAY * Math.PI;
 // Longer walks are not begun: thousands of turns of the fastest rate.
 const MOST_RADIANS = 16384;
 const HALVINGS = 30;

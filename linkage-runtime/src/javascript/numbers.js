@@ -1,6 +1,6 @@
 // Operations that JavaScript does not have, or not with these results: those of generated Rust. Tangents and arcs of single numbers are the browser's.
 
-const EIGHT_ROUNDOFFS = 8 * Number.EPSILON;
+const EIGHT_ROUNDOFFS = CORE.ROUNDINGS * Number.EPSILON;
 // From here on a tangent is noise, as sines are (TOO_LARGE).
 const LARGEST_ANGLE = 2 ** 30;
 const TURN = 2 * Math.PI;

@@ -1,10 +1,10 @@
 // The check of the declared range of an assembly, with the criteria of the compiler.
 
-const DEAD = 2e-12;
-const END = 1e-9;
-const AT_RANGE_END = 1e-6;
-const SLACK_ROUNDING = 1e-12;
-const SAMPLES_OF_A_TURN = 180;
+const DEAD = CORE.DEAD;
+const END = CORE.END;
+const AT_RANGE_END = CORE.AT_END;
+const SLACK_ROUNDING = CORE.ROUNDING;
+const SAMPLES_OF_A_TURN = CORE.SAMPLES;
 const MISSES = 180;
 const GOLDEN = 0.618033988749895;
 
@@ -33,7 +33,7 @@ function rangeOf(own) {
 
 // Positions of samples: the reference is one of them.
 function samplesOf({ low, high, reference, angle }) {
-  const count = angle ? Math.min(Math.max(SAMPLES_OF_A_TURN * (high - low) / TURN, 64), 4000) : SAMPLES_OF_A_TURN;
+  const count = angle ? Math.min(Math.max(SAMPLES_OF_A_TURN * (high - low) / TURN, CORE.LEAST_SAMPLES), CORE.MOST_SAMPLES) : SAMPLES_OF_A_TURN;
   const part = (from, to) => {
     const steps = to > from ? Math.max(Math.floor(Math.floor(count) * ((to - from) / (high - low))), 1) : 0;
     return Array.from({ length: steps }, (_, k) => from + (to - from) * (k / steps));

@@ -1,7 +1,7 @@
 // Centres and windings of angles: an angle is the one of its direction that is nearest to centre + the sum of winding * input.
 
 // See followed: the middle of several motions may not be larger.
-const MOST_MIDDLE = 0.9 * Math.PI;
+const MOST_MIDDLE = CORE.MOST_MIDDLE * Math.PI;
 // The vectors beside the longest one turn their sum by less than 0.45 pi if they add up to no more than this part of its length.
 const MOST_BESIDE = 0.9876883405951378;
 

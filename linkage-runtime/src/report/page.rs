@@ -5,7 +5,7 @@ use std::string::String;
 use super::colour::page_rules;
 use super::frame::Framed;
 use super::{Report, ReportError};
-use crate::javascript::{ENGINE, OTHERS};
+use crate::javascript::{OTHERS, engine};
 
 const BODY: &str = include_str!("page/page.html");
 const STYLES: [&str; 7] = [
@@ -125,7 +125,7 @@ impl Report {
         }
         let programs = self.programs.iter().map(|own| own.description);
         let programs = programs.collect::<std::vec::Vec<_>>().join(",\n");
-        let engine = ENGINE.join("\n");
+        let engine = engine();
         std::format!(
             "const engine = (() => {{\n{engine}\n{OTHERS}\nreturn {{ assembled, evaluate, gapsAt, solutionsAt, standing, AssemblyError, programs: [{programs}] }};\n}})();\n"
         )
@@ -166,7 +166,7 @@ impl Report {
 mod tests {
     use super::super::frame::bare;
     use super::*;
-    use crate::javascript::MODULE;
+    use crate::javascript::{ENGINE, MODULE};
     use std::collections::BTreeSet;
 
     /// What a page takes to compute, beside the programs, which are 78,000 bytes for the largest mechanism of the gallery: the two may have 150 KiB, 153,600 bytes.

@@ -1,11 +1,9 @@
 //! What the graph holds.
 
-use crate::unordered::{Map, Set};
-
-use crate::program::Source;
-use crate::vector::Vectors;
-
-use super::{Binding, Node, NodeId, Symbol, SymbolId};
+use super::node::{Node, NodeId, Symbol, SymbolId};
+use super::source::{Binding, Source};
+use super::vectors::Vectors;
+use crate::lookup::{Map, Set};
 
 /// A flat arena of operations. Equal operations are one node.
 #[derive(Clone, Debug, Default)]
@@ -47,6 +45,13 @@ impl Store {
     /// True for what is no negative number, whatever it is computed from; it may be -0, or NaN.
     pub(crate) fn is_never_negative(&self, id: NodeId) -> bool {
         self.never_negative[id.index()]
+    }
+
+    /// A number.
+    pub(crate) fn constant(&mut self, value: f64) -> NodeId {
+        // -0 and 0 are one constant: the sign of zero carries no meaning in a mechanism.
+        let value = if value == 0.0 { 0.0 } else { value };
+        self.intern(Node::Constant(value.to_bits()))
     }
 
     /// The value of a constant node.

@@ -1,7 +1,7 @@
 //! Products that are added become multiply-adds, which machines with fused arithmetic do in one step. Without it, equal
 //! products are one operation again: nothing is computed twice.
 
-use crate::count::arrival_times;
+use crate::program::count::arrival_times;
 use crate::program::{Binary, Fused, Instruction, Program, Unary, Value};
 
 /// Replaces `a * b + c`, `a * b - c` and `c - a * b`, and removes the products that nobody uses any more.

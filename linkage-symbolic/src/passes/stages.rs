@@ -89,7 +89,7 @@ fn stage(
 ) -> Stage {
     let end = range.end;
     let is_last = end == program.instructions.len();
-    let finished = |&(_, value): &(usize, usize)| match is_free(&program.instructions[value]) {
+    let finished = |&(_, value): &(usize, usize)| match program.instructions[value].is_free() {
         true => is_last,
         false => range.contains(&value),
     };
@@ -108,7 +108,7 @@ fn stage(
         places: BTreeMap::new(),
     };
     let own: Vec<usize> = range
-        .filter(|&index| !is_free(&program.instructions[index]))
+        .filter(|&index| !program.instructions[index].is_free())
         .collect();
     for &index in &own {
         builder.place(index);
@@ -157,7 +157,7 @@ impl Builder<'_> {
             return place;
         }
         let instruction = self.whole.instructions[value];
-        let own = match self.range.contains(&value) || is_free(&instruction) {
+        let own = match self.range.contains(&value) || instruction.is_free() {
             true => {
                 let operands: Vec<Value> = instruction.operands().collect();
                 operands.iter().for_each(|operand| {
@@ -179,7 +179,7 @@ impl Builder<'_> {
 /// The program with its loads and constants first.
 fn loads_first(program: &Program) -> Program {
     let (free, others): (Vec<usize>, Vec<usize>) =
-        (0..program.instructions.len()).partition(|&k| is_free(&program.instructions[k]));
+        (0..program.instructions.len()).partition(|&k| program.instructions[k].is_free());
     let order = [free, others].concat();
     let mut places = vec![Value(0); order.len()];
     for (place, &index) in order.iter().enumerate() {
@@ -190,11 +190,6 @@ fn loads_first(program: &Program) -> Program {
         instructions: order.iter().map(moved).collect(),
         outputs: program.outputs.iter().map(|x| places[x.0]).collect(),
     }
-}
-
-/// Loads and constants are repeated where they are needed and never carried.
-fn is_free(instruction: &Instruction) -> bool {
-    matches!(instruction, Instruction::Load(_) | Instruction::Constant(_))
 }
 
 #[cfg(test)]

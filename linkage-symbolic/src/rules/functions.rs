@@ -1,6 +1,6 @@
 //! Rules of functions, and of all operations of numbers.
 
-use super::{Assumes, Changes, Rule, rule};
+use super::rule::{Assumes, Changes, Rule, rule};
 use crate::operation::{Binary, Ternary, Unary};
 
 // Folding: there is no constant -0.

@@ -1,7 +1,7 @@
 //! Rules of guards: of roots, and of choices that guard nothing.
 
 use super::functions::FOLD_THREE;
-use super::{Assumes, Rule, rule};
+use super::rule::{Assumes, Rule, rule};
 use crate::graph::{Binding, Node};
 use crate::operation::{Ternary, Unary};
 

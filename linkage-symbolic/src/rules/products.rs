@@ -1,7 +1,7 @@
 //! Rules of products. The first factor is never known later than the second.
 
 use super::functions::FOLD_TWO;
-use super::{Assumes, Changes, Rule, rule};
+use super::rule::{Assumes, Changes, Rule, rule};
 use crate::graph::{Node, NodeId, Store};
 use crate::operation::{Binary, Unary};
 

@@ -1,8 +1,8 @@
 //! Rules of quotients.
 
 use super::functions::FOLD_TWO;
+use super::rule::{Assumes, Changes, Rule, rule};
 use super::sums::other;
-use super::{Assumes, Changes, Rule, rule};
 use crate::graph::{Node, NodeId, Store};
 use crate::operation::{Binary, Unary};
 

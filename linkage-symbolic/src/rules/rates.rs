@@ -1,6 +1,6 @@
 //! Rules of rates: vectors that turn with a link have the link's rate as a factor.
 
-use super::{Assumes, Changes, Rule, rule};
+use super::rule::{Assumes, Changes, Rule, rule};
 use crate::graph::{Binding, Node, NodeId, Store};
 use crate::operation::{Binary, Unary};
 

@@ -1,7 +1,7 @@
 //! Rules of signs and absolute values.
 
 use super::functions::FOLD_ONE;
-use super::{Changes, Rule, rule};
+use super::rule::{Changes, Rule, rule};
 use crate::operation::Unary;
 
 pub(super) static NEGATIVE: &[Rule<Unary, 1>] = &[

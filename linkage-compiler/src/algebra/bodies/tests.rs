@@ -1,5 +1,7 @@
 //! Systems of numbers with bodies in them, against the same systems with an order of their own.
 
+use crate::algebra::bodies;
+use crate::algebra::pivots;
 use linkage_symbolic::evaluate;
 
 use super::*;
@@ -91,15 +93,15 @@ fn check(bodies: usize, seed: u32) {
                 assert!(off < 1e-9 * largest, "seed {seed}: {found} {known}");
             }
         };
-        let own = algebra.solve_by_scheme(&scheme, &matrix, &right);
-        let known = algebra.solve_in_order(&whole, &matrix, &right);
+        let own = bodies::solve_by_scheme(algebra, &scheme, &matrix, &right);
+        let known = pivots::solve_in_order(algebra, &whole, &matrix, &right);
         near(numbers(&own.solution), numbers(&known.solution));
         near(numbers(&[own.determinant]), numbers(&[known.determinant]));
         let transposed: Vec<Vec<Ex>> = (0..size)
             .map(|column| matrix.iter().map(|row| row[column]).collect())
             .collect();
-        let own = algebra.solve_transposed_by_scheme(&scheme, &matrix, &right);
-        let known = algebra.solve_in_order(&whole.transposed(), &transposed, &right);
+        let own = bodies::solve_transposed_by_scheme(algebra, &scheme, &matrix, &right);
+        let known = pivots::solve_in_order(algebra, &whole.transposed(), &transposed, &right);
         near(numbers(&own), numbers(&known.solution));
     });
 }

@@ -1,5 +1,6 @@
 //! Systems of numbers, solved as expressions.
 
+use crate::algebra::pivots;
 use linkage_symbolic::{Graph, evaluate};
 
 use super::*;
@@ -38,8 +39,8 @@ fn solved(order: &Order, matrix: &[Vec<f64>], right: &[f64]) -> (Vec<f64>, f64) 
         let InOrder {
             mut solution,
             determinant,
-        } = algebra.solve_in_order(order, &rows, &lift(right));
-        let once = algebra.solve_once_in_order(order, &rows, &lift(right));
+        } = pivots::solve_in_order(algebra, order, &rows, &lift(right));
+        let once = pivots::solve_once_in_order(algebra, order, &rows, &lift(right));
         for (own, shared) in once.solution.iter().zip(&solution) {
             let [own, shared] = [own, shared].map(|x| evaluate(&[*x], |_| f64::NAN)[0]);
             let both = own.is_nan() && shared.is_nan();

@@ -4,7 +4,7 @@ use linkage_symbolic::Graph;
 
 use super::{At, Check};
 use crate::algebra::{clamped_curvatures, ends_of_law};
-use crate::model::{CourseKind, Ends, Law, Pieces};
+use crate::model::{Ends, Law, MotionLawKind, Pieces};
 
 /// Speed and acceleration on one side of a knot.
 pub(super) type Rates = [f64; 2];
@@ -14,8 +14,8 @@ impl Check<'_, '_> {
     pub(super) fn pieces(&self) -> Vec<[Rates; 2]> {
         let pieces = self.knots.windows(2).zip(&self.course.knots[1..]);
         match self.course.kind {
-            CourseKind::Laws => pieces.map(|(pair, knot)| rates(pair, knot.law)).collect(),
-            CourseKind::Spline(Ends::Clamped, Pieces::Cubic) => {
+            MotionLawKind::Laws => pieces.map(|(pair, knot)| rates(pair, knot.law)).collect(),
+            MotionLawKind::Spline(Ends::Clamped, Pieces::Cubic) => {
                 let graph = Graph::new();
                 let points = self.knots.iter();
                 let points = points.map(|own| (graph.number(own.place), graph.number(own.value)));
@@ -28,7 +28,7 @@ impl Check<'_, '_> {
                 all
             }
             // A natural spline goes on as it ends, a periodic one as it began; a clamped quintic one ends without acceleration.
-            CourseKind::Rise | CourseKind::Spline(..) => Vec::new(),
+            MotionLawKind::Rise | MotionLawKind::Spline(..) => Vec::new(),
         }
     }
 }

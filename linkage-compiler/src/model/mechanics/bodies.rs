@@ -1,138 +1,154 @@
 //! Bodies: what they hang on, how they turn, their masses.
 
-use super::super::names::Resolver;
-use super::super::types::{Body, Dimension, Expr, Joint, Mechanism, Type};
-use super::CONTEXT;
+use super::clauses::{resolve_point, resolve_scalar};
+use super::inertia::resolve_inertia;
+use super::joints::resolve_joint;
 use crate::diagnostic::SourceSpan;
+use crate::model::expression::clause_values::refuse_clause;
+use crate::model::expression::dispatch::resolve_expression;
+use crate::model::items::argument::refuse_argument;
+use crate::model::symbols::scope::Scope;
+use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::Context;
+use crate::model::types::{Body, Dimension, Expr, Joint, Mechanism, Type};
 use crate::syntax::{self, BodyItem, JointKind};
 
-impl Resolver<'_> {
-    /// A body and the joint that it hangs on, both of the same number.
-    pub(super) fn body_item(&mut self, item: &BodyItem, index: usize) -> (Body, Joint) {
-        let joint = self.joint(&item.joint, index);
-        let turns = match &item.turns {
-            Some(turns) => Some(self.turns(turns, item.joint.kind)),
-            None => {
-                self.check_turning(item);
-                None
-            }
+/// A body and the joint that it hangs on, both of the same number.
+pub(in crate::model) fn resolve_body(
+    scope: &Scope,
+    sink: &mut Sink,
+    item: &BodyItem,
+    index: usize,
+) -> (Body, Joint) {
+    let joint = resolve_joint(scope, sink, &item.joint, index);
+    let turns = match &item.turns {
+        Some(turns) => Some(resolve_turns(scope, sink, turns, item.joint.kind)),
+        None => {
+            check_turns(sink, item);
+            None
+        }
+    };
+    let masses = item
+        .masses
+        .iter()
+        .map(|part| {
+            let mass = resolve_scalar(scope, sink, &part.mass, Dimension::MASS, "mass", "100g");
+            (mass, resolve_point(scope, sink, &part.at))
+        })
+        .collect();
+    refuse_second_point(sink, item);
+    let inertias = item
+        .inertias
+        .iter()
+        .map(|part| resolve_inertia(scope, sink, part, turns.as_ref()))
+        .collect();
+    let body = Body {
+        name: item.name.to_string(),
+        joint: index,
+        turns,
+        masses,
+        inertias,
+        origin: sink.add_origin((&item.name).into()),
+    };
+    (body, joint)
+}
+
+/// About a point an inertia is that of the whole body, its masses included: two such ones contradict each other.
+fn refuse_second_point(sink: &mut Sink, item: &BodyItem) {
+    let mut points = item.inertias.iter().filter_map(|part| part.at.as_ref());
+    if let (Some(_), Some(second)) = (points.next(), points.next()) {
+        let fact = format!(
+            "a second `inertia` of `{}` about a point: each is that of the whole body",
+            item.name
+        );
+        let help = "write the sum about one point; what a part has about its own centre of mass needs no `at`";
+        sink.error_with_help(second.span, fact, help);
+    }
+}
+
+/// In the plane an angle. In space a frame; the direction of a rod between balls; the angle about the joint's axis.
+fn resolve_turns(scope: &Scope, sink: &mut Sink, expr: &syntax::Expr, kind: JointKind) -> Expr {
+    let mut value = resolve_expression(scope, sink, expr, Context::MECHANICS);
+    refuse_argument(
+        &scope.names,
+        &scope.values,
+        sink,
+        &mut value,
+        "what a body turns with",
+    );
+    if matches!(value.ty, Type::Zero(1)) {
+        value.settle(&Type::Scalar(Dimension::ANGLE));
+    }
+    let angle = matches!(value.ty, Type::Scalar(found) if found.is_number_or_angle());
+    let (fits, wanted, example) = match (sink.components, kind) {
+        (None, _) => return value,
+        (Some(2), _) => (angle, "an angle", "turns phi"),
+        (_, JointKind::Pin | JointKind::Cylinder) => (
+            angle || value.ty == Type::Frame,
+            "the angle about the joint's axis or a frame",
+            "turns phi",
+        ),
+        (_, JointKind::Ball) => (
+            matches!(value.ty, Type::Vector(3, _)) || value.ty == Type::Frame,
+            "a frame or the vector along a slender rod",
+            "turns q - p",
+        ),
+        (_, JointKind::Slide | JointKind::Fixed) => {
+            (value.ty == Type::Frame, "a frame", "turns frame(p, x, z)")
+        }
+    };
+    match fits {
+        true => value,
+        false => refuse_clause(&scope.names, sink, value, "turns", wanted, example),
+    }
+}
+
+/// A body can leave out how it turns if it turns with the body that it hangs on.
+fn check_turns(sink: &mut Sink, item: &BodyItem) {
+    if !item.joint.kind.turns() {
+        return;
+    }
+    let help = match (sink.components, item.joint.kind) {
+        (Some(2) | None, _) => "name its angle: `turns phi`",
+        (_, JointKind::Ball) => {
+            "name the vector along it if it is a slender rod, `turns q - p`, or its frame: `turns frame(p, x, z)`"
+        }
+        (_, JointKind::Pin | JointKind::Slide | JointKind::Cylinder | JointKind::Fixed) => {
+            "name its angle about the joint's axis, `turns phi`, or its frame: `turns frame(p, x, z)`"
+        }
+    };
+    let fact = format!("how does `{}` turn? A `turns` is missing", item.name);
+    sink.error_with_help((&item.name).into(), fact, help);
+}
+
+/// Each body must hang, over others, on the frame.
+pub(in crate::model) fn refuse_circles(sink: &mut Sink, mechanism: &Mechanism) {
+    let on = |body: usize| mechanism.joints[body].on;
+    for (start, body) in mechanism.bodies.iter().enumerate() {
+        let chain = std::iter::successors(on(start), |body| on(*body));
+        let chain: Vec<usize> = chain.take(mechanism.bodies.len()).collect();
+        let Some(length) = chain.iter().position(|body| *body == start) else {
+            continue;
         };
-        let masses = item
-            .masses
+        // The first body of the circle tells.
+        if chain[..length].iter().any(|body| *body < start) {
+            continue;
+        }
+        let names: Vec<&str> = chain[..=length]
             .iter()
-            .map(|part| {
-                let mass = self.scalar_clause(&part.mass, Dimension::MASS, "mass", "100g");
-                (mass, self.point_clause(&part.at))
-            })
+            .map(|body| mechanism.bodies[*body].name.as_str())
             .collect();
-        self.refuse_second_point(item);
-        let inertias = item
-            .inertias
-            .iter()
-            .map(|part| self.inertia(part, turns.as_ref()))
-            .collect();
-        let body = Body {
-            name: item.name.to_string(),
-            joint: index,
-            turns,
-            masses,
-            inertias,
-            origin: self.origins.add((&item.name).into()),
-        };
-        (body, joint)
-    }
-
-    /// About a point an inertia is that of the whole body, its masses included: two such ones contradict each other.
-    fn refuse_second_point(&mut self, item: &BodyItem) {
-        let mut points = item.inertias.iter().filter_map(|part| part.at.as_ref());
-        if let (Some(_), Some(second)) = (points.next(), points.next()) {
-            let fact = format!(
-                "a second `inertia` of `{}` about a point: each is that of the whole body",
-                item.name
-            );
-            let help = "write the sum about one point; what a part has about its own centre of mass needs no `at`";
-            self.diagnostics.error_with_help(second.span, fact, help);
-        }
-    }
-
-    /// In the plane an angle. In space a frame; the direction of a rod between balls; the angle about the joint's axis.
-    fn turns(&mut self, expr: &syntax::Expr, kind: JointKind) -> Expr {
-        let mut value = self.expression(expr, CONTEXT);
-        self.refuse_argument(&mut value, "what a body turns with");
-        if matches!(value.ty, Type::Zero(1)) {
-            value.settle(&Type::Scalar(Dimension::ANGLE));
-        }
-        let angle = matches!(value.ty, Type::Scalar(found) if found.is_number_or_angle());
-        let (fits, wanted, example) = match (self.mechanics.components, kind) {
-            (None, _) => return value,
-            (Some(2), _) => (angle, "an angle", "turns phi"),
-            (_, JointKind::Pin | JointKind::Cylinder) => (
-                angle || value.ty == Type::Frame,
-                "the angle about the joint's axis or a frame",
-                "turns phi",
+        let fact = match length {
+            0 => format!("`{}` hangs on itself", body.name),
+            _ => format!(
+                "`{}` hangs on itself: on `{}`",
+                body.name,
+                names.join("`, on `")
             ),
-            (_, JointKind::Ball) => (
-                matches!(value.ty, Type::Vector(3, _)) || value.ty == Type::Frame,
-                "a frame or the vector along a slender rod",
-                "turns q - p",
-            ),
-            (_, JointKind::Slide | JointKind::Fixed) => {
-                (value.ty == Type::Frame, "a frame", "turns frame(p, x, z)")
-            }
         };
-        match fits {
-            true => value,
-            false => self.wrong_clause(value, "turns", wanted, example),
-        }
-    }
-
-    /// A body can leave out how it turns if it turns with the body that it hangs on.
-    fn check_turning(&mut self, item: &BodyItem) {
-        if !item.joint.kind.turns() {
-            return;
-        }
-        let help = match (self.mechanics.components, item.joint.kind) {
-            (Some(2) | None, _) => "name its angle: `turns phi`",
-            (_, JointKind::Ball) => {
-                "name the vector along it if it is a slender rod, `turns q - p`, or its frame: `turns frame(p, x, z)`"
-            }
-            (_, JointKind::Pin | JointKind::Slide | JointKind::Cylinder | JointKind::Fixed) => {
-                "name its angle about the joint's axis, `turns phi`, or its frame: `turns frame(p, x, z)`"
-            }
-        };
-        let fact = format!("how does `{}` turn? A `turns` is missing", item.name);
-        self.diagnostics
-            .error_with_help((&item.name).into(), fact, help);
-    }
-
-    /// Each body must hang, over others, on the frame.
-    pub(super) fn refuse_circles(&mut self, mechanism: &Mechanism) {
-        let on = |body: usize| mechanism.joints[body].on;
-        for (start, body) in mechanism.bodies.iter().enumerate() {
-            let chain = std::iter::successors(on(start), |body| on(*body));
-            let chain: Vec<usize> = chain.take(mechanism.bodies.len()).collect();
-            let Some(length) = chain.iter().position(|body| *body == start) else {
-                continue;
-            };
-            // The first body of the circle tells.
-            if chain[..length].iter().any(|body| *body < start) {
-                continue;
-            }
-            let names: Vec<&str> = chain[..=length]
-                .iter()
-                .map(|body| mechanism.bodies[*body].name.as_str())
-                .collect();
-            let fact = match length {
-                0 => format!("`{}` hangs on itself", body.name),
-                _ => format!(
-                    "`{}` hangs on itself: on `{}`",
-                    body.name,
-                    names.join("`, on `")
-                ),
-            };
-            let help = "let one of them hang on `frame`, and write the joint that closes the loop by itself";
-            let span: SourceSpan = self.origins.span(body.origin);
-            self.diagnostics.error_with_help(span, fact, help);
-        }
+        let help =
+            "let one of them hang on `frame`, and write the joint that closes the loop by itself";
+        let span: SourceSpan = sink.span(body.origin);
+        sink.error_with_help(span, fact, help);
     }
 }

@@ -1,28 +1,8 @@
-//! Bodies, joints, loads, and what they give.
+//! Bodies, joints and loads.
 
-use super::Expr;
+use super::expression::Expr;
 use crate::diagnostic::OriginId;
-use crate::syntax::vocabulary;
-
-/// What bodies, joints and loads give.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Mechanics {
-    /// `reaction(joint)`: the force on the joint's body from the one that it hangs on.
-    Reaction(usize),
-    /// `moment(joint)`: the moment on the body about the joint's point.
-    Moment(usize),
-    /// `torque(input)`, `force(input)`: what drives that input.
-    Drive(usize),
-    /// `power()`: of all drives.
-    Power,
-    KineticEnergy,
-    /// Of gravity and springs.
-    PotentialEnergy,
-    /// `shaking_force()`: the sum of the inertia forces.
-    ShakingForce,
-    /// `shaking_moment()`, `shaking_moment(point)`: their moment about a fixed point, the origin if it is not named.
-    ShakingMoment(Option<Box<Expr>>),
-}
+use crate::syntax::{JointKind, vocabulary};
 
 /// A rigid member that moves, in declaration order; the frame has no number.
 #[derive(Clone, Debug)]
@@ -60,8 +40,6 @@ pub(crate) struct Joint {
     pub(crate) direction: Option<Expr>,
     pub(crate) origin: OriginId,
 }
-
-pub(crate) use crate::syntax::JointKind;
 
 impl JointKind {
     /// Whether its bodies turn against each other.

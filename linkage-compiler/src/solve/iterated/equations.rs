@@ -1,5 +1,7 @@
 //! The equations of a core: one across each private unknown, and the rows of loops without one.
 
+use crate::algebra::partial;
+use crate::solve::iterated::large;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector, substitute};
 
 use crate::algebra::CoreRow;
@@ -109,131 +111,137 @@ impl<'f, 'm> Equations<'f, 'm> {
     }
 }
 
-impl<'m> Solver<'_, 'm> {
-    /// The equations of the core and their derivatives.
-    pub(super) fn core_equations<'f>(&mut self, form: &'f Coupled<'m>) -> Equations<'f, 'm> {
-        let positions = 0..form.core.len();
-        let variables = positions.map(|k| self.algebra.unknown_variable(self.index, k));
-        let variables = variables.collect();
-        let reach = self.reach(form);
-        let scale = reach.inverse_scale();
-        let mut equations = Equations {
-            form,
-            variables,
-            reach,
-            scale,
-            unit: 1.0 / scale,
-            residuals: Vec::new(),
-            rows: Vec::new(),
-            matrix: Vec::new(),
-            large: None,
-        };
-        for place in equations.places() {
-            match &place.block.private {
-                Some(private) => self.across_private(&mut equations, place, private),
-                None => self.row_by_row(&mut equations, place),
-            }
+/// The equations of the core and their derivatives.
+pub(super) fn core_equations<'m, 'f>(
+    solver: &mut Solver<'_, 'm>,
+    form: &'f Coupled<'m>,
+) -> Equations<'f, 'm> {
+    let positions = 0..form.core.len();
+    let variables = positions.map(|k| partial::unknown_variable(solver.algebra, solver.index, k));
+    let variables = variables.collect();
+    let reach = reach(solver, form);
+    let scale = reach.inverse_scale();
+    let mut equations = Equations {
+        form,
+        variables,
+        reach,
+        scale,
+        unit: 1.0 / scale,
+        residuals: Vec::new(),
+        rows: Vec::new(),
+        matrix: Vec::new(),
+        large: None,
+    };
+    for place in equations.places() {
+        match &place.block.private {
+            Some(private) => across_private(solver, &mut equations, place, private),
+            None => row_by_row(solver, &mut equations, place),
         }
-        equations.large = form.is_large().then(|| self.large(&equations));
-        equations
     }
+    equations.large = form.is_large().then(|| large::large(solver, &equations));
+    equations
+}
 
-    /// The sum of the lengths of the links that do not depend on inputs.
-    fn reach(&self, form: &Coupled<'m>) -> Ex<'m> {
-        let angles = &self.algebra.names.angles;
-        let turns = |symbol| angles.iter().any(|angle| angle.cos == symbol);
-        let vector_loops = form.blocks.iter().filter(|block| block.rows.len() > 1);
-        let products = vector_loops.flat_map(|block| &block.terms);
-        let links = products
-            .filter(|product| matches!(product.powers[..], [(symbol, 1)] if turns(symbol)))
-            .map(|product| product.coefficient.clone());
-        let distances = form.blocks.iter().filter_map(|b| b.distance.as_ref());
-        let fixed = links
-            .chain(distances.map(|link| vec![link.length]))
-            .filter(|link| link.iter().all(|x| x.is_fixed()));
-        let zero = self.algebra.zero();
-        let sum = fixed.fold(zero, |sum, link| sum + vector(&link).length());
-        match form.is_large() {
-            true => sum + self.between_ends(form),
+/// The sum of the lengths of the links that do not depend on inputs.
+fn reach<'m>(solver: &Solver<'_, 'm>, form: &Coupled<'m>) -> Ex<'m> {
+    let angles = &solver.algebra.names.angles;
+    let turns = |symbol| angles.iter().any(|angle| angle.cos == symbol);
+    let vector_loops = form.blocks.iter().filter(|block| block.rows.len() > 1);
+    let products = vector_loops.flat_map(|block| &block.terms);
+    let links = products
+        .filter(|product| matches!(product.powers[..], [(symbol, 1)] if turns(symbol)))
+        .map(|product| product.coefficient.clone());
+    let distances = form.blocks.iter().filter_map(|b| b.distance.as_ref());
+    let fixed = links
+        .chain(distances.map(|link| vec![link.length]))
+        .filter(|link| link.iter().all(|x| x.is_fixed()));
+    let zero = solver.algebra.zero();
+    let sum = fixed.fold(zero, |sum, link| sum + vector(&link).length());
+    match form.is_large() {
+        true => sum + between_ends(solver, form),
+        false => sum,
+    }
+}
+
+/// Links that inputs change say nothing: instead of them, how far their fixed ends are from the origins of what moves. A platform whose
+/// legs are all driven has no other size.
+fn between_ends<'m>(solver: &Solver<'_, 'm>, form: &Coupled<'m>) -> Ex<'m> {
+    let zero = solver.algebra.zero();
+    let driven = form.blocks.iter().filter_map(|b| b.distance.as_ref());
+    let driven = driven.filter(|link| !link.length.is_fixed());
+    let unknowns = form.core.iter().flat_map(|core| match *core {
+        Core::Angle(angle) => solver.algebra.names.angles[angle].symbols().to_vec(),
+        Core::Length { symbol, .. } => vec![symbol],
+    });
+    let nothing = unknowns.map(|symbol| (symbol, zero)).collect();
+    driven.fold(zero, |sum, link| {
+        let end = substitute(&link.vector.0, &nothing);
+        match end.iter().all(|x| x.is_fixed()) {
+            true => sum + vector(&end).length(),
             false => sum,
         }
-    }
+    })
+}
 
-    /// Links that inputs change say nothing: instead of them, how far their fixed ends are from the origins of what moves. A platform whose
-    /// legs are all driven has no other size.
-    fn between_ends(&self, form: &Coupled<'m>) -> Ex<'m> {
-        let zero = self.algebra.zero();
-        let driven = form.blocks.iter().filter_map(|b| b.distance.as_ref());
-        let driven = driven.filter(|link| !link.length.is_fixed());
-        let unknowns = form.core.iter().flat_map(|core| match *core {
-            Core::Angle(angle) => self.algebra.names.angles[angle].symbols().to_vec(),
-            Core::Length { symbol, .. } => vec![symbol],
-        });
-        let nothing = unknowns.map(|symbol| (symbol, zero)).collect();
-        driven.fold(zero, |sum, link| {
-            let end = substitute(&link.vector.0, &nothing);
-            match end.iter().all(|x| x.is_fixed()) {
-                true => sum + vector(&end).length(),
-                false => sum,
-            }
-        })
-    }
-
-    /// The equations of a loop without a private unknown.
-    fn row_by_row(&mut self, equations: &mut Equations<'_, 'm>, place: Place<'_, 'm>) {
-        let Place { block, first } = place;
-        let scale = equations.row_scale(block);
-        let columns = equations.columns(block);
-        for (row, &x) in block.rows.iter().enumerate() {
-            equations.residuals.push(scale * x);
-            let slope =
-                |column: &Column<'m>| column.scale * self.algebra.partial(x, column.variable);
-            equations.matrix.push(columns.iter().map(slope).collect());
-            equations.rows.push(CoreRow {
-                first: first + row,
-                factors: vec![scale],
-            });
-        }
-    }
-
-    /// The equation of a loop across its private unknown.
-    fn across_private(
-        &mut self,
-        equations: &mut Equations<'_, 'm>,
-        place: Place<'_, 'm>,
-        private: &Private<'m>,
-    ) {
-        let scale = equations.scale;
-        let rest = place.rest();
-        let columns = equations.columns(place.block);
-        let slopes: Vec<V2> = columns
-            .iter()
-            .map(|column| rest.map(|x| self.algebra.partial(x, column.variable)))
-            .collect();
-        let columns = columns.into_iter().zip(slopes);
-        let (residual, entries, multiplier): (_, Vec<Ex>, _) = match private {
-            Private::Rotor(rotor) => {
-                let link = scale * -rest;
-                let length = scale * rotor.z.length();
-                let residual = 0.5 * (length.square() - link.square());
-                let entries = columns.map(|(column, slope)| link.dot(column.scale * slope));
-                (residual, entries.collect(), link)
-            }
-            Private::Slide { guide, .. } => {
-                let residual = guide.cross(scale * rest);
-                let entries = columns.map(|(Column { variable, scale }, slope)| {
-                    let slope = scale * slope;
-                    let turning = guide.map(|x| self.algebra.partial(x, variable));
-                    guide.cross(slope) + turning.cross(scale * rest)
-                });
-                (residual, entries.collect(), guide.perp())
-            }
+/// The equations of a loop without a private unknown.
+fn row_by_row<'m>(
+    solver: &mut Solver<'_, 'm>,
+    equations: &mut Equations<'_, 'm>,
+    place: Place<'_, 'm>,
+) {
+    let Place { block, first } = place;
+    let scale = equations.row_scale(block);
+    let columns = equations.columns(block);
+    for (row, &x) in block.rows.iter().enumerate() {
+        equations.residuals.push(scale * x);
+        let slope = |column: &Column<'m>| {
+            column.scale * partial::partial(solver.algebra, x, column.variable)
         };
-        equations.residuals.push(residual);
-        equations.matrix.push(entries);
+        equations.matrix.push(columns.iter().map(slope).collect());
         equations.rows.push(CoreRow {
-            first: place.first,
-            factors: (scale * multiplier).0.to_vec(),
+            first: first + row,
+            factors: vec![scale],
         });
     }
+}
+
+/// The equation of a loop across its private unknown.
+fn across_private<'m>(
+    solver: &mut Solver<'_, 'm>,
+    equations: &mut Equations<'_, 'm>,
+    place: Place<'_, 'm>,
+    private: &Private<'m>,
+) {
+    let scale = equations.scale;
+    let rest = place.rest();
+    let columns = equations.columns(place.block);
+    let slopes: Vec<V2> = columns
+        .iter()
+        .map(|column| rest.map(|x| partial::partial(solver.algebra, x, column.variable)))
+        .collect();
+    let columns = columns.into_iter().zip(slopes);
+    let (residual, entries, multiplier): (_, Vec<Ex>, _) = match private {
+        Private::Rotor(rotor) => {
+            let link = scale * -rest;
+            let length = scale * rotor.z.length();
+            let residual = 0.5 * (length.square() - link.square());
+            let entries = columns.map(|(column, slope)| link.dot(column.scale * slope));
+            (residual, entries.collect(), link)
+        }
+        Private::Slide { guide, .. } => {
+            let residual = guide.cross(scale * rest);
+            let entries = columns.map(|(Column { variable, scale }, slope)| {
+                let slope = scale * slope;
+                let turning = guide.map(|x| partial::partial(solver.algebra, x, variable));
+                guide.cross(slope) + turning.cross(scale * rest)
+            });
+            (residual, entries.collect(), guide.perp())
+        }
+    };
+    equations.residuals.push(residual);
+    equations.matrix.push(entries);
+    equations.rows.push(CoreRow {
+        first: place.first,
+        factors: (scale * multiplier).0.to_vec(),
+    });
 }

@@ -1,5 +1,8 @@
 //! Newton steps of a core, from a state to the next, and what a solution must stand.
 
+use crate::algebra::elimination;
+use crate::algebra::pivots;
+use crate::solve::iterated::state;
 use linkage_core::numeric::continuation::{
     ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE, Terms,
 };
@@ -91,99 +94,98 @@ impl<'m> Step<'m> {
     }
 }
 
-impl<'m> Solver<'_, 'm> {
-    /// The correction of a state.
-    pub(super) fn step(&self, equations: &Equations<'_, 'm>, state: &[Part<'m>]) -> Step<'m> {
-        let mut start: Vec<Part> = state.iter().map(|part| part.unit_length()).collect();
-        let missed = match &equations.large {
-            Some(large) => large.straighten(&mut start),
-            None => Vec::new(),
-        };
-        let meanings = self.meanings(&start, equations.unit).into_iter();
-        let here = meanings.map(|own| (own.symbol, own.value)).collect();
-        let (residuals, matrix) = match &equations.large {
-            Some(large) => (&large.residuals, &large.matrix),
-            None => (&equations.residuals, &equations.matrix),
-        };
-        let count = residuals.len();
-        let all = [&residuals[..], &matrix.concat()].concat();
-        let all = substitute(&all, &here);
-        let (residuals, entries) = all.split_at(count);
-        let matrix: Vec<Vec<Ex>> = entries.chunks(count).map(<[_]>::to_vec).collect();
+/// The correction of a state.
+pub(super) fn step<'m>(
+    solver: &Solver<'_, 'm>,
+    equations: &Equations<'_, 'm>,
+    state: &[Part<'m>],
+) -> Step<'m> {
+    let mut start: Vec<Part> = state.iter().map(|part| part.unit_length()).collect();
+    let missed = match &equations.large {
+        Some(large) => large.straighten(&mut start),
+        None => Vec::new(),
+    };
+    let meanings = state::meanings(solver, &start, equations.unit).into_iter();
+    let here = meanings.map(|own| (own.symbol, own.value)).collect();
+    let (residuals, matrix) = match &equations.large {
+        Some(large) => (&large.residuals, &large.matrix),
+        None => (&equations.residuals, &equations.matrix),
+    };
+    let count = residuals.len();
+    let all = [&residuals[..], &matrix.concat()].concat();
+    let all = substitute(&all, &here);
+    let (residuals, entries) = all.split_at(count);
+    let matrix: Vec<Vec<Ex>> = entries.chunks(count).map(<[_]>::to_vec).collect();
 
-        let (freedoms, determinant): (Vec<Ex>, Ex) = match &equations.large {
-            Some(large) => {
-                let solved = self
-                    .algebra
-                    .solve_once_in_order(&large.order, &matrix, residuals);
-                let InOrder {
-                    solution,
-                    determinant,
-                } = solved;
-                let freedoms = solution.into_iter().map(|own| -own).collect();
-                (freedoms, large.share * determinant)
-            }
-            None => {
-                let (numerators, determinant) = self.algebra.cramer(&matrix, residuals);
-                let corrections = numerators.into_iter().map(|own| -(own / determinant));
-                (corrections.collect(), determinant)
-            }
-        };
-        let algebra = &self.algebra;
-        Step {
-            size2: algebra.product_sum(&freedoms, &freedoms)
-                + algebra.product_sum(&missed, &missed),
-            corrections: match &equations.large {
-                Some(large) => large.corrections(&start, &freedoms),
-                None => freedoms,
-            },
-            start,
-            determinant,
+    let (freedoms, determinant): (Vec<Ex>, Ex) = match &equations.large {
+        Some(large) => {
+            let solved =
+                pivots::solve_once_in_order(solver.algebra, &large.order, &matrix, residuals);
+            let InOrder {
+                solution,
+                determinant,
+            } = solved;
+            let freedoms = solution.into_iter().map(|own| -own).collect();
+            (freedoms, large.share * determinant)
         }
+        None => {
+            let (numerators, determinant) = elimination::cramer(solver.algebra, &matrix, residuals);
+            let corrections = numerators.into_iter().map(|own| -(own / determinant));
+            (corrections.collect(), determinant)
+        }
+    };
+    let algebra = &solver.algebra;
+    Step {
+        size2: elimination::product_sum(algebra, &freedoms, &freedoms)
+            + elimination::product_sum(algebra, &missed, &missed),
+        corrections: match &equations.large {
+            Some(large) => large.corrections(&start, &freedoms),
+            None => freedoms,
+        },
+        start,
+        determinant,
     }
+}
 
-    /// The state after some steps, NaN unless the first correction is within the plan's limit, the last one tiny, every one much
-    /// smaller than the one before, and the determinant keeps its sign and, from a table, half of its size. `floor` is half of its
-    /// least value near the state.
-    pub(super) fn solution(
-        &self,
-        equations: &Equations<'_, 'm>,
-        state: &[Part<'m>],
-        floor: Ex<'m>,
-        plan: Plan,
-    ) -> Vec<Part<'m>> {
-        let tiny = self.algebra.source(Source::Limit).square();
-        let mut state = state.to_vec();
-        let mut guard: Option<Ex> = None;
-        let mut before: Option<Ex> = None;
-        for index in 0..plan.steps {
-            let step = self.step(equations, &state);
-            let last = index + 1 == plan.steps;
-            let sound = match plan.half {
-                true => step.determinant * floor - floor.square(),
-                false => step.determinant * floor,
-            };
-            let allowed = match before {
-                _ if last => Some(tiny),
-                Some(before) => {
-                    Some((ALLOWED_CONTRACTION * ALLOWED_CONTRACTION * before).max(tiny))
-                }
-                None => plan.first.map(|first| tiny.number(first * first)),
-            };
-            let small = allowed.map(|allowed| allowed - step.size2);
-            let conditions = [guard, Some(sound), small].into_iter().flatten();
-            guard = conditions.reduce(Ex::min);
-            let corrections = match guard.filter(|_| last) {
-                Some(guard) => {
-                    let nan = guard.number(f64::NAN);
-                    let own = step.corrections.iter();
-                    own.map(|&own| guard.select(own, nan)).collect()
-                }
-                None => step.corrections.clone(),
-            };
-            state = step.corrected(&corrections);
-            before = Some(step.size2);
-        }
-        state
+/// The state after some steps, NaN unless the first correction is within the plan's limit, the last one tiny, every one much
+/// smaller than the one before, and the determinant keeps its sign and, from a table, half of its size. `floor` is half of its
+/// least value near the state.
+pub(super) fn solution<'m>(
+    solver: &Solver<'_, 'm>,
+    equations: &Equations<'_, 'm>,
+    state: &[Part<'m>],
+    floor: Ex<'m>,
+    plan: Plan,
+) -> Vec<Part<'m>> {
+    let tiny = solver.algebra.source(Source::Limit).square();
+    let mut state = state.to_vec();
+    let mut guard: Option<Ex> = None;
+    let mut before: Option<Ex> = None;
+    for index in 0..plan.steps {
+        let step = step(solver, equations, &state);
+        let last = index + 1 == plan.steps;
+        let sound = match plan.half {
+            true => step.determinant * floor - floor.square(),
+            false => step.determinant * floor,
+        };
+        let allowed = match before {
+            _ if last => Some(tiny),
+            Some(before) => Some((ALLOWED_CONTRACTION * ALLOWED_CONTRACTION * before).max(tiny)),
+            None => plan.first.map(|first| tiny.number(first * first)),
+        };
+        let small = allowed.map(|allowed| allowed - step.size2);
+        let conditions = [guard, Some(sound), small].into_iter().flatten();
+        guard = conditions.reduce(Ex::min);
+        let corrections = match guard.filter(|_| last) {
+            Some(guard) => {
+                let nan = guard.number(f64::NAN);
+                let own = step.corrections.iter();
+                own.map(|&own| guard.select(own, nan)).collect()
+            }
+            None => step.corrections.clone(),
+        };
+        state = step.corrected(&corrections);
+        before = Some(step.size2);
     }
+    state
 }

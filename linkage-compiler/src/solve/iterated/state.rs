@@ -73,66 +73,70 @@ impl<'m> Part<'m> {
     }
 }
 
-impl<'m> Solver<'_, 'm> {
-    /// Derivatives by the unknowns of the core follow these rules before there are definitions.
-    pub(super) fn declare_core(&mut self, core: &[Core]) {
-        for (position, core) in core.iter().enumerate() {
-            match *core {
-                Core::Angle(angle) => self.declare_angle(angle, 1.0, position),
-                Core::Length { symbol, .. } => {
-                    let group = self.index;
-                    let rule = Rule::Unknown { group, position };
-                    self.algebra.solutions.set_rule(symbol, rule);
-                }
+/// Derivatives by the unknowns of the core follow these rules before there are definitions.
+pub(super) fn declare_core(solver: &mut Solver<'_, '_>, core: &[Core]) {
+    for (position, core) in core.iter().enumerate() {
+        match *core {
+            Core::Angle(angle) => solver.declare_angle(angle, 1.0, position),
+            Core::Length { symbol, .. } => {
+                let group = solver.index;
+                let rule = Rule::Unknown { group, position };
+                solver.algebra.solutions.set_rule(symbol, rule);
             }
         }
     }
+}
 
-    /// A number that is prepared for the group.
-    pub(super) fn prepared_number(&self, component: usize) -> Ex<'m> {
-        self.algebra.source(Source::State(self.number, component))
-    }
+/// A number that is prepared for the group.
+pub(super) fn prepared_number<'m>(solver: &Solver<'_, 'm>, component: usize) -> Ex<'m> {
+    solver
+        .algebra
+        .source(Source::State(solver.number, component))
+}
 
-    /// The state that is prepared for a core.
-    pub(super) fn prepared_state(&self, core: &[Core]) -> Vec<Part<'m>> {
-        let mut numbers = (0..).map(|component| self.prepared_number(component));
-        let mut number = || numbers.next().expect("there is always another one");
-        let parts = core.iter().map(|core| match *core {
-            Core::Angle(angle) => Part::Angle(angle, Vector([number(), number()])),
-            Core::Length {
-                symbol,
-                number: true,
-                ..
-            } => Part::Number(symbol, number()),
-            Core::Length { symbol, .. } => Part::Length(symbol, number()),
-        });
-        parts.collect()
-    }
+/// The state that is prepared for a core.
+pub(super) fn prepared_state<'m>(solver: &Solver<'_, 'm>, core: &[Core]) -> Vec<Part<'m>> {
+    let mut numbers = (0..).map(|component| prepared_number(solver, component));
+    let mut number = || numbers.next().expect("there is always another one");
+    let parts = core.iter().map(|core| match *core {
+        Core::Angle(angle) => Part::Angle(angle, Vector([number(), number()])),
+        Core::Length {
+            symbol,
+            number: true,
+            ..
+        } => Part::Number(symbol, number()),
+        Core::Length { symbol, .. } => Part::Length(symbol, number()),
+    });
+    parts.collect()
+}
 
-    /// What the symbols of the core stand for in a state; `unit` is the length of a scaled 1.
-    pub(super) fn meanings(&self, state: &[Part<'m>], unit: Ex<'m>) -> Vec<Meaning<'m>> {
-        let angles = &self.algebra.names.angles;
-        let meanings = state.iter().flat_map(|part| match *part {
-            Part::Angle(angle, Vector([cos, sin])) => {
-                let angle = &angles[angle];
-                vec![(angle.cos, cos), (angle.sin, sin)]
-            }
-            Part::Length(symbol, number) => vec![(symbol, unit * number)],
-            Part::Number(symbol, number) => vec![(symbol, number)],
-        });
-        meanings
-            .map(|(symbol, value)| Meaning { symbol, value })
-            .collect()
-    }
+/// What the symbols of the core stand for in a state; `unit` is the length of a scaled 1.
+pub(super) fn meanings<'m>(
+    solver: &Solver<'_, 'm>,
+    state: &[Part<'m>],
+    unit: Ex<'m>,
+) -> Vec<Meaning<'m>> {
+    let angles = &solver.algebra.names.angles;
+    let meanings = state.iter().flat_map(|part| match *part {
+        Part::Angle(angle, Vector([cos, sin])) => {
+            let angle = &angles[angle];
+            vec![(angle.cos, cos), (angle.sin, sin)]
+        }
+        Part::Length(symbol, number) => vec![(symbol, unit * number)],
+        Part::Number(symbol, number) => vec![(symbol, number)],
+    });
+    meanings
+        .map(|(symbol, value)| Meaning { symbol, value })
+        .collect()
+}
 
-    /// Gives the unknowns of the core their definitions for calls.
-    pub(super) fn define_core(&mut self, called: &[Part<'m>], unit: Ex<'m>) {
-        for (position, part) in called.iter().enumerate() {
-            match *part {
-                Part::Angle(angle, direction) => self.define_angle(angle, 1.0, direction, position),
-                Part::Length(symbol, number) => self.define_length(symbol, unit * number, position),
-                Part::Number(symbol, number) => self.define_length(symbol, number, position),
-            }
+/// Gives the unknowns of the core their definitions for calls.
+pub(super) fn define_core<'m>(solver: &mut Solver<'_, 'm>, called: &[Part<'m>], unit: Ex<'m>) {
+    for (position, part) in called.iter().enumerate() {
+        match *part {
+            Part::Angle(angle, direction) => solver.define_angle(angle, 1.0, direction, position),
+            Part::Length(symbol, number) => solver.define_length(symbol, unit * number, position),
+            Part::Number(symbol, number) => solver.define_length(symbol, number, position),
         }
     }
 }

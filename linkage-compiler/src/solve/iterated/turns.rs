@@ -18,29 +18,27 @@ struct Parts<'m> {
     rest: V3<'m>,
 }
 
-impl<'m> Solver<'_, 'm> {
-    /// The rows of the matrix that are no equations of bodies, by the freedoms.
-    pub(super) fn freedoms(
-        &self,
-        equations: &Equations<'_, 'm>,
-        bodies: &Bodies<'m>,
-    ) -> Vec<Vec<Ex<'m>>> {
-        let places = equations.places();
-        let blocks = places.flat_map(|place| vec![place.block; equations.count(place)]);
-        let blocks: Vec<&Block> = blocks.collect();
-        let rows = bodies.rows.iter().map(|&row| {
-            let entries = &equations.matrix[row];
-            let others = bodies.columns.iter().map(|&k| entries[k]);
-            let turns = bodies.all.iter().flat_map(|body| {
-                let any = body.by_turns(entries);
-                let proposed = proposals(equations, body, blocks[row]).into_iter();
-                let mut same = proposed.filter(|own| same(*own, any));
-                same.next().unwrap_or(any).0
-            });
-            others.chain(turns).collect()
+/// The rows of the matrix that are no equations of bodies, by the freedoms.
+pub(super) fn freedoms<'m>(
+    _solver: &Solver<'_, 'm>,
+    equations: &Equations<'_, 'm>,
+    bodies: &Bodies<'m>,
+) -> Vec<Vec<Ex<'m>>> {
+    let places = equations.places();
+    let blocks = places.flat_map(|place| vec![place.block; equations.count(place)]);
+    let blocks: Vec<&Block> = blocks.collect();
+    let rows = bodies.rows.iter().map(|&row| {
+        let entries = &equations.matrix[row];
+        let others = bodies.columns.iter().map(|&k| entries[k]);
+        let turns = bodies.all.iter().flat_map(|body| {
+            let any = body.by_turns(entries);
+            let proposed = proposals(equations, body, blocks[row]).into_iter();
+            let mut same = proposed.filter(|own| same(*own, any));
+            same.next().unwrap_or(any).0
         });
-        rows.collect()
-    }
+        others.chain(turns).collect()
+    });
+    rows.collect()
 }
 
 /// What a row may change by as a body turns, from how it was written.

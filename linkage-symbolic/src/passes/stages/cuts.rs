@@ -1,6 +1,5 @@
 //! Where stages end: what the loops and their memory cost together is least.
 
-use super::is_free;
 use crate::program::{Instruction, Program};
 
 /// Operations that a stage may have without cost, about what a processor looks ahead for two positions.
@@ -13,7 +12,7 @@ const LOOP: usize = 8;
 /// The ends of the stages, the cheapest that there are. What is free stands first in `program`.
 pub(super) fn ends(program: &Program, last_uses: &[usize]) -> Vec<usize> {
     let count = program.instructions.len();
-    let free = program.instructions.iter().take_while(|own| is_free(own));
+    let free = program.instructions.iter().take_while(|own| own.is_free());
     let free = free.count();
     // The least cost of stages up to each instruction, and where the last of them starts.
     let mut best: Vec<(usize, usize)> = vec![(0, 0)];

@@ -1,5 +1,6 @@
 //! The unknowns of loops of the plane as joints and bodies.
 
+use crate::algebra::partial;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector, agree};
 
 use crate::solve::Solver;
@@ -23,108 +24,117 @@ pub(super) struct Parts<'m> {
     pub(super) bodies: Vec<Column<'m>>,
 }
 
-impl<'m> Solver<'_, 'm> {
-    /// The unknowns of a core and those that are private to loops.
-    pub(super) fn parts(&mut self, equations: &Equations<'_, 'm>) -> Parts<'m> {
-        let form = equations.form;
-        let loops = form.blocks.len();
-        let private = (0..loops).filter(|&own| form.blocks[own].private.is_some());
-        let mut parts = Parts {
-            joints: private.map(|own| self.unit(own, loops)).collect(),
-            size: self.algebra.one(),
-            bodies: Vec::new(),
-        };
-        let columns = self.absolute_columns(equations);
-        let shares: Vec<_> = columns
-            .iter()
-            .map(|column| self.shares_of(column))
-            .collect();
-        for (own, column) in columns.into_iter().enumerate() {
-            match &shares[own] {
-                Some((length, joint)) if !is_half_of_point(&form.core, &shares, own) => {
-                    parts.size = parts.size * *length;
-                    parts.joints.push(joint.clone());
-                }
-                _ => parts.bodies.push(column),
+/// The unknowns of a core and those that are private to loops.
+pub(super) fn parts<'m>(solver: &mut Solver<'_, 'm>, equations: &Equations<'_, 'm>) -> Parts<'m> {
+    let form = equations.form;
+    let loops = form.blocks.len();
+    let private = (0..loops).filter(|&own| form.blocks[own].private.is_some());
+    let mut parts = Parts {
+        joints: private.map(|own| unit(solver, own, loops)).collect(),
+        size: solver.algebra.one(),
+        bodies: Vec::new(),
+    };
+    let columns = absolute_columns(solver, equations);
+    let shares: Vec<_> = columns
+        .iter()
+        .map(|column| shares_of(solver, column))
+        .collect();
+    for (own, column) in columns.into_iter().enumerate() {
+        match &shares[own] {
+            Some((length, joint)) if !is_half_of_point(&form.core, &shares, own) => {
+                parts.size = parts.size * *length;
+                parts.joints.push(joint.clone());
             }
+            _ => parts.bodies.push(column),
         }
-        parts
     }
+    parts
+}
 
-    /// Shares of a joint that is in one loop alone.
-    pub(super) fn unit(&self, own: usize, loops: usize) -> Shares<'m> {
-        let (zero, one) = (self.algebra.zero(), self.algebra.one());
-        (0..loops)
-            .map(|k| if k == own { one } else { zero })
-            .collect()
-    }
+/// Shares of a joint that is in one loop alone.
+pub(super) fn unit<'m>(solver: &Solver<'_, 'm>, own: usize, loops: usize) -> Shares<'m> {
+    let (zero, one) = (solver.algebra.zero(), solver.algebra.one());
+    (0..loops)
+        .map(|k| if k == own { one } else { zero })
+        .collect()
+}
 
-    /// The columns of the core, as if no angle were measured from another: of two angles that turn with each other, the column of the one
-    /// measured from is without that of the other.
-    fn absolute_columns(&mut self, equations: &Equations<'_, 'm>) -> Vec<Column<'m>> {
-        let core = &equations.form.core;
-        let mut columns: Vec<Column> = (0..core.len())
-            .map(|own| self.column(equations, own))
-            .collect();
-        let angles: Vec<usize> = (0..core.len())
-            .filter(|&own| matches!(core[own], Core::Angle(_)))
-            .collect();
-        for &relative in &angles {
-            let variable = equations.variables[relative];
-            let bend = self.slope_of(&columns[relative], variable);
-            for &base in angles.iter().filter(|&&base| base != relative) {
-                let shared = self.slope_of(&columns[base], variable);
-                if shared.iter().all(|v| v.is_zero()) {
-                    continue;
-                }
-                for sign in [1.0, -1.0] {
-                    let signed = |v: V2<'m>| v.map(|x| sign * x);
-                    if shared.iter().zip(&bend).all(|(&v, &w)| same(v, signed(w))) {
-                        let relative = columns[relative].clone();
-                        for (v, w) in columns[base].iter_mut().zip(relative) {
-                            *v = *v - signed(w);
-                        }
-                        break;
+/// The columns of the core, as if no angle were measured from another: of two angles that turn with each other, the column of the one
+/// measured from is without that of the other.
+fn absolute_columns<'m>(
+    solver: &mut Solver<'_, 'm>,
+    equations: &Equations<'_, 'm>,
+) -> Vec<Column<'m>> {
+    let core = &equations.form.core;
+    let mut columns: Vec<Column> = (0..core.len())
+        .map(|own| column(solver, equations, own))
+        .collect();
+    let angles: Vec<usize> = (0..core.len())
+        .filter(|&own| matches!(core[own], Core::Angle(_)))
+        .collect();
+    for &relative in &angles {
+        let variable = equations.variables[relative];
+        let bend = slope_of(solver, &columns[relative], variable);
+        for &base in angles.iter().filter(|&&base| base != relative) {
+            let shared = slope_of(solver, &columns[base], variable);
+            if shared.iter().all(|v| v.is_zero()) {
+                continue;
+            }
+            for sign in [1.0, -1.0] {
+                let signed = |v: V2<'m>| v.map(|x| sign * x);
+                if shared.iter().zip(&bend).all(|(&v, &w)| same(v, signed(w))) {
+                    let relative = columns[relative].clone();
+                    for (v, w) in columns[base].iter_mut().zip(relative) {
+                        *v = *v - signed(w);
                     }
+                    break;
                 }
             }
         }
-        columns
     }
+    columns
+}
 
-    /// The derivative of every loop by an unknown of the core, scaled as its column is.
-    fn column(&mut self, equations: &Equations<'_, 'm>, own: usize) -> Column<'m> {
-        let (core, variable) = (equations.form.core[own], equations.variables[own]);
-        let column = equations.form.blocks.iter().map(|block| {
-            let rows = Vector([block.rows[0], block.rows[1]]);
-            let slope = rows.map(|x| self.algebra.partial(x, variable));
-            equations.column_scale(block, core) * slope
-        });
-        column.collect()
-    }
+/// The derivative of every loop by an unknown of the core, scaled as its column is.
+fn column<'m>(
+    solver: &mut Solver<'_, 'm>,
+    equations: &Equations<'_, 'm>,
+    own: usize,
+) -> Column<'m> {
+    let (core, variable) = (equations.form.core[own], equations.variables[own]);
+    let column = equations.form.blocks.iter().map(|block| {
+        let rows = Vector([block.rows[0], block.rows[1]]);
+        let slope = rows.map(|x| partial::partial(solver.algebra, x, variable));
+        equations.column_scale(block, core) * slope
+    });
+    column.collect()
+}
 
-    fn slope_of(&mut self, column: &Column<'m>, variable: SymbolId) -> Column<'m> {
-        let slopes = column.iter();
-        slopes
-            .map(|v| v.map(|x| self.algebra.partial(x, variable)))
-            .collect()
-    }
+fn slope_of<'m>(
+    solver: &mut Solver<'_, 'm>,
+    column: &Column<'m>,
+    variable: SymbolId,
+) -> Column<'m> {
+    let slopes = column.iter();
+    slopes
+        .map(|v| v.map(|x| partial::partial(solver.algebra, x, variable)))
+        .collect()
+}
 
-    /// Length and shares of a column that has one direction in all of its loops.
-    fn shares_of(&self, column: &Column<'m>) -> Option<(Ex<'m>, Shares<'m>)> {
-        let (zero, one) = (self.algebra.zero(), self.algebra.one());
-        let nothing = Vector([zero; 2]);
-        let first = *column.iter().find(|&&v| !same(v, nothing))?;
-        let shares = column.iter().map(|&v| match v {
-            v if same(v, nothing) => Some(zero),
-            v if same(v, first) => Some(one),
-            v if same(-v, first) => Some(-one),
-            v if agree(v[0] * first[1], v[1] * first[0]) => Some(v.dot(first) / first.square()),
-            _ => None,
-        });
-        let shares = shares.collect::<Option<Shares>>()?;
-        Some((first.length(), shares))
-    }
+/// Length and shares of a column that has one direction in all of its loops.
+fn shares_of<'m>(solver: &Solver<'_, 'm>, column: &Column<'m>) -> Option<(Ex<'m>, Shares<'m>)> {
+    let (zero, one) = (solver.algebra.zero(), solver.algebra.one());
+    let nothing = Vector([zero; 2]);
+    let first = *column.iter().find(|&&v| !same(v, nothing))?;
+    let shares = column.iter().map(|&v| match v {
+        v if same(v, nothing) => Some(zero),
+        v if same(v, first) => Some(one),
+        v if same(-v, first) => Some(-one),
+        v if agree(v[0] * first[1], v[1] * first[0]) => Some(v.dot(first) / first.square()),
+        _ => None,
+    });
+    let shares = shares.collect::<Option<Shares>>()?;
+    Some((first.length(), shares))
 }
 
 fn same(v: V2<'_>, w: V2<'_>) -> bool {

@@ -5,8 +5,8 @@ use super::path_samples::PathSamples;
 use super::slots::Lane;
 use crate::Scalar;
 use crate::generated::CoupledGroup;
-use crate::generated::settle::{CORRECTIONS, scaled, scales};
-use crate::numeric::continuation::{ALLOWED_CONTRACTION, FIRST_CORRECTION};
+use crate::generated::settle::{scaled, scales};
+use linkage_core::certificate::{ALLOWED_CONTRACTION, CORRECTIONS, FIRST_CORRECTION};
 
 /// Where the way is looked at to see how states change.
 const BESIDE: f64 = 1.0 / 1024.0;

@@ -1,0 +1,71 @@
+//! What the preprocessor refuses in files that include the header, and in the source.
+
+use crate::real::Real;
+use crate::surface::{FINITE_MATH, Surface};
+
+/// Finite mathematics, by the macros of GCC and clang, of its older versions, of Microsoft's compiler.
+const IS_FINITE: &str = "defined __FAST_MATH__ || (defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__) || defined _M_FP_FAST";
+
+/// The checks of the header, which also hold for the files of its users.
+pub(crate) fn of_header(surface: &Surface) -> String {
+    let Surface {
+        prefix,
+        real,
+        ok,
+        constants,
+        ..
+    } = surface;
+    let waiver = surface.constant(FINITE_MATH);
+    let finite = format!(
+        "#if ({IS_FINITE}) && !defined {waiver}\n\
+         #error \"-ffast-math and -ffinite-math-only drop tests for NaN, which says that a position does not exist. Compile without them, or test \
+         results by {}() alone and define {waiver} before this header.\"\n#endif\n",
+        ok.name
+    );
+    let (type_digits, digits) = match real {
+        Real::Double => ("DBL_MANT_DIG", 53),
+        Real::Single => ("FLT_MANT_DIG", 24),
+    };
+    let number = real.name();
+    let advice = match real {
+        Real::Double => {
+            "This file needs 53, and a double has fewer on AVR, for one: write it by linkage c --scalar float."
+        }
+        Real::Single => "This file needs 24.",
+    };
+    let exact = match real {
+        // A number of 25 digits.
+        Real::Double => format!(
+            "#else\n/* A constant that a float does not hold. */\n\
+             typedef char {constants}[(long)16777217.0 == 16777217L ? 1 : -1];\n"
+        ),
+        Real::Single => String::new(),
+    };
+    format!(
+        "{finite}#if FLT_RADIX != 2 || {type_digits} != {digits}\n\
+         #error \"{prefix}: a {number} has another number of binary digits here. {advice}\"\n{exact}#endif\n\n"
+    )
+}
+
+/// The checks of the source.
+pub(crate) fn of_source(real: Real) -> String {
+    let format = match real {
+        Real::Double => {
+            "#if defined FLT_EVAL_METHOD && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2)\n\
+             #error \"Doubles must not be computed with more digits than they have: for an x86 of 32 bits, say -msse2 -mfpmath=sse.\"\n#endif\n"
+        }
+        Real::Single => {
+            "#if defined FLT_EVAL_METHOD && FLT_EVAL_METHOD == 1\n\
+             #error \"Floats must not be computed as doubles: for s390x, say -fexcess-precision=fast or -std=gnu99.\"\n\
+             #elif defined FLT_EVAL_METHOD && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16 && FLT_EVAL_METHOD != 32\n\
+             #error \"Floats must not be computed with more digits than they have: for an x86 of 32 bits, say -msse2 -mfpmath=sse.\"\n#endif\n"
+        }
+    };
+    format!(
+        "#if {IS_FINITE}\n\
+         #error \"NaN says that a position does not exist, and -ffast-math and -ffinite-math-only take it that there is none. Compile this file without them; only files that include its header may have them.\"\n#endif\n\
+         #ifdef __ASSOCIATIVE_MATH__\n\
+         #error \"Sums must be computed in their order: compile without -funsafe-math-optimizations and -fassociative-math.\"\n#endif\n\
+         {format}\n"
+    )
+}

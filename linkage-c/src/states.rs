@@ -1,0 +1,45 @@
+//! States of coupled groups, as programs find them.
+
+use std::collections::BTreeSet;
+
+use linkage_core::Scalar;
+use linkage_symbolic::program::{Instruction, Program, Source};
+
+use crate::real::Real;
+use crate::surface::Surface;
+
+/// The largest correction of a state from a table that is trusted.
+pub(crate) fn limit(real: Real) -> String {
+    real.literal(match real {
+        Real::Double => f64::CORRECTION_LIMIT,
+        Real::Single => f32::CORRECTION_LIMIT,
+    })
+}
+
+/// Statements that find the states that a program loads, in front of it, but for that of group `own`; `inputs` is the array of all inputs.
+pub(crate) fn look_up(
+    surface: &Surface,
+    program: &Program,
+    own: Option<usize>,
+    inputs: &str,
+) -> String {
+    let loads = program.instructions.iter();
+    let groups: BTreeSet<usize> = loads
+        .filter_map(|instruction| match instruction {
+            Instruction::Load(Source::State(group, _)) => Some(*group),
+            _ => None,
+        })
+        .filter(|group| Some(*group) != own)
+        .collect();
+    let number = surface.real.name();
+    let all = groups.iter().map(|&group| {
+        let size = surface.unit.coupled[group].size;
+        let own = &surface.own;
+        (
+            format!("    {number} state_{group}[{}];\n", size + 1),
+            format!("    {own}state_{group}(m, {inputs}, state_{group});\n"),
+        )
+    });
+    let (declared, found): (Vec<String>, Vec<String>) = all.unzip();
+    declared.concat() + &found.concat()
+}

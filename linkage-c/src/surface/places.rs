@@ -1,0 +1,41 @@
+//! Shapes of dimensions and results, and where their scalars are.
+
+use linkage_compiler::ir::{COMPONENTS, Shape};
+
+/// Components of frames.
+const OF_FRAME: [&str; 4] = ["origin", "x", "y", "z"];
+
+/// What the entries of an array are, of arrays of arrays too; other shapes as they are.
+pub(crate) fn innermost(shape: &Shape) -> &Shape {
+    match shape {
+        Shape::Array(_, entry) => innermost(entry),
+        Shape::Scalar | Shape::Vector(_) | Shape::Frame | Shape::PlaneFrame => shape,
+    }
+}
+
+/// Expressions of all scalars of something, in the order in which programs count them.
+pub(crate) fn places(name: &str, shape: &Shape) -> Vec<String> {
+    match shape {
+        Shape::Scalar => vec![name.to_owned()],
+        Shape::Vector(count) => COMPONENTS[..*count]
+            .iter()
+            .map(|axis| format!("{name}.{axis}"))
+            .collect(),
+        Shape::Array(count, entry) => {
+            let entries = (0..*count).flat_map(|k| places(&format!("{name}[{k}]"), entry));
+            entries.collect()
+        }
+        Shape::Frame => {
+            let vectors = OF_FRAME.iter();
+            let vectors =
+                vectors.flat_map(|own| places(&format!("{name}.{own}"), &Shape::Vector(3)));
+            vectors.collect()
+        }
+        Shape::PlaneFrame => {
+            let vectors = OF_FRAME[..3].iter();
+            let vectors =
+                vectors.flat_map(|own| places(&format!("{name}.{own}"), &Shape::Vector(2)));
+            vectors.collect()
+        }
+    }
+}

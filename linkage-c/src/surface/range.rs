@@ -1,0 +1,45 @@
+//! Names of the check of the declared range.
+
+use super::constant::constant;
+use super::declared::Declared;
+
+/// The kinds of findings, in the order of their numbers from 1 on.
+pub(crate) const KINDS: [&str; 4] = ["CHANGE_POINT", "DEAD_POINT", "GAP", "UNDEFINED"];
+
+/// The end of the macro without which the check is compiled.
+pub(crate) const OFF: &str = "without_range_check";
+
+/// The names that users see.
+#[derive(Debug)]
+pub(crate) struct RangeNames {
+    pub(crate) check_range: Declared,
+    pub(crate) finding: String,
+}
+
+impl RangeNames {
+    /// Names from those that are not taken.
+    pub(super) fn new(prefix: &str, global: &mut dyn FnMut(&str) -> String) -> Self {
+        let [check_range, finding] = ["check_range", "range_finding"].map(global);
+        let signature =
+            format!("int {check_range}(const {prefix} *m, {finding} *findings, int room)");
+        Self {
+            check_range: Declared {
+                name: check_range,
+                signature,
+            },
+            finding,
+        }
+    }
+
+    /// All of them, with the kinds of findings.
+    pub(super) fn all(&self, prefix: &str) -> Vec<String> {
+        let kinds = KINDS.iter().map(|kind| kind_constant(prefix, kind));
+        let functions = [self.check_range.name.clone(), self.finding.clone()];
+        functions.into_iter().chain(kinds).collect()
+    }
+}
+
+/// The name of the constant of a kind of finding.
+pub(super) fn kind_constant(prefix: &str, kind: &str) -> String {
+    constant(prefix, &format!("range_{kind}"))
+}

@@ -1,1 +1,0 @@
-typedef struct own_pair { real sine, cosine; } own_pair;

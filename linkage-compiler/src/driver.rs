@@ -1,0 +1,213 @@
+//! The mechanisms of one call: parts first, all phases for each, items or messages as the result.
+
+use std::rc::Rc;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::assembly::Closed;
+use crate::diagnostic::{Diagnostics, Message};
+use crate::ir::CompiledMechanism;
+use crate::model::{Library, Model};
+use crate::observer::PhaseObserver;
+use crate::part_order::part_order;
+use crate::pipeline::analyse;
+use crate::syntax::{Attribute, MechanismDef};
+use crate::{emit, model, syntax};
+
+/// The result of [`check`](crate::check) for one mechanism.
+#[derive(Clone, Debug)]
+pub struct Checked {
+    /// Its name, if it has one.
+    pub name: Option<String>,
+    /// Its programs, if there is no mistake.
+    pub unit: Option<CompiledMechanism>,
+    /// The mistakes, in the order in which phases found them.
+    pub messages: Vec<Message>,
+    /// Messages about text that is valid, but hardly meant, unless the mechanism allows it.
+    pub warnings: Vec<Message>,
+}
+
+/// All mechanisms of a call after the phases before emission, as far as mistakes permit.
+pub(crate) struct Driver {
+    /// Mistakes in the text.
+    pub(crate) syntax: Diagnostics,
+    /// In the order in which they are written.
+    pub(crate) mechanisms: Vec<Analysed>,
+}
+
+/// One mechanism after these phases.
+pub(crate) struct Analysed {
+    pub(crate) definition: MechanismDef,
+    pub(crate) model: Option<Rc<Model>>,
+    pub(crate) unit: Option<CompiledMechanism>,
+    pub(crate) diagnostics: Diagnostics,
+}
+
+/// Results of the phases for one mechanism, as far as they have run.
+#[derive(Default)]
+struct Progress {
+    model: Option<Rc<Model>>,
+    unit: Option<CompiledMechanism>,
+    /// The assembly of the mechanism without the mechanisms around it.
+    closed: Option<Rc<Closed>>,
+    diagnostics: Diagnostics,
+}
+
+impl Driver {
+    /// Runs the phases for all mechanisms. The observer sees those of the last one.
+    pub(crate) fn run(body: TokenStream, observer: &mut dyn PhaseObserver) -> Self {
+        let mut syntax = Diagnostics::default();
+        let definitions = syntax::parse(body, &mut syntax);
+        let (order, circles) = part_order(&definitions);
+        let mut progress: Vec<Progress> = circles
+            .into_iter()
+            .map(|diagnostics| Progress {
+                diagnostics,
+                ..Progress::default()
+            })
+            .collect();
+        let last = definitions.len().wrapping_sub(1);
+        for (rank, &index) in order.iter().enumerate() {
+            let library = library(&definitions, &progress, &order[..rank]);
+            let definition = &definitions[index];
+            let mut diagnostics = std::mem::take(&mut progress[index].diagnostics);
+            let model = model::resolve(definition, &library, &mut diagnostics);
+            let model = model.filter(|_| syntax.is_empty()).map(Rc::new);
+            // A part that cannot be assembled has been reported for the part itself.
+            if let Some(model) = &model
+                && let Some(parts) = closed_parts(&definitions, &progress, model)
+            {
+                let observer: &mut dyn PhaseObserver = if index == last {
+                    &mut *observer
+                } else {
+                    &mut ()
+                };
+                let (unit, closed) = analyse(model, &parts, &mut diagnostics, observer);
+                progress[index].unit = Some(unit);
+                progress[index].closed = closed.filter(|_| diagnostics.is_empty()).map(Rc::new);
+            }
+            progress[index].model = model;
+            progress[index].diagnostics = diagnostics;
+        }
+        let mechanisms = definitions.into_iter().zip(progress);
+        let mechanisms = mechanisms.map(|(definition, progress)| Analysed {
+            definition,
+            model: progress.model,
+            unit: progress.unit,
+            diagnostics: progress.diagnostics,
+        });
+        Self {
+            mechanisms: mechanisms.collect(),
+            syntax,
+        }
+    }
+
+    /// Returns all items of all mechanisms, or mistakes and skeletons.
+    pub(crate) fn emitted(&self, krate: &TokenStream, printed: &emit::Printer) -> TokenStream {
+        let mut items = self.syntax.to_tokens();
+        for mechanism in &self.mechanisms {
+            items.extend(mechanism.emitted(krate, printed, self.syntax.is_empty()));
+        }
+        items
+    }
+
+    /// Returns the messages of each mechanism. Mistakes of the text are with the first one.
+    pub(crate) fn checked(self) -> Vec<Checked> {
+        let (mut syntax, _) = self.syntax.into_messages();
+        let sound = syntax.is_empty();
+        if self.mechanisms.is_empty() {
+            return vec![Checked {
+                name: None,
+                unit: None,
+                messages: syntax,
+                warnings: Vec::new(),
+            }];
+        }
+        let mut results = Vec::new();
+        for mechanism in self.mechanisms {
+            let mut checked = mechanism.checked();
+            checked.unit = checked.unit.filter(|_| sound);
+            checked.messages.splice(0..0, syntax.drain(..));
+            results.push(checked);
+        }
+        results
+    }
+
+    /// Returns the last mechanism, with the messages of all.
+    pub(crate) fn last(self) -> Checked {
+        let mut results = self.checked();
+        let mut last = results.pop().expect("there is always one");
+        let before = results.into_iter().flat_map(|checked| checked.messages);
+        last.messages.splice(0..0, before.collect::<Vec<_>>());
+        last
+    }
+}
+
+/// Returns the mechanisms that others can be made of: those before, and the names of all others.
+fn library<'a>(
+    definitions: &'a [MechanismDef],
+    progress: &[Progress],
+    before: &[usize],
+) -> Library<'a> {
+    let mut library = Library::default();
+    for &index in before {
+        library.add(&definitions[index], progress[index].model.clone());
+    }
+    // Mechanisms of a circle, and those that come later, have names but no model.
+    for (index, definition) in definitions.iter().enumerate() {
+        if !before.contains(&index) {
+            library.add(definition, None);
+        }
+    }
+    library
+}
+
+/// Returns the assemblies of all parts; `None` if one of them has none.
+fn closed_parts(
+    definitions: &[MechanismDef],
+    progress: &[Progress],
+    model: &Model,
+) -> Option<Vec<Rc<Closed>>> {
+    let parts = model.mechanism.parts.iter();
+    let closed = parts.map(|part| {
+        let mut names = definitions.iter();
+        let index = names.position(|definition| definition.name == part.mechanism)?;
+        progress[index].closed.clone()
+    });
+    closed.collect()
+}
+
+impl Analysed {
+    fn emitted(&self, krate: &TokenStream, printed: &emit::Printer, sound: bool) -> TokenStream {
+        let errors = self.diagnostics.to_tokens();
+        match &self.unit {
+            Some(unit) if sound && self.diagnostics.is_empty() => {
+                let items = emit::emit(krate, &self.definition, unit, printed);
+                let warnings = self
+                    .diagnostics
+                    .warnings_to_tokens(&self.definition.allows());
+                quote!(#items #warnings)
+            }
+            _ => {
+                let mechanism = self.model.as_ref().map(|model| &model.mechanism);
+                let skeleton = emit::skeleton(krate, &self.definition, mechanism);
+                quote!(#errors #skeleton)
+            }
+        }
+    }
+
+    fn checked(self) -> Checked {
+        let (messages, mut warnings) = self.diagnostics.into_messages();
+        let mut attributes = self.definition.attributes.iter();
+        if attributes.any(Attribute::allows_warnings) {
+            warnings.clear();
+        }
+        Checked {
+            name: Some(self.definition.title()),
+            unit: self.unit.filter(|_| messages.is_empty()),
+            messages,
+            warnings,
+        }
+    }
+}

@@ -1,0 +1,170 @@
+//! Positions, quantities and loops in the words of a message.
+
+use linkage_core::range_check::{self, significant};
+
+use crate::model::{Dimension, Mechanism, Type};
+
+/// Prints quantities of one mechanism.
+pub(crate) struct MessageFormat<'m> {
+    mechanism: &'m Mechanism,
+}
+
+impl<'m> MessageFormat<'m> {
+    pub(crate) fn new(mechanism: &'m Mechanism) -> Self {
+        Self { mechanism }
+    }
+
+    pub(crate) fn mechanism(&self) -> &'m Mechanism {
+        self.mechanism
+    }
+
+    /// `theta`, `psi` in back-ticks.
+    pub(crate) fn unknowns(&self, unknowns: &[usize]) -> String {
+        let name = |&k: &usize| format!("`{}`", self.mechanism.unknowns[k].name);
+        unknowns.iter().map(name).collect::<Vec<_>>().join(", ")
+    }
+
+    /// `phi = 30deg, s = 12mm` for the inputs `among` all.
+    pub(crate) fn inputs(&self, values: &[f64], among: &[usize]) -> String {
+        let word = |&k: &usize| {
+            let input = &self.mechanism.inputs[k];
+            format!(
+                "`{} = {}`",
+                input.name,
+                self.scalar(input.dimension, values[k])
+            )
+        };
+        among.iter().map(word).collect::<Vec<_>>().join(", ")
+    }
+
+    /// ` at the reference input phi = 30deg`; nothing for a structure.
+    pub(crate) fn at_reference(&self, values: &[f64]) -> String {
+        match values {
+            [] => String::new(),
+            _ => {
+                let all: Vec<usize> = (0..values.len()).collect();
+                format!(" at the reference input {}", self.inputs(values, &all))
+            }
+        }
+    }
+
+    pub(crate) fn unknown_value(&self, unknown: usize, value: &[f64]) -> String {
+        let item = &self.mechanism.unknowns[unknown];
+        format!("{} = {}", item.name, self.coordinate(&item.ty, value))
+    }
+
+    /// `60deg`, `(10mm, 0mm)`: of an unknown, which is an angle where it is no length.
+    pub(crate) fn coordinate(&self, ty: &Type, value: &[f64]) -> String {
+        match (ty, value) {
+            (Type::Scalar(dimension), [x]) => self.scalar(*dimension, *x),
+            (ty, components) => self.vector(ty, components),
+        }
+    }
+
+    /// `60deg`, `(10mm, 0mm)`: a value in the unit of its type; what is not known to be an angle is a number.
+    pub(crate) fn value(&self, ty: &Type, value: &[f64]) -> String {
+        let dimension = ty.dimension().unwrap_or(Dimension::NUMBER);
+        let of_length = dimension.fits(Dimension::LENGTH);
+        match value {
+            [x] if dimension.angle || of_length => self.scalar(dimension, *x),
+            [x] => format!("{}{}", significant(*x), dimension.unit(self.mechanism.unit)),
+            components => self.vector(ty, components),
+        }
+    }
+
+    /// `(10mm, 0mm, 0mm)`, `(0, 0, 1)`
+    pub(crate) fn vector(&self, ty: &Type, components: &[f64]) -> String {
+        let dimension = ty.dimension().unwrap_or(Dimension::NUMBER);
+        let parts: Vec<String> = match dimension {
+            Dimension::NUMBER => numbers(components),
+            _ => without_noise(components)
+                .map(|x| self.scalar(dimension, x))
+                .collect(),
+        };
+        format!("({})", parts.join(", "))
+    }
+
+    /// As many digits as tell how far two things are from each other.
+    pub(crate) fn rounded(&self, dimension: Dimension, x: f64) -> String {
+        let shown = match dimension.half_lengths {
+            0 => x.to_degrees(),
+            _ => x,
+        };
+        let digits = (2 - shown.abs().log10().floor() as i32).clamp(0, 17) as usize;
+        let text = format!("{shown:.digits$}");
+        let rounded = text.parse().unwrap_or(shown);
+        match dimension.half_lengths {
+            0 => format!("{}deg", significant(rounded)),
+            _ => self.scalar(dimension, rounded),
+        }
+    }
+
+    /// A multiple of `step`, without the digits behind it.
+    pub(crate) fn rounded_to(&self, dimension: Dimension, x: f64, step: f64) -> String {
+        range_check::rounded_to(x, step, dimension.half_lengths == 0, self.suffix(dimension))
+    }
+
+    /// As [`scalar`](Self::scalar), with as many digits more as it takes not to read as another number.
+    pub(crate) fn distinguished(&self, dimension: Dimension, x: f64, other: f64) -> String {
+        let short = self.scalar(dimension, x);
+        if x == other || short != self.scalar(dimension, other) {
+            return short;
+        }
+        let (unit, [shown, beside]) = match dimension.half_lengths {
+            0 => ("deg".to_owned(), [x, other].map(f64::to_degrees)),
+            _ => (dimension.unit(self.mechanism.unit), [x, other]),
+        };
+        let rounded = |x: f64, decimals: usize| format!("{x:.decimals$e}").parse().unwrap_or(x);
+        // More than 17 digits say nothing more.
+        let mut lengths = 7..17;
+        let differs = |decimals: &usize| rounded(shown, *decimals) != rounded(beside, *decimals);
+        let enough = lengths
+            .find(differs)
+            .map_or(shown, |own| rounded(shown, own));
+        format!("{enough}{unit}")
+    }
+
+    pub(crate) fn scalar(&self, dimension: Dimension, x: f64) -> String {
+        range_check::place(x, dimension.half_lengths == 0, self.suffix(dimension))
+    }
+
+    /// The unit of a length; nothing for other scalars.
+    fn suffix(&self, dimension: Dimension) -> &'static str {
+        match dimension.half_lengths {
+            2 => self.mechanism.unit.name(),
+            _ => "",
+        }
+    }
+}
+
+/// Components below this share of the largest one are roundoff.
+const NOISE: f64 = 1e-12;
+
+/// Components of a vector.
+pub(crate) fn numbers(components: &[f64]) -> Vec<String> {
+    without_noise(components).map(significant).collect()
+}
+
+/// Components that are nothing but roundoff of the largest one become 0.
+fn without_noise(components: &[f64]) -> impl Iterator<Item = f64> {
+    let largest = components.iter().fold(0.0, |a: f64, x| a.max(x.abs()));
+    components
+        .iter()
+        .map(move |&x| match x.abs() <= NOISE * largest {
+            true => 0.0,
+            false => x,
+        })
+}
+
+/// `loop 2`, `loops 2 and 3`, `loops 1, 2 and 3`
+pub(crate) fn loop_list<'a>(loops: impl IntoIterator<Item = &'a usize>) -> String {
+    range_check::loop_list(&loop_numbers(loops))
+}
+
+/// The numbers of loops as they are printed: the first loop of the mechanism is 1.
+pub(crate) fn loop_numbers<'a>(loops: impl IntoIterator<Item = &'a usize>) -> Vec<usize> {
+    let mut numbers: Vec<usize> = loops.into_iter().map(|k| k + 1).collect();
+    numbers.sort_unstable();
+    numbers.dedup();
+    numbers
+}

@@ -1,0 +1,103 @@
+//! Values that must have one dimension: their common type, and messages where there is none.
+
+use super::frame_parts::frame_parts_help;
+use super::hidden_unit::hidden_unit_help;
+use super::missing_units::suspect_unit;
+use super::plane_and_space::{lifting_help, plane_beside_space, vector_components};
+use crate::model::symbols::assumed_units::AssumedUnits;
+use crate::model::symbols::declared_names::Names;
+use crate::model::symbols::sink::Sink;
+use crate::model::types::{Expr, ExprKind, Name, Type};
+
+/// The type of all together; reports the first that differs from those before it.
+pub(in crate::model) fn common_type(
+    names: &Names,
+    units: &AssumedUnits,
+    sink: &mut Sink,
+    values: &mut [&mut Expr],
+    what: &str,
+) -> Type {
+    let mut ty = Type::Zero(1);
+    for index in 0..values.len() {
+        if values[index].ty.is_error() || refuse_compound(names, sink, values[index]) {
+            return Type::Error;
+        }
+        match Type::common(&ty, &values[index].ty) {
+            Some(common) => ty = common,
+            None => {
+                suspect_unit(units, sink, values[index], &ty);
+                for before in &values[..index] {
+                    suspect_unit(units, sink, before, &values[index].ty);
+                }
+                let fact = format!("{what} differ in dimension: {ty} and {}", values[index].ty);
+                let help = mismatch_help(names, units, values[index - 1], values[index]);
+                let span = sink.span(values[index].origin);
+                sink.error_with_help(span, fact, help);
+                return Type::Error;
+            }
+        }
+    }
+    ty
+}
+
+/// What to do about two values that do not fit.
+pub(in crate::model) fn mismatch_help(
+    names: &Names,
+    units: &AssumedUnits,
+    left: &Expr,
+    right: &Expr,
+) -> String {
+    for value in [left, right] {
+        let ExprKind::Name(name @ (Name::Parameter(_) | Name::Input(_) | Name::Unknown(_))) =
+            &value.kind
+        else {
+            continue;
+        };
+        let symbol = names.symbol(*name);
+        if let Some(symbol) = symbol.filter(|symbol| symbol.bare_zero) {
+            let unit = units.length.name();
+            return format!("declare `{}` with a unit: `0{unit}` or `0deg`", symbol.text);
+        }
+    }
+    let hidden = [left, right].map(|value| hidden_unit_help(names, value));
+    if let Some(help) = hidden.into_iter().flatten().next() {
+        return help;
+    }
+    if let Some(plane) = plane_beside_space(left, right) {
+        return lifting_help(names, plane);
+    }
+    let components = [left, right].map(vector_components);
+    if components[0] != components[1] {
+        let vector = match components.contains(&Some(3)) {
+            true => "(x, y, z)",
+            false => "(x, y)",
+        };
+        return format!("write a vector `{vector}` on both sides, or take a component `.x`");
+    }
+    for value in [left, right] {
+        if let ExprKind::Number(number) = value.kind
+            && value.ty == Type::NUMBER
+        {
+            return format!(
+                "give the number its unit: `{number}{}`",
+                units.length.name()
+            );
+        }
+    }
+    "both must have the same dimension".to_owned()
+}
+
+/// Arrays and frames consist of values of different dimensions, so there is no arithmetic with them.
+pub(in crate::model) fn refuse_compound(names: &Names, sink: &mut Sink, value: &Expr) -> bool {
+    let help = match &value.ty {
+        Type::Array(_) => "take one entry: `[0]`".to_owned(),
+        Type::Frame | Type::PlaneFrame => frame_parts_help(names, "take", value),
+        Type::Scalar(_) | Type::Vector(..) | Type::Zero(_) | Type::Error => return false,
+    };
+    if !value.ty.is_error() {
+        let fact = format!("{} cannot be used in an expression", value.ty);
+        let span = sink.span(value.origin);
+        sink.error_with_help(span, fact, help);
+    }
+    true
+}

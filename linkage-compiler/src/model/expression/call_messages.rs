@@ -1,0 +1,106 @@
+//! What is wrong with a call: the function, the number of its arguments, their order and types.
+
+use proc_macro2::Ident;
+
+use crate::diagnostic::SourceSpan;
+use crate::diagnostic::text::{count, nearest};
+use crate::model::symbols::declared_names::Names;
+use crate::model::symbols::sink::Sink;
+use crate::model::types::{Expr, Function, MotionLawWord, QuantityWord};
+use crate::syntax::Word;
+
+pub(in crate::model) fn refuse_unknown_function(names: &Names, sink: &mut Sink, ident: &Ident) {
+    let name = ident.to_string();
+    let courses = || MotionLawWord::all().map(MotionLawWord::word);
+    let functions = || Function::all().map(Function::word).chain(courses());
+    let known = functions().chain(QuantityWord::all().map(QuantityWord::word));
+    let fact = match names.find(&name) {
+        Some(symbol) => format!("`{name}` is {}, not a function", symbol.kind()),
+        None => format!("unknown function `{name}`"),
+    };
+    let help = match (names.find(&name), nearest(&name, known)) {
+        (Some(_), _) => format!("write `{name} * (...)` for a product"),
+        (None, Some(function)) => format!("did you mean `{function}`?"),
+        (None, None) if ["pow", "powi", "powf", "sq"].contains(&name.as_str()) => {
+            "write `a * a` for a square".to_owned()
+        }
+        (None, None) => {
+            let names: Vec<&str> = functions().collect();
+            format!("functions are {}", names.join(" "))
+        }
+    };
+    sink.error_with_help(ident.into(), fact, help);
+}
+
+/// A function with the wrong number of arguments.
+pub(in crate::model) fn refuse_count_of_arguments(
+    sink: &mut Sink,
+    function: Function,
+    found: usize,
+    span: SourceSpan,
+) {
+    let (name, parameters) = (function.word(), function.parameters());
+    match (function, found) {
+        (Function::Rotate, 3) => {
+            let fact = wrong_count(name, parameters, found);
+            let help = "write `turn(vector, axis, angle)` for a space vector";
+            sink.error_with_help(span, fact, help);
+        }
+        _ => refuse_wrong_count(sink, name, parameters, found, span),
+    }
+}
+
+pub(in crate::model) fn refuse_wrong_count(
+    sink: &mut Sink,
+    name: &str,
+    parameters: &[&str],
+    found: usize,
+    span: SourceSpan,
+) {
+    let fact = wrong_count(name, parameters, found);
+    let help = format!("write `{name}({})`", parameters.join(", "));
+    sink.error_with_help(span, fact, help);
+}
+
+/// Reports `polar(angle, length)`, `rotate(angle, vector)` and `turn(vector, angle, axis)`; `order` is the one to write.
+pub(in crate::model) fn refuse_swapped(
+    sink: &mut Sink,
+    function: Function,
+    arguments: &[Expr],
+    order: Option<&str>,
+    span: SourceSpan,
+) -> Option<()> {
+    let Some(order) = order else {
+        return Some(());
+    };
+    let found: Vec<String> = arguments.iter().map(|a| a.ty.to_string()).collect();
+    let (last, before) = found.split_last()?;
+    let fact = format!(
+        "the arguments of `{}` are swapped: found {} and {last}",
+        function.word(),
+        before.join(", ")
+    );
+    sink.error_with_help(span, fact, format!("write `{order}`"));
+    None
+}
+
+pub(in crate::model) fn refuse_argument_type<T>(
+    sink: &mut Sink,
+    function: Function,
+    wanted: &str,
+    found: &Expr,
+    help: &str,
+) -> Option<T> {
+    let fact = format!("`{}` takes {wanted}, found {}", function.word(), found.ty);
+    let span = sink.span(found.origin);
+    match help {
+        "" => sink.error(span, fact),
+        _ => sink.error_with_help(span, fact, help),
+    }
+    None
+}
+
+fn wrong_count(name: &str, parameters: &[&str], found: usize) -> String {
+    let wanted = count(parameters.len(), "argument");
+    format!("`{name}` takes {wanted}, found {found}")
+}

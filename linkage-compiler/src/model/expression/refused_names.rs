@@ -1,0 +1,140 @@
+//! Names that cannot be: unknown, defined twice, reserved.
+
+use proc_macro2::Ident;
+
+use crate::diagnostic::SourceSpan;
+use crate::diagnostic::text::nearest;
+use crate::model::generated::TYPE_PARAMETER;
+use crate::model::symbols::declared_names::{Names, Symbol};
+use crate::model::symbols::member_names::MemberNames;
+use crate::model::symbols::part_scopes::Parts;
+use crate::model::symbols::sink::Sink;
+use crate::model::symbols::site::{Context, refusal, rule};
+use crate::model::types::is_function;
+use crate::syntax::{is_unit, units_within};
+
+/// `context` is where it stands; `None` where any name may stand.
+pub(in crate::model) fn refuse_unknown_name(
+    names: &Names,
+    members: &MemberNames,
+    sink: &mut Sink,
+    ident: &Ident,
+    context: Option<Context>,
+) {
+    let text = ident.to_string();
+    let rule = context.and_then(|context| rule(context.site));
+    let may_stand =
+        |symbol: &&Symbol| context.is_none_or(|context| refusal(symbol, context).is_none());
+    let names = names
+        .symbols
+        .iter()
+        .filter(may_stand)
+        .map(|symbol| symbol.text.as_str())
+        .chain(["PI"]);
+    let fact = format!("unknown name `{text}`");
+    let help = match nearest(&text, names) {
+        _ if members.has(&text) => format!(
+            "`{text}` is the name of a body or joint: ask for forces like `reaction(joint)`"
+        ),
+        Some(name) => format!("did you mean `{name}`?"),
+        None if is_unit(&text) => {
+            format!("write the unit as a factor: `1 * {text}`")
+        }
+        None if is_function(&text) => {
+            format!("`{text}` is a function: write `{text}(...)`")
+        }
+        None => {
+            let help = rule.unwrap_or("declare it in the struct block, for example with `let`");
+            match units_within(&text) {
+                Some(units) => format!("{help}; units are written `{units}`"),
+                None => help.to_owned(),
+            }
+        }
+    };
+    sink.error_with_help(ident.into(), fact, help);
+}
+
+/// Reports a name that stands for something else, too; true if it does not.
+pub(in crate::model) fn check_new_name(
+    names: &Names,
+    parts: &Parts,
+    sink: &mut Sink,
+    ident: &Ident,
+) -> bool {
+    let text = ident.to_string();
+    let symbol = names.find(&text).map(|symbol| symbol.span);
+    let mut parts = parts.scopes.iter();
+    let part = parts.find_map(|part| (part.name == text).then_some(part.span));
+    if let Some(first) = symbol.or(part) {
+        let fact = format!("the name `{text}` is defined twice");
+        report_duplicate(sink, &fact, &text, ident.into(), first);
+        return false;
+    }
+    true
+}
+
+/// Reports both places.
+pub(in crate::model) fn report_duplicate(
+    sink: &mut Sink,
+    fact: &str,
+    text: &str,
+    span: SourceSpan,
+    first: SourceSpan,
+) {
+    sink.error_with_help(span, fact, "choose another name");
+    sink.error(first, format!("`{text}` is first defined here"));
+}
+
+pub(in crate::model) fn check_reserved(sink: &mut Sink, ident: &Ident) {
+    let text = ident.to_string();
+    if text.starts_with("__") {
+        let fact = format!("the name `{text}` starts with `__`, which generated code uses");
+        let help = match text.trim_start_matches('_') {
+            "" => "choose another name".to_owned(),
+            plain => format!("write `{plain}`"),
+        };
+        sink.error_with_help(ident.into(), fact, help);
+    }
+}
+
+/// The mechanism cannot be called as the type parameter that all its types have.
+pub(in crate::model) fn check_type_parameter(sink: &mut Sink, ident: &Ident) {
+    if ident == TYPE_PARAMETER {
+        let fact = format!(
+            "a mechanism cannot be called `{TYPE_PARAMETER}`: that is the scalar type of all types that the macro makes, as in \
+             `Motion<{TYPE_PARAMETER}>`"
+        );
+        let help = "choose a longer name";
+        sink.error_with_help(ident.into(), fact, help);
+    }
+}
+
+/// A result type is new: the name of a well-known type there is a misunderstanding, and would hide that type.
+pub(in crate::model) fn check_new_type(sink: &mut Sink, ident: &Ident) {
+    const KNOWN: [&str; 15] = [
+        "f64",
+        "f32",
+        "bool",
+        "usize",
+        "i32",
+        "u32",
+        "Vector2",
+        "Vector3",
+        "Frame",
+        "Self",
+        "Option",
+        "Result",
+        "Vec",
+        "String",
+        TYPE_PARAMETER,
+    ];
+    let text = ident.to_string();
+    if KNOWN.contains(&text.as_str()) {
+        let fact = format!(
+            "`{text}` cannot be the result type: the macro makes a new struct of that name, with one field for \
+             each quantity"
+        );
+        let help = "choose a name of your own, such as `Path` or `Motion`";
+        sink.error_with_help(ident.into(), fact, help);
+    }
+}

@@ -1,0 +1,41 @@
+//! Names of bodies and joints: a name space of their own.
+
+use std::collections::BTreeMap;
+
+use crate::diagnostic::SourceSpan;
+use crate::syntax::JointKind;
+
+/// The body or joint that a name is given to.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(in crate::model) enum Member {
+    Body(usize),
+    Joint(usize),
+}
+
+/// Bodies and joints by their names.
+#[derive(Default)]
+pub(in crate::model) struct MemberNames {
+    pub(in crate::model) by_name: BTreeMap<String, (Member, SourceSpan)>,
+    pub(in crate::model) bodies: usize,
+    /// Kinds of all joints: those that bodies hang on in the order of the bodies, then those that close loops.
+    pub(in crate::model) joints: Vec<JointKind>,
+}
+
+impl MemberNames {
+    /// Returns true if a body or joint has this name.
+    pub(in crate::model) fn has(&self, name: &str) -> bool {
+        self.by_name.contains_key(name)
+    }
+
+    /// Returns the names of all bodies or of all joints.
+    pub(in crate::model) fn wanted(&self, wanted: fn(Member) -> bool) -> Vec<&str> {
+        let members = self.by_name.iter();
+        members
+            .filter(|(_, (member, _))| wanted(*member))
+            .map(|(name, _)| name.as_str())
+            .collect()
+    }
+}
+
+/// The fixed link.
+pub(in crate::model) const FRAME: &str = "frame";

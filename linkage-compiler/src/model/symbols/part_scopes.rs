@@ -1,0 +1,122 @@
+//! Parts: mechanisms within a mechanism, their names there and the expressions that are given to them.
+
+use std::rc::Rc;
+
+use crate::diagnostic::SourceSpan;
+use crate::model::library::Model;
+use crate::model::types::{Expr, Mechanism, Name, Placed};
+use crate::syntax;
+
+/// One part: what its names are in the mechanism around it.
+pub(in crate::model) struct PartScope {
+    pub(in crate::model) name: String,
+    pub(in crate::model) span: SourceSpan,
+    /// Position of its item in the struct block.
+    pub(in crate::model) item: usize,
+    /// `None` after a mistake: nothing is said about what it consists of.
+    pub(in crate::model) body: Option<PartBody>,
+}
+
+/// A part of which all is known.
+#[derive(Clone)]
+pub(in crate::model) struct PartBody {
+    pub(in crate::model) model: Rc<Model>,
+    /// What is added to numbers of origins.
+    pub(in crate::model) first_origin: u32,
+    pub(in crate::model) first_constant: usize,
+    pub(in crate::model) first_unknown: usize,
+    /// The first of the derived quantities that come with the part: inputs, arguments, parameters that are given, its place, its own ones.
+    pub(in crate::model) first_let: usize,
+    /// What its parameters are: given ones are derived quantities. `None` until parameters are counted.
+    pub(in crate::model) parameters: Vec<Option<Name>>,
+    /// The arguments that are given, as derived quantities.
+    pub(in crate::model) arguments: Vec<Option<Name>>,
+    /// Speeds and accelerations that follow from those around, by argument; why not, where one does not follow.
+    pub(in crate::model) rates: Vec<Option<Result<Expr, Unfollowed>>>,
+    pub(in crate::model) is_placed: bool,
+    pub(in crate::model) is_turned: bool,
+}
+
+impl PartBody {
+    pub(in crate::model) fn mechanism(&self) -> &Mechanism {
+        &self.model.mechanism
+    }
+
+    /// The derived quantity that an input is.
+    pub(in crate::model) fn input(&self, input: usize) -> usize {
+        self.first_let + input
+    }
+
+    /// The first of its own derived quantities, behind those that are made for it.
+    pub(in crate::model) fn own_lets(&self) -> usize {
+        let given = self.parameters.iter().chain(&self.arguments);
+        let given = given
+            .filter(|name| matches!(name, Some(Name::Let(_))))
+            .count();
+        let placing = usize::from(self.is_placed) + usize::from(self.is_turned);
+        self.input(self.mechanism().inputs.len()) + given + placing
+    }
+}
+
+/// All parts of a mechanism.
+#[derive(Default)]
+pub(in crate::model) struct Parts {
+    pub(in crate::model) scopes: Vec<PartScope>,
+    /// Locations of parts, as far as they have been read.
+    pub(in crate::model) placed: Vec<Placed>,
+}
+
+impl Parts {
+    /// Returns the name that an expression is, with the names of the parts in front: `phi`, `hook.tip`, `machine.hook.tip`.
+    pub(in crate::model) fn dotted(&self, expr: &syntax::Expr) -> Option<String> {
+        match &expr.kind {
+            syntax::ExprKind::Name(ident) => Some(ident.to_string()),
+            syntax::ExprKind::Field(value, field) => {
+                let path = self.dotted(value)?;
+                self.is_part(&path).then(|| format!("{path}.{field}"))
+            }
+            _ => None,
+        }
+    }
+
+    /// Returns the part that an expression is.
+    pub(in crate::model) fn part_named(&self, expr: &syntax::Expr) -> Option<String> {
+        self.dotted(expr).filter(|path| self.is_part(path))
+    }
+
+    /// Returns true for the name of a part, or of a part of one.
+    pub(in crate::model) fn is_part(&self, path: &str) -> bool {
+        let (first, rest) = path.split_once('.').unwrap_or((path, ""));
+        let Some(part) = self.find(first) else {
+            return false;
+        };
+        match &part.body {
+            _ if rest.is_empty() => true,
+            None => false,
+            Some(body) => {
+                let inner = body.mechanism().paths_of_parts();
+                inner.iter().any(|(path, _)| path == rest)
+            }
+        }
+    }
+
+    /// Returns true if nothing is known about a part because of a mistake that has been reported.
+    pub(in crate::model) fn is_broken_part(&self, path: &str) -> bool {
+        let first = path.split('.').next().unwrap_or_default();
+        self.find(first).is_some_and(|part| part.body.is_none())
+    }
+
+    /// Returns the part with this name.
+    pub(in crate::model) fn find(&self, name: &str) -> Option<&PartScope> {
+        self.scopes.iter().find(|part| part.name == name)
+    }
+}
+
+/// Why a speed or an acceleration is not known.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::model) enum Unfollowed {
+    /// This input has none.
+    OfInput(usize),
+    /// By an unknown, or a function that is not differentiated here. A limit of ours.
+    Other,
+}

@@ -1,0 +1,21 @@
+//! Definitions of symbols, as a walk through the graph follows them.
+
+use super::node::{Node, NodeId};
+use super::shared::Graph;
+use super::source::Source;
+
+/// What a symbol stands for, and where it is loaded from; nothing for operations.
+pub(crate) fn meaning(graph: &Graph, node: Node) -> (Option<NodeId>, Option<Source>) {
+    let Node::Symbol(symbol) = node else {
+        return (None, None);
+    };
+    let store = graph.store();
+    let symbol = store.symbol(symbol);
+    (symbol.definition, symbol.source)
+}
+
+/// What must be known before `id`: its operands, or the definition of a symbol.
+pub(crate) fn dependencies(graph: &Graph, id: NodeId) -> impl Iterator<Item = NodeId> + use<> {
+    let node = graph.node(id);
+    node.operands().chain(meaning(graph, node).0)
+}

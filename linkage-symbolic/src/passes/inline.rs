@@ -1,0 +1,68 @@
+//! Removing definitions: what was solved for becomes what it is computed from.
+
+use crate::graph::{Graph, Node, NodeId, dependencies};
+use crate::lookup::Map;
+
+/// Copies nodes of one graph into another without definitions, simplifying anew: factors of a link's length that
+/// cancel against the solution for that link do so here.
+#[derive(Clone, Debug, Default)]
+pub struct Inliner {
+    /// The plain graph: its symbols all have sources.
+    pub target: Graph,
+    copied: Map<NodeId, NodeId>,
+    /// Of the source: copies under other definitions are worth nothing.
+    revision: usize,
+}
+
+impl Inliner {
+    /// The copy of `root` in the target graph. Symbols without source and definition must not occur.
+    /// Under other definitions than before it is a copy of its own; equal expressions stay one node of the target.
+    pub fn copy(&mut self, source: &Graph, root: NodeId) -> NodeId {
+        if self.revision != source.revision() {
+            self.copied.clear();
+            self.revision = source.revision();
+        }
+        let mut stack = vec![root];
+        while let Some(&id) = stack.last() {
+            if self.copied.contains_key(&id) {
+                stack.pop();
+                continue;
+            }
+            let waiting = stack.len();
+            for below in dependencies(source, id) {
+                if !self.copied.contains_key(&below) {
+                    stack.push(below);
+                }
+            }
+            if stack.len() > waiting {
+                continue;
+            }
+            let copy = self.build(source, id);
+            self.copied.insert(id, copy);
+            stack.pop();
+        }
+        self.copied[&root]
+    }
+
+    fn build(&mut self, source: &Graph, id: NodeId) -> NodeId {
+        let target = &self.target;
+        let new = |x: NodeId| self.copied[&x];
+        match source.node(id) {
+            Node::Constant(bits) => target.constant(f64::from_bits(bits)),
+            Node::Symbol(symbol) => {
+                let symbol = source.symbol(symbol);
+                match (symbol.definition, symbol.source) {
+                    (Some(definition), _) => new(definition),
+                    (None, Some(place)) => target.source(place),
+                    (None, None) => unreachable!("symbol {} has no meaning", symbol.name),
+                }
+            }
+            Node::Unary(op, a) => target.unary(op, new(a)),
+            Node::Binary(op, a, b) => target.binary(op, new(a), new(b)),
+            Node::Ternary(op, a, b, c) => {
+                let operands = [new(a), new(b), new(c)];
+                target.store_mut().inlined_ternary(op, operands)
+            }
+        }
+    }
+}

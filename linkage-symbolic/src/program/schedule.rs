@@ -1,0 +1,188 @@
+//! Slicing and ordering: from a plain graph to straight-line programs, split by when values are known.
+
+use crate::graph::{Binding, Graph, Node, NodeId};
+use crate::lookup::Map;
+use crate::program::{Binary, Instruction, Program, Source, Unary, Value};
+
+/// The values that `assemble()` computes for all evaluators of a mechanism, in a graph of their own: equal values of different graphs
+/// are one slot.
+#[derive(Debug, Default)]
+pub struct Slots {
+    graph: Graph,
+    nodes: Vec<NodeId>,
+    index: Map<NodeId, usize>,
+    /// Where values of the graph that is scheduled now are in the own one.
+    copied: Map<NodeId, NodeId>,
+}
+
+impl Slots {
+    fn slot(&mut self, source: &Graph, node: NodeId) -> usize {
+        let own = self.copy(source, node);
+        *self.index.entry(own).or_insert_with(|| {
+            self.nodes.push(own);
+            self.nodes.len() - 1
+        })
+    }
+
+    /// The same operations in the own graph, as they are: to simplify anew would round differently beside other values.
+    fn copy(&mut self, source: &Graph, root: NodeId) -> NodeId {
+        let mut stack = vec![root];
+        while let Some(&id) = stack.last() {
+            let node = source.node(id);
+            let waiting = stack.len();
+            stack.extend(node.operands().filter(|x| !self.copied.contains_key(x)));
+            if stack.len() == waiting {
+                let copy = self.copy_operation(source, node);
+                self.copied.insert(id, copy);
+                stack.pop();
+            }
+        }
+        self.copied[&root]
+    }
+
+    /// An operation of values that are copied already.
+    fn copy_operation(&self, source: &Graph, node: Node) -> NodeId {
+        let new = |x: NodeId| self.copied[&x];
+        let mut own = self.graph.store_mut();
+        match node {
+            Node::Constant(_) => own.intern(node),
+            Node::Symbol(symbol) => {
+                let place = source.symbol(symbol).source;
+                own.source(place.expect("symbols of a plain graph have sources"))
+            }
+            Node::Unary(op, a) => own.intern(Node::Unary(op, new(a))),
+            Node::Binary(op, a, b) => {
+                let (mut a, mut b) = (new(a), new(b));
+                // Which operand is first follows from the graph; equal values must be one slot.
+                if matches!(op, Binary::Add | Binary::Mul) && b < a {
+                    (a, b) = (b, a);
+                }
+                own.intern(Node::Binary(op, a, b))
+            }
+            Node::Ternary(op, a, b, c) => own.intern(Node::Ternary(op, new(a), new(b), new(c))),
+        }
+    }
+
+    /// The program that computes all slots.
+    pub fn prepare(&self) -> Program {
+        schedule_whole(&self.graph, &self.nodes)
+    }
+}
+
+/// The program for `outputs` at a call: what is known earlier comes from slots, what no output needs is not in it.
+pub fn schedule(graph: &Graph, outputs: &[NodeId], slots: &mut Slots) -> Program {
+    slots.copied.clear();
+    let mut slot = |node| slots.slot(graph, node);
+    Scheduler::new(graph, Some(&mut slot)).run(outputs)
+}
+
+/// The same program but for the numbers of its slots, to be counted and thrown away: nothing is kept of what `assemble()` would compute.
+pub fn draft(graph: &Graph, outputs: &[NodeId]) -> Program {
+    let mut count = 0;
+    let mut slot = |_| {
+        count += 1;
+        count - 1
+    };
+    Scheduler::new(graph, Some(&mut slot)).run(outputs)
+}
+
+/// The program for `outputs` from parameters and inputs alone, without slots.
+pub fn schedule_whole(graph: &Graph, outputs: &[NodeId]) -> Program {
+    Scheduler::new(graph, None).run(outputs)
+}
+
+struct Scheduler<'a> {
+    graph: &'a Graph,
+    /// Numbers what `assemble()` computes.
+    slots: Option<&'a mut dyn FnMut(NodeId) -> usize>,
+    program: Program,
+    values: Map<NodeId, Value>,
+}
+
+impl<'a> Scheduler<'a> {
+    fn new(graph: &'a Graph, slots: Option<&'a mut dyn FnMut(NodeId) -> usize>) -> Self {
+        Self {
+            graph,
+            slots,
+            program: Program::default(),
+            values: Map::new(),
+        }
+    }
+
+    fn run(mut self, outputs: &[NodeId]) -> Program {
+        for &output in outputs {
+            self.visit(output);
+        }
+        self.program.outputs = outputs.iter().map(|output| self.values[output]).collect();
+        self.program
+    }
+
+    /// Appends all that `root` needs and is not there yet, operands first.
+    fn visit(&mut self, root: NodeId) {
+        let mut stack = vec![root];
+        while let Some(&id) = stack.last() {
+            if self.values.contains_key(&id) {
+                stack.pop();
+                continue;
+            }
+            let waiting = stack.len();
+            if !self.is_slot(id) {
+                let operands: Vec<NodeId> = self.operation(id).operands().collect();
+                let missing = operands.into_iter().rev();
+                stack.extend(missing.filter(|x| !self.values.contains_key(x)));
+            }
+            if stack.len() > waiting {
+                continue;
+            }
+            let value = self.append(id);
+            self.values.insert(id, value);
+            stack.pop();
+        }
+    }
+
+    /// What is done for a node: a difference with a minus sign is the opposite difference.
+    fn operation(&self, id: NodeId) -> Node {
+        let node = self.graph.node(id);
+        if let Node::Unary(Unary::Neg, inner) = node
+            && let Node::Binary(Binary::Sub, a, b) = self.graph.node(inner)
+        {
+            return Node::Binary(Binary::Sub, b, a);
+        }
+        node
+    }
+
+    fn is_slot(&self, id: NodeId) -> bool {
+        self.slots.is_some()
+            && self.graph.binding(id) == Binding::Parameter
+            && !matches!(self.load(id), Some(Source::Parameter(_)))
+    }
+
+    fn load(&self, id: NodeId) -> Option<Source> {
+        match self.graph.node(id) {
+            Node::Symbol(symbol) => self.graph.symbol(symbol).source,
+            _ => None,
+        }
+    }
+
+    fn append(&mut self, id: NodeId) -> Value {
+        if self.is_slot(id)
+            && let Some(slot_of) = self.slots.as_mut()
+        {
+            let slot = slot_of(id);
+            return self.program.push(Instruction::Load(Source::Prepared(slot)));
+        }
+        let instruction = match self.operation(id) {
+            Node::Constant(bits) => Instruction::Constant(f64::from_bits(bits)),
+            Node::Symbol(symbol) => match self.graph.symbol(symbol).source {
+                Some(source) => Instruction::Load(source),
+                None => unreachable!("symbols of a plain graph have sources"),
+            },
+            Node::Unary(op, a) => Instruction::Unary(op, self.values[&a]),
+            Node::Binary(op, a, b) => Instruction::Binary(op, self.values[&a], self.values[&b]),
+            Node::Ternary(op, a, b, c) => {
+                Instruction::Ternary(op, self.values[&a], self.values[&b], self.values[&c])
+            }
+        };
+        self.program.push(instruction)
+    }
+}
