@@ -94,7 +94,7 @@ fn residuals() -> Result<(), AssemblyError> {
         .collect();
     let inputs = (0..POINTS).map(|i| TAU * i as f64 / POINTS as f64);
     let free: Vec<f64> = (0..MECHANISMS).flat_map(|_| inputs.clone()).collect();
-    let wish = Targets::of("tracer", [[10.0, 10.0]; POINTS])
+    let wish = Targets::new("tracer", [[10.0, 10.0]; POINTS])
         .computed_by(FourBarAssembly::path_sweep_sets_into);
     let mut rows = Rows::new(2 * POINTS, 9, POINTS);
     let mut evaluator = Wish::<FourBar, FourBarAssembly>::evaluator(&wish);

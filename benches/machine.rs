@@ -1,17 +1,17 @@
-//! Several organs on one shaft: `cargo bench --bench machine`.
+//! Several members on one shaft: `cargo bench --bench machine`.
 //!
-//! The machine of the example `knitting_machine`: a cyclogram of its four organs with all switching angles and their
+//! The machine of the example `knitting_machine`: a cyclogram of its four members with all switching angles and their
 //! sensitivities; the least distance of two needles with its sensitivities to all dimensions; the best phase of both and
 //! the best slot of a gear. Times are of everything after `assemble()`, sweeps included. Behind it the best phases of three
-//! and of four organs, points that move by two harmonics: what a search of several phases takes beside the mechanism's
+//! and of four members, points that move by two harmonics: what a search of several phases takes beside the mechanism's
 //! own functions.
 
 #[path = "../examples/knitting_machine/drives.rs"]
 #[allow(unreachable_pub, reason = "a part of an example")]
 mod drives;
-#[path = "../examples/knitting_machine/organs.rs"]
+#[path = "../examples/knitting_machine/members.rs"]
 #[allow(dead_code, reason = "the example asks for more")]
-mod organs;
+mod members;
 #[path = "../tests/machine/waves.rs"]
 mod waves;
 
@@ -35,23 +35,23 @@ fn main() {
             black_box(black_box(&machine).assemble()).expect("it closes");
         }),
         Candidate::new("cyclogram, sensitivities", 1, || {
-            black_box(organs::cyclogram(black_box(&built)).expect("a cyclogram"));
+            black_box(members::cyclogram(black_box(&built)).expect("a cyclogram"));
         }),
         Candidate::new("least distance, sensitivities", 1, || {
-            let found = organs::clearance(black_box(&built)).expect("a clearance");
-            black_box(organs::sensitivity(&built, found.least()));
+            let found = members::clearance(black_box(&built)).expect("a clearance");
+            black_box(members::sensitivity(&built, found.least()));
         }),
         Candidate::new("best phase, best of 48 slots", 1, || {
-            let found = organs::best_lead(black_box(&even), 48.0);
+            let found = members::best_lead(black_box(&even), 48.0);
             black_box(found.expect("a best phase"));
         }),
-        Candidate::new("best two phases, three organs", 1, || {
+        Candidate::new("best two phases, three members", 1, || {
             black_box(two_phases().expect("best phases"));
         }),
     ];
     // Seconds without optimisation.
     if !only_tested() {
-        candidates.push(Candidate::new("best three phases, four organs", 1, || {
+        candidates.push(Candidate::new("best three phases, four members", 1, || {
             black_box(three_phases().expect("best phases"));
         }));
     }
@@ -64,12 +64,12 @@ fn main() {
     }
 }
 
-/// Three organs, each pair of which may meet.
+/// Three members, each pair of which may meet.
 fn two_phases() -> Result<BestPhases<2, 2>, PhaseError> {
     let [a, b, c] = black_box([A, B, C]).map(organ);
-    let ab = Phases::of(CYCLE, POSITIONS, a, b)?;
-    let ac = Phases::of(CYCLE, POSITIONS, a, c)?;
-    let bc = Phases::of(CYCLE, POSITIONS, b, c)?;
+    let ab = Phases::new(CYCLE, POSITIONS, a, b)?;
+    let ac = Phases::new(CYCLE, POSITIONS, a, c)?;
+    let bc = Phases::new(CYCLE, POSITIONS, b, c)?;
     PhaseSet::new()
         .pair(None, Some(0), &ab)
         .pair(None, Some(1), &ac)
@@ -77,13 +77,13 @@ fn two_phases() -> Result<BestPhases<2, 2>, PhaseError> {
         .best([RANGE; 2])
 }
 
-/// Four organs, of which the last one may meet the second. There is room for two of them: more boxes than are looked at.
+/// Four members, of which the last one may meet the second. There is room for two of them: more boxes than are looked at.
 fn three_phases() -> Result<BestPhases<2, 3>, PhaseError> {
     let [a, b, c, d] = black_box([A, B, C, D]).map(organ);
-    let ab = Phases::of(CYCLE, POSITIONS, a, b)?;
-    let ac = Phases::of(CYCLE, POSITIONS, a, c)?;
-    let bc = Phases::of(CYCLE, POSITIONS, b, c)?;
-    let bd = Phases::of(CYCLE, POSITIONS, b, d)?;
+    let ab = Phases::new(CYCLE, POSITIONS, a, b)?;
+    let ac = Phases::new(CYCLE, POSITIONS, a, c)?;
+    let bc = Phases::new(CYCLE, POSITIONS, b, c)?;
+    let bd = Phases::new(CYCLE, POSITIONS, b, d)?;
     PhaseSet::new()
         .pair(None, Some(0), &ab)
         .pair(None, Some(1), &ac)

@@ -109,8 +109,8 @@ fn points(seed: u64) -> Result<Vec<[f64; 2]>, Box<dyn Error>> {
 }
 
 fn from_points(read: Vec<[f64; 2]>) -> Result<Identified<FourBar, COUNT>, Box<dyn Error>> {
-    let measured = Measured::of("tracer", read)
-        .at(inputs())
+    let measured = Measured::new("tracer", read)
+        .at_inputs(inputs())
         .deviations([POINT; 2]);
     let identification = identification()?;
     Ok(identification
@@ -125,9 +125,11 @@ fn from_angles() -> Result<Identified<FourBar, COUNT>, Box<dyn Error>> {
         .into_iter()
         .map(|phi| [real.rocker(phi).psi + ANGLE * error(&mut random)]);
     let read: Vec<[f64; 1]> = read.collect();
-    let measured = Measured::of("psi", read).at(inputs()).deviations([ANGLE]);
+    let measured = Measured::new("psi", read)
+        .at_inputs(inputs())
+        .deviations([ANGLE]);
     let offer = Measured::offer("tracer")
-        .at(inputs())
+        .at_inputs(inputs())
         .deviations([POINT; 2]);
     Ok(identification()?
         .measured(measured.computed_by(FourBarAssembly::rocker_sweep_sets_into))

@@ -13,7 +13,7 @@ mod check;
 
 use check::Check;
 use linkage::mechanism;
-use linkage::summary::{Course, least};
+use linkage::summary::{Curve, minimise};
 use std::error::Error;
 use std::f64::consts::TAU;
 
@@ -169,7 +169,7 @@ fn compare(linkage: &EyeNeedleAssembly, references: &[Reference], check: &mut Ch
 /// The longest part of the cycle in which the needle stays within 0.2 mm of its arc.
 fn compare_dwell(linkage: &EyeNeedleAssembly, check: &mut Check) -> Result<(), Box<dyn Error>> {
     let radius = linkage.mechanism().l78;
-    let arc = Course::of((0.0, TAU), 360, |phi| {
+    let arc = Curve::new((0.0, TAU), 360, |phi| {
         let Rocker { phi75, v, a } = linkage.rocker(phi);
         [phi75, v, a].map(|angle| radius * angle)
     })?;
@@ -178,7 +178,7 @@ fn compare_dwell(linkage: &EyeNeedleAssembly, check: &mut Check) -> Result<(), B
     let degrees = dwell.interval.range.to_degrees();
     check.near("degrees of the crank for 0.2 mm", degrees, 116.0, 1.0);
 
-    let smallest = least((0.0, TAU), 360, |phi| linkage.posture(phi).margin)?;
+    let smallest = minimise((0.0, TAU), 360, |phi| linkage.posture(phi).margin)?;
     println!("  smallest margin of the cycle: {:.3}", smallest.value);
     let clear = smallest.value > 0.1 && smallest.missing == 0;
     check.holds("no position of the cycle is near singular", clear);

@@ -8,8 +8,8 @@ mod check;
 
 use check::Check;
 use linkage::tolerance::{
-    Addition, Allocation, Costs, Distribution, Effects, Extreme, MonteCarlo, Requirement, Rule,
-    Sizes, ToleranceError, Tolerances, largest,
+    Addition, Allocation, AllocationRule, Costs, Distribution, Effects, Extreme, MonteCarlo,
+    Requirement, Sizes, ToleranceError, Tolerances, largest,
 };
 use linkage::{Dimensions, mechanism};
 use std::error::Error;
@@ -146,19 +146,19 @@ fn contributions(linkage: &Linkage, tolerances: &Given, phi: f64) {
 fn allocations(check: &mut Check, linkage: &Linkage, tolerances: &Given) -> Outcome {
     let present = tolerances.values();
     // The needle's arm turns the needle's point about P7.
-    let sizes = Sizes::of(tolerances.parameters())?.lever(EyeNeedle::INDEX_ARM, 136.8)?;
+    let sizes = Sizes::new(tolerances.parameters())?.lever(EyeNeedle::INDEX_ARM, 136.8)?;
     // The present tolerances cost 1 each.
     let costs = Costs {
         cost: present,
         exponent: [1.0; 13],
     };
     let rules = [
-        ("in proportion", Rule::Proportional(present)),
-        ("equal effect", Rule::EqualEffect),
-        ("equal tolerance", Rule::EqualTolerance(sizes)),
-        ("IT factor", Rule::StandardFactor(sizes)),
-        ("IT grade", Rule::StandardGrade(sizes)),
-        ("least cost", Rule::LeastCost(costs)),
+        ("in proportion", AllocationRule::Proportional(present)),
+        ("equal effect", AllocationRule::EqualEffect),
+        ("equal tolerance", AllocationRule::EqualTolerance(sizes)),
+        ("IT factor", AllocationRule::StandardFactor(sizes)),
+        ("IT grade", AllocationRule::StandardGrade(sizes)),
+        ("least cost", AllocationRule::LeastCost(costs)),
     ];
     for (addition, title) in [
         (Addition::WorstCase, "No error vector longer than"),

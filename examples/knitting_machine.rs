@@ -1,7 +1,7 @@
 //! A warp-knitting machine: hook needle, eye needle, sinkers and press on one shaft, with phases as parameters.
 //!
 //! The drives are those of the examples `favorit`, `eye_needle`, `two_crank_triad` and `spatial_crank_rocker`, parts of
-//! one mechanism. It answers what nobody asks of a drive by itself: what the organs do when, where one of them is in the
+//! one mechanism. It answers what nobody asks of a drive by itself: what the members do when, where one of them is in the
 //! frame of another, how close the needles come, what tolerances leave of that, which phase makes it largest.
 //!
 //! Everything is compared: with the drives alone, with machines built a little differently, with many positions, with
@@ -14,8 +14,8 @@ mod checks;
 #[path = "knitting_machine/drives.rs"]
 #[allow(unreachable_pub, reason = "a mechanism of its own, here a module")]
 mod drives;
-#[path = "knitting_machine/organs.rs"]
-mod organs;
+#[path = "knitting_machine/members.rs"]
+mod members;
 #[path = "knitting_machine/page.rs"]
 mod page;
 #[path = "knitting_machine/published.rs"]
@@ -28,7 +28,7 @@ use drives::{KnittingMachine, KnittingMachineAssembly};
 use linkage::clearance::Clearance;
 use linkage::report::Report;
 use linkage::tolerance::Tolerances;
-use organs::DIMENSIONS;
+use members::DIMENSIONS;
 use std::error::Error;
 use std::path::PathBuf;
 
@@ -43,9 +43,9 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let tolerances = Tolerances::<DIMENSIONS>::complete(KnittingMachine::PARAMETERS)?;
     println!("{}", KnittingMachine::STRUCTURE);
 
-    let cyclogram = organs::cyclogram(&machine)?;
-    let told = organs::with_tolerances(cyclogram.clone(), &tolerances)?;
-    println!("What the organs do, and how far tolerances shift it:\n{told}");
+    let cyclogram = members::cyclogram(&machine)?;
+    let told = members::with_tolerances(cyclogram.clone(), &tolerances)?;
+    println!("What the members do, and how far tolerances shift it:\n{told}");
     let both = cyclogram.together(|motions| motions[0].is_dwell() && motions[1].is_dwell());
     for interval in both {
         println!(
@@ -55,7 +55,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         );
     }
     print_path(&machine);
-    let clearance = organs::clearance(&machine)?;
+    let clearance = members::clearance(&machine)?;
     print_distance(&machine, &clearance);
 
     println!("What tolerances leave of it in the worst case:");
@@ -67,7 +67,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         ..KnittingMachine::default()
     };
     let even = even.assemble()?;
-    let slot = organs::best_lead(&even, SLOTS)?;
+    let slot = members::best_lead(&even, SLOTS)?;
     let best = &slot.best;
     println!(
         "       {:.6} deg: {:.6} mm; with a gear of {SLOTS} slots {} of them, {:.6} mm",
@@ -113,7 +113,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
 pub(crate) fn report() -> Result<Report, Box<dyn Error>> {
     let machine = KnittingMachine::default().assemble()?;
     let tolerances = Tolerances::<DIMENSIONS>::complete(KnittingMachine::PARAMETERS)?;
-    let cyclogram = organs::with_tolerances(organs::cyclogram(&machine)?, &tolerances)?;
+    let cyclogram = members::with_tolerances(members::cyclogram(&machine)?, &tolerances)?;
     page::report(&machine, &cyclogram)
 }
 
@@ -139,7 +139,7 @@ fn print_distance(machine: &KnittingMachineAssembly, clearance: &Clearance<2>) {
         );
     }
     println!("What its tolerances do to the least of them, um:");
-    let e = organs::sensitivity(machine, clearance.least());
+    let e = members::sensitivity(machine, clearance.least());
     let effects = KnittingMachine::PARAMETERS.iter().zip(e);
     let effects = effects.map(|(own, e)| (own.name, 1e3 * e * own.tolerance));
     let mut effects: Vec<(&str, f64)> = effects.collect();

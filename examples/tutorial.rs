@@ -8,7 +8,7 @@ mod check;
 use check::Check;
 use linkage::mechanism;
 use linkage::report::Report;
-use linkage::summary::Course;
+use linkage::summary::Curve;
 use std::error::Error;
 use std::f64::consts::TAU;
 use std::fs;
@@ -196,7 +196,7 @@ fn compare_positions(check: &mut Check) -> Result<(), Box<dyn Error>> {
 
 fn compare_dwell(check: &mut Check) -> Result<(), Box<dyn Error>> {
     let take_up = TakeUp::default().assemble()?;
-    let course = Course::of((0.0, TAU), 360, |phi| {
+    let course = Curve::new((0.0, TAU), 360, |phi| {
         let m = take_up.motion(phi);
         [m.swing, m.v, m.a]
     })?;

@@ -12,7 +12,7 @@ pub use linkage_runtime::Lanes;
 pub use linkage_runtime::nalgebra;
 pub use linkage_runtime::{
     AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, Frame, FunctionInfo,
-    Gear, Group, Guide, GuideOn, GuideShape, Halt, Heading, Input, JointShape, Meaning,
+    Gear, Group, GroupRef, Guide, GuideOn, GuideShape, Halt, Heading, Input, JointShape, Meaning,
     NotFollowed, Operations, Parameter, Picture, PictureColumns, PictureJoint, PictureLink,
     PicturePart, PicturePoint, PlaneFrame, PointKind, Programs, Scalar, Screw, Structure, Table,
     Vector2, Vector3, true_acceleration, true_jerk, true_velocity,
@@ -24,7 +24,7 @@ pub use linkage_runtime::{
 };
 #[cfg(feature = "alloc")]
 pub use linkage_runtime::{
-    Columns, CoupledCause, CoupledError, Missed, Placed, Reach, Unlisted, Value,
+    ClosestApproach, Columns, CoupledCause, CoupledError, Missed, Placed, Unlisted, Value,
 };
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use linkage_runtime::{Enclosure, Float};
@@ -141,7 +141,7 @@ pub mod language {
     }
 
     /// Generated items; sweeps over positions and over mechanisms.
-    pub mod generated {
+    pub mod support {
         #![doc = include_str!("links.md")]
         #![doc = include_str!("../docs/language/generated.md")]
     }
@@ -286,36 +286,41 @@ struct Readme;
 #[doc = include_str!("../docs/overview.md")]
 struct Overview;
 
-/// What generated code names.
+/// The items that generated code names. Some have other names in the runtime, which users never see.
 #[doc(hidden)]
 pub mod __private {
     pub use linkage_macros::mechanism;
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::Columns;
     #[cfg(any(feature = "std", feature = "libm"))]
-    pub use linkage_runtime::generated::{Along, Angle, Turns, turns, wind};
+    pub use linkage_runtime::support::{
+        Along, Angle, Revolutions as Turns, revolutions as turns, wind,
+    };
     #[cfg(feature = "alloc")]
-    pub use linkage_runtime::generated::{
+    pub use linkage_runtime::support::{
         Arguments, Block, Box, Inputs, Kernel, Sets, Vec, assemblies, fill, fill_or_call,
         fill_slices, in_row, next_vectors, one, rows,
     };
-    #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-    pub use linkage_runtime::generated::{
-        Bounds, Chosen, Enclosure, Level, Levels, NoPrograms, Ranged, Searched, Slack,
-        SurveyedUnknown, Way, check_range, circuits, follow_way, prepared_over,
+    pub use linkage_runtime::support::{
+        AssemblyData as Sealed, Dispatch as Single, as_in_sweeps, close, dispatch as single,
+        explained, finite, inlined, named,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-    pub use linkage_runtime::generated::{
+    pub use linkage_runtime::support::{
+        Bounds, Chosen, DimensionPath as Way, Enclosure, Level, Levels, NoPrograms, Ranged,
+        Searched, Slack, SurveyedUnknown, check_range, circuits, follow_path as follow_way,
+        prepared_over,
+    };
+    #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+    pub use linkage_runtime::support::{
         Correction, Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledLoop, CoupledPrograms,
-        CoupledUnknown, Extended, Followed, Moving, Range, Residuals, Standing, Start, States,
-        Step, Stop, Term, Terms, Variable, Wanted, fill_followed, follow, nothing, pairs, placed,
-        put_corrected, put_state, starts, stepped,
-    };
-    pub use linkage_runtime::generated::{
-        Sealed, Single, as_in_sweeps, close, explained, finite, inlined, named, single,
+        CoupledUnknown, Extended, Followed, InitialState as Start, Moving, Range, Residuals,
+        Standing, States, Step, Stop, Term, Terms, Variable, Wanted, fill_followed, follow,
+        initial_states as starts, no_initial_states as nothing, pairs, placed, put_corrected,
+        put_state, stepped,
     };
     #[cfg(feature = "rayon")]
-    pub use linkage_runtime::generated::{fill_followed_parallel, fill_parallel};
+    pub use linkage_runtime::support::{fill_followed_parallel, fill_parallel};
     pub use linkage_runtime::{
         AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, FUSED, Frame,
         FunctionInfo, Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, Meaning,

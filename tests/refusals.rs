@@ -169,12 +169,12 @@ fn links_that_do_not_reach_each_other_are_measured() {
     .assemble()
     .unwrap_err();
     let AssemblyError::CannotClose {
-        miss, unit, loops, ..
+        miss, unit, group, ..
     } = error
     else {
         panic!("{error}");
     };
-    assert_eq!((unit, loops), ("mm", &[1, 2][..]));
+    assert_eq!((unit, group.loops), ("mm", &[1, 2][..]));
     assert!((miss - 55.0).abs() < 1e-12, "{miss}");
 }
 
@@ -363,7 +363,7 @@ fn what_is_no_number_by_an_equation_without_a_root_is_refused() {
         ),
     ] {
         match dimensions.assemble() {
-            Err(AssemblyError::Undefined { loops, .. }) => assert_eq!(loops, [number]),
+            Err(AssemblyError::Undefined { group }) => assert_eq!(group.loops, [number]),
             Err(other) => panic!("{other}"),
             Ok(_) => panic!("loop {number} has no finite solution"),
         }

@@ -5,7 +5,8 @@ use std::error::Error;
 use std::f64::consts::TAU;
 
 use linkage::tolerance::{
-    Addition, Distribution, MonteCarlo, Requirement, Rule, ToleranceError, Tolerances, largest,
+    Addition, AllocationRule, Distribution, MonteCarlo, Requirement, ToleranceError, Tolerances,
+    largest,
 };
 use linkage::{Dimensions, Vector2, mechanism};
 
@@ -153,7 +154,7 @@ fn tolerances_for_the_whole_cycle() -> Outcome {
     let cycle = || (0..72).map(|i| linkage.accuracy(TAU * f64::from(i) / 72.0).e);
     for addition in [Addition::WorstCase, Addition::Statistical] {
         let requirement = Requirement::new(0.05, addition).over(cycle())?;
-        let found = requirement.allocate(CrankRocker::PARAMETERS, &Rule::EqualEffect)?;
+        let found = requirement.allocate(CrankRocker::PARAMETERS, &AllocationRule::EqualEffect)?;
         let error = |phi: f64| {
             let effects = found.tolerances.effects(&linkage.accuracy(phi).e);
             match addition {
@@ -182,8 +183,9 @@ fn tolerances_of_other_dimensions_than_declared() -> Outcome {
     };
     let linkage = mechanism.assemble()?;
     let parameters = mechanism.parameters();
-    let requirement = Requirement::new(0.05, Addition::WorstCase).at(&linkage.accuracy(1.0).e)?;
-    let found = requirement.allocate(&parameters, &Rule::Proportional([0.25; 7]))?;
+    let requirement =
+        Requirement::new(0.05, Addition::WorstCase).position(&linkage.accuracy(1.0).e)?;
+    let found = requirement.allocate(&parameters, &AllocationRule::Proportional([0.25; 7]))?;
     for (parameter, value) in found.tolerances.parameters().iter().zip(mechanism.values()) {
         assert_eq!(parameter.nominal, value, "{}", parameter.name);
     }
@@ -209,8 +211,9 @@ fn tolerances_of_other_dimensions_than_declared() -> Outcome {
 #[test]
 fn a_parameter_without_effect() -> Outcome {
     let linkage = CrankRocker::default().assemble()?;
-    let requirement = Requirement::new(1e-3, Addition::WorstCase).at(&linkage.swing(1.0).e)?;
-    let refused = requirement.allocate(CrankRocker::PARAMETERS, &Rule::EqualEffect);
+    let requirement =
+        Requirement::new(1e-3, Addition::WorstCase).position(&linkage.swing(1.0).e)?;
+    let refused = requirement.allocate(CrankRocker::PARAMETERS, &AllocationRule::EqualEffect);
     assert_eq!(refused, Err(ToleranceError::NoEffect { name: "arm" }));
     Ok(())
 }

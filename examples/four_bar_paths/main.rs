@@ -10,7 +10,7 @@ mod mechanism;
 mod problems;
 
 use check::Check;
-use linkage::design::{Found, Timing};
+use linkage::design::{FoundDesign, Timing};
 use mechanism::{FourBar, FourBarAssembly};
 use problems::{Problem, problems};
 use std::error::Error;
@@ -52,7 +52,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
 fn compare(
     check: &mut Check,
     problem: &Problem,
-    design: &Found<FourBar, FourBarAssembly>,
+    design: &FoundDesign<FourBar, FourBarAssembly>,
 ) -> Result<(), Box<dyn Error>> {
     let known = problem.known;
     let least = design.sum <= (known * (1.0 + 1e-9)).max(ZERO);

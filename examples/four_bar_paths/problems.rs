@@ -34,7 +34,7 @@ impl Problem {
         let [low, high] = self.lengths;
         let lengths = ["frame", "crank", "coupler", "rocker"];
         let targets =
-            Targets::of("tracer", self.points.iter().copied()).timing(self.timing.clone());
+            Targets::new("tracer", self.points.iter().copied()).timing(self.timing.clone());
         let mut design = Design::new(
             FourBar::default(),
             FourBar::assemble,

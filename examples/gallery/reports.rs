@@ -6,7 +6,7 @@ use crate::spatial_crank_rocker::SpatialCrankRocker;
 use crate::two_crank_triad::TwoCranks;
 use linkage::mechanism;
 use linkage::report::Report;
-use linkage::summary::{Course, grashof, least};
+use linkage::summary::{Curve, grashof, minimise};
 use std::error::Error;
 use std::f64::consts::TAU;
 
@@ -26,15 +26,15 @@ pub(crate) fn favorit() -> Made {
     let forces = crate::favorit_forces::Favorit::default().assemble()?;
     let input = Favorit::INPUTS[0];
     let phi = input.positions(POSITIONS);
-    let height = Course::of(input.ends(), SCAN, |x| {
+    let height = Curve::new(input.ends(), SCAN, |x| {
         let h = linkage.height(x);
         [h.y, h.v, h.a, h.j]
     })?;
-    let angle = Course::of(input.ends(), SCAN, |x| {
+    let angle = Curve::new(input.ends(), SCAN, |x| {
         let t = linkage.transmission(x);
         [t.mu, t.v, t.a]
     })?;
-    let margin = least(input.ends(), SCAN, |x| linkage.transmission(x).margin)?;
+    let margin = minimise(input.ends(), SCAN, |x| linkage.transmission(x).margin)?;
     Ok(Report::new("Hook-needle drive", &input, &phi)
         .about(
             "Two cranks drive the hook needle of the Favorit warp-knitting machine. The second one turns backwards at half the \
@@ -46,7 +46,7 @@ pub(crate) fn favorit() -> Made {
         .dimensions(&mechanism)
         .programs(Favorit::PROGRAMS)
         .programs(crate::favorit_forces::Favorit::PROGRAMS)
-        .at("omega", SPEED)
+        .argument("omega", SPEED)
         .speed(SPEED, 0.0)
         .table(&linkage.picture_sweep(&phi))
         .table(&linkage.needle_sweep(&phi))
@@ -64,11 +64,11 @@ pub(crate) fn eye_needle() -> Made {
     let linkage = mechanism.assemble()?;
     let input = EyeNeedle::INPUTS[0];
     let phi = input.positions(POSITIONS);
-    let rocker = Course::of(input.ends(), SCAN, |x| {
+    let rocker = Curve::new(input.ends(), SCAN, |x| {
         let r = linkage.rocker(x);
         [r.phi75, r.v, r.a]
     })?;
-    let margin = least(input.ends(), SCAN, |x| linkage.posture(x).margin)?;
+    let margin = minimise(input.ends(), SCAN, |x| linkage.posture(x).margin)?;
     let report = Report::new("Eye-needle drive", &input, &phi)
         .about(
             "A six-bar of a warp-knitting machine. Its ternary link hangs on three legs, a group of class III; the needle dwells \
@@ -98,7 +98,7 @@ pub(crate) fn two_crank_triad() -> Made {
     let linkage = mechanism.assemble()?;
     let input = TwoCranks::INPUTS[0];
     let phi = input.positions(POSITIONS);
-    let slide = Course::of(input.ends(), SCAN, |x| {
+    let slide = Curve::new(input.ends(), SCAN, |x| {
         let m = linkage.motion(x);
         [m.s, m.ds, m.dds]
     })?;
@@ -121,7 +121,7 @@ pub(crate) fn spatial_crank_rocker() -> Made {
     let linkage = mechanism.assemble()?;
     let input = SpatialCrankRocker::INPUTS[0];
     let phi = input.positions(POSITIONS);
-    let rocker = Course::of(input.ends(), SCAN, |x| {
+    let rocker = Curve::new(input.ends(), SCAN, |x| {
         let m = linkage.motion(x);
         [m.psi, m.dpsi, m.ddpsi]
     })?;
@@ -171,7 +171,7 @@ pub(crate) fn beyond_reach() -> Made {
     let phi: Vec<f64> = (0..POSITIONS)
         .map(|i| low + (high - low) * i as f64 / (POSITIONS - 1) as f64)
         .collect();
-    let height = Course::of((low, high), SCAN, |x| {
+    let height = Curve::new((low, high), SCAN, |x| {
         let h = linkage.height(x);
         [h.y, h.v, h.a]
     })?;

@@ -4,9 +4,9 @@ use super::check::Check;
 use super::drives::{
     EyeNeedle, HookNeedle, KnittingMachine, KnittingMachineAssembly, Press, Sinker,
 };
-use super::organs::{self, DIMENSIONS};
+use super::members::{self, DIMENSIONS};
 use linkage::clearance::Clearance;
-use linkage::cyclogram::{Band, Cyclogram, Motion, Organ};
+use linkage::cyclogram::{Band, Cyclogram, Member, Motion};
 use linkage::tolerance::Tolerances;
 use linkage::{Dimensions, Vector2};
 use std::error::Error;
@@ -64,7 +64,7 @@ pub(crate) fn differences(
     clearance: &Clearance<2>,
     cyclogram: &Cyclogram,
 ) -> Outcome {
-    let least = organs::sensitivity(machine, clearance.least());
+    let least = members::sensitivity(machine, clearance.least());
     for parameter in [
         KnittingMachine::INDEX_EYE_LEAD,
         KnittingMachine::INDEX_SINKER_LEAD,
@@ -78,21 +78,21 @@ pub(crate) fn differences(
         let declared = &KnittingMachine::PARAMETERS[parameter];
         let h = if declared.unit == "rad" { 1e-6 } else { 1e-4 };
         let [more, less] = [changed(h, parameter)?, changed(-h, parameter)?];
-        let distances = [organs::clearance(&more)?, organs::clearance(&less)?];
+        let distances = [members::clearance(&more)?, members::clearance(&less)?];
         let [a, b] = distances.map(|found| found.least().distance);
         let name = declared.name;
         let what = format!("least distance by {name}");
         check.near(&what, least[parameter], (a - b) / (2.0 * h), 1e-5);
 
-        let [more, less] = [organs::cyclogram(&more)?, organs::cyclogram(&less)?];
+        let [more, less] = [members::cyclogram(&more)?, members::cyclogram(&less)?];
         let pairs = cyclogram
-            .organs()
+            .members()
             .iter()
-            .zip(more.organs().iter().zip(less.organs()));
-        let pairs = pairs.flat_map(|(organ, (more, less))| {
-            (0..organ.events().len()).map(move |event| {
-                let [a, b] = [more, less].map(|organ| organ.events()[event].at);
-                let found = organ
+            .zip(more.members().iter().zip(less.members()));
+        let pairs = pairs.flat_map(|(member, (more, less))| {
+            (0..member.events().len()).map(move |event| {
+                let [a, b] = [more, less].map(|member| member.events()[event].at);
+                let found = member
                     .sensitivity(event)
                     .map_or(f64::NAN, |all| all[parameter]);
                 (found, (a - b) / (2.0 * h))
@@ -110,7 +110,7 @@ pub(crate) fn worst(
     clearance: &Clearance<2>,
     tolerances: &Tolerances<DIMENSIONS>,
 ) -> Outcome {
-    let left = clearance.guaranteed(tolerances, |nearest| organs::sensitivity(machine, nearest));
+    let left = clearance.guaranteed(tolerances, |nearest| members::sensitivity(machine, nearest));
     println!(
         "       {:.4} mm at {:.2} deg of the shaft, of {:.4} mm",
         left.distance,
@@ -119,12 +119,12 @@ pub(crate) fn worst(
     );
     let mut places = clearance.minima().iter();
     let place = places.find(|nearest| nearest.at == left.at);
-    let e = organs::sensitivity(machine, place.ok_or("it is one of the minima")?);
+    let e = members::sensitivity(machine, place.ok_or("it is one of the minima")?);
     let nominal = KnittingMachine::default().values();
     let tolerances = tolerances.values();
     let built = std::array::from_fn(|i| nominal[i] - tolerances[i].copysign(e[i]));
     let built = KnittingMachine::from_values(&built).assemble()?;
-    let distance = organs::clearance(&built)?.least().distance;
+    let distance = members::clearance(&built)?.least().distance;
     // The second order is the square of some hundredths of a millimetre over its length, times a lever of ten.
     check.near(
         "a machine that is built so, mm",
@@ -165,15 +165,15 @@ pub(crate) fn dense(
 
     let jets = |i: usize| {
         [
-            organs::lift(hooks.get(i)),
-            organs::eye_way(ways.get(i)),
-            organs::sinker_way(sinkers.get(i)),
-            organs::press_way(presses.get(i)),
+            members::lift(hooks.get(i)),
+            members::eye_way(ways.get(i)),
+            members::sinker_way(sinkers.get(i)),
+            members::press_way(presses.get(i)),
         ]
     };
     let wrong = (0..DENSE).filter(|&i| {
-        let mut organs = cyclogram.organs().iter().zip(jets(i));
-        organs.any(|(organ, jet)| organ.motion(shaft[i]) != motion(organ, jet))
+        let mut members = cyclogram.members().iter().zip(jets(i));
+        members.any(|(member, jet)| member.motion(shaft[i]) != motion(member, jet))
     });
     check.holds(
         "all organs do at all of them what they are said to do",
@@ -182,14 +182,14 @@ pub(crate) fn dense(
 }
 
 /// What an organ does, from the quantity itself.
-fn motion(organ: &Organ, [y, v, _]: [f64; 3]) -> Motion {
-    let [low, high] = organ.limits();
+fn motion(member: &Member, [y, v, _]: [f64; 3]) -> Motion {
+    let [low, high] = member.limits();
     let within = |band: &Band| match *band {
         Band::Top(width) => y >= high - width,
         Band::Bottom(width) => y <= low + width,
         Band::Between(low, high) => (low..=high).contains(&y),
     };
-    match organ.bands().iter().position(within) {
+    match member.bands().iter().position(within) {
         Some(band) => Motion::Dwell(band),
         None if v > 0.0 => Motion::Advance,
         None => Motion::Return,

@@ -1,10 +1,10 @@
 //! The page of the machine.
 
 use super::drives::{KnittingMachine, KnittingMachineAssembly};
-use super::organs::CYCLE;
+use super::members::CYCLE;
 use linkage::cyclogram::Cyclogram;
 use linkage::report::Report;
-use linkage::summary::Course;
+use linkage::summary::Curve;
 use std::error::Error;
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -19,7 +19,7 @@ pub(crate) fn report(
 ) -> Result<Report, Box<dyn Error>> {
     let input = KnittingMachine::INPUTS[0];
     let shaft = input.positions(POSITIONS);
-    let distance = Course::of(CYCLE, 90, |x| {
+    let distance = Curve::new(CYCLE, 90, |x| {
         let m = machine.seen(x);
         [m.seen.norm(), m.seen.dot(&m.v) / m.seen.norm()]
     })?;

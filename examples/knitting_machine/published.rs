@@ -2,9 +2,9 @@
 
 use super::check::Check;
 use super::drives::{KnittingMachine, KnittingMachineAssembly};
-use super::organs;
+use super::members;
 use linkage::clearance::{BestPhase, Clearance};
-use linkage::cyclogram::{Band, Cyclogram, Motion, Organ};
+use linkage::cyclogram::{Band, Cyclogram, Member, Motion};
 
 /// The lines of `reference.csv` that begin with a word: what else stands in their first cell, and the numbers.
 fn lines(word: &str) -> Vec<(&'static str, Vec<f64>)> {
@@ -36,7 +36,7 @@ pub(crate) fn clearance(
         check.near("distance, mm", nearest.distance, known[1], 1e-12);
         check.near("its second derivative", nearest.bend(), known[2], 1e-9);
     }
-    let e = organs::sensitivity(machine, found.least());
+    let e = members::sensitivity(machine, found.least());
     let known = lines("least");
     let all = KnittingMachine::PARAMETERS
         .iter()
@@ -72,26 +72,26 @@ pub(crate) fn clearance(
 /// Where the dwells of all organs begin and end, each drive at its own angle.
 pub(crate) fn cyclogram(check: &mut Check, cyclogram: &Cyclogram) {
     let known = lines("dwell");
-    let dwells = |organ: &Organ| {
-        organ
+    let dwells = |member: &Member| {
+        member
             .intervals()
             .filter(|(motion, _)| motion.is_dwell())
             .count()
     };
-    let all: usize = cyclogram.organs().iter().map(dwells).sum();
+    let all: usize = cyclogram.members().iter().map(dwells).sum();
     check.holds("all dwells are known", known.len() == all && all == 8);
     let nominal = KnittingMachine::default();
     for (name, known) in known {
-        let (organ, turns, lead) = match name.split(' ').next() {
+        let (member, turns, lead) = match name.split(' ').next() {
             Some("hook") => (0, 2.0, 0.0),
             Some("eye") => (1, 1.0, nominal.eye_lead),
             Some("sinker") => (2, 1.0, nominal.sinker_lead),
             _ => (3, 1.0, nominal.press_lead),
         };
-        let organ = &cyclogram.organs()[organ];
+        let member = &cyclogram.members()[member];
         let is_meant = |band: &Band| matches!(band, Band::Top(_)) == name.ends_with("top");
-        let band = organ.bands().iter().position(is_meant);
-        let mut dwells = organ.intervals();
+        let band = member.bands().iter().position(is_meant);
+        let mut dwells = member.intervals();
         let dwell = dwells.find(|(motion, _)| Some(*motion) == band.map(Motion::Dwell));
         let found = dwell.map_or([f64::NAN; 2], |(_, at)| [at.from, at.from + at.range]);
         // What leads does everything earlier, a turn later at the seam.

@@ -3,7 +3,7 @@
 use crate::check::Check;
 use crate::drive::{BAND, Drive, EyeNeedle, EyeNeedleAssembly, N, PART, course, jet};
 use linkage::Dimensions;
-use linkage::summary::Course;
+use linkage::summary::Curve;
 use linkage::tolerance::Tolerances;
 use std::error::Error;
 
@@ -80,7 +80,7 @@ pub(crate) fn worst(
         }));
         let assembly = other.assemble_from(drive)?;
         Ok(
-            Course::of((from, from + length), 60, |phi| jet(&assembly, phi))?
+            Curve::new((from, from + length), 60, |phi| jet(&assembly, phi))?
                 .position()
                 .stroke(),
         )

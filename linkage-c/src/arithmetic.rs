@@ -1,4 +1,5 @@
-//! A test of the arithmetic that results depend on, which `assemble` makes; and the test of a number.
+//! A test of the arithmetic that results depend on, which `assemble` makes; and the test of a
+//! number.
 
 use std::fmt::Write;
 
@@ -9,9 +10,10 @@ use crate::surface::{Surface, Why};
 use crate::template::fill;
 use crate::writer::Writer;
 
-/// Returns the function that tests rounding, digits and the order of sums; the sine, if the mechanism has one, is tested with them.
+/// Returns the function that tests rounding, digits and the order of sums; the sine, if the
+/// mechanism has one, is tested with them.
 pub(crate) fn arithmetic(surface: &Surface, helpers: &Helpers) -> String {
-    let Surface { own, real, .. } = surface;
+    let Surface { private, real, .. } = surface;
     let word = |word: &str| {
         Some(match word {
             "ROUNDING" => surface.code(Why::Rounding).to_string(),
@@ -26,7 +28,7 @@ pub(crate) fn arithmetic(surface: &Surface, helpers: &Helpers) -> String {
             _ => return None,
         })
     };
-    let filled = |template: &str| fill(template, *real, own, word);
+    let filled = |template: &str| fill(template, *real, private, word);
     let sine = match helpers.has("sin_cos") {
         true => filled(include_str!("templates/arithmetic_sine.c")),
         false => String::new(),
@@ -36,12 +38,12 @@ pub(crate) fn arithmetic(surface: &Surface, helpers: &Helpers) -> String {
 
 /// The function that tests a number.
 pub(crate) fn ok(writer: &mut Writer) {
-    let Surface { own, ok, .. } = writer.surface;
+    let Surface { private, ok, .. } = writer.surface;
     writer.printer.helpers.need("infinite");
     writer.text += &comment("", "Whether a number exists and is finite.");
     let _ = writeln!(
         writer.text,
-        "{}\n{{\n    return !{own}infinite(number);\n}}\n",
+        "{}\n{{\n    return !{private}infinite(number);\n}}\n",
         ok.signature
     );
 }

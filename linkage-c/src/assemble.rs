@@ -9,10 +9,13 @@ use crate::surface::{Surface, Why, reference};
 use crate::template::fill;
 use crate::writer::{Writer, used};
 
-/// What depends on the dimensions alone.
+/// Writes the function that computes the values that depend on the dimensions alone.
 pub(crate) fn prepare(writer: &mut Writer) {
     let Surface {
-        unit, prefix, own, ..
+        unit,
+        prefix,
+        private,
+        ..
     } = writer.surface;
     let printed = writer.printed(&unit.prepare);
     let mut body = printed.statements;
@@ -21,13 +24,13 @@ pub(crate) fn prepare(writer: &mut Writer) {
     }
     let takes = match unit.angles.is_empty() {
         true => format!("{prefix} *m"),
-        false => format!("{prefix} *m, const {own}turns *turns"),
+        false => format!("{prefix} *m, const {private}turns *turns"),
     };
     writer.text += &comment("", "What depends on the dimensions alone.");
     let body = used(&["m", "turns"][..takes.matches('*').count()], body);
     let _ = writeln!(
         writer.text,
-        "static void {own}prepare({takes})\n{{\n{body}}}\n"
+        "static void {private}prepare({takes})\n{{\n{body}}}\n"
     );
 }
 
@@ -37,7 +40,7 @@ pub(crate) fn close(writer: &mut Writer) {
     let Surface {
         unit,
         prefix,
-        own,
+        private,
         real,
         ..
     } = surface;
@@ -46,7 +49,7 @@ pub(crate) fn close(writer: &mut Writer) {
             let number = real.name();
             let _ = writeln!(
                 writer.text,
-                "/* There is nothing to close. */\nstatic int {own}close(const {prefix} *m, const {number} *at)\n{{\n    \
+                "/* There is nothing to close. */\nstatic int {private}close(const {prefix} *m, const {number} *at)\n{{\n    \
                  (void)m;\n    (void)at;\n    return 0;\n}}\n"
             );
         }
@@ -59,7 +62,7 @@ pub(crate) fn close(writer: &mut Writer) {
         let numbers = (0..unit.groups.len()).map(|group| surface.code(why(group)).to_string());
         format!("{{ {} }}", numbers.collect::<Vec<_>>().join(", "))
     };
-    let close = fill(include_str!("templates/close.c"), *real, own, |word| {
+    let close = fill(include_str!("templates/close.c"), *real, private, |word| {
         Some(match word {
             "MECHANISM" => prefix.clone(),
             "GROUPS" => unit.groups.len().to_string(),
@@ -73,10 +76,10 @@ pub(crate) fn close(writer: &mut Writer) {
     writer.text.push('\n');
 }
 
-/// The function that says whether what is computed of a dimension may overflow.
+/// Returns the function that checks for overflow in numbers computed from a dimension.
 fn overflows(surface: &Surface) -> String {
     let Surface {
-        own,
+        private,
         real,
         dimensions_type,
         ..
@@ -95,7 +98,7 @@ fn overflows(surface: &Surface) -> String {
     };
     format!(
         "/* Whether a dimension is so large that its square is beyond the largest number. */\n\
-         static int {own}overflows(const {dimensions_type} *dimensions)\n{{\n{body}}}\n\n"
+         static int {private}overflows(const {dimensions_type} *dimensions)\n{{\n{body}}}\n\n"
     )
 }
 
@@ -104,14 +107,17 @@ pub(crate) fn assemble(writer: &mut Writer) {
     let surface = writer.surface;
     let Surface {
         unit,
-        own,
+        private,
         real,
         assemble,
         ..
     } = surface;
     let mut declared = String::new();
     if !(unit.groups.is_empty() && unit.angles.is_empty()) {
-        let references = unit.inputs.iter().map(|own| real.literal(own.reference));
+        let references = unit
+            .inputs
+            .iter()
+            .map(|input| real.literal(input.reference));
         let mut references: Vec<String> = references.collect();
         if references.is_empty() {
             references.push("0".to_owned());
@@ -127,30 +133,30 @@ pub(crate) fn assemble(writer: &mut Writer) {
     let coupled = !unit.coupled.is_empty();
     declared += "    int code;\n";
     let (turn, prepared) = match unit.angles.is_empty() {
-        true => (String::new(), format!("    {own}prepare(m);\n")),
+        true => (String::new(), format!("    {private}prepare(m);\n")),
         false => {
-            let _ = writeln!(declared, "    {own}turns turns;");
+            let _ = writeln!(declared, "    {private}turns turns;");
             let fails = match coupled {
                 true => format!(
-                    "return m->moved && {own}too_far(m, at) != 0 ? {own}too_far(m, at) : code;"
+                    "return m->moved && {private}too_far(m, at) != 0 ? {private}too_far(m, at) : code;"
                 ),
                 false => "return code;".to_owned(),
             };
             (
-                format!("    code = {own}turn(m, at, &turns);\n    if (code != 0) {fails}\n"),
-                format!("    {own}prepare(m, &turns);\n"),
+                format!("    code = {private}turn(m, at, &turns);\n    if (code != 0) {fails}\n"),
+                format!("    {private}prepare(m, &turns);\n"),
             )
         }
     };
     let closed = match unit.groups.is_empty() {
         true => "0".to_owned(),
-        false => format!("{own}close(m, at)"),
+        false => format!("{private}close(m, at)"),
     };
     let (moved, reached) = match coupled {
         true => (
             format!("    m->moved = {};\n", moved(surface)),
             format!(
-                "    code = m->moved ? {own}too_far(m, at) : 0;\n    if (code != 0) return code;\n"
+                "    code = m->moved ? {private}too_far(m, at) : 0;\n    if (code != 0) return code;\n"
             ),
         ),
         false => (String::new(), String::new()),
@@ -162,14 +168,18 @@ pub(crate) fn assemble(writer: &mut Writer) {
     let _ = writeln!(
         writer.text,
         "{}\n{{\n{declared}    m->dimensions = *dimensions;\n    \
-         m->miss = {zero};\n    code = {own}arithmetic();\n    if (code != 0) return code;\n{moved}{finite}{turn}{prepared}{reached}    return {closed};\n}}\n",
+         m->miss = {zero};\n    code = {private}arithmetic();\n    if (code != 0) return code;\n{moved}{finite}{turn}{prepared}{reached}    return {closed};\n}}\n",
         assemble.signature
     );
 }
 
-/// Whether dimensions are not those of the tables.
+/// Returns a condition: dimensions are not those of the tables.
 fn moved(surface: &Surface) -> String {
-    let nominal: Vec<f64> = surface.unit.scalars().map(|own| own.nominal).collect();
+    let nominal: Vec<f64> = surface
+        .unit
+        .scalars()
+        .map(|scalar| scalar.nominal)
+        .collect();
     let different = deciding(surface.unit).into_iter().map(|place| {
         let (scalar, nominal) = (
             &surface.scalars[place],
@@ -187,7 +197,7 @@ fn moved(surface: &Surface) -> String {
 /// Statements that return the number of a dimension that is none.
 fn finite(writer: &mut Writer) -> String {
     let Surface {
-        own,
+        private,
         scalars,
         codes,
         ..
@@ -199,7 +209,7 @@ fn finite(writer: &mut Writer) -> String {
             let scalar = &scalars[place];
             let _ = writeln!(
                 checks,
-                "    if ({own}infinite(m->dimensions.{scalar})) return {};",
+                "    if ({private}infinite(m->dimensions.{scalar})) return {};",
                 index + 1
             );
         }
@@ -216,11 +226,11 @@ pub(crate) fn error(writer: &mut Writer) {
         ..
     } = writer.surface;
     let mut texts = vec![format!("{title}: assembled")];
-    texts.extend(codes.iter().map(|own| own.text.clone()));
-    let quoted = texts.iter().map(|own| {
+    texts.extend(codes.iter().map(|code| code.text.clone()));
+    let quoted = texts.iter().map(|entry| {
         format!(
             "        \"{}\"",
-            own.replace('\\', "\\\\").replace('"', "\\\"")
+            entry.replace('\\', "\\\\").replace('"', "\\\"")
         )
     });
     let quoted = quoted.collect::<Vec<_>>().join(",\n");

@@ -3,7 +3,8 @@
 /// Columns of text, the signs of the comment with it.
 const WIDTH: usize = 140;
 
-/// A text as a comment, broken into lines; ends with a line's end. Its own lines stay apart, empty ones at its ends are left out.
+/// A text as a comment, broken into lines; ends with a line's end. Its own lines stay apart, empty
+/// ones at its ends are left out.
 pub(crate) fn comment(indent: &str, text: &str) -> String {
     // Neither ends the comment early nor begins another one, nor stands for a backslash in old C.
     let text = text.replace("*/", "* /").replace("/*", "/ *");

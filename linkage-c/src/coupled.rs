@@ -1,4 +1,5 @@
-//! Groups without a closed form: states that are known over the ranges of their inputs, from which Newton steps begin.
+//! Groups without a closed form: states that are known over the ranges of their inputs, from which
+//! Newton steps begin.
 
 mod constants;
 
@@ -16,7 +17,8 @@ use crate::surface::{Surface, Why};
 use crate::template::fill;
 use crate::writer::{Writer, used, written};
 
-/// The templates of a group: the value of a number of the state in a cell, what looks up a state, and what is made of it.
+/// The templates of a group: the value of a number of the state in a cell, the look-up of a state,
+/// and the state for other dimensions.
 struct Templates {
     value: &'static str,
     table: &'static str,
@@ -70,13 +72,14 @@ pub(crate) fn items(writer: &mut Writer) {
             None => unreachable!("what is exported has been closed"),
         };
         let words = |word: &str| {
-            let own = words.iter().find(|(name, _)| *name == word);
-            own.map(|(_, text)| text.clone())
+            let found = words.iter().find(|(name, _)| *name == word);
+            found
+                .map(|(_, text)| text.clone())
                 .or_else(|| of_group(surface, coupled, word))
         };
         let filled = |template: &str| {
             let template = template.replace("_NUMBER", &format!("_{number}"));
-            fill(&template, surface.real, &surface.own, words) + "\n"
+            fill(&template, surface.real, &surface.private, words) + "\n"
         };
         writer.text += &text;
         writer.text += filled(templates.value).trim_end_matches('\n');
@@ -90,7 +93,10 @@ pub(crate) fn items(writer: &mut Writer) {
 /// A Newton step of a coupled group from a state.
 fn correct(writer: &mut Writer, number: usize, program: &Program) {
     let Surface {
-        prefix, own, real, ..
+        prefix,
+        private,
+        real,
+        ..
     } = writer.surface;
     let real = real.name();
     let printed = writer.printed(program);
@@ -101,7 +107,7 @@ fn correct(writer: &mut Writer, number: usize, program: &Program) {
     let _ = writeln!(
         writer.text,
         "/* The state after a Newton step, the square of its change, the determinant before. */\n\
-         static void {own}correct_{number}({takes})\n{{\n{body}}}\n"
+         static void {private}correct_{number}({takes})\n{{\n{body}}}\n"
     );
 }
 
@@ -118,7 +124,7 @@ fn of_axis(real: Real, axis: &Axis) -> Vec<(&'static str, String)> {
     ]
 }
 
-/// What names in all templates stand for.
+/// Returns the text for a name that all templates use.
 fn of_group(surface: &Surface, coupled: &Coupled, word: &str) -> Option<String> {
     let real = surface.real;
     Some(match word {
@@ -136,11 +142,11 @@ fn of_group(surface: &Surface, coupled: &Coupled, word: &str) -> Option<String> 
 
 /// Scalars of dimensions that the tables depend on.
 pub(crate) fn deciding(unit: &CompiledMechanism) -> BTreeSet<usize> {
-    let last = unit.coupled.iter().map(|own| own.group).max();
+    let last = unit.coupled.iter().map(|entry| entry.group).max();
     let groups = last.map_or(&[][..], |last| &unit.groups[..=last]);
     groups
         .iter()
-        .flat_map(|own| own.parameters.clone())
+        .flat_map(|item| item.parameters.clone())
         .collect()
 }
 
@@ -150,7 +156,7 @@ pub(crate) fn served(writer: &mut Writer) {
     let Surface {
         unit,
         prefix,
-        own,
+        private,
         real,
         ..
     } = surface;
@@ -160,12 +166,12 @@ pub(crate) fn served(writer: &mut Writer) {
     let number = real.name();
     let checks = (0..unit.coupled.len()).map(|group| {
         let code = surface.code(Why::TooFar(group));
-        format!("    if (!{own}serves_{group}(m, at)) return {code};\n")
+        format!("    if (!{private}serves_{group}(m, at)) return {code};\n")
     });
     let checks: String = checks.collect();
     let _ = writeln!(
         writer.text,
         "/* 0, or the number of a table that does not serve these dimensions. */\n\
-         static int {own}too_far(const {prefix} *m, const {number} *at)\n{{\n{checks}    return 0;\n}}\n"
+         static int {private}too_far(const {prefix} *m, const {number} *at)\n{{\n{checks}    return 0;\n}}\n"
     );
 }

@@ -9,7 +9,7 @@ use crate::surface::{Evaluator, Surface, places};
 use crate::writer::{Writer, place, used};
 
 /// Writes a function of the user, and its sweep.
-pub(crate) fn evaluator(writer: &mut Writer, own: &Evaluator) {
+pub(crate) fn evaluator(writer: &mut Writer, evaluator: &Evaluator) {
     let surface = writer.surface;
     let Evaluator {
         declared,
@@ -17,22 +17,25 @@ pub(crate) fn evaluator(writer: &mut Writer, own: &Evaluator) {
         function,
         arguments,
         ..
-    } = own;
+    } = evaluator;
     let program = &function.called.program;
     let printed = writer.printer.program(program, &|source| match source {
         Source::Input(index) => {
-            let place = function.arguments.iter().position(|own| *own == index);
+            let place = function
+                .arguments
+                .iter()
+                .position(|argument| *argument == index);
             arguments[place.expect("a program uses only its inputs")].clone()
         }
         other => place(surface, other),
     });
-    let mut body = states(surface, own) + &printed.statements;
-    let fields = own.fields.iter();
+    let mut body = states(surface, evaluator) + &printed.statements;
+    let fields = evaluator.fields.iter();
     let targets = fields.flat_map(|field| places(&field.name, &field.shape));
     for (target, value) in targets.zip(&printed.results) {
         let _ = writeln!(body, "    result.{target} = {value};");
     }
-    if own.fields.is_empty() {
+    if evaluator.fields.is_empty() {
         body += "    result.nothing = 0;\n";
     }
     let mut names = vec!["m"];
@@ -40,8 +43,11 @@ pub(crate) fn evaluator(writer: &mut Writer, own: &Evaluator) {
     let body = format!("    {result} result;\n") + &used(&names, body) + "    return result;\n";
     let signature = &declared.signature;
     let _ = writeln!(writer.text, "{signature}\n{{\n{body}}}\n");
-    if let Some(sweep) = &own.sweep {
-        let at: String = arguments.iter().map(|own| format!(", {own}[k]")).collect();
+    if let Some(sweep) = &evaluator.sweep {
+        let at: String = arguments
+            .iter()
+            .map(|entry| format!(", {entry}[k]"))
+            .collect();
         let (name, signature) = (&declared.name, &sweep.signature);
         let _ = writeln!(
             writer.text,
@@ -51,20 +57,28 @@ pub(crate) fn evaluator(writer: &mut Writer, own: &Evaluator) {
 }
 
 /// Statements that find the states of the coupled groups that a function needs.
-fn states(surface: &Surface, own: &Evaluator) -> String {
-    let function = own.function;
+fn states(surface: &Surface, evaluator: &Evaluator) -> String {
+    let function = evaluator.function;
     let found = look_up(surface, &function.called.program, None, "inputs");
     if found.is_empty() {
         return found;
     }
-    let inputs = surface.unit.inputs.iter().enumerate().map(|(input, of)| {
-        let place = function.arguments.iter().position(|own| *own == input);
-        // What a function does not take, its groups do not depend on.
-        place.map_or_else(
-            || surface.real.literal(of.reference),
-            |place| own.arguments[place].clone(),
-        )
-    });
+    let inputs = surface
+        .unit
+        .inputs
+        .iter()
+        .enumerate()
+        .map(|(index, input)| {
+            let place = function
+                .arguments
+                .iter()
+                .position(|argument| *argument == index);
+            // What a function does not take, its groups do not depend on.
+            place.map_or_else(
+                || surface.real.literal(input.reference),
+                |place| evaluator.arguments[place].clone(),
+            )
+        });
     let inputs: Vec<String> = inputs.collect();
     let (number, inputs) = (surface.real.name(), inputs.join(", "));
     format!("    const {number} inputs[] = {{ {inputs} }};\n{found}")

@@ -1,4 +1,4 @@
-//! The header: what users see.
+//! The header, which users read.
 
 use std::fmt::Write;
 
@@ -6,7 +6,7 @@ use linkage_symbolic::count::Count;
 
 use crate::comment::comment;
 use crate::preprocessor;
-use crate::range;
+use crate::range_check;
 use crate::surface::{Code, Evaluator, Surface, listed};
 
 /// The text of the header.
@@ -23,7 +23,7 @@ pub(crate) fn header(surface: &Surface) -> String {
         real.name()
     );
     let about = [&first[..], surface.unit.documentation.trim(), &last];
-    let about = about.iter().filter(|own| !own.is_empty()).copied();
+    let about = about.iter().filter(|entry| !entry.is_empty()).copied();
     let mut text = comment("", &about.collect::<Vec<_>>().join("\n"));
     let _ = write!(
         text,
@@ -32,8 +32,8 @@ pub(crate) fn header(surface: &Surface) -> String {
     text += &listed(&surface.renamed);
     text += &preprocessor::of_header(surface);
     text += "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n";
-    for own in surface.vector_types() {
-        text += &own;
+    for entry in surface.vector_types() {
+        text += &entry;
         text.push('\n');
     }
     text += &dimensions(surface);
@@ -52,9 +52,9 @@ pub(crate) fn header(surface: &Surface) -> String {
         "1 for a number that exists and is finite, else 0. It looks at the bits: compilers keep this test where NaN is taken for impossible.",
     );
     let _ = writeln!(text, "{};\n", surface.ok.signature);
-    text += &range::declared(surface);
-    for own in &surface.functions {
-        text += &evaluator(surface, own);
+    text += &range_check::declared(surface);
+    for function in &surface.functions {
+        text += &evaluator(surface, function);
     }
     let _ = write!(text, "#ifdef __cplusplus\n}}\n#endif\n\n#endif\n");
     text
@@ -63,10 +63,10 @@ pub(crate) fn header(surface: &Surface) -> String {
 /// `, lengths mm`, if there is one unit of length.
 fn length_unit(surface: &Surface) -> String {
     let unknowns = surface.unit.unknowns.iter();
-    let mut lengths = unknowns.filter(|own| !own.is_number && !own.unit.is_empty());
+    let mut lengths = unknowns.filter(|unknown| !unknown.is_number && !unknown.unit.is_empty());
     lengths
         .next()
-        .map_or_else(String::new, |own| format!(", lengths {}", own.unit))
+        .map_or_else(String::new, |entry| format!(", lengths {}", entry.unit))
 }
 
 fn dimensions(surface: &Surface) -> String {
@@ -77,17 +77,17 @@ fn dimensions(surface: &Surface) -> String {
         &format!("The dimensions; `{name} d = {defaults};` are those of the declaration."),
     );
     let _ = writeln!(text, "typedef struct {name} {{");
-    for own in &surface.dimensions {
-        let declared = surface.declared(&own.name, &own.shape);
-        text += &member(own.documentation, &declared, &own.note);
+    for dimension in &surface.dimensions {
+        let declared = surface.declared(&dimension.name, &dimension.shape);
+        text += &member(dimension.documentation, &declared, &dimension.note);
     }
     // A struct of nothing is not C.
     if surface.dimensions.is_empty() {
         text += "    char nothing;\n";
     }
     let _ = writeln!(text, "}} {name};\n");
-    let values = surface.dimensions.iter().map(|own| {
-        let numbers: Vec<String> = own
+    let values = surface.dimensions.iter().map(|dimension| {
+        let numbers: Vec<String> = dimension
             .values
             .iter()
             .map(|x| surface.real.literal(*x))
@@ -153,37 +153,37 @@ fn codes(surface: &Surface) -> String {
     text + "\n};\n\n"
 }
 
-fn evaluator(surface: &Surface, own: &Evaluator) -> String {
+fn evaluator(surface: &Surface, evaluator: &Evaluator) -> String {
     let Evaluator {
         declared, result, ..
-    } = own;
+    } = evaluator;
     let mut text = format!("typedef struct {result} {{\n");
-    for field in &own.fields {
+    for field in &evaluator.fields {
         let declared = surface.declared(&field.name, &field.shape);
         text += &member(field.documentation, &declared, &field.note);
     }
-    if own.fields.is_empty() {
+    if evaluator.fields.is_empty() {
         text += "    char nothing;\n";
     }
     let _ = writeln!(text, "}} {result};\n");
-    let notes = own.arguments.iter().zip(&own.argument_notes);
+    let notes = evaluator.arguments.iter().zip(&evaluator.argument_notes);
     let notes: Vec<String> = notes
         .map(|(name, note)| format!("{name}: {note}."))
         .collect();
     let about = [
-        own.function.documentation.clone(),
-        cost(&own.function.called.count),
+        evaluator.function.documentation.clone(),
+        cost(&evaluator.function.called.count),
     ];
     text += &comment("", &[&about, &notes[..]].concat().join("\n"));
     let _ = writeln!(text, "{};\n", declared.signature);
-    if let Some(sweep) = &own.sweep {
+    if let Some(sweep) = &evaluator.sweep {
         text += &comment("", "The same at `count` positions.");
         let _ = writeln!(text, "{};\n", sweep.signature);
     }
     text
 }
 
-/// A member of a struct, what the user says of it in front.
+/// Returns a member of a struct, after the user's documentation of it.
 fn member(documentation: &str, declared: &str, note: &str) -> String {
     let about = match documentation.trim().is_empty() {
         true => String::new(),

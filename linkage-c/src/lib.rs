@@ -1,8 +1,9 @@
 //! Mechanisms of linkage as C99 for controllers: a header and a source that need nothing else.
 //!
-//! [`sources`] prints what [`linkage_compiler::check`] makes of a mechanism. The C has no allocation, no file, no global state, and no call but
-//! of `sqrt` and `fabs`; sine, cosine and arc tangent are its own, those of generated Rust, in `double` or in `float`. Without fused
-//! multiply-adds (`-ffp-contract=off`) its results are those of generated Rust to the last bit.
+//! [`sources`] prints the result of [`linkage_compiler::check`]. The C has no allocation, no file,
+//! no global state, and no call except of `sqrt` and `fabs`. Sine, cosine and arc tangent are those
+//! of generated Rust, in `double` or in `float`. Without fused multiply-adds (`-ffp-contract=off`)
+//! its results are those of generated Rust to the last bit.
 //!
 //! ```
 //! use linkage_c::{Real, sources};
@@ -31,16 +32,16 @@
 
 mod arithmetic;
 mod assemble;
+mod c_names;
 mod clash;
 mod comment;
 mod coupled;
 mod error;
 mod evaluator;
 mod header;
-mod names;
 mod operations;
 mod preprocessor;
-mod range;
+mod range_check;
 mod real;
 mod source;
 mod states;
@@ -58,24 +59,26 @@ pub use surface::Renamed;
 /// A mechanism as C.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sources {
-    /// What files are called, without `.h` and `.c`, and what all names in them begin with.
+    /// Name of both files, without `.h` and `.c`, and the beginning of all names in them.
     pub name: String,
     /// The text of the header.
     pub header: String,
     /// The text of the source, which includes the header by its name.
     pub source: String,
-    /// Names of the declaration that have another form in C, in the order in which the header has them.
+    /// Names of the declaration that have another form in C, in the order in which the header has
+    /// them.
     pub renamed: Vec<Renamed>,
 }
 
 /// Prints a mechanism that is called `name` in its declaration.
 ///
-/// Names of C are those of the user, in small letters at the beginning: `favorit_needle` of the function `needle` of `Favorit`. A name that
-/// C, C++ or their libraries have gets an underscore behind it; [`Sources::renamed`] lists such names.
+/// Names of C are those of the user, in small letters at the beginning: `favorit_needle` of the
+/// function `needle` of `Favorit`. A name that C, C++ or their libraries have gets an underscore at
+/// its end; [`Sources::renamed`] lists such names.
 ///
 /// # Errors
 ///
-/// For what exported C cannot do, which is a limit of ours: the message says what.
+/// For mechanisms beyond the limits of exported C: the message names the limit.
 pub fn sources(name: &str, unit: &CompiledMechanism, real: Real) -> Result<Sources, Refused> {
     exported(name, unit, real).map(|(sources, _)| sources)
 }
@@ -84,7 +87,8 @@ pub fn sources(name: &str, unit: &CompiledMechanism, real: Real) -> Result<Sourc
 ///
 /// # Errors
 ///
-/// Those of [`sources`], and for two mechanisms that would have a name of C in common, as `SliderCrank` and `Slider_Crank`.
+/// Those of [`sources`], and for two mechanisms that would have a name of C in common, as
+/// `SliderCrank` and `Slider_Crank`.
 pub fn all_sources(
     mechanisms: &[(&str, &CompiledMechanism)],
     real: Real,
@@ -106,9 +110,9 @@ fn exported(
     real: Real,
 ) -> Result<(Sources, Vec<String>), Refused> {
     let mut coupled = unit.coupled.iter();
-    let without = |own: &&Coupled| own.inputs.is_empty() || own.start.is_none();
-    if let Some(own) = coupled.find(without) {
-        let group = &unit.groups[own.group];
+    let without = |group: &&Coupled| group.inputs.is_empty() || group.start.is_none();
+    if let Some(found) = coupled.find(without) {
+        let group = &unit.groups[found.group];
         return Err(Refused {
             message: format!(
                 "{name}: {} are solved together without a closed form and depend on no input; exported C has such groups over inputs only, a \

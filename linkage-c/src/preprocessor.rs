@@ -1,9 +1,10 @@
-//! What the preprocessor refuses in files that include the header, and in the source.
+//! Errors of the preprocessor in files that include the header, and in the source.
 
 use crate::real::Real;
 use crate::surface::{FINITE_MATH, Surface};
 
-/// Finite mathematics, by the macros of GCC and clang, of its older versions, of Microsoft's compiler.
+/// Finite mathematics, by the macros of GCC and clang, of its older versions, of Microsoft's
+/// compiler.
 const IS_FINITE: &str = "defined __FAST_MATH__ || (defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__) || defined _M_FP_FAST";
 
 /// The checks of the header, which also hold for the files of its users.

@@ -2,7 +2,7 @@
 
 use linkage_core::certificate;
 
-/// What exported C computes with: nothing in it has another floating-point type.
+/// The numbers of exported C, which has no other floating-point type.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Real {
     /// `double`
@@ -42,7 +42,7 @@ impl Real {
         }
     }
 
-    /// What a name in a template stands for; `None` for a name that is meant as it is written.
+    /// Returns the text for a name in a template; `None` for a name that stays as it is written.
     pub(crate) fn template_word(self, word: &str) -> Option<String> {
         let double = self == Self::Double;
         let bits = |double_bits: u64, single_bits: u32| match double {
@@ -74,20 +74,22 @@ impl Real {
             // Half of the digits.
             "UPPER_BITS" => bits(u64::MAX << 27, u32::MAX << 12),
             "EIGHT_ROUNDOFFS" => self.literal(certificate::ROUNDINGS * self.roundoff()),
-            // 1.5 times the number from which on there is nothing behind the point: added to another, it rounds that.
+            // 1.5 times the number from which on there is nothing behind the point: added to
+            // another, it rounds that.
             "ROUND" => self.literal(1.5 / self.roundoff()),
             "TWO_OVER_PI" => self.literal(std::f64::consts::FRAC_2_PI),
             "RIGHT" => self.literal(std::f64::consts::FRAC_PI_2),
             "RIGHT_LOW" => number(0x3c91_a626_3314_5c07, 0xb33b_bd2e),
-            // A right angle in parts, so that products of the first ones with whole numbers are exact.
+            // A right angle in parts, so that products of the first ones with whole numbers are
+            // exact.
             "RIGHT_FIRST" => number(0x3ff9_21fb_4000_0000, 0x3fc9_1000),
             "RIGHT_SECOND" => number(0x3e74_442d_0000_0000, 0xb695_7800),
             "RIGHT_THIRD" => number(0x3cf8_4698_98cc_0000, 0x2e85_a400),
             "RIGHT_FOURTH" => number(0x3a94_5c06_e0e6_8948, 0xa6f7_2ced),
             // Times this, angles without a sine become infinite.
             "SINE_LIMIT" => number(0x7e10_0000_0000_0000, 0x7580_0000),
-            // See `linkage_core::numeric::winding`: remainders that serve inputs a little outside the range, too, those that serve the range,
-            // and a sum of middles.
+            // See `linkage_core::numeric::winding`: remainders that serve inputs a little outside
+            // the range, too, those that serve the range, and a sum of middles.
             "COMFORT" => self.literal(certificate::COMFORTABLE_STRAY * std::f64::consts::PI),
             "MOST_STRAY" => self.literal(certificate::MOST_STRAY * std::f64::consts::PI),
             "MOST_MIDDLE" => self.literal(certificate::MOST_MIDDLE * std::f64::consts::PI),

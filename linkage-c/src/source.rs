@@ -9,7 +9,7 @@ use crate::coupled;
 use crate::evaluator::evaluator;
 use crate::operations::{Helpers, Printer};
 use crate::preprocessor;
-use crate::range;
+use crate::range_check;
 use crate::surface::Surface;
 use crate::winding;
 use crate::writer::Writer;
@@ -20,7 +20,7 @@ pub(crate) fn source(surface: &Surface) -> String {
         surface,
         printer: Printer {
             real: surface.real,
-            own: &surface.own,
+            private: &surface.private,
             helpers: Helpers::new(surface.real),
         },
         text: String::new(),
@@ -29,12 +29,12 @@ pub(crate) fn source(surface: &Surface) -> String {
     assemble::assemble(&mut writer);
     assemble::error(&mut writer);
     ok(&mut writer);
-    range::items(&mut writer);
-    for own in &surface.functions {
-        evaluator(&mut writer, own);
+    range_check::items(&mut writer);
+    for function in &surface.functions {
+        evaluator(&mut writer, function);
     }
     let Writer { printer, text, .. } = writer;
-    let helpers = printer.helpers.text(&surface.own);
+    let helpers = printer.helpers.text(&surface.private);
     let arithmetic = arithmetic(surface, &printer.helpers);
     head(surface) + &helpers + "\n" + &arithmetic + &text
 }

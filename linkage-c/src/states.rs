@@ -16,11 +16,12 @@ pub(crate) fn limit(real: Real) -> String {
     })
 }
 
-/// Statements that find the states that a program loads, in front of it, but for that of group `own`; `inputs` is the array of all inputs.
+/// Returns statements that find the states that a program loads, except that of group `except`;
+/// `inputs` is the array of all inputs.
 pub(crate) fn look_up(
     surface: &Surface,
     program: &Program,
-    own: Option<usize>,
+    except: Option<usize>,
     inputs: &str,
 ) -> String {
     let loads = program.instructions.iter();
@@ -29,15 +30,15 @@ pub(crate) fn look_up(
             Instruction::Load(Source::State(group, _)) => Some(*group),
             _ => None,
         })
-        .filter(|group| Some(*group) != own)
+        .filter(|group| Some(*group) != except)
         .collect();
     let number = surface.real.name();
     let all = groups.iter().map(|&group| {
         let size = surface.unit.coupled[group].size;
-        let own = &surface.own;
+        let private = &surface.private;
         (
             format!("    {number} state_{group}[{}];\n", size + 1),
-            format!("    {own}state_{group}(m, {inputs}, state_{group});\n"),
+            format!("    {private}state_{group}(m, {inputs}, state_{group});\n"),
         )
     });
     let (declared, found): (Vec<String>, Vec<String>) = all.unzip();

@@ -1,16 +1,17 @@
 //! C that is written once for both types of numbers.
 //!
-//! In a template `real` is the type of numbers, `word` an unsigned integer as long, `own_` the beginning of names that nothing else has;
-//! numbers with a point and names in capitals become constants of that type.
+//! In a template `real` is the type of numbers, `word` an unsigned integer as long, `own_` the
+//! beginning of names that nothing else has; numbers with a point and names in capitals become
+//! constants of that type.
 
 use crate::real::Real;
 
-/// A template for a type of numbers; what `own_` stands for comes from the name of the mechanism. `other` says what more names stand
-/// for.
+/// Fills a template for a type of numbers. `own_` becomes `private`, the beginning of private names
+/// of the mechanism, and `other` returns the texts for more names.
 pub(crate) fn fill(
     template: &str,
     real: Real,
-    own: &str,
+    private: &str,
     other: impl Fn(&str) -> Option<String>,
 ) -> String {
     let mut text = String::new();
@@ -31,7 +32,7 @@ pub(crate) fn fill(
         if let (true, Ok(x)) = (is_real, piece.parse()) {
             text += &real.literal(x);
         } else if let Some(name) = piece.strip_prefix("own_") {
-            text += own;
+            text += private;
             text += name;
         } else if let Some(word) = real.template_word(piece).or_else(|| other(piece)) {
             text += &word;

@@ -1,4 +1,5 @@
-//! Angles with turns: by the closed form if one of the vectors that they are found from decides, else followed through the ranges.
+//! Angles with turns: by the closed form if one of the vectors that they are found from decides,
+//! else followed through the ranges.
 
 use std::fmt::Write;
 
@@ -11,20 +12,23 @@ use crate::writer::{Writer, used, written};
 /// The type of the turns of all angles; nothing if no angle counts them.
 pub(crate) fn turns_type(surface: &Surface) -> String {
     let Surface {
-        unit, own, real, ..
+        unit,
+        private,
+        real,
+        ..
     } = surface;
     let (angles, inputs) = (unit.angles.len(), unit.inputs.len().max(1));
     match angles {
         0 => String::new(),
         _ => format!(
             "/* An angle is the one of its direction nearest to centre + the sum of winding * input. */\n\
-             typedef struct {own}turns {{ {real} centre[{angles}], winding[{angles}][{inputs}]; }} {own}turns;\n\n",
+             typedef struct {private}turns {{ {real} centre[{angles}], winding[{angles}][{inputs}]; }} {private}turns;\n\n",
             real = real.name()
         ),
     }
 }
 
-/// What finds the turns; nothing if no angle counts them.
+/// Writes the functions that find the turns; nothing if no angle counts them.
 pub(crate) fn items(writer: &mut Writer) {
     let surface = writer.surface;
     let unit = surface.unit;
@@ -42,7 +46,7 @@ pub(crate) fn items(writer: &mut Writer) {
     }
     let text = tables(surface);
     writer.text += &text;
-    let rates = unit.inputs.iter().map(|own| own.rates.len()).max();
+    let rates = unit.inputs.iter().map(|input| input.rates.len()).max();
     let number = |word: &str| {
         Some(match word {
             "MECHANISM" => surface.prefix.clone(),
@@ -59,7 +63,7 @@ pub(crate) fn items(writer: &mut Writer) {
         include_str!("templates/follow.c"),
         include_str!("templates/wind.c"),
     ] {
-        writer.text += &fill(template, surface.real, &surface.own, number);
+        writer.text += &fill(template, surface.real, &surface.private, number);
         writer.text.push('\n');
     }
 }
@@ -69,33 +73,36 @@ fn bearings(writer: &mut Writer) {
     let surface = writer.surface;
     let printed = writer.printed(&surface.unit.bearings);
     let body = used(&["m", "out"], written(&printed));
-    let (own, prefix, real) = (&surface.own, &surface.prefix, surface.real.name());
+    let (private, prefix, real) = (&surface.private, &surface.prefix, surface.real.name());
     writer.text += "/* The vectors that angles are found from, where all inputs are 0. */\n";
     let _ = writeln!(
         writer.text,
-        "static void {own}bearings(const {prefix} *m, {real} *out)\n{{\n{body}}}\n"
+        "static void {private}bearings(const {prefix} *m, {real} *out)\n{{\n{body}}}\n"
     );
 }
 
-/// What is known of each angle.
+/// Returns the tables of facts about each angle.
 fn tables(surface: &Surface) -> String {
     let Surface {
-        unit, own, real, ..
+        unit,
+        private,
+        real,
+        ..
     } = surface;
     let name = real.name();
     let numbers = |all: &mut dyn Iterator<Item = f64>| list(all.map(|x| real.literal(x)), "0");
-    let estimates = numbers(&mut unit.angles.iter().map(|own| own.estimate));
-    let phases = unit.angles.iter().flat_map(|own| &own.phases);
+    let estimates = numbers(&mut unit.angles.iter().map(|angle| angle.estimate));
+    let phases = unit.angles.iter().flat_map(|entry| &entry.phases);
     let turning = list(
         phases
             .clone()
-            .map(|own| u8::from(own.turns.is_some()).to_string()),
+            .map(|phase| u8::from(phase.turns.is_some()).to_string()),
         "0",
     );
     let inputs = unit.inputs.len().max(1);
-    let turns = phases.map(|own| {
+    let turns = phases.map(|item| {
         let none = vec![0.0; inputs];
-        let turns = own.turns.as_ref().unwrap_or(&none);
+        let turns = item.turns.as_ref().unwrap_or(&none);
         list(turns.iter().map(|x| real.literal(*x)), "0")
     });
     let turns = list(turns, "{ 0 }");
@@ -103,12 +110,12 @@ fn tables(surface: &Surface) -> String {
     let first_along = list(firsts(unit, |k| unit.angles[k].inputs.len()), "0");
     let first_rate = |input: usize| -> usize {
         let before = unit.inputs[..input].iter();
-        before.map(|own| own.rates.len()).sum()
+        before.map(|other| other.rates.len()).sum()
     };
     let along = unit
         .angles
         .iter()
-        .flat_map(|own| &own.inputs)
+        .flat_map(|angle| &angle.inputs)
         .map(|&input| {
             let (low, high) = unit.inputs[input].followed;
             let (low, high) = (real.literal(low), real.literal(high));
@@ -119,22 +126,22 @@ fn tables(surface: &Surface) -> String {
             )
         });
     let along = list(along, "{ 0, 0, 0, 0, 0 }");
-    let rates = numbers(&mut unit.inputs.iter().flat_map(|own| own.rates.clone()));
+    let rates = numbers(&mut unit.inputs.iter().flat_map(|input| input.rates.clone()));
     format!(
         "/* For each angle: its value at the reference, about; its vectors, whether they turn with the inputs alone, and how often; the inputs that it is\n   \
          followed along, over which range, and which rates are tried. */\n\
-         static const {name} {own}estimates[] = {estimates};\n\
-         static const int {own}first_phase[] = {first_phase};\n\
-         static const int {own}turning[] = {turning};\n\
-         static const {name} {own}phase_turns[][{inputs}] = {turns};\n\
-         typedef struct {own}along {{ int input; {name} low, high; int first_rate, rates; }} {own}along;\n\
-         static const int {own}first_along[] = {first_along};\n\
-         static const {own}along {own}all_along[] = {along};\n\
-         static const {name} {own}rates[] = {rates};\n\n"
+         static const {name} {private}estimates[] = {estimates};\n\
+         static const int {private}first_phase[] = {first_phase};\n\
+         static const int {private}turning[] = {turning};\n\
+         static const {name} {private}phase_turns[][{inputs}] = {turns};\n\
+         typedef struct {private}along {{ int input; {name} low, high; int first_rate, rates; }} {private}along;\n\
+         static const int {private}first_along[] = {first_along};\n\
+         static const {private}along {private}all_along[] = {along};\n\
+         static const {name} {private}rates[] = {rates};\n\n"
     )
 }
 
-/// Where the entries of each angle begin, and the end of all.
+/// Returns the index of the first entry of each angle, and the end of all.
 fn firsts(
     unit: &CompiledMechanism,
     count: impl Fn(usize) -> usize,
@@ -145,7 +152,7 @@ fn firsts(
         first += count(angle);
         firsts.push(first);
     }
-    firsts.into_iter().map(|own| own.to_string())
+    firsts.into_iter().map(|entry| entry.to_string())
 }
 
 /// An initializer; an array of nothing is not C.

@@ -1,4 +1,4 @@
-//! The source as it grows: text, and what prints programs into it.
+//! The source as it grows: its text, and functions that print programs into it.
 
 use std::fmt::Write;
 
@@ -20,7 +20,10 @@ impl Writer<'_> {
     /// A program as a function of all inputs, `x`, that writes its results to `out`.
     pub(crate) fn plain(&mut self, name: &str, program: &Program, note: &str) {
         let Surface {
-            prefix, own, real, ..
+            prefix,
+            private,
+            real,
+            ..
         } = self.surface;
         let real = real.name();
         let printed = self.printed(program);
@@ -30,11 +33,11 @@ impl Writer<'_> {
         let takes = format!("const {prefix} *m, const {real} *x, {real} *out");
         let _ = writeln!(
             self.text,
-            "static void {own}{name}({takes})\n{{\n{body}}}\n"
+            "static void {private}{name}({takes})\n{{\n{body}}}\n"
         );
     }
 
-    /// A program on what plumbing has.
+    /// Prints a program whose inputs are the array `x`.
     pub(crate) fn printed(&mut self, program: &Program) -> Printed {
         let surface = self.surface;
         self.printer.program(program, &|source| match source {
@@ -53,17 +56,22 @@ pub(crate) fn written(printed: &Printed) -> String {
     body
 }
 
-/// A body with a line for each parameter that it does not read: compilers warn of these. A member of a struct may have the name of a parameter.
+/// A body with a line for each parameter that it does not read: compilers warn of these. A member
+/// of a struct may have the name of a parameter.
 pub(crate) fn used(parameters: &[&str], body: String) -> String {
     let of_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let words = body.split(|c| !of_name(c) && c != '.');
     let words: Vec<&str> = words.filter_map(|word| word.split('.').next()).collect();
-    let unused = parameters.iter().filter(|own| !words.contains(own));
-    let unused: String = unused.map(|own| format!("    (void){own};\n")).collect();
+    let unused = parameters
+        .iter()
+        .filter(|parameter| !words.contains(parameter));
+    let unused: String = unused
+        .map(|entry| format!("    (void){entry};\n"))
+        .collect();
     body + &unused
 }
 
-/// Where a number stands that is no input.
+/// Returns the expression of a number that is no input.
 pub(crate) fn place(surface: &Surface, source: Source) -> String {
     match source {
         Source::Parameter(index) => format!("m->dimensions.{}", surface.scalars[index]),

@@ -1,18 +1,16 @@
 //! The commands and their options.
 
-use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::error::{ContextKind, ContextValue};
-use clap::{Parser, Subcommand};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{CommandFactory, Parser, Subcommand};
 use linkage_compiler::shortened;
 
 mod assemblies;
 mod c;
 mod check;
 mod choose;
-mod course;
 mod js;
 mod memory;
 mod new;
@@ -20,8 +18,10 @@ mod output;
 mod page;
 mod range;
 mod replaced;
+mod running_input;
 mod sweep;
 mod table;
+mod terminal;
 mod tolerance;
 mod values;
 
@@ -64,14 +64,21 @@ enum Command {
     Js(js::Options),
 }
 
-/// Does what the arguments of the process say: exit status 0, 1 for bad input, 2 for wrong usage.
+/// Runs the command in the arguments of the process: exit status 0, 1 for bad input, 2 for wrong
+/// usage.
 #[must_use]
 pub fn run() -> ExitCode {
     let parsed = Arguments::try_parse();
     let Arguments { command } = parsed.unwrap_or_else(|error| brief(error).exit());
     let result = match &command {
         Command::Check { files, dimensions } => check::run(files, dimensions),
-        Command::Table(options) => table::run(options),
+        Command::Table(options) => {
+            if let Some(mistake) = options.mistake() {
+                let mut command = Arguments::command();
+                command.error(ErrorKind::ArgumentConflict, mistake).exit();
+            }
+            table::run(options)
+        }
         Command::New { file } => new::run(file),
         Command::Page(options) => page::run(options),
         Command::Tolerance(options) => tolerance::run(options),
@@ -107,9 +114,4 @@ fn brief(mut error: clap::Error) -> clap::Error {
         }
     }
     error
-}
-
-/// Whether messages are coloured.
-fn is_coloured() -> bool {
-    io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|word| word.is_empty())
 }

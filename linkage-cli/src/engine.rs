@@ -1,4 +1,5 @@
-//! Mechanisms on numbers: what the macro's code does, by an interpreter of the same programs and with the same parts of the runtime.
+//! Mechanisms on numbers: the functions of the macro's code, by an interpreter of the same programs
+//! and with the same parts of the runtime.
 
 mod assemble;
 mod circuits;
@@ -6,6 +7,7 @@ mod coupled;
 mod numbers;
 mod operations;
 mod range_check;
-mod turns;
+mod revolutions;
+mod winding;
 
 pub use assemble::Assembly;

@@ -7,16 +7,16 @@ use std::path::Path;
 use linkage_compiler::{short_words, shortened};
 use linkage_runtime::AssemblyError;
 
-use crate::look_alike::{letters, look_alike};
+use crate::confusable::{letters, look_alike};
 
-/// What is told before the command ends with exit status 1.
+/// The last message of a command with exit status 1.
 #[derive(Clone, Debug)]
 pub enum Failure {
-    /// What is wrong.
+    /// A message.
     Told(String),
     /// The same with the source under it.
     Rendered(String),
-    /// Everything has been told already.
+    /// Everything has been printed already.
     Silent,
 }
 

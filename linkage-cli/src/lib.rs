@@ -1,8 +1,10 @@
-//! The command `linkage`: mechanisms in text files are checked, tabulated and shown, without a Rust toolchain.
+//! The command `linkage`: mechanisms in text files are checked, tabulated and shown, without a Rust
+//! toolchain.
 //!
-//! A file holds what stands between the braces of `mechanism! { ... }`, one or several mechanisms, or is a Rust file with calls of that
-//! macro. The compiler of the macro reads it, so that the language and all messages are the same; values come from an interpreter of its
-//! programs and are, to the last bit, those of the macro's code on the same machine.
+//! A file contains the text between the braces of `mechanism! { ... }`, one or several mechanisms,
+//! or is a Rust file with calls of that macro. The compiler of the macro reads it, so that the
+//! language and all messages are the same. Values come from an interpreter of its programs and are
+//! equal to those of the macro's code on the same machine, to the last bit.
 //!
 //! `docs/command.md` says what the commands do. As a library:
 //!
@@ -31,6 +33,7 @@
 //! ```
 
 mod command;
+mod confusable;
 mod engine;
 mod failure;
 mod look_alike;
@@ -44,4 +47,4 @@ pub use engine::Assembly;
 pub use failure::Failure;
 pub use mechanism::Mechanism;
 pub use messages::rendered;
-pub use source::{Found, Source};
+pub use source::{MechanismCall, Source};

@@ -1,4 +1,4 @@
-//! Names that look alike and are different: warnings as those of rustc for Rust code.
+//! Warnings of names that look alike, as those of rustc for Rust code.
 
 use std::collections::BTreeMap;
 
@@ -7,11 +7,12 @@ use linkage_compiler::{Message, SourceSpan, shortened};
 use proc_macro2::{Span, TokenStream, TokenTree};
 use unicode_security::confusable_detection::skeleton;
 
+use crate::confusable::{letters, look_alike};
 use crate::messages::{drawn, renderer};
-use crate::source::{Found, Source};
+use crate::source::{MechanismCall, Source};
 
 /// A warning for each name that looks like an earlier one, a blank line after each.
-pub(crate) fn look_alikes(source: &Source, found: &Found, coloured: bool) -> String {
+pub(crate) fn look_alikes(source: &Source, found: &MechanismCall, coloured: bool) -> String {
     let mut names = BTreeMap::new();
     collect(found.tokens.clone(), &mut names);
     if names.keys().all(|name| name.is_ascii()) {
@@ -65,31 +66,6 @@ fn warning(name: &str, first: &str) -> String {
         shortened(name),
         shortened(first),
         letters(name, first)
-    )
-}
-
-/// Whether two names look alike and are different. Letters of ASCII that look alike, as `l` and `1`, are known to
-/// everybody.
-pub(crate) fn look_alike(name: &str, other: &str) -> bool {
-    name != other && !(name.is_ascii() && other.is_ascii()) && skeleton(name).eq(skeleton(other))
-}
-
-/// `U+0430 instead of U+0061`: the letters that one of two names has and the other one has not.
-pub(crate) fn letters(name: &str, other: &str) -> String {
-    let foreign = |own: &str, other: &str| {
-        let mut letters: Vec<String> = Vec::new();
-        for letter in own.chars().filter(|letter| !other.contains(*letter)) {
-            let letter = format!("U+{:04X}", u32::from(letter));
-            if !letters.contains(&letter) {
-                letters.push(letter);
-            }
-        }
-        letters.join(" ")
-    };
-    format!(
-        "{} instead of {}",
-        foreign(name, other),
-        foreign(other, name)
     )
 }
 

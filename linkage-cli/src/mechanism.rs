@@ -1,27 +1,30 @@
-//! A mechanism as the runtime's types describe it. These are made for generated code and hold constants, so what describes a mechanism
-//! lives as long as the process.
+//! A mechanism in the types of the runtime. These are made for generated code and hold constants,
+//! so the description of a mechanism lives as long as the process.
 
 mod describe;
+pub(crate) mod forever;
 
 use linkage_compiler::Checked;
 use linkage_compiler::ir::{CompiledMechanism, plain};
-use linkage_runtime::generated::{Angle, CoupledGroup};
+use linkage_runtime::support::{Angle, CoupledGroup};
 use linkage_runtime::{AssemblyMode, Heading, Input, Parameter, Structure};
 
-/// A mechanism without a mistake: its programs, and what they are about.
+use forever::forever;
+
+/// A mechanism without a mistake: its programs and their description.
 #[derive(Clone, Debug)]
 pub struct Mechanism {
-    /// As its struct is called.
+    /// The name of its struct.
     pub name: &'static str,
     /// Its programs.
     pub unit: CompiledMechanism,
-    /// As the constant `INPUTS` of the macro's struct.
+    /// The constant `INPUTS` of the macro's struct.
     pub inputs: &'static [Input],
-    /// As the constant `PARAMETERS`.
+    /// The constant `PARAMETERS`.
     pub parameters: &'static [Parameter],
-    /// As the constant `STRUCTURE`.
+    /// The constant `STRUCTURE`.
     pub structure: &'static Structure,
-    /// What the columns of each function are.
+    /// The columns of each function.
     pub headings: Vec<&'static Heading>,
     pub(crate) gap_units: Vec<&'static str>,
     pub(crate) groups: &'static [CoupledGroup],
@@ -29,12 +32,15 @@ pub struct Mechanism {
 }
 
 impl Mechanism {
-    /// What was checked; `None` if it has mistakes.
+    /// Describes a checked mechanism; `None` if it has mistakes.
     #[must_use]
     pub fn new(checked: &Checked) -> Option<Self> {
         let unit = checked.unit.clone()?;
         let name = forever(checked.name.as_deref().unwrap_or_default());
-        let gap_units = unit.groups.iter().map(|own| forever(own.gap_unit.as_str()));
+        let gap_units = unit
+            .groups
+            .iter()
+            .map(|group| forever(group.gap_unit.as_str()));
         Some(Self {
             name,
             inputs: describe::inputs(&unit),
@@ -55,13 +61,13 @@ impl Mechanism {
     }
 
     /// Another tolerance of a dimension, by its place among the parameters.
-    pub(crate) fn set_tolerance(&mut self, place: usize, tolerance: f64) {
+    pub(crate) fn set_tolerance(&mut self, index: usize, tolerance: f64) {
         let mut parameters = self.parameters.to_vec();
-        parameters[place].tolerance = tolerance;
+        parameters[index].tolerance = tolerance;
         self.parameters = forever(parameters);
         let parameters = self.unit.parameters.iter_mut();
-        let mut scalars = parameters.flat_map(|own| &mut own.scalars);
-        if let Some(scalar) = scalars.nth(place) {
+        let mut scalars = parameters.flat_map(|parameter| &mut parameter.scalars);
+        if let Some(scalar) = scalars.nth(index) {
             scalar.tolerance = tolerance;
         }
     }
@@ -73,13 +79,13 @@ impl Mechanism {
         inputs.map(|input| input.reference).collect()
     }
 
-    /// The modes that the start estimates choose.
     /// The groups whose assembly is followed from the estimates, as numbers in `structure`.
     pub(crate) fn followed(&self) -> impl Iterator<Item = usize> {
-        let followed = self.unit.coupled.iter().filter(|own| own.followed);
-        followed.map(|own| own.group)
+        let followed = self.unit.coupled.iter().filter(|coupled| coupled.followed);
+        followed.map(|followed| followed.group)
     }
 
+    /// The modes that the start estimates choose.
     pub(crate) fn modes(&self) -> Vec<AssemblyMode> {
         let modes = self.unit.modes().into_iter();
         modes
@@ -91,18 +97,13 @@ impl Mechanism {
     }
 
     /// Name and unit of an argument of functions, by its place among inputs and arguments.
-    pub(crate) fn argument(&self, place: usize) -> (&str, &str) {
-        match place.checked_sub(self.inputs.len()) {
-            None => (self.inputs[place].name, self.inputs[place].unit),
+    pub(crate) fn argument(&self, index: usize) -> (&str, &str) {
+        match index.checked_sub(self.inputs.len()) {
+            None => (self.inputs[index].name, self.inputs[index].unit),
             Some(number) => {
-                let own = &self.unit.arguments[number];
-                (plain(&own.name), &own.unit)
+                let argument = &self.unit.arguments[number];
+                (plain(&argument.name), &argument.unit)
             }
         }
     }
-}
-
-/// Something that lives as long as the process.
-pub(crate) fn forever<T: ?Sized, B: Into<Box<T>>>(own: B) -> &'static T {
-    Box::leak(own.into())
 }

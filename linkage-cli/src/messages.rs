@@ -3,12 +3,17 @@
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use linkage_compiler::{Checked, Message};
 
-use crate::source::{Found, Source};
+use crate::source::{MechanismCall, Source};
 
-/// All messages about a mechanism, one after the other, a blank line behind each; with colours for a terminal. Warnings are told if there
-/// is no mistake.
+/// All messages about a mechanism, one after the other, a blank line behind each; with colours for
+/// a terminal. Warnings are printed if there is no mistake.
 #[must_use]
-pub fn rendered(source: &Source, found: &Found, checked: &Checked, coloured: bool) -> String {
+pub fn rendered(
+    source: &Source,
+    found: &MechanismCall,
+    checked: &Checked,
+    coloured: bool,
+) -> String {
     let (level, messages) = match checked.messages.is_empty() {
         true => (Level::WARNING, &checked.warnings),
         false => (Level::ERROR, &checked.messages),
@@ -31,13 +36,13 @@ pub(crate) fn drawn(
     renderer: &Renderer,
     level: &Level<'_>,
     source: &Source,
-    found: &Found,
+    found: &MechanismCall,
     message: &Message,
 ) -> String {
-    let [first, last] = [message.span.first, message.span.last].map(|own| own.byte_range());
+    let [first, last] = [message.span.first, message.span.last].map(|span| span.byte_range());
     // Only what was made up by the compiler begins and ends with the text.
     let span = match (first.start, last.end) {
-        (0, 0) => found.place.clone(),
+        (0, 0) => found.range.clone(),
         (start, end) => start..end,
     };
     let snippet = Snippet::source(source.text())

@@ -1,4 +1,4 @@
-//! Names in one normal form, that of rustc: what is typed in two ways and looks the same is one name.
+//! Names in one normal form, that of rustc: two spellings that look the same are one name.
 
 use std::convert::Infallible;
 
@@ -15,9 +15,9 @@ pub(crate) fn normalised(tokens: TokenStream) -> TokenStream {
     let one = |token: TokenTree| match token {
         TokenTree::Ident(name) => name_of(name).into(),
         TokenTree::Group(group) => {
-            let mut own = Group::new(group.delimiter(), normalised(group.stream()));
-            own.set_span(group.span());
-            own.into()
+            let mut copy = Group::new(group.delimiter(), normalised(group.stream()));
+            copy.set_span(group.span());
+            copy.into()
         }
         other => other,
     };

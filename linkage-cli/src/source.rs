@@ -15,16 +15,18 @@ use crate::normal::normalised;
 pub struct Source {
     name: String,
     text: String,
-    calls: Vec<Found>,
+    calls: Vec<MechanismCall>,
 }
 
-/// Mechanisms of a file that may have each other as parts: those of a call of the macro, or all of a file that is not Rust.
+/// Mechanisms of a file that may have each other as parts: those of a call of the macro, or all of
+/// a file that is not Rust.
 #[derive(Clone, Debug)]
-pub struct Found {
-    /// As the compiler takes it.
+pub struct MechanismCall {
+    /// Tokens for the compiler.
     pub tokens: TokenStream,
-    /// Where messages stand that are about no token: the call of the macro in a Rust file, else the beginning.
-    pub place: Range<usize>,
+    /// The place of messages about no token: the call of the macro in a Rust file, else the
+    /// beginning.
+    pub range: Range<usize>,
 }
 
 impl Source {
@@ -32,8 +34,8 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// If it cannot be read, has a bracket without partner or the like or too many within each other, or is a Rust file without a
-    /// mechanism.
+    /// If it cannot be read, has a bracket without partner or the like or too many within each
+    /// other, or is a Rust file without a mechanism.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let text = fs::read_to_string(path);
         let text = text.map_err(|error| Failure::file("read", path, &error))?;
@@ -65,15 +67,15 @@ impl Source {
                 return Err(Failure::Told(text));
             }
             (true, false) => {
-                let place = 0..0;
-                vec![Found { tokens, place }]
+                let range = 0..0;
+                vec![MechanismCall { tokens, range }]
             }
             (false, _) => calls,
         };
         // Not before it is known how deep brackets are.
-        let normal = |found: Found| Found {
+        let normal = |found: MechanismCall| MechanismCall {
             tokens: normalised(found.tokens),
-            place: found.place,
+            range: found.range,
         };
         let calls = calls.into_iter().map(normal).collect();
         Ok(Self {
@@ -83,13 +85,13 @@ impl Source {
         })
     }
 
-    /// What messages call it.
+    /// Returns the name in messages.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// What stands in it.
+    /// Returns the text.
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text
@@ -97,7 +99,7 @@ impl Source {
 
     /// The mechanisms in it, call by call.
     #[must_use]
-    pub fn calls(&self) -> &[Found] {
+    pub fn calls(&self) -> &[MechanismCall] {
         &self.calls
     }
 }
@@ -105,9 +107,9 @@ impl Source {
 /// Brackets within brackets: who reads them needs room for each. rustc stops at the same number.
 const DEEPEST: usize = 128;
 
-/// What stands between the brackets of all calls of `mechanism!`, within functions and modules, too. An error where brackets are nested too
-/// deep.
-fn collect(tokens: TokenStream, depth: usize, calls: &mut Vec<Found>) -> Result<(), ()> {
+/// Collects the tokens between the brackets of all calls of `mechanism!`, within functions and
+/// modules, too. It is an error if brackets are nested too deep.
+fn collect(tokens: TokenStream, depth: usize, calls: &mut Vec<MechanismCall>) -> Result<(), ()> {
     if depth > DEEPEST {
         return Err(());
     }
@@ -123,9 +125,9 @@ fn collect(tokens: TokenStream, depth: usize, calls: &mut Vec<Found>) -> Result<
                 let start = word.span().byte_range().start;
                 // What is in it is looked at for its depth alone.
                 collect(group.stream(), depth + 1, &mut Vec::new())?;
-                calls.push(Found {
+                calls.push(MechanismCall {
                     tokens: group.stream(),
-                    place: start..group.span_close().byte_range().end,
+                    range: start..group.span_close().byte_range().end,
                 });
             }
             // What a macro is made of is no mechanism yet.
@@ -146,7 +148,9 @@ fn no_tokens(name: &str, text: &str, error: &LexError) -> String {
     let start = error.span().byte_range().start;
     let found = text.get(start..).and_then(|rest| rest.chars().next());
     let title = match found {
-        Some(own) if !own.is_ascii() => format!("the character `{own}` means nothing here"),
+        Some(letter) if !letter.is_ascii() => {
+            format!("the character `{letter}` means nothing here")
+        }
         _ => {
             "this cannot be read: a bracket has no partner, or a text or comment no end".to_owned()
         }

@@ -11,27 +11,76 @@ pub(crate) mod text;
 pub use origin::SourceSpan;
 pub(crate) use origin::{OriginId, Origins};
 
-/// What is wrong, and where.
+/// A mistake and its place.
 #[derive(Clone, Debug)]
 pub struct Message {
     /// The words at fault.
     pub span: SourceSpan,
-    /// The fact, in lower case, names in back-ticks; where something can be said about it, a second line `help: ...` with what to write.
+    /// The fact, in lower case, names in back-ticks. If possible, a second line `help: ...` names
+    /// the text to write.
     pub text: String,
 }
 
-/// Where phases without spans report: messages at the places that [`OriginId`]s lead back to.
-#[derive(Debug)]
-pub(crate) struct Reporter<'a> {
-    pub(crate) origins: &'a Origins,
-    pub(crate) diagnostics: &'a mut Diagnostics,
+/// The key by which messages are sorted, whenever they are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Section {
+    /// The text, the dimensions, the loops and the assembly at the reference.
+    Mechanism,
+    /// Bodies and joints.
+    Bodies,
+    /// Functions and pictures.
+    Functions,
+    /// Declared ranges and redundant loops.
+    Ranges,
 }
 
-impl Reporter<'_> {
+/// The sink of phases without spans, whose messages have the spans of [`OriginId`]s.
+#[derive(Debug)]
+pub(crate) struct Reporter<'a> {
+    origins: &'a Origins,
+    diagnostics: &'a mut Diagnostics,
+    section: Section,
+}
+
+impl<'a> Reporter<'a> {
+    /// A sink for messages about the mechanism.
+    pub(crate) fn new(origins: &'a Origins, diagnostics: &'a mut Diagnostics) -> Self {
+        Self {
+            origins,
+            diagnostics,
+            section: Section::Mechanism,
+        }
+    }
+
+    /// Returns the number of messages, for [`rewind`](Self::rewind).
+    pub(crate) fn mark(&self) -> Mark {
+        self.diagnostics.mark()
+    }
+
+    /// Removes the messages that were reported after `mark`.
+    pub(crate) fn rewind(&mut self, mark: Mark) {
+        self.diagnostics.rewind(mark);
+    }
+
+    /// A sink for messages of a section.
+    pub(crate) fn within(&mut self, section: Section) -> Reporter<'_> {
+        Reporter {
+            origins: self.origins,
+            diagnostics: self.diagnostics,
+            section,
+        }
+    }
+
+    /// The origins of the mechanism, for a sink of its own.
+    pub(crate) fn origins(&self) -> &'a Origins {
+        self.origins
+    }
+
     /// See [`Diagnostics::error`].
     pub(crate) fn error(&mut self, origin: OriginId, message: impl Into<String>) {
         let message = self.within_part(origin, message.into());
-        self.diagnostics.error(self.origins.span(origin), message);
+        let span = self.origins.span(origin);
+        self.diagnostics.error_in(self.section, span, message);
     }
 
     /// See [`Diagnostics::error_with_help`].
@@ -44,7 +93,7 @@ impl Reporter<'_> {
         self.error(origin, format!("{fact}\nhelp: {help}"));
     }
 
-    /// At all that stands from one place to another.
+    /// Reports at all tokens from one place to another.
     pub(crate) fn error_between(
         &mut self,
         [first, last]: [OriginId; 2],
@@ -52,10 +101,10 @@ impl Reporter<'_> {
     ) {
         let span = self.origins.span(first).to(self.origins.span(last));
         let message = self.within_part(first, message.into());
-        self.diagnostics.error(span, message);
+        self.diagnostics.error_in(self.section, span, message);
     }
 
-    /// See [`Diagnostics::warning_with_help`].
+    /// A warning, printed if there is no mistake.
     pub(crate) fn warning_with_help(
         &mut self,
         origin: OriginId,
@@ -63,10 +112,12 @@ impl Reporter<'_> {
         help: impl Display,
     ) {
         let span = self.origins.span(origin);
-        self.diagnostics.warning_with_help(span, fact, help);
+        let message = Message::new(span, &format!("{fact}\nhelp: {help}"));
+        self.diagnostics.warnings.insert(self.section, message);
     }
 
-    /// What is said about a place in a part begins with the part: the words at fault are those of its own struct.
+    /// Begins a message about a part with the name of the part: the words at fault are those of the
+    /// part's own struct.
     fn within_part(&self, origin: OriginId, message: String) -> String {
         match self.origins.part(origin) {
             Some(part) => format!("in the part `{part}`: {message}"),
@@ -74,35 +125,87 @@ impl Reporter<'_> {
         }
     }
 
-    /// For somebody who keeps it.
+    /// The same sink for a shorter time.
     pub(crate) fn reborrow(&mut self) -> Reporter<'_> {
-        Reporter {
-            origins: self.origins,
-            diagnostics: self.diagnostics,
-        }
+        self.within(self.section)
     }
 
-    /// How many messages there are by now, of all phases.
+    /// Returns the number of mistakes of all phases.
     pub(crate) fn errors(&self) -> usize {
         self.diagnostics.len()
     }
 }
 
-/// The sink that every phase writes to.
+impl Message {
+    fn new(span: SourceSpan, text: &str) -> Self {
+        let text = text::short_words(text);
+        Self { span, text }
+    }
+}
+
+/// Messages sorted by section, in the order in which they were found within one.
+#[derive(Clone, Debug, Default)]
+struct Sorted(Vec<(Section, Message)>);
+
+impl Sorted {
+    fn insert(&mut self, section: Section, message: Message) {
+        let end = self.0.partition_point(|(other, _)| *other <= section);
+        self.0.insert(end, (section, message));
+    }
+
+    fn append(&mut self, other: Self) {
+        for (section, message) in other.0 {
+            self.insert(section, message);
+        }
+    }
+
+    fn iter(&self) -> impl Iterator<Item = &Message> {
+        self.0.iter().map(|(_, message)| message)
+    }
+
+    fn into_messages(self) -> Vec<Message> {
+        self.0.into_iter().map(|(_, message)| message).collect()
+    }
+}
+
+/// The number of messages at some moment, while all are of the first section.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Mark {
+    mistakes: usize,
+    warnings: usize,
+}
+
+/// The sink of all phases.
 #[derive(Debug, Default)]
 pub(crate) struct Diagnostics {
-    list: Vec<Message>,
-    warnings: Vec<Message>,
+    mistakes: Sorted,
+    warnings: Sorted,
 }
 
 impl Diagnostics {
-    /// Fact first, lower case, names in back-ticks; a second line `help: ...` says what to write.
-    pub(crate) fn error(&mut self, span: SourceSpan, message: impl Into<String>) {
-        let text = text::short_words(&message.into());
-        self.list.push(Message { span, text });
+    fn mark(&self) -> Mark {
+        Mark {
+            mistakes: self.mistakes.0.len(),
+            warnings: self.warnings.0.len(),
+        }
     }
 
-    /// As [`error`](Self::error), with the second line given apart.
+    fn rewind(&mut self, mark: Mark) {
+        self.mistakes.0.truncate(mark.mistakes);
+        self.warnings.0.truncate(mark.warnings);
+    }
+
+    /// Fact first, lower case, names in back-ticks; a second line `help: ...` says what to write.
+    pub(crate) fn error(&mut self, span: SourceSpan, message: impl Into<String>) {
+        self.error_in(Section::Mechanism, span, message);
+    }
+
+    fn error_in(&mut self, section: Section, span: SourceSpan, message: impl Into<String>) {
+        let message = Message::new(span, &message.into());
+        self.mistakes.insert(section, message);
+    }
+
+    /// Adds a message as [`error`](Self::error) does, with the second line as a separate argument.
     pub(crate) fn error_with_help(
         &mut self,
         span: SourceSpan,
@@ -112,46 +215,35 @@ impl Diagnostics {
         self.error(span, format!("{fact}\nhelp: {help}"));
     }
 
-    /// What is no mistake, but hardly meant: told if there is no mistake.
-    pub(crate) fn warning_with_help(
-        &mut self,
-        span: SourceSpan,
-        fact: impl Display,
-        help: impl Display,
-    ) {
-        let text = text::short_words(&format!("{fact}\nhelp: {help}"));
-        self.warnings.push(Message { span, text });
-    }
-
-    /// Adds the messages of another sink behind those of this one.
+    /// Adds the messages of another sink after those of this one.
     pub(crate) fn append(&mut self, other: Diagnostics) {
-        self.list.extend(other.list);
-        self.warnings.extend(other.warnings);
+        self.mistakes.append(other.mistakes);
+        self.warnings.append(other.warnings);
     }
 
     /// True without a mistake.
     pub(crate) fn is_empty(&self) -> bool {
-        self.list.is_empty()
+        self.mistakes.0.is_empty()
     }
 
-    /// How many mistakes there are.
+    /// Returns the number of mistakes.
     pub(crate) fn len(&self) -> usize {
-        self.list.len()
+        self.mistakes.0.len()
     }
 
-    /// What is wrong, without the places.
+    /// Returns the texts of all mistakes, without their places.
     pub(crate) fn texts(&self) -> Vec<String> {
-        self.list.iter().map(|own| own.text.clone()).collect()
+        self.mistakes.iter().map(|own| own.text.clone()).collect()
     }
 
     /// Mistakes and warnings, in the order in which they were found.
     pub(crate) fn into_messages(self) -> (Vec<Message>, Vec<Message>) {
-        (self.list, self.warnings)
+        (self.mistakes.into_messages(), self.warnings.into_messages())
     }
 
     /// One `compile_error!` for each message, underlining the words at fault.
     pub(crate) fn to_tokens(&self) -> TokenStream {
-        self.list.iter().map(compile_error).collect()
+        self.mistakes.iter().map(compile_error).collect()
     }
 }
 
@@ -165,7 +257,8 @@ impl Diagnostics {
     }
 }
 
-/// A macro cannot warn. But rustc tells of uses of what is deprecated with the reason given, and at the place of the use.
+/// Makes rustc print a warning, which a macro cannot: rustc reports uses of deprecated items with
+/// their reason, at the place of the use.
 fn compile_warning(message: &Message, attributes: &TokenStream) -> TokenStream {
     let used = Ident::new("__mechanism", message.span.first);
     let text = &message.text;

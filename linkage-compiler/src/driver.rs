@@ -11,9 +11,8 @@ use crate::ir::CompiledMechanism;
 use crate::model::{Library, Model};
 use crate::observer::PhaseObserver;
 use crate::part_order::part_order;
-use crate::pipeline::analyse;
 use crate::syntax::{Attribute, MechanismDef};
-use crate::{emit, model, syntax};
+use crate::{emit, model, pipeline, syntax};
 
 /// The result of [`check`](crate::check) for one mechanism.
 #[derive(Clone, Debug)]
@@ -83,7 +82,7 @@ impl Driver {
                 } else {
                     &mut ()
                 };
-                let (unit, closed) = analyse(model, &parts, &mut diagnostics, observer);
+                let (unit, closed) = pipeline::run(model, &parts, &mut diagnostics, observer);
                 progress[index].unit = Some(unit);
                 progress[index].closed = closed.filter(|_| diagnostics.is_empty()).map(Rc::new);
             }

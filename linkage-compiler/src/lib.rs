@@ -52,12 +52,14 @@
 
 mod algebra;
 mod assembly;
+mod checks;
 mod diagnostic;
 mod driver;
 mod emit;
 mod forces;
 pub mod ir;
 mod lower;
+mod machine;
 mod message_format;
 mod mobility;
 mod model;

@@ -42,8 +42,8 @@ impl<'m> MessageFormat<'m> {
         match values {
             [] => String::new(),
             _ => {
-                let all: Vec<usize> = (0..values.len()).collect();
-                format!(" at the reference input {}", self.inputs(values, &all))
+                let inputs: Vec<usize> = (0..values.len()).collect();
+                format!(" at the reference input {}", self.inputs(values, &inputs))
             }
         }
     }
@@ -61,7 +61,8 @@ impl<'m> MessageFormat<'m> {
         }
     }
 
-    /// `60deg`, `(10mm, 0mm)`: a value in the unit of its type; what is not known to be an angle is a number.
+    /// Prints `60deg`, `(10mm, 0mm)`: a value in the unit of its type. A value that is not known to
+    /// be an angle is a number.
     pub(crate) fn value(&self, ty: &Type, value: &[f64]) -> String {
         let dimension = ty.dimension().unwrap_or(Dimension::NUMBER);
         let of_length = dimension.fits(Dimension::LENGTH);
@@ -84,7 +85,7 @@ impl<'m> MessageFormat<'m> {
         format!("({})", parts.join(", "))
     }
 
-    /// As many digits as tell how far two things are from each other.
+    /// Prints the digits that matter for the distance between two things.
     pub(crate) fn rounded(&self, dimension: Dimension, x: f64) -> String {
         let shown = match dimension.half_lengths {
             0 => x.to_degrees(),
@@ -99,12 +100,13 @@ impl<'m> MessageFormat<'m> {
         }
     }
 
-    /// A multiple of `step`, without the digits behind it.
+    /// Prints a multiple of `step`, without further digits.
     pub(crate) fn rounded_to(&self, dimension: Dimension, x: f64, step: f64) -> String {
         range_check::rounded_to(x, step, dimension.half_lengths == 0, self.suffix(dimension))
     }
 
-    /// As [`scalar`](Self::scalar), with as many digits more as it takes not to read as another number.
+    /// Prints as [`scalar`](Self::scalar) does, with more digits if the text would be equal to that
+    /// of the other number.
     pub(crate) fn distinguished(&self, dimension: Dimension, x: f64, other: f64) -> String {
         let short = self.scalar(dimension, x);
         if x == other || short != self.scalar(dimension, other) {
@@ -115,12 +117,12 @@ impl<'m> MessageFormat<'m> {
             _ => (dimension.unit(self.mechanism.unit), [x, other]),
         };
         let rounded = |x: f64, decimals: usize| format!("{x:.decimals$e}").parse().unwrap_or(x);
-        // More than 17 digits say nothing more.
+        // More than 17 digits add nothing.
         let mut lengths = 7..17;
         let differs = |decimals: &usize| rounded(shown, *decimals) != rounded(beside, *decimals);
         let enough = lengths
             .find(differs)
-            .map_or(shown, |own| rounded(shown, own));
+            .map_or(shown, |decimals| rounded(shown, decimals));
         format!("{enough}{unit}")
     }
 
@@ -150,10 +152,7 @@ fn without_noise(components: &[f64]) -> impl Iterator<Item = f64> {
     let largest = components.iter().fold(0.0, |a: f64, x| a.max(x.abs()));
     components
         .iter()
-        .map(move |&x| match x.abs() <= NOISE * largest {
-            true => 0.0,
-            false => x,
-        })
+        .map(move |&x| if x.abs() <= NOISE * largest { 0.0 } else { x })
 }
 
 /// `loop 2`, `loops 2 and 3`, `loops 1, 2 and 3`

@@ -5,7 +5,8 @@ use crate::syntax::{Item, MechanismDef, PartItem};
 
 /// Returns the order, and for each mechanism the messages about circles that begin with it.
 ///
-/// Mechanisms of circles, and those that contain them, come last: their other mistakes are reported, too.
+/// Mechanisms of circles, and those that contain them, come last: their other mistakes are
+/// reported, too.
 pub(crate) fn part_order(definitions: &[MechanismDef]) -> (Vec<usize>, Vec<Diagnostics>) {
     let mut order = Vec::new();
     let mut open: Vec<usize> = (0..definitions.len()).collect();
@@ -80,7 +81,8 @@ fn parts(definitions: &[MechanismDef], index: usize) -> impl Iterator<Item = (&P
     })
 }
 
-/// Returns the shortest path from a mechanism through its parts back to it: each mechanism with the part that leads on.
+/// Returns the shortest path from a mechanism through its parts back to it: each mechanism with the
+/// part that is next.
 fn circle(definitions: &[MechanismDef], start: usize) -> Option<Vec<(usize, &PartItem)>> {
     let mut paths: Vec<(Vec<(usize, &PartItem)>, usize)> = vec![(Vec::new(), start)];
     let mut seen = Vec::new();

@@ -1,4 +1,5 @@
-//! What the engine knows of a mechanism: its numbers and its programs, as an object of JavaScript.
+//! The description of a mechanism for the engine: its numbers and its programs, as an object of
+//! JavaScript.
 
 use linkage_compiler::ir::{CompiledMechanism, Coupled, Function, Input, Shape, Start, plain};
 use linkage_core::numeric::continuation::Axis;
@@ -12,21 +13,21 @@ use crate::object::{Object, list, numbers, text};
 /// A mechanism that is called `name`.
 pub(crate) fn description(name: &str, unit: &CompiledMechanism) -> String {
     let inputs = unit.inputs.len();
-    let program = |own: &Program| function(own, inputs);
+    let program = |input: &Program| function(input, inputs);
     let modes = unit.modes().into_iter();
     let modes: Vec<f64> = modes.map(|plus| if plus { 1.0 } else { -1.0 }).collect();
-    let references: Vec<f64> = unit.inputs.iter().map(|own| own.reference).collect();
+    let references: Vec<f64> = unit.inputs.iter().map(|entry| entry.reference).collect();
     Object::new()
         .with("name", text(name))
         .with("dimensions", dimensions(unit))
         .with("inputs", list(unit.inputs.iter().map(input)))
         .with(
             "arguments",
-            list(unit.arguments.iter().map(|own| {
-                let own = Object::new()
-                    .with("name", text(plain(&own.name)))
-                    .with("unit", text(&own.unit));
-                own.text()
+            list(unit.arguments.iter().map(|argument| {
+                let argument = Object::new()
+                    .with("name", text(plain(&argument.name)))
+                    .with("unit", text(&argument.unit));
+                argument.text()
             })),
         )
         .with("reference", numbers(&references))
@@ -39,7 +40,7 @@ pub(crate) fn description(name: &str, unit: &CompiledMechanism) -> String {
         )
         .with(
             "functions",
-            list(unit.functions.iter().map(|own| evaluator(own, inputs))),
+            list(unit.functions.iter().map(|item| evaluator(item, inputs))),
         )
         .with("slots", unit.prepare.outputs.len().to_string())
         .with("bearingNumbers", unit.bearings.outputs.len().to_string())
@@ -64,50 +65,53 @@ pub(crate) fn description(name: &str, unit: &CompiledMechanism) -> String {
 }
 
 fn dimensions(unit: &CompiledMechanism) -> String {
-    list(unit.scalars().map(|own| {
+    list(unit.scalars().map(|scalar| {
         Object::new()
-            .with("name", text(&own.name))
-            .with("unit", text(&own.unit))
-            .with("value", literal(own.nominal))
-            .with("tolerance", literal(own.tolerance))
+            .with("name", text(&scalar.name))
+            .with("unit", text(&scalar.unit))
+            .with("value", literal(scalar.nominal))
+            .with("tolerance", literal(scalar.tolerance))
             .text()
     }))
 }
 
-fn input(own: &Input) -> String {
-    let range = own.range.map(|(low, high)| numbers(&[low, high]));
+fn input(declared: &Input) -> String {
+    let range = declared.range.map(|(low, high)| numbers(&[low, high]));
     Object::new()
-        .with("name", text(plain(&own.name)))
-        .with("unit", text(&own.unit))
-        .with("angle", own.angle.to_string())
-        .with("reference", literal(own.reference))
+        .with("name", text(plain(&declared.name)))
+        .with("unit", text(&declared.unit))
+        .with("angle", declared.angle.to_string())
+        .with("reference", literal(declared.reference))
         .with("range", range.unwrap_or_else(|| "null".to_owned()))
-        .with("followed", numbers(&[own.followed.0, own.followed.1]))
-        .with("rates", numbers(&own.rates))
+        .with(
+            "followed",
+            numbers(&[declared.followed.0, declared.followed.1]),
+        )
+        .with("rates", numbers(&declared.rates))
         .text()
 }
 
 fn groups(unit: &CompiledMechanism) -> String {
-    list(unit.groups.iter().map(|own| {
+    list(unit.groups.iter().map(|group| {
         Object::new()
-            .with("kind", text(&own.kind))
-            .with("loops", list(own.loops.iter().map(usize::to_string)))
+            .with("kind", text(&group.kind))
+            .with("loops", list(group.loops.iter().map(usize::to_string)))
             .with(
                 "unknowns",
-                list(own.unknowns.iter().map(|name| text(plain(name)))),
+                list(group.unknowns.iter().map(|name| text(plain(name)))),
             )
-            .with("unit", text(&own.gap_unit))
-            .with("slack", text(slack(own.slack)))
+            .with("unit", text(&group.gap_unit))
+            .with("slack", text(slack(group.slack)))
             .with(
                 "dimensions",
-                list(own.parameters.iter().map(usize::to_string)),
+                list(group.parameters.iter().map(usize::to_string)),
             )
             .text()
     }))
 }
 
-fn slack(own: Slack) -> &'static str {
-    match own {
+fn slack(kind: Slack) -> &'static str {
+    match kind {
         Slack::Number => "number",
         Slack::Relative => "relative",
         Slack::Signed => "signed",
@@ -116,15 +120,15 @@ fn slack(own: Slack) -> &'static str {
 }
 
 fn angles(unit: &CompiledMechanism) -> String {
-    list(unit.angles.iter().map(|own| {
-        let phases = own.phases.iter().map(|phase| {
+    list(unit.angles.iter().map(|angle| {
+        let phases = angle.phases.iter().map(|phase| {
             let turns = phase.turns.as_ref();
             turns.map_or_else(|| "null".to_owned(), |turns| numbers(turns))
         });
         Object::new()
-            .with("name", text(plain(&unit.unknowns[own.unknown].name)))
-            .with("estimate", literal(own.estimate))
-            .with("inputs", list(own.inputs.iter().map(usize::to_string)))
+            .with("name", text(plain(&unit.unknowns[angle.unknown].name)))
+            .with("estimate", literal(angle.estimate))
+            .with("inputs", list(angle.inputs.iter().map(usize::to_string)))
             .with("phases", list(phases))
             .text()
     }))
@@ -132,37 +136,37 @@ fn angles(unit: &CompiledMechanism) -> String {
 
 /// A group without a closed form, with its state at the reference inputs.
 fn coupled(unit: &CompiledMechanism, number: usize) -> String {
-    let own = &unit.coupled[number];
-    let lengths = own.variables.iter().flat_map(|variable| match variable {
+    let group = &unit.coupled[number];
+    let lengths = group.variables.iter().flat_map(|variable| match variable {
         Variable::Unit => &[false, false][..],
         Variable::Length => &[true],
         Variable::Number => &[false],
         Variable::Point => &[true, true],
         Variable::Conjugate => &[],
     });
-    let (axes, state, floor) = start(unit, own);
+    let (axes, state, floor) = start(unit, group);
     Object::new()
-        .with("group", own.group.to_string())
-        .with("inputs", list(own.inputs.iter().map(usize::to_string)))
-        .with("size", own.size.to_string())
-        .with("turning", own.turning.to_string())
+        .with("group", group.group.to_string())
+        .with("inputs", list(group.inputs.iter().map(usize::to_string)))
+        .with("size", group.size.to_string())
+        .with("turning", group.turning.to_string())
         .with("lengths", list(lengths.map(bool::to_string)))
         .with("axes", list(axes.iter().map(axis)))
         .with("state", numbers(&state))
         .with("determinant", literal(2.0 * floor))
-        .with("correct", function(&own.correct, unit.inputs.len()))
+        .with("correct", function(&group.correct, unit.inputs.len()))
         .text()
 }
 
 /// The ranges of its inputs, its state at the reference inputs, half of a determinant near it.
-fn start(unit: &CompiledMechanism, own: &Coupled) -> (Vec<Axis>, Vec<f64>, f64) {
-    let at: Vec<f64> = own
+fn start(unit: &CompiledMechanism, group: &Coupled) -> (Vec<Axis>, Vec<f64>, f64) {
+    let at: Vec<f64> = group
         .inputs
         .iter()
         .map(|&input| unit.inputs[input].reference)
         .collect();
-    let mut state = vec![f64::NAN; own.size];
-    match &own.start {
+    let mut state = vec![f64::NAN; group.size];
+    match &group.start {
         Some(Start::Table(table)) => {
             let floor = table.state(at[0], &mut state);
             (vec![table.layout().axis], state, floor)
@@ -175,43 +179,43 @@ fn start(unit: &CompiledMechanism, own: &Coupled) -> (Vec<Axis>, Vec<f64>, f64) 
     }
 }
 
-fn axis(own: &Axis) -> String {
+fn axis(along: &Axis) -> String {
     Object::new()
-        .with("middle", literal(own.middle))
-        .with("length", literal(own.length))
-        .with("repeats", literal(own.turns))
+        .with("middle", literal(along.middle))
+        .with("length", literal(along.length))
+        .with("repeats", literal(along.turns))
         .text()
 }
 
-fn evaluator(own: &Function, inputs: usize) -> String {
-    let program = &own.called.program;
-    let columns = own.columns.iter().map(|column| {
+fn evaluator(called: &Function, inputs: usize) -> String {
+    let program = &called.called.program;
+    let columns = called.columns.iter().map(|column| {
         Object::new()
             .with("name", text(&column.name))
             .with("unit", text(&column.unit))
             .text()
     });
-    let fields = own.fields.iter();
+    let fields = called.fields.iter();
     let fields =
         fields.map(|field| list([text(plain(&field.name)), shape(&field.shape)].into_iter()));
     Object::new()
-        .with("name", text(plain(&own.name)))
+        .with("name", text(plain(&called.name)))
         .with(
             "arguments",
-            list(own.arguments.iter().map(usize::to_string)),
+            list(called.arguments.iter().map(usize::to_string)),
         )
-        .with("coupled", (!own.states.is_empty()).to_string())
+        .with("coupled", (!called.states.is_empty()).to_string())
         .with("columns", list(columns))
         .with("fields", list(fields))
         .with("run", function(program, inputs))
         .text()
 }
 
-/// `null` for a number, else how many of what.
-fn shape(own: &Shape) -> String {
+/// Returns `null` for a number, else a list of the count and the shape of an entry.
+fn shape(declared: &Shape) -> String {
     let number = || "null".to_owned();
     let many = |count: &usize, entry| list([count.to_string(), entry].into_iter());
-    match own {
+    match declared {
         Shape::Scalar => number(),
         Shape::Vector(count) => many(count, number()),
         Shape::Array(count, entry) => many(count, shape(entry)),

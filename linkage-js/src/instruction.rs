@@ -2,7 +2,8 @@
 
 use linkage_symbolic::program::{Language, Program, Source, print};
 
-/// A program as a function of an assembly, inputs and states of groups without a closed form, which writes its results to `out`.
+/// A program as a function of an assembly, inputs and states of groups without a closed form, which
+/// writes its results to `out`.
 pub(crate) fn function(program: &Program, inputs: usize) -> String {
     let mut script = Script {
         inputs,
@@ -61,7 +62,7 @@ impl Language for Script {
     }
 }
 
-/// Where a number stands.
+/// Returns the expression of a number that a program loads.
 fn place(source: Source, inputs: usize) -> String {
     match source {
         Source::Parameter(index) => format!("d[{index}]"),
@@ -76,7 +77,8 @@ fn place(source: Source, inputs: usize) -> String {
     }
 }
 
-/// Operations whose function does not have their own name in JavaScript, by the names of their rows.
+/// Operations whose function does not have their own name in JavaScript, by the names of their
+/// rows.
 const FUNCTIONS: [(&str, &str); 10] = [
     ("abs", "Math.abs"),
     ("sqrt", "Math.sqrt"),
@@ -90,7 +92,8 @@ const FUNCTIONS: [(&str, &str); 10] = [
     ("max", "Math.max"),
 ];
 
-/// The function of JavaScript for an operation: by default that of its name, `inverseScale` for `inverse_scale`.
+/// The function of JavaScript for an operation: by default that of its name, `inverseScale` for
+/// `inverse_scale`.
 fn function_of(name: &str) -> String {
     if let Some((_, function)) = FUNCTIONS.iter().find(|(operation, _)| *operation == name) {
         return (*function).to_owned();
@@ -105,7 +108,8 @@ fn function_of(name: &str) -> String {
     function
 }
 
-/// The number with the fewest digits that JavaScript reads back to the last bit; `-` in front of it is never behind another one.
+/// The number with the fewest digits that JavaScript reads back to the last bit; `-` in front of it
+/// is never behind another one.
 pub(crate) fn literal(x: f64) -> String {
     match x {
         x if x.is_nan() => "NaN".to_owned(),
@@ -119,7 +123,7 @@ pub(crate) fn literal(x: f64) -> String {
 mod tests {
     use super::*;
     use linkage_runtime::javascript::engine;
-    use linkage_symbolic::program::{Binary, Call, Ternary, Unary};
+    use linkage_symbolic::program::{Binary, RustCall, Ternary, Unary};
 
     /// JavaScript has the function of each operation, or the engine defines it.
     #[test]
@@ -129,7 +133,7 @@ mod tests {
         let binary = Binary::ALL.iter().map(|op| (op.row().name, op.row().call));
         let ternary = Ternary::ALL.iter().map(|op| (op.row().name, op.row().call));
         for (name, call) in unary.chain(binary).chain(ternary) {
-            if let Call::Method(_) | Call::FusedMethod(_) = call {
+            if let RustCall::Method(_) | RustCall::FusedMethod(_) = call {
                 let function = function_of(name);
                 let is_defined = engine.contains(&format!("function {function}("));
                 assert!(

@@ -1,9 +1,11 @@
-//! Mechanisms of linkage as JavaScript: what computes in pages.
+//! Mechanisms of linkage as JavaScript for pages.
 //!
-//! [`module`] prints what [`linkage_compiler::check`] makes of a mechanism as a module of its own, with types for TypeScript; nothing else is
-//! needed to run it. Sums, products, quotients, roots, sines and angles of vectors are those of generated Rust without fused
-//! multiply-adds, to the last bit; tangents and arcs of single numbers are the browser's. Groups without a closed form are followed by
-//! certified steps of Newton's method from the declared assembly; where that ends, there is no number.
+//! [`module`] prints the result of [`linkage_compiler::check`] as a module, with types for
+//! TypeScript. Nothing else is needed to run it. Sums, products, quotients, roots, sines and angles
+//! of vectors are those of generated Rust without fused multiply-adds, to the last bit; tangents
+//! and arcs of single numbers are the browser's. Groups without a closed form are followed by
+//! certified steps of Newton's method from the declared assembly; where that ends, there is no
+//! number.
 //!
 //! ```
 //! let text = "
@@ -29,9 +31,9 @@
 mod description;
 mod instruction;
 #[cfg(feature = "module")]
-mod module;
+mod js_names;
 #[cfg(feature = "module")]
-mod names;
+mod module;
 mod object;
 #[cfg(feature = "module")]
 mod types;
@@ -41,7 +43,8 @@ use linkage_compiler::ir::CompiledMechanism;
 #[cfg(feature = "module")]
 pub use module::{Clash, Module, module, modules};
 
-/// What the engine of `linkage-runtime` knows of a mechanism: an object of JavaScript, its programs among it. Pages of reports have it beside the engine.
+/// Returns the description of a mechanism for the engine of `linkage-runtime`: an object of
+/// JavaScript with its programs. Pages of reports have it next to the engine.
 pub fn description(name: &str, unit: &CompiledMechanism) -> String {
     description::description(name, unit)
 }

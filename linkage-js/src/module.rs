@@ -7,13 +7,13 @@ use std::fmt::{self, Display, Formatter};
 use linkage_compiler::ir::CompiledMechanism;
 use linkage_runtime::javascript::module_engine;
 
-use crate::{description, names, types};
+use crate::{description, js_names, types};
 
 /// A mechanism as JavaScript.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Module {
-    /// The name by which it is exported, and that of its files: the mechanism's own, unless JavaScript has that itself. Then an underscore
-    /// follows it.
+    /// The name by which it is exported, and that of its files: the mechanism's own, unless
+    /// JavaScript has that itself. Then an underscore follows it.
     pub name: String,
     /// The text of a module, which exports the mechanism and the error that assembling throws.
     pub script: String,
@@ -37,11 +37,12 @@ impl Error for Clash {}
 
 /// Prints a mechanism that is called `title` in its declaration.
 ///
-/// The module exports the mechanism by [`Module::name`], and `AssemblyError`, which its `assemble` throws.
+/// The module exports the mechanism by [`Module::name`], and `AssemblyError`, which its `assemble`
+/// throws.
 pub fn module(title: &str, unit: &CompiledMechanism) -> Module {
     let engine = module_engine();
     let description = description(title, unit);
-    let name = names::exported(title);
+    let name = js_names::exported(title);
     let renamed = match name == title {
         true => String::new(),
         false => format!(
@@ -61,11 +62,13 @@ pub fn module(title: &str, unit: &CompiledMechanism) -> Module {
     }
 }
 
-/// Prints mechanisms whose files may be in one folder: each by its name in the declaration, with its unit.
+/// Prints mechanisms whose files may be in one folder: each by its name in the declaration, with
+/// its unit.
 ///
 /// # Errors
 ///
-/// For two whose names are one, or are one where a file system takes large and small letters for the same: `SliderCrank` and `SLIDERCRANK`.
+/// For two whose names are one, or are one where a file system takes large and small letters for
+/// the same: `SliderCrank` and `SLIDERCRANK`.
 pub fn modules(mechanisms: &[(&str, &CompiledMechanism)]) -> Result<Vec<Module>, Clash> {
     let modules = mechanisms.iter().map(|(title, unit)| module(title, unit));
     let modules: Vec<Module> = modules.collect();

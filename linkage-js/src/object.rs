@@ -30,14 +30,14 @@ pub(crate) fn list(entries: impl Iterator<Item = String>) -> String {
     format!("[{}]", entries.join(", "))
 }
 
-pub(crate) fn numbers(own: &[f64]) -> String {
-    list(own.iter().map(|x| literal(*x)))
+pub(crate) fn numbers(values: &[f64]) -> String {
+    list(values.iter().map(|x| literal(*x)))
 }
 
 /// A text of JavaScript that ends neither itself nor an element of a page.
-pub(crate) fn text(own: &str) -> String {
+pub(crate) fn text(content: &str) -> String {
     let mut text = String::from("\"");
-    for c in own.chars() {
+    for c in content.chars() {
         match c {
             '"' | '\\' => {
                 text.push('\\');

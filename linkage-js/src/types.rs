@@ -4,12 +4,13 @@ use std::fmt::Write;
 
 use linkage_compiler::ir::{CompiledMechanism, Function, Shape, plain};
 
-use crate::names::arguments as named;
+use crate::js_names::arguments as named;
 
-/// What is the same for all mechanisms.
+/// The part that is the same for all mechanisms.
 const COMMON: &str = include_str!("common.d.ts");
 
-/// The text of the `.d.ts` file beside the module, which exports the mechanism `title` by a name of JavaScript.
+/// The text of the `.d.ts` file beside the module, which exports the mechanism `title` by a name of
+/// JavaScript.
 pub(crate) fn types(title: &str, name: &str, unit: &CompiledMechanism) -> String {
     let mut text =
         format!("// {title}. Written by linkage; not to be changed by hand.\n\n{COMMON}\n");
@@ -17,26 +18,26 @@ pub(crate) fn types(title: &str, name: &str, unit: &CompiledMechanism) -> String
         text,
         "/** Dimensions of {title} by name. */\nexport interface Dimensions {{"
     );
-    for own in unit.scalars() {
+    for scalar in unit.scalars() {
         let _ = writeln!(
             text,
             "  /** {} */\n  {}: number;",
-            measure(&own.unit),
-            key(&own.name)
+            measure(&scalar.unit),
+            key(&scalar.name)
         );
     }
     let _ = writeln!(
         text,
         "}}\n\n/** Closed loops: results at any inputs. */\nexport interface Assembly {{"
     );
-    for own in &unit.functions {
-        text += &documented("  ", &about(own));
+    for function in &unit.functions {
+        text += &documented("  ", &about(function));
         let _ = writeln!(
             text,
             "  {}({}): {};",
-            method(plain(&own.name)),
-            arguments(unit, own),
-            result(own)
+            method(plain(&function.name)),
+            arguments(unit, function),
+            result(function)
         );
     }
     let _ = writeln!(text, "}}\n");
@@ -48,8 +49,8 @@ pub(crate) fn types(title: &str, name: &str, unit: &CompiledMechanism) -> String
     text
 }
 
-fn arguments(unit: &CompiledMechanism, own: &Function) -> String {
-    let names = own.arguments.iter().map(|&place| {
+fn arguments(unit: &CompiledMechanism, called: &Function) -> String {
+    let names = called.arguments.iter().map(|&place| {
         let name = match place.checked_sub(unit.inputs.len()) {
             None => &unit.inputs[place].name,
             Some(place) => &unit.arguments[place].name,
@@ -69,9 +70,9 @@ fn method(name: &str) -> String {
     }
 }
 
-/// The function's doc comment, then what its results are.
-fn about(own: &Function) -> String {
-    let told = own.fields.iter().map(|field| {
+/// The function's doc comment, then the meaning of its results.
+fn about(called: &Function) -> String {
+    let told = called.fields.iter().map(|field| {
         let name = plain(&field.name);
         match &field.told()[..] {
             "" => format!("- `{name}`: a number"),
@@ -79,22 +80,22 @@ fn about(own: &Function) -> String {
         }
     });
     let results = told.collect::<Vec<_>>().join("\n");
-    match own.documentation.trim() {
+    match called.documentation.trim() {
         "" => results,
         documentation => format!("{documentation}\n\n{results}"),
     }
 }
 
-fn result(own: &Function) -> String {
-    let fields = own.fields.iter();
+fn result(called: &Function) -> String {
+    let fields = called.fields.iter();
     let fields: Vec<String> = fields
         .map(|field| format!("{}: {}", plain(&field.name), shape(&field.shape)))
         .collect();
     format!("{{ {} }}", fields.join("; "))
 }
 
-fn shape(own: &Shape) -> String {
-    match own {
+fn shape(declared: &Shape) -> String {
+    match declared {
         Shape::Scalar => "number".to_owned(),
         Shape::Vector(count) => format!("[{}]", vec!["number"; *count].join(", ")),
         Shape::Array(_, entry) => format!("{}[]", shape(entry)),
@@ -117,7 +118,7 @@ fn key(name: &str) -> String {
     }
 }
 
-/// A doc comment; what would end it is taken apart.
+/// Returns a doc comment, with the end mark of comments taken apart.
 fn documented(indent: &str, documentation: &str) -> String {
     let lines: Vec<&str> = documentation.lines().map(str::trim).collect();
     if lines.iter().all(|line| line.is_empty()) {

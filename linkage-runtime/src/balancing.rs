@@ -179,11 +179,11 @@ impl<const N: usize> Balance<N> {
 
     /// All rows, those of each group divided by its number.
     fn scaled(&self, divisor: impl Fn(&Group<N>) -> f64) -> Rows<N> {
-        let mut all = vec![];
+        let mut rows = vec![];
         for group in &self.groups {
             let factor = 1.0 / divisor(group);
-            all.extend(group.rows.iter().map(|row| row.times(factor)));
+            rows.extend(group.rows.iter().map(|row| row.times(factor)));
         }
-        all
+        rows
     }
 }

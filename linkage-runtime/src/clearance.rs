@@ -1,9 +1,10 @@
-//! How close two organs come: the least distance of points and segments over a cycle, and the phase that makes it
-//! largest.
+//! Clearance of two members: the least distance of points and segments over a cycle, and the phase
+//! with the largest one.
 //!
-//! A [`Clearance`] holds all places of a cycle where the distance is least, as roots of exact derivatives; each
-//! [`Nearest`] knows what dimensions do to the distance and to its place. [`Phases`] turns one organ against the
-//! other on their shaft, a [`PhaseSet`] several of them.
+//! A [`Clearance`] contains all places of a cycle where the distance is least, as roots of exact
+//! derivatives. Each [`Nearest`] has the sensitivities of the distance and of its place to the
+//! dimensions. [`Phases`] turns one member against the other on their shaft, a [`PhaseSet`] several
+//! of them.
 
 mod ascent;
 mod boxes;

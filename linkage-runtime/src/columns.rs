@@ -1,8 +1,8 @@
 //! Columns for the results of a sweep.
 
-use crate::Scalar;
 use alloc::vec::Vec;
 use core::fmt;
+use linkage_core::Scalar;
 
 /// Bytes of a cache line.
 const LINE: usize = 64;
@@ -26,7 +26,7 @@ const LINE: usize = 64;
 #[derive(Clone)]
 pub struct Columns<T> {
     data: Vec<T>,
-    /// Where the first column begins: at a cache line, unless this is a clone.
+    /// Begin of the first column: at a cache line, unless this is a clone.
     start: usize,
     width: usize,
     len: usize,
@@ -77,7 +77,8 @@ impl<T: Scalar> Columns<T> {
         self.all_with_room(0)
     }
 
-    /// The same with `rows` places each, if they are more and fit before the next column: what is written behind the last row is never read.
+    /// All columns with `rows` rows each, if these are more and fit before the next column. Values
+    /// after the last row are never read.
     pub(crate) fn all_with_room<const W: usize>(&mut self, rows: usize) -> [&mut [T]; W] {
         let len = self.len.max(rows.min(self.distance));
         let mut columns = self.data[self.start..].chunks_mut(self.distance.max(1));
@@ -94,7 +95,7 @@ impl<T: Copy> Columns<T> {
         self.len
     }
 
-    /// Whether there are no rows.
+    /// Returns true if there are no rows.
     #[must_use]
     #[inline]
     pub fn is_empty(&self) -> bool {

@@ -29,14 +29,14 @@ macro_rules! arrays {
 arrays!(1 2 3);
 
 #[cfg(feature = "nalgebra")]
-impl Components<2> for crate::Vector2<f64> {
+impl Components<2> for nalgebra::Vector2<f64> {
     fn components(self) -> [f64; 2] {
         self.into()
     }
 }
 
 #[cfg(feature = "nalgebra")]
-impl Components<3> for crate::Vector3<f64> {
+impl Components<3> for nalgebra::Vector3<f64> {
     fn components(self) -> [f64; 3] {
         self.into()
     }

@@ -1,9 +1,11 @@
-//! Cyclograms: from which to which angle of the shaft each organ of a machine advances, dwells and returns.
+//! Cyclograms: from which to which angle of the shaft each member of a machine advances, dwells and
+//! returns.
 //!
-//! An [`Organ`] is made of the [`Course`](crate::summary::Course) of a quantity and of the [`Band`]s in which it is
-//! said to dwell. Its [`Event`]s, where one motion ends and the next one begins, are roots of exact derivatives, with
-//! their sensitivities to the dimensions by the implicit function theorem. A [`Cyclogram`] is all organs of a shaft:
-//! what follows what, by how many degrees, and what happens at the same time.
+//! A [`Member`] is made of the [`Curve`](crate::summary::Curve) of a quantity and of the [`Band`]s
+//! in which it dwells. Its [`Event`]s, where one motion ends and the next one begins, are roots of
+//! exact derivatives, with their sensitivities to the dimensions by the implicit function theorem.
+//! A [`Cyclogram`] contains all members of a shaft: the order of their events, the angles between
+//! these, and simultaneous motions.
 
 mod accuracy;
 mod band;
@@ -11,7 +13,7 @@ mod error;
 mod event;
 mod lag;
 mod machine;
-mod organ;
+mod member;
 mod overlap;
 mod print;
 mod setting;
@@ -22,7 +24,7 @@ pub use error::{BandMistake, CyclogramError};
 pub use event::{Cause, Event, Motion};
 pub use lag::Lag;
 pub use machine::{Cyclogram, Moment};
-pub use organ::Organ;
+pub use member::Member;
 pub use overlap::{Overlap, Overlaps};
 pub use setting::{Setting, SettingError, set_event};
 pub use steps::{Slot, nearest_slot};

@@ -1,4 +1,4 @@
-//! What a generated mechanism says about itself.
+//! Data of a generated mechanism.
 
 use core::fmt;
 
@@ -7,7 +7,8 @@ use core::fmt;
 pub struct Parameter {
     /// Name as in the mechanism, with `.x`, `.y`, `.z` for a component of a vector.
     pub name: &'static str,
-    /// Unit of `nominal` and `tolerance`: the mechanism's length unit, `rad`, or empty for a number.
+    /// Unit of `nominal` and `tolerance`: the mechanism's length unit, `rad`, or empty for a
+    /// number.
     pub unit: &'static str,
     /// The default value.
     pub nominal: f64,
@@ -42,7 +43,8 @@ pub struct Input {
 }
 
 impl Input {
-    /// The ends of its range. Without one: a whole turn from the reference for an angle, otherwise the reference twice.
+    /// The ends of its range. Without one: a whole turn from the reference for an angle, otherwise
+    /// the reference twice.
     #[must_use]
     pub fn ends(&self) -> (f64, f64) {
         let turn = match self.unit {
@@ -67,7 +69,8 @@ impl Input {
             .collect()
     }
 
-    /// The position of this index among `count` [positions](Self::positions): for more of them than memory holds.
+    /// The position of this index among `count` [positions](Self::positions): for more of them than
+    /// memory holds.
     #[must_use]
     pub fn position(&self, index: usize, count: usize) -> f64 {
         let (low, high) = self.ends();
@@ -80,7 +83,7 @@ impl Input {
     }
 }
 
-/// Which of the two solutions of a group its assembly uses.
+/// The solution of a group that its assembly uses, out of two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum AssemblyMode {
     /// The solution with the positive root.
@@ -94,7 +97,8 @@ impl AssemblyMode {
     #[must_use]
     #[inline]
     pub const fn sign(self) -> f64 {
-        // Without a branch: sweeps over mechanisms ask for it in their loops. `Plus` is 0, `Minus` 1.
+        // Without a branch: sweeps over mechanisms ask for it in their loops. `Plus` is 0, `Minus`
+        // 1.
         1.0 - 2.0 * (self as u8 as f64)
     }
 
@@ -118,7 +122,7 @@ impl fmt::Display for AssemblyMode {
     }
 }
 
-/// How many operations a generated function executes.
+/// The numbers of operations that a generated function executes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Operations {
     /// Additions and subtractions.

@@ -1,11 +1,13 @@
-//! From requirements to dimensions: which dimensions fulfil wishes best, by least squares on exact derivatives from many starts.
+//! Dimensions for requirements: the dimensions that meet the wishes best, by least squares on exact
+//! derivatives from many starts.
 //!
-//! A [`Design`] says which parameters may vary within which bounds, what is wanted ([`Targets`]), and what must hold
-//! ([`Relation`]s, and always: assembled over the whole range on one circuit). Its [`run`](Design::run) descends from
-//! quasi-random starts in all assembly modes, in lanes over mechanisms and with feature `rayon` on all threads, and lists all
-//! distinct local optima.
+//! A [`Design`] has the parameters that may vary with their bounds, the goals ([`Targets`]), and
+//! the conditions ([`Relation`]s, and always: assembled over the whole range on one circuit). Its
+//! [`run`](Design::run) descends from quasi-random starts in all assembly modes, in lanes over
+//! mechanisms and with feature `rayon` on all threads, and lists all distinct local optima.
 //!
-//! A [`CycleDesign`] makes the largest or smallest value over a whole cycle best, from a mechanism that is there: a longest
+//! A [`CycleDesign`] makes the largest or smallest value over a whole cycle best, from a mechanism
+//! that is there: a longest
 //! [`Dwell`], a least [`Peak`] of a torque, with limits for other [`Figure`]s.
 
 mod builder;
@@ -17,14 +19,15 @@ mod condition;
 mod contradiction;
 mod cycle;
 mod declared;
+mod designs;
 mod error;
 pub mod exact;
-mod found;
 mod identify;
 mod least_squares;
 mod limits;
 mod minimax;
 mod normal;
+mod optimum;
 mod parallel;
 mod problem;
 mod proof;
@@ -40,6 +43,7 @@ mod settings;
 mod starts;
 mod targets;
 mod varied;
+mod violation;
 mod wish;
 
 pub use builder::Design;
@@ -49,12 +53,11 @@ pub use cycle::{
     Demand, Dwell, ErrorOf, Figure, Fit, Highest, Lowest, Motion, Own, Peak, Piece, Pieces, Place,
     RootMeanSquare, Stroke, TimeRatio, Verdict,
 };
-pub use error::DesignError;
-pub use found::{Found, Search};
+pub use designs::{DesignSearch, FoundDesign};
+pub use error::{DesignError, Refusals};
 pub use identify::{
     Identification, Identified, Measured, Readings, Remedy, Residual, Undetermined, Unknown,
 };
-pub use refusals::Refusals;
 pub use relation::Relation;
 pub use sampled::Sampled;
 pub use settings::Progress;

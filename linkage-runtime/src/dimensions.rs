@@ -1,11 +1,11 @@
 //! Mechanisms as lists of numbers.
 
-use crate::Parameter;
+use crate::data::Parameter;
 
 /// The dimensions of a mechanism as `N` numbers, in the order of `PARAMETERS`: every mechanism in
 /// `f64` implements it.
 ///
-/// It is what programs need that work on any mechanism: random sampling, optimisation, reading of
+/// Programs that work on any mechanism need it: random sampling, optimisation, reading of
 /// dimensions from a file.
 ///
 /// ```
@@ -26,7 +26,8 @@ pub trait Dimensions<const N: usize>: Sized {
     /// The dimensions in the units of `PARAMETERS`.
     fn values(&self) -> [f64; N];
 
-    /// `PARAMETERS` with the dimensions of this mechanism as nominal values; the tolerances are those of the declaration.
+    /// `PARAMETERS` with the dimensions of this mechanism as nominal values; the tolerances are
+    /// those of the declaration.
     ///
     /// ```
     /// use linkage_runtime::{Dimensions, Parameter};

@@ -3,14 +3,15 @@
 use core::fmt::{self, Debug, Formatter};
 use nalgebra::{Isometry3, Matrix3, RealField, Rotation3, Translation3, UnitQuaternion, Vector3};
 
-use crate::Scalar;
-use crate::generated::named;
+use crate::support::named;
+use linkage_core::Scalar;
 
-/// A frame in space: a point and three perpendicular directions of length 1, right-handed. What `frame(origin, x, z)`
-/// of the language gives as a quantity; the default is the fixed frame.
+/// A frame in space: a point and three perpendicular directions of length 1, right-handed. It is
+/// the quantity `frame(origin, x, z)` of the language. The default is the fixed frame.
 ///
-/// Everything is in fixed coordinates: `origin` in the mechanism's length unit, the axes are numbers. Where the body cannot
-/// be assembled, or the directions that the frame was made from are parallel, entries are NaN.
+/// Everything is in fixed coordinates: `origin` in the mechanism's length unit, the axes are
+/// numbers. Where the body cannot be assembled, or the directions that the frame was made from are
+/// parallel, entries are NaN.
 ///
 /// ```
 /// use linkage_runtime::{Frame, Vector3};
@@ -29,7 +30,7 @@ use crate::generated::named;
 /// ```
 #[derive(Clone, Copy, PartialEq)]
 pub struct Frame<T = f64> {
-    /// Where it is.
+    /// The position.
     pub origin: Vector3<T>,
     /// Direction of its x axis.
     pub x: Vector3<T>,
@@ -43,15 +44,16 @@ impl<T: Debug> Debug for Frame<T> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let Self { origin, x, y, z } = self;
         let mut shown = f.debug_struct("Frame");
-        for (name, own) in [("origin", origin), ("x", x), ("y", y), ("z", z)] {
-            shown.field(name, &named(own));
+        for (name, vector) in [("origin", origin), ("x", x), ("y", y), ("z", z)] {
+            shown.field(name, &named(vector));
         }
         shown.finish()
     }
 }
 
 impl<T: Scalar> Frame<T> {
-    /// The point with these coordinates in the frame, in fixed coordinates: `origin + a x + b y + c z`.
+    /// The point with these coordinates in the frame, in fixed coordinates:
+    /// `origin + a x + b y + c z`.
     #[inline]
     #[must_use]
     pub fn point(&self, local: Vector3<T>) -> Vector3<T> {
@@ -78,7 +80,8 @@ impl<T: RealField> Frame<T> {
         Rotation3::from_matrix_unchecked(Matrix3::from_columns(&axes))
     }
 
-    /// The motion from the fixed frame to this one: it takes coordinates in the frame to fixed coordinates.
+    /// The motion from the fixed frame to this one: it takes coordinates in the frame to fixed
+    /// coordinates.
     #[must_use]
     pub fn isometry(&self) -> Isometry3<T> {
         let rotation = UnitQuaternion::from_rotation_matrix(&self.rotation());

@@ -1,32 +1,34 @@
-//! What closes loops and evaluates functions in a browser, as this crate does it for generated Rust: centres and windings of angles, groups without a
-//! closed form, misses. `linkage-js` prints the programs of a mechanism for it.
+//! The engine in JavaScript: it closes loops and evaluates functions in a browser, as this crate
+//! does for generated Rust. It contains centres and windings of angles, groups without a closed
+//! form, and closure errors. `linkage-js` prints the programs of a mechanism for it.
 
 #[cfg(feature = "alloc")]
 use alloc::{borrow::ToOwned, format, string::String};
 #[cfg(feature = "alloc")]
 use linkage_core::{certificate, range_check};
 
-/// The parts of the engine as they are stored: a later one uses those before it, and `CORE.` is followed by the name of a constant of
-/// `linkage-core`.
+/// The parts of the engine as they are stored: a later one uses those before it, and `CORE.` is
+/// followed by the name of a constant of `linkage-core`.
 #[cfg(feature = "alloc")]
 pub(crate) const ENGINE: [&str; 6] = [
     include_str!("javascript/elementary.js"),
     include_str!("javascript/numbers.js"),
     include_str!("javascript/follow.js"),
-    include_str!("javascript/turns.js"),
+    include_str!("javascript/revolutions.js"),
     include_str!("javascript/coupled.js"),
     include_str!("javascript/assemble.js"),
 ];
 
-/// What modules have after the engine, and pages do not. The function `mechanismOf` of the last part makes of a description what other people's
-/// programs use.
+/// Parts that modules have after the engine, and pages do not. The function `mechanismOf` of the
+/// last part makes the public interface of a module from a description.
 #[cfg(feature = "alloc")]
 pub(crate) const MODULE: [&str; 2] = [
     include_str!("javascript/range.js"),
     include_str!("javascript/mechanism.js"),
 ];
 
-/// Of the page of a report alone, behind those: other assemblies of groups without a closed form.
+/// The part of pages of reports alone, after those: other assemblies of groups without a closed
+/// form.
 #[cfg(feature = "report")]
 pub(crate) const OTHERS: &str = include_str!("javascript/others.js");
 
@@ -42,9 +44,10 @@ pub fn module_engine() -> String {
     with_constants(&[&ENGINE[..], &MODULE].concat().join("\n"))
 }
 
-/// Writes the values of constants of `linkage-core` where the sources of the engine have `CORE.` and a name.
+/// Writes the values of constants of `linkage-core` where the sources of the engine have `CORE.`
+/// and a name.
 #[cfg(feature = "alloc")]
-fn with_constants(source: &str) -> String {
+pub(crate) fn with_constants(source: &str) -> String {
     let mut parts = source.split("CORE.");
     let mut text = String::from(parts.next().unwrap_or_default());
     for part in parts {
@@ -98,10 +101,10 @@ fn literal(number: f64) -> String {
     }
 }
 
-/// The programs of a mechanism as JavaScript, for the page of a report: the constant `PROGRAMS` of a mechanism with a function that asks for
-/// `picture()`.
+/// The programs of a mechanism as JavaScript, for the page of a report: the constant `PROGRAMS` of
+/// a mechanism with a function that asks for `picture()`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Programs {
-    /// An object: what the engine knows of the mechanism.
+    /// An object with all data of the mechanism for the engine.
     pub description: &'static str,
 }

@@ -1,12 +1,14 @@
-//! What mechanisms compiled by `linkage` call at run time, with what `linkage-core` holds of it, which the compiler needs, too.
+//! The library that mechanisms compiled by `linkage` call at run time. It includes the items of
+//! `linkage-core`, which the compiler uses as well.
 //!
 //! Users reach everything here through the facade crate `linkage`.
 //!
 //! Features: `std` or `libm` (where the elementary functions come from; one of them is needed for
-//! everything that computes angles, and for the module `pins`), `alloc` (part of `std`: `Columns`, `Scene`, the modules
-//! `summary` and `cyclogram`, with elementary functions `balancing`, `cam` and `clearance`), `nalgebra`
-//! (`Vector2`, `Vector3`, `Frame`, `Screw`), `simba` (`Lanes`), `num-dual` (`Dual`), `rayon` (sweeps on all threads),
-//! `tolerance` and `monte-carlo` (the module `tolerance`), `design` (the module `design`), `report` (the module `report`).
+//! everything that computes angles, and for the module `pins`), `alloc` (part of `std`: `Columns`,
+//! `Scene`, the modules `summary` and `cyclogram`, with elementary functions `balancing`, `cam` and
+//! `clearance`), `nalgebra` (`Vector2`, `Vector3`, `Frame`, `Screw`), `simba` (`Lanes`), `num-dual`
+//! (`Dual`), `rayon` (sweeps on all threads), `tolerance` and `monte-carlo` (the module
+//! `tolerance`), `design` (the module `design`), `report` (the module `report`).
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
@@ -34,10 +36,9 @@ mod data;
 pub mod design;
 mod dimensions;
 mod error;
+mod format;
 #[cfg(feature = "nalgebra")]
 mod frame;
-#[doc(hidden)]
-pub mod generated;
 pub mod jacobian;
 #[doc(hidden)]
 pub mod javascript;
@@ -57,10 +58,11 @@ mod screw;
 mod structure;
 #[cfg(feature = "alloc")]
 pub mod summary;
+#[doc(hidden)]
+pub mod support;
 mod table;
 #[cfg(feature = "tolerance")]
 pub mod tolerance;
-mod words;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use circuits::{Branch, BranchEnd, Circuits, Estimate, Meeting};
@@ -68,9 +70,9 @@ pub use circuits::{Branch, BranchEnd, Circuits, Estimate, Meeting};
 pub use columns::Columns;
 pub use data::{AssemblyMode, Input, Operations, Parameter};
 pub use dimensions::Dimensions;
-pub use error::{AssemblyError, Halt, NotFollowed};
+pub use error::{AssemblyError, GroupRef, Halt, NotFollowed};
 #[cfg(feature = "alloc")]
-pub use error::{CoupledCause, CoupledError, Missed, Placed, Reach, Value};
+pub use error::{ClosestApproach, CoupledCause, CoupledError, Missed, Placed, Value};
 #[cfg(feature = "nalgebra")]
 pub use frame::Frame;
 pub use javascript::Programs;
@@ -80,6 +82,8 @@ pub use linkage_core::Cycle;
 pub use linkage_core::Dual;
 #[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
 pub use linkage_core::Lanes;
+#[cfg(feature = "alloc")]
+pub use linkage_core::numeric::roots::Unlisted;
 pub use linkage_core::{
     Axis, Drive, DriveOn, Gear, Guide, GuideOn, GuideShape, JointShape, Meaning, Picture,
     PictureJoint, PictureLink, PicturePart, PicturePoint, PointKind, Scalar,
@@ -91,8 +95,6 @@ pub use linkage_core::{FUSED, numeric};
 pub use motion::{true_acceleration, true_jerk, true_velocity};
 #[cfg(feature = "nalgebra")]
 pub use nalgebra::{self, Vector2, Vector3};
-#[cfg(feature = "alloc")]
-pub use numeric::roots::Unlisted;
 #[cfg(feature = "nalgebra")]
 pub use plane_frame::PlaneFrame;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]

@@ -47,11 +47,13 @@ where
     a1 * (omega * omega) + v1 * epsilon
 }
 
-/// True jerk `j = omega^3 j1 + 3 omega epsilon a1 + zeta v1` of a quantity: how fast its true acceleration changes.
+/// True jerk `j = omega^3 j1 + 3 omega epsilon a1 + zeta v1` of a quantity: how fast its true
+/// acceleration changes.
 ///
-/// `v1`, `a1` and `j1` are its first three derivatives with respect to the input, as `velocity(q)`, `acceleration(q)` and
-/// `jerk(q)` give them; `omega`, `epsilon` and `zeta` are the first three derivatives of the input by time, its speed, its
-/// acceleration and its jerk (rad/s, rad/s^2 and rad/s^3 for an angle).
+/// `v1`, `a1` and `j1` are its first three derivatives with respect to the input, as `velocity(q)`,
+/// `acceleration(q)` and `jerk(q)` give them; `omega`, `epsilon` and `zeta` are the first three
+/// derivatives of the input by time, its speed, its acceleration and its jerk (rad/s, rad/s^2 and
+/// rad/s^3 for an angle).
 ///
 /// ```
 /// use linkage_runtime::true_jerk;

@@ -3,14 +3,16 @@
 use core::fmt::{self, Debug, Formatter};
 use nalgebra::{Isometry2, Matrix2, RealField, Rotation2, Translation2, UnitComplex, Vector2};
 
-use crate::Scalar;
-use crate::generated::named;
+use crate::support::named;
+use linkage_core::Scalar;
 
-/// A frame of the plane: a point and two perpendicular directions of length 1, the second one a quarter of a turn from the first. What
-/// `frame(origin, x)` of the language gives as a quantity; the default is the fixed frame.
+/// A frame of the plane: a point and two perpendicular directions of length 1, the second one a
+/// quarter of a turn from the first. It is the quantity `frame(origin, x)` of the language. The
+/// default is the fixed frame.
 ///
-/// Everything is in fixed coordinates: `origin` in the mechanism's length unit, the axes are numbers. Where the body cannot be assembled entries
-/// are NaN. The angle with its turns is a quantity of its own, `body.angle`.
+/// Everything is in fixed coordinates: `origin` in the mechanism's length unit, the axes are
+/// numbers. Where the body cannot be assembled entries are NaN. The angle with its turns is a
+/// quantity of its own, `body.angle`.
 ///
 /// ```
 /// use linkage_runtime::{PlaneFrame, Vector2};
@@ -28,7 +30,7 @@ use crate::generated::named;
 /// ```
 #[derive(Clone, Copy, PartialEq)]
 pub struct PlaneFrame<T = f64> {
-    /// Where it is.
+    /// The position.
     pub origin: Vector2<T>,
     /// Direction of its x axis.
     pub x: Vector2<T>,
@@ -40,8 +42,8 @@ impl<T: Debug> Debug for PlaneFrame<T> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let Self { origin, x, y } = self;
         let mut shown = f.debug_struct("PlaneFrame");
-        for (name, own) in [("origin", origin), ("x", x), ("y", y)] {
-            shown.field(name, &named(own));
+        for (name, vector) in [("origin", origin), ("x", x), ("y", y)] {
+            shown.field(name, &named(vector));
         }
         shown.finish()
     }
@@ -75,7 +77,8 @@ impl<T: RealField> PlaneFrame<T> {
         Rotation2::from_matrix_unchecked(Matrix2::from_columns(&axes))
     }
 
-    /// The motion from the fixed frame to this one: it takes coordinates in the frame to fixed coordinates.
+    /// The motion from the fixed frame to this one: it takes coordinates in the frame to fixed
+    /// coordinates.
     #[must_use]
     pub fn isometry(&self) -> Isometry2<T> {
         let rotation = UnitComplex::from_rotation_matrix(&self.rotation());

@@ -1,129 +1,16 @@
-//! The check of the declared range of an assembly: change points, dead points, gaps. The compiler makes it for the default dimensions.
+//! The check of the declared range of an assembly: change points, dead points, gaps. The compiler
+//! makes it for the default dimensions.
 
+mod check;
 mod print;
+mod report;
 mod search;
 mod stretches;
 #[cfg(test)]
 mod tests;
 
-pub use print::RangeMessage;
-pub(crate) use stretches::touches;
-
-use crate::{Group, Input};
-use alloc::vec::Vec;
+pub use check::check_range;
 pub use linkage_core::range_check::Unchecked;
-use linkage_core::range_check::{Driven, Slack, checked};
-use search::Search;
-
-/// What `check_range()` of an assembly finds.
-///
-/// Printed, it has a paragraph for each thing that it finds, in the words of the compiler.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RangeReport {
-    /// Name of the mechanism.
-    pub mechanism: &'static str,
-    /// The input that runs through its range, the others being at their references. `None` if nothing is checked.
-    pub input: Option<Input>,
-    /// The range; a turn about the reference where an angle has none.
-    pub range: [f64; 2],
-    /// The stretch around the reference that works.
-    pub works: [f64; 2],
-    /// Where the assembly ends, or may go on in another one, from the lower end of the range on.
-    pub findings: Vec<RangeFinding>,
-    /// Why nothing is checked.
-    pub unchecked: Option<Unchecked>,
-    groups: &'static [Group],
-    units: Vec<&'static str>,
-}
-
-/// A place in the range of an input where a group of an assembly has a dead point.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RangeFinding {
-    /// What is there.
-    pub kind: RangeFindingKind,
-    /// Index of the group in `STRUCTURE`.
-    pub group: usize,
-    /// Where it begins.
-    pub from: f64,
-    /// Where it ends: the same input for a change point.
-    pub to: f64,
-    /// By how much the group misses closing at worst, in the unit that `AssemblyError::CannotClose` has for it; 0 at a change point.
-    pub miss: f64,
-}
-
-/// Kinds of what ends an assembly in a range.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RangeFindingKind {
-    /// Two assemblies meet, and both go on: the mechanism may go on in either.
-    ChangePoint,
-    /// The assembly ends, and does not close again in the range. Or a group with one assembly is singular there.
-    DeadPoint,
-    /// The assembly ends, and closes again at `to`.
-    Gap,
-    /// A division by zero, or a root or an arc function out of its range; or the range is longer than what is prepared of a coupled group.
-    Undefined,
-}
-
-/// An assembled mechanism, as its check sees it.
-#[derive(Clone, Copy, Debug)]
-pub struct Ranged<'a> {
-    /// Name of the mechanism.
-    pub mechanism: &'static str,
-    /// Its inputs.
-    pub inputs: &'static [Input],
-    /// Its groups.
-    pub groups: &'static [Group],
-    /// What the slack of each is.
-    pub slacks: &'a [Slack],
-    /// What the gap of each is measured in.
-    pub units: &'a [&'static str],
-    /// Whether whole turns of an angle are alike: nothing is prepared over the range.
-    pub repeats: bool,
-}
-
-impl RangeReport {
-    /// Whether the assembly runs through the whole range, as far as it is checked.
-    #[must_use]
-    pub fn is_sound(&self) -> bool {
-        self.findings.is_empty()
-    }
-}
-
-/// Searches the declared range, with the criteria of the compiler. `survey` returns the least margin of all groups and the slack of each at
-/// given inputs, `gaps` by how much each group misses closing.
-///
-/// An angle without a range is the only input that is checked for change points over the turn about its reference.
-pub fn check_range(
-    ranged: &Ranged<'_>,
-    survey: &dyn Fn(&[f64]) -> Vec<f64>,
-    gaps: &dyn Fn(&[f64]) -> Vec<f64>,
-) -> RangeReport {
-    let mut report = RangeReport {
-        mechanism: ranged.mechanism,
-        input: None,
-        range: [f64::NAN; 2],
-        works: [f64::NAN; 2],
-        findings: Vec::new(),
-        unchecked: None,
-        groups: ranged.groups,
-        units: ranged.units.to_vec(),
-    };
-    let inputs = ranged.inputs.iter().map(|own| Driven {
-        angle: own.unit == "rad",
-        reference: own.reference,
-        range: own.range,
-    });
-    let (input, range) = match checked(inputs, ranged.slacks.contains(&Slack::Prepared)) {
-        Ok(found) => found,
-        Err(why) => {
-            report.unchecked = Some(why);
-            return report;
-        }
-    };
-    let mut search = Search::new(ranged, input, range, survey, gaps);
-    report.input = Some(ranged.inputs[input]);
-    report.range = search.range;
-    report.findings = search.findings();
-    report.works = search.works();
-    report
-}
+pub use print::RangeMessage;
+pub use report::{RangeFinding, RangeFindingKind, RangeReport, Ranged};
+pub(crate) use stretches::touches;

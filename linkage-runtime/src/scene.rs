@@ -1,8 +1,8 @@
 //! Several linkages on one shaft, evaluated together.
 
+mod entry;
 mod handle;
 mod handles;
-mod place;
 
 pub use handle::Handle;
 pub use handles::Handles;
@@ -13,14 +13,14 @@ use core::borrow::Borrow;
 use core::fmt;
 use core::marker::PhantomData;
 use core::sync::atomic::{AtomicUsize, Ordering};
-use place::{Filling, Joining, Place, Returning};
+use entry::{Filling, Joining, Returning, SceneEntry};
 
 /// A machine: functions of one argument, such as the angle of the main shaft, each of which can be
 /// switched on and off.
 ///
 /// [`update`](Self::update) evaluates the functions that are on, and each only if the argument has
-/// changed since its last evaluation (NaN always has). The choice is made between whole functions: what is off
-/// is not even looked at, and inside of a function nothing is decided.
+/// changed since its last evaluation (NaN always has). The choice is made between whole functions:
+/// a function that is off costs nothing, and inside of a function there is no branch.
 ///
 /// A scene stays on its thread; several threads have a scene each.
 ///
@@ -45,9 +45,9 @@ use place::{Filling, Joining, Place, Returning};
 /// assert_eq!(scene.get(press), Some(&[1.0, 0.0]));
 /// ```
 ///
-/// A function may keep what it captures, or borrow it for `'a`; a linkage that is assembled later than the
-/// scene is moved in (`move |phi| ..`), which copies it. If that changes, as when a linkage
-/// is assembled with other dimensions, [`set`](Self::set) puts a new function in its place.
+/// A function may own its captures, or borrow them for `'a`. A linkage that is assembled later than
+/// the scene is moved in (`move |phi| ..`), which copies it. If the linkage changes, for example to
+/// other dimensions, [`set`](Self::set) replaces the function.
 ///
 /// # Sweeps
 ///
@@ -73,7 +73,7 @@ pub struct Scene<'a, X> {
     argument: Option<X>,
     /// Counts the arguments; 0 before the first one.
     frame: u64,
-    places: Vec<Place<'a, X>>,
+    entries: Vec<SceneEntry<'a, X>>,
     /// The places that are on, in ascending order.
     on: Vec<usize>,
 }
@@ -89,32 +89,32 @@ impl<'a, X: PartialEq> Scene<'a, X> {
             id: NEXT.fetch_add(1, Ordering::Relaxed),
             argument: None,
             frame: 0,
-            places: Vec::new(),
+            entries: Vec::new(),
             on: Vec::new(),
         }
     }
 
     /// Adds a function, switched on. It is evaluated at the next update.
     pub fn add<R: 'static>(&mut self, function: impl FnMut(&X) -> R + 'a) -> Handle<R> {
-        self.push(Place::new(Returning::new(function)))
+        self.push(SceneEntry::new(Returning::new(function)))
     }
 
     /// Adds a function that writes its result into `buffer`, switched on.
     ///
-    /// The function finds in the buffer what it wrote the last time.
+    /// The buffer contains the result of the last evaluation.
     pub fn add_into<R: 'static>(
         &mut self,
         buffer: R,
         function: impl FnMut(&X, &mut R) + 'a,
     ) -> Handle<R> {
-        self.push(Place::new(Filling::new(buffer, function)))
+        self.push(SceneEntry::new(Filling::new(buffer, function)))
     }
 
-    /// Adds a function of the results of others, one handle or a tuple of two to four, switched on: what is asked of
-    /// several parts at once, from what each of them has computed already.
+    /// Adds a function of the results of others, one handle or a tuple of two to four, switched on.
+    /// It computes quantities of several parts from results that each of them already has.
     ///
-    /// It is evaluated after them, and only if one of them was evaluated anew. While one of them is off, or has no
-    /// result, it has none and costs nothing.
+    /// It is evaluated after them, and only if one of them was evaluated again. While one of them
+    /// is off, or has no result, it has none and costs nothing.
     ///
     /// ```
     /// use linkage_runtime::Scene;
@@ -138,13 +138,16 @@ impl<'a, X: PartialEq> Scene<'a, X> {
         sources: S,
         function: impl FnMut(S::Results<'_>) -> R + 'a,
     ) -> Handle<R> {
-        let places = sources.places();
-        let places = places.into_iter().map(|(scene, index)| {
+        let entries = sources.entries();
+        let entries = entries.into_iter().map(|(scene, index)| {
             assert!(scene == self.id, "{OTHER}");
             index
         });
-        let places = places.collect();
-        self.push(Place::made_of(places, Joining::new(sources, function)))
+        let entries = entries.collect();
+        self.push(SceneEntry::made_of(
+            entries,
+            Joining::new(sources, function),
+        ))
     }
 
     /// Puts another function with the same type of result in the place of one; whether it is on
@@ -156,7 +159,7 @@ impl<'a, X: PartialEq> Scene<'a, X> {
         self.place_mut(handle).put(Returning::new(function));
     }
 
-    /// As [`set`](Self::set), with a function that writes its result into `buffer`.
+    /// Works as [`set`](Self::set), with a function that writes its result into `buffer`.
     ///
     /// # Panics
     /// If the handle is of another scene.
@@ -191,7 +194,7 @@ impl<'a, X: PartialEq> Scene<'a, X> {
         }
     }
 
-    /// Whether the function is on.
+    /// Returns true if the function is on.
     ///
     /// # Panics
     /// If the handle is of another scene.
@@ -219,8 +222,8 @@ impl<'a, X: PartialEq> Scene<'a, X> {
         self.evaluate()
     }
 
-    /// As [`update`](Self::update), with an argument that is copied only if it differs from the last
-    /// one, and then into the memory of that one: angles of a sweep.
+    /// Works as [`update`](Self::update), with an argument that is copied only if it differs from
+    /// the last one, and then into the memory of that one: angles of a sweep.
     pub fn update_from<B>(&mut self, argument: &B) -> usize
     where
         B: ToOwned<Owned = X> + PartialEq + ?Sized,
@@ -255,40 +258,41 @@ impl<'a, X: PartialEq> Scene<'a, X> {
     pub fn get<R: 'static>(&self, handle: Handle<R>) -> Option<&R> {
         let index = self.index(handle);
         let is_current = self.frame != 0 && self.is_current(index);
-        is_current.then(|| self.places[index].result()?.downcast_ref())?
+        is_current.then(|| self.entries[index].result()?.downcast_ref())?
     }
 
-    /// Whether the function is on and its result is that of this frame, and of the results that it is made of.
+    /// Returns true if the function is on and its result is that of this frame, and of the results
+    /// that it is made of.
     fn is_current(&self, index: usize) -> bool {
-        let place = &self.places[index];
+        let entry = &self.entries[index];
         let seen = |(source, version): &(usize, u64)| {
-            self.is_current(*source) && self.places[*source].version == *version
+            self.is_current(*source) && self.entries[*source].version == *version
         };
         self.on.binary_search(&index).is_ok()
-            && place.frame == self.frame
-            && place.sources.iter().all(seen)
+            && entry.frame == self.frame
+            && entry.sources.iter().all(seen)
     }
 
     fn evaluate(&mut self) -> usize {
         let mut evaluated = 0;
         for at in 0..self.on.len() {
             let index = self.on[at];
-            let mut sources = self.places[index].sources.iter();
+            let mut sources = self.entries[index].sources.iter();
             if self.is_current(index) || !sources.all(|(source, _)| self.is_current(*source)) {
                 continue;
             }
-            let (earlier, own) = self.places.split_at_mut(index);
-            if let (Some(argument), [own, ..]) = (&self.argument, own) {
-                own.evaluate(argument, self.frame, earlier);
+            let (earlier, rest) = self.entries.split_at_mut(index);
+            if let (Some(argument), [entry, ..]) = (&self.argument, rest) {
+                entry.evaluate(argument, self.frame, earlier);
                 evaluated += 1;
             }
         }
         evaluated
     }
 
-    fn push<R>(&mut self, place: Place<'a, X>) -> Handle<R> {
-        let index = self.places.len();
-        self.places.push(place);
+    fn push<R>(&mut self, entry: SceneEntry<'a, X>) -> Handle<R> {
+        let index = self.entries.len();
+        self.entries.push(entry);
         self.on.push(index);
         Handle {
             scene: self.id,
@@ -297,9 +301,9 @@ impl<'a, X: PartialEq> Scene<'a, X> {
         }
     }
 
-    fn place_mut<R>(&mut self, handle: Handle<R>) -> &mut Place<'a, X> {
+    fn place_mut<R>(&mut self, handle: Handle<R>) -> &mut SceneEntry<'a, X> {
         let index = self.index(handle);
-        &mut self.places[index]
+        &mut self.entries[index]
     }
 
     fn index<R>(&self, handle: Handle<R>) -> usize {
@@ -318,7 +322,7 @@ impl<X: fmt::Debug> fmt::Debug for Scene<'_, X> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Scene")
             .field("argument", &self.argument)
-            .field("functions", &self.places.len())
+            .field("functions", &self.entries.len())
             .finish_non_exhaustive()
     }
 }

@@ -4,15 +4,17 @@ use core::array::from_fn;
 use core::fmt::{self, Debug, Formatter};
 use nalgebra::Vector3;
 
-use crate::Scalar;
-use crate::generated::named;
+use crate::support::named;
+use linkage_core::Scalar;
 
-/// How a body moves at one moment: it turns about an axis and shifts along it, as a screw does (theorem of Mozzi and Chasles: G. Mozzi,
-/// "Discorso matematico sopra il rotamento momentaneo dei corpi", 1763; R. S. Ball, "A treatise on the theory of screws", 1900).
+/// The motion of a body at one moment: it turns about an axis and shifts along it, as a screw does
+/// (theorem of Mozzi and Chasles: G. Mozzi, "Discorso matematico sopra il rotamento momentaneo dei
+/// corpi", 1763; R. S. Ball, "A treatise on the theory of screws", 1900).
 ///
-/// Everything is in fixed coordinates and by the unit of the input, as `omega(body)` and `velocity(body.origin)` are: per radian of a crank, per
-/// millimetre of a travel. With the true velocities it is per second. A body that does not turn has no axis: `turn` is 0, see
-/// [`is_shift`](Self::is_shift). What goes in as NaN makes everything NaN.
+/// Everything is in fixed coordinates and per unit of the input, like `omega(body)` and
+/// `velocity(body.origin)`: per radian of a crank, per millimetre of a travel. With the true
+/// velocities it is per second. A body that does not turn has no axis: `turn` is 0, see
+/// [`is_shift`](Self::is_shift). NaN in any argument makes everything NaN.
 ///
 /// ```
 /// use linkage_runtime::{Screw, Vector3};
@@ -28,26 +30,31 @@ use crate::generated::named;
 /// ```
 #[derive(Clone, Copy, PartialEq)]
 pub struct Screw<T = f64> {
-    /// Direction of the axis, of length 1: that of the angular velocity, of a body that does not turn that of its velocity. Zero if it rests.
+    /// Direction of the axis, of length 1: that of the angular velocity, of a body that does not
+    /// turn that of its velocity. Zero if it rests.
     pub direction: Vector3<T>,
-    /// The point of the axis that is nearest to the point whose velocity was given; that point itself if the body does not turn.
+    /// The point of the axis that is nearest to the point whose velocity was given; that point
+    /// itself if the body does not turn.
     pub point: Vector3<T>,
-    /// How fast the body turns about the axis, counter-clockwise seen against the direction: radians per unit of the input, never negative.
+    /// The angular speed about the axis, counter-clockwise seen against the direction: radians per
+    /// unit of the input, never negative.
     pub turn: T,
-    /// How fast it shifts along the axis, negative against the direction: length per unit of the input.
+    /// The speed along the axis, negative against the direction: length per unit of the input.
     pub shift: T,
 }
 
 impl<T: Scalar> Screw<T> {
-    /// From the angular velocity of a body and the velocity of its point `at`, both by the same input or both true ones: of a frame
-    /// `omega(body)`, `velocity(body.origin)` and `body.origin`.
+    /// Builds the screw from the angular velocity of a body and the velocity of its point `at`,
+    /// both with respect to the same input or both true ones: for a frame `omega(body)`,
+    /// `velocity(body.origin)` and `body.origin`.
     ///
-    /// With `w` for `omega` and `v` for `velocity` the axis goes through `at + w x v / w^2`, and the body shifts by `w . v / |w|`. Both are off by
-    /// what some roundings of `v` change, at any size of the numbers; of a body that hardly turns the axis is as far away as it is. Where
-    /// that is farther than the largest number, turning makes no difference anywhere, and the motion is a shift.
+    /// With `w` for `omega` and `v` for `velocity` the axis goes through `at + w x v / w^2`, and
+    /// the body shifts by `w . v / |w|`. Their errors are those of some roundings of `v`, at any
+    /// size of the numbers; the axis of a body that hardly turns is far away. If it is farther than
+    /// the largest number, turning makes no difference anywhere, and the motion is a shift.
     #[must_use]
     pub fn of(omega: Vector3<T>, velocity: Vector3<T>, at: Vector3<T>) -> Self {
-        let (turning, moving) = (Scaled::of(omega), Scaled::of(velocity));
+        let (turning, moving) = (Scaled::new(omega), Scaled::new(velocity));
         let (axis, way) = (turning.direction(), moving.direction());
         // Powers of two are kept out of the products, which can neither overflow nor vanish.
         let ratio = turning.scale / moving.scale;
@@ -57,9 +64,10 @@ impl<T: Scalar> Screw<T> {
             if !lengths.iter().all(|length| length.is_finite()) {
                 return f64::NAN;
             }
-            match arm.iter().all(|x| x.lane(lane).is_finite()) {
-                true => 1.0,
-                false => -1.0,
+            if arm.iter().all(|x| x.lane(lane).is_finite()) {
+                1.0
+            } else {
+                -1.0
             }
         });
         let choose = |turning, shifting| T::select(turns, turning, shifting);
@@ -71,14 +79,16 @@ impl<T: Scalar> Screw<T> {
         }
     }
 
-    /// Whether the body does not turn: all its points move alike, by `shift` along `direction`, or not at all. Of several motions side by
-    /// side (lanes): whether none of them turns.
+    /// Returns true if the body does not turn: all its points move alike, by `shift` along
+    /// `direction`, or not at all. For several motions side by side (lanes): true if none of them
+    /// turns.
     #[must_use]
     pub fn is_shift(&self) -> bool {
         (0..T::LANES).all(|lane| self.turn.lane(lane) == 0.0)
     }
 
-    /// How far the body shifts while it turns by a radian, positive for a right-handed screw; infinite if it does not turn, NaN if it rests.
+    /// The shift of the body for a turn by a radian, positive for a right-handed screw; infinite if
+    /// it does not turn, NaN if it rests.
     #[must_use]
     pub fn pitch(&self) -> T {
         self.shift / self.turn
@@ -94,7 +104,8 @@ impl<T: Scalar> Screw<T> {
         }))
     }
 
-    /// The point of the axis that is nearest to a point; if the body does not turn, of the line on which `point` moves.
+    /// The point of the axis that is nearest to a point; if the body does not turn, of the line on
+    /// which `point` moves.
     #[must_use]
     pub fn nearest(&self, to: Vector3<T>) -> Vector3<T> {
         let direction = array(self.direction);
@@ -119,12 +130,12 @@ struct Scaled<T> {
     vector: [T; 3],
     /// The power of two that it was multiplied by.
     scale: T,
-    /// Of the scaled vector.
+    /// Length of the scaled vector.
     length: T,
 }
 
 impl<T: Scalar> Scaled<T> {
-    fn of(vector: Vector3<T>) -> Self {
+    fn new(vector: Vector3<T>) -> Self {
         let [x, y, z] = array(vector);
         let scale = x.abs().max(y.abs()).max(z.abs()).inverse_scale();
         let vector = [x, y, z].map(|x| x * scale);

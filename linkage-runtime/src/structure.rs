@@ -1,11 +1,11 @@
 //! The structure that the compiler found in a mechanism.
 
 use crate::data::Operations;
-use crate::words::{join, numbers};
+use crate::format::{join, numbers};
 use core::fmt;
 
-/// The structure of a mechanism: its Assur groups in the order in which they are solved, and what
-/// each generated function costs.
+/// The structure of a mechanism: its Assur groups in the order in which they are solved, and the
+/// cost of each generated function.
 ///
 /// ```
 /// use linkage_runtime::{Group, Operations, Structure};
@@ -40,7 +40,7 @@ pub struct Structure {
     pub groups: &'static [Group],
     /// The generated functions.
     pub functions: &'static [FunctionInfo],
-    /// What `assemble()` computes once from the parameters.
+    /// The part that `assemble()` computes once from the parameters.
     pub prepare: Operations,
 }
 
@@ -59,7 +59,7 @@ pub struct Group {
     pub unknowns: &'static [&'static str],
     /// Index among the assembly's modes; `None` for a group with one solution.
     pub mode: Option<usize>,
-    /// How it is solved.
+    /// The closed form, or its absence.
     pub method: &'static str,
 }
 
@@ -68,7 +68,7 @@ pub struct Group {
 pub struct FunctionInfo {
     /// Its name.
     pub name: &'static str,
-    /// What one position costs.
+    /// The operations for one position.
     pub operations: Operations,
 }
 

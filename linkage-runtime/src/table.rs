@@ -1,17 +1,18 @@
-//! What the columns of a sweep mean: for everything that prints, plots or writes them.
+//! The meaning of the columns of a sweep: for everything that prints, plots or writes them.
 
-use crate::{Meaning, Picture};
+use linkage_core::{Meaning, Picture};
 
-/// The results of a sweep with the names and units of their numbers: every generated type of columns
-/// implements it (in `f64`, for functions with arguments).
+/// The results of a sweep with the names and units of their numbers: every generated type of
+/// columns implements it (in `f64`, for functions with arguments).
 pub trait Table {
-    /// What the columns are.
+    /// The columns.
     fn heading(&self) -> &'static Heading;
 
-    /// How many positions.
+    /// The number of positions.
     fn rows(&self) -> usize;
 
-    /// The values of one column, one for each position; NaN where the mechanism cannot be assembled.
+    /// The values of one column, one for each position; NaN where the mechanism cannot be
+    /// assembled.
     ///
     /// # Panics
     /// If there is no such column.
@@ -27,7 +28,7 @@ pub struct Heading {
     pub arguments: &'static [&'static str],
     /// Its numbers in the order of its fields, components innermost.
     pub columns: &'static [Column],
-    /// What the columns of its `picture()` show.
+    /// The columns of its `picture()`.
     pub picture: Option<PictureColumns>,
 }
 
@@ -38,15 +39,15 @@ pub struct Column {
     pub name: &'static str,
     /// Such as `mm`, `rad`, `mm/rad`; empty for a number.
     pub unit: &'static str,
-    /// What it is.
+    /// The meaning.
     pub meaning: Meaning,
 }
 
-/// Where the columns of a picture stand.
+/// Positions of the columns of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PictureColumns {
     /// The first column. The components of each point follow, then those of each direction.
     pub first: usize,
-    /// What they show.
+    /// Their parts of the picture.
     pub picture: &'static Picture,
 }

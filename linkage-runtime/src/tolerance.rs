@@ -1,9 +1,9 @@
-//! What tolerances of dimensions do to a quantity, and which tolerances an allowed error needs.
+//! Effects of the tolerances of dimensions on a quantity, and tolerances for an allowed error.
 //!
-//! [`Tolerances`] times sensitivities are the [`Effects`] at a position; [`largest`] finds where in a
-//! cycle a figure is largest; a [`Requirement`] divides an allowed error among the parameters;
-//! [`Uncertainties`] give standard uncertainties, with correlations, as a [`Budget`] and to
-//! [second order](SecondOrder); with feature `monte-carlo`, `MonteCarlo` evaluates random mechanisms.
+//! [`Tolerances`] times sensitivities are the [`Effects`] at a position; [`largest`] finds where in
+//! a cycle a figure is largest; a [`Requirement`] divides an allowed error among the parameters;
+//! [`Uncertainties`] give standard uncertainties, with correlations, as a [`Budget`] and to [second
+//! order](SecondOrder); with feature `monte-carlo`, `MonteCarlo` evaluates random mechanisms.
 
 mod allocation;
 mod budget;
@@ -25,7 +25,7 @@ pub(crate) mod student;
 mod uncertainties;
 
 pub use crate::components::Components;
-pub use allocation::{Allocation, Costs, Rule};
+pub use allocation::{Allocation, AllocationRule, Costs};
 pub use budget::{Budget, BudgetLine};
 pub use cycle::{Extreme, largest, largest_at};
 pub use distribution::Distribution;

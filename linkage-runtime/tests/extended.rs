@@ -1,7 +1,7 @@
 //! Arguments of sweeps that are computed from others.
 
 use linkage_runtime::Columns;
-use linkage_runtime::generated::{Arguments, Block, Extended, Inputs, Kernel, States, fill, rows};
+use linkage_runtime::support::{Arguments, Block, Extended, Inputs, Kernel, States, fill, rows};
 
 /// Twice an argument, and minus its square.
 struct Twice;

@@ -1,7 +1,7 @@
 //! What mechanisms print about themselves and their errors.
 
 use linkage_runtime::{
-    AssemblyError, AssemblyMode, FunctionInfo, Group, Operations, Parameter, Structure,
+    AssemblyError, AssemblyMode, FunctionInfo, Group, GroupRef, Operations, Parameter, Structure,
     true_acceleration, true_jerk, true_velocity,
 };
 
@@ -116,11 +116,13 @@ fn miss(loops: &'static [usize], kind: &'static str, miss: f64, unit: &'static s
         &["theta", "s"]
     };
     AssemblyError::CannotClose {
-        mechanism: "M",
-        group: 1,
-        kind,
-        loops,
-        unknowns,
+        group: GroupRef {
+            mechanism: "M",
+            index: 1,
+            kind,
+            loops,
+            unknowns,
+        },
         miss,
         unit,
     }
@@ -159,11 +161,13 @@ fn an_error_names_the_loop_and_the_miss() {
 fn other_errors_say_what_is_wrong() {
     let errors: [&dyn core::error::Error; 3] = [
         &AssemblyError::Undefined {
-            mechanism: "M",
-            group: 0,
-            kind: "RRR",
-            loops: &[1],
-            unknowns: &["theta", "psi"],
+            group: GroupRef {
+                mechanism: "M",
+                index: 0,
+                kind: "RRR",
+                loops: &[1],
+                unknowns: &["theta", "psi"],
+            },
         },
         &AssemblyError::NoWinding {
             mechanism: "M",
@@ -186,7 +190,7 @@ fn other_errors_say_what_is_wrong() {
 #[test]
 fn groups_without_a_closed_form_say_what_is_wrong() {
     use linkage_runtime::numeric::roots::Unlisted;
-    use linkage_runtime::{CoupledCause, CoupledError, Placed, Value};
+    use linkage_runtime::{CoupledCause, CoupledError, GroupRef, Placed, Value};
 
     let angle = |name, value: f64| Value {
         name,
@@ -267,11 +271,13 @@ fn groups_without_a_closed_form_say_what_is_wrong() {
         ),
     ] {
         let error = CoupledError {
-            mechanism: "M",
-            group: 2,
-            kind: "RR-RR-PR",
-            loops: &[1, 2],
-            unknowns: &["theta", "s"],
+            group: GroupRef {
+                mechanism: "M",
+                index: 2,
+                kind: "RR-RR-PR",
+                loops: &[1, 2],
+                unknowns: &["theta", "s"],
+            },
             cause,
         };
         let expected = format!("M: loops 1 and 2 (theta, s; RR-RR-PR) {expected}");

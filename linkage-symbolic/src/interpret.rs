@@ -1,25 +1,27 @@
-//! Programs on plain numbers, which close the loops at compile time and are the oracle for generated code, and on numbers of any other arithmetic.
+//! Programs on plain numbers, which close the loops at compile time and are the oracle for
+//! generated code, and on numbers of any other arithmetic.
 
 use crate::program::{Binary, Fused, Instruction, Program, Source, Ternary, Unary, Value};
 
-/// What instructions do to numbers.
+/// The effect of instructions on numbers.
 pub trait Arithmetic {
-    /// Of what programs are run on.
+    /// The numbers that programs run on.
     type Number: Copy;
 
     /// The nearest number.
     fn constant(x: f64) -> Self::Number;
     /// The result of an operation of one operand.
     fn unary(op: Unary, a: Self::Number) -> Self::Number;
-    /// Of two.
+    /// The result of an operation of two operands.
     fn binary(op: Binary, a: Self::Number, b: Self::Number) -> Self::Number;
-    /// Of three.
+    /// The result of an operation of three operands.
     fn ternary(op: Ternary, a: Self::Number, b: Self::Number, c: Self::Number) -> Self::Number;
-    /// Of a multiply-add.
+    /// The result of a multiply-add.
     fn fused(op: Fused, a: Self::Number, b: Self::Number, c: Self::Number) -> Self::Number;
 }
 
-/// The table of operations: sines and the like from the standard library, multiply-adds rounded as their rows say.
+/// The table of operations: sines and the like from the standard library, multiply-adds rounded as
+/// their rows say.
 struct OfTable;
 
 impl Arithmetic for OfTable {
@@ -61,7 +63,11 @@ pub fn run_by<A: Arithmetic>(
     let count = program.instructions.len();
     let mut values = Vec::with_capacity(count);
     steps::<A>(program, 0, count, &mut values, load);
-    program.outputs.iter().map(|own| values[own.0]).collect()
+    program
+        .outputs
+        .iter()
+        .map(|output| values[output.0])
+        .collect()
 }
 
 /// Runs the instructions `from..to`; `values` holds the results of those before.

@@ -1,12 +1,14 @@
 //! The symbolic engine of the linkage compiler.
 //!
-//! A [`Graph`] is a flat arena of hash-consed operations, children before parents; its constructors simplify by [`rules`].
-//! Symbols are its leaves; a symbol may have a definition (another node), which is how the solution of a loop enters: derivatives of such a symbol come from
-//! [`Calculus::symbol_derivative`], its value from the definition. [`inline`] removes the definitions and
-//! leaves a plain graph of parameters and inputs, [`schedule`] slices and orders it as a
-//! [`Program`](program::Program), [`passes`] polish that, and [`interpret`] runs it. [`Ex`] and [`Vector`] are what formulas are written with.
+//! A [`Graph`] is a flat arena of hash-consed operations, children before parents. Its constructors
+//! simplify by [`rules`]. Symbols are its leaves. A symbol may have a definition, which is another
+//! node: the solution of a loop is a definition. Derivatives of such a symbol come from
+//! [`Calculus::symbol_derivative`], its value comes from the definition. [`inline`] removes the
+//! definitions and leaves a plain graph of parameters and inputs, [`schedule`] slices and orders it
+//! as a [`Program`](program::Program), [`passes`] polish that, and [`interpret`] runs it. Formulas
+//! are written with [`Ex`] and [`Vector`].
 //!
-//! No tokens, spans or syntax here.
+//! This crate has no tokens, spans or syntax.
 
 mod differentiate;
 mod expression;
@@ -20,13 +22,12 @@ pub mod rules;
 
 pub use differentiate::{Calculus, DerivativeMemo, differentiate, pull_back};
 pub use expression::{
-    Ex, MAX_DEGREE, Monomial, Obstacle, Polynomial, V2, V3, Vector, Vn, agree, agree_within,
-    collect, evaluate, evaluate_given, obstacle, substitute,
+    Ex, MAX_DEGREE, Monomial, Obstacle, Polynomial, V2, V3, Vector, Vn, collect, evaluate,
+    evaluate_given, numerically_equal, numerically_equal_within, obstacle, substitute,
 };
-pub use graph::{Binding, Graph, Node, NodeId, Symbol, SymbolId};
-pub use lookup as unordered;
-pub use passes::common_factors::share_multiples;
+pub use graph::{Binding, Graph, Node, NodeId, Snapshot, Symbol, SymbolId};
+pub use passes::common_factors::share_common_factors;
 pub use passes::half_angles::by_half_angles;
 pub use passes::inline;
-pub use passes::late_roots::roots_last;
+pub use passes::late_roots::late_roots;
 pub use program::{count, schedule};

@@ -1,11 +1,11 @@
-//! Maps and sets for look-ups: what cannot be iterated cannot decide the order of anything.
+//! Maps and sets for look-ups, which cannot be iterated and so cannot decide the order of anything.
 //!
-//! Equal input gives equal output, so no order of a hash table may reach a result. These wrappers have no way to go through
-//! their entries; who needs one takes a `BTreeMap`, a `Vec`, or sorts keys of his own. `clippy.toml` forbids the tables of
-//! the standard library.
+//! Equal input gives equal output, so no order of a hash table may reach a result. Code that goes
+//! through entries takes a `BTreeMap`, a `Vec`, or sorts a list of keys. `clippy.toml` forbids the
+//! tables of the standard library.
 //!
-//! The hasher is that of rustc, fast for the small keys of a graph and the same in every run; an attacker who chooses
-//! colliding keys would only slow his own build.
+//! The hasher is that of rustc, fast for the small keys of a graph and the same in every run. An
+//! attacker who chooses colliding keys slows down only the build.
 
 use std::borrow::Borrow;
 use std::collections::hash_map::Entry;
@@ -41,7 +41,7 @@ impl<K: Eq + Hash, V> Map<K, V> {
         self.0.get_mut(key)
     }
 
-    /// Whether a key has a value.
+    /// Returns true if a key has a value.
     pub fn contains_key<Q: Eq + Hash + ?Sized>(&self, key: &Q) -> bool
     where
         K: Borrow<Q>,
@@ -73,7 +73,7 @@ impl<K: Eq + Hash, V> Map<K, V> {
         self.0.len()
     }
 
-    /// Whether there is no key.
+    /// Returns true if there is no key.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
@@ -118,7 +118,7 @@ impl<K: Eq + Hash, V, const N: usize> From<[(K, V); N]> for Map<K, V> {
     }
 }
 
-/// A set that tells what is in it, and nothing else.
+/// A set that can be asked for a value, and for nothing else.
 #[derive(Clone, Debug)]
 pub struct Set<T>(FxHashSet<T>);
 
@@ -129,7 +129,7 @@ impl<T: Eq + Hash> Set<T> {
         Self::default()
     }
 
-    /// Whether something is in the set.
+    /// Returns true if a value is in the set.
     pub fn contains<Q: Eq + Hash + ?Sized>(&self, value: &Q) -> bool
     where
         T: Borrow<Q>,
@@ -150,13 +150,13 @@ impl<T: Eq + Hash> Set<T> {
         self.0.remove(value)
     }
 
-    /// How much is in the set.
+    /// Returns the number of values.
     #[must_use]
     pub fn len(&self) -> usize {
         self.0.len()
     }
 
-    /// Whether nothing is in the set.
+    /// Returns true if the set is empty.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()

@@ -163,7 +163,7 @@ fn impossible_positions_are_nan() {
     let x = graph.source(Source::Input(0));
     let one = graph.one();
     let slack = graph.unary(Unary::Slack, one);
-    let root = graph.ternary(Ternary::Root, x, slack, one);
+    let root = graph.ternary(Ternary::GuardedSqrt, x, slack, one);
     let least = graph.binary(Binary::Min, root, one);
     let chosen = graph.ternary(Ternary::Select, root, one, root);
     let own = [root, least, chosen].map(|id| graph.ex(id));

@@ -1,13 +1,13 @@
 //! What constructors simplify, how values move to the time when they are known, and what polynomials see.
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::passes::reciprocals;
 use linkage_symbolic::program::{Binary, Instruction, Source, Ternary, Unary, Value};
 use linkage_symbolic::schedule::{Slots, schedule, schedule_whole};
 use linkage_symbolic::{
-    Binding, Ex, Graph, NodeId, collect, evaluate, share_multiples, substitute,
+    Binding, Ex, Graph, NodeId, collect, evaluate, share_common_factors, substitute,
 };
 
 struct Names {
@@ -171,7 +171,7 @@ fn substitution_simplifies() {
 fn guards_stay_where_the_root_drops_out() {
     let Names { g, x, p, q, .. } = names();
     let (direction, factor) = g.unknown("direction");
-    let root = g.ternary(Ternary::Root, x, p, p);
+    let root = g.ternary(Ternary::GuardedSqrt, x, p, p);
     let along = g.mul(factor, root);
     let value = g.add(along, q);
     let guarded = g.ternary(Ternary::Select, root, value, root);
@@ -228,7 +228,7 @@ fn multiples_of_a_sum_are_products() {
         turned(&g, &[r, inverse, r], [-2.0, -2.0]),
         turned(&g, &[r], [1.0, -1.0]),
     ];
-    let shared = share_multiples(&g, &outputs);
+    let shared = share_common_factors(&g, &outputs);
     let count = |outputs: &[NodeId]| {
         let program = schedule(&g, outputs, &mut Slots::default());
         let sums = program.instructions.iter().filter(|instruction| {

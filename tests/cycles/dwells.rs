@@ -3,7 +3,7 @@
 use super::{N, Rocker, course, design, speed, tip};
 use linkage::Dimensions;
 use linkage::design::{DesignError, Dwell, Figure, Peak, Stroke};
-use linkage::summary::Course;
+use linkage::summary::Curve;
 use linkage::tolerance::Tolerances;
 use std::f64::consts::TAU;
 
@@ -14,7 +14,7 @@ fn band(mechanism: &Rocker, [from, length]: [f64; 2]) -> f64 {
         let tip = assembly.tip(phi);
         [tip.tip, tip.v, tip.a]
     };
-    let course = Course::of((from, from + length), 60, jet).expect("an interval");
+    let course = Curve::new((from, from + length), 60, jet).expect("an interval");
     course.position().stroke()
 }
 

@@ -18,7 +18,7 @@ fn correlated() -> Uncertainties<N> {
         (Rocker::INDEX_CRANK, Rocker::INDEX_COUPLER, 0.7),
         (Rocker::INDEX_ROCKER, Rocker::INDEX_COUPLER, -0.4),
     ];
-    let all = Uncertainties::of(&one_sided(), Distribution::Uniform);
+    let all = Uncertainties::new(&one_sided(), Distribution::Uniform);
     all.correlations(&pairs).expect("they fit together")
 }
 
@@ -120,7 +120,7 @@ fn the_largest_over_the_range_is_that_of_samples() {
     });
     assert!((over / known - 1.0).abs() < 1e-6, "{over} {known}");
     // Correlations matter here: without them it is another number.
-    let free = Uncertainties::of(&one_sided(), Distribution::Uniform);
+    let free = Uncertainties::new(&one_sided(), Distribution::Uniform);
     let free = value(ErrorOf::standard(effects, second, &free, NOWHERE).over_the_range(rates));
     let with =
         value(ErrorOf::standard(effects, second, &correlated(), NOWHERE).over_the_range(rates));

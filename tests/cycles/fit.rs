@@ -23,7 +23,7 @@ fn points() -> [[f64; 2]; 7] {
 }
 
 fn path() -> Targets {
-    Targets::of("point", points()).at(INPUTS)
+    Targets::new("point", points()).at_inputs(INPUTS)
 }
 
 /// The sum of the squares of all distances at given inputs, and the largest difference of a coordinate.
@@ -147,7 +147,7 @@ fn a_path_with_figures_of_the_cycle() -> Result<(), DesignError> {
 #[test]
 fn least_squares_agree() -> Result<(), DesignError> {
     // Points that no rocker within the bounds meets.
-    let far = || Targets::of("point", points().map(|[x, y]| [x + 4.0, y])).timing(Timing::InOrder);
+    let far = || Targets::new("point", points().map(|[x, y]| [x + 4.0, y])).timing(Timing::InOrder);
     let found = design().want(Fit::least(computed!(far()))).run()?;
     let known = Design::<_, _, N>::new(
         Rocker::default(),
@@ -171,7 +171,7 @@ fn least_squares_agree() -> Result<(), DesignError> {
 /// What is wrong with targets is told as by least squares.
 #[test]
 fn mistakes_are_told_together() {
-    let wrong = Targets::of("trace", [[1.0, 2.0]]).at([0.1]);
+    let wrong = Targets::new("trace", [[1.0, 2.0]]).at_inputs([0.1]);
     let run = design()
         .vary("crnk", 1.0, 2.0)
         .want(Fit::within(computed!(wrong), 1.0))

@@ -4,12 +4,15 @@ use super::drives::{Needle, NeedleAssembly, Press, PressAssembly};
 use super::{Rocker, RockerAssembly};
 use linkage::Dimensions;
 use linkage::design::{BestCycle, Curve, CycleDesign, DesignError, Dwell, Figure, Peak, Stroke};
-use linkage::summary::Course;
+use linkage::summary::Curve;
 use linkage_random::Random;
 use std::f64::consts::TAU;
 
 /// Positions at which a judge evaluates a quantity over an interval.
 const POSITIONS: u32 = 4000;
+
+/// Positions at which it settles a doubt: beside a dead point a limit is narrow.
+const IN_DOUBT: u32 = 400_000;
 
 /// The goal of a random problem.
 #[derive(Clone, Copy, Debug)]
@@ -85,26 +88,26 @@ macro_rules! problems {
             }
 
             /// The largest and the smallest value of the quantity (0) or its speed (1) over an interval.
-            fn ends(of: &$assembly, [from, length]: [f64; 2], order: usize) -> [f64; 2] {
+            fn ends(of: &$assembly, [from, length]: [f64; 2], order: usize, positions: u32) -> [f64; 2] {
                 let value = |k: u32| {
-                    jet(of, from + length * f64::from(k) / f64::from(POSITIONS))[order]
+                    jet(of, from + length * f64::from(k) / f64::from(positions))[order]
                 };
                 let fold = |[high, low]: [f64; 2], x: f64| [high.max(x), low.min(x)];
-                (0..=POSITIONS).map(value).fold([f64::MIN, f64::MAX], fold)
+                (0..=positions).map(value).fold([f64::MIN, f64::MAX], fold)
             }
 
             fn change(of: &$assembly, interval: [f64; 2]) -> f64 {
-                let [high, low] = ends(of, interval, 0);
+                let [high, low] = ends(of, interval, 0, POSITIONS);
                 high - low
             }
 
             fn peak(of: &$assembly) -> f64 {
-                let [high, low] = ends(of, [0.0, TAU], 1);
+                let [high, low] = ends(of, [0.0, TAU], 1, POSITIONS);
                 high.max(-low)
             }
 
             fn dwell(of: &$assembly, band: f64) -> f64 {
-                let course = Course::of((0.0, TAU), 721, |phi| jet(of, phi)).expect("a turn");
+                let course = Curve::new((0.0, TAU), 721, |phi| jet(of, phi)).expect("a turn");
                 let longest = course.longest_dwell(band);
                 longest.map_or(0.0, |dwell| dwell.interval.range)
             }
@@ -126,26 +129,49 @@ macro_rules! problems {
                 }
             }
 
-            /// Whether the claim of a result holds, by positions that know nothing of the search.
-            fn holds(best: &BestCycle<$mechanism, $assembly>, goal: Goal, keep: Keep) -> bool {
+            /// Lists reasons why the claim of a result does not hold, by positions that know nothing of the search.
+            fn refuted(best: &BestCycle<$mechanism, $assembly>, goal: Goal, keep: Keep) -> Vec<String> {
                 let of = &best.assembly;
-                let kept = match keep {
+                let kept = |stroke: f64| match keep {
                     Keep::Nothing => true,
-                    Keep::Stroke(wanted) => (stroke(of) - wanted).abs() < 1e-5 * wanted,
-                    Keep::AtLeast(least) => stroke(of) > least * (1.0 - 1e-5),
+                    Keep::Stroke(wanted) => (stroke - wanted).abs() < 1e-5 * wanted,
+                    Keep::AtLeast(least) => stroke > least * (1.0 - 1e-5),
                 };
+                let finely = || {
+                    let [high, low] = ends(of, [0.0, TAU], 0, IN_DOUBT);
+                    high - low
+                };
+                let kept = kept(stroke(of)) || kept(finely());
                 let interval = || [best.own[0][0], best.own[0][1]];
                 let rounding = 1e-11 * stroke(of);
-                kept && match goal {
+                let mut reasons = Vec::new();
+                let mut must = |holds: bool, reason: String| {
+                    if !holds {
+                        reasons.push(reason);
+                    }
+                };
+                must(kept, format!("the stroke is {}", stroke(of)));
+                match goal {
                     Goal::Longest(band) => {
                         // The claim of a search may be modest: the interval is longer, to its precision.
-                        (-1e-12..1e-6).contains(&(interval()[1] - best.goal))
-                            && change(of, interval()) <= band + rounding
-                            && dwell(of, band) > best.goal - 1e-5
+                        let more = interval()[1] - best.goal;
+                        must((-1e-12..1e-6).contains(&more), format!("its length is {more} more"));
+                        let change = change(of, interval());
+                        must(change <= band + rounding, format!("it changes by {change}"));
+                        let longest = dwell(of, band);
+                        must(longest > best.goal - 1e-5, format!("the longest dwell is {longest}"));
                     }
-                    Goal::Narrowest(_) => change(of, interval()) <= best.goal + rounding,
-                    Goal::LeastPeak => (peak(of) - best.goal).abs() < 1e-5 * best.goal,
+                    Goal::Narrowest(_) => {
+                        let change = change(of, interval());
+                        must(change <= best.goal + rounding, format!("it changes by {change}"));
+                    }
+                    Goal::LeastPeak => {
+                        let peak = peak(of);
+                        let near = (peak - best.goal).abs() < 1e-5 * best.goal;
+                        must(near, format!("the peak is {peak}"));
+                    }
                 }
+                reasons
             }
 
             pub(crate) fn problem(
@@ -193,9 +219,10 @@ macro_rules! problems {
                 let told = |what: &str| {
                     println!("{what}: {best}  {:?} {wanted:?} {part}", from.values());
                 };
-                if !holds(&best, wanted.0, wanted.1) {
+                let refuted = refuted(&best, wanted.0, wanted.1);
+                if !refuted.is_empty() {
                     tally.false_claims += 1;
-                    told("false");
+                    told(&format!("false, {}", refuted.join(", ")));
                 }
                 let worth = match wanted.0 {
                     Goal::Longest(_) => best.goal,

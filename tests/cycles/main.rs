@@ -4,6 +4,7 @@ mod assemblies;
 mod derivatives;
 mod drives;
 mod dwells;
+mod edges;
 mod errors;
 mod fit;
 mod forces;
@@ -23,7 +24,7 @@ use linkage::design::{
     Candidate, Chosen, Curve, CycleDesign, CycleWish, ErrorOf, Figure, Motion, Piece, Pieces,
 };
 use linkage::mechanism;
-use linkage::summary::Course;
+use linkage::summary::Curve;
 use linkage::tolerance::Tolerances;
 use std::f64::consts::TAU;
 
@@ -221,11 +222,11 @@ fn design() -> CycleDesign<'static, Rocker, RockerAssembly, N> {
     design.vary_by("rocker", 0.1)
 }
 
-fn course(rocker: &Rocker) -> Course<4, impl Fn(f64) -> [f64; 4]> {
+fn course(rocker: &Rocker) -> Curve<4, impl Fn(f64) -> [f64; 4]> {
     let assembly = rocker.assemble().expect("assembles");
     let jet = move |phi| {
         let tip = assembly.tip(phi);
         [tip.tip, tip.v, tip.a, tip.j]
     };
-    Course::of((0.0, TAU), 361, jet).expect("a turn")
+    Curve::new((0.0, TAU), 361, jet).expect("a turn")
 }

@@ -8,7 +8,7 @@ use super::{N, Rocker, RockerAssembly, design, tip};
 use linkage::design::{
     Candidate, Chosen, CycleWish, DesignError, Dwell, Figure, Motion, Stroke, Verdict,
 };
-use linkage::summary::Course;
+use linkage::summary::Curve;
 use linkage_random::Random;
 use std::f64::consts::TAU;
 
@@ -22,7 +22,7 @@ fn wider_bounds_are_never_worse() {
         .fold([f64::MIN, f64::MAX], |[high, low], x| {
             [high.max(x), low.min(x)]
         });
-    let course = Course::of((0.0, TAU), 361, |phi| {
+    let course = Curve::new((0.0, TAU), 361, |phi| {
         let m = of.motion(phi);
         [m.way, m.v, m.a]
     });
@@ -50,7 +50,7 @@ fn wider_bounds_are_never_worse() {
 #[test]
 fn a_dwell_that_is_none_is_not_returned() {
     let of = Needle::default().assemble().expect("assembles");
-    let course = Course::of((0.0, TAU), 361, |phi| {
+    let course = Curve::new((0.0, TAU), 361, |phi| {
         let m = of.motion(phi);
         [m.way, m.v, m.a]
     });

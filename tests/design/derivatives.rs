@@ -86,9 +86,9 @@ fn compare(wish: &dyn Wish<FourBar, FourBarAssembly>, free: &[f64]) {
 #[test]
 fn of_a_path_with_every_timing() {
     let inputs = evenly(0.4, 0.7, 5);
-    let targets = || Targets::of("tracer", points(&inputs)).weights([1.0, 2.5]);
+    let targets = || Targets::new("tracer", points(&inputs)).weights([1.0, 2.5]);
     let path = FourBarAssembly::path_sweep_sets_into;
-    compare(&targets().at(inputs.clone()).computed_by(path), &[]);
+    compare(&targets().at_inputs(inputs.clone()).computed_by(path), &[]);
     for timing in [Timing::InOrder, Timing::Backwards, Timing::Free] {
         let wish = targets().timing(timing).computed_by(path);
         assert_eq!(
@@ -113,7 +113,7 @@ fn of_poses_and_velocities() {
         &wish.computed_by(FourBarAssembly::pose_sweep_sets_into),
         &[0.5, 1.1],
     );
-    let wish = Targets::of("v", [[0.3], [0.2], [-0.1]]);
+    let wish = Targets::new("v", [[0.3], [0.2], [-0.1]]);
     compare(
         &wish.computed_by(FourBarAssembly::speed_sweep_sets_into),
         &[0.5, 1.1, 3.0],
@@ -126,7 +126,7 @@ fn of_the_velocity_of_a_point() {
     let going = FourBarAssembly::going_sweep_sets_into;
     let wanted = [[3.0, -4.0], [1.0, 2.0], [-6.0, 0.5]];
     compare(
-        &Targets::of("v", wanted)
+        &Targets::new("v", wanted)
             .weights([1.0, 2.0])
             .computed_by(going),
         &[0.5, 1.1, 3.0],
@@ -144,7 +144,9 @@ fn of_the_velocity_of_a_point() {
         .iter()
         .map(|&phi| assembly.going(phi).v.into())
         .collect();
-    let wish = Targets::of("v", velocities).at(inputs).computed_by(going);
+    let wish = Targets::new("v", velocities)
+        .at_inputs(inputs)
+        .computed_by(going);
     let design = ["crank", "rocker", "arm.x", "arm.y"]
         .into_iter()
         .fold(super::problem_of_nothing(), |design, name| {
@@ -172,7 +174,7 @@ fn residuals_are_differences() {
     );
     let wish = targets
         .weights([1.0, 10.0, 100.0])
-        .at([0.5])
+        .at_inputs([0.5])
         .computed_by(FourBarAssembly::pose_sweep_sets_into);
     let found = rows(&wish, FourBar::default(), &[]);
     for (row, known) in found.iter().zip([1.0, -20.0, -1.0]) {

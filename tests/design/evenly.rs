@@ -30,7 +30,7 @@ fn search(from: f64, step: f64, count: usize) -> Result<(f64, f64), DesignError>
     };
     let other = other.assemble().expect("it assembles");
     let angles = (0..count).map(|i| [other.angle(from + step * i as f64).psi]);
-    let wish = Targets::of("psi", angles)
+    let wish = Targets::new("psi", angles)
         .timing(Timing::Evenly(step))
         .computed_by(LeverAssembly::angle_sweep_sets_into);
     let design = Design::new(

@@ -41,7 +41,7 @@ fn what_is_elsewhere_after_a_turn() {
         Geared::assemblies,
         Geared::circuits,
     );
-    let wish = Targets::of("s", [[68.0], [60.0]]).at([0.5, 2.0]);
+    let wish = Targets::new("s", [[68.0], [60.0]]).at_inputs([0.5, 2.0]);
     let run = design.expect("it assembles").vary("rod", 40.0, 60.0);
     let run = run
         .want(wish.computed_by(GearedAssembly::way_sweep_sets_into))
@@ -72,7 +72,7 @@ fn what_passes_a_dead_point() {
         FourBar::circuits,
     );
     let inputs = [0.6, 1.4, 2.2];
-    let wish = Targets::of("tracer", points(&inputs)).at(inputs);
+    let wish = Targets::new("tracer", points(&inputs)).at_inputs(inputs);
     let run = design.and_then(|design| {
         design
             .vary("arm.x", 5.0, 60.0)

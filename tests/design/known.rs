@@ -11,8 +11,8 @@ const PATH: fn(&FourBarAssembly, &[FourBar], &[f64], &mut super::PathColumns) =
 #[test]
 fn a_path_is_found_again() {
     let inputs = evenly(0.3, 0.5, 12);
-    let wish = Targets::of("tracer", points(&inputs))
-        .at(inputs)
+    let wish = Targets::new("tracer", points(&inputs))
+        .at_inputs(inputs)
         .computed_by(PATH);
     let found = problem()
         .vary("arm.x", -40.0, 40.0)
@@ -56,7 +56,7 @@ fn a_path_is_found_again() {
 fn inputs_are_in_order() {
     let mut inputs = evenly(0.3, 0.8, 6);
     for timing in [Timing::InOrder, Timing::Backwards] {
-        let wish = Targets::of("tracer", points(&inputs))
+        let wish = Targets::new("tracer", points(&inputs))
             .timing(timing.clone())
             .computed_by(PATH);
         let found = problem()
@@ -85,12 +85,14 @@ fn several_wishes_together() {
     let linkage = FourBar::default().assemble().expect("it assembles");
     let speeds = [0.6, 2.0, 4.0].map(|phi| [linkage.speed(phi).v]);
     let pose = linkage.pose(1.3);
-    let speed = Targets::of("v", speeds).weights([30.0]).at([0.6, 2.0, 4.0]);
+    let speed = Targets::new("v", speeds)
+        .weights([30.0])
+        .at_inputs([0.6, 2.0, 4.0]);
     let pose = Targets::of_all(
         ["tracer", "theta"],
         [[pose.tracer.x, pose.tracer.y, pose.theta]],
     )
-    .at([1.3]);
+    .at_inputs([1.3]);
     let design = problem()
         .want(speed.computed_by(FourBarAssembly::speed_sweep_sets_into))
         .want(pose.computed_by(FourBarAssembly::pose_sweep_sets_into));
@@ -103,8 +105,8 @@ fn several_wishes_together() {
 #[test]
 fn what_must_hold_holds() {
     let inputs = evenly(0.3, 0.5, 6);
-    let wish = Targets::of("tracer", points(&inputs))
-        .at(inputs)
+    let wish = Targets::new("tracer", points(&inputs))
+        .at_inputs(inputs)
         .computed_by(PATH);
     let ratio = |m: &FourBar| {
         // The product of crank and rocker is at least 700 square millimetres.
@@ -142,8 +144,8 @@ fn what_must_hold_holds() {
 fn lengths_of_a_catalogue() {
     let inputs = evenly(0.3, 0.5, 8);
     let wish = || {
-        Targets::of("tracer", points(&inputs))
-            .at(inputs.clone())
+        Targets::new("tracer", points(&inputs))
+            .at_inputs(inputs.clone())
             .computed_by(PATH)
     };
     let list = [12.0, 14.0, 16.0, 18.0];

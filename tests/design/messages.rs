@@ -22,12 +22,12 @@ mechanism! {
 }
 
 fn wish(inputs: &[f64]) -> Targets {
-    Targets::of("tracer", points(inputs)).at(inputs.iter().copied())
+    Targets::new("tracer", points(inputs)).at_inputs(inputs.iter().copied())
 }
 
 #[test]
 fn all_mistakes_at_once() {
-    let targets = wish(&[0.5, 1.0]).at([0.5]);
+    let targets = wish(&[0.5, 1.0]).at_inputs([0.5]);
     let design = problem()
         .vary("crnk", 1.0, 2.0)
         .vary("crank", 4.0, 5.0)
@@ -64,7 +64,7 @@ fn functions_that_lack_something() {
         text.contains("no derivatives of `tracer` by frame, rocker, which may vary"),
         "{text}"
     );
-    let other = Targets::of("trace", [[1.0, 2.0]]).at([0.1]);
+    let other = Targets::new("trace", [[1.0, 2.0]]).at_inputs([0.1]);
     let error = problem()
         .want(other.computed_by(FourBarAssembly::path_sweep_sets_into))
         .run()
@@ -73,7 +73,7 @@ fn functions_that_lack_something() {
         error.to_string().contains("`path` has no quantity `trace`"),
         "{error}"
     );
-    let short = Targets::of("tracer", [[1.0]]).at([0.1]);
+    let short = Targets::new("tracer", [[1.0]]).at_inputs([0.1]);
     let error = problem()
         .want(short.computed_by(FourBarAssembly::path_sweep_sets_into))
         .run()
@@ -99,7 +99,7 @@ fn mistakes_in_full() {
         let design = problem().want(targets.computed_by(FourBarAssembly::path_sweep_sets_into));
         design.run().expect_err("it is wrong").to_string()
     };
-    let broken = Targets::of("tracer", [[1.0, f64::NAN], [2.0, 3.0]]);
+    let broken = Targets::new("tracer", [[1.0, f64::NAN], [2.0, 3.0]]);
     assert_eq!(run(broken), "targets of tracer: NaN is no finite number");
     let heavy = wish(&[0.5, 1.0]).weights([1.0, f64::INFINITY]);
     assert_eq!(run(heavy), "targets of tracer: inf is no finite number");
@@ -114,7 +114,7 @@ fn mistakes_in_full() {
         Slider::assemblies,
         Slider::circuits,
     );
-    let wish = Targets::of("s", [[40.0], [50.0]]).at([0.5, 2.0]);
+    let wish = Targets::new("s", [[40.0], [50.0]]).at_inputs([0.5, 2.0]);
     let design = design.expect("it assembles").vary("rod", 40.0, 60.0);
     let error = design
         .want(wish.computed_by(SliderAssembly::way_sweep_sets_into))

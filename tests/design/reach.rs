@@ -27,7 +27,7 @@ fn a_target_out_of_reach() {
         .iter()
         .map(|[x, y]| [x + 300.0, *y])
         .collect();
-    let wish = Targets::of("tracer", far.clone())
+    let wish = Targets::new("tracer", far.clone())
         .weights([2.0, 1.0])
         .computed_by(FourBarAssembly::path_sweep_sets_into);
     let design = Design::new(
@@ -94,7 +94,7 @@ fn a_target_out_of_reach() {
 }
 
 fn refused(relations: Vec<Relation>) -> DesignError {
-    let wish = Targets::of("tracer", points(&[0.2])).at([0.2]);
+    let wish = Targets::new("tracer", points(&[0.2])).at_inputs([0.2]);
     let design = Design::new(
         FourBar::default(),
         FourBar::assemble,

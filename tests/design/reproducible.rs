@@ -1,11 +1,11 @@
 //! A seed gives the same designs, however many threads there are.
 
 use super::{FourBar, FourBarAssembly, FourBarDesign, LENGTHS, evenly, points, problem};
-use linkage::design::{Design, DesignError, Progress, Relation, Search, Targets, Wish};
+use linkage::design::{Design, DesignError, DesignSearch, Progress, Relation, Targets, Wish};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-type Found = Search<FourBar, FourBarAssembly>;
+type Found = DesignSearch<FourBar, FourBarAssembly>;
 
 fn small<'a>() -> FourBarDesign<'a> {
     problem().want(moved()).starts(256)
@@ -18,7 +18,7 @@ fn moved() -> impl Wish<FourBar, FourBarAssembly> {
         .iter()
         .map(|[x, y]| [x + 3.0 * y.sin(), *y])
         .collect();
-    Targets::of("tracer", moved).computed_by(FourBarAssembly::path_sweep_sets_into)
+    Targets::new("tracer", moved).computed_by(FourBarAssembly::path_sweep_sets_into)
 }
 
 #[test]

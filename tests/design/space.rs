@@ -54,7 +54,7 @@ fn poses_are_found_again() {
     });
     let wish = Targets::of_all(["tip", "along", "upward"], poses)
         .weights([1.0, 1.0, 1.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0])
-        .at(inputs)
+        .at_inputs(inputs)
         .computed_by(CarrierAssembly::pose_sweep_sets_into);
     let design = Design::new(
         nominal,
@@ -90,7 +90,7 @@ fn a_path_in_space_is_found_again() {
     let points = inputs
         .iter()
         .map(|&phi| <[f64; 3]>::from(assembly.pose(phi).tip));
-    let wish = Targets::of("tip", points)
+    let wish = Targets::new("tip", points)
         .timing(Timing::InOrder)
         .computed_by(CarrierAssembly::pose_sweep_sets_into);
     let design = Design::new(

@@ -4,7 +4,7 @@
 
 use super::{FourBar, FourBarAssembly, FourBarDesign, LENGTHS, evenly, problem_of_nothing};
 use linkage::Dimensions;
-use linkage::design::{DesignError, Found, Relation, Targets};
+use linkage::design::{DesignError, FoundDesign, Relation, Targets};
 use linkage_random::Random;
 use std::f64::consts::TAU;
 
@@ -49,8 +49,8 @@ fn a_condition_is_not_compared_with_its_derivative() {
         .vary("crank", 5.0, BASE.next_up())
         .hold_that("a height of 0.1 mm", height)
         .want(
-            Targets::of("tracer", points_of(longer, &inputs))
-                .at(inputs)
+            Targets::new("tracer", points_of(longer, &inputs))
+                .at_inputs(inputs)
                 .computed_by(PATH),
         )
         .starts(16)
@@ -79,7 +79,7 @@ fn a_relation_of_an_angle_holds_in_the_result() {
     };
     let design = || -> FourBarDesign<'_> {
         let points = points_of(turned, &inputs);
-        let wish = Targets::of("tracer", points).at(inputs.clone());
+        let wish = Targets::new("tracer", points).at_inputs(inputs.clone());
         problem_of_nothing()
             .vary("tilt", 0.0, TAU)
             .want(wish.computed_by(PATH))
@@ -129,7 +129,8 @@ impl Posed {
             (slopes[FourBar::INDEX_CRANK], slopes[FourBar::INDEX_ROCKER]) = (m.rocker, m.crank);
             (m.crank * m.rocker - product, slopes)
         };
-        let wish = Targets::of("tracer", self.points.iter().copied()).at(self.inputs.clone());
+        let wish =
+            Targets::new("tracer", self.points.iter().copied()).at_inputs(self.inputs.clone());
         let design = problem_of_nothing()
             .hold(Relation::crank_turns(LENGTHS, 0.0))
             .hold(Relation::at_most([("coupler", 1.0), ("rocker", -1.0)], 8.0))
@@ -143,7 +144,7 @@ impl Posed {
             .fold(design, |design, name| design.vary(name, 2.0, 200.0))
     }
 
-    fn look(&self, found: &Found<FourBar, FourBarAssembly>) {
+    fn look(&self, found: &FoundDesign<FourBar, FourBarAssembly>) {
         let m = found.mechanism;
         assert!(m.crank * m.rocker > self.product * (1.0 - 1e-5), "{m:?}");
         assert!(m.coupler - m.rocker < 8.0 + 1e-6, "{m:?}");
@@ -204,7 +205,11 @@ fn a_declared_mechanism_that_violates_a_condition_is_no_result() {
     let run = problem_of_nothing()
         .vary("crank", 14.0, 16.0)
         .hold_that("nothing", none)
-        .want(Targets::of("tracer", points).at(inputs).computed_by(PATH))
+        .want(
+            Targets::new("tracer", points)
+                .at_inputs(inputs)
+                .computed_by(PATH),
+        )
         .starts(4)
         .run();
     let Err(DesignError::NotFound(refusals)) = run else {

@@ -107,7 +107,7 @@ fn all_results_run_through_the_turn() -> Result<(), DesignError> {
             FourBar::assemblies,
             FourBar::circuits,
         )?
-        .want(Targets::of("tracer", points).computed_by(FourBarAssembly::path_sweep_sets_into))
+        .want(Targets::new("tracer", points).computed_by(FourBarAssembly::path_sweep_sets_into))
         .vary("arm.x", -40.0, 40.0)
         .vary("arm.y", -40.0, 40.0)
         .starts(32)

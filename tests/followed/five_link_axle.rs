@@ -1,6 +1,6 @@
 //! A wheel carrier on five rods with ball joints, by the travel of the wheel: eight unknowns remain.
 
-use linkage::{AssemblyError, CoupledCause, Missed, Reach, Unlisted, mechanism};
+use linkage::{AssemblyError, ClosestApproach, CoupledCause, Missed, Unlisted, mechanism};
 
 use super::{close, number, numbers, read};
 
@@ -153,7 +153,7 @@ fn a_rod_that_is_too_short_is_told_with_what_misses_where_loops_come_nearest_to_
         panic!("{text}")
     };
     let CoupledCause::NotReached {
-        reach: Reach::Misses(missed),
+        closest_approach: ClosestApproach::Misses(missed),
         ..
     } = error.cause
     else {

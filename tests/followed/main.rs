@@ -2,6 +2,7 @@
 //! platform on six legs. Every position against 25 digits of solutions of these geometries that were computed with 80, apart from this project.
 
 mod body;
+mod closest_approach;
 mod differences;
 mod double_wishbone;
 mod driven_arm;
@@ -12,7 +13,6 @@ mod hexapod_geometry;
 mod independent;
 mod random_axles;
 mod random_hexapods;
-mod reach;
 mod turns;
 mod two_bodies;
 mod wishbone_forms;

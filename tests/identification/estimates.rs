@@ -11,8 +11,8 @@ fn exact_readings_give_the_dimensions_back() -> Outcome {
     // Good readings, and such that a hold on dimensions would show.
     for deviation in [0.01, 2.0] {
         let at = inputs(20);
-        let read = Measured::of("b", points(&at)?)
-            .at(at)
+        let read = Measured::new("b", points(&at)?)
+            .at_inputs(at)
             .deviations([deviation; 2]);
         let found = drawn()?
             .unknown(LENGTHS)
@@ -37,8 +37,8 @@ fn standard_errors_are_those_of_the_normal_equations() -> Outcome {
     let deviations: Vec<[f64; 2]> = (0..11)
         .map(|i| [0.01 + 0.001 * f64::from(i), 0.02])
         .collect();
-    let read = Measured::of("b", points(&at)?)
-        .at(at.clone())
+    let read = Measured::new("b", points(&at)?)
+        .at_inputs(at.clone())
         .deviations_each(deviations.clone());
     let found = drawn()?
         .unknown(LENGTHS)
@@ -95,8 +95,8 @@ fn standardised_residuals_are_those_of_fits_without_the_reading() -> Outcome {
     }
     let deviation = 1e-5;
     let fit = |read: &Vec<[f64; 2]>| {
-        let read = Measured::of("b", read.clone())
-            .at(inputs(7))
+        let read = Measured::new("b", read.clone())
+            .at_inputs(inputs(7))
             .deviations([deviation; 2]);
         let read = read.computed_by(FourBarAssembly::path_sweep_sets_into);
         Ok::<_, Box<dyn Error>>(drawn()?.unknown(LENGTHS).measured(read).run()?)
@@ -133,7 +133,7 @@ fn deviations_from_the_scatter() -> Outcome {
     }
     read[10][1] += 0.3;
     let measured = |read: &Vec<[f64; 2]>| {
-        let read = Measured::of("b", read.clone()).at(inputs(50));
+        let read = Measured::new("b", read.clone()).at_inputs(inputs(50));
         let read = read.computed_by(FourBarAssembly::path_sweep_sets_into);
         Ok::<_, Box<dyn Error>>(drawn()?.unknown(LENGTHS).measured(read).run()?)
     };

@@ -7,14 +7,14 @@ use linkage_random::Random;
 #[test]
 fn all_that_is_wrong_is_told() -> Outcome {
     let at = inputs(3);
-    let read = || Measured::of("b", [[1.0, 2.0]; 3]).at(inputs(3));
+    let read = || Measured::new("b", [[1.0, 2.0]; 3]).at_inputs(inputs(3));
     let path = FourBarAssembly::path_sweep_sets_into;
     let error = drawn()?
         .unknown(["crank", "rod", "crank"])
         .vary("rocker", 3.0, 2.0)
         .measured(
-            Measured::of("c", [[1.0]])
-                .at([0.0, 1.0])
+            Measured::new("c", [[1.0]])
+                .at_inputs([0.0, 1.0])
                 .deviations([-1.0])
                 .computed_by(path),
         )
@@ -33,7 +33,7 @@ fn all_that_is_wrong_is_told() -> Outcome {
     ] {
         assert!(text.contains(part), "{part}: {text}");
     }
-    let missing = Measured::of("b", [[f64::NAN; 2]; 3]).at(at);
+    let missing = Measured::new("b", [[f64::NAN; 2]; 3]).at_inputs(at);
     let error = drawn()?
         .unknown(LENGTHS)
         .measured(missing.computed_by(path))
@@ -66,8 +66,8 @@ fn all_that_is_wrong_is_told() -> Outcome {
         "{text}"
     );
     // Fewer readings than unknowns are no mistake: what they leave open is told.
-    let one = Measured::of("b", points(&[0.3])?)
-        .at([0.3])
+    let one = Measured::new("b", points(&[0.3])?)
+        .at_inputs([0.3])
         .deviations([0.01; 2]);
     let found = drawn()?
         .unknown(LENGTHS)
@@ -88,7 +88,7 @@ fn numbers_of_the_case_are_told() -> Outcome {
         zero: 0.0,
         ..FourBar::default()
     };
-    let read = Measured::of("b", [[1.0, 2.0]; 4]).at(inputs(4));
+    let read = Measured::new("b", [[1.0, 2.0]; 4]).at_inputs(inputs(4));
     let error = Identification::new(long, FourBar::default().assemble()?)
         .unknown(LENGTHS)
         .measured(read.computed_by(FourBarAssembly::path_sweep_sets_into))
@@ -104,7 +104,9 @@ fn numbers_of_the_case_are_told() -> Outcome {
     );
 
     let at = inputs(12);
-    let read = Measured::of("b", points(&at)?).at(at).deviations([0.01; 2]);
+    let read = Measured::new("b", points(&at)?)
+        .at_inputs(at)
+        .deviations([0.01; 2]);
     let found = drawn()?
         .vary("crank", 50.2, 50.2)
         .unknown(["coupler", "rocker"])
@@ -130,7 +132,7 @@ fn readings_of_something_else_may_have_no_best_fit() -> Outcome {
             .map(|b| far(b, &mut random))
             .collect();
         let read = || {
-            let read = Measured::of("b", read.iter().copied()).at(inputs(12));
+            let read = Measured::new("b", read.iter().copied()).at_inputs(inputs(12));
             read.computed_by(FourBarAssembly::path_sweep_sets_into)
         };
         match drawn()?.unknown(LENGTHS).measured(read()).run() {

@@ -23,10 +23,12 @@ fn what_cannot_be_told_apart_is_named() -> Outcome {
     let at = inputs(24);
     let real = real().assemble()?;
     let angles: Vec<[f64; 1]> = at.iter().map(|&phi| [real.encoder(phi).reading]).collect();
-    let angles = Measured::of("reading", angles)
-        .at(at.clone())
+    let angles = Measured::new("reading", angles)
+        .at_inputs(at.clone())
         .deviations([1e-4]);
-    let point = Measured::offer("b").at(at.clone()).deviations([0.01; 2]);
+    let point = Measured::offer("b")
+        .at_inputs(at.clone())
+        .deviations([0.01; 2]);
     let all = || FourBar::PARAMETERS.iter().map(|parameter| parameter.name);
     let words = told(
         &drawn()?
@@ -60,10 +62,12 @@ fn what_cannot_be_told_apart_is_named() -> Outcome {
         "{words:#?}"
     );
     // What the point tells: all but the encoder's zero, which moves nothing, and the shim.
-    let read = Measured::of("b", points(&at)?)
-        .at(at.clone())
+    let read = Measured::new("b", points(&at)?)
+        .at_inputs(at.clone())
         .deviations([0.01; 2]);
-    let encoder = Measured::offer("reading").at([0.5]).deviations([1e-4]);
+    let encoder = Measured::offer("reading")
+        .at_inputs([0.5])
+        .deviations([1e-4]);
     let words = told(
         &drawn()?
             .unknown(all())
@@ -92,7 +96,7 @@ fn what_cannot_be_told_apart_is_named() -> Outcome {
     assert_eq!(words, [""; 0]);
     // A distance from the origin stays when everything turns about it.
     let away: Vec<[f64; 1]> = at.iter().map(|&phi| [real.distance(phi).away]).collect();
-    let away = Measured::of("away", away).at(at).deviations([0.01]);
+    let away = Measured::new("away", away).at_inputs(at).deviations([0.01]);
     let unknown = [
         "pivot_a.x",
         "pivot_a.y",
@@ -140,18 +144,18 @@ fn what_is_told_changes_nothing() -> Outcome {
         let all = drawn()?.unknown(unknown.iter().copied());
         let measured = match case % 3 {
             0 => {
-                let read = Measured::of("reading", at.iter().map(|&phi| angles(&linkage, phi)));
-                let read = read.at(at.clone()).deviations([1e-6]);
+                let read = Measured::new("reading", at.iter().map(|&phi| angles(&linkage, phi)));
+                let read = read.at_inputs(at.clone()).deviations([1e-6]);
                 all.measured(read.computed_by(FourBarAssembly::encoder_sweep_sets_into))
             }
             1 => {
-                let read = Measured::of("b", at.iter().map(|&phi| points(&linkage, phi)));
-                let read = read.at(at.clone()).deviations([1e-4; 2]);
+                let read = Measured::new("b", at.iter().map(|&phi| points(&linkage, phi)));
+                let read = read.at_inputs(at.clone()).deviations([1e-4; 2]);
                 all.measured(read.computed_by(FourBarAssembly::path_sweep_sets_into))
             }
             _ => {
-                let read = Measured::of("away", at.iter().map(|&phi| distances(&linkage, phi)));
-                let read = read.at(at.clone()).deviations([1e-4]);
+                let read = Measured::new("away", at.iter().map(|&phi| distances(&linkage, phi)));
+                let read = read.at_inputs(at.clone()).deviations([1e-4]);
                 all.measured(read.computed_by(FourBarAssembly::distance_sweep_sets_into))
             }
         };
@@ -200,8 +204,8 @@ fn what_is_told_changes_nothing() -> Outcome {
 #[test]
 fn what_readings_are_not_good_enough_for() -> Outcome {
     let at = inputs(6);
-    let read = Measured::of("b", points(&at)?)
-        .at(at.clone())
+    let read = Measured::new("b", points(&at)?)
+        .at_inputs(at.clone())
         .deviations([0.05; 2]);
     let found = drawn()?
         .vary("crank", 49.999, 50.001)

@@ -41,7 +41,9 @@ fn beside_a_flat_triangle_there_are_no_standard_errors() -> Outcome {
         pivot[0] + c * ahead + s * aside,
         pivot[1] + s * ahead - c * aside,
     ]];
-    let measured = Measured::of("b", read).at([phi]).deviations([0.01; 2]);
+    let measured = Measured::new("b", read)
+        .at_inputs([phi])
+        .deviations([0.01; 2]);
     let run = drawn()?
         .unknown(["crank"])
         .measured(measured.computed_by(FourBarAssembly::path_sweep_sets_into))
@@ -80,7 +82,7 @@ fn estimates_are_stationary_and_not_worse_than_the_start() -> Outcome {
             .iter()
             .map(|b| b.map(|x| x + random.between(-off, off)))
             .collect();
-        let measured = Measured::of("b", read.iter().copied()).at(at.iter().copied());
+        let measured = Measured::new("b", read.iter().copied()).at_inputs(at.iter().copied());
         let run = drawn()?
             .unknown(LENGTHS)
             .measured(measured.computed_by(FourBarAssembly::path_sweep_sets_into))

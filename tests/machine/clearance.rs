@@ -120,7 +120,7 @@ fn paths_in_a_moving_frame() -> Outcome {
 }
 
 /// The needles as organs of their own: without a lead, so that the phase is the lead.
-pub(crate) fn organs(
+pub(crate) fn members(
     needles: &TwoNeedlesAssembly,
 ) -> (impl Fn(f64) -> [Point; 1], impl Fn(f64) -> [Point; 1]) {
     let hook = |x| {
@@ -139,8 +139,8 @@ fn best_leads() -> Outcome {
     let range = (-30f64.to_radians(), 30f64.to_radians());
     for case in mutual()["cases"].as_array().expect("cases") {
         let needles = placed(case, 0.0).assemble()?;
-        let (hook, eye) = organs(&needles);
-        let phases = Phases::of(CYCLE, POSITIONS, hook, eye)?;
+        let (hook, eye) = members(&needles);
+        let phases = Phases::new(CYCLE, POSITIONS, hook, eye)?;
         let known = &case["best_lead"];
         let best = phases.best(range)?;
         println!(
@@ -174,7 +174,10 @@ fn best_leads() -> Outcome {
         let step = TAU / 48.0;
         let slots = (-4..=4).map(|slot| {
             let phase = f64::from(slot) * step;
-            (slot, phases.at(phase).expect("assembled").least().distance)
+            (
+                slot,
+                phases.clearance(phase).expect("assembled").least().distance,
+            )
         });
         let (slot, distance) = slots
             .reduce(|a, b| if b.1 > a.1 { b } else { a })

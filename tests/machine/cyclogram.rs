@@ -4,8 +4,8 @@ use crate::Outcome;
 use crate::mechanisms::{TwoCranks, TwoNeedles};
 use crate::references::{cyclogram, derivatives, number, radians};
 use linkage::Parameter;
-use linkage::cyclogram::{Band, Cyclogram, CyclogramError, Motion, Organ};
-use linkage::summary::{Course, positions};
+use linkage::cyclogram::{Band, Cyclogram, CyclogramError, Member, Motion};
+use linkage::summary::{Curve, positions};
 use linkage::tolerance::Tolerances;
 use serde_json::Value;
 use std::f64::consts::TAU;
@@ -42,11 +42,11 @@ impl Errors {
 }
 
 impl<const P: usize> Drive<'_, P> {
-    fn organ(&self, bands: &[Band]) -> Result<Organ, CyclogramError> {
+    fn member(&self, bands: &[Band]) -> Result<Member, CyclogramError> {
         let rows: Vec<[f64; 3]> = positions(CYCLE, POSITIONS).map(self.jet).collect();
-        let course = Course::swept(CYCLE, POSITIONS, |i| rows[i], self.jet).expect("a course");
-        let organ = Organ::new(self.name, &course, bands)?;
-        Ok(organ.unit("mm").sensitivities(self.value, self.rate))
+        let course = Curve::swept(CYCLE, POSITIONS, |i| rows[i], self.jet).expect("a course");
+        let member = Member::new(self.name, &course, bands)?;
+        Ok(member.unit("mm").sensitivities(self.value, self.rate))
     }
 
     /// Against the reference: all intervals of all dwells, and the limits.
@@ -60,8 +60,8 @@ impl<const P: usize> Drive<'_, P> {
             } else {
                 Band::Bottom(band)
             };
-            let organ = self.organ(&[band]).expect("an organ");
-            let dwells = organ.intervals().filter(|(motion, _)| motion.is_dwell());
+            let member = self.member(&[band]).expect("an organ");
+            let dwells = member.intervals().filter(|(motion, _)| motion.is_dwell());
             let found: Vec<[f64; 2]> = dwells
                 .map(|(_, at)| [at.from, at.from + at.range])
                 .collect();
@@ -83,10 +83,10 @@ impl<const P: usize> Drive<'_, P> {
     fn compare_limits(&self, known: &Value, errors: &mut Errors) {
         let [low, high] = ["global_min", "global_max"].map(|name| number(&known[name]));
         let middle = 0.5 * (low + high);
-        let organ = self
-            .organ(&[Band::Between(middle, middle + 1e-3)])
+        let member = self
+            .member(&[Band::Between(middle, middle + 1e-3)])
             .expect("an organ");
-        let turns = organ
+        let turns = member
             .events()
             .iter()
             .enumerate()
@@ -110,7 +110,7 @@ impl<const P: usize> Drive<'_, P> {
                 known[TwoNeedles::INDEX_LEAD] = -1.0;
             }
             let size = known.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
-            let found = organ.sensitivity(*index).expect("sensitivities");
+            let found = member.sensitivity(*index).expect("sensitivities");
             for (found, known) in found.iter().zip(&known) {
                 Errors::add(&mut errors.derivative, (found * self.turns - known) / size);
             }
@@ -118,8 +118,8 @@ impl<const P: usize> Drive<'_, P> {
     }
 
     /// The angles of bounds are shifted by dimensions as differences say, with bands that follow their limit.
-    fn compare_bounds(&self, changed: impl Fn(usize, f64) -> Organ, band: Band) {
-        let organ = self.organ(&[band]).expect("an organ");
+    fn compare_bounds(&self, changed: impl Fn(usize, f64) -> Member, band: Band) {
+        let member = self.member(&[band]).expect("an organ");
         for p in 0..P {
             let h = 1e-4
                 * if self.parameters[p].unit == "rad" {
@@ -128,15 +128,15 @@ impl<const P: usize> Drive<'_, P> {
                     1.0
                 };
             let [more, less] = [h, -h].map(|h| changed(p, h));
-            for (index, event) in organ
+            for (index, event) in member
                 .events()
                 .iter()
                 .enumerate()
                 .filter(|(_, event)| event.begins.is_dwell() || event.ends.is_dwell())
             {
                 let difference = (more.events()[index].at - less.events()[index].at) / (2.0 * h);
-                let found = organ.sensitivity(index).expect("sensitivities")[p];
-                let scale = organ
+                let found = member.sensitivity(index).expect("sensitivities")[p];
+                let scale = member
                     .sensitivity(index)
                     .expect("sensitivities")
                     .iter()
@@ -215,23 +215,23 @@ fn three_drives() -> Outcome {
         let cranks = <TwoCranks as linkage::Dimensions<14>>::from_values(&values)
             .assemble()
             .expect("assembled");
-        let course = Course::of(CYCLE, POSITIONS, |x| {
+        let course = Curve::new(CYCLE, POSITIONS, |x| {
             let m = cranks.slide(x);
             [m.s, m.v, m.a]
         });
-        Organ::new("triad", &course.expect("a course"), &[Band::Top(0.1)]).expect("an organ")
+        Member::new("triad", &course.expect("a course"), &[Band::Top(0.1)]).expect("an organ")
     };
     triad.compare_bounds(changed, Band::Top(0.1));
 
     let tolerances = Tolerances::<14>::complete(TwoCranks::PARAMETERS)?;
     let bands = [Band::Top(0.1), Band::Bottom(0.1)];
-    let machine = Cyclogram::of([
-        hook.organ(&bands)?,
-        eye.organ(&bands)?,
-        triad.organ(&bands)?.tolerances(&tolerances)?,
+    let machine = Cyclogram::new([
+        hook.member(&bands)?,
+        eye.member(&bands)?,
+        triad.member(&bands)?.tolerances(&tolerances)?,
     ])?;
     println!("{machine}");
-    let motions: Vec<Motion> = machine.organs()[2]
+    let motions: Vec<Motion> = machine.members()[2]
         .intervals()
         .map(|(motion, _)| motion)
         .collect();
@@ -248,9 +248,9 @@ fn three_drives() -> Outcome {
     let both = machine.together(|motions| motions[0].is_dwell() && motions[1].is_dwell());
     let sampled = (0..36_000).filter(|i| {
         let x = TAU * (f64::from(*i) + 0.5) / 36_000.0;
-        machine.organs()[..2]
+        machine.members()[..2]
             .iter()
-            .all(|organ| organ.motion(x).is_dwell())
+            .all(|member| member.motion(x).is_dwell())
     });
     let share = sampled.count() as f64 / 36_000.0;
     let found: f64 = both.iter().map(|interval| interval.range).sum();

@@ -2,7 +2,7 @@
 
 use crate::Outcome;
 use crate::references::{mutual, number};
-use crate::waves::{A, B, C, CYCLE, D, POSITIONS, RANGE, organ};
+use crate::waves::{A, B, C, CYCLE, D, POSITIONS, RANGE, member};
 use linkage::clearance::{BestPhases, PhaseSet, Phases};
 use std::f64::consts::TAU;
 
@@ -57,10 +57,10 @@ fn expect_best<const N: usize>(
 
 #[test]
 fn two_phases_of_three_organs() -> Outcome {
-    let [a, b, c] = [A, B, C].map(organ);
-    let ab = Phases::of(CYCLE, POSITIONS, a, b)?;
-    let ac = Phases::of(CYCLE, POSITIONS, a, c)?;
-    let bc = Phases::of(CYCLE, POSITIONS, b, c)?;
+    let [a, b, c] = [A, B, C].map(member);
+    let ab = Phases::new(CYCLE, POSITIONS, a, b)?;
+    let ac = Phases::new(CYCLE, POSITIONS, a, c)?;
+    let bc = Phases::new(CYCLE, POSITIONS, b, c)?;
     let set = PhaseSet::<2, 2>::new()
         .pair(None, Some(0), &ab)
         .pair(None, Some(1), &ac)
@@ -108,11 +108,11 @@ fn two_phases_of_three_organs() -> Outcome {
 
 #[test]
 fn three_phases_of_four_organs() -> Outcome {
-    let [a, b, c, d] = [A, B, C, D].map(organ);
-    let ab = Phases::of(CYCLE, POSITIONS, a, b)?;
-    let ac = Phases::of(CYCLE, POSITIONS, a, c)?;
-    let bc = Phases::of(CYCLE, POSITIONS, b, c)?;
-    let bd = Phases::of(CYCLE, POSITIONS, b, d)?;
+    let [a, b, c, d] = [A, B, C, D].map(member);
+    let ab = Phases::new(CYCLE, POSITIONS, a, b)?;
+    let ac = Phases::new(CYCLE, POSITIONS, a, c)?;
+    let bc = Phases::new(CYCLE, POSITIONS, b, c)?;
+    let bd = Phases::new(CYCLE, POSITIONS, b, d)?;
     let set = PhaseSet::<2, 3>::new()
         .pair(None, Some(0), &ab)
         .pair(None, Some(1), &ac)
@@ -140,8 +140,8 @@ fn a_set_of_one_pair_has_its_best_lead() -> Outcome {
     let range = (-30f64.to_radians(), 30f64.to_radians());
     for case in mutual()["cases"].as_array().expect("cases") {
         let needles = super::clearance::placed(case, 0.0).assemble()?;
-        let (hook, eye) = super::clearance::organs(&needles);
-        let phases = Phases::of(CYCLE, 97, hook, eye)?;
+        let (hook, eye) = super::clearance::members(&needles);
+        let phases = Phases::new(CYCLE, 97, hook, eye)?;
         let known = &case["best_lead"];
         let found = PhaseSet::<2, 1>::new()
             .pair(None, Some(0), &phases)

@@ -31,16 +31,16 @@ pub(crate) fn radians(value: &Value) -> f64 {
     number(value).to_radians()
 }
 
-/// The derivatives by the parameters, in their order. `organ` stands before the names of the reference: `hook` and
+/// The derivatives by the parameters, in their order. `member` stands before the names of the reference: `hook` and
 /// `P1x` are `hook_p1.x`. 0 for a parameter of another organ.
-pub(crate) fn derivatives(value: &Value, organ: &str, parameters: &[Parameter]) -> Vec<f64> {
+pub(crate) fn derivatives(value: &Value, member: &str, parameters: &[Parameter]) -> Vec<f64> {
     let plain = |name: &str| name.replace(['.', '_'], "").to_lowercase();
     let known = value.as_object().expect("an object");
     let mut used = 0;
     let of = |parameter: &Parameter| {
         let mut own = known
             .iter()
-            .filter(|(name, _)| plain(&format!("{organ}{name}")) == plain(parameter.name));
+            .filter(|(name, _)| plain(&format!("{member}{name}")) == plain(parameter.name));
         own.next().map_or(0.0, |(_, value)| {
             used += 1;
             number(value)
@@ -54,7 +54,7 @@ pub(crate) fn derivatives(value: &Value, organ: &str, parameters: &[Parameter]) 
         .count();
     assert!(
         used + idle >= known.len(),
-        "{used} of {} {organ}",
+        "{used} of {} {member}",
         known.len()
     );
     found

@@ -17,7 +17,7 @@ pub(crate) const C: [Wave; 2] = [[16.0, 9.0, 1.0, 1.5, 0.2], [28.0, 13.0, 3.0, 2
 pub(crate) const D: [Wave; 2] = [[55.0, 12.0, 0.3, 2.5, 2.2], [20.0, 15.0, 0.0, 1.0, 0.1]];
 
 /// A point with its first two derivatives.
-pub(crate) fn organ([along, up]: [Wave; 2]) -> impl Fn(f64) -> [[[f64; 2]; 3]; 1] + Copy {
+pub(crate) fn member([along, up]: [Wave; 2]) -> impl Fn(f64) -> [[[f64; 2]; 3]; 1] + Copy {
     let wave = |[mean, a, b, c, d]: Wave, x: f64| {
         let ((s1, c1), (s2, c2)) = ((x + b).sin_cos(), (2.0 * x + d).sin_cos());
         [

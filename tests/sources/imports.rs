@@ -13,33 +13,33 @@ mod tests;
 
 /// The greatest number of files in circles, for each crate.
 const FILES_IN_CIRCLES: [(&str, usize); 9] = [
-    ("linkage-c", 13),
+    ("linkage-c", 0),
     ("linkage-cli", 18),
     ("linkage-compiler", 129),
     ("linkage-core", 0),
     ("linkage-js", 0),
     ("linkage-macros", 0),
     ("linkage-runtime", 88),
-    ("linkage-symbolic", 19),
+    ("linkage-symbolic", 0),
     ("src", 0),
 ];
 
 /// The greatest number of modules of the root in circles, for each crate.
 const MODULES_IN_CIRCLES: [(&str, usize); 9] = [
-    ("linkage-c", 11),
+    ("linkage-c", 0),
     ("linkage-cli", 4),
     ("linkage-compiler", 0),
     ("linkage-core", 0),
     ("linkage-js", 0),
     ("linkage-macros", 0),
     ("linkage-runtime", 0),
-    ("linkage-symbolic", 6),
+    ("linkage-symbolic", 0),
     ("src", 0),
 ];
 
 /// The greatest number of imports from the root of names that it only re-exports.
 const THROUGH_THE_FACE: [(&str, usize); 9] = [
-    ("linkage-c", 1),
+    ("linkage-c", 0),
     ("linkage-cli", 0),
     ("linkage-compiler", 0),
     ("linkage-core", 0),

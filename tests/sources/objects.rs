@@ -21,7 +21,7 @@ const SPREAD: [(&str, usize); 9] = [
     ("linkage-js", 0),
     ("linkage-macros", 0),
     ("linkage-runtime", 8),
-    ("linkage-symbolic", 1),
+    ("linkage-symbolic", 0),
     ("src", 0),
 ];
 

@@ -122,7 +122,7 @@ fn a_dyad_behind_a_triad_may_be_too_short_in_between() {
                         reached += 1;
                     }
                     Err(AssemblyError::Blocked { share, group, .. }) => {
-                        assert!(!fits && group == 1, "group {group} at {share}: {to:?}");
+                        assert!(!fits && group.index == 1, "{group} at {share}: {to:?}");
                         // The dip is as wide as the root of its depth.
                         assert!(
                             share < low && low - share < 2.0 * short.sqrt(),

@@ -143,7 +143,7 @@ fn a_way_ends_where_the_links_reach_each_other_no_more() {
     };
     let known = (longest - first.coupler) / (far.coupler - first.coupler);
     assert!(
-        group == 0 && (share - known).abs() < 1e-9,
+        group.index == 0 && (share - known).abs() < 1e-9,
         "{share}, not {known}"
     );
     let text = far

@@ -55,7 +55,7 @@ fn simultaneous_resistance_and_reactance() -> Outcome {
     }
     // The same by correlations.
     let [a, b, c] = *uncertain.correlation_matrix();
-    let mut alone = Uncertainties::of(uncertain.tolerances(), Distribution::Normal);
+    let mut alone = Uncertainties::new(uncertain.tolerances(), Distribution::Normal);
     for (index, standard) in uncertain.standard_uncertainties().into_iter().enumerate() {
         alone = alone.standard(index, standard)?;
     }
@@ -88,7 +88,7 @@ fn end_gauge() -> Outcome {
     ];
     let limits = [0.0, 0.0, 0.0, 0.0, 2e-6, 0.0, 0.5, 1e-6, 0.05];
     let tolerances = Tolerances::new(&quantities(list), &limits)?;
-    let mut uncertain = Uncertainties::of(&tolerances, Distribution::Uniform)
+    let mut uncertain = Uncertainties::new(&tolerances, Distribution::Uniform)
         .distribution_of(6, Distribution::Arcsine)?
         .degrees_of_freedom(7, 50.0)?
         .degrees_of_freedom(8, 2.0)?;

@@ -48,7 +48,7 @@ const CORRELATIONS: [(usize, usize, f64); 3] = [(3, 4, 0.75), (2, 3, -0.5), (0, 
 
 fn uncertain() -> Result<Uncertainties<7>, ToleranceError> {
     let exact = Tolerances::new(CrankRocker::PARAMETERS, &[0.0; 7])?;
-    let mut uncertain = Uncertainties::of(&exact, Distribution::Normal);
+    let mut uncertain = Uncertainties::new(&exact, Distribution::Normal);
     for (i, standard) in STANDARD.into_iter().enumerate() {
         uncertain = uncertain.standard(i, standard)?;
     }

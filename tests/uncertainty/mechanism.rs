@@ -67,7 +67,7 @@ fn random_mechanisms_that_are_correlated() -> Outcome {
     let theory = uncertain.second_order(&d.e, &d.h).with_third(&d.t);
     let samples = sampled(&uncertain, 100_000)?;
     let nominal: [f64; 2] = linkage.path(PHI).tracer.into();
-    let mut alone = Uncertainties::of(uncertain.tolerances(), Distribution::Normal);
+    let mut alone = Uncertainties::new(uncertain.tolerances(), Distribution::Normal);
     for (i, standard) in STANDARD.into_iter().enumerate() {
         alone = alone.standard(i, standard)?;
     }
@@ -101,7 +101,7 @@ fn random_mechanisms_with_other_limits() -> Outcome {
         .limits(CrankRocker::INDEX_CRANK, -0.01, 0.03)?
         .limits(CrankRocker::INDEX_COUPLER, -0.05, -0.02)?
         .limits(CrankRocker::INDEX_ARM, 0.0, 0.04)?;
-    let uncertain = Uncertainties::of(&tolerances, Distribution::Uniform)
+    let uncertain = Uncertainties::new(&tolerances, Distribution::Uniform)
         .distribution_of(CrankRocker::INDEX_COUPLER, Distribution::Triangular)?
         .distribution_of(CrankRocker::INDEX_ARM, Distribution::Arcsine)?;
     let samples = sampled(&uncertain, 50_000)?;

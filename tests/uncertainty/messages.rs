@@ -7,7 +7,7 @@ use linkage::tolerance::{Distribution, MonteCarlo, ToleranceError, Tolerances, U
 fn what_does_not_fit_is_told() -> Outcome {
     let rods = quantities([("a", 1.0), ("b", 1.0), ("c", 1.0)]);
     let tolerances = Tolerances::<3>::new(&rods, &[0.3; 3])?;
-    let uncertain = Uncertainties::of(&tolerances, Distribution::Normal);
+    let uncertain = Uncertainties::new(&tolerances, Distribution::Normal);
     let told = |error: ToleranceError, text: &str| assert_eq!(error.to_string(), text);
     told(
         uncertain
@@ -45,7 +45,7 @@ fn what_does_not_fit_is_told() -> Outcome {
     let correlated = uniform.correlations(&[(0, 1, 0.3)])?;
     let crank = CrankRocker::default();
     let seven = Tolerances::<7>::complete(CrankRocker::PARAMETERS)?;
-    let seven = Uncertainties::of(&seven, Distribution::Uniform).correlations(&[(2, 3, 0.3)])?;
+    let seven = Uncertainties::new(&seven, Distribution::Uniform).correlations(&[(2, 3, 0.3)])?;
     let error = MonteCarlo::new(10).run_correlated(&crank, &seven, |_, [_x]: [&mut [f64]; 1]| {});
     assert_eq!(
         error.unwrap_err(),

@@ -9,7 +9,7 @@ use crate::surface::Surface;
 
 /// A table over one input.
 pub(super) fn table(surface: &Surface, number: usize, layout: &TableLayout) -> String {
-    let Surface { own, real, .. } = surface;
+    let Surface { private, real, .. } = surface;
     let name = real.name();
     let size = surface.unit.coupled[number].size;
     let terms = layout.cells[0].coefficients.len() / size;
@@ -20,8 +20,8 @@ pub(super) fn table(surface: &Surface, number: usize, layout: &TableLayout) -> S
     );
     let _ = writeln!(
         text,
-        "typedef struct {own}cell_{number} {{ {name} centre, inverse, floor, state[{terms}][{size}]; }} {own}cell_{number};\n\n\
-         static const {own}cell_{number} {own}cells_{number}[] = {{"
+        "typedef struct {private}cell_{number} {{ {name} centre, inverse, floor, state[{terms}][{size}]; }} {private}cell_{number};\n\n\
+         static const {private}cell_{number} {private}cells_{number}[] = {{"
     );
     for cell in &layout.cells {
         let rows = cell
@@ -39,13 +39,13 @@ pub(super) fn table(surface: &Surface, number: usize, layout: &TableLayout) -> S
     text + &indices(
         surface,
         number,
-        layout.index.iter().map(|own| usize::from(*own)),
+        layout.index.iter().map(|entry| usize::from(*entry)),
     )
 }
 
 /// A grid over several inputs, or none.
 pub(super) fn grid(surface: &Surface, number: usize, layout: &GridLayout) -> String {
-    let Surface { own, real, .. } = surface;
+    let Surface { private, real, .. } = surface;
     let name = real.name();
     let coupled = &surface.unit.coupled[number];
     let (size, axes) = (coupled.size, layout.axes.len());
@@ -62,9 +62,9 @@ pub(super) fn grid(surface: &Surface, number: usize, layout: &GridLayout) -> Str
     );
     let _ = writeln!(
         text,
-        "typedef struct {own}axis_{number} {{ int input; {name} middle, length, rate, repeats, slots; }} {own}axis_{number};\n\
-         typedef struct {own}node_{number} {{ {name} floor, state[{terms}][{size}]; }} {own}node_{number};\n\n\
-         static const {own}axis_{number} {own}axes_{number}[] = {{"
+        "typedef struct {private}axis_{number} {{ int input; {name} middle, length, rate, repeats, slots; }} {private}axis_{number};\n\
+         typedef struct {private}node_{number} {{ {name} floor, state[{terms}][{size}]; }} {private}node_{number};\n\n\
+         static const {private}axis_{number} {private}axes_{number}[] = {{"
     );
     for (axis, input) in layout.axes.iter().zip(&coupled.inputs) {
         let slots = axis.slots as f64;
@@ -74,11 +74,11 @@ pub(super) fn grid(surface: &Surface, number: usize, layout: &GridLayout) -> Str
     }
     let _ = writeln!(
         text,
-        "}};\n\n/* The first one has no solution. */\nstatic const {own}node_{number} {own}nodes_{number}[] = {{"
+        "}};\n\n/* The first one has no solution. */\nstatic const {private}node_{number} {private}nodes_{number}[] = {{"
     );
     let nothing = vec![f64::NAN; size * terms];
     let reached = layout.nodes.iter().flatten();
-    let reached = reached.map(|own| (own.floor, own.coefficients));
+    let reached = reached.map(|node| (node.floor, node.coefficients));
     for (floor, rows) in std::iter::once((f64::NAN, &nothing[..])).chain(reached) {
         let rows = rows.chunks(size).map(|row| numbers(surface, row));
         let rows: Vec<String> = rows.collect();
@@ -121,9 +121,12 @@ fn numbers(surface: &Surface, row: &[f64]) -> String {
 /// An array of numbers of cells.
 fn indices(surface: &Surface, number: usize, all: impl Iterator<Item = usize>) -> String {
     let all: Vec<usize> = all.collect();
-    let small = all.iter().all(|own| u16::try_from(*own).is_ok());
+    let small = all.iter().all(|item| u16::try_from(*item).is_ok());
     let word = if small { "uint16_t" } else { "uint32_t" };
-    let mut text = format!("static const {word} {}index_{number}[] = {{", surface.own);
+    let mut text = format!(
+        "static const {word} {}index_{number}[] = {{",
+        surface.private
+    );
     for (place, cell) in all.iter().enumerate() {
         text += if place % 24 == 0 { "\n    " } else { " " };
         let _ = write!(text, "{cell},");

@@ -1,7 +1,9 @@
-//! Functions of C that programs call: operations that C's library does not have, or not with these results.
+//! Functions of C that programs call: operations that C's library does not have, or not with these
+//! results.
 //!
-//! Each mechanism has a copy of those that it needs, and nothing else. In `templates/helpers.c` the function of an operation has the name
-//! of its row in `linkage-symbolic`, a line `HELPER` begins each function, and functions stand after those that they call.
+//! Each mechanism has a copy of those that it needs, and nothing else. In `templates/helpers.c` the
+//! function of an operation has the name of its row in `linkage-symbolic`, a line `HELPER` begins
+//! each function, and functions stand after those that they call.
 
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
@@ -31,7 +33,8 @@ fn helpers() -> &'static [Helper] {
     })
 }
 
-/// Parses a helper: `name (double): other, names */`, where the type and the other names may be left out, then its text.
+/// Parses a helper: `name (double): other, names */`, where the type and the other names may be
+/// left out, then its text.
 fn parsed(part: &'static str) -> Helper {
     let (head, text) = part.split_once(" */\n").unwrap_or((part, ""));
     let words = head.split([' ', ',', ':']).filter(|word| !word.is_empty());
@@ -90,9 +93,9 @@ impl Helpers {
     }
 
     /// Returns all needed helpers as C.
-    pub(crate) fn text(&self, own: &str) -> String {
+    pub(crate) fn text(&self, private: &str) -> String {
         let needed = self.needed.iter().map(|&index| helpers()[index].text);
-        let texts = needed.map(|text| fill(text, self.real, own, |_| None));
+        let texts = needed.map(|text| fill(text, self.real, private, |_| None));
         texts.collect::<Vec<_>>().join("\n")
     }
 }

@@ -13,7 +13,7 @@ const LIBRARY: [(&str, &str); 2] = [("abs", "fabs"), ("sqrt", "sqrt")];
 pub(crate) struct Printer<'a> {
     pub(crate) real: Real,
     /// The beginning of names that nothing else has.
-    pub(crate) own: &'a str,
+    pub(crate) private: &'a str,
     pub(crate) helpers: Helpers,
 }
 
@@ -46,7 +46,7 @@ impl Printer<'_> {
     /// A call of a helper.
     fn call_helper(&mut self, helper: &str, operands: &[&str]) -> String {
         self.helpers.need(helper);
-        format!("{}{helper}({})", self.own, operands.join(", "))
+        format!("{}{helper}({})", self.private, operands.join(", "))
     }
 }
 
@@ -74,8 +74,8 @@ impl Language for C<'_, '_> {
 
     fn define_sine_pair(&mut self, index: usize, angle: &str) -> [String; 2] {
         let pair = self.printer.call_helper("sin_cos", &[angle]);
-        let own = self.printer.own;
-        self.statements += &format!("    const {own}pair v{index} = {pair};\n");
+        let private = self.printer.private;
+        self.statements += &format!("    const {private}pair v{index} = {pair};\n");
         [format!("v{index}.sine"), format!("v{index}.cosine")]
     }
 
@@ -102,7 +102,7 @@ impl Language for C<'_, '_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use linkage_symbolic::program::{Binary, Call, Ternary, Unary};
+    use linkage_symbolic::program::{Binary, RustCall, Ternary, Unary};
 
     /// C has a function of its library or a helper for each operation.
     #[test]
@@ -110,7 +110,7 @@ mod tests {
         for real in [Real::Double, Real::Single] {
             let mut printer = Printer {
                 real,
-                own: "own_",
+                private: "own_",
                 helpers: Helpers::new(real),
             };
             let mut c = C {
@@ -122,7 +122,7 @@ mod tests {
             let binary = Binary::ALL.iter().map(|op| (op.row().name, op.row().call));
             let ternary = Ternary::ALL.iter().map(|op| (op.row().name, op.row().call));
             for (name, call) in unary.chain(binary).chain(ternary) {
-                if let Call::Method(_) | Call::FusedMethod(_) = call {
+                if let RustCall::Method(_) | RustCall::FusedMethod(_) = call {
                     assert!(c.call(name, &["a"]).ends_with("(a)"));
                 }
             }

@@ -1,6 +1,6 @@
 //! Names of constants and macros, which are in capitals.
 
-use crate::names::plain;
+use crate::c_names::plain;
 
 /// The name of a constant or a macro of the mechanism whose names begin with `prefix`.
 pub(super) fn constant(prefix: &str, name: &str) -> String {

@@ -1,11 +1,11 @@
-//! What users of the C see: names, types, comments.
+//! The surface of a mechanism for users of the C: names, types, comments.
 
 use linkage_compiler::ir::{CompiledMechanism, Function, Shape};
 
 use super::constant::constant;
 use super::declared::Declared;
 use super::places::innermost;
-use super::range::{OFF, RangeNames, kind_constant};
+use super::range_names::{OFF, RangeNames, kind_constant};
 use super::refusal::{Code, Why};
 use super::renamed::Renamed;
 use crate::real::Real;
@@ -15,17 +15,17 @@ use crate::real::Real;
 pub(crate) struct Surface<'a> {
     pub(crate) unit: &'a CompiledMechanism,
     pub(crate) real: Real,
-    /// As the user called it.
+    /// The name in the declaration.
     pub(crate) title: String,
-    /// What all names begin with; also that of the struct.
+    /// The beginning of all names; also that of the struct.
     pub(crate) prefix: String,
     /// The beginning of names in the source alone.
-    pub(crate) own: String,
+    pub(crate) private: String,
     pub(crate) dimensions: Vec<Dimension<'a>>,
     /// Expressions of the scalars of all dimensions, behind that of the struct and a point.
     pub(crate) scalars: Vec<String>,
     pub(crate) functions: Vec<Evaluator<'a>>,
-    /// What `assemble` may return, after 0.
+    /// The results of `assemble`, after 0.
     pub(crate) codes: Vec<Code>,
     pub(crate) assemble: Declared,
     pub(crate) error: Declared,
@@ -76,7 +76,8 @@ pub(crate) struct Field<'a> {
 /// The end of the macro that lets a file with finite mathematics include the header.
 pub(crate) const FINITE_MATH: &str = "finite_math";
 
-/// The end of the name of a type that exists where constants have all their digits: compilers print it.
+/// The end of the name of a type that exists where constants have all their digits: compilers print
+/// it.
 pub(super) const CONSTANTS: &str = "is_not_for_fsingle_precision_constant";
 
 /// The ends of constants and macros that each mechanism has.
@@ -98,16 +99,16 @@ impl<'a> Surface<'a> {
 
     /// The types of vectors and frames that occur, each with its definition.
     pub(crate) fn vector_types(&self) -> Vec<String> {
-        let dimensions = self.dimensions.iter().map(|own| &own.shape);
-        let fields = self.functions.iter().flat_map(|own| &own.fields);
+        let dimensions = self.dimensions.iter().map(|dimension| &dimension.shape);
+        let fields = self.functions.iter().flat_map(|function| &function.fields);
         let shapes: Vec<&Shape> = dimensions
-            .chain(fields.map(|own| &own.shape))
+            .chain(fields.map(|field| &field.shape))
             .map(innermost)
             .collect();
         let number = self.real.name();
         let [xy, xyz, frame, plane_frame] = &self.vectors;
         let has = |wanted: &Shape| shapes.contains(&wanted);
-        let [frames, plane_frames] = [Shape::Frame, Shape::PlaneFrame].map(|own| has(&own));
+        let [frames, plane_frames] = [Shape::Frame, Shape::PlaneFrame].map(|entry| has(&entry));
         let mut types = Vec::new();
         if has(&Shape::Vector(2)) || plane_frames {
             types.push(format!("typedef struct {xy} {{ {number} x, y; }} {xy};\n"));
@@ -132,9 +133,9 @@ impl<'a> Surface<'a> {
 
     /// All names that other files see.
     pub(crate) fn names(&self) -> Vec<String> {
-        let of_functions = self.functions.iter().flat_map(|own| {
-            let both = [&own.declared.name, &own.result].into_iter();
-            both.chain(own.sweep.as_ref().map(|sweep| &sweep.name))
+        let of_functions = self.functions.iter().flat_map(|function| {
+            let both = [&function.declared.name, &function.result].into_iter();
+            both.chain(function.sweep.as_ref().map(|sweep| &sweep.name))
                 .cloned()
         });
         let constants = CONSTANTS_OF_ALL.map(|name| self.constant(name));
@@ -147,7 +148,7 @@ impl<'a> Surface<'a> {
             &self.constants,
         ];
         let others = others.into_iter().chain(&self.vectors).cloned();
-        let codes = self.codes.iter().map(|own| own.name.clone());
+        let codes = self.codes.iter().map(|code| code.name.clone());
         others
             .chain(self.range.all(&self.prefix))
             .chain(of_functions)
@@ -158,7 +159,7 @@ impl<'a> Surface<'a> {
 
     /// The number for a reason.
     pub(crate) fn code(&self, why: Why) -> usize {
-        let place = self.codes.iter().position(|own| own.why == why);
+        let place = self.codes.iter().position(|entry| entry.why == why);
         place.map_or(0, |place| place + 1)
     }
 

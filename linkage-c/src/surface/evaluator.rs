@@ -6,10 +6,10 @@ use super::data::{Evaluator, Field};
 use super::declared::Declared;
 use super::notes::{field_note, input_note};
 use super::renamed::Log;
-use crate::names::{Names, Place};
+use crate::c_names::{Names, Namespace};
 use crate::real::Real;
 
-/// What the names of a function's arguments and results must differ from.
+/// Names that those of a function's arguments and results must differ from.
 pub(super) struct Scope<'a> {
     pub(super) unit: &'a CompiledMechanism,
     pub(super) real: Real,
@@ -42,30 +42,30 @@ pub(super) fn evaluator<'a>(
     // What else the function has in scope.
     let others = ["m", "count", "results", "result", "k", "inputs"];
     let others = [&others[..], &[prefix, &name, &result]].concat();
-    let mut scope = Names::new(Place::Function, &others);
+    let mut scope = Names::new(Namespace::Function, &others);
     let mut arguments = Vec::new();
     let mut argument_notes = Vec::new();
     for &place in &function.arguments {
         let (usual, note) = match place.checked_sub(unit.inputs.len()) {
             None => (&unit.inputs[place].name, input_note(unit, place)),
             Some(place) => {
-                let own = &unit.arguments[place];
-                (&own.name, own.unit.clone())
+                let argument = &unit.arguments[place];
+                (&argument.name, argument.unit.clone())
             }
         };
-        let own = scope.take(usual);
+        let name = scope.take(usual);
         renamed.note(
             || format!("the argument `{usual}` of `{declared}`"),
             usual,
-            &own,
+            &name,
         );
-        arguments.push(own);
+        arguments.push(name);
         argument_notes.push(note);
     }
-    let mut names = Names::new(Place::Struct, types);
+    let mut names = Names::new(Namespace::Struct, types);
     let mut columns = &function.columns[..];
     let fields = function.fields.iter().map(|field| {
-        let (own, rest) = columns.split_at(field.shape.width());
+        let (of_field, rest) = columns.split_at(field.shape.width());
         columns = rest;
         let usual = &field.name;
         let name = names.take(usual);
@@ -77,16 +77,16 @@ pub(super) fn evaluator<'a>(
         Field {
             name,
             documentation: &field.documentation,
-            note: field_note(field, own),
+            note: field_note(field, of_field),
             shape: field.shape.clone(),
         }
     });
     let fields = fields.collect();
     let number = real.name();
-    let numbers = arguments.iter().map(|own| format!(", {number} {own}"));
+    let numbers = arguments.iter().map(|entry| format!(", {number} {entry}"));
     let arrays = arguments
         .iter()
-        .map(|own| format!(", const {number} *{own}"));
+        .map(|item| format!(", const {number} *{item}"));
     let sweep = sweep.map(|name| Declared {
         signature: format!(
             "void {name}(const {prefix} *m, size_t count{}, {result} *results)",

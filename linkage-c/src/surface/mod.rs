@@ -1,4 +1,4 @@
-//! What users of the C see, chosen once: header and source both print it.
+//! The surface of a mechanism for users of the C, chosen once: header and source both print it.
 
 mod build;
 mod constant;
@@ -7,7 +7,7 @@ mod declared;
 mod evaluator;
 mod notes;
 mod places;
-mod range;
+mod range_names;
 mod refusal;
 mod renamed;
 
@@ -15,7 +15,7 @@ pub(crate) use build::surface;
 pub(crate) use data::{Evaluator, FINITE_MATH, Surface};
 pub(crate) use notes::reference;
 pub(crate) use places::places;
-pub(crate) use range::{KINDS, OFF, RangeNames};
+pub(crate) use range_names::{KINDS, OFF, RangeNames};
 pub(crate) use refusal::{Code, Why};
 pub use renamed::Renamed;
 pub(crate) use renamed::listed;

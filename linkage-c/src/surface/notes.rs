@@ -1,4 +1,4 @@
-//! What comments say of arguments, dimensions and results.
+//! Comments on arguments, dimensions and results.
 
 use linkage_compiler::ir::{Column, CompiledMechanism, Shape, in_degrees};
 
@@ -22,15 +22,15 @@ pub(super) fn dimension_note(scalars: &[linkage_compiler::ir::Scalar]) -> String
     };
     let tolerances: Vec<String> = scalars
         .iter()
-        .map(|own| in_degrees(own.tolerance, &own.unit))
+        .map(|scalar| in_degrees(scalar.tolerance, &scalar.unit))
         .collect();
-    match scalars.iter().any(|own| own.tolerance != 0.0) {
+    match scalars.iter().any(|entry| entry.tolerance != 0.0) {
         true => format!("{unit}; tolerance {}", tolerances.join(", ")),
         false => unit.to_owned(),
     }
 }
 
-/// What it is with its unit, and what the entries of an array are.
+/// Returns the meaning with its unit, and the names of the entries of an array.
 pub(super) fn field_note(field: &linkage_compiler::ir::Field, columns: &[Column]) -> String {
     let about = match &field.told()[..] {
         "" => "a number".to_owned(),
@@ -39,18 +39,24 @@ pub(super) fn field_note(field: &linkage_compiler::ir::Field, columns: &[Column]
     };
     match field.shape {
         Shape::Array(..) => {
-            let names: Vec<&str> = columns.iter().map(|own| &own.name[..]).collect();
+            let names: Vec<&str> = columns.iter().map(|column| &column.name[..]).collect();
             format!("{about}: {}", names.join(", "))
         }
         Shape::Scalar | Shape::Vector(_) | Shape::Frame | Shape::PlaneFrame => about,
     }
 }
 
-/// What an input's reference is called in comments.
+/// Returns the reference inputs for comments.
 pub(crate) fn reference(unit: &CompiledMechanism) -> String {
     let inputs = unit.inputs.iter();
     let places: Vec<String> = inputs
-        .map(|own| format!("{} = {}", own.name, in_degrees(own.reference, &own.unit)))
+        .map(|input| {
+            format!(
+                "{} = {}",
+                input.name,
+                in_degrees(input.reference, &input.unit)
+            )
+        })
         .collect();
     places.join(", ")
 }

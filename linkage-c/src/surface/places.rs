@@ -5,7 +5,7 @@ use linkage_compiler::ir::{COMPONENTS, Shape};
 /// Components of frames.
 const OF_FRAME: [&str; 4] = ["origin", "x", "y", "z"];
 
-/// What the entries of an array are, of arrays of arrays too; other shapes as they are.
+/// Returns the shape of the entries of an array, of arrays of arrays too; other shapes as they are.
 pub(crate) fn innermost(shape: &Shape) -> &Shape {
     match shape {
         Shape::Array(_, entry) => innermost(entry),
@@ -28,13 +28,13 @@ pub(crate) fn places(name: &str, shape: &Shape) -> Vec<String> {
         Shape::Frame => {
             let vectors = OF_FRAME.iter();
             let vectors =
-                vectors.flat_map(|own| places(&format!("{name}.{own}"), &Shape::Vector(3)));
+                vectors.flat_map(|vector| places(&format!("{name}.{vector}"), &Shape::Vector(3)));
             vectors.collect()
         }
         Shape::PlaneFrame => {
             let vectors = OF_FRAME[..3].iter();
             let vectors =
-                vectors.flat_map(|own| places(&format!("{name}.{own}"), &Shape::Vector(2)));
+                vectors.flat_map(|item| places(&format!("{name}.{item}"), &Shape::Vector(2)));
             vectors.collect()
         }
     }

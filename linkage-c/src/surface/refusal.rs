@@ -1,14 +1,14 @@
-//! What `assemble` may return, and the texts for it.
+//! The results of `assemble`, and the texts for them.
 
 use linkage_compiler::ir::{CompiledMechanism, Group};
 
-use crate::names::plain;
+use crate::c_names::plain;
 
 /// A number that `assemble` may return.
 #[derive(Clone, Debug)]
 pub(crate) struct Code {
     pub(crate) why: Why,
-    /// Of the constant.
+    /// The name of the constant.
     pub(crate) name: String,
     pub(crate) text: String,
 }
@@ -22,7 +22,7 @@ pub(crate) enum Why {
     CannotClose(usize),
     /// A group has no solution in numbers.
     Undefined(usize),
-    /// What is computed of a dimension overflows.
+    /// A number computed from a dimension overflows.
     TooLarge,
     /// An angle, among those that are followed, cannot be followed through the ranges.
     NoTurns(usize),
@@ -37,13 +37,13 @@ pub(crate) enum Why {
 }
 
 impl Why {
-    /// Whether the test of the arithmetic finds it.
+    /// Returns true for findings of the test of the arithmetic.
     pub(crate) fn is_of_arithmetic(self) -> bool {
         OF_ARITHMETIC.iter().any(|(why, ..)| *why == self)
     }
 }
 
-/// What the test of the arithmetic may find.
+/// The findings of the test of the arithmetic.
 const OF_ARITHMETIC: [(Why, &str, &str); 3] = [
     (
         Why::Rounding,
@@ -69,7 +69,7 @@ pub(crate) fn codes(title: &str, prefix: &str, unit: &CompiledMechanism) -> Vec<
     let mut codes = Vec::new();
     let mut add = |why: Why, name: &str, text: String| {
         let name = format!("{prefix}_{}", plain(&name.replace('.', "_"))).to_uppercase();
-        let taken = codes.iter().any(|own: &Code| own.name == name);
+        let taken = codes.iter().any(|code: &Code| code.name == name);
         codes.push(Code {
             why,
             // Names that differ in the case of letters only.
@@ -84,12 +84,15 @@ pub(crate) fn codes(title: &str, prefix: &str, unit: &CompiledMechanism) -> Vec<
     let mut needed: Vec<usize> = unit
         .groups
         .iter()
-        .flat_map(|own| own.parameters.clone())
+        .flat_map(|group| group.parameters.clone())
         .collect();
     needed.sort_unstable();
     needed.dedup();
     for place in needed {
-        let name = unit.scalars().nth(place).map_or("", |own| &own.name[..]);
+        let name = unit
+            .scalars()
+            .nth(place)
+            .map_or("", |scalar| &scalar.name[..]);
         let text = format!("the dimension {name} is no finite number");
         add(Why::NotFinite(place), &format!("{name}_not_finite"), text);
     }
@@ -140,7 +143,7 @@ pub(crate) fn codes(title: &str, prefix: &str, unit: &CompiledMechanism) -> Vec<
 
 /// `loops_1_2`
 fn constant(index: usize, group: &Group) -> String {
-    let numbers: Vec<String> = group.loops.iter().map(|own| own.to_string()).collect();
+    let numbers: Vec<String> = group.loops.iter().map(|index| index.to_string()).collect();
     match &numbers[..] {
         [] => format!("group_{}", index + 1),
         [only] => format!("loop_{only}"),
@@ -150,14 +153,17 @@ fn constant(index: usize, group: &Group) -> String {
 
 /// `loop 1 (theta, psi; RRR)`
 fn place(index: usize, group: &Group) -> String {
-    let numbers: Vec<String> = group.loops.iter().map(|own| own.to_string()).collect();
+    let numbers: Vec<String> = group.loops.iter().map(|index| index.to_string()).collect();
     let place = match &numbers[..] {
         [] => format!("group {}", index + 1),
         [only] => format!("loop {only}"),
         [first @ .., last] => format!("loops {} and {last}", first.join(", ")),
     };
     let about = [group.unknowns.join(", "), group.kind.clone()];
-    let about: Vec<String> = about.into_iter().filter(|own| !own.is_empty()).collect();
+    let about: Vec<String> = about
+        .into_iter()
+        .filter(|unknown| !unknown.is_empty())
+        .collect();
     match about.is_empty() {
         true => place,
         false => format!("{place} ({})", about.join("; ")),

@@ -4,8 +4,8 @@ use std::fmt::{self, Display, Formatter};
 
 use crate::comment::comment;
 
-/// A name of the declaration that has another form in C, because C, C++, their libraries or the exported files have the name themselves, or
-/// because C does not know its letters.
+/// A name of the declaration that has another form in C, because C, C++, their libraries or the
+/// exported files have the name themselves, or because C does not know its letters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Renamed {
     /// Kind and name in the declaration: ``the parameter `int` ``.
@@ -41,7 +41,7 @@ pub(crate) fn listed(all: &[Renamed]) -> String {
     if all.is_empty() {
         return String::new();
     }
-    let lines = all.iter().map(|own| own.to_string().replace('`', ""));
+    let lines = all.iter().map(|item| item.to_string().replace('`', ""));
     let lines: Vec<String> = lines.collect();
     comment(
         "",

@@ -40,7 +40,7 @@ pub(super) struct AtInputs {
 pub(super) fn run(options: &AtInputs) -> Result<(), Failure> {
     let AtInputs { options, at } = options;
     for mechanism in options.chosen.all()? {
-        let dimensions = options.dimensions.of(&mechanism)?;
+        let dimensions = options.dimensions.resolve(&mechanism)?;
         let at = inputs(&mechanism, at)?;
         let all = mechanism.assemblies(&dimensions, &at)?;
         let pairs = mechanism.inputs.iter().zip(&at);
@@ -61,7 +61,7 @@ pub(super) fn run(options: &AtInputs) -> Result<(), Failure> {
                 false => format!("modes {modes}: "),
             };
             let unknowns = assembly.unknowns(&at).into_iter();
-            let unknowns: Vec<String> = unknowns.map(|own| own.to_string()).collect();
+            let unknowns: Vec<String> = unknowns.map(|unknown| unknown.to_string()).collect();
             let _ = writeln!(text, "{}  {modes}{}", index + 1, unknowns.join(", "));
         }
         for meeting in meeting(&mechanism, &all, &at) {
@@ -75,15 +75,17 @@ pub(super) fn run(options: &AtInputs) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Two assemblies are one here if their unknowns differ by less, compared with the largest: at a dead point a place is known to half of its digits.
+/// Two assemblies are one here if their unknowns differ by less, compared with the largest: at a
+/// dead point a place is known to half of its digits.
 const SAME: f64 = 1e-6;
 
-/// So far aside, in radians or as a part of the range, two assemblies that meet in a change point exist on both sides.
+/// At this distance, in radians or as a part of the range, two assemblies that meet in a change
+/// point exist on both sides.
 const ASIDE: f64 = 1e-3;
 
 /// A line for each pair of assemblies that are one at these inputs.
 fn meeting(mechanism: &Mechanism, all: &[Assembly], at: &[f64]) -> Vec<String> {
-    let numbers: Vec<Vec<f64>> = all.iter().map(|own| own.places(at)).collect();
+    let numbers: Vec<Vec<f64>> = all.iter().map(|assembly| assembly.places(at)).collect();
     let same = |a: &[f64], b: &[f64]| {
         let size = a
             .iter()
@@ -97,7 +99,7 @@ fn meeting(mechanism: &Mechanism, all: &[Assembly], at: &[f64]) -> Vec<String> {
                 Some((low, high)) if input.unit != "rad" => ASIDE * (high - low),
                 _ => ASIDE,
             };
-            let closes = |x: f64| assembly.places(&[x]).iter().all(|own| own.is_finite());
+            let closes = |x: f64| assembly.places(&[x]).iter().all(|place| place.is_finite());
             Some(closes(at[0] - step) && closes(at[0] + step))
         }
         _ => None,
@@ -123,7 +125,7 @@ fn meeting(mechanism: &Mechanism, all: &[Assembly], at: &[f64]) -> Vec<String> {
     lines
 }
 
-/// Which groups may have other assemblies than those that are found, in words.
+/// Returns the note about groups that may have other assemblies than those that are found.
 pub(super) fn not_listed(mechanism: &Mechanism) -> Option<String> {
     let followed = mechanism.followed();
     let numbers: Vec<String> = followed.map(|group| (group + 1).to_string()).collect();
@@ -142,7 +144,7 @@ pub(super) fn circuits(options: &Options) -> Result<(), Failure> {
     let mut without = Vec::new();
     let mut some = false;
     for mechanism in options.chosen.all()? {
-        let dimensions = options.dimensions.of(&mechanism)?;
+        let dimensions = options.dimensions.resolve(&mechanism)?;
         let name = mechanism.name;
         match mechanism.circuits(&dimensions) {
             Some(found) => {
@@ -170,12 +172,12 @@ fn inputs(mechanism: &Mechanism, given: &[String]) -> Result<Vec<f64>, Failure> 
     let mut at = mechanism.reference();
     for given in given {
         let (name, text) = parts("--at", given)?;
-        let Some(index) = mechanism.inputs.iter().position(|own| own.name == name) else {
+        let Some(index) = mechanism.inputs.iter().position(|input| input.name == name) else {
             return Err(Failure::Told(format!(
                 "{} has no input `{}`; it has {}",
                 mechanism.name,
                 shortened(name),
-                known_names(name, mechanism.inputs.iter().map(|own| own.name))
+                known_names(name, mechanism.inputs.iter().map(|input| input.name))
             )));
         };
         at[index] = number(mechanism, name, text, mechanism.inputs[index].unit)?;

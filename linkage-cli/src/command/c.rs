@@ -44,17 +44,21 @@ impl Scalar {
     }
 }
 
-/// Writes a header and a source for each mechanism; none of them if one cannot be printed. Names that C has otherwise are reported.
+/// Writes a header and a source for each mechanism; none of them if one cannot be printed. Names
+/// that C has otherwise are reported.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let mut mechanisms = options.chosen.all()?;
     options.dimensions.known_to_any(&mechanisms)?;
     for mechanism in &mut mechanisms {
-        let own = options.dimensions.known_to(mechanism);
-        if own.are_given() {
-            set(mechanism, &own)?;
+        let known = options.dimensions.known_to(mechanism);
+        if known.are_given() {
+            set(mechanism, &known)?;
         }
     }
-    let named: Vec<_> = mechanisms.iter().map(|own| (own.name, &own.unit)).collect();
+    let named: Vec<_> = mechanisms
+        .iter()
+        .map(|mechanism| (mechanism.name, &mechanism.unit))
+        .collect();
     let all = all_sources(&named, options.scalar.real())
         .map_err(|refused| Failure::Told(refused.to_string()))?;
     let folder = &options.output;
@@ -74,8 +78,8 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
             })?;
             print(&format!("{}\n", path.display()))?;
         }
-        for own in renamed {
-            eprintln!("note: {name}.h: {own}");
+        for note in renamed {
+            eprintln!("note: {name}.h: {note}");
         }
     }
     Ok(())
@@ -92,7 +96,7 @@ fn set(mechanism: &mut Mechanism, given: &Dimensions) -> Result<(), Failure> {
     }
     let dimensions = range::assembled(given, mechanism)?.dimensions().to_vec();
     let parameters = mechanism.unit.parameters.iter_mut();
-    let scalars = parameters.flat_map(|own| &mut own.scalars);
+    let scalars = parameters.flat_map(|parameter| &mut parameter.scalars);
     for (scalar, value) in scalars.zip(dimensions) {
         scalar.nominal = value;
     }

@@ -1,4 +1,4 @@
-//! `linkage check`: all messages, then what there is to know of a mechanism.
+//! `linkage check`: all messages, then the known facts about a mechanism.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -8,9 +8,9 @@ use linkage_compiler::check_all;
 use linkage_runtime::Input;
 
 use super::assemblies::{not_listed, placed, shown};
-use super::is_coloured;
 use super::output::print;
 use super::range;
+use super::terminal::is_coloured;
 use super::values::Dimensions;
 use crate::failure::Failure;
 use crate::look_alike::look_alikes;
@@ -18,12 +18,13 @@ use crate::mechanism::Mechanism;
 use crate::messages::rendered;
 use crate::source::Source;
 
-/// Checks files; mistakes go to the standard error, what is known of mechanisms without one to the standard output.
+/// Checks files. Mistakes go to the standard error, facts about mechanisms without one to the
+/// standard output.
 pub(super) fn run(files: &[PathBuf], given: &Dimensions) -> Result<(), Failure> {
     let mut sound = true;
     for file in files {
         match one(file, given) {
-            Ok(own) => sound &= own,
+            Ok(is_sound) => sound &= is_sound,
             Err(failure) => {
                 eprintln!("{failure}");
                 sound = false;
@@ -54,21 +55,21 @@ fn one(file: &Path, given: &Dimensions) -> Result<bool, Failure> {
         given.known_to_any(&all)?;
     }
     for mechanism in &all {
-        let own = given.known_to(mechanism);
-        let dimensions = own.of(mechanism)?;
+        let dimensions_known = given.known_to(mechanism);
+        let dimensions = dimensions_known.resolve(mechanism)?;
         print(&known(mechanism, &dimensions))?;
-        if own.are_given() {
-            sound &= works(mechanism, &dimensions, &own)?;
+        if dimensions_known.are_given() {
+            sound &= works(mechanism, &dimensions, &dimensions_known)?;
         }
     }
     Ok(sound)
 }
 
-/// Whether a mechanism closes with other dimensions, and runs through its range.
+/// Returns true if a mechanism closes with other dimensions and runs through its range.
 fn works(mechanism: &Mechanism, dimensions: &[f64], given: &Dimensions) -> Result<bool, Failure> {
     let report = mechanism.assemble(dimensions)?.check_range();
     // Without a range, the compiler warns.
-    let is_declared = report.input.is_some_and(|own| own.range.is_some());
+    let is_declared = report.input.is_some_and(|input| input.range.is_some());
     let level = match is_declared {
         true => Level::ERROR,
         false => Level::WARNING,

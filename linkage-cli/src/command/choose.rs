@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use linkage_compiler::{check_all, shortened};
 
-use super::is_coloured;
+use super::terminal::is_coloured;
 use crate::failure::{Failure, known_names, listed};
 use crate::look_alike::look_alikes;
 use crate::mechanism::Mechanism;
@@ -29,14 +29,14 @@ impl Chosen {
         &self.file
     }
 
-    /// All mechanisms that are meant; mistakes in any of the file are told.
+    /// All mechanisms that are meant; mistakes in any of the file are reported.
     pub(super) fn all(&self) -> Result<Vec<Mechanism>, Failure> {
         let mut all = read(&self.file)?;
         let Some(name) = &self.mechanism else {
             return Ok(all);
         };
-        let names: Vec<&'static str> = all.iter().map(|own| own.name).collect();
-        all.retain(|own| own.name == name);
+        let names: Vec<&'static str> = all.iter().map(|mechanism| mechanism.name).collect();
+        all.retain(|mechanism| mechanism.name == name);
         match all.is_empty() {
             true => Err(Failure::Told(format!(
                 "there is no mechanism `{}` in `{}`; there is {}",
@@ -50,14 +50,20 @@ impl Chosen {
 
     /// The mechanism with a function of this name, and the function's number.
     pub(super) fn with_function(&self, name: &str) -> Result<(Mechanism, usize), Failure> {
-        let number = |own: &Mechanism| own.headings.iter().position(|own| own.function == name);
+        let number = |mechanism: &Mechanism| {
+            mechanism
+                .headings
+                .iter()
+                .position(|heading| heading.function == name)
+        };
         let all = self.all()?;
         let functions: Vec<&str> = all
             .iter()
-            .flat_map(|own| own.headings.iter().map(|own| own.function))
+            .flat_map(|mechanism| mechanism.headings.iter().map(|heading| heading.function))
             .collect();
-        let (mut with, _): (Vec<_>, Vec<_>) =
-            all.into_iter().partition(|own| number(own).is_some());
+        let (mut with, _): (Vec<_>, Vec<_>) = all
+            .into_iter()
+            .partition(|mechanism| number(mechanism).is_some());
         match &with[..] {
             [] => Err(Failure::Told(format!(
                 "there is no function `{}` in `{}`; there is {}",
@@ -79,7 +85,7 @@ impl Chosen {
     fn ambiguous(&self, what: &str, several: &[Mechanism]) -> Failure {
         Failure::Told(format!(
             "{what} {} in `{}`: choose one by `--mechanism NAME`",
-            listed(several.iter().map(|own| own.name)),
+            listed(several.iter().map(|mechanism| mechanism.name)),
             self.file.display()
         ))
     }

@@ -21,12 +21,16 @@ pub(super) struct Options {
     output: PathBuf,
 }
 
-/// Writes a module and its types for each mechanism; none of them if two would have one name. Names that JavaScript has otherwise are reported.
+/// Writes a module and its types for each mechanism; none of them if two would have one name. Names
+/// that JavaScript has otherwise are reported.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let folder = &options.output;
     refuse_mechanism(folder, options.chosen.file())?;
     let mechanisms = options.chosen.all()?;
-    let named: Vec<_> = mechanisms.iter().map(|own| (own.name, &own.unit)).collect();
+    let named: Vec<_> = mechanisms
+        .iter()
+        .map(|mechanism| (mechanism.name, &mechanism.unit))
+        .collect();
     let modules = modules(&named).map_err(|clash| Failure::Told(clash.to_string()))?;
     fs::create_dir_all(folder).map_err(|error| Failure::file("make", folder, &error))?;
     for ((title, _), module) in named.iter().zip(modules) {

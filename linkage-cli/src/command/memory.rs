@@ -1,4 +1,4 @@
-//! Refusal of what the memory does not hold.
+//! Refusal of results that the memory does not hold.
 
 use std::fs;
 
@@ -40,8 +40,8 @@ fn gigabytes(bytes: u128) -> String {
     format!("{:.1} GB", bytes as f64 / 1e9)
 }
 
-/// The bytes that this process can still take, where the system says it: what is free of the machine, and of the limit of
-/// the container.
+/// Returns the bytes that this process can still take, where the system reports it: the free memory
+/// of the machine, and of the limit of the container.
 fn free() -> Option<u64> {
     let number = |path: &str| fs::read_to_string(path).ok()?.trim().parse::<u64>().ok();
     let limit = number("/sys/fs/cgroup/memory.max");

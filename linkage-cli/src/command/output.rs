@@ -1,4 +1,4 @@
-//! Where results go.
+//! Output of results.
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, BufWriter, Write};
@@ -6,7 +6,7 @@ use std::iter::successors;
 use std::path::{Path, PathBuf};
 use std::process;
 
-use linkage_runtime::report::Whole;
+use linkage_runtime::report::AtomicFile;
 
 use super::replaced::refuse_mechanism;
 use crate::failure::Failure;
@@ -30,10 +30,11 @@ fn printed(content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(),
     }
 }
 
-/// Writes to a file, or prints without one. Mechanisms are never replaced, be it the one that is read or another.
+/// Writes to a file, or prints without one. Mechanisms are never replaced, neither the one that is
+/// read nor another.
 ///
-/// A file is replaced as a whole when its content is complete. Devices, pipes and open files like `/dev/stdout` are
-/// written to and stay what they are.
+/// A file is replaced as a whole when its content is complete. Devices, pipes and open files like
+/// `/dev/stdout` are written to and not replaced.
 pub(super) fn put(
     file: Option<&Path>,
     input: &Path,
@@ -55,16 +56,16 @@ pub(super) fn put(
     written.map_err(|error| Failure::file("write", file, &error))
 }
 
-/// Writes to what is there.
+/// Writes to an existing target.
 fn extend(file: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let mut out = BufWriter::new(OpenOptions::new().append(true).open(file)?);
     content(&mut out)?;
     out.flush()
 }
 
-/// Puts a file in the place of what is there.
+/// Replaces a file.
 fn replace(file: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    let mut out = BufWriter::new(Whole::new(file)?);
+    let mut out = BufWriter::new(AtomicFile::new(file)?);
     content(&mut out)?;
     out.into_inner()
         .map_err(io::IntoInnerError::into_error)?
@@ -74,7 +75,7 @@ fn replace(file: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) 
 /// A file that a process has open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Descriptor {
-    /// Of this process.
+    /// The open files of this process.
     StandardOutput,
     Other,
 }
@@ -85,12 +86,12 @@ fn descriptor(path: &Path) -> Option<Descriptor> {
         let target = fs::read_link(path).ok()?;
         Some(path.parent()?.join(target))
     };
-    let own = Path::new("/proc").join(process::id().to_string());
+    let process = Path::new("/proc").join(process::id().to_string());
     let way = successors(Some(path.to_path_buf()), next).take(MOST_LINKS);
     let mut found = way.filter_map(|path| {
         let folder = fs::canonicalize(path.parent()?).ok()?;
         let of_processes = folder.starts_with("/proc") && folder.ends_with("fd");
-        let is_own = folder == Path::new("/dev/fd") || folder.starts_with(&own);
+        let is_own = folder == Path::new("/dev/fd") || folder.starts_with(&process);
         let number = path.file_name()?;
         match is_own {
             true if number == "1" => Some(Descriptor::StandardOutput),

@@ -20,7 +20,8 @@ use super::replaced::refuse_page;
 use super::sweep::{Rows, arguments, positions, still};
 use super::values::{Dimensions, parts};
 use crate::failure::{Failure, known_names};
-use crate::mechanism::{Mechanism, forever};
+use crate::mechanism::Mechanism;
+use crate::mechanism::forever::forever;
 use crate::normal::normal;
 
 /// Options of the command.
@@ -47,10 +48,10 @@ pub(super) struct Options {
     open: bool,
 }
 
-/// What is held for each number, about: the number, and its texts in the page and in all files.
+/// Bytes for each number, about: the number, and its texts in the page and in all files.
 const BYTES: usize = 100;
 
-/// How often a watched file is looked at.
+/// Interval between checks of a watched file.
 const LOOK_EVERY: Duration = Duration::from_millis(200);
 
 /// Writes the page, again and again if the file is watched.
@@ -78,7 +79,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     loop {
         sleep(LOOK_EVERY);
         let now = changed(file);
-        // A file that an editor is just writing anew is not there for a moment.
+        // A file that an editor is just rewriting is not there for a moment.
         if now.is_some() && now != seen {
             seen = now;
             tell(write(options, &folder));
@@ -104,35 +105,40 @@ fn write(options: &Options, folder: &Path) -> Result<(), Failure> {
         .collect::<Result<_, _>>()?;
     match &reports[..] {
         [only] => {
-            only.write(folder).map_err(told)?;
+            only.write(folder).map_err(failure_of_report)?;
         }
         several => {
             let title = options.chosen.file().file_stem().unwrap_or_default();
             let mut index = Index::new(title.to_string_lossy());
             for (report, mechanism) in several.iter().zip(&all) {
-                report.write(folder.join(mechanism.name)).map_err(told)?;
+                report
+                    .write(folder.join(mechanism.name))
+                    .map_err(failure_of_report)?;
                 index = index.report(mechanism.name, report);
             }
-            index.write(folder).map_err(told)?;
+            index.write(folder).map_err(failure_of_report)?;
         }
     }
     print(&format!("{}\n", folder.join("index.html").display()))
 }
 
-fn told(error: ReportError) -> Failure {
+fn failure_of_report(error: ReportError) -> Failure {
     Failure::Told(error.to_string())
 }
 
 /// The mechanisms with an input.
 fn moving(all: Vec<Mechanism>) -> Result<Vec<Mechanism>, Failure> {
-    let (moving, still): (Vec<_>, Vec<_>) = all.into_iter().partition(|own| !own.inputs.is_empty());
-    let text = |own: &Mechanism| format!("{} has no input: nothing of it moves", own.name);
+    let (moving, still): (Vec<_>, Vec<_>) = all
+        .into_iter()
+        .partition(|mechanism| !mechanism.inputs.is_empty());
+    let text =
+        |mechanism: &Mechanism| format!("{} has no input: nothing of it moves", mechanism.name);
     match (&moving[..], &still[..]) {
         ([], [first, ..]) => Err(Failure::Told(text(first))),
         _ => {
             still
                 .iter()
-                .for_each(|own| eprintln!("note: {}", text(own)));
+                .for_each(|still| eprintln!("note: {}", text(still)));
             Ok(moving)
         }
     }
@@ -143,7 +149,10 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
     let input = &mechanism.inputs[0];
     let assembly = range::assembled(&options.dimensions, mechanism)?;
     let positions = positions(mechanism, input, [None; 2], options.steps)?;
-    let columns = mechanism.headings.iter().map(|own| own.columns.len());
+    let columns = mechanism
+        .headings
+        .iter()
+        .map(|heading| heading.columns.len());
     let positions = positions.held(columns.sum(), BYTES)?;
     let mut report = Report::new(mechanism.name, input, &positions)
         .about(first_paragraph(&mechanism.unit.documentation))
@@ -161,20 +170,30 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
     let mut drawn = false;
     for (function, heading) in mechanism.headings.iter().enumerate() {
         let again = drawn && heading.picture.is_some();
-        let place = heading.arguments.iter().position(|own| *own == input.name);
-        let own = arguments(
+        let argument_index = heading
+            .arguments
+            .iter()
+            .position(|argument| *argument == input.name);
+        let arguments_given = arguments(
             mechanism,
             function,
             &given(mechanism, function, &options.at),
         )?;
-        let why = match (again, place, own.complete()) {
-            (false, Some(place), Ok(own)) => {
+        let why = match (again, argument_index, arguments_given.complete()) {
+            (false, Some(argument_index), Ok(arguments_given)) => {
                 drawn |= heading.picture.is_some();
-                let rows = Rows::new(mechanism, &assembly, function, &own, place, &positions);
+                let rows = Rows::new(
+                    mechanism,
+                    &assembly,
+                    function,
+                    &arguments_given,
+                    argument_index,
+                    &positions,
+                );
                 report = report.table(&rows);
-                let beside = heading.arguments.iter().zip(&own);
+                let beside = heading.arguments.iter().zip(&arguments_given);
                 for (&name, &value) in beside.filter(|(name, _)| **name != input.name) {
-                    report = report.at(name, value);
+                    report = report.argument(name, value);
                 }
                 continue;
             }
@@ -189,9 +208,12 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
     Ok(report)
 }
 
-/// Whether some function takes each of the given arguments.
+/// Checks that some function takes each of the given arguments.
 fn known(mechanism: &Mechanism, all: &[String]) -> Result<(), Failure> {
-    let takes = mechanism.headings.iter().flat_map(|own| own.arguments);
+    let takes = mechanism
+        .headings
+        .iter()
+        .flat_map(|heading| heading.arguments);
     let takes: BTreeSet<&str> = takes.copied().collect();
     for given in all {
         let (name, _) = parts("--at", given)?;
@@ -210,11 +232,11 @@ fn known(mechanism: &Mechanism, all: &[String]) -> Result<(), Failure> {
 /// The given arguments that a function takes: others may be for other functions.
 fn given(mechanism: &Mechanism, function: usize, all: &[String]) -> Vec<String> {
     let takes = mechanism.headings[function].arguments;
-    let own = all.iter().filter(|given| {
+    let known = all.iter().filter(|given| {
         let name = given.split_once('=').map_or("", |pair| pair.0.trim());
         takes.contains(&name)
     });
-    own.cloned().collect()
+    known.cloned().collect()
 }
 
 fn first_paragraph(text: &str) -> String {
@@ -226,7 +248,7 @@ fn first_paragraph(text: &str) -> String {
 /// A number that later versions exceed.
 fn milliseconds() -> u64 {
     let since = SystemTime::now().duration_since(UNIX_EPOCH);
-    since.map_or(0, |own| own.as_millis() as u64)
+    since.map_or(0, |since| since.as_millis() as u64)
 }
 
 /// Shows a page by the system's way of opening files.

@@ -1,21 +1,22 @@
-//! What dimensions of the command line do to the declared range: messages of the compiler's kind, with the options under them.
+//! Effects of dimensions of the command line on the declared range: messages of the compiler's
+//! kind, with the options under them.
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use linkage_runtime::RangeReport;
 
-use super::is_coloured;
+use super::terminal::is_coloured;
 use super::values::Dimensions;
 use crate::engine::Assembly;
 use crate::failure::Failure;
 use crate::mechanism::Mechanism;
 
-/// Assembles a mechanism with other dimensions than those of the file, and warns of change points, dead points and gaps in the range. The
-/// compiler has checked the dimensions of the file.
+/// Assembles a mechanism with other dimensions than those of the file, and warns of change points,
+/// dead points and gaps in the range. The compiler has checked the dimensions of the file.
 pub(super) fn assembled<'m>(
     given: &Dimensions,
     mechanism: &'m Mechanism,
 ) -> Result<Assembly<'m>, Failure> {
-    let assembly = mechanism.assemble(&given.of(mechanism)?)?;
+    let assembly = mechanism.assemble(&given.resolve(mechanism)?)?;
     if given.are_given() {
         eprint!(
             "{}",
@@ -36,8 +37,11 @@ pub(super) fn rendered(level: &Level, given: &Dimensions, report: &RangeReport) 
         Some(why) => format!("note: {}: {why}\n", report.mechanism),
         None => String::new(),
     };
-    for own in report.messages() {
-        let title = format!("{}: {}\nhelp: {}", report.mechanism, own.fact, own.help);
+    for message in report.messages() {
+        let title = format!(
+            "{}: {}\nhelp: {}",
+            report.mechanism, message.fact, message.help
+        );
         let snippet = Snippet::source(&options)
             .path("command line")
             .annotation(AnnotationKind::Primary.span(0..options.len()));

@@ -8,7 +8,7 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use crate::failure::Failure;
 use crate::source::Source;
 
-/// No mechanism is as long. What is longer is not read before it is replaced.
+/// No mechanism is as long. A longer file is not read before it is replaced.
 const LONGEST: u64 = 1 << 24;
 
 /// Files that a page may have.
@@ -28,7 +28,8 @@ pub(super) fn refuse_mechanism(output: &Path, input: &Path) -> Result<(), Failur
     Err(refused(output, why))
 }
 
-/// Refuses a folder for a page that has the name of a mechanism, or in which the page can replace the file that is read.
+/// Refuses a folder for a page that has the name of a mechanism, or in which the page can replace
+/// the file that is read.
 pub(super) fn refuse_page(folder: &Path, input: &Path) -> Result<(), Failure> {
     if has_ending(folder, &["mech"]) {
         return refuse_mechanism(folder, input);
@@ -54,10 +55,14 @@ fn refused(output: &Path, why: &str) -> Failure {
 
 fn has_ending(path: &Path, endings: &[&str]) -> bool {
     let ending = path.extension().and_then(|ending| ending.to_str());
-    ending.is_some_and(|own| endings.iter().any(|other| own.eq_ignore_ascii_case(other)))
+    ending.is_some_and(|ending| {
+        endings
+            .iter()
+            .any(|other| ending.eq_ignore_ascii_case(other))
+    })
 }
 
-/// Whether two names are of one file, be it over links.
+/// Returns true if two names are of one file, also through links.
 fn is_same(a: &Path, b: &Path) -> bool {
     let canonical = |path: &Path| -> Option<PathBuf> { fs::canonicalize(path).ok() };
     let same = canonical(a).zip(canonical(b)).is_some_and(|(a, b)| a == b);
@@ -65,13 +70,13 @@ fn is_same(a: &Path, b: &Path) -> bool {
     let same = same || {
         use std::os::unix::fs::MetadataExt;
         let number = |path: &Path| fs::metadata(path).ok().map(|data| (data.dev(), data.ino()));
-        number(a).is_some_and(|own| number(b) == Some(own))
+        number(a).is_some_and(|first| number(b) == Some(first))
     };
     same
 }
 
-/// Whether a file has a call of `mechanism!`, or is what stands in one: a struct with items of a mechanism, with mistakes
-/// or without.
+/// Returns true if a file has a call of `mechanism!`, or the content of one: a struct with items of
+/// a mechanism, with mistakes or without.
 fn holds_mechanism(path: &Path) -> bool {
     let short = fs::metadata(path).is_ok_and(|data| data.is_file() && data.len() <= LONGEST);
     let text = short.then(|| fs::read_to_string(path).ok()).flatten();
@@ -83,7 +88,7 @@ fn holds_mechanism(path: &Path) -> bool {
     };
     // Of a file that is not Rust, all of it is taken for a call.
     let mut calls = source.calls().iter();
-    calls.any(|found| !found.place.is_empty() || has_mechanism(&found.tokens))
+    calls.any(|found| !found.range.is_empty() || has_mechanism(&found.tokens))
 }
 
 /// `struct NAME { unit mm; ... }`
@@ -99,7 +104,7 @@ fn has_mechanism(tokens: &TokenStream) -> bool {
     })
 }
 
-/// Whether one of the items is one that every mechanism has.
+/// Returns true if one of the items is one that every mechanism has.
 fn has_items(body: TokenStream) -> bool {
     let mut begins = true;
     body.into_iter().any(|token| {
@@ -107,7 +112,7 @@ fn has_items(body: TokenStream) -> bool {
             TokenTree::Ident(word) if begins => {
                 ["unit", "param", "input", "unknown", "loop", "part"]
                     .iter()
-                    .any(|own| word == own)
+                    .any(|reserved| word == reserved)
             }
             _ => false,
         };

@@ -31,20 +31,21 @@ impl Table for Rows {
 }
 
 impl Rows {
-    /// Evaluates a function where the argument at `place` runs through `positions`, the others staying as they are.
+    /// Evaluates a function where the argument at `place` runs through `positions`, the others
+    /// staying as they are.
     pub(super) fn new(
         mechanism: &Mechanism,
         assembly: &Assembly<'_>,
         function: usize,
         arguments: &[f64],
-        place: usize,
+        argument_index: usize,
         positions: &[f64],
     ) -> Self {
         let heading = mechanism.headings[function];
         let mut columns = vec![Vec::with_capacity(positions.len()); heading.columns.len()];
         let mut arguments = arguments.to_vec();
         for &x in positions {
-            arguments[place] = x;
+            arguments[argument_index] = x;
             let row = assembly.call(function, &arguments);
             for (column, number) in columns.iter_mut().zip(row) {
                 column.push(number);
@@ -78,7 +79,8 @@ impl Given {
     }
 }
 
-/// The arguments of a function: inputs at their references, unless `given` says another value; what is no input must be given.
+/// The arguments of a function: inputs at their references, unless `given` has another value.
+/// Arguments that are no inputs must be given.
 pub(super) fn arguments(
     mechanism: &Mechanism,
     function: usize,
@@ -88,11 +90,20 @@ pub(super) fn arguments(
     let places = &mechanism.unit.functions[function].arguments;
     let mut values: Vec<Option<f64>> = places
         .iter()
-        .map(|&place| mechanism.inputs.get(place).map(|input| input.reference))
+        .map(|&argument_index| {
+            mechanism
+                .inputs
+                .get(argument_index)
+                .map(|input| input.reference)
+        })
         .collect();
     for given in given {
         let (name, text) = parts("--at", given)?;
-        let Some(index) = heading.arguments.iter().position(|own| *own == name) else {
+        let Some(index) = heading
+            .arguments
+            .iter()
+            .position(|argument| *argument == name)
+        else {
             return Err(Failure::Told(format!(
                 "`{}` does not take `{}`; it takes {}",
                 heading.function,
@@ -120,17 +131,21 @@ pub(super) fn all_arguments(
     all.map_err(|why| Failure::Told(format!("`{name}` cannot be evaluated: {why}")))
 }
 
-/// The input that runs: the one of this name, else the first one of the function. `None` for a function without inputs.
+/// The input that runs: the one of this name, else the first one of the function. `None` for a
+/// function without inputs.
 pub(super) fn running(
     mechanism: &Mechanism,
     function: usize,
     name: Option<&str>,
 ) -> Result<Option<(usize, &'static Input)>, Failure> {
     let places = &mechanism.unit.functions[function].arguments;
-    let mut inputs = places.iter().enumerate().filter_map(|(index, &place)| {
-        let input: Option<&'static Input> = mechanism.inputs.get(place);
-        Some((index, input?))
-    });
+    let mut inputs = places
+        .iter()
+        .enumerate()
+        .filter_map(|(index, &argument_index)| {
+            let input: Option<&'static Input> = mechanism.inputs.get(argument_index);
+            Some((index, input?))
+        });
     let Some(name) = name else {
         return Ok(inputs.next());
     };
@@ -146,7 +161,7 @@ pub(super) fn running(
     }
 }
 
-/// Whether the arguments that are given stay as they are.
+/// Returns true if the given arguments stay constant.
 pub(super) fn still(running: &Input, given: &[String]) -> Result<(), Failure> {
     for given in given {
         let (name, _) = parts("--at", given)?;
@@ -167,7 +182,7 @@ pub(super) struct Positions {
 }
 
 impl Positions {
-    /// Of a function without inputs.
+    /// The row of a function without inputs.
     pub(super) fn none() -> Self {
         Self {
             input: None,
@@ -178,10 +193,10 @@ impl Positions {
     /// One after the other.
     pub(super) fn iter(self) -> impl Iterator<Item = f64> {
         let Self { input, count } = self;
-        (0..count).map(move |index| input.map_or(f64::NAN, |own| own.position(index, count)))
+        (0..count).map(move |index| input.map_or(f64::NAN, |input| input.position(index, count)))
     }
 
-    /// All of them, unless they and what is computed at each of them do not fit into the memory.
+    /// Returns all positions, unless they and their results do not fit into the memory.
     pub(super) fn held(self, columns: usize, bytes: usize) -> Result<Vec<f64>, Failure> {
         let held = Held {
             rows: self.count,

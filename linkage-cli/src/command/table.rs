@@ -4,14 +4,13 @@ mod streamed;
 
 use std::path::PathBuf;
 
-use clap::error::ErrorKind;
-use clap::{Args, CommandFactory, value_parser};
-use linkage_runtime::report::CsvStyle;
+use clap::{Args, value_parser};
+use linkage_runtime::report::{CsvStyle, Mistake};
 
 use super::choose::Chosen;
-use super::course::Course;
 use super::output::put;
 use super::range;
+use super::running_input::RunningInput;
 use super::values::Dimensions;
 use crate::failure::Failure;
 use crate::normal::normal;
@@ -26,7 +25,7 @@ pub(super) struct Options {
     #[arg(value_parser = normal)]
     function: String,
     #[command(flatten)]
-    course: Course,
+    course: RunningInput,
     /// How many positions, both ends included
     #[arg(long, default_value_t = 361, value_name = "COUNT", value_parser = value_parser!(u32).range(1..))]
     steps: u32,
@@ -55,13 +54,11 @@ pub(super) struct Options {
 /// Writes the table.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let style = options.style();
-    if let Some(mistake) = style.mistake().filter(|_| !options.json) {
-        let mut command = super::Arguments::command();
-        command.error(ErrorKind::ArgumentConflict, mistake).exit();
-    }
     let (mechanism, function) = options.chosen.with_function(&options.function)?;
     let assembly = range::assembled(&options.dimensions, &mechanism)?;
-    let along = options.course.of(&mechanism, function, options.steps)?;
+    let along = options
+        .course
+        .resolve(&mechanism, function, options.steps)?;
     let mut table = Streamed::new(&mechanism, &assembly, function, &along, options.degrees);
     let input = options.chosen.file();
     put(options.output.as_deref(), input, |out| match options.json {
@@ -78,6 +75,11 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
 }
 
 impl Options {
+    /// Returns the mistake of a style whose cells are ambiguous.
+    pub(super) fn mistake(&self) -> Option<Mistake> {
+        self.style().mistake().filter(|_| !self.json)
+    }
+
     fn style(&self) -> CsvStyle {
         let style = CsvStyle::default()
             .separator(&self.separator.replace("\\t", "\t"))

@@ -1,4 +1,4 @@
-//! `linkage tolerance`: what the tolerances of the declaration do to the results of a function.
+//! `linkage tolerance`: effects of the tolerances of the declaration on the results of a function.
 
 mod aligned;
 mod effects;
@@ -12,9 +12,9 @@ use linkage_runtime::report::CsvStyle;
 use linkage_runtime::tolerance::largest;
 
 use super::choose::Chosen;
-use super::course::{Along, Course};
 use super::output::print;
 use super::range;
+use super::running_input::{Along, RunningInput};
 use super::values::Dimensions;
 use crate::engine::Assembly;
 use crate::failure::Failure;
@@ -32,7 +32,7 @@ pub(super) struct Options {
     #[arg(value_parser = normal)]
     function: String,
     #[command(flatten)]
-    course: Course,
+    course: RunningInput,
     /// How many positions, both ends included
     #[arg(long, default_value_t = 37, value_name = "COUNT", value_parser = value_parser!(u32).range(2..))]
     steps: u32,
@@ -40,7 +40,7 @@ pub(super) struct Options {
     dimensions: Dimensions,
 }
 
-/// What is held for each number, about: the number, and its text in the table.
+/// Bytes for each number, about: the number, and its text in the table.
 const BYTES: usize = 120;
 
 /// A quantity with its derivatives by parameters.
@@ -51,13 +51,13 @@ struct Sensitive {
     parameters: Vec<usize>,
     /// For each of them, the columns of the components.
     columns: Vec<Vec<usize>>,
-    /// How many parameters more have been asked for, which change nothing.
+    /// The number of further parameters that change nothing.
     idle: usize,
 }
 
 impl Sensitive {
-    /// Without the parameters that change nothing at any position, as those of the other parts of a machine. All of them
-    /// if none changes anything.
+    /// Without the parameters that change nothing at any position, as those of the other parts of a
+    /// machine. All of them if none changes anything.
     fn acting(mut self, rows: &[Vec<f64>]) -> Self {
         let acts = |columns: &Vec<usize>| {
             let mut numbers = rows
@@ -66,19 +66,19 @@ impl Sensitive {
             numbers.any(|x| x != 0.0)
         };
         let acting: Vec<bool> = self.columns.iter().map(acts).collect();
-        let count = acting.iter().filter(|own| **own).count();
+        let count = acting.iter().filter(|acting| **acting).count();
         if count > 0 {
             self.idle = acting.len() - count;
-            let mut own = acting.iter();
-            self.parameters.retain(|_| own.next() == Some(&true));
-            let mut own = acting.iter();
-            self.columns.retain(|_| own.next() == Some(&true));
+            let mut flags = acting.iter();
+            self.parameters.retain(|_| flags.next() == Some(&true));
+            let mut flags = acting.iter();
+            self.columns.retain(|_| flags.next() == Some(&true));
         }
         self
     }
 }
 
-/// Prints the errors over the range, and at the worst position what each parameter contributes.
+/// Prints the errors over the range, and the contributions of all parameters at the worst position.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let (mut mechanism, function) = options.chosen.with_function(&options.function)?;
     options.dimensions.tolerate(&mut mechanism)?;
@@ -89,7 +89,11 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
             "`{name}` has no sensitivities: ask for `e: sensitivity(...)` among its results"
         )));
     }
-    if mechanism.parameters.iter().all(|own| own.tolerance == 0.0) {
+    if mechanism
+        .parameters
+        .iter()
+        .all(|parameter| parameter.tolerance == 0.0)
+    {
         let name = mechanism.name;
         return Err(Failure::Told(format!(
             "no dimension of {name} has a tolerance: declare it as `param crank = 40mm +- 10um;`"
@@ -100,13 +104,15 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         given,
         running,
         positions,
-    } = options.course.of(&mechanism, function, options.steps)?;
+    } = options
+        .course
+        .resolve(&mechanism, function, options.steps)?;
     let columns = mechanism.headings[function].columns.len();
     let positions = positions.held(columns, BYTES)?;
     let row = |x: Option<f64>| {
         let mut arguments = given.clone();
-        if let (Some((place, _)), Some(x)) = (running, x) {
-            arguments[place] = x;
+        if let (Some((argument_index, _)), Some(x)) = (running, x) {
+            arguments[argument_index] = x;
         }
         assembly.call(function, &arguments)
     };
@@ -114,17 +120,17 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         Some(_) => positions.iter().map(|&x| row(Some(x))).collect(),
         None => vec![row(None)],
     };
-    for own in all {
-        let own = own.acting(&rows);
+    for sensitive in all {
+        let sensitive = sensitive.acting(&rows);
         let at = Position {
             mechanism: &mechanism,
             assembly: &assembly,
             function,
             given: &given,
-            own: &own,
+            sensitive: &sensitive,
         };
         print(&match running {
-            Some((place, input)) => at.over(place, input, &positions)?,
+            Some((argument_index, input)) => at.over(argument_index, input, &positions)?,
             None => format!("{}\n{}\n", at.title(), at.figures(&given)?.text),
         })?;
     }
@@ -137,18 +143,18 @@ struct Position<'a> {
     assembly: &'a Assembly<'a>,
     function: usize,
     given: &'a [f64],
-    own: &'a Sensitive,
+    sensitive: &'a Sensitive,
 }
 
 impl Position<'_> {
     /// The figures with these arguments.
     fn figures(&self, arguments: &[f64]) -> Result<Figures, Failure> {
         let row = self.assembly.call(self.function, arguments);
-        let parameters = self.own.parameters.iter();
+        let parameters = self.sensitive.parameters.iter();
         let parameters: Vec<_> = parameters
             .map(|&index| self.mechanism.parameters[index])
             .collect();
-        let values = self.own.columns.iter();
+        let values = self.sensitive.columns.iter();
         let values: Vec<Vec<f64>> = values
             .map(|columns| columns.iter().map(|&column| row[column]).collect())
             .collect();
@@ -157,10 +163,10 @@ impl Position<'_> {
 
     /// `e [mm]`: the unit of the errors is that of a derivative times its dimension.
     fn title(&self) -> String {
-        let column = &self.mechanism.headings[self.function].columns[self.own.columns[0][0]];
-        let per = self.mechanism.parameters[self.own.parameters[0]].unit;
+        let column = &self.mechanism.headings[self.function].columns[self.sensitive.columns[0][0]];
+        let per = self.mechanism.parameters[self.sensitive.parameters[0]].unit;
         let divided = column.unit.strip_suffix(per);
-        let name = &self.own.name;
+        let name = &self.sensitive.name;
         let title = match divided.and_then(|unit| unit.strip_suffix('/')) {
             Some("1") => name.clone(),
             Some(unit) => format!("{name} [{unit}]"),
@@ -169,7 +175,7 @@ impl Position<'_> {
             }
             None => name.clone(),
         };
-        match self.own.idle {
+        match self.sensitive.idle {
             0 => title,
             1 => format!("{title}; one more dimension changes nothing"),
             idle => format!("{title}; {idle} more dimensions change nothing"),
@@ -177,10 +183,15 @@ impl Position<'_> {
     }
 
     /// The errors at positions, then all figures where the worst case is largest.
-    fn over(&self, place: usize, input: &Input, positions: &[f64]) -> Result<String, Failure> {
+    fn over(
+        &self,
+        argument_index: usize,
+        input: &Input,
+        positions: &[f64],
+    ) -> Result<String, Failure> {
         let at = |x: f64| {
             let mut arguments = self.given.to_vec();
-            arguments[place] = x;
+            arguments[argument_index] = x;
             self.figures(&arguments)
         };
         let style = CsvStyle::default().digits(6);
@@ -188,16 +199,18 @@ impl Position<'_> {
             "rad" => ("deg", f64::to_degrees),
             other => (other, |x| x),
         };
-        let parameters = self.own.parameters.iter();
+        let parameters = self.sensitive.parameters.iter();
         let parameters = parameters.map(|&index| self.mechanism.parameters[index]);
         let parameters: Vec<_> = parameters.collect();
         let toleranced = |parts: Vec<f64>| {
             let pairs = parts.into_iter().zip(&parameters);
-            let with = pairs.filter(|(_, own)| own.tolerance > 0.0);
+            let with = pairs.filter(|(_, parameter)| parameter.tolerance > 0.0);
             with.map(|(part, _)| style.number(part))
         };
-        let names = parameters.iter().filter(|own| own.tolerance > 0.0);
-        let names = names.map(|own| own.name.to_owned());
+        let names = parameters
+            .iter()
+            .filter(|parameter| parameter.tolerance > 0.0);
+        let names = names.map(|parameter| parameter.name.to_owned());
         let titles = ["worst case", "statistical"].map(str::to_owned);
         let mut rows: Vec<Vec<String>> = vec![
             [format!("{} [{unit}]", input.name)]
@@ -216,25 +229,26 @@ impl Position<'_> {
         let [Some(&low), Some(&high)] = [positions.first(), positions.last()] else {
             return Ok(text);
         };
-        let figure = |x: f64| at(x).map_or(f64::NAN, |own| own.worst);
+        let figure = |x: f64| at(x).map_or(f64::NAN, |at| at.worst);
         let worst = largest(low..high, positions.len().max(2), figure);
         let worst = worst.map_err(|error| Failure::Told(error.to_string()))?;
         // The place of a largest value is as accurate as the root of roundoff.
         let is_zero = worst.at.abs() < 1e-7 * (high - low);
-        let place = super::assemblies::placed(input, if is_zero { 0.0 } else { worst.at });
-        let _ = writeln!(text, "\nworst at {place}\n{}", at(worst.at)?.text);
+        let argument_index = super::assemblies::placed(input, if is_zero { 0.0 } else { worst.at });
+        let _ = writeln!(text, "\nworst at {argument_index}\n{}", at(worst.at)?.text);
         Ok(text)
     }
 }
 
-/// The fields of a function that are arrays over parameters; where an entry is no number or vector, each number of it by itself.
+/// The fields of a function that are arrays over parameters; where an entry is no number or vector,
+/// each number of it by itself.
 fn sensitive(mechanism: &Mechanism, function: usize) -> Vec<Sensitive> {
-    let own = &mechanism.unit.functions[function];
+    let compiled = &mechanism.unit.functions[function];
     let mut first = 0;
     let mut all = Vec::new();
-    for field in &own.fields {
+    for field in &compiled.fields {
         let width = width(&field.shape);
-        let columns = &own.columns[first..first + width];
+        let columns = &compiled.columns[first..first + width];
         let parameters: Vec<usize> = columns
             .iter()
             .filter_map(|column| match column.meaning {

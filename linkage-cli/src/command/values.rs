@@ -12,28 +12,29 @@ use crate::normal::normal;
 /// Dimensions other than those of the file.
 #[derive(Debug, Args)]
 pub(super) struct Dimensions {
-    /// A dimension, as `crank=51mm`, `crank='51mm +- 0.1mm'` or `pivot=(140mm, 0mm)`; may be given several times
+    /// A dimension, as `crank=51mm`, `crank='51mm +- 0.1mm'` or `pivot=(140mm, 0mm)`; may be given
+    /// several times
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = normal)]
     set: Vec<String>,
 }
 
 impl Dimensions {
-    /// Whether there are other dimensions than those of the file.
+    /// Returns true if there are other dimensions than those of the file.
     pub(super) fn are_given(&self) -> bool {
         !self.set.is_empty()
     }
 
     /// The options as they are written.
     pub(super) fn options(&self) -> String {
-        let options: Vec<String> = self.set.iter().map(|own| format!("--set {own}")).collect();
+        let options: Vec<String> = self.set.iter().map(|set| format!("--set {set}")).collect();
         options.join(" ")
     }
 
     /// Those of the options whose dimension a mechanism has.
     pub(super) fn known_to(&self, mechanism: &Mechanism) -> Self {
         let known = |given: &&String| {
-            let own = parts("--set", given);
-            own.is_ok_and(|(name, _)| places(mechanism, name).is_ok())
+            let setting = parts("--set", given);
+            setting.is_ok_and(|(name, _)| places(mechanism, name).is_ok())
         };
         Self {
             set: self.set.iter().filter(known).cloned().collect(),
@@ -44,9 +45,9 @@ impl Dimensions {
     pub(super) fn known_to_any(&self, all: &[Mechanism]) -> Result<(), Failure> {
         for given in &self.set {
             let (name, _) = parts("--set", given)?;
-            let mut found = all.iter().map(|own| places(own, name));
+            let mut found = all.iter().map(|mechanism| places(mechanism, name));
             if let Some(Err(unknown)) = found.next()
-                && found.all(|own| own.is_err())
+                && found.all(|found| found.is_err())
             {
                 return Err(unknown);
             }
@@ -55,19 +56,19 @@ impl Dimensions {
     }
 
     /// All dimensions of the mechanism, in the order of its parameters.
-    pub(super) fn of(&self, mechanism: &Mechanism) -> Result<Vec<f64>, Failure> {
+    pub(super) fn resolve(&self, mechanism: &Mechanism) -> Result<Vec<f64>, Failure> {
         let mut values = mechanism.dimensions();
-        for (place, number) in self.numbers(mechanism)? {
-            values[place] = number.value;
+        for (parameter_index, number) in self.numbers(mechanism)? {
+            values[parameter_index] = number.value;
         }
         Ok(values)
     }
 
     /// Gives the mechanism the tolerances that stand with the dimensions, as `crank=40mm +- 0.1mm`.
     pub(super) fn tolerate(&self, mechanism: &mut Mechanism) -> Result<(), Failure> {
-        for (place, number) in self.numbers(mechanism)? {
+        for (parameter_index, number) in self.numbers(mechanism)? {
             if let Some(tolerance) = number.tolerance {
-                mechanism.set_tolerance(place, tolerance);
+                mechanism.set_tolerance(parameter_index, tolerance);
             }
         }
         Ok(())
@@ -79,7 +80,9 @@ impl Dimensions {
         for given in &self.set {
             let (name, text) = parts("--set", given)?;
             let places = places(mechanism, name)?;
-            let units = places.iter().map(|&place| mechanism.parameters[place].unit);
+            let units = places
+                .iter()
+                .map(|&parameter_index| mechanism.parameters[parameter_index].unit);
             let units: Vec<&str> = units.collect();
             let numbers = quantity(mechanism, name, text, &units)?;
             all.extend(places.into_iter().zip(numbers));
@@ -90,24 +93,24 @@ impl Dimensions {
 
 /// The scalars of a parameter, or one of them: `pivot`, `pivot.x`.
 fn places(mechanism: &Mechanism, name: &str) -> Result<Vec<usize>, Failure> {
-    let component = |own: &str| COMPONENTS.contains(&own);
-    let whole = |own: &str| {
-        let last = own.rsplit_once('.');
-        own == name || last.is_some_and(|(of, last)| of == name && component(last))
+    let component = |axis: &str| COMPONENTS.contains(&axis);
+    let whole = |full: &str| {
+        let last = full.rsplit_once('.');
+        full == name || last.is_some_and(|(of, last)| of == name && component(last))
     };
     let all = mechanism.parameters.iter().enumerate();
     let found: Vec<usize> = all
-        .filter(|(_, own)| whole(own.name))
-        .map(|(place, _)| place)
+        .filter(|(_, parameter)| whole(parameter.name))
+        .map(|(parameter_index, _)| parameter_index)
         .collect();
     if !found.is_empty() {
         return Ok(found);
     }
     // Of a machine, the dimensions of the part that is meant.
     let part = name.rsplit_once('.').map_or(name, |(part, _)| part);
-    let names = mechanism.parameters.iter().map(|own| own.name);
-    let of_part = |own: &&str| {
-        own.strip_prefix(part)
+    let names = mechanism.parameters.iter().map(|parameter| parameter.name);
+    let of_part = |full: &&str| {
+        full.strip_prefix(part)
             .is_some_and(|rest| rest.starts_with('.'))
     };
     let of_part: Vec<&str> = names.clone().filter(of_part).collect();
@@ -149,7 +152,7 @@ pub(super) fn number(
 #[derive(Clone, Copy)]
 struct Number {
     value: f64,
-    /// If one is written.
+    /// The unit, if one is written.
     tolerance: Option<f64>,
 }
 
@@ -197,20 +200,20 @@ fn quantity(
     }
     let pairs = found.iter().zip(units);
     pairs
-        .map(
-            |(own, &unit)| match own.unit == unit || own.nominal == 0.0 && own.tolerance == 0.0 {
+        .map(|(scalar, &unit)| {
+            match scalar.unit == unit || scalar.nominal == 0.0 && scalar.tolerance == 0.0 {
                 true => Ok(Number {
-                    value: own.nominal,
-                    tolerance: is_tolerated.then_some(own.tolerance),
+                    value: scalar.nominal,
+                    tolerance: is_tolerated.then_some(scalar.tolerance),
                 }),
                 false => Err(wrong(&format!(
                     "this is {}, `{}` is {}",
-                    in_words(&own.unit),
+                    in_words(&scalar.unit),
                     shortened(name),
                     in_words(unit)
                 ))),
-            },
-        )
+            }
+        })
         .collect()
 }
 
@@ -219,18 +222,22 @@ fn name_within(mechanism: &Mechanism, tokens: TokenStream) -> Option<String> {
     tokens.into_iter().find_map(|token| match token {
         TokenTree::Ident(word) => {
             let word = word.to_string();
-            let parameters = mechanism.parameters.iter().map(|own| own.name);
-            let inputs = mechanism.inputs.iter().map(|own| own.name);
-            let unknowns = mechanism.unit.unknowns.iter().map(|own| own.name.as_str());
+            let parameters = mechanism.parameters.iter().map(|parameter| parameter.name);
+            let inputs = mechanism.inputs.iter().map(|input| input.name);
+            let unknowns = mechanism
+                .unit
+                .unknowns
+                .iter()
+                .map(|unknown| unknown.name.as_str());
             let mut names = parameters.chain(inputs).chain(unknowns);
-            names.any(|own| own == word).then_some(word)
+            names.any(|name| name == word).then_some(word)
         }
         TokenTree::Group(group) => name_within(mechanism, group.stream()),
         TokenTree::Punct(_) | TokenTree::Literal(_) => None,
     })
 }
 
-/// What is said of a value that cannot be.
+/// Returns the message for an impossible value.
 fn wrong(name: &str, text: &str) -> impl Fn(&str) -> Failure {
     let given = format!("{name}={text}");
     let given = shortened(&given).into_owned();

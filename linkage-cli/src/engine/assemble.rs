@@ -1,14 +1,18 @@
 //! Closing the loops, and evaluating functions.
 
 use linkage_compiler::ir::Surveyed;
-use linkage_runtime::generated::{Start, Which, assemblies, close, explained, finite, starts_of};
+use linkage_runtime::support::{
+    InitialState, Which, assemblies, close, explained, finite, initial_states_of,
+};
 use linkage_runtime::{AssemblyError, AssemblyMode, Estimate, Scalar};
 
 use super::coupled::Programs;
 use super::numbers::{Numbers, States};
 use super::operations::{by_build, called};
-use super::turns::{Turning, Turns};
-use crate::mechanism::{Mechanism, forever};
+use super::revolutions::Revolutions;
+use super::winding::Winding;
+use crate::mechanism::Mechanism;
+use crate::mechanism::forever::forever;
 
 /// An assembled mechanism.
 #[derive(Clone, Debug)]
@@ -16,8 +20,8 @@ pub struct Assembly<'m> {
     mechanism: &'m Mechanism,
     dimensions: Vec<f64>,
     modes: Vec<AssemblyMode>,
-    starts: Vec<Start>,
-    turns: Turns,
+    starts: Vec<InitialState>,
+    revolutions: Revolutions,
     prepared: Vec<f64>,
 }
 
@@ -63,29 +67,30 @@ impl Assembly<'_> {
         }
     }
 
-    /// Where the unknowns are at these inputs.
+    /// Returns the values of the unknowns at these inputs.
     #[must_use]
     pub fn unknowns(&self, inputs: &[f64]) -> Vec<Estimate> {
         let unit = &self.mechanism.unit;
         let numbers = self.survey(inputs);
         let mut next = numbers[1 + unit.groups.len()..].iter().copied();
         let estimate = |surveyed: &Surveyed| {
-            let own: Vec<f64> = next.by_ref().take(surveyed.numbers).collect();
+            let numbers: Vec<f64> = next.by_ref().take(surveyed.numbers).collect();
             let unknown = &unit.unknowns[surveyed.unknown];
             Estimate {
                 name: forever(unknown.name.as_str()),
                 unit: forever(unknown.unit.as_str()),
                 angle: surveyed.angle,
-                numbers: match own[..] {
+                numbers: match numbers[..] {
                     [cosine, sine] if surveyed.angle => vec![Scalar::atan2(sine, cosine)],
-                    _ => own,
+                    _ => numbers,
                 },
             }
         };
         unit.surveyed.iter().map(estimate).collect()
     }
 
-    /// What tells assemblies apart at these inputs: cosine and sine, or length, of every unknown.
+    /// Returns the numbers that distinguish assemblies at these inputs: cosine and sine, or length,
+    /// of every unknown.
     #[must_use]
     pub fn places(&self, inputs: &[f64]) -> Vec<f64> {
         self.survey(inputs)
@@ -99,7 +104,7 @@ impl Assembly<'_> {
         by_build(&self.mechanism.unit.survey, |source| numbers.load(source))
     }
 
-    /// By how much each group misses closing at these inputs.
+    /// Returns the closure error of each group at these inputs.
     pub(super) fn gaps(&self, inputs: &[f64]) -> Vec<f64> {
         let states = self.states(inputs).by_build();
         let numbers = self.numbers(inputs, &states);
@@ -110,7 +115,7 @@ impl Assembly<'_> {
         self.mechanism
     }
 
-    /// Whether all groups close at these inputs.
+    /// Returns true if all groups close at these inputs.
     fn close(&self, inputs: &[f64]) -> Result<(), AssemblyError> {
         let gaps = self.gaps(inputs);
         let Mechanism {
@@ -122,7 +127,7 @@ impl Assembly<'_> {
         close(name, structure.groups, gap_units, &gaps)
     }
 
-    /// Where the states of coupled groups come from.
+    /// The origin of the states of coupled groups.
     fn states<'a>(&'a self, inputs: &'a [f64]) -> States<'a> {
         States {
             mechanism: self.mechanism,
@@ -135,7 +140,7 @@ impl Assembly<'_> {
         Numbers {
             dimensions: &self.dimensions,
             modes: &self.modes,
-            turns: &self.turns,
+            revolutions: &self.revolutions,
             prepared: &self.prepared,
             inputs,
             states,
@@ -206,16 +211,17 @@ impl Mechanism {
         }
     }
 
-    /// What is prepared of the coupled groups, for the wanted assemblies; of a mechanism without any one list of none.
+    /// Prepares the coupled groups for the wanted assemblies; for a mechanism without any, returns
+    /// one list of none.
     fn starts(
         &self,
         dimensions: &[f64],
         modes: &[AssemblyMode],
         at: &[f64],
         wanted: Which<'_>,
-    ) -> Result<Vec<Vec<Start>>, AssemblyError> {
-        let nothing = vec![Start::Nothing; self.groups.len()];
-        let found = starts_of(
+    ) -> Result<Vec<Vec<InitialState>>, AssemblyError> {
+        let nothing = vec![InitialState::Nothing; self.groups.len()];
+        let found = initial_states_of(
             self.groups,
             nothing.clone(),
             at,
@@ -224,9 +230,9 @@ impl Mechanism {
         );
         found.map_err(|error| {
             // A group with a closed form that does not close before a coupled one is needed.
-            let turns = Turns::at_estimates(self);
+            let revolutions = Revolutions::at_estimates(self);
             let closed = self
-                .prepared(dimensions, modes.to_vec(), turns, nothing)
+                .prepared(dimensions, modes.to_vec(), revolutions, nothing)
                 .close(at);
             match closed {
                 Err(first @ AssemblyError::CannotClose { .. }) => first,
@@ -240,20 +246,20 @@ impl Mechanism {
         dimensions: &[f64],
         modes: Vec<AssemblyMode>,
         at: &[f64],
-        starts: Vec<Start>,
+        starts: Vec<InitialState>,
     ) -> Result<Assembly<'_>, AssemblyError> {
-        let turning = Turning {
+        let turning = Winding {
             mechanism: self,
             dimensions,
             modes: &modes,
             starts: &starts,
         };
         let found = turning.wind(self.angles.len(), at);
-        let turns = match &found {
-            Ok(turns) => turns.clone(),
-            Err(_) => Turns::at_estimates(self),
+        let revolutions = match &found {
+            Ok(revolutions) => revolutions.clone(),
+            Err(_) => Revolutions::at_estimates(self),
         };
-        let assembly = self.prepared(dimensions, modes, turns, starts);
+        let assembly = self.prepared(dimensions, modes, revolutions, starts);
         assembly.close(at)?;
         match found {
             Ok(_) => Ok(assembly),
@@ -269,29 +275,29 @@ impl Mechanism {
         &self,
         dimensions: &[f64],
         modes: Vec<AssemblyMode>,
-        turns: Turns,
-        starts: Vec<Start>,
+        revolutions: Revolutions,
+        starts: Vec<InitialState>,
     ) -> Assembly<'_> {
-        let turning = Turning {
+        let turning = Winding {
             mechanism: self,
             dimensions,
             modes: &modes,
             starts: &starts,
         };
-        let prepared = turning.prepare(&turns);
+        let prepared = turning.prepare(&revolutions);
         Assembly {
             mechanism: self,
             dimensions: dimensions.to_vec(),
             modes,
             starts,
-            turns,
+            revolutions,
             prepared,
         }
     }
 
     fn finite(&self, dimensions: &[f64]) -> Result<(), AssemblyError> {
         let groups = self.unit.groups.iter();
-        let needed: Vec<usize> = groups.flat_map(|own| own.parameters.clone()).collect();
+        let needed: Vec<usize> = groups.flat_map(|group| group.parameters.clone()).collect();
         finite(self.name, self.parameters, &needed, dimensions)
     }
 }

@@ -1,24 +1,25 @@
-//! Which assemblies run through the range of the input.
+//! Assemblies that run through the range of the input.
 
-use linkage_runtime::generated::{
-    Chosen, CoupledGroup, Levels, Searched, SurveyedUnknown, circuits,
-};
+use linkage_runtime::support::{Chosen, CoupledGroup, Levels, Searched, SurveyedUnknown, circuits};
 use linkage_runtime::{AssemblyError, Circuits};
 
 use super::Assembly;
 use super::coupled::Programs;
-use super::turns::{Turning, Turns};
-use crate::mechanism::{Mechanism, forever};
+use super::revolutions::Revolutions;
+use super::winding::Winding;
+use crate::mechanism::Mechanism;
+use crate::mechanism::forever::forever;
 
 /// A mechanism with one input, as the runtime searches it.
-struct Search<'m> {
+struct CircuitSearch<'m> {
     mechanism: &'m Mechanism,
     dimensions: &'m [f64],
     searched: Searched,
 }
 
 impl Mechanism {
-    /// Every assembly over the range of the input; `None` for a mechanism without groups or with another number of inputs than one.
+    /// Every assembly over the range of the input; `None` for a mechanism without groups or with
+    /// another number of inputs than one.
     ///
     /// # Errors
     ///
@@ -30,16 +31,16 @@ impl Mechanism {
         let ([input], false) = (&self.unit.inputs[..], self.unit.groups.is_empty()) else {
             return None;
         };
-        let unknowns = self.unit.surveyed.iter().map(|own| {
-            let unknown = &self.unit.unknowns[own.unknown];
+        let unknowns = self.unit.surveyed.iter().map(|surveyed| {
+            let unknown = &self.unit.unknowns[surveyed.unknown];
             SurveyedUnknown {
                 name: forever(unknown.name.as_str()),
-                unit: match own.angle {
+                unit: match surveyed.angle {
                     true => "",
                     false => forever(unknown.unit.as_str()),
                 },
-                angle: own.angle,
-                numbers: own.numbers,
+                angle: surveyed.angle,
+                numbers: surveyed.numbers,
             }
         });
         let searched = Searched {
@@ -51,7 +52,7 @@ impl Mechanism {
             modes: self.modes().len(),
             coupled: self.groups.len(),
         };
-        let search = Search {
+        let search = CircuitSearch {
             mechanism: self,
             dimensions,
             searched,
@@ -60,7 +61,7 @@ impl Mechanism {
     }
 }
 
-impl<'m> Levels for Search<'m> {
+impl<'m> Levels for CircuitSearch<'m> {
     type Assembly = Assembly<'m>;
     type Survey = Vec<f64>;
     type Programs = Programs<'m>;
@@ -70,23 +71,23 @@ impl<'m> Levels for Search<'m> {
     }
 
     fn surveyor(&self, chosen: &Chosen, at: f64) -> Assembly<'m> {
-        let turning = Turning {
+        let turning = Winding {
             mechanism: self.mechanism,
             dimensions: self.dimensions,
             modes: &chosen.modes,
             starts: &chosen.starts,
         };
         let count = self.mechanism.unit.surveying;
-        let turns = match count {
-            0 => Turns::at_estimates(self.mechanism),
+        let revolutions = match count {
+            0 => Revolutions::at_estimates(self.mechanism),
             _ => {
                 let found = turning.wind(count, &[at]);
-                found.unwrap_or_else(|_| Turns::at_estimates(self.mechanism))
+                found.unwrap_or_else(|_| Revolutions::at_estimates(self.mechanism))
             }
         };
         let Chosen { modes, starts } = chosen.clone();
         self.mechanism
-            .prepared(self.dimensions, modes, turns, starts)
+            .prepared(self.dimensions, modes, revolutions, starts)
     }
 
     fn survey(&self, assembly: &Assembly<'m>, at: f64) -> Vec<f64> {

@@ -1,25 +1,26 @@
 //! The programs of a coupled group, as the runtime prepares it.
 
-use linkage_runtime::generated::{
-    Correction, CoupledPrograms, Residuals, Start, Step, pairs, placed, stepped,
+use linkage_runtime::support::{
+    Correction, CoupledPrograms, InitialState, Residuals, Step, pairs, placed, stepped,
 };
 use linkage_runtime::{AssemblyError, AssemblyMode, Enclosure, Scalar};
 use linkage_symbolic::program::Source;
 
 use super::numbers::{Numbers, States};
 use super::operations::{by_build, over_states};
-use super::turns::{Turning, Turns};
+use super::revolutions::Revolutions;
+use super::winding::Winding;
 use crate::mechanism::Mechanism;
 
-/// A group, and what is prepared of those before it.
+/// A group, and the prepared numbers of the groups before it.
 pub(crate) struct Programs<'m> {
     mechanism: &'m Mechanism,
     number: usize,
     dimensions: Vec<f64>,
     modes: Vec<AssemblyMode>,
-    turns: Turns,
+    revolutions: Revolutions,
     prepared: Vec<f64>,
-    starts: Vec<Start>,
+    starts: Vec<InitialState>,
     at: Vec<f64>,
 }
 
@@ -35,16 +36,16 @@ impl<'m> Programs<'m> {
         modes: &[AssemblyMode],
         at: &[f64],
         number: usize,
-        starts: &[Start],
+        starts: &[InitialState],
     ) -> Result<Self, AssemblyError> {
-        let turning = Turning {
+        let turning = Winding {
             mechanism,
             dimensions,
             modes,
             starts,
         };
-        let turns = turning.wind(mechanism.unit.coupled[number].turning, at);
-        let turns = turns.map_err(|unknown| AssemblyError::NoWinding {
+        let revolutions = turning.wind(mechanism.unit.coupled[number].turning, at);
+        let revolutions = revolutions.map_err(|unknown| AssemblyError::NoWinding {
             mechanism: mechanism.name,
             unknown,
         })?;
@@ -53,17 +54,17 @@ impl<'m> Programs<'m> {
             number,
             dimensions: dimensions.to_vec(),
             modes: modes.to_vec(),
-            prepared: turning.prepare(&turns),
-            turns,
+            prepared: turning.prepare(&revolutions),
+            revolutions,
             starts: starts.to_vec(),
             at: at.to_vec(),
         })
     }
 
     /// The states of all groups where this one's inputs are `own`.
-    fn place(&mut self, own: &[f64]) -> Vec<Vec<f64>> {
+    fn states_at(&mut self, inputs: &[f64]) -> Vec<Vec<f64>> {
         let group = &self.mechanism.groups[self.number];
-        for (input, x) in group.inputs.iter().zip(own) {
+        for (input, x) in group.inputs.iter().zip(inputs) {
             self.at[input.index] = *x;
         }
         let states = States {
@@ -74,8 +75,8 @@ impl<'m> Programs<'m> {
         states.by_build()
     }
 
-    fn place_with(&mut self, own: &[f64], state: &[f64]) -> Vec<Vec<f64>> {
-        let mut states = self.place(own);
+    fn states_with(&mut self, inputs: &[f64], state: &[f64]) -> Vec<Vec<f64>> {
+        let mut states = self.states_at(inputs);
         states[self.number][..state.len()].copy_from_slice(state);
         states
     }
@@ -84,7 +85,7 @@ impl<'m> Programs<'m> {
         Numbers {
             dimensions: &self.dimensions,
             modes: &self.modes,
-            turns: &self.turns,
+            revolutions: &self.revolutions,
             prepared: &self.prepared,
             inputs: &self.at,
             states,
@@ -93,8 +94,8 @@ impl<'m> Programs<'m> {
 }
 
 impl Correction for Programs<'_> {
-    fn correct(&mut self, own: &[f64], state: &mut [f64]) -> Step {
-        let states = self.place_with(own, state);
+    fn correct(&mut self, inputs: &[f64], state: &mut [f64]) -> Step {
+        let states = self.states_with(inputs, state);
         let numbers = self.numbers(&states);
         let program = &self.mechanism.unit.coupled[self.number].correct;
         stepped(state, &by_build(program, |source| numbers.load(source)))
@@ -102,8 +103,8 @@ impl Correction for Programs<'_> {
 }
 
 impl Residuals for Programs<'_> {
-    fn residuals(&mut self, own: &[f64], state: &[Enclosure]) -> Vec<Enclosure> {
-        let states = self.place(own);
+    fn residuals(&mut self, inputs: &[f64], state: &[Enclosure]) -> Vec<Enclosure> {
+        let states = self.states_at(inputs);
         let numbers = self.numbers(&states);
         let program = &self.mechanism.unit.coupled[self.number].residuals;
         over_states(program, |source| match source {
@@ -114,29 +115,29 @@ impl Residuals for Programs<'_> {
 }
 
 impl CoupledPrograms for Programs<'_> {
-    fn system(&mut self, own: &[f64]) -> Vec<[f64; 2]> {
-        let states = self.place(own);
+    fn system(&mut self, inputs: &[f64]) -> Vec<[f64; 2]> {
+        let states = self.states_at(inputs);
         let numbers = self.numbers(&states);
         let program = &self.mechanism.unit.coupled[self.number].system;
         pairs(&by_build(program, |source| numbers.load(source)))
     }
 
-    fn estimate(&mut self, own: &[f64]) -> Vec<f64> {
-        let states = self.place(own);
+    fn estimate(&mut self, inputs: &[f64]) -> Vec<f64> {
+        let states = self.states_at(inputs);
         let numbers = self.numbers(&states);
         let program = &self.mechanism.unit.coupled[self.number].estimate;
         by_build(program, |source| numbers.load(source))
     }
 
-    fn missed(&mut self, own: &[f64], state: &[f64]) -> Vec<f64> {
-        let states = self.place_with(own, state);
+    fn missed(&mut self, inputs: &[f64], state: &[f64]) -> Vec<f64> {
+        let states = self.states_with(inputs, state);
         let numbers = self.numbers(&states);
         let program = &self.mechanism.unit.coupled[self.number].missed;
         by_build(program, |source| numbers.load(source))
     }
 
-    fn placed(&mut self, own: &[f64], state: &[f64]) -> Vec<[f64; 2]> {
-        let states = self.place_with(own, state);
+    fn placed(&mut self, inputs: &[f64], state: &[f64]) -> Vec<[f64; 2]> {
+        let states = self.states_with(inputs, state);
         let numbers = self.numbers(&states);
         let group = &self.mechanism.unit.coupled[self.number];
         let angles = group.unknowns.iter().map(|unknown| unknown.angle);

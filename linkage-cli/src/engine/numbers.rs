@@ -1,10 +1,10 @@
-//! Where programs find what they load.
+//! Numbers that programs load.
 
-use linkage_runtime::generated::{Single, Start, inlined, single};
+use linkage_runtime::support::{Dispatch, InitialState, dispatch, inlined};
 use linkage_runtime::{AssemblyMode, Scalar};
 use linkage_symbolic::program::Source;
 
-use super::turns::Turns;
+use super::revolutions::Revolutions;
 use crate::mechanism::Mechanism;
 
 /// A mechanism's numbers at some inputs.
@@ -12,23 +12,23 @@ use crate::mechanism::Mechanism;
 pub(super) struct Numbers<'a> {
     pub(super) dimensions: &'a [f64],
     pub(super) modes: &'a [AssemblyMode],
-    pub(super) turns: &'a Turns,
+    pub(super) revolutions: &'a Revolutions,
     pub(super) prepared: &'a [f64],
     /// Inputs, then the arguments behind them.
     pub(super) inputs: &'a [f64],
-    /// Of each coupled group, the state and its floor.
+    /// The state of each coupled group, with its floor.
     pub(super) states: &'a [Vec<f64>],
 }
 
 impl Numbers<'_> {
-    /// What a program loads.
+    /// Returns the number of a source.
     pub(super) fn load(&self, source: Source) -> f64 {
         match source {
             Source::Parameter(index) => self.dimensions[index],
             Source::Input(index) => self.inputs[index],
             Source::Mode(mode) => self.modes[mode].sign(),
-            Source::Centre(angle) => self.turns.centres[angle],
-            Source::Winding(angle, input) => self.turns.windings[angle][input],
+            Source::Centre(angle) => self.revolutions.centres[angle],
+            Source::Winding(angle, input) => self.revolutions.windings[angle][input],
             Source::Prepared(slot) => self.prepared[slot],
             Source::State(group, component) => self.states[group][component],
             Source::Limit => f64::CORRECTION_LIMIT,
@@ -41,7 +41,7 @@ impl Numbers<'_> {
 #[derive(Clone, Copy)]
 pub(super) struct States<'a> {
     pub(super) mechanism: &'a Mechanism,
-    pub(super) starts: &'a [Start],
+    pub(super) starts: &'a [InitialState],
     pub(super) inputs: &'a [f64],
 }
 
@@ -53,22 +53,22 @@ impl States<'_> {
 
     /// The same with fused multiply-add if the machine has it.
     pub(super) fn by_machine(self) -> Vec<Vec<f64>> {
-        single(&self, [] as [f64; 0])
+        dispatch(&self, [] as [f64; 0])
     }
 }
 
-impl Single<f64, Vec<Vec<f64>>, 0> for States<'_> {
+impl Dispatch<f64, Vec<Vec<f64>>, 0> for States<'_> {
     #[inline(always)]
     fn at<const FUSED: bool>(&self, []: [f64; 0]) -> Vec<Vec<f64>> {
         let mut states = Vec::with_capacity(self.starts.len());
         for (group, start) in self.mechanism.unit.coupled.iter().zip(self.starts) {
-            let own: Vec<f64> = group
+            let inputs: Vec<f64> = group
                 .inputs
                 .iter()
                 .map(|&input| self.inputs[input])
                 .collect();
             let mut state = vec![f64::NAN; group.size];
-            let floor = start.look_up::<FUSED>(&own, &mut state);
+            let floor = start.look_up::<FUSED>(&inputs, &mut state);
             state.push(floor);
             states.push(state);
         }

@@ -1,12 +1,13 @@
 //! Programs with the arithmetic of generated code.
 
 use linkage_compiler::ir::{Body, Generated};
-use linkage_runtime::generated::{Single, inlined, single};
+use linkage_runtime::support::{Dispatch, dispatch, inlined};
 use linkage_runtime::{Enclosure, FUSED};
 use linkage_symbolic::interpret::run_by;
 use linkage_symbolic::program::{Program, Source};
 
-/// A program and where it finds what it loads; of a call whose sines may be rounded in their own way, if it is `ALONE`.
+/// A program with the numbers that it loads. The sines of a call may be rounded differently if it
+/// is `ALONE`.
 struct Run<'a, L, const ALONE: bool> {
     program: &'a Program,
     load: L,
@@ -19,7 +20,7 @@ pub(super) fn by_build(program: &Program, load: impl Fn(Source) -> f64) -> Vec<f
 
 /// The outputs of a program, with fused multiply-add if the machine has it.
 pub(super) fn by_machine(program: &Program, load: impl Fn(Source) -> f64) -> Vec<f64> {
-    single(&Run::<_, false> { program, load }, [])
+    dispatch(&Run::<_, false> { program, load }, [])
 }
 
 /// The outputs of a function, as its calls compute them.
@@ -27,7 +28,7 @@ pub(super) fn called(body: &Body, load: impl Fn(Source) -> f64) -> Vec<f64> {
     let program = &body.program;
     match body.compares_sines {
         true => by_machine(program, load),
-        false => single(&Run::<_, true> { program, load }, []),
+        false => dispatch(&Run::<_, true> { program, load }, []),
     }
 }
 
@@ -36,7 +37,7 @@ pub(super) fn over_states(program: &Program, load: impl Fn(Source) -> Enclosure)
     run_by::<Generated<Enclosure, FUSED>>(program, load)
 }
 
-impl<L: Fn(Source) -> f64, const ALONE: bool> Single<f64, Vec<f64>, 0> for Run<'_, L, ALONE> {
+impl<L: Fn(Source) -> f64, const ALONE: bool> Dispatch<f64, Vec<f64>, 0> for Run<'_, L, ALONE> {
     #[inline(always)]
     fn at<const FUSED: bool>(&self, []: [f64; 0]) -> Vec<f64> {
         run_by::<Generated<f64, FUSED, ALONE>>(self.program, &self.load)

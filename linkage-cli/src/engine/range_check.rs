@@ -1,19 +1,19 @@
 //! The check of the declared range.
 
 use linkage_runtime::RangeReport;
-use linkage_runtime::generated::{Ranged, check_range};
+use linkage_runtime::support::{Ranged, check_range};
 
 use super::Assembly;
 
 impl Assembly<'_> {
-    /// What is found in the declared range. Of a mechanism without groups, nothing can be found.
+    /// Checks the declared range. A mechanism without groups has no findings.
     ///
-    /// As the method `check_range` of the macro's assembly.
+    /// It returns the same as the method `check_range` of the macro's assembly.
     #[must_use]
     pub fn check_range(&self) -> RangeReport {
         let mechanism = self.mechanism();
         let groups = mechanism.unit.groups.iter();
-        let slacks: Vec<_> = groups.map(|own| own.slack).collect();
+        let slacks: Vec<_> = groups.map(|group| group.slack).collect();
         let ranged = Ranged {
             mechanism: mechanism.name,
             inputs: mechanism.inputs,

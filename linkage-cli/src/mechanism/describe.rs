@@ -1,7 +1,7 @@
 //! The runtime's descriptions of a unit, as generated code has them as constants.
 
-use linkage_compiler::ir::{CompiledMechanism, Coupled, Function, Meaning, Picture, Shown};
-use linkage_runtime::generated::{
+use linkage_compiler::ir::{CompiledMechanism, Coupled, Function, Meaning, Picture, Shown, plain};
+use linkage_runtime::support::{
     Along, Angle, CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown, Range, Term,
 };
 use linkage_runtime::{
@@ -10,47 +10,47 @@ use linkage_runtime::{
 };
 use linkage_symbolic::count::Count;
 
-use super::{forever, plain};
+use super::forever::forever;
 
 pub(super) fn inputs(unit: &CompiledMechanism) -> &'static [Input] {
-    let inputs = unit.inputs.iter().map(|own| Input {
-        name: forever(plain(&own.name)),
-        unit: forever(own.unit.as_str()),
-        reference: own.reference,
-        range: own.range,
+    let inputs = unit.inputs.iter().map(|input| Input {
+        name: forever(plain(&input.name)),
+        unit: forever(input.unit.as_str()),
+        reference: input.reference,
+        range: input.range,
     });
     forever(inputs.collect::<Vec<_>>())
 }
 
 pub(super) fn parameters(unit: &CompiledMechanism) -> &'static [Parameter] {
-    let parameters = unit.scalars().map(|own| Parameter {
-        name: forever(own.name.as_str()),
-        unit: forever(own.unit.as_str()),
-        nominal: own.nominal,
-        tolerance: own.tolerance,
+    let parameters = unit.scalars().map(|scalar| Parameter {
+        name: forever(scalar.name.as_str()),
+        unit: forever(scalar.unit.as_str()),
+        nominal: scalar.nominal,
+        tolerance: scalar.tolerance,
     });
     forever(parameters.collect::<Vec<_>>())
 }
 
 pub(super) fn structure(unit: &CompiledMechanism) -> &'static Structure {
-    let groups = unit.groups.iter().map(|own| Group {
-        class: own.class,
-        order: own.order,
-        kind: forever(own.kind.as_str()),
-        loops: forever(own.loops.as_slice()),
-        unknowns: names(&own.unknowns),
-        mode: own.mode,
-        method: forever(own.method.as_str()),
+    let groups = unit.groups.iter().map(|group| Group {
+        class: group.class,
+        order: group.order,
+        kind: forever(group.kind.as_str()),
+        loops: forever(group.loops.as_slice()),
+        unknowns: names(&group.unknowns),
+        mode: group.mode,
+        method: forever(group.method.as_str()),
     });
-    let functions = unit.functions.iter().map(|own| FunctionInfo {
-        name: forever(plain(&own.name)),
-        operations: operations(&own.called.count),
+    let functions = unit.functions.iter().map(|function| FunctionInfo {
+        name: forever(plain(&function.name)),
+        operations: operations(&function.called.count),
     });
     let structure = Structure {
         mobility: unit.mobility,
         groups: forever(groups.collect::<Vec<_>>()),
         functions: forever(functions.collect::<Vec<_>>()),
-        prepare: operations(&Count::of(&unit.prepare)),
+        prepare: operations(&Count::of_program(&unit.prepare)),
     };
     forever(structure)
 }
@@ -80,7 +80,7 @@ pub(super) fn headings(unit: &CompiledMechanism) -> Vec<&'static Heading> {
     let picture = unit.picture.as_ref().map(picture);
     let functions = unit.functions.iter();
     functions
-        .map(|own| forever(heading(unit, own, picture)))
+        .map(|function| forever(heading(unit, function, picture)))
         .collect()
 }
 
@@ -89,17 +89,17 @@ fn heading(
     function: &Function,
     picture: Option<&'static linkage_runtime::Picture>,
 ) -> Heading {
-    let inputs = unit.inputs.iter().map(|own| own.name.as_str());
-    let behind = unit.arguments.iter().map(|own| own.name.as_str());
+    let inputs = unit.inputs.iter().map(|input| input.name.as_str());
+    let behind = unit.arguments.iter().map(|argument| argument.name.as_str());
     let all: Vec<&str> = inputs.chain(behind).collect();
     let arguments = function.arguments.iter();
     let arguments = arguments.map(|&place| forever(plain(all[place])));
-    let mut meanings = function.columns.iter().map(|own| own.meaning);
+    let mut meanings = function.columns.iter().map(|column| column.meaning);
     let first = meanings.position(|meaning| meaning == Meaning::Picture);
-    let columns = function.columns.iter().map(|own| Column {
-        name: forever(own.name.as_str()),
-        unit: forever(own.unit.as_str()),
-        meaning: own.meaning,
+    let columns = function.columns.iter().map(|column| Column {
+        name: forever(column.name.as_str()),
+        unit: forever(column.unit.as_str()),
+        meaning: column.meaning,
     });
     let shown = first.zip(picture);
     Heading {
@@ -110,16 +110,16 @@ fn heading(
     }
 }
 
-fn picture(own: &Picture) -> &'static linkage_runtime::Picture {
-    let points = own.points.iter().map(|point| PicturePoint {
+fn picture(drawn: &Picture) -> &'static linkage_runtime::Picture {
+    let points = drawn.points.iter().map(|point| PicturePoint {
         name: forever(point.name.as_str()),
         kind: point.kind,
     });
-    let links = own.links.iter().map(|link| PictureLink {
+    let links = drawn.links.iter().map(|link| PictureLink {
         name: forever(link.name.as_str()),
         points: forever(link.points.as_slice()),
     });
-    let guides = own.guides.iter().map(|guide| Guide {
+    let guides = drawn.guides.iter().map(|guide| Guide {
         name: forever(guide.name.as_str()),
         origin: guide.origin,
         direction: guide.direction,
@@ -127,36 +127,36 @@ fn picture(own: &Picture) -> &'static linkage_runtime::Picture {
         on: guide.on,
         shape: guide.shape,
     });
-    let axes = own.axes.iter();
+    let axes = drawn.axes.iter();
     let axes = axes.map(|&(point, direction)| Axis { point, direction });
-    let joints = own.joints.iter().map(|joint| PictureJoint {
+    let joints = drawn.joints.iter().map(|joint| PictureJoint {
         point: joint.point,
         shape: joint.shape,
     });
-    let parts = own.parts.iter().map(|part| PicturePart {
+    let parts = drawn.parts.iter().map(|part| PicturePart {
         name: forever(part.name.as_str()),
         points: forever(part.points.as_slice()),
         links: forever(part.links.as_slice()),
         guides: forever(part.guides.as_slice()),
     });
     forever(linkage_runtime::Picture {
-        dimension: own.dimension,
+        dimension: drawn.dimension,
         points: forever(points.collect::<Vec<_>>()),
-        directions: names(&own.directions),
+        directions: names(&drawn.directions),
         links: forever(links.collect::<Vec<_>>()),
         guides: forever(guides.collect::<Vec<_>>()),
         axes: forever(axes.collect::<Vec<_>>()),
         joints: forever(joints.collect::<Vec<_>>()),
-        gears: forever(own.gears.clone()),
-        drives: forever(own.drives.clone()),
-        undrawn: forever(own.undrawn.clone()),
+        gears: forever(drawn.gears.clone()),
+        drives: forever(drawn.drives.clone()),
+        undrawn: forever(drawn.undrawn.clone()),
         parts: forever(parts.collect::<Vec<_>>()),
     })
 }
 
 pub(super) fn angles(unit: &CompiledMechanism) -> Vec<Angle<Vec<f64>>> {
-    let angle = |own: &linkage_compiler::ir::ContinuousAngle| {
-        let along = own.inputs.iter().map(|&input| {
+    let angle = |angle_of_unit: &linkage_compiler::ir::ContinuousAngle| {
+        let along = angle_of_unit.inputs.iter().map(|&input| {
             let (low, high) = unit.inputs[input].followed;
             Along {
                 input,
@@ -165,10 +165,10 @@ pub(super) fn angles(unit: &CompiledMechanism) -> Vec<Angle<Vec<f64>>> {
                 rates: forever(unit.inputs[input].rates.as_slice()),
             }
         });
-        let phases = own.phases.iter().map(|phase| phase.turns.clone());
+        let phases = angle_of_unit.phases.iter().map(|phase| phase.turns.clone());
         Angle {
-            unknown: forever(unit.unknowns[own.unknown].name.as_str()),
-            estimate: own.estimate,
+            unknown: forever(unit.unknowns[angle_of_unit.unknown].name.as_str()),
+            estimate: angle_of_unit.estimate,
             along: forever(along.collect::<Vec<_>>()),
             phases: forever(phases.collect::<Vec<_>>()),
         }
@@ -178,14 +178,14 @@ pub(super) fn angles(unit: &CompiledMechanism) -> Vec<Angle<Vec<f64>>> {
 
 pub(super) fn groups(mechanism: &'static str, unit: &CompiledMechanism) -> &'static [CoupledGroup] {
     let groups = unit.coupled.iter();
-    let groups = groups.map(|own| group(mechanism, unit, own));
+    let groups = groups.map(|coupled| group(mechanism, unit, coupled));
     forever(groups.collect::<Vec<_>>())
 }
 
 fn group(mechanism: &'static str, unit: &CompiledMechanism, coupled: &Coupled) -> CoupledGroup {
-    let own = &unit.groups[coupled.group];
+    let group = &unit.groups[coupled.group];
     let unknowns = coupled.unknowns.iter().map(|placed| {
-        let Shown { name, unit, scale } = placed.shown(unit);
+        let Shown { name, unit, scale } = unit.shown(placed);
         CoupledUnknown {
             name: forever(name),
             estimate: placed.estimate,
@@ -199,32 +199,32 @@ fn group(mechanism: &'static str, unit: &CompiledMechanism, coupled: &Coupled) -
         exponents: forever(exponents.as_slice()),
     });
     let inputs = coupled.inputs.iter().map(|&index| {
-        let own = &unit.inputs[index];
-        let (low, high) = own.followed;
+        let input = &unit.inputs[index];
+        let (low, high) = input.followed;
         CoupledInput {
-            name: forever(own.name.as_str()),
-            unit: forever(own.unit.as_str()),
+            name: forever(input.name.as_str()),
+            unit: forever(input.unit.as_str()),
             index,
-            declared: own.range.is_some(),
+            declared: input.range.is_some(),
             range: Range {
                 low,
                 high,
-                turn: own.angle,
+                turn: input.angle,
             },
         }
     });
-    let missed = coupled.missed_loops.iter().map(|own| CoupledLoop {
-        number: own.number,
-        rows: own.rows,
-        unit: forever(own.unit.as_str()),
-        scale: own.scale,
+    let missed = coupled.missed_loops.iter().map(|missed_loop| CoupledLoop {
+        number: missed_loop.number,
+        rows: missed_loop.rows,
+        unit: forever(missed_loop.unit.as_str()),
+        scale: missed_loop.scale,
     });
     CoupledGroup {
         mechanism,
         group: coupled.group,
-        kind: forever(own.kind.as_str()),
-        loops: forever(own.loops.as_slice()),
-        names: names(&own.unknowns),
+        kind: forever(group.kind.as_str()),
+        loops: forever(group.loops.as_slice()),
+        names: names(&group.unknowns),
         unknowns: forever(unknowns.collect::<Vec<_>>()),
         variables: forever(coupled.variables.as_slice()),
         terms: forever(terms.collect::<Vec<_>>()),
@@ -234,7 +234,7 @@ fn group(mechanism: &'static str, unit: &CompiledMechanism, coupled: &Coupled) -
     }
 }
 
-fn names(own: &[String]) -> &'static [&'static str] {
-    let names = own.iter().map(|name| forever(name.as_str()));
+fn names(texts: &[String]) -> &'static [&'static str] {
+    let names = texts.iter().map(|name| forever(name.as_str()));
     forever(names.collect::<Vec<_>>())
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use linkage_browser::Page;
 use linkage_cli::{Assembly, Mechanism};
-use linkage_runtime::summary::Course;
+use linkage_runtime::summary::Curve;
 
 use crate::pages;
 
@@ -54,7 +54,7 @@ fn course<'a, const N: usize>(
     mechanism: &Mechanism,
     function: &str,
     names: [&str; N],
-) -> Course<N, impl Fn(f64) -> [f64; N] + use<'a, N>> {
+) -> Curve<N, impl Fn(f64) -> [f64; N] + use<'a, N>> {
     let functions = &mechanism.unit.functions;
     let number = functions
         .iter()
@@ -71,7 +71,7 @@ fn course<'a, const N: usize>(
         let all = assembly.call(number, &[x]);
         places.map(|place| all[place])
     };
-    Course::of(ends, 720, at).expect("a course")
+    Curve::new(ends, 720, at).expect("a course")
 }
 
 /// Sets dimensions by the address.

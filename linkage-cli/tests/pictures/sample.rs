@@ -45,7 +45,7 @@ impl Page {
         let source = Source::new("sample.rs", code).expect("tokens");
         let calls = source.calls().iter();
         let mut texts = calls.map(|call| {
-            let call = &code[call.place.clone()];
+            let call = &code[call.range.clone()];
             let (_, text) = call.split_once('{').expect("braces");
             let (text, _) = text.rsplit_once('}').expect("braces");
             text

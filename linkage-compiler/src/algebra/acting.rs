@@ -9,7 +9,7 @@ use crate::algebra::implicit;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, NodeId, SymbolId};
 
 use super::partial::System;

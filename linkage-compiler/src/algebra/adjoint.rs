@@ -17,7 +17,7 @@ use crate::algebra::rows;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use linkage_symbolic::{Ex, NodeId, SymbolId, V2, Vector};
 

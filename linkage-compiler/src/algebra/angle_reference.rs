@@ -2,7 +2,7 @@
 
 use crate::algebra::parts;
 use linkage_symbolic::program::{Binary, Source, Unary};
-use linkage_symbolic::{Ex, Node, V2, Vector, agree};
+use linkage_symbolic::{Ex, Node, V2, Vector, numerically_equal};
 
 use super::Algebra;
 use super::parts::{Part, Turning};
@@ -146,7 +146,7 @@ impl<'m> Part<'m> {
                 rates: own.collect(),
             }
         });
-        let vanishes = |x: Ex| agree(x, zero);
+        let vanishes = |x: Ex| numerically_equal(x, zero);
         phasors
             .filter(|own| !own.coefficient.components().all(vanishes))
             .collect()

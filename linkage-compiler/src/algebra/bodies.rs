@@ -8,7 +8,7 @@
 mod tests;
 
 use crate::algebra::pivots;
-use linkage_symbolic::{Ex, V3, Vector, agree};
+use linkage_symbolic::{Ex, V3, Vector, numerically_equal};
 
 use super::pivots::parity;
 use super::{Algebra, InOrder, Order};
@@ -51,7 +51,9 @@ impl<'m> Bodies<'m> {
             let columns = 0..row.len();
             columns.filter(|&k| !row[k].is_zero()).collect()
         };
-        let is = |entry: Ex<'m>, column: usize| unknowns[column].is_some_and(|x| agree(entry, x));
+        let is = |entry: Ex<'m>, column: usize| {
+            unknowns[column].is_some_and(|x| numerically_equal(entry, x))
+        };
         // The derivative of half the square of a direction is the direction.
         let lengths = matrix.iter().enumerate().filter_map(|(row, entries)| {
             let columns: [usize; 3] = filled(entries).try_into().ok()?;

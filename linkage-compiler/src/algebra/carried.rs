@@ -1,6 +1,6 @@
 //! What bodies carry as it is: vectors with coordinates of their own along a body's two directions and across these.
 
-use linkage_symbolic::{Node, SymbolId, V3, Vector, agree, substitute};
+use linkage_symbolic::{Node, SymbolId, V3, Vector, numerically_equal, substitute};
 
 /// The components of a body's two directions, if they are symbols.
 pub(crate) fn directions(axes: [V3<'_>; 2]) -> Option<[SymbolId; 6]> {
@@ -21,5 +21,7 @@ pub(crate) fn coordinates<'m>(vector: V3<'m>, axes: [V3<'m>; 2]) -> Option<V3<'m
     let [first, second] = axes;
     let shown = own[0] * first + own[1] * second + own[2] * first.cross(second);
     let mut pairs = shown.0.into_iter().zip(vector.0);
-    pairs.all(|(shown, own)| agree(shown, own)).then_some(own)
+    pairs
+        .all(|(shown, own)| numerically_equal(shown, own))
+        .then_some(own)
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, NodeId, SymbolId};

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use linkage_symbolic::{DerivativeMemo, Ex, NodeId, SymbolId, V3};
 

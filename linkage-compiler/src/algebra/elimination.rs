@@ -8,7 +8,7 @@
 use crate::algebra::bodies;
 use crate::algebra::rows;
 use crate::algebra::turns;
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use linkage_symbolic::{Ex, Graph, SymbolId};
 

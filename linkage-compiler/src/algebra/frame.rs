@@ -3,7 +3,7 @@
 use crate::algebra::body_vectors;
 use crate::algebra::scalar;
 use crate::algebra::translate;
-use linkage_symbolic::{Ex, V2, V3, Vector, Vn, agree_within};
+use linkage_symbolic::{Ex, V2, V3, Vector, Vn, numerically_equal_within};
 
 use super::{Algebra, Value, coordinates};
 
@@ -179,5 +179,5 @@ fn sparse_cross<'m>(a: V3<'m>, b: V3<'m>) -> V3<'m> {
 
 /// True if an expression is zero wherever it is evaluated.
 pub(super) fn vanishes(x: Ex) -> bool {
-    agree_within(x, x.number(0.0), ROUNDING)
+    numerically_equal_within(x, x.number(0.0), ROUNDING)
 }

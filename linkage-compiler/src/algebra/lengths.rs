@@ -1,6 +1,6 @@
 //! Lengths of vectors, vectors known to have length 1, and what lengths were made of.
 
-use linkage_symbolic::{NodeId, SymbolId, agree, agree_within, substitute};
+use linkage_symbolic::{NodeId, SymbolId, numerically_equal, numerically_equal_within, substitute};
 
 use super::Algebra;
 
@@ -50,7 +50,7 @@ const UNIT: f64 = 8.0 * f64::EPSILON;
     pub(crate) fn unit_vector(algebra: &mut Algebra<'_>, v: [NodeId; 3]) -> [NodeId; 3] {
         if !algebra.is_unit(&v) {
             let (square, one) = (algebra.sum_of_squares(&v), algebra.graph.one());
-            if agree_within(&algebra.graph, square, one, UNIT) {
+            if numerically_equal_within(&algebra.graph, square, one, UNIT) {
                 algebra.mark_unit(&v);
             }
         }
@@ -86,14 +86,14 @@ const UNIT: f64 = 8.0 * f64::EPSILON;
         let sum: Vec<NodeId> = pairs.map(|(&x, &y)| algebra.graph.add(x, y)).collect();
         let whole = algebra.sum_of_squares(&sum);
         let parts = algebra.graph.add(first, second);
-        agree(&algebra.graph, first, second) && agree(&algebra.graph, whole, parts)
+        numerically_equal(&algebra.graph, first, second) && numerically_equal(&algebra.graph, whole, parts)
     }
 
     /// Lengths in `roots` stay known as lengths of vectors when symbols are replaced.
     pub(crate) fn substitute_norms(
         algebra: &mut Algebra<'_>,
         roots: &[NodeId],
-        map: &linkage_symbolic::unordered::Map<SymbolId, NodeId>,
+        map: &linkage_symbolic::lookup::Map<SymbolId, NodeId>,
     ) {
         let Algebra {
             graph,

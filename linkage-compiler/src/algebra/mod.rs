@@ -38,7 +38,7 @@ pub(crate) mod turns;
 pub(crate) mod via_slider;
 
 use linkage_symbolic::program::Source;
-use linkage_symbolic::{Ex, Graph, SymbolId};
+use linkage_symbolic::{Ex, Graph, Snapshot, SymbolId};
 
 use crate::model::{Mechanism, Variable};
 
@@ -76,6 +76,14 @@ pub(crate) struct Algebra<'m> {
     derivatives: Derivatives<'m>,
 }
 
+/// The state of an [`Algebra`] and its graph at some moment.
+pub(crate) struct AlgebraState<'m> {
+    graph: Snapshot,
+    names: Names<'m>,
+    solutions: Solutions<'m>,
+    derivatives: Derivatives<'m>,
+}
+
 impl<'m> Algebra<'m> {
     /// The unknowns as symbols of an empty graph.
     pub(crate) fn new(mechanism: &'m Mechanism, graph: &'m Graph) -> Self {
@@ -88,18 +96,30 @@ impl<'m> Algebra<'m> {
         }
     }
 
-    /// What something answers that may add to the graph and to what is known, as if it had not been asked.
+    /// Runs `question`, then undoes all its changes to the graph and to the algebra.
     pub(crate) fn tried<R>(&mut self, question: impl FnOnce(&mut Self) -> R) -> R {
-        let names = self.names.clone();
-        let solutions = self.solutions.clone();
-        let derivatives = self.derivatives.clone();
-        let graph = self.graph.snapshot();
+        let state = self.state();
         let answer = question(self);
-        self.graph.restore(graph);
-        self.derivatives = derivatives;
-        self.solutions = solutions;
-        self.names = names;
+        self.restore(state);
         answer
+    }
+
+    /// Returns the current state, for [`restore`](Self::restore).
+    pub(crate) fn state(&self) -> AlgebraState<'m> {
+        AlgebraState {
+            graph: self.graph.snapshot(),
+            names: self.names.clone(),
+            solutions: self.solutions.clone(),
+            derivatives: self.derivatives.clone(),
+        }
+    }
+
+    /// Undoes all changes to the graph and to the algebra since `state`.
+    pub(crate) fn restore(&mut self, state: AlgebraState<'m>) {
+        self.graph.restore(state.graph);
+        self.derivatives = state.derivatives;
+        self.solutions = state.solutions;
+        self.names = state.names;
     }
 
     /// The symbol that derivatives by a model variable refer to.

@@ -1,8 +1,8 @@
 //! The numbers of the mechanism as written: defaults, tolerances, reference position, estimates.
 
 use crate::algebra::translate;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::program::Source;
-use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, evaluate, evaluate_given};
 
 use crate::model::{Expr, ExprKind, Name, Type};

@@ -3,7 +3,7 @@
 use crate::algebra::implicit;
 use std::collections::BTreeSet;
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use linkage_symbolic::{Calculus, DerivativeMemo, Ex, Graph, Node, NodeId, SymbolId};
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use linkage_symbolic::program::{Binary, Unary};
-use linkage_symbolic::{Ex, Node, NodeId, V2, Vector, agree};
+use linkage_symbolic::{Ex, Node, NodeId, V2, Vector, numerically_equal};
 
 use super::Algebra;
 
@@ -151,7 +151,7 @@ impl<'m> Part<'m> {
                 let back = (sines & conjugate).count_ones() % 2 == 1;
                 (0..2).all(|row| {
                     let expected = if back { -turned[row] } else { turned[row] };
-                    agree(self.rows[row][sines], expected)
+                    numerically_equal(self.rows[row][sines], expected)
                 })
             })
         })

@@ -6,7 +6,7 @@
 
 use crate::algebra::adjoint;
 use crate::algebra::implicit;
-use linkage_symbolic::unordered::{Map, Set};
+use linkage_symbolic::lookup::{Map, Set};
 
 use linkage_symbolic::{Ex, Node, NodeId, SymbolId, Vector, pull_back};
 

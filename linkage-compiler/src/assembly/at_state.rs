@@ -1,13 +1,13 @@
 //! Where all unknowns stand if a coupled group has some state, whether or not its loops close.
 
-use linkage_symbolic::{SymbolId, unordered::Map};
+use linkage_symbolic::{SymbolId, lookup::Map};
 
 use crate::algebra::Bound;
 use crate::mobility::Position;
 use crate::solve::Prepared;
 use crate::structure::Core;
 
-use super::reference::Assembly;
+use super::assembler::Assembly;
 
 /// All unknowns where a group has this state; what later groups find is not known.
 pub(super) fn standing<'a, 'm>(

@@ -9,9 +9,9 @@ use crate::message_format::loop_numbers;
 use crate::model::Input;
 use crate::solve::Formulation;
 
-use super::Reference;
 use super::follow::{Unfollowed, follow_angles};
 use super::ranges::{Broken, Ranges};
+use crate::machine::Reference;
 use crate::message_format::MessageFormat;
 
 /// Checks the ranges; reports where the mechanism comes apart, and an angle whose value is used but cannot be followed.

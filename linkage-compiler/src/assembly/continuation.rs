@@ -3,14 +3,13 @@
 //! A dead point on such a way lies in the ranges: that is found in a moment, where a grid over ranges with dead points in them takes
 //! seconds.
 
-use crate::assembly::listing;
 use linkage_core::numeric::continuation::{self, Grid, LeftOut};
 
 use crate::message_format::loop_list;
 use crate::solve::{Prepared, Solved};
 
+use super::assembler::Assembly;
 use super::check::range_of;
-use super::reference::Assembly;
 
 /// A range may end at a dead point: the rest of the way does not count.
 const END: f64 = 1e-9;
@@ -30,7 +29,7 @@ pub(super) fn dead_point<'m>(
     if prepared.has_table() {
         return None;
     }
-    let (mut numbers, from) = listing::numbers(assembly, prepared.number);
+    let (mut numbers, from) = assembly.coupled(prepared.number);
     let mut nearest: Option<(f64, Vec<f64>)> = None;
     for to in ends(assembly, prepared, &from) {
         let share = continuation::dead_point(&mut numbers, &from, state, &to);
@@ -103,7 +102,7 @@ pub(super) fn is_served<'m>(
         leaves_out(assembly, solved, prepared, left_out);
         return false;
     }
-    let (mut numbers, reference) = listing::numbers(assembly, prepared.number);
+    let (mut numbers, reference) = assembly.coupled(prepared.number);
     let served = grid.serves(&mut numbers, &reference);
     if !served {
         beside_dead_point(assembly, solved, prepared);

@@ -1,7 +1,7 @@
 //! What a dead point in a range looks like: which links are stretched or folded, what their lengths come to, and by how much they miss.
 
 use crate::algebra::translate;
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, SymbolId, V2, substitute};
 
 use crate::algebra::{Algebra, Bound, Translate, Value};
@@ -10,7 +10,7 @@ use crate::solve::Solved;
 use crate::structure::Form;
 use crate::vector::norm;
 
-use super::machine::Machine;
+use crate::machine::Machine;
 use crate::message_format::MessageFormat;
 
 /// Points nearer than this share of their distance from the origin and each other are one.

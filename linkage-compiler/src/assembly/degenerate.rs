@@ -9,7 +9,7 @@ use crate::model::{Dimension, Type};
 use crate::structure::{Form, Sphere};
 use crate::vector::{Vector, cross, dot, minus, norm};
 
-use super::reference::Assembly;
+use super::assembler::Assembly;
 use crate::solve::Solved;
 
 /// Sines below this are those of parallel vectors: the margin of such a group is below the limit of a dead point.

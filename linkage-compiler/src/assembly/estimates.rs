@@ -10,7 +10,7 @@ use crate::message_format::loop_list;
 use crate::model::Dimension;
 use crate::solve::Solved;
 
-use super::reference::Assembly;
+use super::assembler::Assembly;
 
 /// An angle farther than this from its estimate is not what was meant: estimates are read off a drawing to some ten degrees, and two assemblies
 /// are seldom nearer to each other.

@@ -8,8 +8,8 @@ use linkage_symbolic::program::Ternary;
 
 use crate::algebra::{Algebra, Nominal};
 
-use super::machine::Machine;
 use super::ranges::Grid;
+use crate::machine::{Machine, followed_range};
 
 /// An angle this near to half a turn from its guide cannot be told from one on the other side.
 const LIMIT: f64 = 0.98 * PI;
@@ -116,15 +116,4 @@ impl Numbers<'_> {
         }
         true
     }
-}
-
-/// The range over which an angle is followed along an input: the declared one, else a turn about the reference for an
-/// angle, only the reference for a length.
-pub(crate) fn followed_range(algebra: &Algebra, nominal: &Nominal, input: usize) -> (f64, f64) {
-    let reference = nominal.inputs[input];
-    let half = match algebra.mechanism.inputs[input].dimension.half_lengths {
-        0 => PI,
-        _ => 0.0,
-    };
-    nominal.ranges[input].unwrap_or((reference - half, reference + half))
 }

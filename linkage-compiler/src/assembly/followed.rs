@@ -1,8 +1,8 @@
 //! Closing a coupled group whose assemblies cannot be listed: the one that is meant is followed from its estimates.
 
 use crate::assembly::at_state;
+use crate::assembly::coupled_state;
 use crate::assembly::estimates;
-use crate::assembly::listing;
 use crate::assembly::refusal;
 use crate::mobility::nearest;
 use linkage_core::numeric::continuation::{Astray, from_estimate};
@@ -13,9 +13,9 @@ use crate::mobility::Nearest;
 use crate::solve::{Prepared, Solved};
 use crate::structure::unsolved::OURS;
 
+use super::assembler::Assembly;
+use super::coupled_state::Candidate;
 use super::estimates::Choice;
-use super::listing::Candidate;
-use super::reference::Assembly;
 use super::refusal::WITHIN_RANGE;
 
 /// Of what the estimates miss by: where more is left, the dead point is at the estimates; where less is left, it is the assembly.
@@ -52,16 +52,16 @@ pub(super) fn close_followed<'m>(
     let group = &mut assembly.machine.closing.coupled[prepared.number];
     group.followed = true;
     group.terms.clear();
-    listing::prepare(assembly, solved, prepared, &found.state)
+    coupled_state::prepare(assembly, solved, prepared, &found.state)
 }
 
 fn followed<'m>(assembly: &Assembly<'_, 'm>, prepared: &Prepared<'m>) -> Result<Candidate, Astray> {
-    let (mut numbers, own) = listing::numbers(assembly, prepared.number);
+    let (mut numbers, own) = assembly.coupled(prepared.number);
     let group = &assembly.machine.closing.coupled[prepared.number];
     let estimate = prepared.estimate_of_default(assembly.algebra, assembly.nominal);
     let state = from_estimate(&mut numbers, &group.variables, &own, &estimate)?;
     let placed = numbers.run(&group.placed, &state);
-    Ok(listing::candidate_of(assembly, group, state, &placed))
+    Ok(coupled_state::candidate_of(assembly, group, state, &placed))
 }
 
 /// Reports unknowns without an estimate; false if there is none.
@@ -195,11 +195,11 @@ fn moved<'m>(
     prepared: &Prepared<'m>,
     states: &[Vec<f64>; 2],
 ) -> Vec<usize> {
-    let (numbers, _) = listing::numbers(assembly, prepared.number);
+    let (numbers, _) = assembly.coupled(prepared.number);
     let group = &assembly.machine.closing.coupled[prepared.number];
     let [a, b] = states.each_ref().map(|state| {
         let placed = numbers.run(&group.placed, state);
-        listing::candidate_of(assembly, group, state.clone(), &placed).position
+        coupled_state::candidate_of(assembly, group, state.clone(), &placed).position
     });
     estimates::differing(&a, &b, |unknown| assembly.yardstick(unknown))
 }

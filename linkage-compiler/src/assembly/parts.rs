@@ -5,119 +5,16 @@
 
 use crate::algebra::nominal;
 use crate::algebra::translate;
-use std::f64::consts::PI;
 use std::rc::Rc;
 
-use linkage_symbolic::Ex;
-use linkage_symbolic::program::Ternary;
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use crate::algebra::{Algebra, Bound, Nominal, Translate, Value};
-use crate::model::{Dimension, Expr, ExprKind, LengthUnit, Mechanism, Name, Type};
-use crate::solve::{Formulation, Solved};
+use crate::model::{Dimension, Expr, ExprKind, Mechanism, Name};
+use crate::solve::Formulation;
 
-use super::machine::Machine;
-use super::reference::{Assembly, Reference};
-
-/// So many steps lead through a turn of an input: an angle turns by less than half a turn in each, gears of any use included.
-const STEPS_OF_A_TURN: f64 = 144.0;
-
-/// So many at most: what turns hundreds of times is no linkage.
-const STEPS: f64 = 10_000.0;
-
-/// A mechanism assembled at its own reference, for those that it is a part of.
-#[derive(Debug)]
-pub(crate) struct Closed {
-    machine: Machine,
-    nominal: Nominal,
-    unit: LengthUnit,
-    parameters: Vec<Dimension>,
-    inputs: Vec<Dimension>,
-    /// For each unknown, where its numbers stand among the outputs, and whether they are a cosine and a sine.
-    unknowns: Vec<Option<(usize, bool)>>,
-    dimensions: Vec<Dimension>,
-}
-
-/// A part of the mechanism that is closed.
-pub(crate) struct InnerPart<'m> {
-    closed: Rc<Closed>,
-    first_unknown: usize,
-    /// Its inputs, and the unknowns that they are made of.
-    inputs: Vec<Ex<'m>>,
-    needs: Vec<usize>,
-    /// Its dimensions here, in its own units.
-    parameters: Vec<f64>,
-    /// How many of its length units the unit here is.
-    ratio: f64,
-}
-
-impl Closed {
-    pub(crate) fn new(algebra: &Algebra, reference: Reference, nominal: Nominal) -> Self {
-        let mechanism = algebra.mechanism;
-        let mut unknowns = vec![None; mechanism.unknowns.len()];
-        let outputs = reference.machine.closing.groups.iter();
-        for &(unknown, output) in outputs.flat_map(|group| &group.unknowns) {
-            let is_angle = matches!(algebra.names.bound[unknown], Bound::Angle(_));
-            unknowns[unknown] = Some((output, is_angle));
-        }
-        let of_unknown = |ty: &Type| ty.dimension().unwrap_or(Dimension::NUMBER);
-        let all = mechanism.unknowns.iter();
-        Self {
-            machine: reference.machine,
-            nominal,
-            unit: mechanism.unit,
-            parameters: mechanism
-                .scalar_parameters
-                .iter()
-                .map(|own| own.dimension)
-                .collect(),
-            inputs: mechanism.inputs.iter().map(|own| own.dimension).collect(),
-            dimensions: all.map(|own| of_unknown(&own.ty)).collect(),
-            unknowns,
-        }
-    }
-
-    /// Its unknowns with these dimensions, led from the reference to these inputs; what cannot be assembled there is not a number.
-    fn led_to(&self, parameters: Vec<f64>, inputs: &[f64]) -> Vec<Vec<f64>> {
-        let machine = self.machine.with_dimensions(parameters);
-        let from = &self.nominal.inputs;
-        let ways = from.iter().zip(inputs).zip(&self.inputs);
-        let turns = ways.map(|((from, to), dimension)| match dimension.half_lengths {
-            0 => (to - from).abs() / (2.0 * PI),
-            _ if from == to => 0.0,
-            _ => 1.0,
-        });
-        let steps = turns.fold(0.0, f64::max) * STEPS_OF_A_TURN;
-        let steps = steps.ceil().clamp(1.0, STEPS);
-        let mut found = self.nominal.estimates.clone();
-        let mut values = Vec::new();
-        for step in 0..=steps as usize {
-            let share = step as f64 / steps;
-            let ways = from.iter().zip(inputs);
-            let at: Vec<f64> = match share {
-                // What is between two numbers may miss them.
-                1.0 => inputs.to_vec(),
-                _ => ways.map(|(from, to)| from + share * (to - from)).collect(),
-            };
-            machine.run(&mut values, &at);
-            for (own, place) in found.iter_mut().zip(&self.unknowns) {
-                let Some((output, is_angle)) = *place else {
-                    continue;
-                };
-                let number = |k: usize| machine.output(&values, output + k);
-                let next: Vec<f64> = match is_angle {
-                    true => vec![Ternary::AngleNear.apply([number(1), number(0), own[0]])],
-                    false => (0..own.len()).map(number).collect(),
-                };
-                // On the way it may come apart; where it arrives counts.
-                if share == 1.0 || next.iter().all(|x| x.is_finite()) {
-                    *own = next;
-                }
-            }
-        }
-        found
-    }
-}
+use super::assembler::Assembly;
+use super::closed_part::{Closed, InnerPart};
 
 /// The parts of a mechanism, with what their inputs are; `closed` is what each is alone.
 pub(crate) fn inner_parts<'m>(
@@ -168,7 +65,7 @@ pub(crate) fn inner_parts<'m>(
             closed: closed.clone(),
             first_unknown: part.unknowns.start,
             inputs,
-            needs: mechanism.unknowns_below(&part.inputs),
+            needs: unknowns_below(mechanism, &part.inputs),
             parameters: scaled.map(|(x, own)| x * power(ratio, *own)).collect(),
             ratio,
         }
@@ -264,39 +161,22 @@ fn settle<'m>(assembly: &mut Assembly<'_, 'm>, part: &InnerPart<'m>, open: &[usi
     assembly.centre(Some(part));
 }
 
-impl InnerPart<'_> {
-    pub(super) fn has(&self, unknown: usize) -> bool {
-        let own = unknown.checked_sub(self.first_unknown);
-        own.is_some_and(|own| own < self.closed.unknowns.len())
-    }
-
-    fn is_in(&self, solved: &Solved) -> bool {
-        solved
-            .group
-            .unknowns
-            .iter()
-            .any(|&unknown| self.has(unknown))
-    }
-}
-
-impl Mechanism {
-    /// The unknowns that derived quantities are made of, directly or through others.
-    fn unknowns_below(&self, lets: &[usize]) -> Vec<usize> {
-        let mut open: Vec<usize> = lets.to_vec();
-        let mut seen: Vec<usize> = Vec::new();
-        let mut found = Vec::new();
-        while let Some(own) = open.pop() {
-            for name in self.lets[own].value.parts().filter_map(Expr::as_name) {
-                match name {
-                    Name::Let(other) if !seen.contains(&other) => {
-                        seen.push(other);
-                        open.push(other);
-                    }
-                    Name::Unknown(unknown) if !found.contains(&unknown) => found.push(unknown),
-                    _ => {}
+/// The unknowns that derived quantities are made of, directly or through others.
+fn unknowns_below(mechanism: &Mechanism, lets: &[usize]) -> Vec<usize> {
+    let mut open: Vec<usize> = lets.to_vec();
+    let mut seen: Vec<usize> = Vec::new();
+    let mut found = Vec::new();
+    while let Some(own) = open.pop() {
+        for name in mechanism.lets[own].value.parts().filter_map(Expr::as_name) {
+            match name {
+                Name::Let(other) if !seen.contains(&other) => {
+                    seen.push(other);
+                    open.push(other);
                 }
+                Name::Unknown(unknown) if !found.contains(&unknown) => found.push(unknown),
+                _ => {}
             }
         }
-        found
     }
+    found
 }

@@ -9,7 +9,7 @@ use crate::algebra::Nominal;
 use crate::model::Dimension;
 use crate::solve::Formulation;
 
-use super::Reference;
+use crate::machine::Reference;
 
 /// So far beside a change point, in radians, the slack is positive on both sides.
 const BESIDE: f64 = 1e-3;

@@ -7,9 +7,9 @@ use crate::diagnostic::Reporter;
 use crate::mobility::difference;
 use crate::model::{Loop, Mechanism, Type};
 
-use super::Reference;
-use super::places::places;
 use super::ranges::GRID;
+use crate::machine::Reference;
+use crate::machine::other_inputs;
 use crate::message_format::MessageFormat;
 
 /// Positions along the range of each input.
@@ -104,7 +104,7 @@ fn is_length(ty: &Type) -> bool {
 
 /// Places all over the ranges: along each input alone, and where they do not move in step.
 fn positions(mechanism: &Mechanism, nominal: &Nominal, longest: f64) -> Vec<Vec<f64>> {
-    let mut all = places(nominal, mechanism, longest);
+    let mut all = other_inputs(nominal, mechanism, longest);
     for (input, range) in nominal.ranges.iter().enumerate() {
         let Some((low, high)) = range else { continue };
         for k in 0..ALONG {

@@ -7,8 +7,8 @@ use crate::model::Dimension;
 use crate::solve::Solved;
 use crate::structure::Form;
 
-use super::reference::{Assembly, SINGULAR};
-use super::values;
+use super::assembler::{Assembly, SINGULAR};
+use crate::checks;
 
 /// What to do about a part of a loop that has no value.
 pub(super) const WITHIN_RANGE: &str =
@@ -105,7 +105,7 @@ pub(super) fn loops_without_value(
     loops: &[usize],
 ) -> Option<(OriginId, String)> {
     let inputs = &assembly.nominal.inputs;
-    values::without_value(assembly.algebra.mechanism, assembly.nominal, inputs, loops)
+    checks::without_value(assembly.algebra.mechanism, assembly.nominal, inputs, loops)
 }
 
 /// True for an angle that is found across the guides of its loop.

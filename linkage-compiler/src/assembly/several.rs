@@ -3,9 +3,9 @@
 use linkage_core::numeric::continuation::{Correction, dead_point};
 use linkage_core::range_check::ROUNDING;
 
-use super::numbers::Numbers;
 use super::ranges::{Broken, Grid, Ranges};
 use crate::ir::Start;
+use crate::machine::Numbers;
 
 impl Ranges<'_, '_> {
     /// The first position of a grid over several inputs that cannot be assembled. Where a coupled group is not prepared, the dead point on

@@ -6,8 +6,8 @@ use crate::message_format::loop_list;
 use crate::solve::{Prepared, Solved};
 use crate::structure::unsolved::OURS;
 
+use super::assembler::Assembly;
 use super::check::range_of;
-use super::reference::Assembly;
 
 pub(super) fn refused<'m>(
     assembly: &mut Assembly<'_, 'm>,

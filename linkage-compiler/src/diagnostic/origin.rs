@@ -1,12 +1,13 @@
-//! Places in the source: spans where there are tokens, ids of them behind `model`.
+//! Places in the source: spans where there are tokens, ids of them in all phases after `model`.
 
 use std::ops::Range;
 
 use proc_macro2::{Ident, Span};
 
-/// First and last token of a piece of source text; messages underline all that lies between.
+/// First and last token of a piece of source text; messages underline all text between them.
 ///
-/// Outside of a procedural macro, lines and columns of both are known if proc-macro2 has its feature `span-locations`.
+/// Outside of a procedural macro, lines and columns of both are known if proc-macro2 has its
+/// feature `span-locations`.
 #[derive(Clone, Copy, Debug)]
 pub struct SourceSpan {
     /// The first token, or a group with its delimiters.
@@ -19,11 +20,12 @@ pub struct SourceSpan {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct OriginId(pub u32);
 
-/// The source spans behind the model's [`OriginId`]s, and the parts of the mechanism that they stand in.
+/// The source spans of the model's [`OriginId`]s, and the parts of the mechanism that contain them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Origins {
     spans: Vec<SourceSpan>,
-    /// Where the origins of each part begin and end, with its name; a part within a part stands before it.
+    /// Ranges of the origins of parts, with their names. A part within a part comes before the part
+    /// around it.
     parts: Vec<(Range<u32>, String)>,
 }
 
@@ -33,11 +35,11 @@ impl Origins {
         OriginId(self.spans.len() as u32 - 1)
     }
 
-    /// All origins of a part; the answer is what is to be added to their numbers.
-    pub(crate) fn add_part(&mut self, name: &str, own: &Origins) -> u32 {
+    /// Adds all origins of a part. Returns the offset of their numbers.
+    pub(crate) fn add_part(&mut self, name: &str, origins: &Origins) -> u32 {
         let first = self.spans.len() as u32;
-        self.spans.extend(&own.spans);
-        let inner = own.parts.iter().map(|(range, inner)| {
+        self.spans.extend(&origins.spans);
+        let inner = origins.parts.iter().map(|(range, inner)| {
             let range = first + range.start..first + range.end;
             (range, format!("{name}.{inner}"))
         });
@@ -75,7 +77,7 @@ impl SourceSpan {
         }
     }
 
-    /// From the start of `self` to the end of `last`.
+    /// Returns the span from the start of `self` to the end of `last`.
     pub(crate) fn to(self, last: SourceSpan) -> Self {
         SourceSpan {
             first: self.first,

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::fmt::Write;
 
-/// A message repeats no more characters than these in one piece of what a user wrote.
+/// The greatest number of characters that a message repeats of one piece of the user's text.
 const MOST_REPEATED: usize = 80;
 
 /// A text as a message repeats it: of more than 80 characters the first 79 and an ellipsis.

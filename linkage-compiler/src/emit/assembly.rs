@@ -4,6 +4,7 @@ use linkage_symbolic::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::array_types::Types;
 use super::body::Runs;
 use super::docs::doc;
 use super::load::{Places, loader};
@@ -194,37 +195,6 @@ fn assemble(outline: &Outline, unit: &CompiledMechanism, types: &Types) -> Token
             let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
             Self::__close(__m, &__modes, &__prepared, __at)?;
             ::core::result::Result::Ok(#made)
-        }
-    }
-}
-
-/// The array types of the plumbing, over `T`.
-pub(super) struct Types {
-    pub modes: TokenStream,
-    pub inputs: TokenStream,
-    /// Inputs and states.
-    pub arguments: TokenStream,
-    pub turns: TokenStream,
-    pub prepared: TokenStream,
-    gaps: TokenStream,
-}
-
-impl Types {
-    pub(super) fn new(outline: &Outline, unit: &CompiledMechanism) -> Self {
-        let runtime = &outline.runtime;
-        let modes = literal::index(outline.modes.len());
-        let inputs = literal::index(unit.inputs.len());
-        let prepared = literal::index(outline.prepared);
-        let arguments = literal::index(Places::all(outline).width());
-        let angles = literal::index(unit.angles.len());
-        let gaps = literal::index(unit.gaps.outputs.len());
-        Self {
-            modes: quote!([#runtime::AssemblyMode; #modes]),
-            inputs: quote!([T; #inputs]),
-            arguments: quote!([T; #arguments]),
-            turns: quote!(#runtime::Turns<T, #angles, #inputs>),
-            prepared: quote!([T; #prepared]),
-            gaps: quote!([T; #gaps]),
         }
     }
 }

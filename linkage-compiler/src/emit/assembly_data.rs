@@ -5,13 +5,13 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::array_types;
 use super::outline::Outline;
-use super::starts;
 
 /// The only field of the assembly.
 pub(super) fn field(outline: &Outline) -> TokenStream {
     let Outline { runtime, core, .. } = outline;
-    let starts = (!outline.starts.is_empty()).then(|| starts::starts_type(outline));
+    let starts = (!outline.starts.is_empty()).then(|| array_types::starts_type(outline));
     let starts = starts.map(|starts| quote!(, #starts));
     quote!(__sealed: #runtime::Sealed<#core<T> #starts>,)
 }

@@ -1,6 +1,6 @@
 //! A straight-line program as a flat list of statements.
 
-use linkage_symbolic::program::{Call, Fused, Instruction, Program, Source, Ternary, Value};
+use linkage_symbolic::program::{Fused, Instruction, Program, RustCall, Source, Ternary, Value};
 use proc_macro2::{Ident, Literal, Punct, Spacing, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
@@ -143,25 +143,25 @@ fn sin_cos(runs: Runs, x: &Ident) -> TokenStream {
 }
 
 /// The code of an operation.
-fn call(call: Call, runs: Runs, operands: &[Ident]) -> TokenStream {
+fn call(call: RustCall, runs: Runs, operands: &[Ident]) -> TokenStream {
     match call {
-        Call::Operator(sign) => {
+        RustCall::Operator(sign) => {
             let sign = Punct::new(sign, Spacing::Alone);
             match operands {
                 [a, b] => quote!(#a #sign #b),
                 _ => quote!(#sign #(#operands)*),
             }
         }
-        Call::Method(name) => {
+        RustCall::Method(name) => {
             let name = format_ident!("{name}");
             quote!(T::#name(#(#operands),*))
         }
-        Call::FusedMethod(name) => {
+        RustCall::FusedMethod(name) => {
             let name = format_ident!("{name}");
             quote!(T::#name::<__FUSED>(#(#operands),*))
         }
         // Programs are paired before they are printed; alone they are right all the same.
-        Call::SinePair(number) => {
+        RustCall::SinePair(number) => {
             let (pair, number) = (
                 sin_cos(runs, &operands[0]),
                 Literal::usize_unsuffixed(number),

@@ -4,9 +4,9 @@ use linkage_core::Cycle;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::assembly::Types;
+use super::array_types::Types;
 use super::outline::Outline;
-use super::{attribute, literal, starts, survey};
+use super::{array_types, attribute, literal, survey};
 use crate::ir::{CompiledMechanism, Input};
 
 /// `circuits()`; nothing for a mechanism without groups or with another number of inputs than one.
@@ -82,7 +82,7 @@ fn levels(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
             TokenStream::new(),
         ),
         false => {
-            let coupled = starts::coupled_name(outline);
+            let coupled = array_types::coupled_name(outline);
             (
                 quote!(#coupled),
                 quote! {

@@ -4,11 +4,8 @@ use linkage_symbolic::count::Count;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::outline::Outline;
-
 /// A literal of the runtime's `Operations`.
-pub(super) fn literal(outline: &Outline, count: &Count) -> TokenStream {
-    let runtime = &outline.runtime;
+pub(super) fn literal(runtime: &TokenStream, count: &Count) -> TokenStream {
     let Count {
         add,
         mul,

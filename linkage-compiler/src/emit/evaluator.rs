@@ -7,7 +7,7 @@ use quote::{ToTokens, format_ident, quote};
 use super::array_fields::{entries, entry};
 use super::body::Runs;
 use super::docs::{behind_name, doc, documented, sentence, tokens, with_note};
-use super::load::{CARRIED, INPUT, loader_by};
+use super::load::{CARRIED, INPUT, Places, loader_by};
 use super::mechanism::{marker_field, marker_value};
 use super::outline::{Field, Function, Outline, plain};
 use super::spanned::type_at;
@@ -196,7 +196,7 @@ pub(super) fn kernel(
     let kernel = kernel_name(function, version);
     let split = attribute::split(function.attributes);
     let everywhere = &split.everywhere;
-    let places = function.places(outline);
+    let places = Places::of_function(outline, function);
     let count = literal::index(places.width());
     let width = literal::index(function.width());
     let methods = (0..stages.len())
@@ -288,7 +288,7 @@ fn stage(
         results,
     } = stage;
     let method = stage_name(function, index, version);
-    let places = function.places(outline);
+    let places = Places::of_function(outline, function);
     let input = |place| entry(INPUT, place).into_token_stream();
     let load = loader_by(outline, &places, input);
     let statements = body::statements(program, runs, &load);

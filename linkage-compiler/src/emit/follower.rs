@@ -5,7 +5,7 @@ mod functions;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::assembly::Types;
+use super::array_types::Types;
 use super::docs::doc;
 use super::evaluator::{Version, kernel};
 use super::load::Places;
@@ -13,7 +13,7 @@ use super::outline::{Outline, plain};
 use super::{assembly_data, attribute, literal};
 
 use crate::ir::CompiledMechanism;
-use crate::model::{FOLLOWER, METHODS_OF_FOLLOWER};
+use crate::model::METHODS_OF_FOLLOWER;
 
 use functions::{method, single_of};
 
@@ -67,10 +67,6 @@ fn shared(outline: &Outline) -> TokenStream {
     items
 }
 
-fn name(outline: &Outline) -> Ident {
-    format_ident!("{}{FOLLOWER}", outline.name)
-}
-
 fn structure(outline: &Outline) -> TokenStream {
     let Outline {
         runtime,
@@ -78,7 +74,7 @@ fn structure(outline: &Outline) -> TokenStream {
         assembly,
         ..
     } = outline;
-    let follower = name(outline);
+    let follower = functions::follower_name(outline);
     let width = literal::index(Places::all(outline).width());
     let doc = doc(&format!(
         "An assembled `{}` that stands at some inputs: it is followed from there to others, whatever the ranges of the inputs, and has all \
@@ -101,7 +97,7 @@ fn constructor(outline: &Outline) -> TokenStream {
     let Outline {
         runtime, assembly, ..
     } = outline;
-    let follower = name(outline);
+    let follower = functions::follower_name(outline);
     let inputs: Vec<&Ident> = outline.inputs.iter().map(|input| input.name).collect();
     let starts = assembly_data::starts(outline, &quote!(self));
     let body = outline.body(quote! {
@@ -131,7 +127,7 @@ fn follow(outline: &Outline) -> TokenStream {
     let Outline {
         runtime, assembly, ..
     } = outline;
-    let follower = name(outline);
+    let follower = functions::follower_name(outline);
     let mechanism = outline.name;
     let title = outline.title();
     let inputs: Vec<&Ident> = outline.inputs.iter().map(|input| input.name).collect();
@@ -186,7 +182,7 @@ fn single(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline {
         runtime, assembly, ..
     } = outline;
-    let follower = name(outline);
+    let follower = functions::follower_name(outline);
     let places = Places::all(outline);
     let [count, width] = [outline.inputs.len(), places.width()].map(literal::index);
     let groups = outline.starts.iter().enumerate();

@@ -8,7 +8,7 @@ use quote::{ToTokens, quote};
 
 use super::array_fields::entry;
 use super::literal;
-use super::outline::Outline;
+use super::outline::{Function, Outline};
 
 /// What a stage takes over from the one before, entry by entry.
 pub(super) const CARRIED: &str = "__carried";
@@ -38,6 +38,11 @@ impl Places {
             places.width += outline.starts[group].size + 1;
         }
         places
+    }
+
+    /// The arguments of a function's programs.
+    pub(super) fn of_function(outline: &Outline, function: &Function) -> Self {
+        Self::new(outline, &function.positions, &function.states)
     }
 
     /// All inputs and all states.

@@ -7,6 +7,7 @@ use quote::{format_ident, quote};
 
 use super::array_fields::entries;
 use super::evaluator::{Version, stage_name};
+use super::load::Places;
 use super::outline::{Function, Outline};
 use super::{blocks, literal};
 
@@ -31,7 +32,7 @@ pub(super) enum Over {
 impl Loops<'_> {
     /// How many numbers a row has.
     pub(super) fn arguments(&self) -> usize {
-        self.before() + self.function.places(self.outline).width()
+        self.before() + Places::of_function(self.outline, self.function).width()
     }
 
     fn before(&self) -> usize {
@@ -141,7 +142,7 @@ impl Loops<'_> {
             }
         };
         let method = stage_name(function, index, self.version);
-        let inputs = function.places(outline).read(&stage.program);
+        let inputs = Places::of_function(outline, function).read(&stage.program);
         let inputs = inputs.into_iter().map(|place| {
             let place = literal::index(self.before() + place);
             quote!(__x.at(#place, __lane))

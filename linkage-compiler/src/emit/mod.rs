@@ -5,6 +5,7 @@
 //! item. Generated code names only `$crate::__private` and `::core`, and all its own names begin with `__`.
 
 mod array_fields;
+mod array_types;
 mod assembly;
 mod assembly_data;
 mod attribute;

@@ -5,7 +5,6 @@ use std::borrow::Cow;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::load::Places;
 use super::{count, docs};
 use crate::ir::{self, CompiledMechanism};
 use crate::model::{ASSEMBLY, COLUMNS, COMPONENTS, Shape};
@@ -217,11 +216,6 @@ impl Parameter<'_> {
 }
 
 impl Function<'_> {
-    /// What stands where in the arguments of its program.
-    pub(super) fn places(&self, outline: &Outline) -> Places {
-        Places::new(outline, &self.positions, &self.states)
-    }
-
     /// How many scalars the result holds.
     pub(super) fn width(&self) -> usize {
         self.fields.iter().map(|field| field.shape.width()).sum()

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::assembly::Types;
+use super::array_types::Types;
 use super::attribute;
 use super::outline::Outline;
 

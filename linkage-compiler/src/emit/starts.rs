@@ -3,38 +3,27 @@
 
 mod assemble;
 mod description;
+mod look_up;
 mod moving;
 mod preparing;
 mod states;
 
 use linkage_symbolic::program::Program;
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::assembly::Types;
+use look_up::look_up;
+
+use super::array_types::{Types, start_type, starts_type};
 use super::body::Runs;
 use super::load::{Places, loader};
-use super::outline::{Outline, Start};
+use super::outline::Outline;
 use super::{assembly_data, attribute, body, literal};
 use crate::ir::CompiledMechanism;
 
 pub(super) use assemble::assemble;
 pub(super) use moving::followed;
 pub(super) use states::{states_name, with_states};
-
-/// The type of all starts.
-pub(super) fn starts_type(outline: &Outline) -> TokenStream {
-    let types = outline
-        .starts
-        .iter()
-        .map(|start| start_type(outline, start));
-    quote!((#(#types,)*))
-}
-
-/// The type of the groups' programs on plain numbers.
-pub(super) fn coupled_name(outline: &Outline) -> Ident {
-    format_ident!("__{}Coupled", outline.name)
-}
 
 /// `served()`; nothing where no group is prepared over several inputs.
 pub(super) fn served(outline: &Outline) -> TokenStream {
@@ -55,17 +44,6 @@ pub(super) fn served(outline: &Outline) -> TokenStream {
             pub fn served(&self) -> ::core::primitive::f64 { #share }
         }
     })
-}
-
-/// A table over one input, or a grid over several or none.
-fn start_type(outline: &Outline, start: &Start) -> TokenStream {
-    let runtime = &outline.runtime;
-    let several = start.inputs.len();
-    let [inputs, size, terms] = [several, start.size, start.coefficients].map(literal::index);
-    match several {
-        1 => quote!(#runtime::Coupled<#size>),
-        _ => quote!(#runtime::CoupledGrid<#inputs, #size, #terms>),
-    }
 }
 
 /// Everything for the coupled groups of a mechanism; nothing if it has none.
@@ -128,45 +106,6 @@ fn extend(outline: &Outline) -> TokenStream {
     let fused = quote!({ #runtime::FUSED });
     let (looked_up, states) = look_up(outline, &inputs, &groups, &starts, &fused);
     quote!(#looked_up [#(#own,)* #(#states),*])
-}
-
-/// Statements that look up the states of groups in `starts` at the inputs `__x`, and the numbers of these; `fused` says whether with fused
-/// multiply-add.
-fn look_up(
-    outline: &Outline,
-    inputs: &[usize],
-    groups: &[usize],
-    starts: &TokenStream,
-    fused: &TokenStream,
-) -> (TokenStream, Vec<TokenStream>) {
-    let mut looked_up = TokenStream::new();
-    let mut numbers = Vec::new();
-    for &group in groups {
-        let name = format_ident!("__state{group}");
-        let number = literal::index(group);
-        let places = places(outline, inputs, group);
-        let found = match &places[..] {
-            [one] => quote!(#starts.#number.at::<T, #fused>(__x[#one])),
-            several => quote!(#starts.#number.at::<T, #fused>([#(__x[#several]),*])),
-        };
-        looked_up.extend(quote!(let #name = #found;));
-        numbers.extend((0..outline.starts[group].size).map(|k| {
-            let k = literal::index(k);
-            quote!(#name.0[#k])
-        }));
-        numbers.push(quote!(#name.1));
-    }
-    (looked_up, numbers)
-}
-
-/// Where the inputs of a group stand among `inputs`.
-fn places(outline: &Outline, inputs: &[usize], group: usize) -> Vec<Literal> {
-    let of = outline.starts[group].inputs.iter();
-    of.map(|input| {
-        let place = inputs.iter().position(|own| own == input);
-        literal::index(place.expect("a function has the inputs of its groups"))
-    })
-    .collect()
 }
 
 /// The programs of all groups as functions of the plumbing's arguments.

@@ -16,10 +16,10 @@ pub(super) fn literal(outline: &Outline, unit: &CompiledMechanism) -> TokenStrea
     let functions = outline.functions.iter().zip(&unit.functions);
     let functions = functions.map(|(function, own)| {
         let name = plain(function.name);
-        let operations = count::literal(outline, &own.called.count);
+        let operations = count::literal(&outline.runtime, &own.called.count);
         quote!(#runtime::FunctionInfo { name: #name, operations: #operations })
     });
-    let prepare = count::literal(outline, &Count::of(&unit.prepare));
+    let prepare = count::literal(&outline.runtime, &Count::of_program(&unit.prepare));
     quote! {
         #runtime::Structure {
             mobility: #mobility,

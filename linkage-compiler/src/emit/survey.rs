@@ -4,7 +4,7 @@ use linkage_core::Level;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::assembly::Types;
+use super::array_types::Types;
 use super::body::Runs;
 use super::load::{Places, loader};
 use super::outline::Outline;

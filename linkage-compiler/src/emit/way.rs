@@ -3,11 +3,11 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::assembly::Types;
+use super::array_types::Types;
 use super::constructors::explained;
 use super::load::Places;
 use super::outline::Outline;
-use super::{assembly_data, attribute, literal, starts, survey};
+use super::{array_types, assembly_data, attribute, literal, survey};
 use crate::ir::CompiledMechanism;
 
 /// `assemble_from`.
@@ -104,7 +104,7 @@ fn way(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let (programs, coupled) = match outline.starts.is_empty() {
         true => (quote!(#runtime::NoPrograms), TokenStream::new()),
         false => {
-            let coupled = starts::coupled_name(outline);
+            let coupled = array_types::coupled_name(outline);
             let item = quote! {
                 fn coupled(
                     &self,

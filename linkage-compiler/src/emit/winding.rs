@@ -4,12 +4,12 @@ use linkage_symbolic::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::assembly::Types;
+use super::array_types::Types;
 use super::body;
 use super::body::Runs;
 use super::load::{Places, loader};
 use super::outline::Outline;
-use super::{attribute, literal, starts};
+use super::{array_types, attribute, literal};
 use crate::ir::{CompiledMechanism, ContinuousAngle};
 
 /// The centres and windings of the continuous angles, lane by lane. Where they cannot be found because a loop does not
@@ -95,7 +95,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
     let (starts, argument) = match outline.starts.is_empty() {
         true => (TokenStream::new(), quote!(__x)),
         false => {
-            let starts = starts::starts_type(outline);
+            let starts = array_types::starts_type(outline);
             (
                 quote!(__starts: &#starts,),
                 quote!(Self::__extend(__starts, __x)),

@@ -1,13 +1,13 @@
 //! Are bodies and joints declared so that forces can be found?
 
 use crate::algebra::{Algebra, Nominal};
-use crate::assembly::Reference;
 use crate::diagnostic::Reporter;
 use crate::forces::closed;
 use crate::forces::ends;
 use crate::forces::fit;
 use crate::forces::steady;
 use crate::forces::system;
+use crate::machine::Reference;
 use crate::model::{EvaluatorDef, Mechanism};
 
 use super::positions::Positions;

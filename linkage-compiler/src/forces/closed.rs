@@ -3,7 +3,7 @@
 //! dimensions and in other assemblies, too.
 
 use crate::algebra::elimination;
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use linkage_symbolic::{Ex, NodeId, Vn};
 

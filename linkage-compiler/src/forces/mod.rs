@@ -49,7 +49,7 @@ pub(crate) mod system;
 pub(crate) mod tree;
 pub(crate) mod wrench;
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 use std::rc::Rc;
 
 use linkage_symbolic::{Ex, Graph, Vn};

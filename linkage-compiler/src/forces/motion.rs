@@ -3,7 +3,7 @@
 use crate::algebra::adjoint;
 use crate::algebra::partial;
 use crate::algebra::scalar;
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use linkage_symbolic::{Ex, SymbolId, Vector, Vn};
 

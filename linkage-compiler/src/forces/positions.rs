@@ -3,7 +3,7 @@
 use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::Nominal;
-use crate::assembly::{ALTERATIONS, Reference, altered, places};
+use crate::machine::{ALTERATIONS, Reference, altered, other_inputs};
 use crate::message_format::MessageFormat;
 use crate::model::Mechanism;
 
@@ -33,7 +33,7 @@ impl<'a> Positions<'a> {
     pub(super) fn new(mechanism: &Mechanism, reference: &'a Reference, nominal: &Nominal) -> Self {
         Self {
             reference,
-            inputs: places(nominal, mechanism, reference.longest),
+            inputs: other_inputs(nominal, mechanism, reference.longest),
         }
     }
 

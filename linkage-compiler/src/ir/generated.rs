@@ -36,7 +36,7 @@ impl<T: Scalar, const FUSED: bool, const ALONE: bool> Arithmetic for Generated<T
             Unary::Acos => a.acos(),
             Unary::Atan => a.atan(),
             Unary::Sign => a.sign(),
-            Unary::Whole => a.whole(),
+            Unary::Round => a.whole(),
             Unary::Slack => a.slack(),
             Unary::InverseScale => a.inverse_scale(),
         }
@@ -61,7 +61,7 @@ impl<T: Scalar, const FUSED: bool, const ALONE: bool> Arithmetic for Generated<T
     fn ternary(op: Ternary, a: T, b: T, c: T) -> T {
         match op {
             Ternary::AngleNear => T::angle_near_with::<FUSED>(a, b, c),
-            Ternary::Root => a.root_with::<FUSED>(b, c),
+            Ternary::GuardedSqrt => a.root_with::<FUSED>(b, c),
             Ternary::Select => T::select(a, b, c),
         }
     }

@@ -5,9 +5,6 @@ use linkage_core::numeric::roots::Variable;
 use linkage_core::range_check::Slack;
 use linkage_symbolic::program::Program;
 
-use super::CompiledMechanism;
-use crate::model::COMPONENTS;
-
 /// What is known of a group.
 #[derive(Clone, Debug)]
 pub struct Group {
@@ -131,24 +128,6 @@ pub struct Shown<'u> {
     pub unit: &'u str,
     /// What its size is compared with: the longest length, 1 for a plain number.
     pub scale: f64,
-}
-
-impl Placed {
-    /// See [`Shown`].
-    pub fn shown<'u>(&self, unit: &'u CompiledMechanism) -> Shown<'u> {
-        let unknown = &unit.unknowns[self.unknown];
-        Shown {
-            name: match self.component {
-                None => unknown.name.clone(),
-                Some(k) => format!("{}.{}", unknown.name, COMPONENTS[k]),
-            },
-            unit: match self.angle {
-                true => "",
-                false => &unknown.unit,
-            },
-            scale: if unknown.is_number { 1.0 } else { unit.longest },
-        }
-    }
 }
 
 /// An unknown whose numbers are surveyed.

@@ -9,7 +9,8 @@ use crate::algebra::{Algebra, Nominal};
 use crate::ir::{Closing, Outputs};
 use crate::solve::{Formulation, Prepared};
 
-use super::{Found, find_turning, group_nodes, groups, plain, valued_angles};
+use super::groups::{AssemblySource, find_turning, group_nodes, groups};
+use super::plain::{plain, valued_angles};
 
 /// See [`Closing`].
 pub(crate) fn closing<'m>(
@@ -18,11 +19,11 @@ pub(crate) fn closing<'m>(
     nominal: &Nominal,
 ) -> Closing {
     let mut inliner = Inliner::default();
-    let found = |prepared: &Prepared| match prepared.system.terms.is_empty() {
-        true => Found::Followed,
-        false => Found::ListedOrFollowed,
+    let source = |prepared: &Prepared| match prepared.system.terms.is_empty() {
+        true => AssemblySource::Estimates,
+        false => AssemblySource::ListingOrEstimates,
     };
-    let own = group_nodes(algebra, formulation, nominal, &mut inliner, found);
+    let own = group_nodes(algebra, formulation, nominal, &mut inliner, source);
     let mut lists: Vec<Vec<NodeId>> = Vec::new();
     let mut all = Vec::new();
     let mut next = 0;

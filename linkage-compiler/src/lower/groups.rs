@@ -8,23 +8,23 @@ use crate::algebra::{Algebra, Bound, Nominal};
 use crate::ir::{Coupled, Placed};
 use crate::solve::{Formulation, Prepared, Version};
 
-use super::{plain, valued_angles};
+use super::plain::{plain, valued_angles};
 
-/// How the assembly of a coupled group is found.
+/// The source of the assembly of a coupled group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Found {
-    /// Among all that are listed.
-    Listed,
-    /// So, or from the estimates if they cannot be listed.
-    ListedOrFollowed,
-    /// From the estimates.
-    Followed,
+pub(super) enum AssemblySource {
+    /// The list of all assemblies.
+    Listing,
+    /// The list, or the estimates if the assemblies cannot be listed.
+    ListingOrEstimates,
+    /// The estimates.
+    Estimates,
 }
 
 /// The programs of a coupled group before they are scheduled: nodes of a plain graph.
 #[derive(Clone, Debug)]
-pub(crate) struct GroupNodes {
-    found: Found,
+pub(super) struct GroupNodes {
+    source: AssemblySource,
     system: Vec<NodeId>,
     estimate: Vec<NodeId>,
     residuals: Vec<NodeId>,
@@ -33,7 +33,7 @@ pub(crate) struct GroupNodes {
 }
 
 impl GroupNodes {
-    pub(crate) fn all(&self) -> Vec<NodeId> {
+    pub(super) fn all(&self) -> Vec<NodeId> {
         [
             &self.system[..],
             &self.estimate,
@@ -45,28 +45,28 @@ impl GroupNodes {
     }
 }
 
-/// The programs of all coupled groups as nodes; `found` says of each how its assembly is found.
-pub(crate) fn group_nodes<'m>(
+/// The programs of all coupled groups as nodes; `source` returns where each assembly comes from.
+pub(super) fn group_nodes<'m>(
     algebra: &Algebra<'m>,
     formulation: &Formulation<'m>,
     nominal: &Nominal,
     inliner: &mut Inliner,
-    found: impl Fn(&Prepared<'m>) -> Found,
+    source: impl Fn(&Prepared<'m>) -> AssemblySource,
 ) -> Vec<GroupNodes> {
     let mut all: Vec<GroupNodes> = Vec::new();
     for prepared in formulation.prepared() {
-        let found = found(prepared);
+        let source = source(prepared);
         let [mut system, mut estimate, mut residuals] = [const { Vec::new() }; 3];
-        if found != Found::Followed {
+        if source != AssemblySource::Estimates {
             let coefficients = prepared.system.coefficients.iter();
             system = coefficients.flat_map(|x| x.components()).collect();
         }
-        if found != Found::Listed {
+        if source != AssemblySource::Listing {
             estimate = prepared.estimate(algebra, nominal);
             residuals = prepared.residuals();
         }
         all.push(GroupNodes {
-            found,
+            source,
             system: plain(inliner, &system),
             estimate: plain(inliner, &estimate),
             residuals: plain(inliner, &residuals),
@@ -102,7 +102,7 @@ fn placed_unknowns<'m>(
 }
 
 /// What else is known of the coupled groups; `program` schedules nodes.
-pub(crate) fn groups<'m>(
+pub(super) fn groups<'m>(
     algebra: &Algebra<'m>,
     formulation: &Formulation<'m>,
     nominal: &Nominal,
@@ -121,10 +121,12 @@ pub(crate) fn groups<'m>(
             size: prepared.size,
             in_cells: prepared.in_cells,
             variables: prepared.system.variables.clone(),
-            followed: own.found == Found::Followed,
-            terms: match own.found {
-                Found::Followed => Vec::new(),
-                Found::Listed | Found::ListedOrFollowed => prepared.system.terms.clone(),
+            followed: own.source == AssemblySource::Estimates,
+            terms: match own.source {
+                AssemblySource::Estimates => Vec::new(),
+                AssemblySource::Listing | AssemblySource::ListingOrEstimates => {
+                    prepared.system.terms.clone()
+                }
             },
             system: program(&own.system),
             estimate: program(&own.estimate),
@@ -146,7 +148,7 @@ pub(crate) fn groups<'m>(
 }
 
 /// How many of the angles, in their order, must be followed before each group: up to the last whose value its programs use.
-pub(crate) fn find_turning(
+pub(super) fn find_turning(
     groups: &mut [Coupled],
     nodes: &[GroupNodes],
     graph: &Graph,

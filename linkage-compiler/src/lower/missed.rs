@@ -10,10 +10,10 @@ use crate::mobility::difference;
 use crate::model::Mechanism;
 use crate::solve::{Formulation, Solved, Version};
 
-use super::{plain, valued_angles};
+use super::plain::{plain, valued_angles};
 
 /// Adds to each group that is followed the program that tells by how much its loops miss in a state.
-pub(crate) fn missed<'m>(
+pub(super) fn missed<'m>(
     algebra: &mut Algebra<'m>,
     formulation: &Formulation<'m>,
     inliner: &mut Inliner,

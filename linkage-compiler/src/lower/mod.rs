@@ -1,36 +1,22 @@
-//! From expressions to programs: definitions removed, values shared, sliced and ordered.
+//! From expressions to programs: definitions inlined, values shared, sliced and ordered.
 //!
-//! What closes the loops ([`closing`]) is made before any function is looked at.
+//! [`mechanism`] makes all programs of a compiled mechanism. [`closing`] makes those that close the
+//! loops at the reference inputs, which are run by the interpreter before functions are looked at.
 
 mod closing;
+mod continuous_angles;
+mod formulas;
+mod functions;
 mod groups;
+mod mechanism;
 mod missed;
 mod passes;
-
-use linkage_symbolic::inline::Inliner;
-use linkage_symbolic::program::Source;
-use linkage_symbolic::{Ex, Graph, NodeId};
+mod plain;
+mod signature;
+mod survey;
 
 pub(crate) use closing::closing;
-pub(crate) use groups::{Found, GroupNodes, find_turning, group_nodes, groups};
-pub(crate) use missed::missed;
-pub(crate) use passes::{Formulas, polish};
-
-/// Expressions without definitions, as nodes of the inliner's plain graph.
-pub(crate) fn plain(inliner: &mut Inliner, all: &[Ex]) -> Vec<NodeId> {
-    let copies = all.iter().map(|x| inliner.copy(x.graph(), x.id()));
-    copies.collect()
-}
-
-/// The angles whose values nodes of a plain graph are computed from.
-pub(crate) fn valued_angles(graph: &Graph, nodes: &[NodeId]) -> Vec<usize> {
-    let symbols = graph.symbols_of(nodes).into_iter();
-    let mut angles: Vec<usize> = symbols
-        .filter_map(|symbol| match graph.symbol(symbol).source {
-            Some(Source::Centre(angle)) => Some(angle),
-            _ => None,
-        })
-        .collect();
-    angles.sort_unstable();
-    angles
-}
+pub(crate) use formulas::Formulas;
+pub(crate) use functions::FunctionExpressions;
+pub(crate) use mechanism::mechanism;
+pub(crate) use plain::solved_groups;

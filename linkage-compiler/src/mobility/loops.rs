@@ -2,7 +2,7 @@
 
 use crate::algebra::translate;
 use linkage_symbolic::program::Source;
-use linkage_symbolic::{Ex, Graph, SymbolId, evaluate_given, unordered::Map};
+use linkage_symbolic::{Ex, Graph, SymbolId, evaluate_given, lookup::Map};
 
 use crate::algebra::{Algebra, Bound, Translate, Value};
 use crate::model::{Loop, Mechanism};

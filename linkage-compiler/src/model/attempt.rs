@@ -1,5 +1,8 @@
-//! Attempts to resolve a mechanism. Defaults and estimates written as `0` without a unit, and unknowns without an estimate: numbers, or lengths if the mechanism makes
-//! sense only so. What has no estimate may be a point or a direction, too.
+//! Attempts to resolve a mechanism.
+//!
+//! A default or estimate `0` without a unit, and an unknown without an estimate, are numbers, or
+//! lengths if the mechanism makes sense only with lengths. An unknown without an estimate can be a
+//! point or a direction, too.
 
 use super::library::Source;
 use crate::diagnostic::{Diagnostics, Origins};
@@ -21,17 +24,18 @@ pub(super) struct Attempt {
     pub(super) mechanism: Mechanism,
     pub(super) origins: Origins,
     pub(super) diagnostics: Diagnostics,
-    /// What names were taken for.
+    /// The assumptions about zeros.
     pub(super) zeros: Zeros,
     /// All names declared with a bare zero.
     names: Vec<Name>,
     /// All names declared with other numbers without a unit.
     pub(super) unitless: Vec<Unitless>,
-    /// Those of them that lengths were found beside.
+    /// Names among them that were found next to lengths.
     pub(super) suspects: Vec<Name>,
 }
 
-/// The attempt with the fewest mistakes, among these the one with the fewest zeros taken for lengths; `lengths` are taken for such in all.
+/// Returns the attempt with the fewest mistakes, among these the one with the fewest zeros taken
+/// for lengths. All attempts take `lengths` for lengths.
 pub(super) fn fewest_mistakes(source: &Source, lengths: &[Name]) -> Attempt {
     let mut best = attempt(source, Zeros::lengths(lengths));
     let names = best.names.clone();
@@ -50,7 +54,8 @@ pub(super) fn fewest_mistakes(source: &Source, lengths: &[Name]) -> Attempt {
     with_points(source, best)
 }
 
-/// Unknowns without an estimate, one after the other, as what they make the fewest mistakes as.
+/// Takes unknowns without an estimate, one after the other, for the type that leads to the fewest
+/// mistakes.
 fn with_points(source: &Source, mut best: Attempt) -> Attempt {
     let unknowns = source
         .definition
@@ -74,9 +79,10 @@ fn with_points(source: &Source, mut best: Attempt) -> Attempt {
 }
 
 fn fewer_mistakes(best: Attempt, other: Attempt) -> Attempt {
-    match other.diagnostics.len() < best.diagnostics.len() {
-        true => other,
-        false => best,
+    if other.diagnostics.len() < best.diagnostics.len() {
+        other
+    } else {
+        best
     }
 }
 

@@ -1,7 +1,8 @@
-//! Numbers without a unit that are used as lengths: reported where they are declared, not where dimensions differ.
+//! Numbers without a unit that are used as lengths: reported at their declaration, not at the place
+//! where dimensions differ.
 //!
-//! Where a number meets a length, the declarations without a unit that the number comes from are suspects. If the mechanism has fewer
-//! mistakes with suspects as lengths, their units are what is missing.
+//! If a number meets a length, the declarations without a unit that the number comes from are
+//! suspects. If the mechanism has fewer mistakes with suspects as lengths, their units are missing.
 
 use super::attempt::{Attempt, attempt, fewest_mistakes};
 use super::library::Source;
@@ -10,7 +11,7 @@ use crate::model::symbols::assumed_units::Unitless;
 use crate::model::symbols::zeros::Zeros;
 use crate::model::types::Name;
 
-/// The attempt to resolve a mechanism whose mistakes say most.
+/// Returns the attempt to resolve a mechanism whose mistakes are the most informative ones.
 pub(super) fn best_attempt(source: &Source) -> Attempt {
     let best = fewest_mistakes(source, &[]);
     let lengths = suspected(source, &best);
@@ -43,7 +44,11 @@ fn suspected(source: &Source, first: &Attempt) -> Vec<Name> {
 /// The attempt with those lengths alone that lessen the mistakes.
 fn without_needless(source: &Source, mut lengths: Vec<Name>, mut best: Attempt) -> Attempt {
     for name in lengths.clone() {
-        let fewer: Vec<Name> = lengths.iter().copied().filter(|own| *own != name).collect();
+        let fewer: Vec<Name> = lengths
+            .iter()
+            .copied()
+            .filter(|other| *other != name)
+            .collect();
         let other = fewest_mistakes(source, &fewer);
         if other.diagnostics.len() <= best.diagnostics.len() {
             (lengths, best) = (fewer, other);
@@ -55,27 +60,27 @@ fn without_needless(source: &Source, mut lengths: Vec<Name>, mut best: Attempt) 
 impl Attempt {
     /// Adds messages at the numbers that were taken for lengths, before all others.
     fn with_missing_units(mut self) -> Attempt {
-        let mut told = Diagnostics::default();
-        for own in self
+        let mut messages = Diagnostics::default();
+        for unitless in self
             .unitless
             .iter()
-            .filter(|own| self.zeros.lengths.contains(&own.name))
+            .filter(|unitless| self.zeros.lengths.contains(&unitless.name))
         {
             let Unitless {
                 text,
                 number,
                 length,
                 ..
-            } = own;
+            } = unitless;
             let fact = format!("`{number}` has no unit, but `{text}` is used as a length");
-            let help = match own.beside {
+            let help = match unitless.beside {
                 Some(beside) => format!("write `{length}`, and give {beside} a unit, too"),
                 None => format!("write `{length}`"),
             };
-            told.error_with_help(own.span, fact, help);
+            messages.error_with_help(unitless.span, fact, help);
         }
-        told.append(self.diagnostics);
-        self.diagnostics = told;
+        messages.append(self.diagnostics);
+        self.diagnostics = messages;
         self
     }
 }

@@ -1,9 +1,10 @@
-//! Names of what the macro generates beside a function or a type of the user: nothing else may have them.
+//! Names of items that the macro generates in addition to a function or a type of the user. Nothing
+//! else can have these names.
 
 use crate::syntax::vocabulary;
 
 vocabulary! {
-    /// What is generated beside a function `NAME`, by what follows the name.
+    /// Functions that are generated in addition to a function `NAME`, by the suffix of the name.
     pub(crate) enum Sweep {
         Owned = "_sweep",
         Into = "_sweep_into",
@@ -15,16 +16,16 @@ vocabulary! {
     }
 }
 
-/// The type of a mechanism's assemblies, by what follows the mechanism's name.
+/// The suffix of the type of a mechanism's assemblies.
 pub(crate) const ASSEMBLY: &str = "Assembly";
 
-/// The type of what follows an assembly of a mechanism with several inputs, by what follows the mechanism's name.
+/// The suffix of the type that follows an assembly of a mechanism with several inputs.
 pub(crate) const FOLLOWER: &str = "Follower";
 
-/// Beside the functions: how a follower comes about, and what it has.
+/// The functions and methods of a follower.
 pub(crate) const METHODS_OF_FOLLOWER: [&str; 4] = ["follower", "follow", "assembly", "inputs"];
 
-/// The type of the columns of sweeps, by what follows the name of the result type.
+/// The suffix of the type of the columns of sweeps, after the name of the result type.
 pub(crate) const COLUMNS: &str = "Columns";
 
 /// The scalar type of all types that are generated: no type can have its name.

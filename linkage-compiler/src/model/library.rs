@@ -26,22 +26,22 @@ pub(super) struct Book<'a> {
     pub(super) model: Option<Rc<Model>>,
 }
 
-/// What a part is made of.
+/// The mechanism that a part is.
 #[derive(Clone, Debug)]
 pub(super) enum PartSource {
     Sound(Rc<Model>),
-    /// Nothing can be said about what it consists of.
+    /// It has a mistake, and its content is unknown.
     Broken,
     /// There is no mechanism of that name, but these.
     Unknown(Vec<String>),
 }
 
-/// What a mechanism is resolved from.
+/// The input of resolving a mechanism.
 pub(super) struct Source<'a> {
     pub(super) definition: &'a MechanismDef,
     /// The length unit of the mechanism that it is a part of.
     pub(super) unit: Option<LengthUnit>,
-    /// What its parts are made of, in the order of the items.
+    /// The mechanisms of its parts, in the order of the items.
     pub(super) parts: Vec<PartSource>,
 }
 

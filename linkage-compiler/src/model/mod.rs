@@ -3,8 +3,10 @@
 mod attempt;
 mod best_attempt;
 mod declare;
+mod dispatch;
 mod dump;
 mod expression;
+mod function_call;
 mod generated;
 mod items;
 mod library;
@@ -20,7 +22,6 @@ mod types;
 mod units;
 
 pub(crate) use dump::model::dump;
-pub(crate) use expression::frame_parts::{PARTS as FRAME_PARTS, PLANE_PARTS, VECTORS_OF_PLANE};
 pub(crate) use generated::{
     ASSEMBLY, COLUMNS, FOLLOWER, METHODS_OF_FOLLOWER, Sweep, TYPE_PARAMETER,
 };

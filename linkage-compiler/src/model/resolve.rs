@@ -1,4 +1,4 @@
-//! From syntax tree to model: a mechanism with its parts.
+//! Syntax tree to model: a mechanism with its parts.
 
 use std::rc::Rc;
 
@@ -10,8 +10,8 @@ use crate::diagnostic::Diagnostics;
 use crate::model::types::LengthUnit;
 use crate::syntax::{Item, MechanismDef, PartItem};
 
-/// Checks names, dimensions and argument counts. `None` if anything was wrong; as much as can be found is reported, consequences of what has
-/// been reported are not.
+/// Checks names, dimensions and argument counts. Returns `None` after a mistake. Reports as many
+/// mistakes as possible, without consequences of reported ones.
 pub(crate) fn resolve<'a>(
     definition: &'a MechanismDef,
     library: &Library<'a>,
@@ -80,7 +80,7 @@ fn resolve_in_unit<'a>(
     }
 }
 
-/// The length unit that a mechanism says, if it is one.
+/// Returns the length unit that a mechanism declares.
 fn declared_length_unit(definition: &MechanismDef) -> Option<LengthUnit> {
     let mut items = definition.items.iter();
     items.find_map(|item| match item {

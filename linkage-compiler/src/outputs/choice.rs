@@ -2,18 +2,15 @@
 
 use crate::algebra::links;
 use crate::algebra::preaccumulation;
-use linkage_symbolic::count::time;
 use linkage_symbolic::inline::Inliner;
-use linkage_symbolic::passes::polished;
-use linkage_symbolic::schedule::draft;
-use linkage_symbolic::{Ex, Graph, NodeId};
+use linkage_symbolic::{Ex, NodeId};
 
 use crate::algebra::Direction;
 use crate::lower::Formulas;
 use crate::model::EvaluatorDef;
 
-use super::State;
-use super::quantity::{Requested, Way, request};
+use super::quantity::{Requested, Strategy, request};
+use super::state::State;
 
 /// The results of a function in the plain graph, and how derivatives by parameters among them are found.
 #[derive(Debug)]
@@ -21,7 +18,7 @@ pub(super) struct Choice<'m> {
     /// As requested.
     scalars: Vec<Ex<'m>>,
     pub(super) formulas: Formulas,
-    way: Way,
+    strategy: Strategy,
     /// What is differentiated by parameters.
     sensed: Vec<Ex<'m>>,
     /// What a call costs, once another way has been tried.
@@ -34,11 +31,15 @@ const WORTH: f64 = 0.02;
 
 impl<'m> Choice<'m> {
     /// What was requested, in the way in which it was.
-    pub(super) fn first(inliner: &mut Inliner, requested: Requested<'m>, way: Way) -> Self {
+    pub(super) fn first(
+        inliner: &mut Inliner,
+        requested: Requested<'m>,
+        strategy: Strategy,
+    ) -> Self {
         Self {
             formulas: Formulas::new(inliner, &requested.scalars),
             scalars: requested.scalars,
-            way,
+            strategy,
             sensed: requested.sensed,
             time: None,
         }
@@ -46,7 +47,7 @@ impl<'m> Choice<'m> {
 
     /// How derivatives by parameters are found; `None` if there are none.
     pub(super) fn direction(&self) -> Option<Direction> {
-        (!self.sensed.is_empty()).then_some(self.way.direction)
+        (!self.sensed.is_empty()).then_some(self.strategy.direction)
     }
 
     /// The results with the definitions as they are now.
@@ -67,62 +68,57 @@ impl<'m> Choice<'m> {
         if !self.sensed.is_empty() {
             preaccumulation::find_narrow_places(state.algebra, &self.sensed);
             for &direction in directions {
-                let way = Way {
+                let strategy = Strategy {
                     direction,
-                    ..self.way
+                    ..self.strategy
                 };
-                self.try_way(state, inliner, definition, way, 0.0);
+                self.try_strategy(state, inliner, definition, strategy, 0.0);
             }
         }
         if !state.algebra.solutions.other_sides.is_empty() {
-            let way = Way {
+            let strategy = Strategy {
                 other_sides: true,
-                ..self.way
+                ..self.strategy
             };
-            self.try_way(state, inliner, definition, way, 0.0);
+            self.try_strategy(state, inliner, definition, strategy, 0.0);
         }
         let offered = links::offered_shortcuts(state.algebra);
         if offered.turns {
-            let mut way = self.way;
-            way.shortcuts.turns = true;
-            self.try_way(state, inliner, definition, way, 0.0);
+            let mut strategy = self.strategy;
+            strategy.shortcuts.turns = true;
+            self.try_strategy(state, inliner, definition, strategy, 0.0);
         }
         if offered.products {
-            let mut way = self.way;
-            way.shortcuts.products = true;
-            self.try_way(state, inliner, definition, way, WORTH);
+            let mut strategy = self.strategy;
+            strategy.shortcuts.products = true;
+            self.try_strategy(state, inliner, definition, strategy, WORTH);
         }
         let formulas = std::mem::take(&mut self.formulas);
         self.formulas = formulas.settled(&inliner.target);
     }
 
     /// Takes another way if it costs less, by more than a share.
-    fn try_way(
+    fn try_strategy(
         &mut self,
         state: &mut State<'_, 'm>,
         inliner: &mut Inliner,
         definition: &EvaluatorDef,
-        way: Way,
+        strategy: Strategy,
         share: f64,
     ) {
-        let scalars = request(state, definition, way).scalars;
+        let scalars = request(state, definition, strategy).scalars;
         if scalars == self.scalars {
             return;
         }
         let formulas = Formulas::new(inliner, &scalars);
-        let time_of = |own: &Formulas| time_of(&inliner.target, &own.last);
-        let own = *self.time.get_or_insert_with(|| time_of(&self.formulas));
-        let other = time_of(&formulas);
-        if f64::from(other) < f64::from(own) * (1.0 - share) {
+        let graph = &inliner.target;
+        let before = *self.time.get_or_insert_with(|| self.formulas.time(graph));
+        let other = formulas.time(graph);
+        if f64::from(other) < f64::from(before) * (1.0 - share) {
             self.scalars = scalars;
             self.formulas = formulas;
-            self.way = way;
+            self.strategy = strategy;
             self.time = Some(other);
         }
     }
-}
-
-/// What a call costs; what `assemble()` computes is free.
-fn time_of(graph: &Graph, outputs: &[NodeId]) -> u32 {
-    time(&polished(draft(graph, outputs)))
 }

@@ -7,7 +7,7 @@
 use crate::algebra::acting;
 use std::collections::{BTreeMap, BTreeSet};
 
-use linkage_symbolic::unordered::{Map, Set};
+use linkage_symbolic::lookup::{Map, Set};
 use linkage_symbolic::{SymbolId, program::Source};
 
 use crate::algebra::{Algebra, Direction};

@@ -10,15 +10,17 @@ use linkage_symbolic::program::Source;
 use crate::algebra::{Algebra, Angle};
 use crate::diagnostic::{Diagnostics, Reporter};
 use crate::forces::Forces;
+use crate::lower::{FunctionExpressions, solved_groups};
+use crate::machine::AtReference;
 use crate::model::EvaluatorDef;
 use crate::solve::{Formulation, Solved, formulate};
 use crate::structure::{Scope, decompose};
 
-use super::isolated::Alone;
-use super::{AtReference, State, solved};
+use super::isolated::express;
+use super::state::State;
 
 /// Some parts of a mechanism, solved.
-pub(super) struct Apart<'m> {
+pub(super) struct PartGraph<'m> {
     algebra: Algebra<'m>,
     formulation: Formulation<'m>,
     inliner: Inliner,
@@ -32,7 +34,7 @@ struct Numbers {
     angles: Vec<usize>,
 }
 
-impl<'m> Apart<'m> {
+impl<'m> PartGraph<'m> {
     /// Solves what is looked at, in an empty graph. `None` if the groups are not those of the whole mechanism, whose modes choose the assembly.
     pub(super) fn new<'w: 'm>(
         algebra: &Algebra<'w>,
@@ -45,10 +47,7 @@ impl<'m> Apart<'m> {
         let mut own = Algebra::new(algebra.mechanism, graph);
         // What could be said has been said of the whole mechanism.
         let mut diagnostics = Diagnostics::default();
-        let silent = Reporter {
-            origins: reporter.origins,
-            diagnostics: &mut diagnostics,
-        };
+        let silent = Reporter::new(reporter.origins(), &mut diagnostics);
         let structure = decompose(&mut own, at.written, scope, silent);
         if !diagnostics.is_empty() {
             return None;
@@ -60,7 +59,7 @@ impl<'m> Apart<'m> {
             &solution,
         )?;
         Some(Self {
-            inliner: solved(&own, &solution),
+            inliner: solved_groups(&own, &solution),
             algebra: own,
             formulation: solution,
             numbers,
@@ -73,16 +72,18 @@ impl<'m> Apart<'m> {
         at: AtReference,
         definition: &'m EvaluatorDef,
         reporter: &mut Reporter,
-    ) -> Alone {
+    ) -> FunctionExpressions {
         let state = &mut State {
             algebra: &mut self.algebra,
             forces: &mut Forces::default(),
             formulation: &self.formulation,
             drawn: Vec::new(),
         };
-        let alone = Alone::new(state, at, &self.inliner, definition, reporter);
-        alone.graph.move_sources(|source| self.numbers.of(source));
-        alone
+        let expressed = express(state, at, &self.inliner, definition, reporter);
+        expressed
+            .graph
+            .move_sources(|source| self.numbers.whole_source(source));
+        expressed
     }
 }
 
@@ -121,7 +122,7 @@ impl Numbers {
         Some(numbers)
     }
 
-    fn of(&self, source: Source) -> Source {
+    fn whole_source(&self, source: Source) -> Source {
         match source {
             Source::Mode(mode) => Source::Mode(self.modes[mode]),
             Source::Centre(angle) => Source::Centre(self.angles[angle]),

@@ -16,7 +16,7 @@ use crate::forces::Forces;
 use crate::model::{EvaluatorDef, Expr, ExprKind, Type, VECTORS_OF_PLANE, Variable};
 use crate::solve::Formulation;
 
-use super::State;
+use super::state::State;
 
 /// What one function computes.
 #[derive(Debug, Default)]
@@ -33,7 +33,7 @@ pub(super) struct Requested<'m> {
 
 /// How a function finds what it asks for; all ways have equal results.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Way {
+pub(super) struct Strategy {
     /// Of derivatives by parameters.
     pub(super) direction: Direction,
     /// Whether points at the ends of links are reached by the other sides of the loops that the links close.
@@ -46,9 +46,9 @@ pub(super) struct Way {
 pub(super) fn request<'m>(
     state: &mut State<'_, 'm>,
     definition: &EvaluatorDef,
-    way: Way,
+    strategy: Strategy,
 ) -> Requested<'m> {
-    if links::use_shortcuts(state.algebra, way.shortcuts) {
+    if links::use_shortcuts(state.algebra, strategy.shortcuts) {
         state.forces.forget_derivatives();
     }
     let mut request = Request {
@@ -56,7 +56,7 @@ pub(super) fn request<'m>(
         forces: &mut *state.forces,
         drawn: &state.drawn,
         definition,
-        way,
+        strategy,
         margin: None,
         asks_margin: false,
         with_reactions: definition.asks_for_reactions(),
@@ -81,7 +81,7 @@ struct Request<'a, 'm> {
     /// What `picture()` shows.
     drawn: &'a [Vn<'m>],
     definition: &'a EvaluatorDef,
-    way: Way,
+    strategy: Strategy,
     /// The smallest margin; `None` while it is not known yet.
     margin: Option<Ex<'m>>,
     asks_margin: bool,
@@ -111,7 +111,7 @@ impl<'m> Request<'_, 'm> {
     /// The same by the other sides of loops, if that is the way.
     fn by_other_sides(&mut self, value: Value<'m>) -> Value<'m> {
         match value {
-            value if !self.way.other_sides => value,
+            value if !self.strategy.other_sides => value,
             Value::Vector(vector) if vector.len() == 2 => {
                 let plane = Vector([vector.at(0), vector.at(1)]);
                 Value::Vector(via_slider::by_other_sides(self.algebra, plane).into())
@@ -189,7 +189,10 @@ impl<'m> Request<'_, 'm> {
             Variable::Input(_) => (Direction::Forward, None),
             Variable::Parameter(id) => {
                 let parameter = &self.algebra.mechanism.scalar_parameters[id.0];
-                (self.way.direction, Some(Type::Scalar(parameter.dimension)))
+                (
+                    self.strategy.direction,
+                    Some(Type::Scalar(parameter.dimension)),
+                )
             }
         };
         let slope = self.slope(value, symbol, direction);

@@ -13,12 +13,13 @@ use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, Graph, evaluate};
 use proc_macro2::TokenStream;
 
-use super::State;
-use super::quantity::{Way, request};
+use super::quantity::{Strategy, request};
+use super::state::State;
 use crate::algebra::{Algebra, Direction, Nominal, Shortcuts};
-use crate::assembly::{Reference, assemble_reference};
+use crate::assembly::assemble_reference;
 use crate::diagnostic::{Diagnostics, Reporter};
 use crate::forces::Forces;
+use crate::machine::Reference;
 use crate::model::{Library, Model};
 use crate::solve::Formulation;
 use crate::{lower, model, solve, structure, syntax};
@@ -44,10 +45,7 @@ fn expect_agreement(items: &str, function: &str) {
     let graph = Graph::new();
     let mut algebra = Algebra::new(&mechanism, &graph);
     let mut nominal = Nominal::of(&mut algebra);
-    let mut reporter = Reporter {
-        origins: &origins,
-        diagnostics: &mut diagnostics,
-    };
+    let mut reporter = Reporter::new(&origins, &mut diagnostics);
     let structure = structure::decompose(
         &mut algebra,
         &nominal,
@@ -58,7 +56,7 @@ fn expect_agreement(items: &str, function: &str) {
     let mut forces = Forces::new(&mut algebra);
     let others = [(false, false), (true, false), (false, true)];
     let ways = others.map(|(other_sides, products)| {
-        Direction::ALL.map(|direction| Way {
+        Direction::ALL.map(|direction| Strategy {
             direction,
             other_sides,
             shortcuts: Shortcuts {
@@ -91,6 +89,7 @@ fn expect_agreement(items: &str, function: &str) {
         Vec::new(),
         reporter,
     );
+    let reference = reference.expect("polynomials serve");
     let messages = diagnostics.texts();
     assert!(
         reference.closed || formulation.prepared().count() == 0,
@@ -99,7 +98,7 @@ fn expect_agreement(items: &str, function: &str) {
     let mut random = Random::new(1);
     let mut compared = 0;
     for _ in 0..8 {
-        let position = new(&nominal, &mut random);
+        let position = random_position(&nominal, &mut random);
         let states = states(&formulation, &reference, &position);
         let at = At { position, states };
         compared += compare(&results, &at, &mut random);
@@ -116,7 +115,7 @@ struct Position {
     modes: Vec<f64>,
 }
 
-fn new(nominal: &Nominal, random: &mut Random) -> Position {
+fn random_position(nominal: &Nominal, random: &mut Random) -> Position {
     let vary = |values: &[f64], random: &mut Random| -> Vec<f64> {
         let varied = values
             .iter()

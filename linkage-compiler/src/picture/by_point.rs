@@ -1,6 +1,6 @@
 //! Lists by points: what is at a point is looked up, not looked for among all.
 
-use linkage_symbolic::unordered::{Map, Set};
+use linkage_symbolic::lookup::{Map, Set};
 
 use super::guides::Guides;
 use super::links::Links;

@@ -1,6 +1,6 @@
 //! Points by where they are: those that may coincide with a point are looked for near it, not among all.
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use super::open_loop::Track;
 

@@ -7,7 +7,7 @@ use crate::picture::parts;
 use crate::picture::starts;
 use crate::picture::terms;
 use crate::picture::titles;
-use linkage_symbolic::unordered::Set;
+use linkage_symbolic::lookup::Set;
 
 use linkage_symbolic::Vn;
 

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use linkage_symbolic::lookup::{Map, Set};
 use linkage_symbolic::program::Source;
-use linkage_symbolic::unordered::{Map, Set};
 use linkage_symbolic::{SymbolId, Vn};
 
 use crate::algebra::Bound;

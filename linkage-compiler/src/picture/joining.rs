@@ -6,7 +6,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use linkage_symbolic::unordered::Set;
+use linkage_symbolic::lookup::Set;
 
 use super::links::RawLink;
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use linkage_symbolic::unordered::{Map, Set};
+use linkage_symbolic::lookup::{Map, Set};
 
 use super::chains::Sketch;
 use super::joining::Joining;

@@ -60,12 +60,12 @@ pub(crate) mod titles;
 pub(crate) mod views;
 
 use linkage_symbolic::Vn;
-use linkage_symbolic::unordered::Set;
+use linkage_symbolic::lookup::Set;
 
 use crate::algebra::{Algebra, Nominal};
-use crate::assembly::Reference;
 use crate::diagnostic::Reporter;
 use crate::ir::Picture;
+use crate::machine::Reference;
 use crate::model::{AskedPicture, Expr, Type};
 
 use chains::Sketch;

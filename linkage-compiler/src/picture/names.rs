@@ -2,7 +2,7 @@
 
 use crate::picture::drives;
 use linkage_symbolic::Vn;
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use crate::ir::{Guide, GuideOn, GuideShape, Link, Picture, Point, PointKind};
 

@@ -2,11 +2,11 @@
 //! what is only held together by others.
 
 use crate::algebra::translate;
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, SymbolId, Vn};
 
 use crate::algebra::{Algebra, Bound, Nominal, Translate};
-use crate::assembly::{Machine, Reference, places, scattered};
+use crate::machine::{Machine, Reference, other_inputs, scattered};
 use crate::model::{Dimension, Expr, ExprKind, Loop};
 
 use super::samples::divided;
@@ -63,7 +63,7 @@ impl<'a> Free<'a> {
             })
             .collect();
         let count = MOTIONS + loops.len();
-        let places = places(nominal, mechanism, reference.longest).into_iter();
+        let places = other_inputs(nominal, mechanism, reference.longest).into_iter();
         let places = places.filter_map(|place| Place::at(algebra, reference, place));
         let places: Vec<Place> = places.map(|place| place.moved(APART, count)).collect();
         let motions = places.iter().flat_map(|place| {

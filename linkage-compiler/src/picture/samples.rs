@@ -3,7 +3,7 @@
 use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::{Algebra, Nominal};
-use crate::assembly::{Machine, Reference};
+use crate::machine::{Machine, Reference};
 
 use super::cells::Cells;
 use super::marks::Spot;

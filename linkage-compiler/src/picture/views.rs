@@ -5,7 +5,7 @@ use std::ops::Range;
 use linkage_symbolic::Ex;
 
 use crate::algebra::{Algebra, Nominal};
-use crate::assembly::{ALTERATIONS, Machine, Reference, altered, places};
+use crate::machine::{ALTERATIONS, Machine, Reference, altered, other_inputs};
 use crate::model::MechanismPart;
 
 /// The mechanism with some dimensions at inputs where it closes.
@@ -23,7 +23,7 @@ pub(super) fn views(
     nominal: &Nominal,
 ) -> (Vec<View>, Vec<Machine>) {
     let mechanism = algebra.mechanism;
-    let all = places(nominal, mechanism, reference.longest);
+    let all = other_inputs(nominal, mechanism, reference.longest);
     let unknowns = 0..algebra.names.bound.len();
     let numbers: Vec<Ex> = unknowns
         .flat_map(|own| algebra.names.numbers_of(own))

@@ -1,7 +1,7 @@
 //! Loops of the plane that earlier groups close: they lead to one point in several ways.
 
 use crate::algebra::dependence;
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use linkage_symbolic::{Ex, Polynomial, SymbolId, V2, Vector, collect, substitute};
 

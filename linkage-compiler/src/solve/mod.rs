@@ -26,7 +26,7 @@ use crate::algebra::dependence;
 use std::borrow::Cow;
 
 use linkage_core::numeric::continuation::Terms;
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use linkage_symbolic::{Ex, SymbolId};
 

@@ -15,8 +15,8 @@ use crate::solve::scalar;
 use crate::solve::three_slides;
 use crate::solve::trigonometric;
 use linkage_core::numeric::continuation::Terms;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::program::{Source, Ternary};
-use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, SymbolId, V2, Vector};
 
 use crate::algebra::{

@@ -1,7 +1,7 @@
 //! What closed forms in space share.
 
 use linkage_symbolic::program::{Binary, Unary};
-use linkage_symbolic::{Ex, Node, V3, Vector, agree_within};
+use linkage_symbolic::{Ex, Node, V3, Vector, numerically_equal_within};
 
 use crate::algebra::{Rod, Term};
 
@@ -35,7 +35,7 @@ pub(super) fn arm_length<'m>(arm: V3<'m>, rounded: Ex<'m>) -> Ex<'m> {
     let graph = square.graph();
     let below = graph.reachable(&arm.ids()).into_iter();
     let mut known = below.map(|id| graph.ex(id)).filter(|x| x.is_fixed());
-    let own = known.find(|x| agree_within(square, x.square(), ROUNDING));
+    let own = known.find(|x| numerically_equal_within(square, x.square(), ROUNDING));
     own.map_or(rounded, Ex::abs)
 }
 

@@ -3,7 +3,7 @@
 use crate::structure::equations;
 use crate::structure::point;
 use crate::structure::space;
-use linkage_symbolic::{Ex, SymbolId, V3, Vector, agree, collect};
+use linkage_symbolic::{Ex, SymbolId, V3, Vector, collect, numerically_equal};
 
 use crate::algebra::Bound;
 
@@ -119,7 +119,7 @@ pub(super) fn joints<'m>(
         };
         let same = |joint: &&mut Joint<'m>| {
             let mut pairs = joint.local.components().zip(local.components());
-            pairs.all(|(a, b)| agree(a, b))
+            pairs.all(|(a, b)| numerically_equal(a, b))
         };
         match joints.iter_mut().find(same) {
             Some(joint) => joint.rods.push(held),
@@ -178,11 +178,11 @@ fn local<'m>(
         let along = [take(&[k]), take(&[3 + k]), product];
         rest[k] = take(&[]);
         let turned_back = take(&[last, 3 + next]);
-        if !agree(product, -turned_back) || !terms.is_empty() {
+        if !numerically_equal(product, -turned_back) || !terms.is_empty() {
             return None;
         }
         for (found, own) in found.iter_mut().zip(along) {
-            if !agree(*found.get_or_insert(own), own) {
+            if !numerically_equal(*found.get_or_insert(own), own) {
                 return None;
             }
         }

@@ -6,7 +6,7 @@
 use crate::structure::body;
 use crate::structure::circle;
 use crate::structure::eliminate;
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, V3, Vector, substitute};
 
 use super::Analysis;

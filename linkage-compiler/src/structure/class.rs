@@ -2,7 +2,7 @@
 
 use crate::structure::coupled_core;
 use crate::structure::equations;
-use linkage_symbolic::agree;
+use linkage_symbolic::numerically_equal;
 
 use super::Analysis;
 use super::classify::Polynomials;
@@ -57,7 +57,7 @@ fn contour<'m>(
                 let of = |p: &Polynomials<'m>| p.rows[row].get(monomial).copied().unwrap_or(zero);
                 let (x, y) = (of(a), b.map_or(zero, of));
                 let y = if sign < 0.0 { -y } else { y };
-                agree(x, y)
+                numerically_equal(x, y)
             })
         };
         let mut monomials = both.iter().flat_map(|p| &p.rows).flat_map(|row| row.keys());

@@ -3,7 +3,9 @@
 use crate::structure::eliminate;
 use crate::structure::equations;
 use crate::structure::space;
-use linkage_symbolic::{Ex, Polynomial, SymbolId, V2, V3, Vector, agree, agree_within, collect};
+use linkage_symbolic::{
+    Ex, Polynomial, SymbolId, V2, V3, Vector, collect, numerically_equal, numerically_equal_within,
+};
 
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::space::Distance;
@@ -96,7 +98,8 @@ fn drop_cancelled<'m>(analysis: &Analysis<'_, 'm>, polynomials: &mut Polynomials
         let size = squares.fold(zero, |sum, square| sum + square).sqrt();
         row.retain(|_, coefficient| {
             let with = size + *coefficient;
-            !agree(*coefficient, zero) && !agree_within(with, size, NEGLIGIBLE)
+            !numerically_equal(*coefficient, zero)
+                && !numerically_equal_within(with, size, NEGLIGIBLE)
         });
     }
 }
@@ -141,7 +144,7 @@ pub(super) fn take_rotor<'m>(
     let across = polynomials.take_pair(&[&[sin], with].concat(), zero);
     let perp = along.perp();
     let back = Vector([along[1], -along[0]]);
-    let equal = |v: V2<'m>| (0..2).all(|k| agree(across[k], v[k]));
+    let equal = |v: V2<'m>| (0..2).all(|k| numerically_equal(across[k], v[k]));
     let sense = match () {
         () if equal(perp) => 1.0,
         () if equal(back) => -1.0,

@@ -1,6 +1,6 @@
 //! Directions in which a loop in space is moved by its unknowns, for messages.
 
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 
 use linkage_symbolic::{Ex, SymbolId, substitute};
 

@@ -140,7 +140,7 @@ struct Analysis<'a, 'm> {
     reporter: Reporter<'a>,
     structure: Structure<'m>,
     /// Eliminated symbols and what they stand for.
-    substitutions: linkage_symbolic::unordered::Map<SymbolId, Ex<'m>>,
+    substitutions: linkage_symbolic::lookup::Map<SymbolId, Ex<'m>>,
     /// Components of axes that stay unknowns, all six of a body: systems are solved in its turns.
     whole: Vec<SymbolId>,
     /// Reductions so far.

@@ -1,7 +1,7 @@
 //! Recognising an unknown point, or a direction, by its distances from known points and planes.
 
 use crate::structure::space;
-use linkage_symbolic::{Ex, SymbolId, V3, Vector, agree};
+use linkage_symbolic::{Ex, SymbolId, V3, Vector, numerically_equal};
 
 use super::equations::{Coordinate, CoordinateKind, Equation};
 use super::{Analysis, Form, Plane, Sphere};
@@ -88,7 +88,7 @@ pub(super) fn moved_point<'m>(
                 continue;
             }
             let first = *factor.get_or_insert(own);
-            if place.replace(component).is_some() || !agree(first, own) {
+            if place.replace(component).is_some() || !numerically_equal(first, own) {
                 return None;
             }
         }

@@ -2,7 +2,7 @@
 
 use linkage_core::numeric::cholesky;
 use linkage_core::numeric::vector::dot;
-use linkage_symbolic::unordered::Map;
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, SymbolId, substitute};
 
 use super::equations::{Coordinate, CoordinateKind};

@@ -4,7 +4,9 @@ use proc_macro2::{Ident, TokenStream};
 use syn::LitStr;
 use syn::ext::IdentExt;
 
-use super::keyword::{DeclarationWord, ItemWord, JointKind, LoadWord};
+use super::expression_tree::{Expr, ExprKind};
+use super::keyword::{DeclarationWord, ItemWord, LoadWord};
+use super::mechanics_tree::{BodyItem, ElementItem, JointItem, LoadItem, Member};
 use crate::diagnostic::SourceSpan;
 
 /// One mechanism of the macro's input: its struct block and its `impl` blocks.
@@ -28,9 +30,11 @@ impl MechanismDef {
 
 /// The lines of a doc comment, without the blank in front.
 pub(crate) fn documentation(attributes: &[Attribute]) -> String {
-    let docs = attributes.iter().filter(|own| own.name == "doc");
-    let text = |own: &Attribute| {
-        let literal = own.arguments.clone().into_iter().last()?;
+    let docs = attributes
+        .iter()
+        .filter(|attribute| attribute.name == "doc");
+    let text = |attribute: &Attribute| {
+        let literal = attribute.arguments.clone().into_iter().last()?;
         let text = syn::parse2::<LitStr>(literal.into()).ok()?.value();
         Some(text.strip_prefix(' ').map_or(text.clone(), str::to_owned))
     };
@@ -99,7 +103,8 @@ pub(crate) struct ParamItem {
     pub(crate) value: Toleranced,
 }
 
-/// A parameter's value: a single toleranced expression, or a vector whose components have tolerances of their own.
+/// A parameter's value: one expression with a tolerance, or a vector whose components have
+/// tolerances.
 #[derive(Debug)]
 pub(crate) enum Toleranced {
     /// `nominal [+- tolerance]`; the nominal value may be a scalar or a vector.
@@ -148,7 +153,7 @@ pub(crate) struct PartItem {
     pub(crate) whole: bool,
     /// The body that its frame is fixed on.
     pub(crate) on: Option<Member>,
-    /// Where its origin is, or its frame in space.
+    /// Its origin, or its frame in space.
     pub(crate) at: Option<Expr>,
     /// The angle of its x axis.
     pub(crate) turned: Option<Expr>,
@@ -166,129 +171,6 @@ pub(crate) struct GivenPart {
 pub(crate) struct GravityItem {
     pub(crate) value: Expr,
     pub(crate) span: SourceSpan,
-}
-
-/// `body NAME = JOINT, turns expr, mass expr at expr, inertia expr [at expr];`, the clauses after the joint in any order.
-#[derive(Debug)]
-pub(crate) struct BodyItem {
-    pub(crate) name: Ident,
-    /// What the body hangs on; its point is the body's origin.
-    pub(crate) joint: JointPart,
-    pub(crate) turns: Option<Expr>,
-    pub(crate) masses: Vec<MassPart>,
-    pub(crate) inertias: Vec<InertiaPart>,
-}
-
-/// `KIND [NAME] on BODY at expr [along expr | about expr]`, the clauses after the name in any order.
-#[derive(Debug)]
-pub(crate) struct JointPart {
-    pub(crate) kind: JointKind,
-    pub(crate) name: Option<Ident>,
-    pub(crate) on: Member,
-    pub(crate) at: Expr,
-    /// The guide of a slide, the axis of a pin or a cylinder in space.
-    pub(crate) direction: Option<Expr>,
-    pub(crate) span: SourceSpan,
-}
-
-/// `mass expr at expr`
-#[derive(Debug)]
-pub(crate) struct MassPart {
-    pub(crate) mass: Expr,
-    pub(crate) at: Expr,
-}
-
-/// `inertia expr [at expr]`: about the body's centre of mass, or about a point.
-#[derive(Debug)]
-pub(crate) struct InertiaPart {
-    pub(crate) inertia: Expr,
-    pub(crate) at: Option<Expr>,
-}
-
-/// A joint between two bodies that hang on others: `pin NAME = BODY on BODY at expr;`
-#[derive(Debug)]
-pub(crate) struct JointItem {
-    /// The body on which the reaction acts.
-    pub(crate) body: Member,
-    /// Its name is never missing.
-    pub(crate) joint: JointPart,
-}
-
-/// The name of a body or a joint, with those of the parts that it belongs to in front: `rod`, `hook.rod`.
-#[derive(Clone, Debug)]
-pub(crate) struct Member {
-    pub(crate) text: String,
-    pub(crate) span: SourceSpan,
-}
-
-/// `force expr on BODY [from BODY] at expr;`, `torque expr on BODY [from BODY];`
-#[derive(Debug)]
-pub(crate) struct LoadItem {
-    pub(crate) value: Expr,
-    pub(crate) on: Member,
-    /// The body that takes the opposite; the frame if it is not named.
-    pub(crate) from: Option<Member>,
-    pub(crate) at: Option<Expr>,
-    pub(crate) span: SourceSpan,
-}
-
-/// `spring expr BETWEEN [, free expr];`, `damper expr BETWEEN;`
-#[derive(Debug)]
-pub(crate) struct ElementItem {
-    /// Stiffness or damping.
-    pub(crate) value: Expr,
-    pub(crate) between: Between,
-    /// Length or angle without force; zero if it is not given.
-    pub(crate) free: Option<Expr>,
-    pub(crate) span: SourceSpan,
-}
-
-#[derive(Debug)]
-pub(crate) enum Between {
-    /// `from BODY at expr to BODY at expr`
-    Points(Box<[(Member, Expr); 2]>),
-    /// `on JOINT`
-    Joint(Member),
-}
-
-#[derive(Clone, Debug)]
-pub(crate) struct Expr {
-    pub(crate) kind: ExprKind,
-    pub(crate) span: SourceSpan,
-}
-
-#[derive(Clone, Debug)]
-pub(crate) enum ExprKind {
-    /// A number and its unit suffix (empty: none), both as written; `text` has no underscores.
-    Number {
-        text: String,
-        suffix: String,
-    },
-    Name(Ident),
-    /// `(a, b)` or `(a, b, c)`; any other count is kept too, for `resolve` to refuse.
-    Tuple(Vec<Expr>),
-    /// `v.x`
-    Field(Box<Expr>, Ident),
-    /// `v[0]`
-    Index(Box<Expr>, Box<Expr>),
-    Negate(Box<Expr>),
-    Binary(BinaryOp, Box<Expr>, Box<Expr>),
-    /// `mm^2`: a power, of units only.
-    Power(Box<Expr>, i32),
-    /// `name(args)`, also `d(...)`, `sensitivity(q, [..])`, `margin()`.
-    Call(Ident, Vec<Expr>),
-    /// `[a, b]`, only meaningful as second argument of `sensitivity`.
-    List(Vec<Expr>),
-    /// What a syntax error left behind; it has been reported, later phases stay silent about it.
-    Error,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum BinaryOp {
-    Add,
-    Sub,
-    Mul,
-    Div,
 }
 
 /// `pub fn NAME(inputs) -> TYPE { quantities }`
@@ -311,7 +193,8 @@ pub(crate) struct QuantityDef {
 }
 
 impl UnknownItem {
-    /// The number of arguments in `unknown NAME = frame(...);`, a body of the plane (2) or of space (3).
+    /// The number of arguments in `unknown NAME = frame(...);`, a body of the plane (2) or of space
+    /// (3).
     pub(crate) fn frame_arguments(&self) -> Option<usize> {
         match &self.estimate.as_ref()?.kind {
             ExprKind::Call(function, arguments) if function == "frame" => Some(arguments.len()),
@@ -322,25 +205,6 @@ impl UnknownItem {
 
     pub(crate) fn is_frame(&self) -> bool {
         self.frame_arguments().is_some()
-    }
-}
-
-impl From<&Ident> for Member {
-    fn from(ident: &Ident) -> Self {
-        Self {
-            text: ident.to_string(),
-            span: ident.into(),
-        }
-    }
-}
-
-impl Expr {
-    /// What a mistake leaves behind.
-    pub(crate) fn error(span: SourceSpan) -> Self {
-        Expr {
-            kind: ExprKind::Error,
-            span,
-        }
     }
 }
 

@@ -1,4 +1,4 @@
-//! Attributes and visibilities: passed through or refused, and but for `allow` not understood.
+//! Attributes and visibilities: passed through or refused. Only `allow` is interpreted.
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
@@ -33,21 +33,27 @@ fn is_scope(group: &Group) -> bool {
 struct SegmentName;
 
 impl MechanismDef {
-    /// What the user allows in all that is made of the mechanism.
+    /// Returns the lints that the user allows in all code of the mechanism.
     pub(crate) fn allows(&self) -> TokenStream {
-        let allows = self.attributes.iter().filter(|own| own.name == "allow");
-        allows.flat_map(|own| own.tokens.clone()).collect()
+        let allows = self
+            .attributes
+            .iter()
+            .filter(|attribute| attribute.name == "allow");
+        allows
+            .flat_map(|attribute| attribute.tokens.clone())
+            .collect()
     }
 }
 
 impl Attribute {
-    /// `allow(deprecated)`, `allow(warnings)`: rustc keeps warnings to itself, which are made of uses of what is deprecated.
+    /// Returns true for `allow(deprecated)`, `allow(warnings)`: warnings are uses of deprecated
+    /// items, so rustc then hides them.
     pub(crate) fn allows_warnings(&self) -> bool {
         let lints = self.arguments.to_string();
         self.name == "allow" && (lints.contains("deprecated") || lints.contains("warnings"))
     }
 
-    /// `allow(unused)`, `allow(dead_code)`: what is not used is meant so.
+    /// Returns true for `allow(unused)`, `allow(dead_code)`: unused items are meant so.
     pub(crate) fn allows_unused(&self) -> bool {
         let lints = self.arguments.to_string();
         self.name == "allow" && (lints.contains("unused") || lints.contains("dead_code"))

@@ -1,7 +1,9 @@
-//! Clauses: a word and what belongs to it, as in `on crank at p2`. Which an item has, in any order.
+//! Clauses: a word and its operands, as in `on crank at p2`. The rules of an item list its clauses,
+//! which come in any order.
 
-use super::ast::{Expr, Member};
+use super::expression_tree::Expr;
 use super::keyword::ClauseWord;
+use super::mechanics_tree::Member;
 use super::parser::{Parsed, Parser};
 use super::vocabulary::Word;
 use crate::diagnostic::SourceSpan;
@@ -18,12 +20,12 @@ pub(super) struct ClauseRule {
 
 #[derive(Clone, Copy)]
 enum Content {
-    /// A name of what these words say.
+    /// A name; the text describes it in messages.
     Name(&'static str),
     Value,
 }
 
-/// Whether `at POINT` belongs to the clause.
+/// The use of `at POINT` in the clause.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Point {
     Never,
@@ -32,7 +34,7 @@ pub(super) enum Point {
 }
 
 impl ClauseRule {
-    /// A word and a name; `what` is what the name is of.
+    /// A word and a name, which `what` describes.
     pub(super) const fn name(word: ClauseWord, what: &'static str) -> Self {
         ClauseRule {
             content: Content::Name(what),
@@ -75,7 +77,7 @@ impl ClauseRule {
         matches!(self.content, Content::Name(_))
     }
 
-    /// How a clause is read that belongs to other items.
+    /// Returns the rule of a clause that belongs to other items.
     fn foreign(word: ClauseWord) -> Self {
         match word {
             ClauseWord::On | ClauseWord::From | ClauseWord::To => Self::name(word, "a name"),
@@ -94,18 +96,18 @@ impl ClauseRule {
 pub(super) struct Clause {
     word: ClauseWord,
     pub(super) name: Option<Member>,
-    /// The expression, or what stands for it after a mistake.
+    /// The expression, or its replacement after a mistake.
     pub(super) value: Expr,
     pub(super) point: Option<Expr>,
     pub(super) span: SourceSpan,
 }
 
-/// What messages say of the item that the clauses belong to.
+/// The item of the clauses, for messages.
 #[derive(Clone, Copy)]
 pub(super) struct Owner<'a> {
     /// Its kind, to follow an article.
     pub(super) what: &'a str,
-    /// How the item is written.
+    /// The form of the item.
     pub(super) form: &'a str,
     pub(super) span: SourceSpan,
 }
@@ -114,8 +116,8 @@ pub(super) struct Owner<'a> {
 #[derive(Default)]
 pub(super) struct Clauses {
     found: Vec<Clause>,
-    /// Something could not be read or does not belong here, which has been reported: what seems to be missing,
-    /// doubled or out of place may come from that.
+    /// True after a reported mistake: other clauses can seem to be missing, doubled or misplaced
+    /// because of it.
     pub(super) broken: bool,
 }
 
@@ -171,7 +173,7 @@ impl Parser<'_> {
         }
     }
 
-    /// What the next word begins, and whether the item may have it.
+    /// Reads the word of the next clause. The flag is true if the item can have the clause.
     fn clause_word(
         &mut self,
         owner: Owner,
@@ -191,12 +193,12 @@ impl Parser<'_> {
             return Ok((rule, true));
         }
         let words: Vec<&str> = rules.iter().map(|rule| rule.word.word()).collect();
-        let all = format!("clauses of a {} are {}", owner.what, list(&words));
+        let help = format!("clauses of a {} are {}", owner.what, list(&words));
         if let Some(foreign) = ClauseWord::from_word(&word) {
             if !clauses.broken {
                 let fact = format!("`{word}` does not belong to a {}", owner.what);
                 let span = (&ident).into();
-                self.diagnostics.error_with_help(span, &fact, &all);
+                self.diagnostics.error_with_help(span, &fact, &help);
             }
             self.stream.skip(1);
             return Ok((ClauseRule::foreign(foreign), false));
@@ -213,7 +215,7 @@ impl Parser<'_> {
             let _ = self.expected::<()>("`on`", &format!("write `on {word}`"));
             return Ok((rules[0], true));
         }
-        self.expected("a clause or `;`", &all)
+        self.expected("a clause or `;`", &help)
     }
 
     fn is_second(
@@ -232,7 +234,7 @@ impl Parser<'_> {
         second
     }
 
-    /// What follows the clause's word.
+    /// Reads the rest of a clause after its word.
     fn clause(&mut self, rule: &ClauseRule, start: SourceSpan) -> Clause {
         let (name, value) = match rule.content {
             Content::Name(what) => (self.clause_name(rule.word, what), Expr::error(start)),
@@ -245,9 +247,10 @@ impl Parser<'_> {
             }
         };
         let lost = rule.is_named() && name.is_none();
-        let point = match lost && !self.stream.is_word(0, "at") {
-            true => None,
-            false => self.clause_point(rule, start),
+        let point = if lost && !self.stream.is_word(0, "at") {
+            None
+        } else {
+            self.clause_point(rule, start)
         };
         Clause {
             word: rule.word,

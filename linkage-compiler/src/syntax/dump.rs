@@ -2,11 +2,10 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use super::ast::{
-    Between, BinaryOp, BodyItem, ElementItem, Expr, ExprKind, InputItem, Item, JointItem, LoadItem,
-    MechanismDef, Member, PartItem, Toleranced,
-};
+use super::ast::{InputItem, Item, MechanismDef, PartItem, Toleranced};
+use super::expression_tree::{BinaryOp, Expr, ExprKind};
 use super::keyword::JointKind;
+use super::mechanics_tree::{Between, BodyItem, ElementItem, JointItem, LoadItem, Member};
 use super::vocabulary::Word;
 
 /// One line for each item and quantity, every operation in parentheses.
@@ -83,7 +82,7 @@ impl Display for Member {
 impl Display for PartItem {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         let given = self.given.iter();
-        let given = given.map(|own| format!("{} = {}", own.name, own.value));
+        let given = given.map(|given| format!("{} = {}", given.name, given.value));
         let given: Vec<String> = given.collect();
         write!(
             f,
@@ -158,7 +157,7 @@ impl Display for Between {
     }
 }
 
-/// A word and what belongs to it, if it is there.
+/// Prints a word and its operand, if there is one.
 fn optional(f: &mut Formatter, word: &str, value: Option<&impl Display>) -> fmt::Result {
     value.map_or(Ok(()), |value| write!(f, "{word}{value}"))
 }

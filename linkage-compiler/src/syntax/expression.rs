@@ -2,12 +2,12 @@
 
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
-use super::ast::{BinaryOp, Expr, ExprKind};
+use super::expression_tree::{BinaryOp, Expr, ExprKind};
 use super::keyword::is_keyword;
 use super::parser::{Parsed, Parser};
 use crate::diagnostic::SourceSpan;
 
-/// What an outermost `+-` is.
+/// The meaning of an outermost `+-`.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum PlusMinus {
     /// The end of the sum and the start of a tolerance.
@@ -200,7 +200,8 @@ impl Parser<'_> {
             let help = "only names of this mechanism and `PI` can be used";
             return self.fail("a path cannot stand here", help);
         }
-        // `param a = ` while it is being typed: the next item is not its value, nor is a clause after `mass 2 * `.
+        // `param a = ` while the user types it: the next item is not its value, nor is a clause
+        // after `mass 2 * `.
         let clause_here = self.clauses_follow() && self.lacks_operand();
         if is_keyword(&ident.to_string()) || self.at_declaration() || clause_here {
             let help = match ident.to_string().as_str() {

@@ -2,11 +2,13 @@
 
 use proc_macro2::{Delimiter, Ident};
 
-use super::ast::{Attribute, Expr, ExprKind, FunctionDef, QuantityDef};
+use super::ast::{Attribute, FunctionDef, QuantityDef};
+use super::expression_tree::{Expr, ExprKind};
 use super::parser::{Parsed, Parser};
 
 impl Parser<'_> {
-    /// All functions up to the end of the block; those that cannot be read are reported and left out.
+    /// Reads all functions up to the end of the block. Functions with a mistake are reported and
+    /// left out.
     pub(super) fn functions(&mut self) -> Vec<FunctionDef> {
         let mut functions = Vec::new();
         while !self.stream.at_end() {
@@ -82,7 +84,7 @@ impl Parser<'_> {
         let result = self.name("the name of the result type")?;
         if self.stream.group(0, Delimiter::Brace).is_none() {
             let help = match self.stream.is_word(0, "as") {
-                // What rustc suggests where a module has two types of a name.
+                // rustc suggests this where a module has two types of a name.
                 true => "write the other name alone: `-> OtherMotion`",
                 false => "the result is a plain name; the macro generates a struct of that name",
             };

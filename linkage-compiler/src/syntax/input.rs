@@ -2,14 +2,16 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Spacing, TokenTree};
 
-use super::ast::{Expr, InputItem, Item};
+use super::ast::{InputItem, Item};
 use super::expression::PlusMinus;
+use super::expression_tree::Expr;
 use super::parser::{Parsed, Parser};
 
 const RATES: &str = "`at` names the arguments that are its speed and acceleration: `input phi = 30deg at omega, epsilon;`";
 
 impl Parser<'_> {
-    /// `NAME = expr [in lo..hi] [at SPEED [, ACCELERATION]] ;` after `input`, and whether its end has been reached.
+    /// Reads `NAME = expr [in lo..hi] [at SPEED [, ACCELERATION]] ;` after `input`. The flag is
+    /// true if its end has been reached.
     pub(super) fn input_item(&mut self) -> Parsed<(Item, bool)> {
         let name = self.name("a name after `input`")?;
         let mut input = InputItem {
@@ -91,7 +93,7 @@ impl Parser<'_> {
         group.stream().into_iter().any(dot).then(|| group.clone())
     }
 
-    /// What is written for `..`, or around a range.
+    /// Reports another notation of `..` or of a range.
     fn other_range<T>(&mut self) -> Parsed<T> {
         const WANTED: &str = "`..` between the ends of the range";
         const HELP: &str = "write both ends with `..` between them: `in 0deg..360deg`";

@@ -3,9 +3,10 @@
 use proc_macro2::Delimiter;
 
 use super::ast::{
-    Attribute, Expr, Item, LoopItem, NamedItem, ParamItem, Toleranced, UnitItem, UnknownItem,
+    Attribute, Item, LoopItem, NamedItem, ParamItem, Toleranced, UnitItem, UnknownItem,
 };
 use super::expression::PlusMinus;
+use super::expression_tree::Expr;
 use super::joints::{Kind, other_word};
 use super::keyword::{ClauseWord, DeclarationWord, ItemWord, JointKind, LoadWord};
 use super::parser::{Parsed, Parser};
@@ -13,7 +14,7 @@ use super::vocabulary::Word;
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::nearest;
 
-/// Behind a loop that follows from the others.
+/// The word after a loop that follows from the others.
 const REDUNDANT: &str = "redundant";
 
 impl Parser<'_> {
@@ -117,13 +118,15 @@ impl Parser<'_> {
         make: fn(NamedItem) -> Item,
     ) -> Parsed<(Item, bool)> {
         let name = self.name(&format!("a name after `{}`", word.word()))?;
-        let help = match word == DeclarationWord::Argument {
-            true => "the value says its dimension: `argument load = 100N;`",
-            false => "",
+        let help = if word == DeclarationWord::Argument {
+            "the value says its dimension: `argument load = 100N;`"
+        } else {
+            ""
         };
-        let plus_minus = match word == DeclarationWord::Let {
-            true => PlusMinus::IsSum,
-            false => PlusMinus::JointIsMistake,
+        let plus_minus = if word == DeclarationWord::Let {
+            PlusMinus::IsSum
+        } else {
+            PlusMinus::JointIsMistake
         };
         let (value, complete) = self.value(help, |parser| parser.sum(plus_minus));
         let item = NamedItem {
@@ -169,7 +172,8 @@ impl Parser<'_> {
         self.expected("an item", &help)
     }
 
-    /// `= RULE ;`; `help` says what to write if `=` is missing. A mistake in it leaves the span of the item so far; the flag says whether the end was reached.
+    /// Reads `= RULE ;`; `help` is the text to write if `=` is missing. After a mistake in it, the
+    /// result is the span of the item so far. The flag is true if the end was reached.
     pub(super) fn value<T>(
         &mut self,
         help: &str,
@@ -186,17 +190,19 @@ impl Parser<'_> {
         }
     }
 
-    /// `=`; `help` says what to write if it is missing.
+    /// Reads `=`; `help` is the text to write if it is missing.
     pub(super) fn equals(&mut self, help: &str) -> Parsed<()> {
         if self.stream.eat_punct('=') {
-            return match self.stream.is_punct(0, '=') {
-                true => self.fail("expected `=`, found `==`", "write `=`"),
-                false => Ok(()),
+            return if self.stream.is_punct(0, '=') {
+                self.fail("expected `=`, found `==`", "write `=`")
+            } else {
+                Ok(())
             };
         }
-        let help = match self.stream.is_punct(0, ':') {
-            true => "leave the type out: the value gives it",
-            false => help,
+        let help = if self.stream.is_punct(0, ':') {
+            "leave the type out: the value gives it"
+        } else {
+            help
         };
         self.expected("`=`", help)
     }

@@ -2,9 +2,11 @@
 
 use proc_macro2::{Ident, Span};
 
-use super::ast::{BodyItem, Expr, InertiaPart, Item, JointItem, JointPart, MassPart, Member};
+use super::ast::Item;
 use super::clauses::{Clause, ClauseRule, Clauses, Owner};
+use super::expression_tree::Expr;
 use super::keyword::{ClauseWord, JointKind};
+use super::mechanics_tree::{BodyItem, InertiaPart, JointItem, JointPart, MassPart, Member};
 use super::parser::{Parsed, Parser, Reported};
 use super::vocabulary::Word;
 use crate::diagnostic::SourceSpan;
@@ -15,7 +17,7 @@ const AT: ClauseRule = ClauseRule::value(ClauseWord::At);
 const ALONG: ClauseRule = ClauseRule::value(ClauseWord::Along);
 const ABOUT: ClauseRule = ClauseRule::value(ClauseWord::About);
 
-/// What a body has besides its joint.
+/// The clauses of a body besides those of its joint.
 const BODY: [ClauseRule; 3] = [
     ClauseRule::value(ClauseWord::Turns),
     ClauseRule::value(ClauseWord::Mass).with_point().repeated(),
@@ -62,10 +64,7 @@ impl Parser<'_> {
         }
         let kind = self.kind()?;
         let named = self.stream.ident(0).is_some() && !self.at_clause_word();
-        let name = match named {
-            true => self.joint_name(kind),
-            false => None,
-        };
+        let name = if named { self.joint_name(kind) } else { None };
         let word = kind.kind.word();
         let span = kind.span.to(self.stream.previous_span());
         let rules = [joint_rules(kind.kind), &BODY].concat();
@@ -84,19 +83,22 @@ impl Parser<'_> {
         self.end_of_item()
     }
 
-    /// `NAME = BODY on BODY at POINT ;` after the joint's word, and whether its end has been reached.
+    /// Reads `NAME = BODY on BODY at POINT ;` after the joint's word. The flag is true if its end
+    /// has been reached.
     pub(super) fn joint_item(&mut self, kind: Kind) -> Parsed<(Item, bool)> {
         let word = kind.kind.word();
         let form = format!("{word} NAME = BODY on BODY at POINT");
         let help = format!("write `{form}`");
-        let name = match self.stream.is_punct(0, '=') {
-            true => self.expected(&format!("a name after `{word}`"), &help).ok(),
-            false => self.joint_name(kind),
+        let name = if self.stream.is_punct(0, '=') {
+            self.expected(&format!("a name after `{word}`"), &help).ok()
+        } else {
+            self.joint_name(kind)
         };
         self.equals(&help)?;
-        let body = match self.lacks_operand() {
-            true => self.expected("the name of a body after `=`", &help).ok(),
-            false => Some(self.member("the name of a body after `=`")?),
+        let body = if self.lacks_operand() {
+            self.expected("the name of a body after `=`", &help).ok()
+        } else {
+            Some(self.member("the name of a body after `=`")?)
         };
         let owner = Owner {
             what: &format!("`{word}` joint"),
@@ -146,7 +148,7 @@ impl Parser<'_> {
         Ok(Kind { kind, span })
     }
 
-    /// What the clauses say of the joint. Clauses that are missing are reported.
+    /// Makes a joint of its clauses. Missing clauses are reported.
     fn joint_part(
         &mut self,
         kind: Kind,
@@ -212,7 +214,7 @@ fn inertia(clause: Clause) -> InertiaPart {
     }
 }
 
-/// What a mistake leaves behind: a joint that gives no reason for further messages.
+/// Returns a replacement after a mistake: a joint that causes no further messages.
 fn lost_joint(span: SourceSpan) -> JointPart {
     JointPart {
         kind: JointKind::Fixed,

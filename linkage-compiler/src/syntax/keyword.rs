@@ -56,7 +56,7 @@ vocabulary! {
 }
 
 vocabulary! {
-    /// What a joint lets free.
+    /// The kind of a joint: the motions that it permits.
     pub(crate) enum JointKind {
         Pin = "pin",
         Slide = "slide",
@@ -71,7 +71,7 @@ impl JointKind {
     pub(crate) fn direction_word(self) -> ClauseWord {
         match self {
             JointKind::Slide => ClauseWord::Along,
-            // Those without a direction are asked for none.
+            // Joints without a direction never need the word.
             JointKind::Pin | JointKind::Ball | JointKind::Cylinder | JointKind::Fixed => {
                 ClauseWord::About
             }

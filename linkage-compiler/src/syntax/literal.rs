@@ -1,6 +1,6 @@
 //! Numbers with their units.
 
-use super::ast::{Expr, ExprKind};
+use super::expression_tree::{Expr, ExprKind};
 use super::parser::{Parsed, Parser};
 use super::spelling::units_within;
 use super::units::{is_unit, unit_names};
@@ -111,7 +111,7 @@ fn split_suffix(written: &str) -> (String, &str) {
     (written[..end].replace('_', ""), &written[end..])
 }
 
-/// What to write instead of a suffix that somebody may expect to work.
+/// Returns the spelling of a unit for a suffix that a user may expect to work.
 fn other_spelling(text: &str, suffix: &str) -> Option<String> {
     let instead = match suffix {
         "in" | "inches" => "inch",
@@ -132,7 +132,7 @@ fn other_spelling(text: &str, suffix: &str) -> Option<String> {
         "rev" | "turns" => "turn",
         _ => {
             let factors = units_within(suffix).map(|units| match units.split_once('^') {
-                // A power does not stand behind a number.
+                // A power cannot follow a number.
                 Some((before, _)) if !before.contains('*') => format!("`{text} * {units}`"),
                 _ => format!("`{text}{units}`"),
             });

@@ -1,9 +1,11 @@
 //! Forces, torques, springs and dampers.
 
-use super::ast::{Between, ElementItem, Expr, ExprKind, GravityItem, LoadItem, Member};
+use super::ast::GravityItem;
 use super::clauses::{Clause, ClauseRule, Clauses, Owner};
 use super::expression::PlusMinus;
+use super::expression_tree::{Expr, ExprKind};
 use super::keyword::{ClauseWord, LoadWord};
+use super::mechanics_tree::{Between, ElementItem, LoadItem, Member};
 use super::parser::{Parsed, Parser, Reported};
 use super::vocabulary::Word;
 use crate::diagnostic::SourceSpan;
@@ -51,7 +53,7 @@ impl Parser<'_> {
             span,
         };
         let item = self.load(owner, &FORCE, &[ClauseWord::On, ClauseWord::At])?;
-        // What is missing has been reported.
+        // The missing clause has been reported.
         item.at.is_some().then_some(item).ok_or(Reported)
     }
 
@@ -84,7 +86,8 @@ impl Parser<'_> {
         })
     }
 
-    /// `expr from BODY at expr to BODY at expr [, free expr]` or `expr on JOINT [, free expr]` after `spring`.
+    /// Reads `expr from BODY at expr to BODY at expr [, free expr]` or `expr on JOINT [, free
+    /// expr]` after `spring`.
     pub(super) fn spring_item(&mut self, span: SourceSpan) -> Parsed<ElementItem> {
         self.element(LoadWord::Spring, &SPRING, span)
     }

@@ -2,10 +2,10 @@
 
 mod ast;
 mod attributes;
-mod blocks;
 mod clauses;
 mod dump;
 mod expression;
+mod expression_tree;
 mod function;
 mod input;
 mod items;
@@ -13,6 +13,8 @@ mod joints;
 mod keyword;
 mod literal;
 mod loads;
+mod mechanics_tree;
+mod mechanism_blocks;
 mod operands;
 mod parser;
 mod part;
@@ -28,9 +30,11 @@ mod units;
 mod vocabulary;
 
 pub(crate) use ast::*;
-pub(crate) use blocks::parse;
 pub(crate) use dump::dump;
+pub(crate) use expression_tree::*;
 pub(crate) use keyword::JointKind;
+pub(crate) use mechanics_tree::*;
+pub(crate) use mechanism_blocks::parse;
 pub(crate) use spelling::units_within;
 pub(crate) use units::{Scale, UnitOfMeasure, find_unit, first_spelling, is_unit};
 pub(crate) use vocabulary::{Word, vocabulary};

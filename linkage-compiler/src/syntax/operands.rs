@@ -1,11 +1,12 @@
-//! What follows the word of a clause: a name, an expression, a point.
+//! Operands of clauses: a name, an expression, a point.
 
 use proc_macro2::Ident;
 
-use super::ast::{Expr, Member};
 use super::clauses::{ClauseRule, Point};
 use super::expression::PlusMinus;
+use super::expression_tree::Expr;
 use super::keyword::ClauseWord;
+use super::mechanics_tree::Member;
 use super::parser::{Parsed, Parser};
 use super::vocabulary::Word;
 use crate::diagnostic::SourceSpan;
@@ -14,9 +15,10 @@ impl Parser<'_> {
     /// The name after the word of a clause; a mistake in it has been read over.
     pub(super) fn clause_name(&mut self, word: ClauseWord, what: &str) -> Option<Member> {
         let wanted = format!("{what} after `{}`", word.word());
-        let name = match self.lacks_operand() {
-            true => self.expected(&wanted, ""),
-            false => self.member(&wanted),
+        let name = if self.lacks_operand() {
+            self.expected(&wanted, "")
+        } else {
+            self.member(&wanted)
         };
         if name.is_err() {
             self.skip_clause();
@@ -39,9 +41,10 @@ impl Parser<'_> {
     /// The expression after the word of a clause or a load; a mistake in it has been read over.
     pub(super) fn clause_value(&mut self, word: &str) -> Expr {
         let span = self.stream.previous_span();
-        let value = match self.lacks_operand() || self.stream.is_punct(0, ',') {
-            true => self.expected(&format!("an expression after `{word}`"), ""),
-            false => self.before_clauses(|parser| parser.sum(PlusMinus::JointIsMistake)),
+        let value = if self.lacks_operand() || self.stream.is_punct(0, ',') {
+            self.expected(&format!("an expression after `{word}`"), "")
+        } else {
+            self.before_clauses(|parser| parser.sum(PlusMinus::JointIsMistake))
         };
         match value {
             Ok(_) if self.at_decimal_comma() => {
@@ -88,8 +91,8 @@ impl Parser<'_> {
         Some(self.clause_value(ClauseWord::At.word()))
     }
 
-    /// A clause begins here where an operand should stand, or the item ends. A name may look like a clause's word,
-    /// but what follows a name is no operand.
+    /// Returns true if a clause begins here instead of an operand, or the item ends. A name may
+    /// look like a clause's word, but a name is followed by no operand.
     pub(super) fn lacks_operand(&self) -> bool {
         self.at_clause_word() && self.at_operand(1)
             || self.stream.at_end()
@@ -117,7 +120,8 @@ impl Parser<'_> {
         }
     }
 
-    /// To the next clause that the item may have, after something that is none; `at` may belong to that.
+    /// Skips to the next clause that the item can have, after one that it cannot have; `at` may
+    /// belong to that clause.
     pub(super) fn skip_to_clause(&mut self, rules: &[ClauseRule]) {
         let is_rule = |word: &Ident| {
             word != ClauseWord::At.word() && rules.iter().any(|rule| word == rule.word.word())

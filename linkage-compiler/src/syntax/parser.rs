@@ -1,4 +1,4 @@
-//! What all grammar rules share: the position, the sink for mistakes, names and lists.
+//! Shared parts of all grammar rules: the position, the sink for mistakes, names and lists.
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, TokenTree};
 
@@ -116,7 +116,7 @@ impl<'a> Parser<'a> {
         self.fail(format!("expected {wanted}, found {found}"), help)
     }
 
-    /// The next token in words.
+    /// Returns the next token as text.
     pub(super) fn found(&self) -> String {
         match self.stream.peek(0) {
             None => "the end".to_owned(),
@@ -133,7 +133,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// A name chosen by the user; `what` says of what.
+    /// Reads a name chosen by the user; `what` describes it in messages.
     pub(super) fn name(&mut self, what: &str) -> Parsed<Ident> {
         let Some(ident) = self.stream.ident(0).cloned() else {
             return self.expected(what, "");
@@ -164,7 +164,8 @@ impl<'a> Parser<'a> {
         Some(literal)
     }
 
-    /// `rule , rule , ...` to the end of the group, trailing comma allowed. Says whether there was one.
+    /// Reads `rule , rule , ...` to the end of the group, with an optional trailing comma. Returns
+    /// true if there was one.
     pub(super) fn comma_list<T>(
         &mut self,
         closing: &str,

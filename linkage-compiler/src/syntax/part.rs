@@ -10,7 +10,7 @@ use crate::diagnostic::SourceSpan;
 
 const FORM: &str = "part NAME: MECHANISM { input = expression }";
 
-/// Where a part stands.
+/// The clauses for the location of a part.
 const RULES: [ClauseRule; 3] = [
     ClauseRule::name(ClauseWord::On, "the name of a body"),
     ClauseRule::value(ClauseWord::At),
@@ -18,7 +18,8 @@ const RULES: [ClauseRule; 3] = [
 ];
 
 impl Parser<'_> {
-    /// `NAME: MECHANISM { given = expr, ... } CLAUSES ;` after `part`, and whether its end has been reached.
+    /// Reads `NAME: MECHANISM { given = expr, ... } CLAUSES ;` after `part`. The flag is true if
+    /// its end has been reached.
     pub(super) fn part_item(&mut self) -> Parsed<(Item, bool)> {
         let help = format!("write `{FORM}`");
         let name = self.name("a name after `part`")?;

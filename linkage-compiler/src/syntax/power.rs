@@ -1,6 +1,6 @@
 //! Powers of units: `mm^2`, `s^-1`.
 
-use super::ast::{Expr, ExprKind};
+use super::expression_tree::{Expr, ExprKind};
 use super::parser::{Parsed, Parser};
 
 const NO_POWERS: &str = "there is no operator for powers";
@@ -32,7 +32,7 @@ impl Parser<'_> {
         })
     }
 
-    /// Refuses `5mm^2` and `5^2`, where one may doubt what is raised.
+    /// Refuses `5mm^2` and `5^2`, whose base is ambiguous.
     pub(super) fn no_power_of_number(&mut self, number: Expr) -> Parsed<Expr> {
         match &number.kind {
             ExprKind::Number { text, suffix }

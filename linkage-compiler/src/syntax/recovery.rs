@@ -1,4 +1,4 @@
-//! Where items begin and end, judging by their words, and how reading goes on after a mistake.
+//! Begins and ends of items, recognised by their words, and the continuation after a mistake.
 
 use proc_macro2::TokenTree;
 
@@ -7,7 +7,8 @@ use super::parser::{Parsed, Parser};
 use super::vocabulary::Word;
 
 impl Parser<'_> {
-    /// `;`, which the last item may lack; a missing one before the next item is reported and read over.
+    /// Reads `;`, which the last item may lack. A missing one before the next item is reported and
+    /// skipped.
     pub(super) fn end_of_item(&mut self) -> Parsed<()> {
         if self.stream.eat_punct(';') || self.stream.at_end() {
             return Ok(());
@@ -53,7 +54,8 @@ impl Parser<'_> {
         }
     }
 
-    /// `gravity =`, or a load: its word, the beginning of a value, and a clause before the next `;`.
+    /// `gravity =`, or a load: its word, the beginning of a value, and a clause before the next
+    /// `;`.
     fn at_unnamed_item(&self) -> bool {
         let follows_operator = matches!(
             self.stream.previous(),
@@ -99,8 +101,8 @@ impl Parser<'_> {
     }
 }
 
-/// Whether the word and a name are enough to know an item, even if it lacks its `=`. The others are words that values are named with, too
-/// (`gravity`), or keywords that need no more.
+/// Returns true if the word and a name are enough to recognise an item without its `=`. The other
+/// words are names of values, too (`gravity`), or keywords that need no more.
 fn names_without_equals(word: DeclarationWord) -> bool {
     match word {
         DeclarationWord::Unit

@@ -2,8 +2,8 @@
 
 use super::units::{is_unit, unit_names};
 
-/// Units and exponents without signs between them, as they are written here: `N*mm`, `kg*m^2`. `None` for a unit of the table, and
-/// for what may be any name.
+/// Returns units and exponents without signs between them in the notation of the language: `N*mm`,
+/// `kg*m^2`. `None` for a unit of the table, and for a text that can be any name.
 pub(crate) fn units_within(text: &str) -> Option<String> {
     let factors = split(text).filter(|_| !is_unit(text))?;
     let telling = |factor: &String| factor.contains(['N', '^']) || factor == "kg";

@@ -8,7 +8,7 @@ use crate::diagnostic::SourceSpan;
 pub(super) struct Stream {
     tokens: Vec<TokenTree>,
     position: usize,
-    /// Where "the end" is when something is missing there.
+    /// The place of "the end" if something is missing there.
     end: Span,
 }
 
@@ -67,7 +67,7 @@ impl Stream {
         matches!(self.peek(ahead), Some(TokenTree::Punct(punct)) if punct.as_char() == wanted)
     }
 
-    /// Whether the next tokens are these characters, with or without spaces between them.
+    /// Returns true if the next tokens are these characters, with or without spaces between them.
     pub(super) fn is_puncts(&self, wanted: &str) -> bool {
         wanted
             .chars()
@@ -116,15 +116,15 @@ impl Stream {
         }
     }
 
-    /// A parenthesis, or what stands for one: an expression handed over by a `macro_rules` macro.
+    /// Returns a parenthesis or its equivalent: an expression from a `macro_rules` macro.
     pub(super) fn parenthesis(&self, ahead: usize) -> Option<&Group> {
         self.group(ahead, Delimiter::Parenthesis)
             .or_else(|| self.group(ahead, Delimiter::None))
     }
 }
 
-/// Opens the invisible groups that `macro_rules` fragments arrive in. One that holds an expression of several
-/// tokens stays: it has the precedence of a parenthesis.
+/// Opens the invisible groups of `macro_rules` fragments. A group with an expression of several
+/// tokens is kept: it has the precedence of a parenthesis.
 fn flatten(tokens: TokenStream) -> Vec<TokenTree> {
     let mut flat = Vec::new();
     for token in tokens {
@@ -143,8 +143,8 @@ fn flatten(tokens: TokenStream) -> Vec<TokenTree> {
     flat
 }
 
-/// The group with all invisible groups in it opened, as `$m:meta`, `$p:path` and `$e:expr` leave them in an attribute, where none of them
-/// has anything beside it that could bind more strongly.
+/// Opens all invisible groups in a group, as `$m:meta`, `$p:path` and `$e:expr` leave them in an
+/// attribute. None of them has a neighbour that could bind more strongly.
 pub(super) fn without_invisible_groups(group: &Group) -> Group {
     fn opened(tokens: TokenStream) -> TokenStream {
         tokens

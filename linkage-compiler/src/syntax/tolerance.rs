@@ -1,7 +1,8 @@
 //! Values of parameters: nominal values with tolerances.
 
-use super::ast::{Expr, ExprKind, Toleranced};
+use super::ast::Toleranced;
 use super::expression::PlusMinus;
+use super::expression_tree::{Expr, ExprKind};
 use super::parser::{Parsed, Parser};
 use crate::diagnostic::SourceSpan;
 
@@ -28,7 +29,7 @@ impl Parser<'_> {
         })
     }
 
-    /// Whether the parenthesis is the whole value, or all of it before the tolerance.
+    /// Returns true if the parenthesis is the whole value, or all of it before the tolerance.
     fn value_ends_after_group(&self) -> bool {
         let at = |wanted| self.stream.is_punct(1, wanted);
         let tolerance = at('+')

@@ -1,4 +1,4 @@
-//! Hints for what people write after a complete expression.
+//! Hints for text after a complete expression.
 
 use proc_macro2::{Delimiter, TokenTree};
 
@@ -26,7 +26,7 @@ impl Parser<'_> {
         self.decimal_comma().is_some()
     }
 
-    /// `1,5mm` read as `1` so far: what was meant.
+    /// Returns the number that was meant by `1,5mm`, which is read as `1` so far.
     fn decimal_comma(&self) -> Option<String> {
         let Some(TokenTree::Literal(before)) = self.stream.previous() else {
             return None;

@@ -1,4 +1,4 @@
-//! The units of literals: one table. What they mean for dimensions is told in `model`.
+//! The units of literals in one table. Their dimensions are in `model`.
 
 /// A unit: a scale times powers of kilogram, newton, metre and second.
 #[derive(Clone, Copy, Debug)]
@@ -108,7 +108,7 @@ pub(crate) fn unit_names() -> impl Iterator<Item = &'static str> {
     UNITS.iter().map(|(spellings, _)| spellings[0])
 }
 
-/// Whether this is the suffix of a literal.
+/// Returns true for the suffix of a literal.
 pub(crate) fn is_unit(name: &str) -> bool {
     row(name).is_some()
 }
@@ -149,13 +149,13 @@ mod tests {
 
     #[test]
     fn no_spelling_stands_twice() {
-        let mut all: Vec<&str> = UNITS
+        let mut spellings: Vec<&str> = UNITS
             .iter()
-            .flat_map(|(own, _)| own.iter().copied())
+            .flat_map(|(spellings, _)| spellings.iter().copied())
             .collect();
-        let count = all.len();
-        all.sort_unstable();
-        all.dedup();
-        assert_eq!(all.len(), count);
+        let count = spellings.len();
+        spellings.sort_unstable();
+        spellings.dedup();
+        assert_eq!(spellings.len(), count);
     }
 }

@@ -1,27 +1,29 @@
-//! Words of the language as enums: one list says what words there are, and a `match` over them what each means.
+//! Words of the language as enums: an enum lists the words, and a `match` over it defines their
+//! meaning.
 
 /// A word of some kind.
 pub(crate) trait Word: Copy + 'static {
     /// All of them, in the order in which messages list them.
     fn all() -> impl Iterator<Item = Self>;
 
-    /// As it is written.
+    /// Returns the word as it is written.
     fn word(self) -> &'static str;
 
-    /// What a written word is.
+    /// Returns the meaning of a written word.
     fn from_word(word: &str) -> Option<Self> {
-        Self::all().find(|own| own.word() == word)
+        Self::all().find(|candidate| candidate.word() == word)
     }
 }
 
 /// An enum of words, or of several such enums together, which is a [`Word`].
 ///
-/// Code that has to know every word matches all variants without `_`, so that a new word does not compile before it is known everywhere.
+/// Code that handles every word matches all variants without `_`, so a new word does not compile
+/// before all places handle it.
 macro_rules! vocabulary {
-    ($(#[$meta:meta])* $vis:vis enum $name:ident { $($(#[$own:meta])* $variant:ident = $word:literal,)+ }) => {
+    ($(#[$meta:meta])* $vis:vis enum $name:ident { $($(#[$doc:meta])* $variant:ident = $word:literal,)+ }) => {
         $(#[$meta])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        $vis enum $name { $($(#[$own])* $variant,)+ }
+        $vis enum $name { $($(#[$doc])* $variant,)+ }
 
         impl $crate::syntax::Word for $name {
             fn all() -> impl Iterator<Item = Self> {
@@ -33,10 +35,10 @@ macro_rules! vocabulary {
             }
         }
     };
-    ($(#[$meta:meta])* $vis:vis enum $name:ident { $($(#[$own:meta])* $variant:ident($part:ty),)+ }) => {
+    ($(#[$meta:meta])* $vis:vis enum $name:ident { $($(#[$doc:meta])* $variant:ident($part:ty),)+ }) => {
         $(#[$meta])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        $vis enum $name { $($(#[$own])* $variant($part),)+ }
+        $vis enum $name { $($(#[$doc])* $variant($part),)+ }
 
         impl $crate::syntax::Word for $name {
             fn all() -> impl Iterator<Item = Self> {
@@ -44,7 +46,7 @@ macro_rules! vocabulary {
             }
 
             fn word(self) -> &'static str {
-                match self { $(Self::$variant(own) => own.word(),)+ }
+                match self { $(Self::$variant(inner) => inner.word(),)+ }
             }
         }
     };

@@ -71,7 +71,7 @@ fn allowed(operation: Instruction, [a, b, _]: [f64; 3], interpreted: f64, rust: 
             | Unary::Acos
             | Unary::Atan
             | Unary::Sign
-            | Unary::Whole
+            | Unary::Round
             | Unary::Slack
             | Unary::InverseScale,
             _,
@@ -86,7 +86,7 @@ fn allowed(operation: Instruction, [a, b, _]: [f64; 3], interpreted: f64, rust: 
             | Binary::Max,
             ..,
         )
-        | Instruction::Ternary(Ternary::Select | Ternary::Root, ..)
+        | Instruction::Ternary(Ternary::Select | Ternary::GuardedSqrt, ..)
         | Instruction::Fused(Fused::MulAdd | Fused::MulSub | Fused::SubMul, ..) => false,
         Instruction::Constant(_)
         | Instruction::Load(_)

@@ -17,7 +17,7 @@ fn is_left_out(operation: Instruction) -> bool {
     matches!(
         operation,
         Instruction::Unary(Unary::Slack | Unary::InverseScale, _)
-            | Instruction::Ternary(Ternary::Root, ..)
+            | Instruction::Ternary(Ternary::GuardedSqrt, ..)
     )
 }
 

@@ -39,7 +39,8 @@ fn leaves(tree: &syn::UseTree, names: &mut BTreeSet<String>) {
         syn::UseTree::Path(path) => leaves(&path.tree, names),
         syn::UseTree::Group(group) => group.items.iter().for_each(|item| leaves(item, names)),
         syn::UseTree::Name(name) => drop(names.insert(name.ident.to_string())),
-        _ => panic!("`__private` renames something or re-exports all"),
+        syn::UseTree::Rename(rename) => drop(names.insert(rename.rename.to_string())),
+        syn::UseTree::Glob(_) => panic!("`__private` re-exports all"),
     }
 }
 

@@ -49,7 +49,7 @@ impl Arithmetic for Simple {
             | Unary::Sin
             | Unary::Cos
             | Unary::Sign
-            | Unary::Whole
+            | Unary::Round
             | Unary::Slack
             | Unary::InverseScale => Generated::<f64, false>::unary(op, a),
         }

@@ -1,8 +1,8 @@
 //! One counterweight in place of unit masses at several points.
 
 use super::BalanceError;
-use crate::Scalar;
 use crate::components::norm;
+use linkage_core::Scalar;
 
 /// A mass at a point of a link, in the axes of the link from its origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,9 +26,9 @@ impl Counterweight {
     pub fn of_masses([at_origin, m_x, m_y]: [f64; 3], radius: f64) -> Result<Self, BalanceError> {
         positive("the radius of the masses", radius)?;
         let mass = at_origin + m_x + m_y;
-        let place = [m_x, m_y].map(|m| radius * (m / mass));
-        if mass != 0.0 && norm(&place).is_finite() {
-            let [x, y] = place;
+        let centre = [m_x, m_y].map(|m| radius * (m / mass));
+        if mass != 0.0 && norm(&centre).is_finite() {
+            let [x, y] = centre;
             return Ok(Self { mass, x, y });
         }
         Err(BalanceError::Counterweight {

@@ -69,7 +69,7 @@ impl fmt::Display for BalanceError {
                 effects,
             } => {
                 write!(f, "{effects} rows of effects for {forces} forces")?;
-                write_quantity(f, *group)
+                write_group(f, *group)
             }
             Self::NotFinite {
                 group,
@@ -77,7 +77,7 @@ impl fmt::Display for BalanceError {
                 effect,
             } => {
                 write!(f, "position {position}")?;
-                write_quantity(f, *group)?;
+                write_group(f, *group)?;
                 match effect {
                     Some(effect) => write!(f, ": the effect of mass {effect} is not finite")?,
                     None => f.write_str(": the force is not finite")?,
@@ -110,7 +110,7 @@ impl fmt::Display for BalanceError {
 }
 
 /// ` of quantity 1`; the first one is the only one as a rule, and is not named.
-fn write_quantity(f: &mut fmt::Formatter<'_>, group: usize) -> fmt::Result {
+fn write_group(f: &mut fmt::Formatter<'_>, group: usize) -> fmt::Result {
     match group {
         0 => Ok(()),
         _ => write!(f, " of quantity {group}"),

@@ -17,7 +17,7 @@ use linkage_core::numeric::cholesky::Cholesky;
 use step::{LEAST_PIVOT, State};
 
 /// A point, and a lower bound of the peak of all points.
-pub(super) struct LeastPeak<const N: usize> {
+pub(super) struct PeakSolution<const N: usize> {
     pub(super) coordinates: [f64; N],
     pub(super) bound: f64,
 }
@@ -33,10 +33,10 @@ const GAP: f64 = 1e-13;
 pub(super) fn least_peak<const N: usize>(
     forces: &[[f64; 3]],
     columns: &[[[f64; 3]; N]],
-) -> LeastPeak<N> {
+) -> PeakSolution<N> {
     let scale = forces.iter().map(|v| norm(v)).fold(0.0, larger);
     if scale == 0.0 {
-        return LeastPeak {
+        return PeakSolution {
             coordinates: [0.0; N],
             bound: 0.0,
         };
@@ -63,7 +63,7 @@ pub(super) fn least_peak<const N: usize>(
         }
         state = state.next(&problem.rows);
     }
-    LeastPeak {
+    PeakSolution {
         coordinates: point.map(|y| scale * problem.unit * y),
         bound: scale * bound,
     }

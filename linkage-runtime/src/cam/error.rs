@@ -2,8 +2,9 @@
 
 use core::fmt;
 
-use super::{Follower, Undercut};
-use crate::words::rounded;
+use super::follower::Follower;
+use super::undercut::Undercut;
+use crate::format::rounded;
 
 /// Why a cam cannot be made.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,11 +12,11 @@ use crate::words::rounded;
 pub enum CamError {
     /// A number that makes no sense.
     Invalid {
-        /// What it stands for.
+        /// Name of the number.
         what: &'static str,
         /// The number.
         value: f64,
-        /// What it must be.
+        /// The range that is required.
         expected: &'static str,
     },
     /// The motion is NaN or infinite.
@@ -28,11 +29,11 @@ pub enum CamError {
         /// Its value at a turn less that at 0.
         gap: f64,
     },
-    /// The profile cuts itself off: the follower would not come where its motion says.
+    /// The profile cuts itself off: the follower could not reach the position of its motion.
     Undercut {
-        /// Where, and by how much.
+        /// The intervals, with the missing radius.
         undercut: Undercut,
-        /// Of which follower.
+        /// The follower of this cam.
         follower: Follower,
     },
 }
@@ -81,14 +82,14 @@ impl fmt::Display for CamError {
                         rounded(*base),
                         rounded(limit)
                     ),
-                    Follower::Roller { radius: own, .. }
-                    | Follower::Swinging { radius: own, .. } => write!(
+                    Follower::Roller { radius: roller, .. }
+                    | Follower::Swinging { radius: roller, .. } => write!(
                         f,
                         "at {} deg the pitch curve has a radius of {}, and the roller one of {}; take a roller of less than \
                          that, a larger cam or a slower motion",
                         rounded(at),
                         rounded(limit),
-                        rounded(*own)
+                        rounded(*roller)
                     ),
                 }
             }

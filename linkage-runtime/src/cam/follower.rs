@@ -4,12 +4,11 @@ use core::f64::consts::PI;
 
 use linkage_core::math::double::sqrt;
 
-use super::CamError;
 use super::plane::direction;
 use linkage_core::Scalar;
 use linkage_core::numeric::complex::{Complex, I};
 
-/// The follower of a cam. A roller of radius 0 is a point.
+/// A follower of a cam. A roller of radius 0 is a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Follower {
@@ -19,7 +18,7 @@ pub enum Follower {
         /// Radius of the pitch circle: how far the roller's centre is from that of the cam where
         /// the motion is 0.
         base: f64,
-        /// The distance of the guide to the right of the cam's centre.
+        /// Distance of the guide from the cam's centre, to the right.
         offset: f64,
         /// Radius of the roller.
         radius: f64,
@@ -38,7 +37,7 @@ pub enum Follower {
     },
     /// A flat face that is pushed upwards, perpendicular to its way.
     Flat {
-        /// The distance of the face from the cam's centre where the motion is 0.
+        /// Distance of the face from the cam's centre where the motion is 0.
         base: f64,
     },
 }
@@ -52,64 +51,6 @@ pub(super) struct Centre {
 }
 
 impl Follower {
-    pub(super) fn check(&self) -> Result<(), CamError> {
-        let positive = |what, value: f64| match value > 0.0 && value.is_finite() {
-            true => Ok(()),
-            false => Err(CamError::Invalid {
-                what,
-                value,
-                expected: "positive and finite",
-            }),
-        };
-        let roller = |radius: f64, base: f64| match radius >= 0.0 && radius < base {
-            true => Ok(()),
-            false => Err(CamError::Invalid {
-                what: "radius of the roller",
-                value: radius,
-                expected: "0 for a point, and less than that of the pitch circle",
-            }),
-        };
-        match *self {
-            Self::Roller {
-                base,
-                offset,
-                radius,
-            } => {
-                positive("radius of the pitch circle", base)?;
-                if offset.abs() < base {
-                    return roller(radius, base);
-                }
-                let expected = "less than the radius of the pitch circle, which the guide meets";
-                Err(CamError::Invalid {
-                    what: "offset",
-                    value: offset,
-                    expected,
-                })
-            }
-            Self::Swinging {
-                base,
-                pivot,
-                arm,
-                radius,
-            } => {
-                positive("radius of the pitch circle", base)?;
-                positive("distance of the pivot", pivot)?;
-                positive("length of the arm", arm)?;
-                if base + arm > pivot && (pivot - arm).abs() < base {
-                    return roller(radius, base);
-                }
-                let expected =
-                    "the third side of a triangle with the distance of the pivot and the arm";
-                Err(CamError::Invalid {
-                    what: "radius of the pitch circle",
-                    value: base,
-                    expected,
-                })
-            }
-            Self::Flat { base } => positive("distance of the face", base),
-        }
-    }
-
     /// The radius of its roller; 0 for a flat face.
     pub fn radius(&self) -> f64 {
         match *self {
@@ -118,7 +59,7 @@ impl Follower {
         }
     }
 
-    /// Returns the centre of a roller; `None` for a flat face.
+    /// The centre of a roller; `None` for a flat face.
     pub(super) fn centre(&self, [s, first, second, third]: [f64; 4]) -> Option<Centre> {
         match *self {
             Self::Roller { base, offset, .. } => {
@@ -148,7 +89,7 @@ impl Follower {
                     Complex::new(-first * first, -second),
                     Complex::new(-3.0 * first * second, first * first * first - third),
                 ];
-                let [speed, acceleration, jerk] = factors.map(|own| own * arm);
+                let [speed, acceleration, jerk] = factors.map(|factor| factor * arm);
                 let jet = [Complex::new(pivot, 0.0) + arm, speed, acceleration, jerk];
                 Some(Centre {
                     jet,

@@ -1,122 +1,22 @@
-//! Whether the profile can be made: where it is undercut.
+//! Undercut profiles.
 
-use alloc::vec::Vec;
-use core::f64::consts::TAU;
-
-use super::search::{HALVINGS, angles};
-use super::{Cam, CamError, Follower};
 use crate::summary::Interval;
+use alloc::vec::Vec;
 
-/// Where a profile is undercut.
+/// The undercut part of a profile.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Undercut {
-    /// All intervals of the cam's angle in which the radius of the profile is negative where it should be convex, in the order of
-    /// their beginnings. One that goes across angle 0 is a single one: its end is below its beginning.
+    /// All intervals of the cam's angle in which the radius of the profile is negative where it
+    /// should be convex, in the order of their beginnings. One that goes across angle 0 is a single
+    /// one: its end is below its beginning.
     pub intervals: Vec<Interval>,
     /// The one of them in which it is worst.
     pub worst: Interval,
-    /// Where in it: the worst angle of the whole turn.
+    /// The worst angle of the whole turn.
     pub at: f64,
     /// The radius of curvature of the profile there.
     pub radius: f64,
-    /// What would just do: the radius of a roller, which is that of the pitch curve, or the distance of a flat face at the base.
+    /// The limit: the largest radius of a roller, which is the radius of the pitch curve, or the
+    /// least distance of a flat face at the base.
     pub limit: f64,
-}
-
-impl<F: Fn(f64) -> [f64; 4]> Cam<F> {
-    /// Whether the profile can be made.
-    ///
-    /// # Errors
-    ///
-    /// [`CamError::Undercut`] with the angles, and the radius of a roller or the distance of a flat face that would do.
-    pub fn check(&self) -> Result<(), CamError> {
-        let peak = self.peak(|own| own.bend, |bend| self.sharpness(bend));
-        if self.left(peak.value) >= 0.0 {
-            return Ok(());
-        }
-        let intervals = self.undercuts(peak.angle);
-        let holds = |own: &&Interval| {
-            let after = peak.angle - own.from;
-            (0.0..=own.range).contains(&after) || (0.0..=own.range).contains(&(after + TAU))
-        };
-        // The peak is one of the places between which they are sought.
-        let worst = intervals.iter().find(holds).copied();
-        let worst = worst.unwrap_or(Interval {
-            from: peak.angle,
-            to: peak.angle,
-            range: 0.0,
-        });
-        let (radius, limit) = match self.follower {
-            Follower::Flat { base } => (peak.value, base - peak.value),
-            Follower::Roller { radius, .. } | Follower::Swinging { radius, .. } => {
-                (1.0 / peak.value - radius, 1.0 / peak.value)
-            }
-        };
-        let undercut = Undercut {
-            intervals,
-            worst,
-            at: peak.angle,
-            radius,
-            limit,
-        };
-        Err(CamError::Undercut {
-            undercut,
-            follower: self.follower,
-        })
-    }
-
-    /// The intervals in which it is undercut. `peak` is among the places that are looked at, and so is where the curvature stands
-    /// still: what is shorter than a step lies about such a place.
-    fn undercuts(&self, peak: f64) -> Vec<Interval> {
-        let left = |angle: f64| self.left(self.figures(angle).bend.value);
-        let limits = self.curvatures().into_iter().map(|own| own.angle);
-        let mut places: Vec<f64> = angles().chain(limits).chain([peak]).collect();
-        places.sort_by(f64::total_cmp);
-        let mut open = (left(0.0) < 0.0).then_some(0.0);
-        let mut found: Vec<[f64; 2]> = Vec::new();
-        for pair in places.windows(2) {
-            match (open, left(pair[1]) < 0.0) {
-                (None, true) => open = Some(change([pair[0], pair[1]], left)),
-                (Some(from), false) => {
-                    found.push([from, change([pair[0], pair[1]], left)]);
-                    open = None;
-                }
-                (None, false) | (Some(_), true) => {}
-            }
-        }
-        if let Some(from) = open {
-            match found.first().copied() {
-                // It goes on across the seam.
-                Some([0.0, end]) => {
-                    found.remove(0);
-                    found.push([from, end + TAU]);
-                }
-                _ => found.push([from, TAU]),
-            }
-        }
-        let interval = |[from, to]: [f64; 2]| Interval {
-            from,
-            to: if to > TAU { to - TAU } else { to },
-            range: to - from,
-        };
-        found.into_iter().map(interval).collect()
-    }
-}
-
-/// Where a function becomes negative or ceases to be, which it does between two angles.
-fn change([mut low, mut high]: [f64; 2], of: impl Fn(f64) -> f64) -> f64 {
-    let begins = of(low) < 0.0;
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            break;
-        }
-        if (of(middle) < 0.0) == begins {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    let [below, above] = [low, high].map(|x| of(x).abs());
-    if below < above { low } else { high }
 }

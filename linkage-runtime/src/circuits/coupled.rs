@@ -1,50 +1,53 @@
 //! All solutions of a coupled group over a slab, strand by strand.
 
-use super::curve::{Curve, Node};
+use super::curve::{Node, SolutionCurve};
 use super::slab::Slab;
 use super::trace::Strand;
-use crate::AssemblyError;
-use crate::generated::{CoupledGroup, CoupledPrograms, list};
+use crate::error::AssemblyError;
+use crate::support::{CoupledGroup, CoupledPrograms, list_solutions};
 use alloc::vec::Vec;
 use linkage_core::numeric::vector::dot;
 
 /// Newton steps for all curves of a slab.
 const CORRECTIONS: usize = 1_000_000;
 
-/// A solution belongs to a strand if its determinant has the same sign and it is this near to the straight line between two nodes,
-/// as a part of its length, and anyway: between two strands of one sign there is one of the other.
+/// A solution belongs to a strand if its determinant has the same sign and it is this near to the
+/// straight line between two nodes, as a part of its length, and anyway: between two strands of one
+/// sign there is one of the other.
 const ASIDE: f64 = 0.1;
 const SAME: f64 = 1e-6;
 
-/// What is known of a coupled group over a slab.
-pub(super) struct Found {
+/// The curves of a coupled group over a slab.
+pub(super) struct Followed {
     pub(super) strands: Vec<Strand>,
-    /// How many turning points there are; strands number them from 0.
+    /// The number of turning points; strands number them from 0.
     pub(super) turning: usize,
 }
 
-/// Follows all solutions that are listed at the parameters `samples`, to both sides and through turning points.
+/// Follows all solutions that are listed at the parameters `samples`, to both sides and through
+/// turning points.
 ///
 /// # Errors
 ///
-/// The first error of the listing if it fails everywhere; at once for a group that is followed from its estimates.
+/// The first error of the listing if it fails everywhere; at once for a group that is followed from
+/// its estimates.
 pub(super) fn follow(
     group: &CoupledGroup,
     programs: &mut dyn CoupledPrograms,
     slab: Slab,
     samples: &[f64],
-) -> Result<Found, AssemblyError> {
+) -> Result<Followed, AssemblyError> {
     if group.is_followed() {
         return Err(group.not_listed());
     }
-    let mut found = Found {
+    let mut found = Followed {
         strands: Vec::new(),
         turning: 0,
     };
     let (mut error, mut listed) = (None, false);
     for &u in samples {
-        let all = match list(group, programs, &[slab.x(u)]) {
-            Ok(all) => all,
+        let solutions = match list_solutions(group, programs, &[slab.x(u)]) {
+            Ok(solutions) => solutions,
             Err(new) => {
                 listed |= new.is_a_miss();
                 error = error.or(Some(new));
@@ -52,13 +55,13 @@ pub(super) fn follow(
             }
         };
         listed = true;
-        let mut curve = Curve {
+        let mut curve = SolutionCurve {
             correction: programs,
             variables: group.variables,
             slab,
             left: CORRECTIONS,
         };
-        for solution in all {
+        for solution in solutions {
             let Some(node) = curve.node(u, &solution.state) else {
                 continue;
             };
@@ -80,13 +83,13 @@ pub(super) fn follow(
 }
 
 impl Strand {
-    /// Whether a node is on the strand.
-    fn passes(&self, curve: &mut Curve<'_>, node: &Node) -> bool {
+    /// Returns true if a node is on the strand.
+    fn passes(&self, curve: &mut SolutionCurve<'_>, node: &Node) -> bool {
         let last = self.nodes.len() - 1;
         if node.u < self.nodes[0].u || node.u > self.nodes[last].u {
             return false;
         }
-        let above = self.nodes.partition_point(|own| own.u <= node.u);
+        let above = self.nodes.partition_point(|other| other.u <= node.u);
         let above = above.clamp(1, last);
         let [below, above] = [&self.nodes[above - 1], &self.nodes[above]];
         let mut chord = curve.difference(&below.state, &above.state);
@@ -109,8 +112,9 @@ impl Strand {
         [0, last].map(|k| slab.x(self.nodes[k].u))
     }
 
-    /// The node to prepare a table from: between the ends, as far from singular as possible. At the ends of a slab groups before may turn
-    /// back; the slope of the inputs vanishes there as their determinants do, and a table from there would go nowhere.
+    /// The node to prepare a table from: between the ends, as far from singular as possible. At the
+    /// ends of a slab groups before may turn back; the slope of the inputs vanishes there as their
+    /// determinants do, and a table from there would go nowhere.
     pub(super) fn best(&self) -> &Node {
         let between = match self.nodes.len() {
             0..3 => &self.nodes[..],

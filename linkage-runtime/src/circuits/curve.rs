@@ -1,34 +1,37 @@
-//! The curve of a coupled group's solutions over its input, followed along its own length: it turns back where the input does.
+//! The curve of a coupled group's solutions over its input, followed along its own length: it turns
+//! back where the input does.
 
 use super::slab::Slab;
-use crate::numeric::continuation::Correction;
-use crate::numeric::roots::Variable;
 use alloc::vec;
 use alloc::vec::Vec;
 use linkage_core::math;
+use linkage_core::numeric::continuation::Correction;
+use linkage_core::numeric::roots::Variable;
 use linkage_core::numeric::vector::dot;
 
-/// The derivative by the parameter is a difference over this. Its error is divided by the determinant, so it is short.
+/// The derivative by the parameter is a difference over this. Its error is divided by the
+/// determinant, so it is short.
 const DIFFERENCE: f64 = 1e-8;
 
-/// Nearer to an end of the slab than the first number the difference is the second one: where that is a turning point of another group,
-/// roots of rounding are in everything.
+/// Nearer to an end of the slab than the first number the difference is the second one: where that
+/// is a turning point of another group, roots of rounding are in everything.
 const BESIDE: [f64; 2] = [1e-3, 1e-5];
 
-/// A correction that leaves nothing but rounding. Close to a turning point rounding is divided by a small determinant: there, one
-/// that does not become smaller any more.
+/// A correction that leaves nothing but rounding. Close to a turning point rounding is divided by a
+/// small determinant: there, one that does not become smaller any more.
 const SETTLED: f64 = 1e-10;
 const ROUNDING: f64 = 1e-7;
 
-/// Corrections of one node, at most, and how much smaller the second and each later one must be than the one before: at a turning
-/// point the derivatives are exact on the curve only.
+/// Corrections of one node, at most, and how much smaller the second and each later one must be
+/// than the one before: at a turning point the derivatives are exact on the curve only.
 const CORRECTIONS: usize = 40;
 const CONTRACTION: [f64; 2] = [0.3, 0.8];
 
 /// A first correction must not be larger than this part of the step.
 const ASIDE: f64 = 0.1;
 
-/// The cosine of the angle by which the direction may change in a step, and the one below which steps grow.
+/// The cosine of the angle by which the direction may change in a step, and the one below which
+/// steps grow.
 const TURN: f64 = 0.97;
 const STRAIGHT: f64 = 0.996;
 
@@ -42,7 +45,7 @@ pub(super) struct Node {
     pub(super) u: f64,
     pub(super) state: Vec<f64>,
     pub(super) determinant: f64,
-    /// Of length 1: how parameter and coordinates change along the curve.
+    /// Change of parameter and coordinates along the curve, of length 1.
     pub(super) direction: Vec<f64>,
 }
 
@@ -56,7 +59,8 @@ impl Node {
         }
     }
 
-    /// Which of two neighbouring strands of a curve it is on: this sign never changes along one.
+    /// Orientation, which separates two neighbouring strands of a curve: this sign never changes
+    /// along one of them.
     fn side(&self) -> f64 {
         if self.direction[0].abs() < UPRIGHT {
             return 0.0;
@@ -66,7 +70,7 @@ impl Node {
 }
 
 /// The curve within a slab.
-pub(super) struct Curve<'a> {
+pub(super) struct SolutionCurve<'a> {
     pub(super) correction: &'a mut dyn Correction,
     pub(super) variables: &'a [Variable],
     pub(super) slab: Slab,
@@ -74,7 +78,7 @@ pub(super) struct Curve<'a> {
     pub(super) left: usize,
 }
 
-impl Curve<'_> {
+impl SolutionCurve<'_> {
     /// The node at a known solution, towards higher inputs.
     pub(super) fn node(&mut self, u: f64, state: &[f64]) -> Option<Node> {
         let mut plane = vec![0.0; 1 + self.coordinates()];
@@ -83,7 +87,7 @@ impl Curve<'_> {
     }
 
     /// The node at about this length of curve from another one.
-    pub(super) fn at(&mut self, node: &Node, length: f64) -> Option<Node> {
+    pub(super) fn step_along(&mut self, node: &Node, length: f64) -> Option<Node> {
         let steps: Vec<f64> = node.direction.iter().map(|x| length * x).collect();
         let state = self.moved(&node.state, &steps[1..]);
         let u = node.u + steps[0];
@@ -105,13 +109,13 @@ impl Curve<'_> {
         self.continues(node, &next).then_some(next)
     }
 
-    /// Whether the curve has turned by little, and is the same.
+    /// Returns true if the curve has turned by little, and is still the same.
     fn continues(&self, node: &Node, next: &Node) -> bool {
         let sides = node.side() * next.side();
         dot(&node.direction, &next.direction) >= TURN && sides >= 0.0
     }
 
-    /// How the next step is to be changed after one that succeeded.
+    /// The factor for the length of the next step after a success.
     pub(super) fn growth(node: &Node, next: &Node) -> f64 {
         if dot(&node.direction, &next.direction) > STRAIGHT {
             1.6
@@ -124,11 +128,13 @@ impl Curve<'_> {
     fn solve(&mut self, mut u: f64, mut state: Vec<f64>, plane: &[f64], most: f64) -> Option<Node> {
         let mut allowed = most.max(SETTLED);
         for index in 0..CORRECTIONS {
-            // The displacement at a fixed input is beyond all bounds at a turning point; times the determinant it is smooth.
+            // The displacement at a fixed input is beyond all bounds at a turning point; times the
+            // determinant it is smooth.
             let (here, determinant) = self.displacement(u, &state)?;
-            let aside = match 1.0 - u.abs() < BESIDE[0] {
-                true => -u.signum() * BESIDE[1],
-                false => -u.signum() * DIFFERENCE,
+            let aside = if 1.0 - u.abs() < BESIDE[0] {
+                -u.signum() * BESIDE[1]
+            } else {
+                -u.signum() * DIFFERENCE
             };
             let (there, other) = self.displacement(u + aside, &state)?;
             let pairs = there.iter().zip(&here);
@@ -165,7 +171,7 @@ impl Curve<'_> {
         None
     }
 
-    /// How many coordinates a state has: one for each variable.
+    /// The number of coordinates of a state: one for each variable.
     fn coordinates(&self) -> usize {
         self.variables.len()
     }
@@ -180,20 +186,20 @@ impl Curve<'_> {
         finite.then_some((displacement, step.determinant))
     }
 
-    /// From one state to another near it, coordinate by coordinate: the sine of the angle between unit vectors, which is what a
-    /// Newton step turns them by.
+    /// Differences from one state to another near it, one for each variable. For a unit vector it
+    /// is the sine of the angle, by which a Newton step turns it.
     pub(super) fn difference(&self, from: &[f64], to: &[f64]) -> Vec<f64> {
         let mut differences = Vec::with_capacity(self.coordinates());
-        let mut place = 0;
+        let mut number = 0;
         for variable in self.variables {
             match variable {
                 Variable::Unit => {
-                    differences.push(from[place] * to[place + 1] - from[place + 1] * to[place]);
-                    place += 2;
+                    differences.push(from[number] * to[number + 1] - from[number + 1] * to[number]);
+                    number += 2;
                 }
                 Variable::Length | Variable::Number | Variable::Point | Variable::Conjugate => {
-                    differences.push(to[place] - from[place]);
-                    place += 1;
+                    differences.push(to[number] - from[number]);
+                    number += 1;
                 }
             }
         }
@@ -203,19 +209,19 @@ impl Curve<'_> {
     /// The state at these differences of the coordinates.
     fn moved(&self, state: &[f64], steps: &[f64]) -> Vec<f64> {
         let mut state = state.to_vec();
-        let mut place = 0;
+        let mut number = 0;
         for (variable, step) in self.variables.iter().zip(steps) {
             match variable {
                 Variable::Unit => {
-                    let [cos, sin] = [state[place], state[place + 1]];
+                    let [cos, sin] = [state[number], state[number + 1]];
                     let (c, s) = (cos - sin * step, sin + cos * step);
                     let length = math::double::sqrt(c * c + s * s);
-                    (state[place], state[place + 1]) = (c / length, s / length);
-                    place += 2;
+                    (state[number], state[number + 1]) = (c / length, s / length);
+                    number += 2;
                 }
                 Variable::Length | Variable::Number | Variable::Point | Variable::Conjugate => {
-                    state[place] += step;
-                    place += 1;
+                    state[number] += step;
+                    number += 1;
                 }
             }
         }

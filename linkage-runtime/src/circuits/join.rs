@@ -1,14 +1,18 @@
-//! Which assemblies continue each other: through a turning point, or from one turn to the next.
+//! Assemblies that continue each other: through a turning point, or from one turn to the next.
 
-use super::search::{End, Leaf, Way};
-use super::{SAME, near, size};
+use super::leaf::{End, GroupAssembly, Leaf};
+use super::unknowns::{near, size};
 use alloc::vec::Vec;
 
-/// The end of a leaf: its number, and 0 or 1.
-type Place = (usize, usize);
+/// Greatest distance between positions of one assembly in two turns, relative to their size.
+const SAME: f64 = 1e-6;
 
-/// The circuits that the assemblies belong to, numbered from 0 in the order of their first ones, and which of them are closed.
-pub(super) fn circuits(
+/// The end of a leaf: its number, and 0 or 1.
+type LeafEnd = (usize, usize);
+
+/// The circuits that the assemblies belong to, numbered from 0 in the order of their first ones,
+/// and which of them are closed.
+pub(super) fn join(
     leaves: &[Leaf],
     seams: &[[Vec<f64>; 2]],
     turn: bool,
@@ -48,7 +52,8 @@ pub(super) fn circuits(
 
 /// The leaves that continue one in the next turn: their unknowns are where its own end.
 ///
-/// At a change point several begin in one place. There the leaf continues that is assembled in the same way, wherever the turn begins.
+/// At a change point several begin in one place. There the leaf continues that is assembled in the
+/// same way, wherever the turn begins.
 fn continuing(leaves: &[Leaf], seams: &[[Vec<f64>; 2]], one: usize, turn: bool) -> Vec<usize> {
     let here = &seams[one][1];
     let is_near = |&other: &usize| {
@@ -56,22 +61,22 @@ fn continuing(leaves: &[Leaf], seams: &[[Vec<f64>; 2]], one: usize, turn: bool) 
         let there = &seams[other][0];
         turn && ends == [End::Range; 2] && near(here, there, size(here).max(size(there)), SAME)
     };
-    let all: Vec<usize> = (0..leaves.len()).filter(is_near).collect();
+    let near_leaves: Vec<usize> = (0..leaves.len()).filter(is_near).collect();
     let alike = |other: &usize| {
         let mut pairs = leaves[one].ways.iter().zip(&leaves[*other].ways);
         pairs.all(|((_, here), (_, there))| match (here, there) {
-            (Way::Mode(a), Way::Mode(b)) => a == b,
+            (GroupAssembly::Mode(a), GroupAssembly::Mode(b)) => a == b,
             _ => true,
         })
     };
-    let same: Vec<usize> = all.iter().copied().filter(alike).collect();
-    if same.is_empty() { all } else { same }
+    let same: Vec<usize> = near_leaves.iter().copied().filter(alike).collect();
+    if same.is_empty() { near_leaves } else { same }
 }
 
-/// Pairs of leaves that meet at a turning point: of those that end there, two in which the group that turns back is assembled
-/// differently and the later ones alike.
+/// Pairs of leaves that meet at a turning point: of those that end there, two in which the group
+/// that turns back is assembled differently and the later ones alike.
 fn partners(leaves: &[Leaf]) -> Vec<(usize, usize)> {
-    let ends: Vec<Place> = (0..leaves.len())
+    let ends: Vec<LeafEnd> = (0..leaves.len())
         .flat_map(|leaf| [(leaf, 0), (leaf, 1)])
         .collect();
     let mut free: Vec<bool> = alloc::vec![true; ends.len()];
@@ -91,8 +96,9 @@ fn partners(leaves: &[Leaf]) -> Vec<(usize, usize)> {
     pairs
 }
 
-/// How far the states of later groups are apart at two ends; infinite where these are not two sides of one turning point.
-fn apart(leaves: &[Leaf], one: Place, other: Place) -> f64 {
+/// Distance of the states of later groups at two ends; infinite unless these are two sides of one
+/// turning point.
+fn apart(leaves: &[Leaf], one: LeafEnd, other: LeafEnd) -> f64 {
     let [here, there] = [one, other].map(|(leaf, end)| (&leaves[leaf], end));
     let ends = [here, there].map(|(leaf, end)| leaf.ends[end]);
     let [End::Turning { group, .. }, _] = ends else {
@@ -102,12 +108,16 @@ fn apart(leaves: &[Leaf], one: Place, other: Place) -> f64 {
         return f64::INFINITY;
     }
     let pairs = here.0.ways.iter().zip(&there.0.ways);
-    let pairs = pairs.filter(|((own, _), _)| *own >= group);
+    let pairs = pairs.filter(|((later, _), _)| *later >= group);
     pairs
         .map(
-            |((own, here_way), (_, there_way))| match (here_way, there_way) {
-                (Way::Mode(a), Way::Mode(b)) if (a == b) == (*own > group) => 0.0,
-                (Way::States(a), Way::States(b)) => {
+            |((later, here_way), (_, there_way))| match (here_way, there_way) {
+                (GroupAssembly::Mode(a), GroupAssembly::Mode(b))
+                    if (a == b) == (*later > group) =>
+                {
+                    0.0
+                }
+                (GroupAssembly::States(a), GroupAssembly::States(b)) => {
                     let pairs = a[here.1].iter().zip(&b[there.1]);
                     pairs.map(|(a, b)| (a - b) * (a - b)).sum()
                 }

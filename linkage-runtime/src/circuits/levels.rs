@@ -1,10 +1,12 @@
-//! A mechanism as the search for circuits sees it: group by group, in the order in which they are solved.
+//! A mechanism as the search for circuits sees it: group by group, in the order in which they are
+//! solved.
 
-use crate::generated::{CoupledGroup, CoupledPrograms, Start};
-use crate::numeric::continuation::{Correction, Residuals, Step};
-use crate::{AssemblyError, AssemblyMode};
+use crate::data::AssemblyMode;
+use crate::error::AssemblyError;
+use crate::support::{CoupledGroup, CoupledPrograms, InitialState};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
+use linkage_core::numeric::continuation::{Correction, Residuals, Step};
 use linkage_core::{Enclosure, Level};
 
 /// An unknown whose numbers are surveyed.
@@ -14,22 +16,22 @@ pub struct SurveyedUnknown {
     pub name: &'static str,
     /// Unit of a length; empty for a number.
     pub unit: &'static str,
-    /// Whether it is an angle: its numbers are cosine and sine.
+    /// True for an angle: its numbers are cosine and sine.
     pub angle: bool,
-    /// How many numbers it has.
+    /// The number of its numbers.
     pub numbers: usize,
 }
 
-/// What has been chosen of the assemblies of the first groups.
+/// The assemblies that have been chosen for the first groups.
 #[derive(Clone, Debug)]
 pub struct Chosen {
     /// The modes; those of later groups mean nothing.
     pub modes: Vec<AssemblyMode>,
-    /// What is prepared of coupled groups; nothing of later ones.
-    pub starts: Vec<Start>,
+    /// The initial states of coupled groups; those of later groups are empty.
+    pub starts: Vec<InitialState>,
 }
 
-/// What is known of a mechanism with one input before it is searched.
+/// The data of a mechanism with one input that are known before the search.
 #[derive(Clone, Copy, Debug)]
 pub struct Searched {
     /// Name of the mechanism.
@@ -42,9 +44,9 @@ pub struct Searched {
     pub levels: &'static [Level],
     /// The unknowns in the order of their numbers in a survey.
     pub unknowns: &'static [SurveyedUnknown],
-    /// How many groups have modes.
+    /// The number of groups with modes.
     pub modes: usize,
-    /// How many groups are coupled.
+    /// The number of coupled groups.
     pub coupled: usize,
 }
 
@@ -55,18 +57,20 @@ pub type Bounds<'a> = Box<dyn Fn(Enclosure) -> Enclosure + 'a>;
 pub trait Levels {
     /// An assembled mechanism.
     type Assembly: Clone;
-    /// What a survey gives: the least margin of all groups, the slack of every group, the numbers of the unknowns.
+    /// Result of a survey: the least margin of all groups, the slack of every group, the numbers of
+    /// the unknowns.
     type Survey: AsRef<[f64]>;
     /// The programs of a coupled group.
     type Programs: CoupledPrograms;
 
-    /// What is known of it.
+    /// The data of the mechanism.
     fn searched(&self) -> Searched;
-    /// An assembly of which only what belongs to the chosen groups means anything.
+    /// An assembly in which only the chosen groups are valid.
     fn surveyor(&self, chosen: &Chosen, at: f64) -> Self::Assembly;
-    /// What an assembly is at an input.
+    /// Surveys an assembly at an input.
     fn survey(&self, assembly: &Self::Assembly, at: f64) -> Self::Survey;
-    /// Bounds of a number of the survey over inputs. Those of groups behind a coupled one are not known.
+    /// Bounds of a number of the survey over inputs. Those of groups after a coupled one are not
+    /// known.
     fn bounds(&self, assembly: &Self::Assembly, number: usize) -> Option<Bounds<'_>> {
         let _ = (assembly, number);
         None
@@ -77,13 +81,14 @@ pub trait Levels {
     ///
     /// If it does not close at that input, or its angles cannot be followed.
     fn assembled(&self, chosen: &Chosen, at: f64) -> Result<Self::Assembly, AssemblyError>;
-    /// Whether the mechanism is an assembly of some kind at an input; an error that is not about loops out of reach.
+    /// Checks that some assembly exists at an input. An error about loops out of reach does not
+    /// count.
     ///
     /// # Errors
     ///
     /// As `assemblies()`.
     fn check(&self, at: f64) -> Result<(), AssemblyError>;
-    /// A coupled group, with what is chosen of the groups before it. A mechanism without any has none.
+    /// A coupled group, given the assemblies of the groups before it; `None` if there is none.
     fn coupled(
         &self,
         _chosen: &Chosen,

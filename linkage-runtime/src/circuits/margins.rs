@@ -1,14 +1,16 @@
-//! Where the margin of an assembly is smallest, and where it has none.
+//! The smallest margin of an assembly, and the inputs without one.
 
-use super::search::{End, Leaf};
-use super::{BranchEnd, Levels};
-use crate::numeric::range::minimum;
+use super::branch::BranchEnd;
+use super::leaf::{End, Leaf};
+use super::levels::Levels;
+use linkage_core::numeric::range::minimum;
 
 /// Margins that are looked at along an assembly.
 const MARGINS: usize = 120;
 
-/// Where the margin is smallest, and the margin there: NaN, and where, if that of a coupled group is not known everywhere. Groups with a
-/// closed form have one wherever their slack is positive, but for rounding at a change point.
+/// The input with the smallest margin, and the margin: NaN, with its input, if the margin of a
+/// coupled group is not known everywhere. Groups with a closed form have a margin wherever their
+/// slack is positive, except for rounding at a change point.
 pub(super) fn least<M: Levels>(mechanism: &M, leaf: &Leaf, assembly: &M::Assembly) -> (f64, f64) {
     for (end, x) in leaf.ends.into_iter().zip(leaf.inputs) {
         if let End::Turning { .. } = end {
@@ -18,9 +20,10 @@ pub(super) fn least<M: Levels>(mechanism: &M, leaf: &Leaf, assembly: &M::Assembl
     let [low, high] = leaf.inputs;
     minimum(low, high, MARGINS, |x| {
         let margin = margin(mechanism, assembly, x);
-        match margin.is_nan() && !leaf.is_coupled() {
-            true => f64::INFINITY,
-            false => margin,
+        if margin.is_nan() && !leaf.is_coupled() {
+            f64::INFINITY
+        } else {
+            margin
         }
     })
 }
@@ -29,8 +32,8 @@ fn margin<M: Levels>(mechanism: &M, assembly: &M::Assembly, x: f64) -> f64 {
     mechanism.survey(assembly, x).as_ref()[0]
 }
 
-/// An assembly that is nowhere at the input `lost` ends before it: its ends then, and its least margin up to there. `known` is an input at
-/// which it is.
+/// An assembly that is nowhere at the input `lost` ends before it: its ends then, and its least
+/// margin up to there. `known` is an input at which it is.
 pub(super) fn up_to<M: Levels>(
     mechanism: &M,
     assembly: &M::Assembly,
@@ -40,9 +43,10 @@ pub(super) fn up_to<M: Levels>(
     let [mut here, mut there] = [known, lost];
     for _ in 0..f64::MANTISSA_DIGITS {
         let middle = 0.5 * (here + there);
-        match margin(mechanism, assembly, middle).is_nan() {
-            true => there = middle,
-            false => here = middle,
+        if margin(mechanism, assembly, middle).is_nan() {
+            there = middle
+        } else {
+            here = middle
         }
     }
     ends[usize::from(lost > known)] = BranchEnd::Lost(here);

@@ -1,22 +1,26 @@
-//! Where two assemblies meet and both go on: change points, at which a group has one solution instead of two.
+//! Change points, where two assemblies meet and both go on: a group has one solution there instead
+//! of two.
 
-use super::search::{Leaf, Way};
-use super::{Levels, Meeting, near, numbers, size};
+use super::branch::Meeting;
+use super::leaf::{GroupAssembly, Leaf};
+use super::levels::Levels;
+use super::unknowns::{near, numbers, size};
 use crate::range_check::touches;
 use alloc::vec::Vec;
 use linkage_core::range_check::{AT_END, samples};
 use linkage_core::{Cycle, Level};
 
-/// How close the places of two assemblies are where they meet, relative to their size: there a place is known to half of its digits, and later
-/// groups may enlarge what is missing.
+/// Greatest distance between the positions of two assemblies where they meet, relative to their
+/// size. Half of the digits are known there, and later groups may enlarge the error.
 const SAME: f64 = 1e-5;
 
-/// The places where a group with two solutions has one, for what is chosen of the groups before it over a stretch of the input.
+/// The inputs at which a group with two solutions has one, for given assemblies of the groups
+/// before it over a stretch of the input.
 struct Touched<'a> {
     group: usize,
-    before: &'a [(usize, Way)],
+    before: &'a [(usize, GroupAssembly)],
     inputs: [f64; 2],
-    places: Vec<f64>,
+    inputs_touched: Vec<f64>,
 }
 
 /// All pairs of assemblies that meet inside a range. `assemblies` are those of the leaves.
@@ -30,13 +34,13 @@ pub(super) fn meetings<M: Levels>(
     let mut known: Vec<Touched<'_>> = Vec::new();
     let mut found: Vec<Meeting> = Vec::new();
     for (one, leaf) in leaves.iter().enumerate() {
-        for (place, (group, way)) in leaf.ways.iter().enumerate() {
+        for (index_of_way, (group, way)) in leaf.ways.iter().enumerate() {
             if !matches!(levels[*group], Level::Modes(_)) {
                 continue;
             }
-            let before = &leaf.ways[..place];
-            let same = |own: &Touched<'_>| {
-                own.group == *group && own.before == before && own.inputs == leaf.inputs
+            let before = &leaf.ways[..index_of_way];
+            let same = |touched: &Touched<'_>| {
+                touched.group == *group && touched.before == before && touched.inputs == leaf.inputs
             };
             let index = known.iter().position(same).unwrap_or_else(|| {
                 let slack = |x: f64| mechanism.survey(&assemblies[one], x).as_ref()[1 + group];
@@ -44,17 +48,20 @@ pub(super) fn meetings<M: Levels>(
                     group: *group,
                     before,
                     inputs: leaf.inputs,
-                    places: change_points(cycle, leaf.inputs, &slack),
+                    inputs_touched: change_points(cycle, leaf.inputs, &slack),
                 });
                 known.len() - 1
             });
             for (other, second) in leaves.iter().enumerate().skip(one + 1) {
-                let turned = second.ways.get(place).is_some_and(|(_, own)| own != way);
-                if !turned || second.ways[..place] != *before {
+                let turned = second
+                    .ways
+                    .get(index_of_way)
+                    .is_some_and(|(_, other_way)| other_way != way);
+                if !turned || second.ways[..index_of_way] != *before {
                     continue;
                 }
                 let at: Vec<f64> = known[index]
-                    .places
+                    .inputs_touched
                     .iter()
                     .copied()
                     .filter(|&x| {
@@ -74,11 +81,11 @@ pub(super) fn meetings<M: Levels>(
             }
         }
     }
-    found.sort_by_key(|own| own.branches);
+    found.sort_by_key(|meeting| meeting.branches);
     found
 }
 
-/// Where a slack touches zero between two inputs; the ends of a turn are one place.
+/// The inputs between two limits at which a slack touches zero. The ends of a turn are one input.
 fn change_points(cycle: &Cycle, [low, high]: [f64; 2], slack: &dyn Fn(f64) -> f64) -> Vec<f64> {
     let count = samples(high - low, cycle.angle);
     let at = |k: usize| low + (high - low) * (k as f64 / count as f64);
@@ -92,10 +99,10 @@ fn change_points(cycle: &Cycle, [low, high]: [f64; 2], slack: &dyn Fn(f64) -> f6
         let ends = [cycle.low, cycle.high];
         ends.into_iter().find(|&end| near(x, end)).unwrap_or(x)
     };
-    let places = touches([low, high], count, &mut |x| slack(x) / largest);
-    let mut places: Vec<f64> = places.into_iter().map(snapped).collect();
-    if cycle.turn().is_some() && places.first() == Some(&cycle.low) {
-        places.retain(|&x| x != cycle.high);
+    let inputs = touches([low, high], count, &mut |x| slack(x) / largest);
+    let mut inputs: Vec<f64> = inputs.into_iter().map(snapped).collect();
+    if cycle.turn().is_some() && inputs.first() == Some(&cycle.low) {
+        inputs.retain(|&x| x != cycle.high);
     }
-    places
+    inputs
 }

@@ -1,5 +1,5 @@
-//! A slab in parts, in each of which the sign of a slack is shown by its bounds: no root between two places is missed, however near to
-//! each other two of them are.
+//! A slab in parts, in each of which the sign of a slack is shown by its bounds: no root between
+//! two places is missed, however near to each other two of them are.
 
 use alloc::vec::Vec;
 use linkage_core::Enclosure;
@@ -7,7 +7,8 @@ use linkage_core::Enclosure;
 /// Parts to begin with.
 const FIRST: usize = 8;
 
-/// A part is halved so often at most. What is left is a ten millionth of the slab, where a slack that is zero twice is rounding.
+/// Halvings of a part, at most. The remaining part is a ten millionth of the slab, where two zeros
+/// of a slack are rounding.
 const HALVINGS: usize = 22;
 
 /// Bounds that are computed for one slack at most.
@@ -15,14 +16,15 @@ const MOST: usize = 3000;
 
 /// Parts of a slab, of parameters from -1 to 1.
 pub(super) struct Parts {
-    /// Where one ends and the next one begins. Between two neighbours a slack has one root at most: the signs at both say whether.
+    /// Ends of the parts. A slack has one root at most between two neighbours, if its signs there
+    /// differ.
     pub(super) ends: Vec<f64>,
-    /// Whether this is shown for all of them.
+    /// True if this is proven for all of them.
     pub(super) shown: bool,
 }
 
-/// Divides a slab until the bounds of a slack show its sign, or that it only rises or falls, over every part. What is above `rounding` is
-/// positive. `single` asks only whether there is a slack.
+/// Divides a slab until the bounds of a slack prove its sign, or its monotonicity, over every part.
+/// A slack above `rounding` is positive. With `single`, only the existence of a slack counts.
 pub(super) fn parts(slack: &dyn Fn(Enclosure) -> Enclosure, single: bool, rounding: f64) -> Parts {
     let at = |index: usize| 2.0 * (index as f64 / FIRST as f64) - 1.0;
     // The lowest one is on top.

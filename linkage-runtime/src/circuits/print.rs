@@ -1,16 +1,17 @@
 //! Circuits as a table.
 
-use super::{BranchEnd, Circuits, Cycle, Estimate, Meeting};
-use crate::words::{rounded, settled};
+use super::branch::{BranchEnd, Circuits, Estimate, Meeting};
+use crate::format::{rounded, settled};
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
+use linkage_core::Cycle;
 use linkage_core::range_check::listed;
 
-/// One line for each assembly; angles in degrees. Behind its ends and margin: an input, and the unknowns there. Then one for each pair that meets
-/// in change points.
+/// One line for each assembly; angles in degrees. Behind its ends and margin: an input, and the
+/// unknowns there. Then one for each pair that meets in change points.
 impl<A> fmt::Display for Circuits<A> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let numbers: Vec<usize> = (1..=self.branches.len()).collect();
@@ -19,8 +20,8 @@ impl<A> fmt::Display for Circuits<A> {
 }
 
 impl<A> Circuits<A> {
-    /// The table with other numbers of the assemblies, one for each of `branches`, and in their order. Circuits are
-    /// numbered as they come.
+    /// The table with other numbers of the assemblies, one for each of `branches`, and in their
+    /// order. Circuits are numbered as they come.
     #[doc(hidden)]
     #[must_use]
     pub fn numbered(&self, numbers: &[usize]) -> String {
@@ -44,9 +45,9 @@ impl<A> Circuits<A> {
                 circuits.push(branch.circuit);
             }
         }
-        let circuit = |own: usize| {
-            let place = circuits.iter().position(|other| *other == own);
-            place.map_or(0, |place| place + 1)
+        let circuit = |number: usize| {
+            let known = circuits.iter().position(|other| *other == number);
+            known.map_or(0, |known| known + 1)
         };
         for (number, branch) in in_order {
             let end = |end: BranchEnd| self.end(end, branch.closed);
@@ -76,8 +77,8 @@ impl<A> Circuits<A> {
             text += line.trim_end();
             text.push('\n');
         }
-        for own in &self.meetings {
-            text += &self.meeting(own, numbers, &circuit);
+        for meeting in &self.meetings {
+            text += &self.meeting(meeting, numbers, &circuit);
             text.push('\n');
         }
         text
@@ -86,24 +87,25 @@ impl<A> Circuits<A> {
     /// `circuits 1 and 2 meet at phi = 0 deg and 180 deg (change points): assemblies 1 and 2`
     fn meeting(
         &self,
-        own: &Meeting,
+        meeting: &Meeting,
         numbers: &[usize],
         circuit: &dyn Fn(usize) -> usize,
     ) -> String {
-        let places = own.at.iter().map(|&x| input(&self.cycle, x, FOUND));
-        let places: Vec<String> = places.collect();
-        let points = match places.len() {
+        let inputs = meeting.at.iter().map(|&x| input(&self.cycle, x, FOUND));
+        let inputs: Vec<String> = inputs.collect();
+        let points = match inputs.len() {
             1 => "change point",
             _ => "change points",
         };
-        let at = format!("meet at {} = {} ({points})", self.input, listed(&places));
-        let mut branches = own.branches;
+        let at = format!("meet at {} = {} ({points})", self.input, listed(&inputs));
+        let mut branches = meeting.branches;
         branches.sort_by_key(|&k| numbers[k]);
         let [one, other] = branches.map(|k| numbers[k]);
         let [first, second] = branches.map(|k| circuit(self.branches[k].circuit));
-        match first == second {
-            true => format!("assemblies {one} and {other} of circuit {first} {at}"),
-            false => format!("circuits {first} and {second} {at}: assemblies {one} and {other}"),
+        if first == second {
+            format!("assemblies {one} and {other} of circuit {first} {at}")
+        } else {
+            format!("circuits {first} and {second} {at}: assemblies {one} and {other}")
         }
     }
 
@@ -118,7 +120,8 @@ impl<A> Circuits<A> {
     }
 }
 
-/// The accuracy of the place of a smallest value, as a share of the range: roundoff there is squared.
+/// The accuracy of the place of a smallest value, as a share of the range: roundoff there is
+/// squared.
 const FOUND: f64 = 1e-7;
 
 /// Roundoff of an input, as a share of the range.
@@ -137,9 +140,12 @@ fn input(cycle: &Cycle, x: f64, accuracy: f64) -> String {
 impl Estimate {
     /// The value as it is written in a declaration.
     fn value(&self) -> String {
-        let number = |x: &f64| match self.angle {
-            true => format!("{}deg", rounded(x.to_degrees())),
-            false => format!("{}{}", rounded(*x), self.unit),
+        let number = |x: &f64| {
+            if self.angle {
+                format!("{}deg", rounded(x.to_degrees()))
+            } else {
+                format!("{}{}", rounded(*x), self.unit)
+            }
         };
         match &self.numbers[..] {
             [one] => number(one),
@@ -151,7 +157,7 @@ impl Estimate {
     }
 }
 
-/// As it is written in a declaration, behind `unknown`.
+/// The text of the declaration after `unknown`.
 impl fmt::Display for Estimate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} = {}", self.name, self.value())

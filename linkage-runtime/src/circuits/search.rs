@@ -1,61 +1,31 @@
 //! Group after group: where it can be assembled given the groups before it, and in which ways.
 
-use super::coupled::{self, Found};
+use super::coupled::{self, Followed};
+use super::leaf::{End, GroupAssembly, Leaf};
 use super::levels::{Chosen, Levels, Searched};
-use super::slab::Slab;
 use super::stretches::{Border, Slack, stretches};
 use super::trace::CurveEnd;
-use super::{Cycle, MOST_MODES, sample};
-use crate::generated::{CoupledGroup, CoupledPrograms, Start, prepared};
-use crate::numeric::continuation::Range;
-use crate::{AssemblyError, AssemblyMode};
+use crate::data::AssemblyMode;
+use crate::error::AssemblyError;
+use crate::support::{CoupledGroup, CoupledPrograms, InitialState, prepared};
 use alloc::vec;
 use alloc::vec::Vec;
-use linkage_core::Level;
+use linkage_core::{Cycle, Level};
 
-/// Places at which the slack of a group is sampled for every place at which coupled groups are listed, and at least: to begin with, and all
-/// that is known of it where it has no bounds.
+/// Places at which the slack of a group is sampled for every place at which coupled groups are
+/// listed, and the least number of them. Without bounds the slack is known there alone.
 const SAMPLES: f64 = 0.85;
 const LEAST_SAMPLES: usize = 48;
 
-/// Parameters at which a coupled group is listed in every slab, however short it is. What turns back shortly before an end is found from
-/// there.
+/// Parameters at which a coupled group is listed in every slab, however short it is. They lead to
+/// assemblies that turn back shortly before an end.
 const ALWAYS: [f64; 5] = [-1.0, 1.0, -0.6, 0.05, 0.7];
 
-/// An end of an assembly.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum End {
-    Range,
-    /// Where a group turns back; turning points are numbered.
-    Turning {
-        number: usize,
-        group: usize,
-    },
-    Lost,
-}
-
-/// How a group is assembled.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Way {
-    Mode(AssemblyMode),
-    /// The states of a coupled group at both ends.
-    States([Vec<f64>; 2]),
-}
-
-/// An assembly of all groups between two ends.
-#[derive(Clone, Debug)]
-pub(super) struct Leaf {
-    pub(super) chosen: Chosen,
-    /// Group by group, those with one assembly excepted.
-    pub(super) ways: Vec<(usize, Way)>,
-    pub(super) inputs: [f64; 2],
-    pub(super) ends: [End; 2],
-    /// A place between the ends where it is known, if a coupled group has one.
-    pub(super) known: Option<f64>,
-}
+/// More modes than this are not searched.
+const MOST_MODES: usize = 16;
 
 /// The search through all groups.
-pub(super) struct Search<'a, M> {
+pub(super) struct LevelSearch<'a, M> {
     pub(super) mechanism: &'a M,
     searched: Searched,
     pub(super) cycle: Cycle,
@@ -64,7 +34,7 @@ pub(super) struct Search<'a, M> {
     turning: usize,
 }
 
-impl<'a, M: Levels> Search<'a, M> {
+impl<'a, M: Levels> LevelSearch<'a, M> {
     pub(super) fn run(mechanism: &'a M, cycle: Cycle) -> Result<Self, AssemblyError> {
         let searched = mechanism.searched();
         let modes = searched.modes;
@@ -85,7 +55,7 @@ impl<'a, M: Levels> Search<'a, M> {
         let root = Leaf {
             chosen: Chosen {
                 modes: vec![AssemblyMode::Plus; modes],
-                starts: vec![Start::Nothing; searched.coupled],
+                starts: vec![InitialState::Nothing; searched.coupled],
             },
             ways: Vec::new(),
             inputs: [cycle.low, cycle.high],
@@ -118,9 +88,10 @@ impl<'a, M: Levels> Search<'a, M> {
         let surveyor = self.mechanism.surveyor(&before.chosen, middle);
         let mechanism = self.mechanism;
         let at = |x: f64| mechanism.survey(&surveyor, x).as_ref()[1 + group];
-        let over = match before.is_coupled() {
-            true => None,
-            false => mechanism.bounds(&surveyor, 1 + group),
+        let over = if before.is_coupled() {
+            None
+        } else {
+            mechanism.bounds(&surveyor, 1 + group)
         };
         let slack = Slack {
             at: &at,
@@ -154,7 +125,7 @@ impl<'a, M: Levels> Search<'a, M> {
             for way in [AssemblyMode::Plus, AssemblyMode::Minus] {
                 let mut next = next.clone();
                 next.chosen.modes[mode] = way;
-                next.ways.push((group, Way::Mode(way)));
+                next.ways.push((group, GroupAssembly::Mode(way)));
                 self.level(group + 1, next);
             }
         }
@@ -177,7 +148,9 @@ impl<'a, M: Levels> Search<'a, M> {
             _ => self.strands(group, number, before, description, &mut programs),
         };
         match made {
-            Ok(all) => all.into_iter().for_each(|next| self.level(group + 1, next)),
+            Ok(leaves) => leaves
+                .into_iter()
+                .for_each(|next| self.level(group + 1, next)),
             Err(error) => {
                 self.error.get_or_insert(error);
             }
@@ -193,17 +166,19 @@ impl<'a, M: Levels> Search<'a, M> {
         description: &CoupledGroup,
         programs: &mut M::Programs,
     ) -> Result<Vec<Leaf>, AssemblyError> {
-        let all = match crate::generated::list(description, programs, &[]) {
+        let solutions = match crate::support::list_solutions(description, programs, &[]) {
             Err(error) if error.is_a_miss() => Vec::new(),
             listed => listed?,
         };
         let leaf = |state: Vec<f64>| {
             let mut next = before.clone();
             next.chosen.starts[number] = prepared(description, programs, &[], &state, &[])?;
-            next.ways.push((group, Way::States([state.clone(), state])));
+            next.ways
+                .push((group, GroupAssembly::States([state.clone(), state])));
             Ok(next)
         };
-        all.into_iter()
+        solutions
+            .into_iter()
             .map(|solution| solution.state)
             .map(leaf)
             .collect()
@@ -222,16 +197,16 @@ impl<'a, M: Levels> Search<'a, M> {
         let inner = (0..self.cycle.samples).map(|index| sample(&self.cycle, index));
         let inner = inner.filter(|&x| slab.covers(x)).map(|x| slab.parameter(x));
         let samples: Vec<f64> = inner.chain(ALWAYS).collect();
-        let Found { strands, turning } = coupled::follow(description, programs, slab, &samples)?;
-        let mut all = Vec::new();
+        let Followed { strands, turning } = coupled::follow(description, programs, slab, &samples)?;
+        let mut leaves = Vec::new();
         for strand in strands {
             let mut next = before.clone();
             let inputs = strand.inputs(&slab);
             for (side, x) in inputs.into_iter().enumerate() {
                 match strand.ends[side] {
                     CurveEnd::Slab => continue,
-                    CurveEnd::Turning(own) => {
-                        let number = self.turning + own;
+                    CurveEnd::Turning(turning_point) => {
+                        let number = self.turning + turning_point;
                         next.ends[side] = End::Turning { number, group };
                     }
                     CurveEnd::Lost => next.ends[side] = End::Lost,
@@ -251,33 +226,20 @@ impl<'a, M: Levels> Search<'a, M> {
             next.known = Some(x);
             next.ways.push((
                 group,
-                Way::States([0, 1].map(|end| strand.state(end).to_vec())),
+                GroupAssembly::States([0, 1].map(|end| strand.state(end).to_vec())),
             ));
-            all.push(next);
+            leaves.push(next);
         }
         self.turning += turning;
-        Ok(all)
+        Ok(leaves)
     }
 }
 
-impl Leaf {
-    /// Where a table of it is to serve: over the whole range, or between its ends, however near they are to each other.
-    fn range(&self, whole: Range) -> Range {
-        let [low, high] = self.inputs;
-        match self.ends {
-            [End::Range, End::Range] => whole,
-            _ => Range { low, high, ..whole },
-        }
+/// The input of a sample.
+pub(super) fn sample(cycle: &Cycle, index: usize) -> f64 {
+    let last = cycle.samples.max(2) - 1;
+    if index == last {
+        return cycle.high;
     }
-
-    fn slab(&self) -> Slab {
-        let [low, high] = self.inputs;
-        Slab { low, high }
-    }
-
-    /// Whether a coupled group is among those that are assembled.
-    pub(super) fn is_coupled(&self) -> bool {
-        let of_states = |(_, way): &(usize, Way)| matches!(way, Way::States(_));
-        self.ways.iter().any(of_states)
-    }
+    cycle.low + (cycle.high - cycle.low) * (index as f64 / last as f64)
 }

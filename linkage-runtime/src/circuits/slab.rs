@@ -1,7 +1,8 @@
-//! The part of the range between two ends, with a parameter that makes what ends there smooth.
+//! The part of the range between two ends, with a parameter that makes the functions smooth at
+//! these ends.
 //!
-//! At a turning point places depend on the root of the distance from it. Inputs are a cubic of the parameter whose slope vanishes at both
-//! ends, so that they are smooth functions of it.
+//! At a turning point places depend on the root of the distance from it. Inputs are a cubic of the
+//! parameter whose slope vanishes at both ends, so that they are smooth functions of it.
 
 use linkage_core::{Enclosure, Scalar};
 
@@ -32,12 +33,12 @@ impl Slab {
         low + length * (quarter * (two + u * (three - u * u)))
     }
 
-    /// How fast the input grows with the parameter, compared with the middle.
+    /// The slope of the input with respect to the parameter, compared with the middle.
     pub(super) fn slope(u: f64) -> f64 {
         1.0 - u * u
     }
 
-    /// The parameter of an input: bisection, since it is asked for rarely.
+    /// The parameter of an input: by bisection, since it is rarely needed.
     pub(super) fn parameter(&self, x: f64) -> f64 {
         let (mut low, mut high) = (-1.0, 1.0);
         for _ in 0..f64::MANTISSA_DIGITS {

@@ -1,65 +1,70 @@
-//! Where a group with a closed form can be assembled: its slack is positive between simple roots.
+//! Stretches in which a group with a closed form can be assembled: its slack is positive between
+//! simple roots.
 
 use super::parts::parts;
 use super::slab::Slab;
-use crate::numeric::golden_section::{Point, descend};
 use alloc::vec::Vec;
 use linkage_core::Enclosure;
+use linkage_core::numeric::golden_section::{Point, descend};
 
-/// A slack that is negative by less, compared with the largest, is rounding: two turning points that close are one place that the
-/// assembly passes.
+/// A slack that is negative by less, compared with the largest, is rounding: two turning points
+/// that close are one place that the assembly passes.
 const ROUNDING: f64 = -1e-14;
 
 /// Steps that bring a border to the last digit, and how far apart its sides are then.
 const STEPS: usize = 120;
 const WIDTH: f64 = 4e-16;
 
-/// Where a stretch begins or ends.
+/// An end of a stretch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Border {
     /// With the slab.
     Slab,
-    /// Where the slack vanishes.
+    /// A root of the slack.
     Root(f64),
-    /// Where there is no slack any more.
+    /// The end of the definition of the slack.
     Broken(f64),
 }
 
-/// What is known of a slack.
+/// The slack of a group.
 pub(super) struct Slack<'a> {
     /// Its value at an input.
     pub(super) at: &'a dyn Fn(f64) -> f64,
     /// Bounds over inputs; without them it is known by samples only.
     pub(super) over: Option<&'a dyn Fn(Enclosure) -> Enclosure>,
-    /// Whether its sign does not matter: the group has one assembly wherever there is a slack.
+    /// True if the sign does not matter: the group has one assembly wherever there is a slack.
     pub(super) single: bool,
-    /// Whether it is known up to the ends of the slab; elsewhere it is taken to go on as it does beside them.
+    /// True if the slack is known up to the ends of the slab. Otherwise it is continued there.
     pub(super) served: bool,
 }
 
 /// All stretches of a slab where the slack is positive, or, `single`, where there is one.
 ///
-/// Where the slack has bounds, the sign of every part between two ends is shown; what is left, beside places where it is zero twice or
-/// without bounds, is looked at by so many samples and the dips between them.
-pub(super) fn stretches(slab: &Slab, samples: usize, own: &Slack<'_>) -> Vec<[Border; 2]> {
+/// The stretches with a positive slack. Bounds prove the sign of every part between two ends.
+/// Double zeros, and slacks without bounds, are searched with samples and the dips between them.
+pub(super) fn stretches(slab: &Slab, samples: usize, group_slack: &Slack<'_>) -> Vec<[Border; 2]> {
     let mut slack = |u: f64| {
-        let value = (own.at)(slab.x(u));
-        if own.single { 0.0 * value } else { value }
+        let value = (group_slack.at)(slab.x(u));
+        if group_slack.single {
+            0.0 * value
+        } else {
+            value
+        }
     };
     let last = samples.max(2);
     let at = |index: usize| 2.0 * (index as f64 / last as f64) - 1.0;
     let mut points: Vec<Point> = (0..=last)
         .map(|k| Point::evaluate(at(k), &mut slack))
         .collect();
-    if !own.served {
+    if !group_slack.served {
         trim(&mut points);
     }
     let size = points.iter().map(|point| point.margin.abs());
     let size = size.fold(0.0, |most: f64, size| if size > most { size } else { most });
     let works = |point: Point| point.margin >= ROUNDING * size;
-    let shown = own.over.is_some_and(|over| {
+    let shown = group_slack.over.is_some_and(|over| {
         let over = |u: Enclosure| over(slab.over(u));
-        let parts = parts(&over, own.single, ROUNDING * size);
+        let parts = parts(&over, group_slack.single, ROUNDING * size);
         // Ends within the slab: where signs change there is one between two of them.
         let between = parts.ends.into_iter().filter(|u| u.abs() < 1.0);
         points.extend(between.map(|u| Point::evaluate(u, &mut slack)));
@@ -89,14 +94,15 @@ pub(super) fn stretches(slab: &Slab, samples: usize, own: &Slack<'_>) -> Vec<[Bo
     found
 }
 
-/// Leaves out what is not a number before the first and behind the last place that has one.
+/// Removes points that are not a number before the first and after the last valid one.
 fn trim(points: &mut Vec<Point>) {
     let known = |point: &Point| !point.margin.is_nan();
     points.truncate(points.iter().rposition(known).map_or(0, |last| last + 1));
     points.drain(..points.iter().position(known).unwrap_or(0));
 }
 
-/// Adds the lowest points between samples that work and the highest ones between samples that do not, where they are of the other kind.
+/// Adds the lowest points between samples that work and the highest ones between samples that do
+/// not, where they are of the other kind.
 fn refine(
     points: &mut Vec<Point>,
     works: &impl Fn(Point) -> bool,
@@ -139,7 +145,8 @@ fn refine(
     points.sort_by(|a, b| a.x.total_cmp(&b.x));
 }
 
-/// Where between a place that works and one that does not it ends: by the secant, and every third time by halves.
+/// The end between a valid place and an invalid one: by the secant, and every third time by
+/// bisection.
 fn border(
     works: Point,
     broken: Point,

@@ -1,27 +1,28 @@
 //! Curves whose shape is known by a formula, and the places in them that decide something.
 
-use super::curve::{Curve, Node};
+use super::curve::{Node, SolutionCurve};
 use super::parts::parts;
+use super::search::sample;
 use super::slab::Slab;
 use super::stretches::{Border, Slack, stretches};
 use super::trace::{CurveEnd, Strand};
-use crate::numeric::continuation::{Correction, Step};
-use crate::numeric::roots::Variable;
 use alloc::vec::Vec;
-use linkage_core::{Enclosure, Scalar};
+use linkage_core::numeric::continuation::{Correction, Step};
+use linkage_core::numeric::roots::Variable;
+use linkage_core::{Cycle, Enclosure, Scalar};
 
 #[test]
 fn samples_are_even_and_reach_both_ends() {
     let (low, high) = (-1.0, 3.0);
     let (angle, samples) = (false, 5);
-    let cycle = super::Cycle {
+    let cycle = Cycle {
         low,
         high,
         angle,
         samples,
     };
-    let all = [0, 1, 2, 3, 4].map(|index| super::sample(&cycle, index));
-    assert_eq!(all, [-1.0, 0.0, 1.0, 2.0, 3.0]);
+    let inputs = [0, 1, 2, 3, 4].map(|index| sample(&cycle, index));
+    assert_eq!(inputs, [-1.0, 0.0, 1.0, 2.0, 3.0]);
 }
 
 const SLAB: Slab = Slab {
@@ -37,8 +38,8 @@ fn newton(state: &mut [f64], (value, determinant): (f64, f64)) -> Step {
     Step { size, determinant }
 }
 
-fn curve(correction: &mut dyn Correction) -> Curve<'_> {
-    Curve {
+fn curve(correction: &mut dyn Correction) -> SolutionCurve<'_> {
+    SolutionCurve {
         correction,
         variables: &[Variable::Length],
         slab: SLAB,
@@ -46,8 +47,8 @@ fn curve(correction: &mut dyn Correction) -> Curve<'_> {
     }
 }
 
-/// An ellipse comes back to where it began, once, and turns where its inputs end: a circle, and a needle that is followed from close beside its
-/// tip.
+/// An ellipse comes back to where it began, once, and turns where its inputs end: a circle, and a
+/// needle that is followed from a point near its tip.
 #[test]
 fn an_ellipse_is_two_strands_between_its_turning_points() {
     for (width, x) in [(1.0_f64, 0.3_f64), (2e-3, 1.0 - 1e-6)] {
@@ -89,7 +90,8 @@ fn expect_round(ellipse: &mut dyn Correction, x: f64, s: f64) {
     assert!(one * other < 0.0);
 }
 
-/// A solution aside of the straight way by more than a tenth of the step is not the next one, though it points the same way.
+/// A solution aside of the straight way by more than a tenth of the step is not the next one,
+/// though it points the same way.
 #[test]
 fn a_node_is_not_reached_across_a_ledge() {
     fn ledge(x: f64) -> f64 {
@@ -103,11 +105,11 @@ fn a_node_is_not_reached_across_a_ledge() {
     let before = curve
         .node(SLAB.parameter(-0.5), &[0.0])
         .expect("a solution");
-    assert!(curve.at(&before, 0.05).is_some());
-    assert!(curve.at(&before, 0.9).is_none());
+    assert!(curve.step_along(&before, 0.05).is_some());
+    assert!(curve.step_along(&before, 0.9).is_none());
 }
 
-/// Where rounding keeps corrections from vanishing the last one counts.
+/// The last correction counts where rounding keeps corrections from vanishing.
 #[test]
 fn a_node_is_found_in_spite_of_noise() {
     let mut calls = 0;
@@ -134,7 +136,7 @@ fn the_best_node_is_far_from_singular() {
         determinant,
         direction: Vec::new(),
     };
-    let places = [
+    let nodes = [
         (-0.995, 900.0),
         (-0.99, 2.0),
         (0.0, 0.1),
@@ -142,13 +144,13 @@ fn the_best_node_is_far_from_singular() {
         (0.7, 900.0),
     ];
     let strand = Strand {
-        nodes: places.map(node).into(),
+        nodes: nodes.map(node).into(),
         ends: [CurveEnd::Slab; 2],
     };
     assert_eq!(strand.best().u, 0.5);
 }
 
-/// Where a slack is positive over the slab, by 8 samples and, if so, by bounds.
+/// The stretches with a positive slack, by 8 samples and, if given, by bounds.
 fn found(at: &dyn Fn(f64) -> f64, over: Option<&dyn Fn(Enclosure) -> Enclosure>) -> Vec<[f64; 2]> {
     let slack = Slack {
         at,
@@ -161,8 +163,9 @@ fn found(at: &dyn Fn(f64) -> f64, over: Option<&dyn Fn(Enclosure) -> Enclosure>)
         Border::Root(x) => x,
         Border::Broken(_) => f64::NAN,
     };
-    let all = stretches(&SLAB, 8, &slack).into_iter();
-    all.map(|[from, to]| [input(from, SLAB.low), input(to, SLAB.high)])
+    let found = stretches(&SLAB, 8, &slack).into_iter();
+    found
+        .map(|[from, to]| [input(from, SLAB.low), input(to, SLAB.high)])
         .collect()
 }
 
@@ -184,10 +187,10 @@ fn what_happens_between_samples_is_seen() {
     expect(&island, &[[0.3, 0.32]], 1e-9);
 }
 
-/// A slack that rises but for a notch, so narrow that its samples only rise.
+/// A slack that rises except for a notch, so narrow that its samples only rise.
 fn notch<T: Scalar>(x: T, width: f64) -> T {
-    let [place, one, fifth] = [0.317, 1.0, 0.2].map(T::from_f64);
-    let far = (x - place) * T::from_f64(1.0 / width);
+    let [centre, one, fifth] = [0.317, 1.0, 0.2].map(T::from_f64);
+    let far = (x - centre) * T::from_f64(1.0 / width);
     one + fifth * x - (one + one) / (one + far * far)
 }
 
@@ -195,14 +198,15 @@ fn notch<T: Scalar>(x: T, width: f64) -> T {
 fn bounds_see_what_no_sample_falls_into() {
     for width in [1e-2, 1e-4, 1e-6] {
         let at = |x: f64| notch(x, width);
-        let own = |x: Enclosure| notch(x, width);
+        let bounds = |x: Enclosure| notch(x, width);
         let edge = |side: f64| {
             let (mut inside, mut outside) = (0.317, 0.317 + side * 3.0 * width);
             for _ in 0..70 {
                 let middle = 0.5 * (inside + outside);
-                match at(middle) < 0.0 {
-                    true => inside = middle,
-                    false => outside = middle,
+                if at(middle) < 0.0 {
+                    inside = middle
+                } else {
+                    outside = middle
                 }
             }
             outside
@@ -210,16 +214,16 @@ fn bounds_see_what_no_sample_falls_into() {
         let [low, high] = [edge(-1.0), edge(1.0)];
         expect(&found(&at, None), &[[-2.0, 2.0]], 0.0);
         let seen = [[-2.0, low], [high, 2.0]];
-        expect(&found(&at, Some(&own)), &seen, 1e-14);
+        expect(&found(&at, Some(&bounds)), &seen, 1e-14);
         // And an island.
         let at = |x: f64| -notch(x, width);
-        let own = |x: Enclosure| -notch(x, width);
+        let bounds = |x: Enclosure| -notch(x, width);
         expect(&found(&at, None), &[], 0.0);
-        expect(&found(&at, Some(&own)), &[[low, high]], 1e-14);
+        expect(&found(&at, Some(&bounds)), &[[low, high]], 1e-14);
     }
 }
 
-/// Two roots that are one but for rounding are no gap, with bounds as without.
+/// Two roots that differ by rounding only are no gap, with bounds as without.
 #[test]
 fn what_touches_zero_goes_on() {
     fn touching<T: Scalar>(x: T) -> T {
@@ -231,7 +235,7 @@ fn what_touches_zero_goes_on() {
     expect(&found(&touching::<f64>, Some(&over)), &[[-2.0, 2.0]], 0.0);
 }
 
-/// A mechanism of which only the margin is asked for: it has none in some gaps.
+/// A mechanism of which only the margin is used: it has none in some gaps.
 struct Gaps(&'static [[f64; 2]]);
 
 impl super::Levels for Gaps {
@@ -247,28 +251,30 @@ impl super::Levels for Gaps {
 
     fn survey(&self, (): &(), at: f64) -> [f64; 1] {
         let within = |[low, high]: &[f64; 2]| *low < at && at < *high;
-        match self.0.iter().any(within) {
-            true => [f64::NAN],
-            false => [1.0 + (at - 1.5).powi(2)],
+        if self.0.iter().any(within) {
+            [f64::NAN]
+        } else {
+            [1.0 + (at - 1.5).powi(2)]
         }
     }
 
-    fn assembled(&self, _: &super::Chosen, _: f64) -> Result<(), crate::AssemblyError> {
+    fn assembled(&self, _: &super::Chosen, _: f64) -> Result<(), crate::error::AssemblyError> {
         Ok(())
     }
 
-    fn check(&self, _: f64) -> Result<(), crate::AssemblyError> {
+    fn check(&self, _: f64) -> Result<(), crate::error::AssemblyError> {
         Ok(())
     }
 }
 
-/// Where there is no margin an assembly ends, on the side of the place where it is known; of several such places the nearest one counts.
+/// An assembly ends at an input without a margin, on the side of the known input; of several such
+/// inputs the nearest one counts.
 #[test]
 fn an_assembly_ends_where_it_has_no_margin() {
-    use super::BranchEnd::{Lost, Range};
+    use super::branch::BranchEnd::{Lost, Range};
     let gaps = Gaps(&[[0.2, 0.4], [2.0, 2.5], [3.0, 3.7]]);
     let whole = [Range(0.0), Range(4.0)];
-    let ends = |known: f64, lost: f64| super::up_to(&gaps, &(), whole, [known, lost]);
+    let ends = |known: f64, lost: f64| super::margins::up_to(&gaps, &(), whole, [known, lost]);
     let near = |a: f64, b: f64| (a - b).abs() < 1e-12;
     for lost in [0.3, 2.2, 3.2] {
         let (ends, at, least) = ends(1.0, lost);
@@ -289,8 +295,12 @@ fn an_assembly_ends_where_it_has_no_margin() {
 #[test]
 fn parts_are_shown_or_not() {
     let wave = |u: Enclosure| (u * Enclosure::from_f64(20.0)).sin_cos().0;
-    let all = parts(&wave, false, -1e-14);
-    assert!(all.shown && all.ends.len() < 200, "{}", all.ends.len());
+    let shown = parts(&wave, false, -1e-14);
+    assert!(
+        shown.shown && shown.ends.len() < 200,
+        "{}",
+        shown.ends.len()
+    );
     let broken = |u: Enclosure| Enclosure::from_f64(1.0) / (u * u);
     assert!(!parts(&broken, false, -1e-14).shown);
     assert!(!parts(&broken, true, -1e-14).shown);

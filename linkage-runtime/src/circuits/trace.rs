@@ -1,6 +1,6 @@
 //! One connected piece of a curve, from end to end of its slab or round.
 
-use super::curve::{Curve, Node};
+use super::curve::{Node, SolutionCurve};
 use alloc::collections::VecDeque;
 use alloc::vec::Vec;
 use linkage_core::math;
@@ -22,7 +22,7 @@ const STEEP: f64 = 0.3;
 const REFINEMENTS: usize = 80;
 const VERTICAL: f64 = 2e-6;
 
-/// How a curve ends.
+/// An end of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum CurveEnd {
     /// With the slab.
@@ -40,14 +40,15 @@ pub(super) struct Strand {
     pub(super) ends: [CurveEnd; 2],
 }
 
-/// The nodes of a curve through a known one, and its ends, both turning points of number 0 if it is closed.
+/// The nodes of a curve through a known one, and its ends, both turning points of number 0 if it is
+/// closed.
 struct Trace {
     nodes: Vec<Node>,
     ends: [CurveEnd; 2],
     closed: bool,
 }
 
-impl Curve<'_> {
+impl SolutionCurve<'_> {
     /// The strands of the curve through a node; `count` numbers the turning points.
     pub(super) fn strands(&mut self, start: Node, count: &mut usize) -> Vec<Strand> {
         let mut trace = self.trace(start);
@@ -105,9 +106,10 @@ impl Curve<'_> {
             }
             let border = last.direction[0].signum();
             let lands = (border - last.u) / last.direction[0] <= length;
-            let next = match lands {
-                true => self.land(&last, border),
-                false => self.at(&last, length),
+            let next = if lands {
+                self.land(&last, border)
+            } else {
+                self.step_along(&last, length)
             };
             match next {
                 Some(next) => {
@@ -132,7 +134,7 @@ impl Curve<'_> {
         if !near || dot(&last.direction, &start.direction) < 0.5 {
             return None;
         }
-        let next = self.at(last, along)?;
+        let next = self.step_along(last, along)?;
         let miss = self.difference(&next.state, &start.state);
         let miss = math::double::sqrt(dot(&miss, &miss)) + (next.u - start.u).abs();
         (miss <= CLOSURE.0 * along + CLOSURE.1).then(|| start.clone())
@@ -160,7 +162,8 @@ impl Curve<'_> {
         }
     }
 
-    /// A node between two lengths from another one where the input falls instead of rising, or the other way round.
+    /// A node between two lengths from another one where the input falls instead of rising, or the
+    /// other way round.
     fn lowest(
         &mut self,
         node: &Node,
@@ -170,7 +173,10 @@ impl Curve<'_> {
         const STEPS: usize = 30;
         for _ in 0..STEPS {
             let lengths = [high - RATIO * (high - low), low + RATIO * (high - low)];
-            let [left, right] = [self.at(node, lengths[0])?, self.at(node, lengths[1])?];
+            let [left, right] = [
+                self.step_along(node, lengths[0])?,
+                self.step_along(node, lengths[1])?,
+            ];
             let slopes = [&left, &right].map(|node| sign * node.direction[0]);
             for (length, slope, node) in [
                 (lengths[0], slopes[0], left),
@@ -189,7 +195,7 @@ impl Curve<'_> {
         None
     }
 
-    /// How far along its direction another node is.
+    /// The distance of another node along its direction.
     fn along(&self, node: &Node, other: &Node) -> f64 {
         let way = self.difference(&node.state, &other.state);
         (other.u - node.u) * node.direction[0] + dot(&way, &node.direction[1..])
@@ -241,7 +247,8 @@ impl Curve<'_> {
         strands
     }
 
-    /// The node between two at which the curve turns back: by the secant, and by halves where that does not come nearer.
+    /// The node between two at which the curve turns back: by the secant, and by halves where that
+    /// does not come nearer.
     fn turning(&mut self, one: &Node, other: &Node) -> Node {
         let (mut low, mut high) = (one.clone(), other.clone());
         for refinement in 0..REFINEMENTS {
@@ -256,8 +263,8 @@ impl Curve<'_> {
             let length = self.along(&low, &high);
             let mut next = None;
             for share in [secant, 0.5, 0.3, 0.7] {
-                next = self.at(&low, share * length);
-                next = next.or_else(|| self.at(&high, (share - 1.0) * length));
+                next = self.step_along(&low, share * length);
+                next = next.or_else(|| self.step_along(&high, (share - 1.0) * length));
                 if next.is_some() {
                     break;
                 }
@@ -287,7 +294,7 @@ impl Curve<'_> {
         }
         if let [one, other] = &strand.nodes[..] {
             let length = 0.5 * self.along(one, other);
-            let between = self.at(&one.clone(), length);
+            let between = self.step_along(&one.clone(), length);
             strand.nodes.splice(1..1, between);
         }
     }

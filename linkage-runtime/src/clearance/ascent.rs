@@ -1,8 +1,9 @@
-//! From phases to the optimum beside them.
+//! Ascent from phases to the nearest optimum.
 //!
-//! Each minimum is a parabola of the difference of its two phases. Where the smallest of such parabolas is largest,
-//! some of them are equal, and a mean of their slopes is zero: Newton's method finds that for every choice of equal
-//! ones, and the choice that is best by the parabolas is where the next phases are looked at.
+//! Each minimum is a parabola of the difference of its two phases. Where the smallest of such
+//! parabolas is largest, some of them are equal, and a mean of their slopes is zero: Newton's
+//! method finds that for every choice of equal ones, and the choice that is best by the parabolas
+//! is where the next phases are looked at.
 
 use super::PhaseError;
 use super::probe::Line;
@@ -19,7 +20,8 @@ pub(super) struct Crest<const N: usize> {
     slopes: Vec<(Line, [f64; N])>,
 }
 
-/// So many of the nearest minima are compared with each other; further away are those that no step reaches.
+/// The number of nearest minima that are compared with each other. A step does not reach the
+/// others.
 const NEAREST: usize = 8;
 
 /// Steps of Newton's method on parabolas: it doubles the digits, and there are no more than 53.
@@ -28,10 +30,10 @@ const NEWTON: usize = 8;
 /// More than enough steps.
 const STEPS: usize = 80;
 
-/// By how much a square may be lower by rounding, as a share of it.
+/// Rounding error of a square, as a share of it.
 const NOISE: f64 = 1e-13;
 
-/// A pivot below this share of the largest one is rounding: what it stands for does not matter.
+/// A pivot below this share of the largest one is rounding, and its unknown does not matter.
 const PIVOT: f64 = 1e-11;
 
 impl<const N: usize> Crest<N> {
@@ -58,7 +60,7 @@ impl<const N: usize> Crest<N> {
         self.slopes.sort_by(|a, b| a.0.q.total_cmp(&b.0.q));
     }
 
-    /// Half the square of the least distance beside, by the parabolas.
+    /// Half the square of the least distance nearby, by the parabolas.
     fn beside(&self, step: &[f64; N]) -> f64 {
         let values = self.slopes.iter().map(|(line, way)| {
             let x = dot(way, step);
@@ -81,13 +83,13 @@ impl<const N: usize> Crest<N> {
             for _ in 0..=N {
                 let mut step = self.stationary(&equal, &held);
                 let mut is_inside = true;
-                for (k, own) in step.iter_mut().enumerate() {
+                for (k, change) in step.iter_mut().enumerate() {
                     let (low, high) = limits[k];
-                    let within = own.max(low).min(high);
-                    if within != *own {
+                    let within = change.max(low).min(high);
+                    if within != *change {
                         is_inside = false;
                         held[k] = Some(within);
-                        *own = within;
+                        *change = within;
                     }
                 }
                 let height = self.beside(&step);
@@ -102,17 +104,18 @@ impl<const N: usize> Crest<N> {
         best.0
     }
 
-    /// Where these parabolas are equal and a mean of their slopes is zero, some phases held.
+    /// The point where these parabolas are equal and a mean of their slopes is zero, with some
+    /// phases fixed.
     fn stationary(&self, equal: &[usize], held: &[Option<f64>; N]) -> [f64; N] {
         let count = equal.len();
-        let mut step = held.map(|own| own.unwrap_or(0.0));
+        let mut step = held.map(|change| change.unwrap_or(0.0));
         let mut shares = vec![1.0 / count as f64; count];
         let mut level = self.q;
         for _ in 0..NEWTON {
             let size = N + count + 1;
             let mut rows = vec![vec![0.0; size + 1]; size];
-            for (c, &own) in equal.iter().enumerate() {
-                let (line, way) = &self.slopes[own];
+            for (c, &number) in equal.iter().enumerate() {
+                let (line, way) = &self.slopes[number];
                 let x = dot(way, &step);
                 let slope = line.slope + line.bend * x;
                 for k in (0..N).filter(|&k| held[k].is_none()) {
@@ -141,14 +144,15 @@ impl<const N: usize> Crest<N> {
                 .for_each(|(x, d)| *x += d);
             level += change[size - 1];
         }
-        match step.iter().all(|x| x.is_finite()) {
-            true => step,
-            false => [0.0; N],
+        if step.iter().all(|x| x.is_finite()) {
+            step
+        } else {
+            [0.0; N]
         }
     }
 }
 
-/// The optimum beside `start`, looked for in steps of this length at first.
+/// The optimum next to `start`, searched with this length of the first steps.
 pub(super) fn climbed<const N: usize>(
     start: [f64; N],
     length: f64,
@@ -164,8 +168,8 @@ pub(super) fn climbed<const N: usize>(
     for _ in 0..STEPS {
         let limits = core::array::from_fn(|k| {
             let (low, high) = ranges[k];
-            let own = best.phases[k];
-            ((low - own).max(-reach), (high - own).min(reach))
+            let phase = best.phases[k];
+            ((low - phase).max(-reach), (high - phase).min(reach))
         });
         let step = best.step(&limits);
         let size = step.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
@@ -177,7 +181,7 @@ pub(super) fn climbed<const N: usize>(
             (best.phases[k] + step[k]).max(low).min(high)
         });
         let found = look(there)?;
-        // At the top of a parabola the square stands still long before the phase does.
+        // At the top of a parabola the square is stationary long before the phase does.
         let is_nearer = size < 0.5 * before && found.q >= best.q * (1.0 - NOISE);
         if found.q > best.q || is_nearer {
             best = found;
@@ -190,20 +194,20 @@ pub(super) fn climbed<const N: usize>(
     Ok(best)
 }
 
-/// The solution of a system whose rows end with the right-hand sides; what is left open is 0.
+/// The solution of a system whose rows end with the right-hand sides. Undetermined unknowns are 0.
 fn solved(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
     let size = rows.len();
     let mut columns: Vec<usize> = (0..size).collect();
     let mut rank = size;
     let mut largest: f64 = 0.0;
     for step in 0..size {
-        let places = (step..size).flat_map(|row| (step..size).map(move |column| (row, column)));
+        let entries = (step..size).flat_map(|row| (step..size).map(move |column| (row, column)));
         let size_at = |&(row, column): &(usize, usize)| f64::abs(rows[row][columns[column]]);
-        let pivot = places.max_by(|a, b| size_at(a).total_cmp(&size_at(b)));
+        let pivot = entries.max_by(|a, b| size_at(a).total_cmp(&size_at(b)));
         let Some((row, column)) = pivot else { break };
-        let own = size_at(&(row, column));
-        largest = largest.max(own);
-        if own <= PIVOT * largest {
+        let pivot_size = size_at(&(row, column));
+        largest = largest.max(pivot_size);
+        if pivot_size <= PIVOT * largest {
             rank = step;
             break;
         }
@@ -215,7 +219,7 @@ fn solved(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
             let factor = row[columns[step]] / pivot[columns[step]];
             row.iter_mut()
                 .zip(pivot)
-                .for_each(|(x, own)| *x -= factor * own);
+                .for_each(|(x, pivot)| *x -= factor * pivot);
         }
     }
     let mut solution = vec![0.0; size];
@@ -243,7 +247,8 @@ mod tests {
         assert_eq!(open, [2.0, 0.0]);
     }
 
-    /// Two slopes that cross, and a hill on the way between: `min(1 + x, 2 - x, 1.2 - (y - x - 0.25)^2)`.
+    /// Two slopes that cross, and a hill on the way between:
+    /// `min(1 + x, 2 - x, 1.2 - (y - x - 0.25)^2)`.
     #[test]
     fn equal_slopes_and_hills_are_found() {
         let look = |[x, y]: [f64; 2]| {

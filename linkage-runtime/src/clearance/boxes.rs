@@ -1,4 +1,5 @@
-//! Several phases at once: boxes of phases, from what each pair of organs says of the difference of its two phases.
+//! Several phases at once: boxes of phases, bounded by the clearance of each pair at the difference
+//! of its two phases.
 
 use super::PhaseError;
 use super::ascent::{self, Crest};
@@ -12,10 +13,10 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 use linkage_core::math::double::sqrt;
 
-pub(super) struct Search<'s, 'a, const K: usize, const N: usize> {
+struct BoxSearch<'s, 'a, const K: usize, const N: usize> {
     set: &'s PhaseSet<'a, K, N>,
     ranges: [(f64, f64); N],
-    /// Of each pair, what was seen at a difference of phases.
+    /// The known clearances of each pair, by the difference of phases.
     seen: Vec<BTreeMap<u64, Rc<Probe<K>>>>,
 }
 
@@ -31,17 +32,49 @@ struct Cell<const N: usize> {
 /// In how many parts each range is divided at first.
 const PARTS: usize = 8;
 
-/// More boxes are not looked at: where phases change nothing, each of their values has boxes of its own.
+/// More boxes are not looked at: where phases change nothing, each of their values has boxes of its
+/// own.
 const CELLS: usize = 100_000;
 
 /// An end of the range that a step misses by rounding, as a share of a step, still has it.
 const BESIDE: f64 = 1e-9;
 
-impl<'s, 'a, const K: usize, const N: usize> Search<'s, 'a, K, N> {
-    pub(super) fn new(
-        set: &'s PhaseSet<'a, K, N>,
+impl<const K: usize, const N: usize> PhaseSet<'_, K, N> {
+    /// The phases, each from the first to the second one of its range, a cycle at most, that make
+    /// the least distance of all pairs over the cycle largest.
+    ///
+    /// It is the best of all local optima, as [`Phases::best`](super::Phases::best) finds it for
+    /// one phase: boxes of phases that might hold more than [`bound`](BestPhases::bound) are
+    /// divided until none is left. The optimum itself is located by derivatives: there no change of
+    /// the phases makes all contacts larger.
+    ///
+    /// # Errors
+    ///
+    /// `Phases` for a range that is empty, infinite or more than a cycle, `NoPairs` without any,
+    /// `Curve` as [`Phases::clearance`](super::Phases::clearance).
+    pub fn best(&self, ranges: [(f64, f64); N]) -> Result<BestPhases<K, N>, PhaseError> {
+        BoxSearch::new(self, ranges)?.best()
+    }
+
+    /// The best of the phases that are whole multiples of these steps, such as `TAU / 48.0` for a
+    /// gear of 48 slots, and the loss against the [best](Self::best) phases of all. All
+    /// combinations are compared.
+    ///
+    /// # Errors
+    ///
+    /// As [`best`](Self::best), and `Step` for a step that is not positive, or of which there is
+    /// none in its range.
+    pub fn best_step(
+        &self,
         ranges: [(f64, f64); N],
-    ) -> Result<Self, PhaseError> {
+        steps: [f64; N],
+    ) -> Result<BestSteps<K, N>, PhaseError> {
+        BoxSearch::new(self, ranges)?.best_step(steps)
+    }
+}
+
+impl<'s, 'a, const K: usize, const N: usize> BoxSearch<'s, 'a, K, N> {
+    fn new(set: &'s PhaseSet<'a, K, N>, ranges: [(f64, f64); N]) -> Result<Self, PhaseError> {
         let cycles = set.pairs.iter().map(|pair| pair.cycle);
         let cycle = cycles.fold(f64::INFINITY, f64::min);
         if set.pairs.is_empty() {
@@ -60,7 +93,7 @@ impl<'s, 'a, const K: usize, const N: usize> Search<'s, 'a, K, N> {
         })
     }
 
-    pub(super) fn best(&mut self) -> Result<BestPhases<K, N>, PhaseError> {
+    fn best(&mut self) -> Result<BestPhases<K, N>, PhaseError> {
         let mut open = self.coarse()?;
         let mut best = self.crest(open.peek().map(|cell| cell.centre))?;
         let speeds = self.set.pairs.iter().map(|pair| pair.limits.speed);
@@ -84,7 +117,7 @@ impl<'s, 'a, const K: usize, const N: usize> Search<'s, 'a, K, N> {
                 count += 1;
             }
         };
-        self.told(&best, sqrt(2.0 * limit))
+        self.report(&best, sqrt(2.0 * limit))
     }
 
     /// Evenly divided ranges.
@@ -115,46 +148,42 @@ impl<'s, 'a, const K: usize, const N: usize> Search<'s, 'a, K, N> {
         let (mut least, mut bound) = (f64::INFINITY, f64::INFINITY);
         for pair in 0..self.set.pairs.len() {
             let probe = self.probe(pair, &cell.centre)?;
-            let own = &self.set.pairs[pair];
-            let ends = [own.first, own.second].into_iter().flatten();
+            let turned = &self.set.pairs[pair];
+            let ends = [turned.first, turned.second].into_iter().flatten();
             let reach: f64 = ends.map(|phase| cell.half[phase]).sum();
             least = least.min(probe.q());
-            bound = bound.min(probe.within(reach.min(0.5 * own.cycle), own.limits));
+            bound = bound.min(probe.within(reach.min(0.5 * turned.cycle), turned.limits));
         }
         cell.bound = bound;
         Ok((least, cell))
     }
 
-    /// What is between the organs of a pair at these phases.
-    pub(super) fn probe(
-        &mut self,
-        pair: usize,
-        phases: &[f64; N],
-    ) -> Result<Rc<Probe<K>>, PhaseError> {
-        let own = &self.set.pairs[pair];
-        let phase = |of: Option<usize>| of.map_or(0.0, |phase| phases[phase]);
+    /// The clearance of a pair at these phases.
+    fn probe(&mut self, pair: usize, phases: &[f64; N]) -> Result<Rc<Probe<K>>, PhaseError> {
+        let turned = &self.set.pairs[pair];
+        let phase = |number: Option<usize>| number.map_or(0.0, |phase| phases[phase]);
         // No negative zero.
-        let difference = phase(own.second) - phase(own.first) + 0.0;
+        let difference = phase(turned.second) - phase(turned.first) + 0.0;
         if let Some(known) = self.seen[pair].get(&difference.to_bits()) {
             return Ok(known.clone());
         }
-        let probe = Rc::new((own.at)(difference)?);
+        let probe = Rc::new((turned.at)(difference)?);
         self.seen[pair].insert(difference.to_bits(), probe.clone());
         Ok(probe)
     }
 
     /// All minima of all pairs, as parabolas of the phases.
-    pub(super) fn crest_at(&mut self, phases: [f64; N]) -> Result<Crest<N>, PhaseError> {
+    fn crest_at(&mut self, phases: [f64; N]) -> Result<Crest<N>, PhaseError> {
         let mut crest = Crest::new(phases);
         for pair in 0..self.set.pairs.len() {
             let probe = self.probe(pair, &phases)?;
-            let own = &self.set.pairs[pair];
-            crest.add(&probe.lines, [own.first, own.second]);
+            let turned = &self.set.pairs[pair];
+            crest.add(&probe.lines, [turned.first, turned.second]);
         }
         Ok(crest)
     }
 
-    /// The optimum beside.
+    /// The optimum next to these phases.
     fn crest(&mut self, start: Option<[f64; N]>) -> Result<Crest<N>, PhaseError> {
         let start = start.unwrap_or_else(|| self.ranges.map(|(low, high)| 0.5 * (low + high)));
         let ranges = self.ranges;
@@ -163,7 +192,7 @@ impl<'s, 'a, const K: usize, const N: usize> Search<'s, 'a, K, N> {
         ascent::climbed(start, step, &ranges, |phases| self.crest_at(phases))
     }
 
-    fn told(&mut self, best: &Crest<N>, bound: f64) -> Result<BestPhases<K, N>, PhaseError> {
+    fn report(&mut self, best: &Crest<N>, bound: f64) -> Result<BestPhases<K, N>, PhaseError> {
         let mut found = BestPhases {
             phases: best.phases,
             distance: f64::INFINITY,
@@ -174,11 +203,11 @@ impl<'s, 'a, const K: usize, const N: usize> Search<'s, 'a, K, N> {
         for pair in 0..self.set.pairs.len() {
             let probe = self.probe(pair, &best.phases)?;
             found.distance = found.distance.min(probe.clearance.least().distance);
-            let own = &self.set.pairs[pair];
+            let turned = &self.set.pairs[pair];
             for (nearest, line) in probe.clearance.minima().iter().zip(&probe.lines) {
                 let mut slopes = [0.0; N];
                 let slope = line.slope / nearest.distance;
-                for (phase, sign) in [(own.first, -1.0), (own.second, 1.0)] {
+                for (phase, sign) in [(turned.first, -1.0), (turned.second, 1.0)] {
                     if let Some(phase) = phase {
                         slopes[phase] += sign * slope;
                     }
@@ -191,27 +220,29 @@ impl<'s, 'a, const K: usize, const N: usize> Search<'s, 'a, K, N> {
             }
         }
         let most = found.distance * (1.0 + EQUAL);
-        found.contacts.retain(|own| own.nearest.distance <= most);
+        found
+            .contacts
+            .retain(|contact| contact.nearest.distance <= most);
         found.bound = bound.max(found.distance);
         found.probes = self.seen.iter().map(BTreeMap::len).sum();
         Ok(found)
     }
 
-    pub(super) fn best_step(&mut self, steps: [f64; N]) -> Result<BestSteps<K, N>, PhaseError> {
+    fn best_step(&mut self, steps: [f64; N]) -> Result<BestSteps<K, N>, PhaseError> {
         let mut numbers: [(i64, i64); N] = [(0, 0); N];
-        for ((own, step), range) in numbers.iter_mut().zip(steps).zip(self.ranges) {
+        for ((whole, step), range) in numbers.iter_mut().zip(steps).zip(self.ranges) {
             let ends = [range.0 / step - BESIDE, range.1 / step + BESIDE];
             let none = PhaseError::Step { step, range };
-            if !(step > 0.0 && step.is_finite() && ends.iter().all(|own| own.abs() < 1e9)) {
+            if !(step > 0.0 && step.is_finite() && ends.iter().all(|end| end.abs() < 1e9)) {
                 return Err(none);
             }
             // Whole numbers from the first one that is not less to the last one that is not more.
-            let [low, high] = ends.map(|own| own as i64);
-            *own = (
+            let [low, high] = ends.map(|end| end as i64);
+            *whole = (
                 low + i64::from((low as f64) < ends[0]),
                 high - i64::from(high as f64 > ends[1]),
             );
-            if own.0 > own.1 {
+            if whole.0 > whole.1 {
                 return Err(none);
             }
         }
@@ -260,10 +291,10 @@ impl<const N: usize> Cell<N> {
         let longer = |a: usize, b: usize| if self.half[b] > self.half[a] { b } else { a };
         let side = (0..N).fold(0, longer);
         [-1.0, 1.0].map(|sign| {
-            let mut own = self;
-            own.half[side] *= 0.5;
-            own.centre[side] += sign * own.half[side];
-            own
+            let mut half = self;
+            half.half[side] *= 0.5;
+            half.centre[side] += sign * half.half[side];
+            half
         })
     }
 }

@@ -1,21 +1,22 @@
-//! One way in which two shapes can be nearest to each other: from end to end, from an end to the inside of an edge,
-//! or from inside to inside.
+//! One way in which two shapes can be nearest to each other: from end to end, from an end to the
+//! inside of an edge, or from inside to inside.
 //!
-//! With `E` for the vector between two places of the shapes and `s`, `t` for the places along their edges, half the
-//! square of the distance is `q = E.E/2`, smooth in angle, places and parameters. Where a place is free, `dq/ds = 0`
-//! tells it; second derivatives are those of `q` less what the free places take up: `q_xy - q_xf (q_ff)^-1 q_fy`.
+//! `E` is the vector between two points of the shapes, and `s`, `t` are their positions along the
+//! edges. Half the square of the distance is `q = E.E/2`, smooth in angle, positions and
+//! parameters. A free position satisfies `dq/ds = 0`. Second derivatives are those of `q` less the
+//! part of the free positions: `q_xy - q_xf (q_ff)^-1 q_fy`.
 
-use super::shape::{Jet, Pair, Part, difference, edge};
+use super::shape::{Feature, Jet, Pair, difference, edge};
 use crate::components::norm;
 use linkage_core::numeric::vector::dot;
 
 /// The distance of two parts at one angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Case<const K: usize> {
-    parts: [Part; 2],
+    parts: [Feature; 2],
     /// Places along the edges, 0 to 1 within them.
     pub(super) feet: [f64; 2],
-    /// From the second to the first place, with its derivatives while the places stay.
+    /// The vector from the second point to the first one, with its derivatives for fixed positions.
     pub(super) gap: Jet<K>,
     /// The edges with their first derivatives; zeros for points.
     edges: [[[f64; K]; 2]; 2],
@@ -26,8 +27,8 @@ pub(super) struct Case<const K: usize> {
 /// Roundoffs of coordinates, edges and velocities that a gap may have where two shapes touch.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// What a variable does to a case while the places along the edges stay: derivatives of the gap, of its derivative by
-/// the angle, and of both edges.
+/// The effect of a variable on a case with fixed positions along the edges: derivatives of the gap,
+/// of its derivative with respect to the angle, and of both edges.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Variation<const K: usize> {
     pub(super) gap: [f64; K],
@@ -35,15 +36,17 @@ pub(super) struct Variation<const K: usize> {
     pub(super) edges: [[f64; K]; 2],
 }
 
-/// By how much a place may be beyond an end by rounding, as a share of the edge, and a distance along the edge so
-/// small that it is none: both neighbouring cases are then taken for nearest, and one is dropped.
+/// The rounding error of a position beyond an end, as a share of the edge, and a distance along the
+/// edge that counts as none. Both neighbouring cases are then taken for nearest, and one is
+/// dropped.
 const BESIDE: f64 = 1e-12;
 
-/// An edge of which no greater share is across another one is parallel to it but for rounding.
+/// An edge with no greater share across another one is parallel to it, except for rounding.
 const PARALLEL: f64 = 16.0 * f64::EPSILON;
 
-/// A vector as so many times an edge, and what is across the edge: what two edges have across each other is exact to
-/// rounding over their angle, where the difference `u.u w.w - (u.w)^2` would be to rounding over its square.
+/// A vector as a multiple of an edge, and its part across the edge. The part of one edge across
+/// another is exact to rounding over their angle; the difference `u.u w.w - (u.w)^2` would be exact
+/// to rounding over its square.
 fn split<const K: usize>(edge: &[f64; K], vector: &[f64; K]) -> (f64, [f64; K]) {
     let ratio = dot(edge, vector) / dot(edge, edge);
     let across: [f64; K] = core::array::from_fn(|k| vector[k] - ratio * edge[k]);
@@ -51,31 +54,33 @@ fn split<const K: usize>(edge: &[f64; K], vector: &[f64; K]) -> (f64, [f64; K]) 
 }
 
 impl<const K: usize> Case<K> {
-    pub(super) fn of<const A: usize, const B: usize>(
-        parts: [Part; 2],
+    pub(super) fn new<const A: usize, const B: usize>(
+        parts: [Feature; 2],
         pair: &Pair<K, A, B>,
     ) -> Self {
         let [u, w] = [edge(&pair.first), edge(&pair.second)];
-        let start = |part: Part| match part {
-            Part::Vertex(index) => index,
-            Part::Edge => 0,
+        let start = |part: Feature| match part {
+            Feature::Vertex(index) => index,
+            Feature::Edge => 0,
         };
         let (a, b) = (&pair.first[start(parts[0])], &pair.second[start(parts[1])]);
         let base: Jet<K> = core::array::from_fn(|k| difference(&a[k], &b[k]));
         let [s, t] = match parts {
-            [Part::Vertex(_), Part::Vertex(_)] => [0.0; 2],
-            [Part::Edge, Part::Vertex(_)] => [-dot(&base[0], &u[0]) / dot(&u[0], &u[0]), 0.0],
-            [Part::Vertex(_), Part::Edge] => [0.0, dot(&base[0], &w[0]) / dot(&w[0], &w[0])],
-            [Part::Edge, Part::Edge] => {
+            [Feature::Vertex(_), Feature::Vertex(_)] => [0.0; 2],
+            [Feature::Edge, Feature::Vertex(_)] => [-dot(&base[0], &u[0]) / dot(&u[0], &u[0]), 0.0],
+            [Feature::Vertex(_), Feature::Edge] => [0.0, dot(&base[0], &w[0]) / dot(&w[0], &w[0])],
+            [Feature::Edge, Feature::Edge] => {
                 let uu = dot(&u[0], &u[0]);
                 let [(_, across), (_, beside)] = [&w[0], &base[0]].map(|v| split(&u[0], v));
                 // Of parallel edges an end is as near as anything between: there is no such case.
                 let parallel = norm(&across) <= PARALLEL * norm(&w[0]);
-                let t = match parallel {
-                    true => f64::NAN,
-                    false => dot(&beside, &across) / dot(&across, &across),
+                let t = if parallel {
+                    f64::NAN
+                } else {
+                    dot(&beside, &across) / dot(&across, &across)
                 };
-                // From `t`: the gap stays across the first edge, wherever rounding put the place on the second one.
+                // From `t`: the gap stays across the first edge, wherever rounding put the place on
+                // the second one.
                 let left: [f64; K] = core::array::from_fn(|k| base[0][k] - t * w[0][k]);
                 [-dot(&left, &u[0]) / uu, t]
             }
@@ -115,7 +120,8 @@ impl<const K: usize> Case<K> {
         angle[0] - self.taken_up(&angle, &angle)
     }
 
-    /// Whether no place of the shapes is nearer: the distance does not fall along an edge.
+    /// Returns true if no point of the shapes is nearer: the distance does not decrease along an
+    /// edge.
     pub(super) fn is_nearest(&self) -> bool {
         let [gap, ..] = &self.gap;
         (0..2).all(|side| {
@@ -127,14 +133,14 @@ impl<const K: usize> Case<K> {
             };
             let size = dot(edge, edge);
             match self.parts[side] {
-                Part::Vertex(0) => along >= -BESIDE * size,
-                Part::Vertex(_) => along <= BESIDE * size,
-                Part::Edge => self.feet[side] >= -BESIDE && self.feet[side] <= 1.0 + BESIDE,
+                Feature::Vertex(0) => along >= -BESIDE * size,
+                Feature::Vertex(_) => along <= BESIDE * size,
+                Feature::Edge => self.feet[side] >= -BESIDE && self.feet[side] <= 1.0 + BESIDE,
             }
         })
     }
 
-    /// What the angle does.
+    /// The variation of the angle.
     fn angle(&self) -> Variation<K> {
         let [_, rate, second] = self.gap;
         Variation {
@@ -151,15 +157,15 @@ impl<const K: usize> Case<K> {
         [dot(&by.gap, rate) + dot(gap, &by.rate), along(0), -along(1)]
     }
 
-    /// What the free places take up of the second derivative by two variables.
+    /// The part of the free positions in the second derivative with respect to two variables.
     fn taken_up(&self, x: &[f64; 3], y: &[f64; 3]) -> f64 {
         let [u, w] = [&self.edges[0][0], &self.edges[1][0]];
         match self.parts {
-            [Part::Vertex(_), Part::Vertex(_)] => 0.0,
-            [Part::Edge, Part::Vertex(_)] => x[1] * y[1] / dot(u, u),
-            [Part::Vertex(_), Part::Edge] => x[2] * y[2] / dot(w, w),
+            [Feature::Vertex(_), Feature::Vertex(_)] => 0.0,
+            [Feature::Edge, Feature::Vertex(_)] => x[1] * y[1] / dot(u, u),
+            [Feature::Vertex(_), Feature::Edge] => x[2] * y[2] / dot(w, w),
             // The matrix of both places, the first one eliminated.
-            [Part::Edge, Part::Edge] => {
+            [Feature::Edge, Feature::Edge] => {
                 let (ratio, across) = split(u, w);
                 let rest = |x: &[f64; 3]| x[2] + ratio * x[1];
                 x[1] * y[1] / dot(u, u) + rest(x) * rest(y) / dot(&across, &across)
@@ -169,12 +175,12 @@ impl<const K: usize> Case<K> {
 
     /// The second derivative of `q` by the angle and a variable.
     pub(super) fn mixed(&self, by: &Variation<K>) -> f64 {
-        let (angle, own) = (self.gradient(&self.angle()), self.gradient(by));
-        own[0] - self.taken_up(&angle, &own)
+        let (angle, gradient) = (self.gradient(&self.angle()), self.gradient(by));
+        gradient[0] - self.taken_up(&angle, &gradient)
     }
 
-    /// Slope and second derivative of `q` by the phase of the second shape, whose derivatives by it are those by the
-    /// angle, where the angle follows so that `q` stays least.
+    /// Slope and second derivative of `q` by the phase of the second shape, whose derivatives by it
+    /// are those by the angle, where the angle follows so that `q` stays least.
     pub(super) fn by_phase(&self, second: &Jet<K>) -> [f64; 2] {
         let [gap, ..] = &self.gap;
         let by = Variation {
@@ -182,8 +188,8 @@ impl<const K: usize> Case<K> {
             rate: second[2].map(|a| -a),
             edges: [[0.0; K], self.edges[1][1]],
         };
-        let own = self.gradient(&by);
-        let held = dot(&by.gap, &by.gap) + dot(gap, &by.rate) - self.taken_up(&own, &own);
+        let gradient = self.gradient(&by);
+        let held = dot(&by.gap, &by.gap) + dot(gap, &by.rate) - self.taken_up(&gradient, &gradient);
         let mixed = self.mixed(&by);
         [dot(gap, &by.gap), held - mixed * mixed / self.bend()]
     }
@@ -191,11 +197,12 @@ impl<const K: usize> Case<K> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Case, Pair, Part};
+    use super::{Case, Feature, Pair};
     use crate::clearance::shape::Jet;
     use linkage_random::Random;
 
-    /// A vector with whole components, turned by a matrix of whole numbers that is three times a rotation: exact.
+    /// A vector with whole components, turned by a matrix of whole numbers that is three times a
+    /// rotation: exact.
     fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
         [
             2.0 * x - y + 2.0 * z,
@@ -228,7 +235,7 @@ mod tests {
                     first: [fixed([0.0; 3]), fixed(turned(u))],
                     second: [fixed(turned(start)), fixed(turned(end))],
                 };
-                let case = Case::of([Part::Edge; 2], &pair);
+                let case = Case::new([Feature::Edge; 2], &pair);
                 let distance = 3.0 * height;
                 let error = (case.distance() - distance).abs() / distance;
                 assert!(error < 1e-14, "{angle}: {error} of the distance");
@@ -250,7 +257,7 @@ mod tests {
             first: [fixed(a), fixed(b)],
             second: [fixed(c), fixed(d)],
         };
-        assert!(!Case::of([Part::Edge; 2], &pair).is_nearest());
-        assert!(Case::of([Part::Edge, Part::Vertex(0)], &pair).is_nearest());
+        assert!(!Case::new([Feature::Edge; 2], &pair).is_nearest());
+        assert!(Case::new([Feature::Edge, Feature::Vertex(0)], &pair).is_nearest());
     }
 }

@@ -1,27 +1,27 @@
-//! What keeps phases from being compared.
+//! A reason why phases cannot be compared.
 
+use crate::format::rounded;
 use crate::summary::SummaryError;
-use crate::words::rounded;
 use core::fmt;
 
 /// Why there is no best phase.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum PhaseError {
-    /// One of the organs cannot be followed.
-    Course(SummaryError),
-    /// The range is no cycle of an organ.
+    /// One of the members cannot be followed.
+    Curve(SummaryError),
+    /// The range is no cycle of a member.
     NoCycle {
-        /// Whether it is the second one.
+        /// True for the second member.
         second: bool,
         /// The range of the shaft's angle.
         range: (f64, f64),
-        /// By how much a point, its first or its second derivative differs between both ends.
+        /// The difference of a point, its first or its second derivative between both ends.
         off: f64,
     },
-    /// An organ cannot be assembled at some of the positions.
+    /// A member cannot be assembled at some of the positions.
     Gap {
-        /// Whether it is the second one.
+        /// True for the second member.
         second: bool,
         /// The first angle at which it is missing.
         at: f64,
@@ -35,7 +35,7 @@ pub enum PhaseError {
         /// Its end.
         to: f64,
     },
-    /// No pair of organs is given.
+    /// No pair of members is given.
     NoPairs,
     /// A step is not positive and finite, or there is none in the range.
     Step {
@@ -51,7 +51,7 @@ impl fmt::Display for PhaseError {
         let which = |second: bool| if second { "second" } else { "first" };
         let degrees = |x: f64| rounded(x.to_degrees());
         match *self {
-            Self::Course(error) => error.fmt(f),
+            Self::Curve(error) => error.fmt(f),
             Self::NoCycle {
                 second,
                 range: (from, to),
@@ -103,6 +103,6 @@ impl core::error::Error for PhaseError {}
 
 impl From<SummaryError> for PhaseError {
     fn from(error: SummaryError) -> Self {
-        Self::Course(error)
+        Self::Curve(error)
     }
 }

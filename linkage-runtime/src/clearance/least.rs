@@ -2,9 +2,9 @@
 
 use super::case::Case;
 use super::nearest::Nearest;
-use super::shape::{Pair, Part, parts, plain};
+use super::shape::{Feature, Pair, parts, plain};
 use crate::components::Components;
-use crate::summary::{Course, Kind, SummaryError, positions};
+use crate::summary::{Curve, Kind, SummaryError, positions};
 use alloc::vec::Vec;
 
 #[cfg(feature = "tolerance")]
@@ -24,7 +24,7 @@ use crate::tolerance::Tolerances;
 /// ];
 /// let still = |x, y| [[x, y], [0.0; 2], [0.0; 2]];
 /// let bar = [still(50.0, 10.0), still(50.0, 40.0)];
-/// let clearance = Clearance::of((0.0, TAU), 90, |phi| ([pin(phi)], bar))?;
+/// let clearance = Clearance::new((0.0, TAU), 90, |phi| ([pin(phi)], bar))?;
 /// let least = clearance.least();
 /// // The lower end of the bar is nearest: in line with the crank.
 /// assert!((least.at - (10.0f64 / 50.0).atan()).abs() < 1e-15);
@@ -44,33 +44,35 @@ pub struct Guaranteed {
     pub at: f64,
     /// The distance there without errors.
     pub nominal: f64,
-    /// By how much the tolerances can make it smaller.
+    /// The largest decrease within the tolerances.
     pub error: f64,
-    /// What is left.
+    /// The remaining distance.
     pub distance: f64,
 }
 
-/// Two minima whose angles differ by less, as a share of the range, and whose distances by less, as a share of them,
-/// are one that two cases have found: an end of a segment is the end of its inside.
+/// Two minima whose angles differ by less, as a share of the range, and whose distances by less, as
+/// a share of them, are one that two cases have found: an end of a segment is the end of its
+/// inside.
 const SAME: f64 = 1e-9;
 
 impl<const K: usize> Clearance<K> {
-    /// Follows two shapes over a range of the shaft's angle, from this many evenly spaced positions, both ends among
-    /// them.
+    /// Follows two shapes over a range of the shaft's angle, from this many evenly spaced
+    /// positions, both ends among them.
     ///
-    /// `function` gives both shapes at an angle, each with one point or with the two ends of a segment; a point is
-    /// `[p, v, a]`, its position and its first and second derivative by the angle (`velocity` and `acceleration` of
-    /// the language), as vectors of the plane or of space.
+    /// `function` gives both shapes at an angle, each with one point or with the two ends of a
+    /// segment; a point is `[p, v, a]`, its position and its first and second derivative by the
+    /// angle (`velocity` and `acceleration` of the language), as vectors of the plane or of space.
     ///
-    /// A segment's nearest place may be an end or lie inside, and each of these cases is followed for itself, as a
-    /// [`Course`] of half the square of the distance, which is smooth where the distance itself is not (at 0). Its
-    /// roots are located as those of any course; of what is found stays what is nearest indeed. In the plane segments
-    /// that cross touch: the distance is 0, and if they cross at one of the positions this is told for the first one.
+    /// The nearest point of a segment may be an end or an inner point. Each of these cases is
+    /// followed separately, as a [`Curve`] of half the square of the distance, which is smooth
+    /// where the distance itself is not (at 0). The roots are located as those of any curve, and
+    /// cases that are not nearest are dropped. Segments of the plane that cross touch: the distance
+    /// is 0, and if they cross at one of the positions, the first such position is reported.
     ///
     /// # Errors
     ///
-    /// As [`Course::of`].
-    pub fn of<V: Components<K>, const A: usize, const B: usize>(
+    /// As [`Curve::new`].
+    pub fn new<V: Components<K>, const A: usize, const B: usize>(
         range: (f64, f64),
         positions: usize,
         function: impl Fn(f64) -> ([[V; 3]; A], [[V; 3]; B]),
@@ -78,12 +80,12 @@ impl<const K: usize> Clearance<K> {
         Self::followed(range, positions, &function, |u, _| function(u))
     }
 
-    /// As [`of`](Self::of), where the evenly spaced positions have been evaluated already: `row(i)` gives the shapes
-    /// at the `i`th of [`positions`], from a sweep. `function` is then called for roots alone.
+    /// Works as [`new`](Self::new) with evaluated positions: `row(i)` returns the shapes at the
+    /// `i`th of [`positions`], from a sweep. `function` is then called for roots alone.
     ///
     /// # Errors
     ///
-    /// As [`Course::of`].
+    /// As [`Curve::new`].
     pub fn swept<V: Components<K>, const A: usize, const B: usize>(
         range: (f64, f64),
         positions: usize,
@@ -103,8 +105,8 @@ impl<const K: usize> Clearance<K> {
             first: plain(first),
             second: plain(second),
         };
-        let places = positions(range, count).enumerate();
-        let rows: Vec<Pair<K, A, B>> = places.map(|(i, u)| pair(row(u, i))).collect();
+        let inputs = positions(range, count).enumerate();
+        let rows: Vec<Pair<K, A, B>> = inputs.map(|(i, u)| pair(row(u, i))).collect();
         Self::of_rows(range, &rows, |u| pair(function(u)))
     }
 
@@ -124,33 +126,33 @@ impl<const K: usize> Clearance<K> {
             );
         }
         let mut found: Vec<Nearest<K>> = Vec::new();
-        let inside = [Part::Edge, Part::Edge];
+        let inside = [Feature::Edge, Feature::Edge];
         for parts in parts(A)
             .iter()
             .flat_map(|a| parts(B).iter().map(|b| [*a, *b]))
         {
             if parts == inside && K < 3 {
-                let mut places = positions(range, rows.len()).zip(rows);
-                let crossing = places.find(|(_, row)| Case::of(inside, row).is_nearest());
-                found.extend(crossing.map(|(u, row)| Nearest::of(u, Case::of(inside, row))));
+                let mut rows_in_order = positions(range, rows.len()).zip(rows);
+                let crossing = rows_in_order.find(|(_, row)| Case::new(inside, row).is_nearest());
+                found.extend(crossing.map(|(u, row)| Nearest::new(u, Case::new(inside, row))));
                 continue;
             }
-            let jet = |pair: &Pair<K, A, B>| Case::of(parts, pair).jet();
-            let course = Course::swept(range, rows.len(), |i| jet(&rows[i]), |u| jet(&function(u)));
-            let course = match course {
-                Ok(course) => course,
+            let jet = |pair: &Pair<K, A, B>| Case::new(parts, pair).jet();
+            let curve = Curve::swept(range, rows.len(), |i| jet(&rows[i]), |u| jet(&function(u)));
+            let curve = match curve {
+                Ok(curve) => curve,
                 // Parallel edges have no inside that is nearest, and one without length is a point.
-                Err(_) if parts.contains(&Part::Edge) => continue,
+                Err(_) if parts.contains(&Feature::Edge) => continue,
                 Err(error) => return Err(error),
             };
-            let points = &course.position().points;
+            let points = &curve.position().points;
             let low = points.iter().filter(|point| point.kind == Kind::Low);
-            let constant = [course.position().lowest];
+            let constant = [curve.position().lowest];
             let alone = constant.iter().filter(|_| points.is_empty());
             for extreme in low.chain(alone) {
-                let case = Case::of(parts, &function(extreme.at));
+                let case = Case::new(parts, &function(extreme.at));
                 if case.is_nearest() {
-                    found.push(Nearest::of(extreme.at, case));
+                    found.push(Nearest::new(extreme.at, case));
                 }
             }
         }
@@ -160,11 +162,12 @@ impl<const K: usize> Clearance<K> {
             let distances = (a.distance - b.distance).abs();
             (a.at - b.at).abs() <= SAME * width && distances <= SAME * a.distance.max(b.distance)
         });
-        match found.is_empty() {
-            true => Err(SummaryError::NotAssembled {
+        if found.is_empty() {
+            Err(SummaryError::NotAssembled {
                 positions: rows.len(),
-            }),
-            false => Ok(Self { minima: found }),
+            })
+        } else {
+            Ok(Self { minima: found })
         }
     }
 
@@ -175,16 +178,17 @@ impl<const K: usize> Clearance<K> {
         self.minima.iter().fold(&self.minima[0], nearer)
     }
 
-    /// All places where the distance is less than beside, in order of the angle: also those where it is larger than
-    /// elsewhere, which tolerances or another phase may make the least one. In a range that is no cycle its ends may
-    /// be among them.
+    /// All local minima of the distance, in order of the angle: also those where
+    /// it is larger than elsewhere, which tolerances or another phase may make the least one. In a
+    /// range that is no cycle its ends may be among them.
     #[must_use]
     pub fn minima(&self) -> &[Nearest<K>] {
         &self.minima
     }
 
-    /// The distance that is left whatever the dimensions are within their tolerances, to first order: each minimum is
-    /// taken with its own sensitivities, since that with the least distance need not be that with the least rest.
+    /// The distance that remains for all dimensions within their tolerances, to first
+    /// order: each minimum is taken with its own sensitivities, since that with the least distance
+    /// need not be that with the least rest.
     ///
     /// `sensitivity` gives those of a minimum, by [`Nearest::sensitivity`].
     #[cfg(feature = "tolerance")]
@@ -206,7 +210,7 @@ impl<const K: usize> Clearance<K> {
         let mut worst = left(&self.minima[0]);
         for nearest in &self.minima[1..] {
             let next = left(nearest);
-            // Not less than or equal: NaN, where the shapes touch, is told.
+            // Not less than or equal: NaN, where the shapes touch, is reported.
             if next.distance.is_nan() || next.distance < worst.distance {
                 worst = next;
             }

@@ -1,8 +1,8 @@
-//! Two organs on one shaft, of which one can be turned ahead.
+//! Two members on one shaft, of which one can be turned ahead.
 
 use super::PhaseError;
 use super::least::Clearance;
-use super::nearest::{Nearest, place};
+use super::nearest::{Nearest, foot_point};
 use super::probe::{Limits, Line, Probe};
 use super::shape::{Jet, Pair, plain};
 use crate::components::{Components, norm};
@@ -10,8 +10,8 @@ use crate::summary::{SummaryError, positions};
 use alloc::vec::Vec;
 use core::marker::PhantomData;
 
-/// Two organs on one shaft, the second of which leads by a phase: at the shaft's angle `x` it stands where it stands
-/// at `x + phase` without one.
+/// Two members on one shaft, the second of which leads by a phase: at the shaft's angle `x` it
+/// is where it is at `x + phase` without one.
 ///
 /// ```
 /// use linkage_runtime::clearance::Phases;
@@ -21,7 +21,7 @@ use core::marker::PhantomData;
 /// let yoke = |x: f64, height: f64| {
 ///     [[40.0 * x.sin(), height], [40.0 * x.cos(), 0.0], [-40.0 * x.sin(), 0.0]]
 /// };
-/// let phases = Phases::of((0.0, TAU), 90, |x| [yoke(x, 0.0)], |x| [yoke(x, 10.0)])?;
+/// let phases = Phases::new((0.0, TAU), 90, |x| [yoke(x, 0.0)], |x| [yoke(x, 10.0)])?;
 /// // They pass each other at any phase.
 /// let best = phases.best((-PI, PI))?;
 /// assert!((best.distance - 10.0).abs() < 1e-12);
@@ -32,21 +32,23 @@ pub struct Phases<V, const K: usize, const A: usize, const B: usize, F, G> {
     first: F,
     second: G,
     range: (f64, f64),
-    /// Of both organs, one for each position.
+    /// The rows of both members, one for each position.
     rows: Vec<Pair<K, A, B>>,
     pub(super) limits: Limits,
     vectors: PhantomData<fn() -> V>,
 }
 
-/// By how much, as a share of its largest value, a point or derivative may differ between both ends of a cycle.
+/// The difference of a point or derivative between both ends of a cycle that counts as rounding, as
+/// a share of its largest value.
 const REPEATS: f64 = 1e-9;
 
-/// How much faster than at the fastest of the positions, and harder accelerated, an organ is thought to be between
-/// them at most: with 90 positions, a harmonic as high as the tenth of the shaft's turn loses no more than a
-/// twentieth between two of them.
+/// The assumed factor of speed and acceleration between two positions, compared with the fastest
+/// position. With 90 positions, a harmonic as high as the tenth of the shaft's turn loses no more
+/// than a twentieth between two of them.
 const BETWEEN: f64 = 1.25;
 
-/// How far a phase may be from a multiple of the spacing to be taken for one, as a share of the spacing: rounding.
+/// The distance of a phase from a multiple of the spacing that counts as rounding, as a share of
+/// the spacing.
 const ON_GRID: f64 = 1e-13;
 
 impl<V, const K: usize, const A: usize, const B: usize, F, G> Phases<V, K, A, B, F, G>
@@ -55,15 +57,15 @@ where
     F: Fn(f64) -> [[V; 3]; A],
     G: Fn(f64) -> [[V; 3]; B],
 {
-    /// Follows both organs over a cycle of the shaft, from this many evenly spaced positions, both ends among them:
-    /// each function gives the points of its organ, as [`Clearance::of`] takes them, at its own angle, without a
-    /// phase. Neither is ever called outside the range.
+    /// Follows both members over a cycle of the shaft, from this many evenly spaced positions, both
+    /// ends among them: each function gives the points of its member, as [`Clearance::new`] takes
+    /// them, at its own angle, without a phase. Neither is ever called outside the range.
     ///
     /// # Errors
     ///
-    /// `Course` for an empty range or less than two positions, `Gap` if an organ cannot be assembled at a position,
-    /// `NoCycle` if it does not end where it began.
-    pub fn of(
+    /// `Curve` for an empty range or less than two positions, `Gap` if a member cannot be assembled
+    /// at a position, `NoCycle` if it does not end where it began.
+    pub fn new(
         range: (f64, f64),
         positions: usize,
         first: F,
@@ -106,8 +108,8 @@ where
     ///
     /// # Errors
     ///
-    /// As [`Clearance::of`].
-    pub fn at(&self, phase: f64) -> Result<Clearance<K>, SummaryError> {
+    /// As [`Clearance::new`].
+    pub fn clearance(&self, phase: f64) -> Result<Clearance<K>, SummaryError> {
         let pair = |u: f64| Pair {
             first: plain((self.first)(u)),
             second: self.turned(u + phase),
@@ -116,7 +118,7 @@ where
         let steps = phase / self.width() * count as f64;
         let whole = (steps + 0.5f64.copysign(steps)) as i64;
         let rows: Vec<Pair<K, A, B>> = if (steps - whole as f64).abs() < ON_GRID {
-            // Both organs are at positions of theirs.
+            // Both members are at positions of theirs.
             let ahead = whole.rem_euclid(count as i64) as usize;
             let second = |i: usize| self.rows[(i + ahead) % count].second;
             let row = |(i, row): (usize, &Pair<K, A, B>)| Pair {
@@ -125,18 +127,18 @@ where
             };
             self.rows.iter().enumerate().map(row).collect()
         } else {
-            let places = positions(self.range, self.rows.len()).zip(&self.rows);
+            let inputs = positions(self.range, self.rows.len()).zip(&self.rows);
             let row = |(u, row): (f64, &Pair<K, A, B>)| Pair {
                 first: row.first,
                 second: self.turned(u + phase),
             };
-            places.map(row).collect()
+            inputs.map(row).collect()
         };
         Clearance::of_rows(self.range, &rows, pair)
     }
 
     pub(super) fn probe(&self, phase: f64) -> Result<Probe<K>, SummaryError> {
-        let clearance = self.at(phase)?;
+        let clearance = self.clearance(phase)?;
         let lines: Vec<Line> = clearance
             .minima()
             .iter()
@@ -155,7 +157,7 @@ where
         let shape = self.turned(nearest.at + phase);
         let order = |k: usize| {
             let points: [[f64; K]; B] = core::array::from_fn(|i| shape[i][k]);
-            place(&points, nearest.feet[1])
+            foot_point(&points, nearest.feet[1])
         };
         let [slope, bend] = nearest.case.by_phase(&core::array::from_fn(order));
         Line {
@@ -173,7 +175,7 @@ where
         self.rows.len()
     }
 
-    /// The second organ at an angle that may be beyond the range.
+    /// The second member at an angle that may be beyond the range.
     fn turned(&self, angle: f64) -> [Jet<K>; B] {
         let (low, high) = self.range;
         let mut angle = angle;
@@ -187,7 +189,7 @@ where
     }
 }
 
-/// Whether an organ is assembled everywhere, and ends where it began.
+/// Checks that a member is assembled everywhere, and ends where it began.
 fn repeats<'a, const K: usize>(
     range: (f64, f64),
     rows: impl ExactSizeIterator<Item = &'a [Jet<K>]> + Clone,
@@ -202,8 +204,8 @@ fn repeats<'a, const K: usize>(
     };
     let missing = rows.len() - rows.clone().filter(finite).count();
     if missing > 0 {
-        let places = positions(range, rows.len()).zip(rows);
-        let gap = places.into_iter().find(|(_, shape)| !finite(shape));
+        let inputs = positions(range, rows.len()).zip(rows);
+        let gap = inputs.into_iter().find(|(_, shape)| !finite(shape));
         let at = gap.map_or(f64::NAN, |(at, _)| at);
         return Err(PhaseError::Gap {
             second,
@@ -225,8 +227,9 @@ fn repeats<'a, const K: usize>(
             }
         }
     }
-    match off > 0.0 {
-        true => Err(PhaseError::NoCycle { second, range, off }),
-        false => Ok(()),
+    if off > 0.0 {
+        Err(PhaseError::NoCycle { second, range, off })
+    } else {
+        Ok(())
     }
 }

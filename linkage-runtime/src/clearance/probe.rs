@@ -1,10 +1,10 @@
-//! The least distance at one phase, and what it says about phases beside it.
+//! The least distance at one phase, and its bounds for phases nearby.
 
 use super::least::Clearance;
 use linkage_core::math::double::sqrt;
 
-/// What a minimum over the cycle does as the phase changes: half the square of its distance, with slope and second
-/// derivative.
+/// A minimum over the cycle as a function of the phase: half the square of its distance, with slope
+/// and second derivative.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Line {
     pub(super) q: f64,
@@ -23,7 +23,8 @@ pub(super) struct Probe<const K: usize> {
     pub(super) least: usize,
 }
 
-/// How fast the second organ moves at most, in the unit of its points for a radian, and how much it is accelerated.
+/// The largest speed of the second member, in the unit of its points for a radian, and its largest
+/// acceleration.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limits {
     pub(super) speed: f64,
@@ -31,8 +32,9 @@ pub(super) struct Limits {
 }
 
 impl Limits {
-    /// The largest second derivative by the phase of half the square of a distance that is `sqrt(2 q)` at one end of
-    /// a way `width` long: `v.v - E.a`, where `E` grows by the way of the organ at most.
+    /// The largest second derivative by the phase of half the square of a distance that is
+    /// `sqrt(2 q)` at one end of a way `width` long: `v.v - E.a`, where `E` grows by the way of the
+    /// member at most.
     fn bend(self, q: f64, width: f64) -> f64 {
         let reach = sqrt(2.0 * q) + self.speed * width;
         self.speed * self.speed + reach * self.acceleration
@@ -49,9 +51,9 @@ impl<const K: usize> Probe<K> {
         self.lines[self.least]
     }
 
-    /// What no phase from `self` to `next` exceeds: with the shaft's angle and the places held at which a minimum was
-    /// found at either end, the distance is not less than the least one, and half its square stays below a parabola
-    /// with the largest second derivative.
+    /// A bound for all phases from `self` to `next`. With the shaft's angle and the positions of a
+    /// minimum at either end fixed, the distance is not less than the least one, and half its
+    /// square is below a parabola with the largest second derivative.
     pub(super) fn bound(&self, next: &Self, limits: Limits) -> f64 {
         let width = next.phase - self.phase;
         let mut bound = f64::INFINITY;
@@ -64,15 +66,15 @@ impl<const K: usize> Probe<K> {
         bound
     }
 
-    /// What the least distance at a phase beside does not exceed.
-    pub(super) fn at(&self, phase: f64, limits: Limits) -> f64 {
+    /// An upper bound of the least distance at a phase nearby.
+    pub(super) fn square_bound(&self, phase: f64, limits: Limits) -> f64 {
         let x = phase - self.phase;
         let above =
             |line: &Line| line.q + line.slope * x + 0.5 * limits.bend(line.q, x.abs()) * x * x;
         self.lines.iter().map(above).fold(f64::INFINITY, f64::min)
     }
 
-    /// What the least distance exceeds nowhere so far to both sides.
+    /// An upper bound of the least distance for phases up to this far to both sides.
     pub(super) fn within(&self, reach: f64, limits: Limits) -> f64 {
         let above = |line: &Line| {
             let bend = limits.bend(line.q, reach);
@@ -81,14 +83,17 @@ impl<const K: usize> Probe<K> {
         self.lines.iter().map(above).fold(f64::INFINITY, f64::min)
     }
 
-    /// Where between two phases the least distance is probably largest, by the parabolas of the minima at both ends:
-    /// the top of one of them, or where two cross. Each end has all its minima: beside a place where two are equal,
-    /// both are known there.
+    /// The phase between two others at which the least distance is probably largest, by the
+    /// parabolas of the minima at both ends: the top of one of them, or a crossing of two. Each end
+    /// has all its minima, so that next to a place with two equal ones both are known.
     pub(super) fn trial(&self, next: &Self) -> f64 {
         let h = next.phase - self.phase;
-        let height = |x: f64| match x < 0.5 * h {
-            true => self.parabola(x),
-            false => next.parabola(x - h),
+        let height = |x: f64| {
+            if x < 0.5 * h {
+                self.parabola(x)
+            } else {
+                next.parabola(x - h)
+            }
         };
         let mut best = 0.5 * h;
         let mut compare = |x: f64| {
@@ -112,7 +117,7 @@ impl<const K: usize> Probe<K> {
         self.phase + best
     }
 
-    /// The least distance beside, by the parabolas of all minima.
+    /// The least distance nearby, by the parabolas of all minima.
     fn parabola(&self, x: f64) -> f64 {
         let values = self.lines.iter().map(|line| line.moved(x).q);
         values.fold(f64::INFINITY, f64::min)
@@ -120,7 +125,7 @@ impl<const K: usize> Probe<K> {
 }
 
 impl Line {
-    /// The parabola as it is seen from a phase beside.
+    /// The parabola with the origin at a neighbouring phase.
     fn moved(&self, x: f64) -> Self {
         Self {
             q: self.q + x * (self.slope + 0.5 * self.bend * x),
@@ -138,7 +143,7 @@ impl Line {
     }
 }
 
-/// Where a parabola is zero; NaN where it is not.
+/// The roots of a parabola; NaN if there is none.
 fn crossings(line: &Line) -> [f64; 2] {
     let (c, l, s) = (line.q, line.slope, 0.5 * line.bend);
     let root = sqrt(l * l - 4.0 * c * s);
@@ -146,8 +151,8 @@ fn crossings(line: &Line) -> [f64; 2] {
     [sum / s, c / sum]
 }
 
-/// The highest point below both of two parabolas of the same bend, one from either end. Less that bend they are
-/// straight lines, so it is at an end or where they cross.
+/// The highest point below both of two parabolas of the same bend, one from either end. Less that
+/// bend they are straight lines, so it is at an end or where they cross.
 fn highest(a: &Line, b: &Line, width: f64, bend: f64) -> f64 {
     let from_left = |x: f64| a.q + x * (a.slope + 0.5 * bend * x);
     let from_right = |x: f64| b.q + x * (-b.slope + 0.5 * bend * x);
@@ -166,8 +171,8 @@ fn highest(a: &Line, b: &Line, width: f64, bend: f64) -> f64 {
 mod tests {
     use super::{Limits, Line, highest};
 
-    /// A point on a circle of radius 3 and one that stands 5 from its centre: half the square of their distance is
-    /// `17 - 15 cos x`, with a second derivative of 15 at most.
+    /// A point on a circle of radius 3 and one at a distance of 5 from its centre: half the square
+    /// of their distance is `17 - 15 cos x`, with a second derivative of 15 at most.
     #[test]
     fn bounds_hold_and_are_not_loose() {
         let limits = Limits {
@@ -192,7 +197,7 @@ mod tests {
             );
             assert!(bound <= most + 0.125 * (bend + 15.0) * width * width);
         }
-        // Straight lines cross at 0.5; what bends as much as it may is higher there.
+        // Straight lines cross at 0.5; curves with the largest bend are higher there.
         let [a, b] = [
             Line {
                 q: 0.0,

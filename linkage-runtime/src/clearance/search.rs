@@ -1,9 +1,9 @@
 //! The phase at which the least distance is largest.
 //!
-//! At each phase the least distance is the smallest of some minima over the cycle, each smooth: so it is largest
-//! where the slope of one of them is zero, where two of them are equal and have slopes of different signs, or at an
-//! end of the phases. Parabolas from the phases looked at bound it between them; intervals that might hold more than
-//! what was found are divided until none is left.
+//! At each phase the least distance is the smallest of some minima over the cycle, each of them
+//! smooth. It is largest where the slope of one of them is zero, where two of them are equal and
+//! have slopes of different signs, or at an end of the phases. Parabolas at the known phases bound
+//! it between them. Intervals that might contain a larger one are divided until none is left.
 
 use super::PhaseError;
 use super::nearest::Nearest;
@@ -13,36 +13,37 @@ use crate::components::Components;
 use alloc::vec::Vec;
 use linkage_core::math::double::sqrt;
 
-/// The phase at which the least distance of two organs is largest.
+/// The phase at which the least distance of two members is largest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BestPhase<const K: usize> {
-    /// By how much the second organ leads.
+    /// The lead of the second member.
     pub phase: f64,
     /// The least distance over the cycle.
     pub distance: f64,
-    /// Why it cannot be larger beside.
+    /// The reason for the optimum.
     pub optimum: Optimum,
-    /// Where the organs are that near: one place, or several that are equally near.
+    /// The places with this distance: one, or several equal ones.
     pub contacts: Vec<Contact<K>>,
-    /// No phase of the range has a larger least distance than this: at most a thousandth more than `distance`, or, if
-    /// that is more, a two-hundredth of the way of the second organ over a radian at its fastest.
+    /// No phase of the range has a larger least distance than this: at most a thousandth more than
+    /// `distance`, or, if that is more, a two-hundredth of the way of the second member over a
+    /// radian at its fastest.
     pub bound: f64,
-    /// How many phases were looked at.
+    /// The number of phases that were evaluated.
     pub probes: usize,
 }
 
-/// Why the least distance cannot be larger at a phase beside.
+/// The reasons for a local optimum of the least distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Optimum {
-    /// The distance stands still there.
+    /// The distance is stationary there.
     Smooth,
-    /// Two places are equally near, and what is gained at one is lost at the other.
+    /// Two places are equally near, and a gain at one is a loss at the other.
     Equal,
-    /// It is at an end of the phases that were asked for.
+    /// It is at an end of the phases that were requested.
     End,
 }
 
-/// A place of the cycle where the organs are nearest.
+/// A place of the cycle where the members are nearest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<const K: usize> {
     /// The place.
@@ -51,30 +52,30 @@ pub struct Contact<const K: usize> {
     pub slope: f64,
 }
 
-/// What has been looked at.
-pub(super) struct Search<const K: usize> {
+/// The phases that have been evaluated.
+pub(super) struct PhaseSearch<const K: usize> {
     /// In order of their phases.
     pub(super) probes: Vec<Probe<K>>,
     pub(super) best: BestPhase<K>,
 }
 
-/// How many intervals a search begins with.
+/// The number of intervals at the beginning.
 const INTERVALS: usize = 16;
 
-/// By how much more, as a share, a least distance might be than the one that is told.
+/// The largest possible excess of the least distance over the reported one, as a share.
 pub(super) const CERTAIN: f64 = 1e-3;
 
-/// Beside a touch the distance grows by as much as the organ moves, so that phases would have to be as close as what
-/// is looked for: less than this share of its way over a radian at its fastest is not.
+/// Next to a touch the distance grows by the motion of the member, so that phases would have to be
+/// very close. A distance below this share of the way over a radian at its fastest is not resolved.
 pub(super) const TOUCH: f64 = 5e-3;
 
-/// More phases are not looked at: the bound then tells what is left open.
+/// The largest number of phases. The bound then contains the unresolved part.
 const PROBES: usize = 1000;
 
 /// Equal up to rounding: distances of contacts, as a share of them.
 pub(super) const EQUAL: f64 = 1e-9;
 
-/// By how much the square of a distance, as a share of it, may be lower by rounding.
+/// Rounding error of the square of a distance, as a share of it.
 const NOISE: f64 = 1e-13;
 
 /// More than enough steps to a root, with bisection in every third one.
@@ -86,22 +87,24 @@ where
     F: Fn(f64) -> [[V; 3]; A],
     G: Fn(f64) -> [[V; 3]; B],
 {
-    /// The phase from the first to the second one of `range`, a cycle at most, that makes the least distance over the
-    /// cycle largest.
+    /// The phase from the first to the second one of `range`, a cycle at most, that makes the least
+    /// distance over the cycle largest.
     ///
     /// It is the best of all local optima: every interval of phases that might hold more than
-    /// [`bound`](BestPhase::bound) is divided until none is left, by bounds that hold if the second organ is nowhere
-    /// between the positions more than a quarter faster, or more than a quarter harder accelerated, than at the
-    /// fastest of them. The optimum itself is located to the last digits, by derivatives.
+    /// [`bound`](BestPhase::bound) is divided until none is left, by bounds that hold if the second
+    /// member is nowhere between the positions more than a quarter faster, or more than a quarter
+    /// harder accelerated, than at the fastest of them. The optimum itself is located to the last
+    /// digits, by derivatives.
     ///
     /// # Errors
     ///
-    /// `Phases` for an empty or infinite range or one of more than a cycle, `Course` as [`at`](Self::at).
+    /// `Phases` for an empty or infinite range or one of more than a cycle, `Curve` as
+    /// [`clearance`](Self::clearance).
     pub fn best(&self, range: (f64, f64)) -> Result<BestPhase<K>, PhaseError> {
         Ok(self.search(range)?.best)
     }
 
-    pub(super) fn search(&self, (low, high): (f64, f64)) -> Result<Search<K>, PhaseError> {
+    pub(super) fn search(&self, (low, high): (f64, f64)) -> Result<PhaseSearch<K>, PhaseError> {
         let width = high - low;
         if !(width.is_finite() && width > 0.0 && width <= self.width() * (1.0 + EQUAL)) {
             return Err(PhaseError::Phases {
@@ -142,12 +145,12 @@ where
             }
         };
         let bound = sqrt(2.0 * limit).max(best.clearance.least().distance);
-        let best = told(&best, [low, high], bound, probes.len());
-        Ok(Search { probes, best })
+        let best = report(&best, [low, high], bound, probes.len());
+        Ok(PhaseSearch { probes, best })
     }
 
-    /// Evenly spaced phases: where the spacing is not that of the positions, only both ends need calls of the second
-    /// organ at other places.
+    /// Evenly spaced phases: where the spacing is not that of the positions, only both ends need
+    /// calls of the second member at other places.
     fn coarse(&self, low: f64, high: f64) -> Result<Vec<Probe<K>>, PhaseError> {
         let spacing = self.width() / (self.positions() - 1) as f64;
         let stride = ((high - low) / spacing / INTERVALS as f64).max(1.0) as i64;
@@ -162,7 +165,7 @@ where
         Ok(probes.collect::<Result<_, _>>()?)
     }
 
-    /// The optimum beside the best probe; it joins them.
+    /// The optimum next to the best probe, which is added to the probes.
     fn refined(
         &self,
         probes: &mut Vec<Probe<K>>,
@@ -189,8 +192,8 @@ where
         Ok(found)
     }
 
-    /// From a phase where the least distance rises and one where it falls, or is less: the optimum between them, to
-    /// the last digit.
+    /// The optimum, to the last digit, between a phase where the least distance rises and one where
+    /// it decreases, or is less.
     fn climbed(
         &self,
         mut a: Probe<K>,
@@ -211,8 +214,8 @@ where
             }
             let probe = self.probe(trial)?;
             let slope = probe.line().slope;
-            // A rising phase is left of the optimum, unless a higher one that rises is left of it; the same the other
-            // way round.
+            // A rising phase is left of the optimum, unless a higher one that rises is left of it;
+            // the same the other way round.
             let lower = |than: &Probe<K>| probe.q() < than.q() * (1.0 - NOISE);
             let beyond_left = a.line().slope > 0.0 && lower(&a);
             let beyond_right = b.line().slope < 0.0 && lower(&b);
@@ -234,7 +237,7 @@ where
     }
 }
 
-fn told<const K: usize>(
+fn report<const K: usize>(
     best: &Probe<K>,
     ends: [f64; 2],
     bound: f64,

@@ -1,6 +1,5 @@
-//! Several organs on one shaft, whose phases are sought together.
+//! Several members on one shaft, whose phases are sought together.
 
-use super::PhaseError;
 use super::nearest::Nearest;
 use super::phases::Phases;
 use super::probe::{Limits, Probe};
@@ -10,10 +9,10 @@ use crate::summary::SummaryError;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 
-/// Pairs of organs on one shaft, of which `N` can be turned ahead, each by a phase of its own.
+/// Pairs of members on one shaft, of which `N` can be turned ahead, each by a phase of its own.
 ///
-/// What is between two organs depends on the difference of their phases alone: each pair is a [`Phases`], and says
-/// which of the phases turn its organs.
+/// The distance of two members depends on the difference of their phases alone. Each pair is a
+/// [`Phases`], with the numbers of the phases that turn its members.
 ///
 /// ```
 /// use linkage_runtime::clearance::{PhaseSet, Phases};
@@ -27,8 +26,8 @@ use alloc::vec::Vec;
 ///     }
 /// };
 /// let (a, b, c) = (crank(0.0, 1.0), crank(100.0, -1.0), crank(200.0, 1.0));
-/// let left = Phases::of((0.0, TAU), 90, a, b)?;
-/// let right = Phases::of((0.0, TAU), 90, b, c)?;
+/// let left = Phases::new((0.0, TAU), 90, a, b)?;
+/// let right = Phases::new((0.0, TAU), 90, b, c)?;
 /// // The first crank is on the shaft as it is; phase 0 turns the second one, phase 1 the third.
 /// let set = PhaseSet::<2, 2>::new().pair(None, Some(0), &left).pair(Some(0), Some(1), &right);
 /// let best = set.best([(-PI, PI); 2])?;
@@ -45,37 +44,37 @@ pub struct PhaseSet<'a, const K: usize, const N: usize> {
 
 type At<'a, const K: usize> = Box<dyn Fn(f64) -> Result<Probe<K>, SummaryError> + 'a>;
 
-/// Two organs, and the phases that turn them.
+/// Two members, and the phases that turn them.
 pub(super) struct TurnedPair<'a, const K: usize> {
     pub(super) first: Option<usize>,
     pub(super) second: Option<usize>,
     pub(super) limits: Limits,
     pub(super) cycle: f64,
-    /// What is between them at a difference of their phases.
+    /// The clearance at a difference of their phases.
     pub(super) at: At<'a, K>,
 }
 
 /// The phases at which the least distance of all pairs is largest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BestPhases<const K: usize, const N: usize> {
-    /// By how much each organ leads. One that changes nothing stays where it was looked at first.
+    /// The lead of each member. A member without influence keeps its first phase.
     pub phases: [f64; N],
     /// The least distance over the cycle, of all pairs.
     pub distance: f64,
-    /// Where organs are that near: one place, or several that are equally near.
+    /// The places with this distance: one, or several equal ones.
     pub contacts: Vec<PairContact<K, N>>,
-    /// No phases of the ranges have a larger least distance than this: at most a thousandth more than `distance`, or,
-    /// if that is more, a two-hundredth of the way of the fastest organ over a radian; more than that where too many
-    /// phases would have to be looked at.
+    /// No phases of the ranges have a larger least distance than this: at most a thousandth more
+    /// than `distance`, or, if that is more, a two-hundredth of the way of the fastest member over
+    /// a radian; more than that where too many phases would have to be looked at.
     pub bound: f64,
-    /// How many differences of phases were looked at.
+    /// The number of differences of phases that were evaluated.
     pub probes: usize,
 }
 
-/// A place of the cycle where the organs of a pair are nearest.
+/// A place of the cycle where the members of a pair are nearest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairContact<const K: usize, const N: usize> {
-    /// Which of the pairs, in the order in which they were given.
+    /// The number of the pair, in the order in which pairs were given.
     pub pair: usize,
     /// The place.
     pub nearest: Nearest<K>,
@@ -86,11 +85,11 @@ pub struct PairContact<const K: usize, const N: usize> {
 /// The best of the phases that gears can be set to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BestSteps<const K: usize, const N: usize> {
-    /// Of each phase: how many steps, the angle that they are, and by how much that is more than the best phase.
+    /// For each phase the number of steps, their angle, and its excess over the best phase.
     pub slots: [Slot; N],
     /// The least distance over the cycle.
     pub distance: f64,
-    /// How much less that is than at the best phases.
+    /// The loss against the best phases.
     pub loss: f64,
     /// The best phases of all.
     pub best: BestPhases<K, N>,
@@ -109,7 +108,7 @@ impl<'a, const K: usize, const N: usize> PhaseSet<'a, K, N> {
         Self { pairs: Vec::new() }
     }
 
-    /// Adds a pair of organs, each turned by the phase of this number, or by none.
+    /// Adds a pair of members, each turned by the phase of this number, or by none.
     ///
     /// # Panics
     ///
@@ -137,34 +136,5 @@ impl<'a, const K: usize, const N: usize> PhaseSet<'a, K, N> {
             at: Box::new(|phase| phases.probe(phase)),
         });
         self
-    }
-
-    /// The phases, each from the first to the second one of its range, a cycle at most, that make the least distance
-    /// of all pairs over the cycle largest.
-    ///
-    /// It is the best of all local optima, as [`Phases::best`] finds it for one phase: boxes of phases that might hold
-    /// more than [`bound`](BestPhases::bound) are divided until none is left. The optimum itself is located by
-    /// derivatives: there no change of the phases makes all contacts larger.
-    ///
-    /// # Errors
-    ///
-    /// `Phases` for a range that is empty, infinite or more than a cycle, `NoPairs` without any, `Course` as
-    /// [`Phases::at`].
-    pub fn best(&self, ranges: [(f64, f64); N]) -> Result<BestPhases<K, N>, PhaseError> {
-        super::boxes::Search::new(self, ranges)?.best()
-    }
-
-    /// The best of the phases that are whole multiples of these steps, as `TAU / 48.0` for a gear of 48 slots, and what
-    /// is lost against the [best](Self::best) phases of all. All of them are compared.
-    ///
-    /// # Errors
-    ///
-    /// As [`best`](Self::best), and `Step` for a step that is not positive, or of which there is none in its range.
-    pub fn best_step(
-        &self,
-        ranges: [(f64, f64); N],
-        steps: [f64; N],
-    ) -> Result<BestSteps<K, N>, PhaseError> {
-        super::boxes::Search::new(self, ranges)?.best_step(steps)
     }
 }

@@ -21,7 +21,7 @@ pub(super) fn plain<V: Components<K>, const K: usize, const A: usize>(
 
 /// The part of a shape that is nearest to the other one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Part {
+pub(super) enum Feature {
     /// The point, or an end of the segment.
     Vertex(usize),
     /// A place between the ends.
@@ -29,14 +29,15 @@ pub(super) enum Part {
 }
 
 /// All parts of a shape.
-pub(super) const fn parts(vertices: usize) -> &'static [Part] {
+pub(super) const fn parts(vertices: usize) -> &'static [Feature] {
     match vertices {
-        1 => &[Part::Vertex(0)],
-        _ => &[Part::Vertex(0), Part::Vertex(1), Part::Edge],
+        1 => &[Feature::Vertex(0)],
+        _ => &[Feature::Vertex(0), Feature::Vertex(1), Feature::Edge],
     }
 }
 
-/// The vector from the first to the second end of a segment, with its derivatives; zeros for a point.
+/// The vector from the first to the second end of a segment, with its derivatives; zeros for a
+/// point.
 pub(super) fn edge<const K: usize>(shape: &[Jet<K>]) -> Jet<K> {
     match shape {
         [a, b] => core::array::from_fn(|k| difference(&b[k], &a[k])),
@@ -44,7 +45,7 @@ pub(super) fn edge<const K: usize>(shape: &[Jet<K>]) -> Jet<K> {
     }
 }
 
-/// What belongs to the place at `foot`, 0 at the first end and 1 at the second one.
+/// The value at the position `foot`, 0 at the first end and 1 at the second one.
 pub(super) fn between<const K: usize>(ends: [&[f64; K]; 2], foot: f64) -> [f64; K] {
     core::array::from_fn(|k| ends[0][k] + foot * (ends[1][k] - ends[0][k]))
 }

@@ -10,11 +10,11 @@ use alloc::vec::Vec;
 /// The best of the phases that a gear can be set to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BestStep<const K: usize> {
-    /// How many steps, the phase that they are, and by how much that is more than the best phase.
+    /// The number of steps, their phase, and its excess over the best phase.
     pub slot: Slot,
     /// The least distance over the cycle.
     pub distance: f64,
-    /// How much less that is than at the best phase.
+    /// The loss against the best phase.
     pub loss: f64,
     /// The best phase of all.
     pub best: BestPhase<K>,
@@ -29,10 +29,11 @@ where
     F: Fn(f64) -> [[V; 3]; A],
     G: Fn(f64) -> [[V; 3]; B],
 {
-    /// The best of the phases in `range` that are whole multiples of `step`, as `TAU / 48.0` for a gear of 48 slots,
-    /// and what is lost against the [best](Self::best) phase of all.
+    /// The best of the phases in `range` that are whole multiples of `step`, such as `TAU / 48.0`
+    /// for a gear of 48 slots, and the loss against the [best](Self::best) phase of all.
     ///
-    /// All steps are compared: those that cannot be better, by the same bounds, without being looked at.
+    /// All steps are compared: those that cannot be better, by the same bounds, without being
+    /// looked at.
     ///
     /// # Errors
     ///
@@ -55,8 +56,11 @@ where
                 let phase = index as f64 * step;
                 let next = found.probes.partition_point(|probe| probe.phase < phase);
                 let beside = [next.wrapping_sub(1), next].map(|i| found.probes.get(i));
-                let bounds = beside
-                    .map(|probe| probe.map_or(f64::INFINITY, |probe| probe.at(phase, self.limits)));
+                let bounds = beside.map(|probe| {
+                    probe.map_or(f64::INFINITY, |probe| {
+                        probe.square_bound(phase, self.limits)
+                    })
+                });
                 (bounds[0].min(bounds[1]), index)
             })
             .collect();

@@ -1,6 +1,6 @@
-//! What dimensions do to the angles at which motions begin and end.
+//! Effects of dimensions on the angles at which motions begin and end.
 
-use super::{Cause, Organ};
+use super::{Cause, Member};
 use alloc::vec::Vec;
 
 #[cfg(feature = "tolerance")]
@@ -8,14 +8,14 @@ use super::CyclogramError;
 #[cfg(feature = "tolerance")]
 use crate::tolerance::{Effects, Tolerances};
 
-impl Organ {
-    /// Adds the sensitivities of all events: the derivatives of their angles by the parameters, in radians for a unit
-    /// of the parameter.
+impl Member {
+    /// Adds the sensitivities of all events: the derivatives of their angles by the parameters, in
+    /// radians for a unit of the parameter.
     ///
     /// `value` gives those of the quantity, `sensitivity(y)`, `velocity` those of its derivative,
-    /// `sensitivity(velocity(y))`; the latter is called only where the organ turns back outside its bands, and needs
-    /// a course with a second derivative. With `y'` for derivatives by the shaft's angle, the implicit function
-    /// theorem says:
+    /// `sensitivity(velocity(y))`; the latter is called only where the member turns back outside
+    /// its bands, and needs a curve with a second derivative. With `y'` for derivatives by the
+    /// shaft's angle, the implicit function theorem gives:
     ///
     /// | event | derivative of its angle by `p` |
     /// |---|---|
@@ -49,8 +49,9 @@ impl Organ {
         self
     }
 
-    /// The derivatives of the angle of the event of this index by the parameters, in the order of the arrays that
-    /// [`sensitivities`](Self::sensitivities) was given; `None` if it was not called, or without parameters.
+    /// The derivatives of the angle of the event of this index by the parameters, in the order of
+    /// the arrays that [`sensitivities`](Self::sensitivities) was given; `None` if it was not
+    /// called, or without parameters.
     ///
     /// # Panics
     ///
@@ -62,8 +63,8 @@ impl Organ {
         (count > 0).then(|| &self.sensitivities[event * count..][..count])
     }
 
-    /// By how much, in radians, the tolerances shift the event of this index in the worst case, to first order;
-    /// `None` unless they were given.
+    /// The shift of the event of this index, in radians, by the tolerances in the worst case, to
+    /// first order; `None` unless they were given.
     ///
     /// # Panics
     ///
@@ -73,11 +74,12 @@ impl Organ {
         (!self.shifts.is_empty()).then(|| self.shifts[event])
     }
 
-    /// Adds what tolerances do to the events in the worst case: tables then tell it.
+    /// Adds the effects of tolerances on the events in the worst case, which tables then contain.
     ///
     /// # Errors
     ///
-    /// `Parameters` without [`sensitivities`](Self::sensitivities), or if those are by another number of parameters.
+    /// `Parameters` without [`sensitivities`](Self::sensitivities), or if those are by another
+    /// number of parameters.
     #[cfg(feature = "tolerance")]
     pub fn tolerances<const P: usize>(
         mut self,
@@ -90,7 +92,7 @@ impl Organ {
         Ok(self)
     }
 
-    /// What each tolerance does to the angle of the event of this index.
+    /// The effect of each tolerance on the angle of the event of this index.
     ///
     /// # Errors
     ///
@@ -105,13 +107,13 @@ impl Organ {
         event: usize,
         tolerances: &Tolerances<P>,
     ) -> Result<Effects<P, 1>, CyclogramError> {
-        let own = self.sensitivity(event);
-        match own.and_then(|own| <[f64; P]>::try_from(own).ok()) {
-            Some(own) => Ok(tolerances.effects(&own)),
+        let sensitivities = self.sensitivity(event);
+        match sensitivities.and_then(|sensitivities| <[f64; P]>::try_from(sensitivities).ok()) {
+            Some(sensitivities) => Ok(tolerances.effects(&sensitivities)),
             None => Err(CyclogramError::Parameters {
-                organ: self.name.clone(),
+                member: self.name.clone(),
                 tolerances: P,
-                sensitivities: own.map(<[f64]>::len),
+                sensitivities: sensitivities.map(<[f64]>::len),
             }),
         }
     }

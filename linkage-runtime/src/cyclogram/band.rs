@@ -1,21 +1,22 @@
-//! Bands of a quantity in which an organ is said to dwell.
+//! Bands of a quantity in which a member dwells.
 
-use crate::words::rounded;
+use crate::format::rounded;
 use core::fmt;
 
-/// A band of a quantity: within it an organ dwells. In the unit of the quantity.
+/// A band of a quantity: within it a member dwells. In the unit of the quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Band {
-    /// From the highest position down, by so much.
+    /// A distance from the highest position down.
     Top(f64),
-    /// From the lowest position up, by so much.
+    /// A distance from the lowest position up.
     Bottom(f64),
     /// Between two values, the lower one first.
     Between(f64, f64),
 }
 
 impl Band {
-    /// The values that the band begins and ends at, with the values of the organ's lowest and highest position.
+    /// The values that the band begins and ends at, with the values of the member's lowest and
+    /// highest position.
     pub(super) fn bounds(self, [lowest, highest]: [f64; 2]) -> [f64; 2] {
         match self {
             // Beyond the limit there is nothing; another limit as high may be so up to rounding.
@@ -26,7 +27,7 @@ impl Band {
     }
 }
 
-/// As in `top 0.05`.
+/// A text such as `top 0.05`.
 impl fmt::Display for Band {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {

@@ -1,66 +1,66 @@
-//! What keeps an organ from having a cyclogram.
+//! A reason why a member has no cyclogram.
 
 use super::Band;
-use crate::words::rounded;
+use crate::format::rounded;
 use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt;
 
-/// Why there is no cyclogram: for one organ all that is wrong with it.
+/// A cause why there is no cyclogram: for one member all its mistakes.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CyclogramError {
-    /// The range is no cycle of the organ: after it the quantity or a derivative is not what it was before.
+    /// The range is no cycle of the member: the quantity or a derivative differs at its ends.
     NoCycle {
-        /// The organ.
-        organ: String,
+        /// The member.
+        member: String,
         /// The range of the shaft's angle.
         range: (f64, f64),
         /// The quantity at both ends.
         values: [f64; 2],
     },
-    /// The organ is not assembled over the whole cycle.
+    /// The member is not assembled over the whole cycle.
     Gap {
-        /// The organ.
-        organ: String,
-        /// Where it is assembled.
+        /// The member.
+        member: String,
+        /// The assembled parts.
         parts: Vec<(f64, f64)>,
     },
-    /// It stands still: there is nothing to tell.
+    /// It rests over the whole cycle.
     Still {
-        /// The organ.
-        organ: String,
-        /// Where.
+        /// The member.
+        member: String,
+        /// The angle.
         value: f64,
     },
     /// Its bands do not fit its motion.
     Bands {
-        /// The organ.
-        organ: String,
+        /// The member.
+        member: String,
         /// The lowest and the highest position.
         limits: [f64; 2],
-        /// What is wrong, band by band.
+        /// The mistakes of the bands.
         mistakes: Vec<BandMistake>,
     },
-    /// Two organs have not the same range of the shaft's angle.
+    /// Two members have not the same range of the shaft's angle.
     Ranges {
-        /// The organs.
-        organs: [String; 2],
+        /// The members.
+        members: [String; 2],
         /// Their ranges.
         ranges: [(f64, f64); 2],
     },
     /// The tolerances are those of another number of parameters than the sensitivities.
     Parameters {
-        /// The organ.
-        organ: String,
-        /// How many tolerances there are.
+        /// The member.
+        member: String,
+        /// The number of tolerances.
         tolerances: usize,
-        /// How many parameters the sensitivities are by; `None` if there are none.
+        /// The number of parameters of the sensitivities; `None` if there are none.
         sensitivities: Option<usize>,
     },
 }
 
-/// What is wrong with a band.
+/// A mistake of a band.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum BandMistake {
@@ -83,7 +83,7 @@ pub enum BandMistake {
     Overlap {
         /// The bands.
         bands: [Band; 2],
-        /// By how much.
+        /// The difference.
         by: f64,
     },
 }
@@ -93,7 +93,7 @@ impl fmt::Display for CyclogramError {
         let degrees = |(from, to): (f64, f64)| [from, to].map(|x| rounded(x.to_degrees()));
         match self {
             Self::NoCycle {
-                organ,
+                member,
                 range,
                 values: [first, last],
             } => {
@@ -101,14 +101,14 @@ impl fmt::Display for CyclogramError {
                     (degrees(*range), [first, last].map(|x| rounded(*x)));
                 write!(
                     f,
-                    "`{organ}` does not repeat itself from {from} to {to} deg: there it is {first} and {last}, or a \
+                    "`{member}` does not repeat itself from {from} to {to} deg: there it is {first} and {last}, or a \
                      derivative differs\nhelp: give the range of a whole cycle, one or several turns"
                 )
             }
-            Self::Gap { organ, parts } => {
+            Self::Gap { member, parts } => {
                 write!(
                     f,
-                    "`{organ}` cannot be assembled over the whole cycle, only"
+                    "`{member}` cannot be assembled over the whole cycle, only"
                 )?;
                 for (index, part) in parts.iter().enumerate() {
                     let [from, to] = degrees(*part);
@@ -117,25 +117,25 @@ impl fmt::Display for CyclogramError {
                 }
                 Ok(())
             }
-            Self::Still { organ, value } => write!(
+            Self::Still { member, value } => write!(
                 f,
-                "`{organ}` stands still at {} over the whole cycle",
+                "`{member}` stands still at {} over the whole cycle",
                 rounded(*value)
             ),
             Self::Bands {
-                organ,
+                member,
                 limits,
                 mistakes,
             } => {
                 for (index, mistake) in mistakes.iter().enumerate() {
                     let line = if index == 0 { "" } else { "\n" };
-                    write!(f, "{line}`{organ}`: ")?;
+                    write!(f, "{line}`{member}`: ")?;
                     mistake.print(f, *limits)?;
                 }
                 Ok(())
             }
-            Self::Ranges { organs, ranges } => {
-                let [a, b] = organs;
+            Self::Ranges { members, ranges } => {
+                let [a, b] = members;
                 let [[from, to], [other_from, other_to]] = ranges.map(degrees);
                 write!(
                     f,
@@ -144,16 +144,16 @@ impl fmt::Display for CyclogramError {
                 )
             }
             Self::Parameters {
-                organ,
+                member,
                 tolerances,
                 sensitivities: Some(parameters),
             } => write!(
                 f,
-                "`{organ}` has sensitivities to {parameters} parameters, and there are {tolerances} tolerances"
+                "`{member}` has sensitivities to {parameters} parameters, and there are {tolerances} tolerances"
             ),
-            Self::Parameters { organ, .. } => write!(
+            Self::Parameters { member, .. } => write!(
                 f,
-                "`{organ}` has no sensitivities that tolerances could be multiplied by\nhelp: call `sensitivities` first"
+                "`{member}` has no sensitivities that tolerances could be multiplied by\nhelp: call `sensitivities` first"
             ),
         }
     }

@@ -1,9 +1,9 @@
-//! What an organ does, and where it begins to.
+//! The motions of a member, and the events between them.
 
 use super::Band;
 use core::fmt;
 
-/// What an organ does during an interval of the cycle.
+/// A motion of a member during an interval of the cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Motion {
     /// The quantity rises.
@@ -15,15 +15,15 @@ pub enum Motion {
 }
 
 impl Motion {
-    /// Whether it is a dwell, in any of the bands.
+    /// Returns true for a dwell, in any of the bands.
     #[must_use]
     pub const fn is_dwell(self) -> bool {
         matches!(self, Self::Dwell(_))
     }
 
-    /// In words, with the organ's bands.
-    pub(crate) fn told<'a>(self, bands: &'a [Band], unit: &'a str) -> impl fmt::Display + 'a {
-        crate::words::printed(move |f| match self {
+    /// The text, with the member's bands.
+    pub(crate) fn described<'a>(self, bands: &'a [Band], unit: &'a str) -> impl fmt::Display + 'a {
+        crate::format::printed(move |f| match self {
             Self::Advance => f.write_str("advance"),
             Self::Return => f.write_str("return"),
             Self::Dwell(band) => {
@@ -46,7 +46,7 @@ pub enum Cause {
     Turn,
 }
 
-/// The angle of the shaft at which one motion of an organ ends and the next one begins.
+/// The angle of the shaft at which one motion of a member ends and the next one begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Event {
     /// The angle, in radians.
@@ -55,12 +55,12 @@ pub struct Event {
     pub value: f64,
     /// Its derivative by the angle.
     pub slope: f64,
-    /// Its second derivative; NaN where the course has none.
+    /// Its second derivative; NaN where the curve has none.
     pub bend: f64,
     /// Why it is there.
     pub cause: Cause,
-    /// What ends.
+    /// The motion that ends.
     pub ends: Motion,
-    /// What begins.
+    /// The motion that begins.
     pub begins: Motion,
 }

@@ -1,4 +1,4 @@
-//! By how much one event comes after another.
+//! The lag of one event after another.
 
 use super::{Cyclogram, Moment, Motion};
 use alloc::vec::Vec;
@@ -9,30 +9,31 @@ use super::CyclogramError;
 #[cfg(feature = "tolerance")]
 use crate::tolerance::{Effects, Tolerances};
 
-/// By how much one event of a machine comes after another, of the same organ or of two. Printed, it is a sentence.
+/// The lag of one event of a machine after another, of the same member or of two. Printed, it is a
+/// sentence.
 #[derive(Clone, Copy, Debug)]
 pub struct Lag<'a> {
     /// The event that is counted from.
     pub from: Moment<'a>,
     /// The one that comes after it.
     pub to: Moment<'a>,
-    /// How far the shaft turns from the one to the other, in radians: from 0 to less than a cycle.
+    /// Turn of the shaft between the two, in radians: from 0 to less than a cycle.
     pub angle: f64,
 }
 
 impl Cyclogram {
-    /// How far the shaft turns from an event `a` to the next `b`.
+    /// Turn of the shaft from an event `a` to the next `b`.
     ///
     /// ```
-    /// use linkage_runtime::cyclogram::{Band, Cyclogram, Motion, Organ};
-    /// use linkage_runtime::summary::Course;
+    /// use linkage_runtime::cyclogram::{Band, Cyclogram, Motion, Member};
+    /// use linkage_runtime::summary::Curve;
     ///
-    /// let organ = |name: &str, lead: f64| -> Result<Organ, Box<dyn std::error::Error>> {
+    /// let member = |name: &str, lead: f64| -> Result<Member, Box<dyn std::error::Error>> {
     ///     let lift = |x: f64| [(x + lead).sin(), (x + lead).cos(), -(x + lead).sin()];
-    ///     let course = Course::of((0.0, std::f64::consts::TAU), 90, lift)?;
-    ///     Ok(Organ::new(name, &course, &[Band::Top(0.5)])?.unit("mm"))
+    ///     let curve = Curve::new((0.0, std::f64::consts::TAU), 90, lift)?;
+    ///     Ok(Member::new(name, &curve, &[Band::Top(0.5)])?.unit("mm"))
     /// };
-    /// let machine = Cyclogram::of([organ("hook", 0.0)?, organ("eye", 20f64.to_radians())?])?;
+    /// let machine = Cyclogram::new([member("hook", 0.0)?, member("eye", 20f64.to_radians())?])?;
     /// let hook = machine.begin("hook", Motion::Dwell(0)).expect("it dwells");
     /// let eye = machine.end("eye", Motion::Dwell(0)).expect("it dwells");
     /// let lag = machine.after(&hook, &eye);
@@ -54,51 +55,52 @@ impl Cyclogram {
         }
     }
 
-    /// The first event of the cycle at which the organ of this name begins a motion; `None` if there is no such organ,
-    /// or it never does that.
+    /// The first event of the cycle at which the member of this name begins a motion; `None` if
+    /// there is no such member, or it never does that.
     #[must_use]
-    pub fn begin(&self, organ: &str, motion: Motion) -> Option<Moment<'_>> {
+    pub fn begin(&self, member: &str, motion: Motion) -> Option<Moment<'_>> {
         self.moments()
-            .find(|moment| moment.organ.name() == organ && moment.event.begins == motion)
+            .find(|moment| moment.member.name() == member && moment.event.begins == motion)
     }
 
     /// The same where it ends a motion.
     #[must_use]
-    pub fn end(&self, organ: &str, motion: Motion) -> Option<Moment<'_>> {
+    pub fn end(&self, member: &str, motion: Motion) -> Option<Moment<'_>> {
         self.moments()
-            .find(|moment| moment.organ.name() == organ && moment.event.ends == motion)
+            .find(|moment| moment.member.name() == member && moment.event.ends == motion)
     }
 }
 
 impl Lag<'_> {
-    /// The derivatives of its angle by the parameters: those of the later event less those of the earlier one, so that
-    /// what shifts both alike does nothing. `None` unless both organs have [sensitivities](super::Organ::sensitivities)
-    /// by the same parameters.
+    /// The derivatives of its angle with respect to the parameters: those of the later event less
+    /// those of the earlier one, so that a common shift has no effect. `None` unless both members
+    /// have [sensitivities](super::Member::sensitivities) to the same parameters.
     #[must_use]
     pub fn sensitivity(&self) -> Option<Vec<f64>> {
-        let from = self.from.organ.sensitivity(self.from.index)?;
-        let to = self.to.organ.sensitivity(self.to.index)?;
+        let from = self.from.member.sensitivity(self.from.index)?;
+        let to = self.to.member.sensitivity(self.to.index)?;
         let both = to.iter().zip(from);
         (from.len() == to.len()).then(|| both.map(|(to, from)| to - from).collect())
     }
 
-    /// What each tolerance does to its angle: to both events by the same parts, so no more than to the two of them
-    /// together. The worst case is `worst_case()`.
+    /// The effect of each tolerance on its angle. Both events have the same parts, so that the
+    /// effect is no more than the sum of the two. The worst case is `worst_case()`.
     ///
     /// # Errors
     ///
-    /// `Parameters` of an organ without sensitivities, or with those by another number of parameters.
+    /// `Parameters` of a member without sensitivities, or with those by another number of
+    /// parameters.
     #[cfg(feature = "tolerance")]
     pub fn effects<const P: usize>(
         &self,
         tolerances: &Tolerances<P>,
     ) -> Result<Effects<P, 1>, CyclogramError> {
-        let of = |moment: &Moment<'_>| moment.organ.effects(moment.index, tolerances);
-        Ok(of(&self.to)?.relative_to(&of(&self.from)?))
+        let effects = |moment: &Moment<'_>| moment.member.effects(moment.index, tolerances);
+        Ok(effects(&self.to)?.relative_to(&effects(&self.from)?))
     }
 }
 
-/// As in `eye's dwell (top 0.5 mm) begins 12.3000 deg after hook's return begins`.
+/// A text such as `eye's dwell (top 0.5 mm) begins 12.3000 deg after hook's return begins`.
 impl fmt::Display for Lag<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let degrees = self.angle.to_degrees();

@@ -1,25 +1,25 @@
-//! All organs of a shaft.
+//! All members of a shaft.
 
-use super::{CyclogramError, Event, Motion, Organ};
+use super::{CyclogramError, Event, Member, Motion};
 use crate::summary::Interval;
 use alloc::vec::Vec;
 
-/// The organs of a machine over a cycle of its main shaft.
+/// The members of a machine over a cycle of its main shaft.
 ///
 /// ```
-/// use linkage_runtime::cyclogram::{Band, Cyclogram, Organ};
-/// use linkage_runtime::summary::Course;
+/// use linkage_runtime::cyclogram::{Band, Cyclogram, Member};
+/// use linkage_runtime::summary::Curve;
 ///
-/// let organ = |name: &str, lead: f64| -> Result<Organ, Box<dyn std::error::Error>> {
+/// let member = |name: &str, lead: f64| -> Result<Member, Box<dyn std::error::Error>> {
 ///     let lift = |x: f64| [(x + lead).sin(), (x + lead).cos(), -(x + lead).sin()];
-///     let course = Course::of((0.0, std::f64::consts::TAU), 90, lift)?;
-///     Ok(Organ::new(name, &course, &[Band::Top(0.5)])?)
+///     let curve = Curve::new((0.0, std::f64::consts::TAU), 90, lift)?;
+///     Ok(Member::new(name, &curve, &[Band::Top(0.5)])?)
 /// };
-/// let machine = Cyclogram::of([organ("hook", 0.0)?, organ("eye", 20f64.to_radians())?])?;
+/// let machine = Cyclogram::new([member("hook", 0.0)?, member("eye", 20f64.to_radians())?])?;
 /// assert_eq!(machine.to_string(), "\
 /// cycle of 360 deg, from 0 to 360 deg
 ///
-///  at, deg     after  organ  ends             begins
+///  at, deg     after  member  ends             begins
 ///  10.0000  100.0000  eye    advance          dwell (top 0.5)
 ///  30.0000   20.0000  hook   advance          dwell (top 0.5)
 /// 130.0000  100.0000  eye    dwell (top 0.5)  return
@@ -31,64 +31,66 @@ use alloc::vec::Vec;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Cyclogram {
-    pub(crate) organs: Vec<Organ>,
+    pub(crate) members: Vec<Member>,
     pub(crate) range: (f64, f64),
-    /// Indices of organs and of their events, in order of the angle.
+    /// Indices of members and of their events, in order of the angle.
     order: Vec<[usize; 2]>,
 }
 
-/// An event among those of all organs. Printed, it says what happens: `hook's dwell (top 0.5 mm) begins`.
+/// An event among those of all members. Printed, it is a text such as
+/// `hook's dwell (top 0.5 mm) begins`.
 #[derive(Clone, Copy, Debug)]
 pub struct Moment<'a> {
-    /// The organ.
-    pub organ: &'a Organ,
+    /// The member.
+    pub member: &'a Member,
     /// The index of its event.
     pub index: usize,
     /// The event.
     pub event: &'a Event,
-    /// How far the shaft turns from the event before it, of whichever organ, to this one.
+    /// Turn of the shaft from the event before it, of any member, to this one.
     pub after: f64,
 }
 
 impl Cyclogram {
-    /// The organs of a shaft, in the order in which they are listed and drawn.
+    /// The members of a shaft, in the order in which they are listed and drawn.
     ///
     /// # Errors
     ///
     /// `Ranges` if two of them were followed over different ranges.
-    pub fn of(organs: impl IntoIterator<Item = Organ>) -> Result<Self, CyclogramError> {
-        let organs: Vec<Organ> = organs.into_iter().collect();
-        let range = organs.first().map_or((0.0, 0.0), |organ| organ.range);
-        if let Some(other) = organs.iter().find(|organ| organ.range != range) {
+    pub fn new(members: impl IntoIterator<Item = Member>) -> Result<Self, CyclogramError> {
+        let members: Vec<Member> = members.into_iter().collect();
+        let range = members.first().map_or((0.0, 0.0), |member| member.range);
+        if let Some(other) = members.iter().find(|member| member.range != range) {
             return Err(CyclogramError::Ranges {
-                organs: [&organs[0], other].map(|organ| organ.name.clone()),
+                members: [&members[0], other].map(|member| member.name.clone()),
                 ranges: [range, other.range],
             });
         }
-        let events =
-            |(organ, one): (usize, &Organ)| (0..one.events.len()).map(move |event| [organ, event]);
-        let mut order: Vec<[usize; 2]> = organs.iter().enumerate().flat_map(events).collect();
+        let events = |(member, one): (usize, &Member)| {
+            (0..one.events.len()).map(move |event| [member, event])
+        };
+        let mut order: Vec<[usize; 2]> = members.iter().enumerate().flat_map(events).collect();
         order.sort_by(|&[a, i], &[b, k]| {
-            let [x, y] = [organs[a].events[i].at, organs[b].events[k].at];
+            let [x, y] = [members[a].events[i].at, members[b].events[k].at];
             x.total_cmp(&y)
         });
         Ok(Self {
-            organs,
+            members,
             range,
             order,
         })
     }
 
-    /// The organs, as they were given.
+    /// The members, as they were given.
     #[must_use]
-    pub fn organs(&self) -> &[Organ] {
-        &self.organs
+    pub fn members(&self) -> &[Member] {
+        &self.members
     }
 
-    /// The organ of this name.
+    /// The member of this name.
     #[must_use]
-    pub fn organ(&self, name: &str) -> Option<&Organ> {
-        self.organs.iter().find(|organ| organ.name == name)
+    pub fn member(&self, name: &str) -> Option<&Member> {
+        self.members.iter().find(|member| member.name == name)
     }
 
     /// The range of the shaft's angle: the cycle.
@@ -97,42 +99,43 @@ impl Cyclogram {
         self.range
     }
 
-    /// The events of all organs, in order of the angle.
+    /// The events of all members, in order of the angle.
     pub fn moments(&self) -> impl ExactSizeIterator<Item = Moment<'_>> {
         let count = self.order.len();
         let event = |i: usize| {
-            let [organ, index] = self.order[i];
-            let organ = &self.organs[organ];
-            (organ, index, &organ.events[index])
+            let [member, index] = self.order[i];
+            let member = &self.members[member];
+            (member, index, &member.events[index])
         };
         (0..count).map(move |i| {
-            let (organ, index, own) = event(i);
+            let (member, index, happened) = event(i);
             let before = event((i + count - 1) % count).2.at;
             let after = if i == 0 {
-                own.at - before + self.width()
+                happened.at - before + self.width()
             } else {
-                own.at - before
+                happened.at - before
             };
             Moment {
-                organ,
+                member,
                 index,
-                event: own,
+                event: happened,
                 after,
             }
         })
     }
 
-    /// The intervals in which a condition holds of what all organs do at once, in the order of the organs; as
-    /// overlaps of dwells, `|motions| motions[0].is_dwell() && motions[1].is_dwell()`. In order of the angle; one
-    /// that goes across the seam is a single interval.
+    /// The intervals in which the simultaneous motions of all members, in the order of the members,
+    /// satisfy a condition: `|motions| motions[0].is_dwell() && motions[1].is_dwell()` for overlaps
+    /// of dwells. They are in order of the angle; an interval that goes across the seam is a single
+    /// one.
     #[must_use]
     pub fn together(&self, condition: impl Fn(&[Motion]) -> bool) -> Vec<Interval> {
         let low = self.range.0;
         let mut motions: Vec<Motion> = self
-            .organs
+            .members
             .iter()
-            .map(|organ| {
-                organ
+            .map(|member| {
+                member
                     .events
                     .last()
                     .map_or(Motion::Advance, |last| last.begins)
@@ -141,12 +144,13 @@ impl Cyclogram {
         let at_seam = condition(&motions);
         let mut since = at_seam.then_some(low);
         let mut found: Vec<[f64; 2]> = Vec::new();
-        for (i, &[organ, event]) in self.order.iter().enumerate() {
-            let event = &self.organs[organ].events[event];
-            motions[organ] = event.begins;
+        for (i, &[member, event]) in self.order.iter().enumerate() {
+            let event = &self.members[member].events[event];
+            motions[member] = event.begins;
             // Several events at one angle are one change.
             let next = self.order.get(i + 1);
-            if next.is_some_and(|&[other, index]| self.organs[other].events[index].at == event.at) {
+            if next.is_some_and(|&[other, index]| self.members[other].events[index].at == event.at)
+            {
                 continue;
             }
             match (since, condition(&motions)) {

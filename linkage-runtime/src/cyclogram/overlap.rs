@@ -1,4 +1,4 @@
-//! What several organs do at once.
+//! Simultaneous motions of several members.
 
 use super::{Cyclogram, Motion};
 use crate::summary::Interval;
@@ -7,18 +7,19 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt;
 
-/// An interval in which two organs do the same at once: both dwell, in whichever bands, both advance or both return.
+/// An interval in which two members do the same at once: both dwell, in whichever bands, both
+/// advance or both return.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Overlap {
-    /// The indices of the organs, the lower one first.
-    pub organs: [usize; 2],
-    /// What each of them does.
+    /// The indices of the members, the lower one first.
+    pub members: [usize; 2],
+    /// The motion of each of them.
     pub motions: [Motion; 2],
     /// When both do it.
     pub interval: Interval,
 }
 
-/// All overlaps of a machine's organs. Printed, they are a table.
+/// All overlaps of a machine's members. Printed, they are a table.
 #[derive(Clone, Debug)]
 pub struct Overlaps<'a> {
     pub(crate) cyclogram: &'a Cyclogram,
@@ -26,21 +27,22 @@ pub struct Overlaps<'a> {
 }
 
 impl Cyclogram {
-    /// The intervals in which two organs do the same at once: pair by pair, as the organs were given, each pair in the
-    /// order of the angle. What other motions have in common tells [`together`](Self::together).
+    /// The intervals in which two members do the same at once: pair by pair, in the order of the
+    /// members, each pair in the order of the angle. [`together`](Self::together) finds other
+    /// simultaneous motions.
     ///
     /// ```
-    /// use linkage_runtime::cyclogram::{Band, Cyclogram, Organ};
-    /// use linkage_runtime::summary::Course;
+    /// use linkage_runtime::cyclogram::{Band, Cyclogram, Member};
+    /// use linkage_runtime::summary::Curve;
     ///
-    /// let organ = |name: &str, lead: f64| -> Result<Organ, Box<dyn std::error::Error>> {
+    /// let member = |name: &str, lead: f64| -> Result<Member, Box<dyn std::error::Error>> {
     ///     let lift = |x: f64| [(x + lead).sin(), (x + lead).cos(), -(x + lead).sin()];
-    ///     let course = Course::of((0.0, std::f64::consts::TAU), 90, lift)?;
-    ///     Ok(Organ::new(name, &course, &[Band::Top(0.5)])?)
+    ///     let curve = Curve::new((0.0, std::f64::consts::TAU), 90, lift)?;
+    ///     Ok(Member::new(name, &curve, &[Band::Top(0.5)])?)
     /// };
-    /// let machine = Cyclogram::of([organ("hook", 0.0)?, organ("eye", 20f64.to_radians())?])?;
+    /// let machine = Cyclogram::new([member("hook", 0.0)?, member("eye", 20f64.to_radians())?])?;
     /// assert_eq!(machine.overlaps().to_string(), "\
-    /// from, deg   to, deg  for, deg  organs     both
+    /// from, deg   to, deg  for, deg  members     both
     ///   30.0000  130.0000  100.0000  hook, eye  dwell (top 0.5), dwell (top 0.5)
     ///  150.0000  250.0000  100.0000  hook, eye  return
     ///  270.0000   10.0000  100.0000  hook, eye  advance
@@ -50,13 +52,13 @@ impl Cyclogram {
     #[must_use]
     pub fn overlaps(&self) -> Overlaps<'_> {
         let mut found = Vec::new();
-        for later in 0..self.organs.len() {
-            for organ in 0..later {
-                found.extend(self.overlaps_of([organ, later]));
+        for later in 0..self.members.len() {
+            for member in 0..later {
+                found.extend(self.overlaps_of([member, later]));
             }
         }
         found.sort_by(|a: &Overlap, b| {
-            let order = a.organs.cmp(&b.organs);
+            let order = a.members.cmp(&b.members);
             order.then(a.interval.from.total_cmp(&b.interval.from))
         });
         Overlaps {
@@ -65,9 +67,9 @@ impl Cyclogram {
         }
     }
 
-    fn overlaps_of(&self, organs: [usize; 2]) -> Vec<Overlap> {
+    fn overlaps_of(&self, members: [usize; 2]) -> Vec<Overlap> {
         let mut found = Vec::new();
-        let [first, second] = organs.map(|organ| &self.organs[organ]);
+        let [first, second] = members.map(|member| &self.members[member]);
         for (motion, interval) in first.intervals() {
             for (other, beside) in second.intervals() {
                 if !alike(motion, other) {
@@ -75,7 +77,7 @@ impl Cyclogram {
                 }
                 let common = self.common(&interval, &beside).into_iter();
                 found.extend(common.map(|interval| Overlap {
-                    organs,
+                    members,
                     motions: [motion, other],
                     interval,
                 }));
@@ -84,7 +86,8 @@ impl Cyclogram {
         found
     }
 
-    /// What two intervals of the cycle have in common: nothing, one interval, or two where both together are longer than a cycle.
+    /// The common part of two intervals of the cycle: nothing, one interval, or two if both
+    /// together are longer than a cycle.
     fn common(&self, a: &Interval, b: &Interval) -> Vec<Interval> {
         let (low, high) = self.range;
         let cycle = self.width();
@@ -124,29 +127,33 @@ impl Overlaps<'_> {
         &self.found
     }
 
-    /// What both do, of dwells in which bands.
-    fn told(&self, overlap: &Overlap) -> String {
+    /// The common motion, for dwells with their bands.
+    fn described(&self, overlap: &Overlap) -> String {
         let motion = |k: usize| {
-            let organ = &self.cyclogram.organs[overlap.organs[k]];
-            overlap.motions[k].told(organ.bands(), &organ.unit)
+            let member = &self.cyclogram.members[overlap.members[k]];
+            overlap.motions[k].described(member.bands(), &member.unit)
         };
-        match overlap.motions[0].is_dwell() {
-            true => format!("{}, {}", motion(0), motion(1)),
-            false => motion(0).to_string(),
+        if overlap.motions[0].is_dwell() {
+            format!("{}, {}", motion(0), motion(1))
+        } else {
+            motion(0).to_string()
         }
     }
 }
 
-/// A line for each, in degrees: from when to when, how long, which organs, and what both do.
+/// One line for each, in degrees: begin, end and length, the members, and their common motion.
 impl fmt::Display for Overlaps<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let names = |overlap: &Overlap| {
             let [a, b] = overlap
-                .organs
-                .map(|organ| self.cyclogram.organs[organ].name());
+                .members
+                .map(|member| self.cyclogram.members[member].name());
             format!("{a}, {b}")
         };
-        let widths = self.found.iter().map(|own| names(own).chars().count());
+        let widths = self
+            .found
+            .iter()
+            .map(|overlap| names(overlap).chars().count());
         let width = widths.max().unwrap_or(0).max("organs".len());
         writeln!(
             f,
@@ -156,7 +163,7 @@ impl fmt::Display for Overlaps<'_> {
         for overlap in &self.found {
             let Interval { from, to, range } = overlap.interval;
             let [from, to, range] = [from, to, range].map(f64::to_degrees);
-            let (names, both) = (names(overlap), self.told(overlap));
+            let (names, both) = (names(overlap), self.described(overlap));
             writeln!(f, "{from:9.4} {to:9.4} {range:9.4}  {names:width$}  {both}")?;
         }
         Ok(())

@@ -2,80 +2,9 @@
 
 mod error;
 mod search;
-
-use super::{Event, Organ};
-use alloc::vec::Vec;
-use search::Search;
+mod set_event;
+mod value;
 
 pub use error::SettingError;
-
-/// So many values of the parameter are looked at, evenly over its range, before anything is located: an event that does more between
-/// two of them than turn back once is missed.
-const VALUES: usize = 33;
-
-/// A value of the parameter at which the event is at the wanted angle.
-#[derive(Clone, Debug)]
-pub struct Setting {
-    /// The value.
-    pub value: f64,
-    /// The organ with it.
-    pub organ: Organ,
-    /// The index of the event.
-    pub event: usize,
-}
-
-/// The values of a parameter at which an event of an organ is at a wanted angle, in their order: a phase between two drives of one organ,
-/// a dimension. (An organ that is turned as a whole needs no search: [`Organ::lead`].)
-///
-/// `build` makes the organ with a value of the parameter out of `range`, with [sensitivities](Organ::sensitivities), of which
-/// `parameter` is the index; `event` says which events are meant. Values with which there is no organ are passed over. Roots are found
-/// by Newton's method with the sensitivity of the event, between values on both sides of them, to the last digits. Before that 33 values,
-/// evenly over the range, are looked at.
-///
-/// ```
-/// use linkage_runtime::cyclogram::{Band, Organ, set_event};
-/// use linkage_runtime::summary::Course;
-/// use std::f64::consts::TAU;
-///
-/// // A sinker on two eccentrics; the second one can be turned on the shaft.
-/// let sinker = |lead: f64| -> Result<Organ, Box<dyn std::error::Error>> {
-///     let lift = |x: f64| {
-///         let ((s, c), (s2, c2)) = (x.sin_cos(), (2.0 * x + lead).sin_cos());
-///         [10.0 * c + 3.0 * c2, -10.0 * s - 6.0 * s2, -10.0 * c - 12.0 * c2]
-///     };
-///     let by_lead = |x: f64| [-3.0 * (2.0 * x + lead).sin()];
-///     let its_rate = |x: f64| [-6.0 * (2.0 * x + lead).cos()];
-///     let course = Course::of((0.0, TAU), 90, lift)?;
-///     Ok(Organ::new("sinker", &course, &[Band::Top(1.0)])?.sensitivities(by_lead, its_rate))
-/// };
-/// let wanted = 25f64.to_radians();
-/// let settings = set_event((-1.0, 1.0), 0, sinker, |event| event.ends.is_dwell(), wanted)?;
-/// let found = &settings[0];
-/// assert!((found.organ.events()[found.event].at - wanted).abs() < 1e-14);
-///
-/// // Where an angle is out of reach, the message has the nearest one.
-/// let error = set_event((-1.0, 1.0), 0, sinker, |event| event.ends.is_dwell(), 2.0).unwrap_err();
-/// assert!(error.to_string().starts_with("no event of `sinker` that is meant is at 114.592 deg: the nearest angle is "));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-///
-/// # Errors
-///
-/// `Unbuilt`, `NoEvent`, `Parameter` without a sensitivity to the parameter, `Unreached` with the nearest angle.
-pub fn set_event<E>(
-    range: (f64, f64),
-    parameter: usize,
-    build: impl FnMut(f64) -> Result<Organ, E>,
-    event: impl Fn(&Event) -> bool,
-    angle: f64,
-) -> Result<Vec<Setting>, SettingError<E>> {
-    let search = Search {
-        build,
-        event,
-        parameter,
-        angle,
-        range,
-        organ: None,
-    };
-    search.run()
-}
+pub use set_event::set_event;
+pub use value::Setting;

@@ -3,15 +3,16 @@
 /// A setting of a gear that is put on its shaft in steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slot {
-    /// How many steps.
+    /// The number of steps.
     pub step: i64,
     /// The angle that they are.
     pub angle: f64,
-    /// By how much that is more than what was wanted; at most half a step either way.
+    /// The excess over the wanted angle, at most half a step either way.
     pub off: f64,
 }
 
-/// The setting nearest to a wanted angle, where only whole steps can be set: one of 48 slots, `TAU / 48.0`.
+/// The setting nearest to a wanted angle, where only whole steps can be set: one of 48 slots,
+/// `TAU / 48.0`.
 ///
 /// ```
 /// use linkage_runtime::cyclogram::nearest_slot;

@@ -9,19 +9,22 @@ use super::condition::Condition;
 use super::settings::{Progress, Settings, settings_methods};
 use super::varied::{Freedom, freedom_methods};
 use super::{DesignError, Relation, Wish};
-use crate::{AssemblyError, Circuits, Dimensions};
+use crate::circuits::Circuits;
+use crate::dimensions::Dimensions;
+use crate::error::AssemblyError;
 
 /// Starts, unless the design says otherwise.
 const STARTS: usize = 1024;
-/// Evaluations of a descent, unless the design says otherwise: ten times what most descents take.
+/// Evaluations of a descent, unless the design sets another number: ten times those of most
+/// descents.
 const STEPS: usize = 300;
 /// Designs that are listed, unless the design says otherwise.
 const LISTED: usize = 100;
-/// How `circuits()` of a mechanism is called.
+/// The function `circuits()` of a mechanism.
 pub(crate) type CircuitsOf<'a, M, A> =
     Box<dyn Fn(&M) -> Result<Circuits<A>, AssemblyError> + Send + Sync + 'a>;
 
-/// A design problem: what may vary, what is wanted, what must hold.
+/// A design problem: variables, goals and conditions.
 pub struct Design<'a, M, A, const N: usize> {
     pub(super) nominal: M,
     pub(super) assemblies: Vec<A>,
@@ -37,11 +40,12 @@ where
     M: Dimensions<N> + Copy + Send + Sync,
     A: Clone + Send + Sync,
 {
-    /// A problem for a mechanism, whose parameters stay as they are unless they [vary](Self::vary); for example
-    /// `Design::new(FourBar::default(), FourBar::assemble, FourBar::assemblies, FourBar::circuits)`.
+    /// A problem for a mechanism, whose parameters stay as they are unless they [vary](Self::vary);
+    /// for example `Design::new(FourBar::default(), FourBar::assemble, FourBar::assemblies,
+    /// FourBar::circuits)`.
     ///
-    /// The search tries the modes of all `assemblies`; `circuits` certifies what it finds. Where there are none at all,
-    /// `assemble` tells by how much they miss.
+    /// The search tries the modes of all `assemblies`; `circuits` certifies its results. Where
+    /// there are none at all, the error of `assemble` has the closure errors.
     ///
     /// # Errors
     ///
@@ -86,8 +90,9 @@ where
         self
     }
 
-    /// The most designs that are listed, 100 without it; [`Search::left_out`](super::Search::left_out) tells of how many optima more there
-    /// are.
+    /// The most designs that are listed, 100 without it;
+    /// [`DesignSearch::left_out`](super::DesignSearch::left_out) tells of how many optima more
+    /// there are.
     #[must_use]
     pub fn listed(mut self, designs: usize) -> Self {
         self.listed = designs;

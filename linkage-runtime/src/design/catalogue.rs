@@ -1,8 +1,9 @@
 //! Parameters that take some values only: branch and bound from a local optimum.
 //!
-//! Where a parameter is between two values of its list, one branch has all values up to the lower one and the other one all from the upper
-//! one on, and everything is optimised anew in each. The bound of a branch is what a local optimum of it comes to: where each branch has
-//! one optimum, the result is the best of all combinations; where there are several, a better one in a branch that is left may be
+//! Where a parameter is between two values of its list, one branch has all values up to the lower
+//! one and the other one all from the upper one on, and everything is optimised again in each. The
+//! bound of a branch is the value of a local optimum of it: where each branch has one optimum, the
+//! result is the best of all combinations; where there are several, a better combination may be
 //! missed.
 
 use alloc::vec::Vec;
@@ -13,22 +14,23 @@ use super::limits::Limits;
 #[cfg(test)]
 mod tests;
 
-/// What branches end at.
+/// An end of a branch.
 pub(crate) trait Local {
     /// The parameters that vary, first of all variables.
     fn place(&self) -> &[f64];
 
-    /// What is made least.
+    /// The minimised value.
     fn least(&self) -> f64;
 }
 
 /// Parameters, by their place among those that vary, with the values that they take, which ascend.
 pub(crate) type Catalogues = [(usize, Vec<f64>)];
 
-/// The best optimum near this one with all catalogue parameters at values of their lists; `None` if there is none.
+/// The best optimum near this one with all catalogue parameters at values of their lists; `None` if
+/// there is none.
 ///
-/// `descend` gives the optimum within narrower limits, from that within wider ones. No branch is begun once `ended`: what is best until then
-/// is the result.
+/// `descend` gives the optimum within narrower limits, from that within wider ones. No branch is
+/// begun once `ended`: the best until then is the result.
 pub(crate) fn rounded<O: Local>(
     catalogues: &Catalogues,
     limits: &Limits,
@@ -56,7 +58,8 @@ struct Branches<'c, O, F> {
 }
 
 impl<O: Local, F: FnMut(&Limits, &O) -> Option<O>> Branches<'_, O, F> {
-    /// The best of a branch, whose optimum between the values is known; `open` are the numbers of the values of each list that it has.
+    /// The best of a branch, whose optimum between the values is known; `open` are the numbers of
+    /// the values of each list that it has.
     fn branch(&mut self, open: Vec<RangeInclusive<usize>>, limits: &Limits, optimum: O) {
         let best = self.best.as_ref();
         if best.is_some_and(|best| best.least() <= optimum.least()) {
@@ -88,8 +91,8 @@ impl<O: Local, F: FnMut(&Limits, &O) -> Option<O>> Branches<'_, O, F> {
         }
     }
 
-    /// The parameter that is farthest from a value of its list, as a part of the gap between two, and the number of the value above it; `None`
-    /// if all are at one.
+    /// The parameter that is farthest from a value of its list, as a part of the gap between two,
+    /// and the number of the value above it; `None` if all are at one.
     fn farthest(&self, open: &[RangeInclusive<usize>], optimum: &O) -> Option<(usize, usize)> {
         let between = |(number, (place, values)): (usize, &(usize, Vec<f64>))| {
             let x = optimum.place()[*place];

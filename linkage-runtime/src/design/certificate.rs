@@ -1,21 +1,24 @@
 //! No mechanism is returned that does not assemble over its whole range on one circuit.
 //!
-//! Its assemblies are found over the range, each with its ends: those of groups with a closed form by bounds of their
-//! discriminants, so that none is missed; those of coupled groups as far as listings at some inputs and steps along their curves
-//! see. One of them must run through the whole range, a turn must close, and by all that the wishes ask for it must be the optimum:
-//! so it is the assembly that was optimised, all its positions are on one circuit, and they are reached without a dead
-//! point between them.
+//! Its assemblies are found over the range, each with its ends: those of groups with a closed form
+//! by bounds of their discriminants, so that none is missed; those of coupled groups as far as
+//! listings at some inputs and steps along their curves see. One of them must run through the whole
+//! range, a turn must close, and by all that the wishes ask for it must be the optimum: so it is
+//! the assembly that was optimised, all its positions are on one circuit, and they are reached
+//! without a dead point between them.
 
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::words::rounded;
-use crate::{AssemblyError, Branch, BranchEnd, Circuits};
+use crate::circuits::{Branch, BranchEnd, Circuits};
+use crate::error::AssemblyError;
+use crate::format::rounded;
 
 /// The least margin that is no dead point: that which the compiler asks of a declaration.
 const LEAST: f64 = 1e-6;
 
-/// Numbers of the same assembly differ by less than this part of their sizes; those of other assemblies by far more.
+/// Numbers of the same assembly differ by less than this part of their sizes; those of other
+/// assemblies by far more.
 const SAME: f64 = 1e-6;
 
 /// A local optimum that does not run through its whole range.
@@ -33,7 +36,8 @@ pub struct Interrupted {
 pub enum Interruption {
     /// It assembles nowhere.
     Unassembled(AssemblyError),
-    /// No single assembly has all positions that are wanted: it would have to be taken apart between two of them.
+    /// No single assembly has all positions that are wanted: it would have to be taken apart
+    /// between two of them.
     Apart,
     /// It assembles between these inputs only.
     Ends(Vec<[f64; 2]>),
@@ -54,7 +58,7 @@ impl fmt::Display for Interrupted {
     }
 }
 
-/// What a mechanism does that is named before.
+/// The verb for the mechanism that is named before.
 impl fmt::Display for Interruption {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -74,7 +78,8 @@ impl fmt::Display for Interruption {
     }
 }
 
-/// The assembly over the whole range that is the same as the one that is meant, or why there is none.
+/// The assembly over the whole range that is the same as the one that is meant, or why there is
+/// none.
 pub(crate) fn certify<A>(
     found: Result<Circuits<A>, AssemblyError>,
     mut same: impl FnMut(&Branch<A>) -> bool,
@@ -103,7 +108,7 @@ pub(crate) fn certify<A>(
     })
 }
 
-/// Whether numbers are those of the same assembly, each beside a size.
+/// Returns true if numbers are those of the same assembly, each compared with a size.
 pub(crate) fn alike(a: &[f64], b: &[f64], sizes: impl IntoIterator<Item = f64>) -> bool {
     let mut pairs = a.iter().zip(b).zip(sizes);
     a.len() == b.len() && pairs.all(|((a, b), size)| (a - b).abs() <= SAME * size)

@@ -1,4 +1,4 @@
-//! What is wrong with a design problem, all at once.
+//! Checks of a design problem, all at once.
 
 use alloc::string::ToString;
 use alloc::vec::Vec;
@@ -7,7 +7,7 @@ use super::DesignError;
 use super::builder::Design;
 use super::problem::{Given, Problem};
 use super::varied::Varied;
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
 impl<M, A, const N: usize> Design<'_, M, A, N>
 where

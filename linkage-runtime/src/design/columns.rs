@@ -1,10 +1,12 @@
-//! Which columns of a generated function are a quantity's numbers and their derivatives.
+//! Columns of a generated function that are a quantity's numbers and their derivatives.
 
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
 use super::DesignError;
-use crate::{Column, Heading, Meaning, Parameter};
+use crate::data::Parameter;
+use crate::table::{Column, Heading};
+use linkage_core::Meaning;
 
 /// One number of a quantity.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,7 +17,7 @@ pub(crate) struct Number {
     pub(crate) rate: Option<usize>,
     /// Parameters, and the columns of the derivatives by them.
     pub(crate) sensitivities: Vec<(usize, usize)>,
-    /// Whether it counts modulo whole turns.
+    /// True if it counts modulo whole turns.
     pub(crate) angle: bool,
 }
 
@@ -24,7 +26,7 @@ pub(crate) struct Number {
 pub(crate) struct Numbers(Vec<Number>);
 
 impl Numbers {
-    /// The numbers of these quantities, with what derivatives the function has.
+    /// Returns the numbers of these quantities, with the derivatives that the function has.
     pub(crate) fn all(heading: &Heading, quantities: &[String]) -> Self {
         let columns = heading.columns;
         let places = quantities
@@ -39,14 +41,18 @@ impl Numbers {
         let others = (0..columns.len())
             .filter(|&k| !belongs(&columns[k], quantity) && columns[k].meaning == Meaning::Value);
         let known = |number: &Number| {
-            let by =
-                |parameter: &usize| number.sensitivities.iter().any(|(own, _)| own == parameter);
+            let by = |parameter: &usize| {
+                number
+                    .sensitivities
+                    .iter()
+                    .any(|(known, _)| known == parameter)
+            };
             parameters.iter().all(by)
         };
         Self(others.map(|k| number(columns, k)).filter(known).collect())
     }
 
-    /// The same, or what is missing.
+    /// Returns the same numbers, or the missing columns.
     pub(crate) fn find(
         heading: &Heading,
         quantities: &[String],
@@ -75,7 +81,7 @@ impl Numbers {
                     number
                         .sensitivities
                         .iter()
-                        .any(|(own, _)| own == *parameter)
+                        .any(|(known, _)| known == *parameter)
                 };
                 !numbers.iter().all(has)
             };
@@ -107,7 +113,7 @@ impl Numbers {
     }
 }
 
-/// Whether a column is a number of the field.
+/// Returns true for a column that is a number of the field.
 fn belongs(column: &Column, field: &str) -> bool {
     let Some(rest) = column.name.strip_prefix(field) else {
         return false;

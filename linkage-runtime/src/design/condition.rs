@@ -9,7 +9,7 @@ use linkage_core::Cycle;
 use super::DesignError;
 use super::cycle::{self, Chosen, Conditions, CycleWish, Piece, Place};
 use super::wish::{Candidates, Evaluate, Rows, Wish};
-use crate::Parameter;
+use crate::data::Parameter;
 
 /// A number of the dimensions that must not be negative.
 pub(crate) struct Condition<F> {
@@ -58,8 +58,8 @@ where
     fn evaluate(&mut self, candidates: &Candidates<'_, M, A>, rows: &mut Rows) {
         for (index, mechanism) in candidates.mechanisms.iter().enumerate() {
             let (value, slopes) = (self.function)(mechanism);
-            let (own, by, _) = rows.row_mut(index, 0);
-            *own = value;
+            let (slot, by, _) = rows.row_mut(index, 0);
+            *slot = value;
             by.copy_from_slice(&slopes);
         }
     }

@@ -1,4 +1,4 @@
-//! Which of some relations and bounds contradict each other, and by how much.
+//! Relations and bounds that contradict each other, and the size of the contradiction.
 
 use alloc::format;
 use alloc::string::String;
@@ -6,13 +6,13 @@ use alloc::vec::Vec;
 
 use super::limits::{Limits, Linear};
 use super::{DesignError, Relation};
-use crate::words::rounded;
+use crate::format::rounded;
 
 /// Halvings of the amount by which a relation is missed: to some ten digits.
 const HALVINGS: usize = 34;
 
-/// `Ok` if the relations leave anything within the bounds of the variables, whose names these are; else a smallest set that does not:
-/// without any of its relations and bounds the others can hold.
+/// `Ok` if the relations leave anything within the bounds of the variables, whose names these are;
+/// else a smallest set that does not: without any of its relations and bounds the others can hold.
 pub(crate) fn consistent(
     relations: &[Relation],
     limits: &Limits,
@@ -25,16 +25,16 @@ pub(crate) fn consistent(
     }
     let possible = |limits: &Limits| limits.nearest(&middle).is_some();
     let mut least = limits.clone();
-    let mut own: Vec<usize> = (0..limits.relations.len()).collect();
-    for k in (0..own.len()).rev() {
+    let mut needed: Vec<usize> = (0..limits.relations.len()).collect();
+    for k in (0..needed.len()).rev() {
         let mut without = least.clone();
         without.relations.remove(k);
         if !possible(&without) {
             least = without;
-            own.remove(k);
+            needed.remove(k);
         }
     }
-    let mut told: Vec<String> = Vec::new();
+    let mut bound_texts: Vec<String> = Vec::new();
     for (j, name) in names.iter().enumerate() {
         for upper in [false, true] {
             let none = if upper {
@@ -54,27 +54,30 @@ pub(crate) fn consistent(
             if possible(&least) {
                 side(&mut least, bound);
                 let words = if upper { "at most" } else { "at least" };
-                told.push(format!("`{name}` {words} {}", rounded(bound)));
+                bound_texts.push(format!("`{name}` {words} {}", rounded(bound)));
             }
         }
     }
     Err(DesignError::Contradiction {
         missed: missed(&least, &middle),
-        relations: own.into_iter().map(|k| relations[k].described()).collect(),
-        bounds: told,
+        relations: needed
+            .into_iter()
+            .map(|k| relations[k].described())
+            .collect(),
+        bounds: bound_texts,
     })
 }
 
-/// By how much the last relation is missed at least where the others hold.
+/// Returns the least miss of the last relation where the others hold.
 fn missed(limits: &Limits, middle: &[f64]) -> f64 {
     let mut others = limits.clone();
     let Some(last) = others.relations.pop() else {
         return 0.0;
     };
-    let Some(place) = others.nearest(middle) else {
+    let Some(nearest_point) = others.nearest(middle) else {
         return 0.0;
     };
-    let slack = last.slack(&place);
+    let slack = last.slack(&nearest_point);
     let (mut broken, mut held) = (0.0, 1.0);
     for _ in 0..HALVINGS {
         let share = 0.5 * (broken + held);
@@ -83,7 +86,7 @@ fn missed(limits: &Limits, middle: &[f64]) -> f64 {
             most: last.most - share * slack,
             ..last.clone()
         });
-        match moved.nearest(&place) {
+        match moved.nearest(&nearest_point) {
             Some(_) => held = share,
             None => broken = share,
         }

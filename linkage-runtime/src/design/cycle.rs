@@ -1,4 +1,5 @@
-//! Whole cycles: extremes, strokes, dwells, torques and errors of a quantity over the range of the input.
+//! Whole cycles: extremes, strokes, dwells, torques and errors of a quantity over the range of the
+//! input.
 
 mod builder;
 mod candidate;
@@ -9,6 +10,7 @@ mod descent;
 mod descents;
 mod dwell;
 mod error_of;
+mod extent;
 mod figures;
 mod fit;
 mod found;

@@ -1,14 +1,16 @@
-//! A search is never worse than what it begins with, if that is a result at all.
+//! The declared mechanism as a candidate: a search is never worse than its start, if that is a
+//! result at all.
 
 use alloc::vec::Vec;
 
-use super::Found;
+use super::FoundDesign;
 use super::normal::Normal;
+use super::optimum::Optimum;
 use super::problem::Evaluator;
 use super::results::Results;
-use super::search::Optimum;
+use super::search;
 use super::settings::End;
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
 /// Sums that differ by less than this part are equal, as those of optima that are one.
 const SAME: f64 = 1e-6;
@@ -22,8 +24,9 @@ where
     M: Dimensions<N> + Copy + Send + Sync,
     A: Clone + Send + Sync,
 {
-    /// What is better than the best design: the optimum next to the declared mechanism, that mechanism itself, or a start that holds all
-    /// conditions. `None` if nothing is, as it should be.
+    /// Returns a design that is better than the best one: the optimum next to the declared
+    /// mechanism, that mechanism itself, or a start that holds all conditions. `None` if there is
+    /// none, as it should be.
     pub(super) fn better(
         &self,
         best: Option<f64>,
@@ -31,28 +34,28 @@ where
         seed: u64,
         starts: usize,
         end: &End<'_>,
-    ) -> Option<Found<M, A>> {
+    ) -> Option<FoundDesign<M, A>> {
         let mut evaluator = Evaluator::new(self.problem);
         feasible.extend(self.declared(&mut evaluator, starts));
-        feasible.retain(|own| self.is_of_catalogues(&own.x));
+        feasible.retain(|feasible| self.is_of_catalogues(&feasible.x));
         feasible.sort_by(|a, b| a.sum.total_cmp(&b.sum));
         let mut scale = None;
-        feasible.retain(|own| match best {
-            Some(best) if best > own.sum => {
+        feasible.retain(|feasible| match best {
+            Some(best) if best > feasible.sum => {
                 let scale = scale.get_or_insert_with(|| self.scale(&mut evaluator, seed));
-                best - own.sum > SAME * best + ZERO * *scale
+                best - feasible.sum > SAME * best + ZERO * *scale
             }
             Some(_) => false,
             None => true,
         });
         feasible.truncate(LOOKED_AT);
-        for own in &feasible {
-            let Ok(found) = self.found(&mut evaluator, own) else {
+        for optimum in &feasible {
+            let Ok(found) = self.found(&mut evaluator, optimum) else {
                 continue;
             };
-            let mode = (&self.assemblies[own.assembly], self.steps);
+            let mode = (&self.assemblies[optimum.assembly], self.steps);
             let (problem, limits) = (self.problem, &self.problem.limits);
-            let near = own.within(limits, problem, &mut evaluator, mode);
+            let near = search::refine(optimum, limits, problem, &mut evaluator, mode);
             let near = self.rounded(near.into_iter().collect(), end).optima;
             let mut near = near.iter().map(|near| self.found(&mut evaluator, near));
             return match near.next() {
@@ -63,13 +66,14 @@ where
         None
     }
 
-    /// The declared mechanism in each assembly, if it holds all that must hold; with free inputs its sum is not known.
+    /// The declared mechanism in each assembly, if it holds all that must hold; with free inputs
+    /// its sum is not known.
     fn declared(&self, evaluator: &mut Evaluator<'_, M, A, N>, start: usize) -> Vec<Optimum> {
         let problem = self.problem;
         let x = problem.declared();
         let known = x.len() == problem.varied.len() && problem.limits.hold(&x);
         let assemblies = self.assemblies.iter().enumerate().filter(|_| known);
-        let own = assemblies.filter_map(|(assembly, modes)| {
+        let optima = assemblies.filter_map(|(assembly, modes)| {
             let mut normal = Normal::new(x.len());
             evaluator.evaluate(modes, core::iter::once(&x[..]));
             evaluator.normal(0, &mut normal);
@@ -83,7 +87,7 @@ where
                 zero: false,
             })
         });
-        own.collect()
+        optima.collect()
     }
 
     fn is_of_catalogues(&self, x: &[f64]) -> bool {

@@ -1,14 +1,15 @@
-//! What is wrong with a design problem, and why nothing is found.
+//! Errors of a design problem, and reasons for a search without result.
 
-mod words;
+mod message;
+mod refusals;
 
 use alloc::boxed::Box;
 use alloc::string::String;
 use alloc::vec::Vec;
 use std::time::Duration;
 
-use super::{Interruption, Refusals};
-use crate::AssemblyError;
+use super::certificate::{Interrupted, Interruption};
+use crate::error::AssemblyError;
 
 /// Why a design problem cannot be solved.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,21 +40,22 @@ pub enum DesignError {
     },
     /// A standard deviation that is not positive and finite.
     Deviation {
-        /// What was measured.
+        /// The quantity that was measured.
         quantity: String,
         /// Its standard deviation.
         deviation: f64,
     },
     /// Readings without standard deviations beside others that have them.
     SomeDeviations {
-        /// What was measured without.
+        /// The quantities that were measured without.
         quantities: Vec<String>,
     },
-    /// The mechanism that an identification begins with does not assemble where something was measured.
+    /// The mechanism that an identification begins with does not assemble where something was
+    /// measured.
     StartOpen {
         /// The first of these inputs.
         input: f64,
-        /// How many readings cannot be compared.
+        /// The number of readings that cannot be compared.
         open: usize,
         /// All readings.
         count: usize,
@@ -65,32 +67,32 @@ pub enum DesignError {
     },
     /// Nothing is to be varied, or nothing is wanted.
     Nothing {
-        /// What is missing.
+        /// The missing item.
         what: &'static str,
-        /// Where.
+        /// The wish.
         wish: String,
     },
     /// A number that is infinite or NaN.
     NotFinite {
-        /// Where.
+        /// The wish.
         wish: String,
         /// The number.
         number: f64,
     },
     /// A list that has not as many entries as it should.
     Count {
-        /// What is listed.
+        /// The listed items.
         what: &'static str,
-        /// Where.
+        /// The wish.
         wish: String,
-        /// How many there should be.
+        /// The number that there should be.
         expected: usize,
-        /// How many there are.
+        /// The number that there is.
         found: usize,
     },
     /// An input outside of the range of the mechanism.
     OutOfRange {
-        /// Where.
+        /// The wish.
         wish: String,
         /// The input.
         input: f64,
@@ -101,13 +103,13 @@ pub enum DesignError {
     },
     /// Evenly spaced positions that are longer than the range of the mechanism.
     TooLong {
-        /// Where.
+        /// The wish.
         wish: String,
-        /// How many positions.
+        /// The number of positions.
         positions: usize,
-        /// From one to the next.
+        /// The distance from one to the next.
         step: f64,
-        /// From the first to the last.
+        /// The distance from the first to the last.
         length: f64,
         /// The length of the range.
         range: f64,
@@ -118,9 +120,9 @@ pub enum DesignError {
         wish: String,
         /// The length of the interval.
         length: f64,
-        /// Where its room begins.
+        /// The start of its room.
         from: f64,
-        /// Where it ends.
+        /// The end of its room.
         to: f64,
     },
     /// The function has no such quantity.
@@ -148,11 +150,11 @@ pub enum DesignError {
     },
     /// Bounds and relations that cannot hold together: without any of them the others can.
     Contradiction {
-        /// The relations, in words.
+        /// The relations, as text.
         relations: Vec<String>,
-        /// The bounds, in words.
+        /// The bounds, as text.
         bounds: Vec<String>,
-        /// By how much the last of the relations is missed at least where the others hold.
+        /// The least miss of the last relation where the others hold.
         missed: f64,
     },
     /// Not exactly one goal.
@@ -160,7 +162,8 @@ pub enum DesignError {
         /// The goals there are.
         goals: Vec<String>,
     },
-    /// A wish finds nothing in the mechanism that the search begins with, although it runs through its whole range.
+    /// A wish finds nothing in the mechanism that the search begins with, although it runs through
+    /// its whole range.
     NoStart {
         /// The wish.
         wish: String,
@@ -169,17 +172,19 @@ pub enum DesignError {
     OutOfReach {
         /// The wish.
         wish: String,
-        /// By how much it is missed, in its unit.
+        /// The size of the miss, in its unit.
         by: f64,
-        /// The parameters that vary, in the mechanism that comes nearest, in SI angles and the unit of length of the mechanism.
+        /// The parameters that vary, in the mechanism that comes nearest, in SI angles and the unit
+        /// of length of the mechanism.
         nearest: Vec<(&'static str, f64)>,
         /// The parameters that are at a bound.
         at_bound: Vec<String>,
-        /// How many equations must hold: figures that must have a value, and relations between parameters.
+        /// The number of equations that must hold: figures that must have a value, and relations
+        /// between parameters.
         equations: usize,
-        /// How many variables the search has.
+        /// The number of variables of the search.
         variables: usize,
-        /// Whether the search ended where no step makes the violation smaller.
+        /// True if the search ended where no step makes the violation smaller.
         settled: bool,
     },
     /// Near the optimum there are no values of the catalogues with which all conditions hold.
@@ -187,17 +192,18 @@ pub enum DesignError {
         /// The parameters that take values of catalogues.
         parameters: Vec<String>,
     },
-    /// The mechanism that was found does not run through its whole range on one circuit, for this reason.
+    /// The mechanism that was found does not run through its whole range on one circuit, for this
+    /// reason.
     NotWhole(Interruption),
     /// That which the search begins with does not.
     StartNotWhole(Interruption),
     /// The mechanism of the declaration does not assemble.
     Start(AssemblyError),
-    /// No mechanism that holds what must hold was found.
+    /// No mechanism that meets all conditions was found.
     NotFound(Box<Refusals>),
     /// None was found before the search was ended.
     Ended {
-        /// Starts that were tried until then, and what refused them.
+        /// Starts that were tried until then, and the reasons for their refusal.
         refusals: Box<Refusals>,
         /// All starts.
         count: usize,
@@ -226,3 +232,42 @@ impl DesignError {
 }
 
 impl core::error::Error for DesignError {}
+
+/// Reasons why no start led to a mechanism that meets all conditions. Each start counts once: as
+/// `refused`, `open`, `broken` or `ended`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Refusals {
+    /// Starts that were tried.
+    pub starts: usize,
+    /// Starts that contradict relations between parameters.
+    pub refused: usize,
+    /// These relations, as text, with how many starts contradict each: one start may contradict
+    /// several.
+    pub relations: Vec<(String, usize)>,
+    /// Starts that do not assemble where something is wanted.
+    pub open: usize,
+    /// Starts that end where a condition does not hold.
+    pub broken: usize,
+    /// These conditions, with how many starts end where each does not hold.
+    pub conditions: Vec<(String, usize)>,
+    /// The end that violates conditions least: its condition that is missed most, and the size of
+    /// the miss.
+    pub missed: Option<(String, f64)>,
+    /// Starts that end at local optima which meet all conditions. They are refused for the reasons
+    /// that follow.
+    pub ended: usize,
+    /// Distinct optima near which no values of catalogues hold all conditions.
+    pub no_values: usize,
+    /// Distinct optima that do not assemble over the whole range on one circuit.
+    pub not_whole: usize,
+    /// That of them with the least sum of squares, and why it does not.
+    pub nearest: Option<Interrupted>,
+    /// Distinct optima that violate a condition or a relation in the assembly that would be
+    /// returned.
+    pub unverified: usize,
+    /// That of them with the least sum of squares: the condition or relation that is missed most,
+    /// and by how much.
+    pub violated: Option<(String, f64)>,
+    /// The error of the first start of a search that has its own, with its numbers.
+    pub first: Option<Box<DesignError>>,
+}

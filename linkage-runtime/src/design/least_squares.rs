@@ -1,12 +1,14 @@
 //! Levenberg's and Marquardt's method within bounds and linear relations.
 //!
-//! Each step is the least sum of squares of the linearised residuals and of the damped step, within all limits at once: a small
-//! quadratic program, in which faces become active and inactive as they should. So the optimum on a bound is as exact as one
-//! inside. A descent does not call the function: it says where it wants to know it, so that many descents are evaluated side by
-//! side, in lanes over mechanisms.
+//! Each step is the least sum of squares of the linearised residuals and of the damped step, within
+//! all limits at once: a small quadratic program, in which faces become active and inactive as they
+//! should. So the optimum on a bound is as exact as one inside. A descent does not call the
+//! function: it says where it wants to know it, so that many descents are evaluated side by side,
+//! in lanes over mechanisms.
 //!
-//! Damping by H. B. Nielsen, "Damping parameter in Marquardt's method", Technical University of Denmark, 1999; scaled by the largest
-//! diagonal so far, as J. J. Moré does, so that units do not matter.
+//! Damping by H. B. Nielsen, "Damping parameter in Marquardt's method", Technical University of
+//! Denmark, 1999; scaled by the largest diagonal so far, as J. J. Moré does, so that units do not
+//! matter.
 
 use alloc::vec::Vec;
 
@@ -20,8 +22,9 @@ const FIRST: f64 = 1e-3;
 const STUCK: f64 = 1e14;
 /// The least damping: below it, nothing of a diagonal is left in double precision.
 const LEAST: f64 = 1e-15;
-/// A step that promises less than this part of the sum of squares is the last one: some hundred roundoffs, so the sum does not show
-/// whether it was good, but the variables, which are the root of that from where they belong, gain half of their digits.
+/// A step that promises less than this part of the sum of squares is the last one: some hundred
+/// roundoffs, so the sum does not show whether it was good, but the variables, which are the root
+/// of that from where they belong, gain half of their digits.
 const PROMISE: f64 = 1e-14;
 /// A sum of squares of this part of the first one is zero: its root is as far below it as rounding.
 const ZERO: f64 = 1e-32;
@@ -29,7 +32,7 @@ const ZERO: f64 = 1e-32;
 /// Sums below this part of the first one are alike: their roots differ by some thousand roundoffs.
 const NOTHING: f64 = 1e-24;
 
-/// What becomes of a descent.
+/// The state of a descent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum State {
     /// It wants to know the function at its trial.
@@ -47,7 +50,7 @@ pub(crate) struct Descent {
     pub(crate) x: Vec<f64>,
     /// The function there.
     pub(crate) here: Normal,
-    /// Where the function is wanted.
+    /// The place of the next evaluation.
     pub(crate) trial: Vec<f64>,
     /// Evaluations so far.
     pub(crate) count: usize,
@@ -56,20 +59,21 @@ pub(crate) struct Descent {
     damping: f64,
     growth: f64,
     promised: f64,
-    /// Whether the trial is the last one.
+    /// True for the last trial.
     last: bool,
-    /// What a unit of violated conditions counts, against half the sum of squares.
+    /// The weight of violated conditions, against half the sum of squares.
     price: f64,
     scale: Vec<f64>,
     gram: Vec<f64>,
     faces: Vec<Face>,
-    /// How many of the faces, the first ones, are bounds.
+    /// The number of faces, the first ones, that are bounds.
     bounds: usize,
     program: Quadratic,
 }
 
 impl Descent {
-    /// From a place within the limits, with so many evaluations at most; the first trial is the place itself.
+    /// Begins at a place within the limits, with this many evaluations at most. The first trial is
+    /// the place itself.
     pub(crate) fn new(start: Vec<f64>, most: usize) -> Self {
         let n = start.len();
         Self {
@@ -128,7 +132,7 @@ impl Descent {
         self.step(limits)
     }
 
-    /// Whether the sum is zero but for rounding.
+    /// Returns true if the sum is zero except for rounding.
     pub(crate) fn is_zero(&self) -> bool {
         self.here.sum <= NOTHING * self.first
     }
@@ -238,7 +242,7 @@ impl Descent {
         false
     }
 
-    /// How much less the linearised sum of squares would be, with what conditions cost.
+    /// Returns the decrease of the linearised sum of squares, with the cost of conditions.
     fn promise(&self) -> f64 {
         let n = self.x.len();
         let d = &self.program.d;
@@ -263,7 +267,8 @@ impl Descent {
     }
 }
 
-/// Descends from a place to a local least sum of squares. `evaluate` clears and fills the function at a place.
+/// Descends from a place to a local least sum of squares. `evaluate` clears and fills the function
+/// at a place.
 pub(crate) fn minimise(
     start: Vec<f64>,
     limits: &Limits,

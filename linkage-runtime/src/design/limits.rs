@@ -14,37 +14,38 @@ pub(crate) struct Linear {
 }
 
 impl Linear {
-    /// How much is left up to the limit.
+    /// Returns the distance to the limit.
     pub(crate) fn slack(&self, x: &[f64]) -> f64 {
         self.most - self.terms.iter().map(|&(j, a)| a * x[j]).sum::<f64>()
     }
 
-    /// Whether it holds but for rounding.
+    /// Returns true if it holds except for rounding.
     fn holds(&self, x: &[f64]) -> bool {
         let slack = self.slack(x);
         let least = -HOLDS * self.scale(x);
         slack >= least && (!self.equality || slack <= -least)
     }
 
-    /// Whether it has nothing to spare and is no equality, which never has.
+    /// Returns true if it has nothing to spare and is no equality, which never has.
     pub(crate) fn is_active(&self, x: &[f64]) -> bool {
         !self.equality && self.slack(x) <= ACTIVE * self.scale(x)
     }
 
-    /// The size of what is added, for rounding.
+    /// Returns the size of the terms, for rounding.
     fn scale(&self, x: &[f64]) -> f64 {
         let parts: f64 = self.terms.iter().map(|&(j, a)| (a * x[j]).abs()).sum();
         parts.max(self.most.abs())
     }
 }
 
-/// A relation that is violated by less than this part of its terms holds: they are sums of rounded numbers.
+/// A relation that is violated by less than this part of its terms holds: they are sums of rounded
+/// numbers.
 const HOLDS: f64 = 1e-11;
 
-/// One with less to spare than this part of them is in the way: steps end on it but for rounding.
+/// One with less to spare than this part of them is in the way: steps end on it except for rounding.
 const ACTIVE: f64 = 1e-9;
 
-/// Where the variables may be.
+/// The region of the variables.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Limits {
     pub(crate) lower: Vec<f64>,
@@ -64,12 +65,12 @@ impl Limits {
         }
     }
 
-    /// Whether bounds and relations hold.
+    /// Returns true if bounds and relations hold.
     pub(crate) fn hold(&self, x: &[f64]) -> bool {
         self.bound(x) && self.relations.iter().all(|relation| relation.holds(x))
     }
 
-    /// By how much the worst relation is missed beyond rounding; `None` if all hold.
+    /// Returns the miss of the worst relation beyond rounding; `None` if all hold.
     pub(crate) fn missed(&self, x: &[f64]) -> Option<f64> {
         let missed = |relation: &Linear| {
             let slack = relation.slack(x);
@@ -83,7 +84,8 @@ impl Limits {
         self.relations.iter().filter_map(missed).reduce(f64::max)
     }
 
-    /// The relation that is missed most, by its number, and by how much, unless by a part of its terms or of what the bounds' widths do to it.
+    /// Returns the relation that is missed most, by its number, and the size of the miss, unless it
+    /// is a part of its terms or of the effect of the bounds' widths.
     pub(crate) fn worst(&self, x: &[f64]) -> Option<(usize, f64)> {
         let missed = |(k, relation): (usize, &Linear)| {
             let slack = relation.slack(x);
@@ -101,7 +103,7 @@ impl Limits {
         missed.max_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// Whether all variables are within their bounds.
+    /// Returns true if all variables are within their bounds.
     pub(crate) fn bound(&self, x: &[f64]) -> bool {
         let within = |(x, (low, high)): (&f64, (&f64, &f64))| (low..=high).contains(&x);
         x.iter().zip(self.lower.iter().zip(&self.upper)).all(within)
@@ -114,7 +116,8 @@ impl Limits {
         broken.map(|(k, _)| k).collect()
     }
 
-    /// The limits as faces for a step from `x`: bounds first, of which it gives the number, then relations.
+    /// The limits as faces for a step from `x`: bounds first, of which it gives the number, then
+    /// relations.
     pub(crate) fn faces(&self, x: &[f64], faces: &mut Vec<Face>) -> usize {
         faces.clear();
         for (j, x) in x.iter().enumerate() {
@@ -138,7 +141,8 @@ impl Limits {
         bounds
     }
 
-    /// The place itself, or with equalities the nearest one at which these hold; `None` if there is none.
+    /// The place itself, or with equalities the nearest one at which these hold; `None` if there is
+    /// none.
     pub(crate) fn on_equalities(&self, x: Vec<f64>) -> Option<Vec<f64>> {
         let equalities = self.relations.iter().filter(|relation| relation.equality);
         let relations: Vec<Linear> = equalities.cloned().collect();
@@ -152,7 +156,8 @@ impl Limits {
         }
     }
 
-    /// The nearest place at which all hold, in the measure of the bounds' widths; `None` if there is none.
+    /// The nearest place at which all hold, in the measure of the bounds' widths; `None` if there
+    /// is none.
     pub(crate) fn nearest(&self, x: &[f64]) -> Option<Vec<f64>> {
         let mut near = x.to_vec();
         self.clamp(&mut near);

@@ -3,7 +3,8 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// The sum of squares of residuals at a point, with `J'r` and the lower triangle of `J'J`; conditions with their gradients.
+/// The sum of squares of residuals at a point, with `J'r` and the lower triangle of `J'J`;
+/// conditions with their gradients.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Normal {
     /// The sum of squares; NaN where a residual has no value.
@@ -47,7 +48,7 @@ impl Normal {
         }
     }
 
-    /// By how much conditions are violated together.
+    /// Returns the sum of all violations of conditions.
     pub(crate) fn violation(&self) -> f64 {
         self.conditions
             .iter()
@@ -55,7 +56,7 @@ impl Normal {
             .sum()
     }
 
-    /// Whether all numbers are finite: the mechanism assembles where it is asked.
+    /// Returns true if all numbers are finite: the mechanism assembles at all positions.
     pub(crate) fn is_finite(&self) -> bool {
         self.sum.is_finite()
             && self.gradient.iter().all(|x| x.is_finite())

@@ -1,4 +1,4 @@
-//! A checked design problem: variables as a list of numbers, and what they do.
+//! A checked design problem: variables as a list of numbers, and their effects.
 
 mod conditions;
 mod sizes;
@@ -10,21 +10,20 @@ use core::marker::PhantomData;
 use core::ops::Range;
 use linkage_core::Cycle;
 
-pub(crate) use conditions::Violation;
-
 use super::limits::{Limits, Linear};
 use super::normal::Normal;
-use super::search::Optimum;
+use super::optimum::Optimum;
 use super::wish::{Candidates, Evaluate, Free, Rows, Wish};
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
-/// Positive bounds with a larger ratio say nothing of the size: starts then have every order of size alike.
+/// Positive bounds with a larger ratio say nothing of the size: starts then have every order of
+/// size alike.
 const WIDE: f64 = 100.0;
 
 /// Turns that an angle has on both sides: a descent does not turn a part further.
 pub(crate) const ROOM: f64 = 2.0;
 
-/// What a problem is made of, beside the wishes.
+/// The parts of a problem besides the wishes.
 pub(crate) struct Given<const N: usize> {
     /// The parameters that do not vary, and those that do.
     pub(crate) nominal: [f64; N],
@@ -32,7 +31,7 @@ pub(crate) struct Given<const N: usize> {
     pub(crate) varied: Vec<usize>,
     /// Their limits.
     pub(crate) limits: Limits,
-    /// Which of them take some values only, which ascend.
+    /// The variables that take some values only. The values ascend.
     pub(crate) catalogues: Vec<(usize, Vec<f64>)>,
     /// The range of the mechanism.
     pub(crate) cycle: Cycle,
@@ -110,7 +109,7 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
         M::from_values(&values)
     }
 
-    /// Where the free inputs of a wish are among the variables.
+    /// Returns the places of the free inputs of a wish among the variables.
     pub(crate) fn inputs(&self, wish: usize) -> Range<usize> {
         let count = |free: &Option<Free>| free.as_ref().map_or(0, |free| free.count);
         let first = self.varied.len() + self.free[..wish].iter().map(count).sum::<usize>();
@@ -132,7 +131,8 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
         x
     }
 
-    /// A start from numbers between 0 and 1, on all equalities; or the relations that it contradicts.
+    /// A start from numbers between 0 and 1, on all equalities; or the relations that it
+    /// contradicts.
     pub(crate) fn start(&self, unit: &[f64]) -> Result<Vec<f64>, Vec<usize>> {
         let x = self.place(unit);
         let Some(x) = self.limits.on_equalities(x.clone()) else {
@@ -144,7 +144,8 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
         }
     }
 
-    /// The period of each variable that has one: angles and the inputs of a turn are the same after a turn.
+    /// The period of each variable that has one: angles and the inputs of a turn are the same after
+    /// a turn.
     pub(crate) fn periods(&self) -> Vec<Option<f64>> {
         let angle = |&index: &usize| (M::PARAMETERS[index].unit == "rad").then_some(TAU);
         let mut periods: Vec<Option<f64>> = self.varied.iter().map(angle).collect();
@@ -165,7 +166,7 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
         wrapped
     }
 
-    /// How many residuals there are.
+    /// Returns the number of residuals.
     pub(crate) fn residuals(&self) -> usize {
         self.wishes
             .iter()

@@ -1,51 +1,61 @@
-//! Which assembly a least sum of squares is of: that whose rows are the same.
+//! The assembly of a least sum of squares: the one with the same rows.
 
 use alloc::vec::Vec;
 
 use super::certificate::{Interruption, alike, certify};
+use super::optimum::Optimum;
 use super::problem::{Evaluator, Problem};
-use super::search::Optimum;
-use crate::{AssemblyError, Branch, Circuits, Dimensions};
+use crate::circuits::{Branch, Circuits};
+use crate::dimensions::Dimensions;
+use crate::error::AssemblyError;
 
-impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
-    /// The assembly of an optimum over the whole range, or why there is none.
-    pub(crate) fn certify(
-        &self,
-        evaluator: &mut Evaluator<'_, M, A, N>,
-        assembly: &A,
-        optimum: &Optimum,
-        circuits: &dyn Fn(&M) -> Result<Circuits<A>, AssemblyError>,
-    ) -> Result<Branch<A>, Interruption> {
-        let place = || core::iter::once(&optimum.x[..]);
-        evaluator.evaluate(assembly, place());
-        let own = self.values(evaluator);
-        let sizes = self.sizes(evaluator);
-        certify(circuits(&self.mechanism(&optimum.x)), |branch| {
-            evaluator.evaluate(&branch.assembly, place());
-            alike(&own, &self.values(evaluator), sizes.iter().copied())
-        })
-    }
+/// The assembly of an optimum over the whole range, or why there is none.
+pub(crate) fn certify_optimum<M: Dimensions<N> + Copy, A, const N: usize>(
+    problem: &Problem<'_, M, A, N>,
+    evaluator: &mut Evaluator<'_, M, A, N>,
+    assembly: &A,
+    optimum: &Optimum,
+    circuits: &dyn Fn(&M) -> Result<Circuits<A>, AssemblyError>,
+) -> Result<Branch<A>, Interruption> {
+    let place = || core::iter::once(&optimum.x[..]);
+    evaluator.evaluate(assembly, place());
+    let expected = values(problem, evaluator);
+    let sizes = sizes(problem, evaluator);
+    certify(circuits(&problem.mechanism(&optimum.x)), |branch| {
+        evaluator.evaluate(&branch.assembly, place());
+        alike(
+            &expected,
+            &values(problem, evaluator),
+            sizes.iter().copied(),
+        )
+    })
+}
 
-    /// The rows of all wishes.
-    fn values(&self, evaluator: &Evaluator<'_, M, A, N>) -> Vec<f64> {
-        let rows = (0..self.wishes.len()).map(|wish| evaluator.rows(wish));
-        rows.flat_map(|rows| (0..rows.count()).map(|row| rows.row(0, row).0))
-            .collect()
-    }
-
-    /// What the bounds' widths do to each row.
-    fn sizes(&self, evaluator: &Evaluator<'_, M, A, N>) -> Vec<f64> {
-        let width = |j: usize| self.limits.upper[j] - self.limits.lower[j];
-        let rows = (0..self.wishes.len()).map(|wish| evaluator.rows(wish));
-        rows.flat_map(|rows| {
-            (0..rows.count()).map(|row| {
-                let (_, slopes, _) = rows.row(0, row);
-                let varied = self.varied.iter().enumerate();
-                varied
-                    .map(|(j, &index)| (slopes[index] * width(j)).abs())
-                    .sum()
-            })
-        })
+/// The rows of all wishes.
+fn values<M: Dimensions<N> + Copy, A, const N: usize>(
+    problem: &Problem<'_, M, A, N>,
+    evaluator: &Evaluator<'_, M, A, N>,
+) -> Vec<f64> {
+    let rows = (0..problem.wishes.len()).map(|wish| evaluator.rows(wish));
+    rows.flat_map(|rows| (0..rows.count()).map(|row| rows.row(0, row).0))
         .collect()
-    }
+}
+
+/// Returns the effect of the bounds' widths on each row.
+fn sizes<M: Dimensions<N> + Copy, A, const N: usize>(
+    problem: &Problem<'_, M, A, N>,
+    evaluator: &Evaluator<'_, M, A, N>,
+) -> Vec<f64> {
+    let width = |j: usize| problem.limits.upper[j] - problem.limits.lower[j];
+    let rows = (0..problem.wishes.len()).map(|wish| evaluator.rows(wish));
+    rows.flat_map(|rows| {
+        (0..rows.count()).map(|row| {
+            let (_, slopes, _) = rows.row(0, row);
+            let varied = problem.varied.iter().enumerate();
+            varied
+                .map(|(j, &index)| (slopes[index] * width(j)).abs())
+                .sum()
+        })
+    })
+    .collect()
 }

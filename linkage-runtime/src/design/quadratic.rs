@@ -1,8 +1,9 @@
 //! Small strictly convex quadratic programs: Goldfarb and Idnani's dual method.
 //!
-//! It starts from the free minimum and adds violated faces one by one, so that a step of which few bounds are active costs little
-//! more than a factorisation. Source: D. Goldfarb, A. Idnani, "A numerically stable dual method for solving strictly convex
-//! quadratic programs", Mathematical Programming 27 (1983).
+//! It starts from the free minimum and adds violated faces one by one, so that a step of which few
+//! bounds are active costs little more than a factorisation. Source: D. Goldfarb, A. Idnani, "A
+//! numerically stable dual method for solving strictly convex quadratic programs", Mathematical
+//! Programming 27 (1983).
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -14,9 +15,9 @@ use linkage_core::numeric::vector::dot;
 pub(crate) struct Face {
     /// Places and values of the normal that are not zero.
     pub(crate) normal: Vec<(usize, f64)>,
-    /// How far the origin is inside.
+    /// The distance of the origin on the inner side.
     pub(crate) slack: f64,
-    /// Whether the minimum must be on the plane.
+    /// True if the minimum must be on the plane.
     pub(crate) equality: bool,
 }
 
@@ -26,14 +27,16 @@ impl Face {
     }
 }
 
-/// A face that is violated by less than this part of what its value is made of holds: some hundred roundoffs.
+/// A face holds that is violated by less than this part of the terms of its value: some hundred
+/// roundoffs.
 const HOLDS: f64 = 1e-13;
 /// A normal of which less than this part is left outside of the active ones depends on them.
 const DEPENDENT: f64 = 1e-11;
-/// Faces that are added before the search is given up, for each variable and face: cycles come from rounding alone.
+/// Faces that are added before the search is given up, for each variable and face: cycles come from
+/// rounding alone.
 const TURNS: usize = 4;
 
-/// `minimum of 1/2 d'Gd + g'd` within faces, with what is needed to solve it again without allocating.
+/// `minimum of 1/2 d'Gd + g'd` within faces, with the memory to solve it again without allocating.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Quadratic {
     n: usize,
@@ -53,7 +56,8 @@ pub(crate) struct Quadratic {
 }
 
 impl Quadratic {
-    /// Solves it for the lower triangle of `G`, row by row; `false` if `G` is not positive definite or the faces leave nothing.
+    /// Solves it for the lower triangle of `G`, row by row; `false` if `G` is not positive definite
+    /// or the faces leave nothing.
     pub(crate) fn solve(&mut self, gram: &[f64], gradient: &[f64], faces: &[Face]) -> bool {
         self.n = gradient.len();
         if !self.factorise(gram) {
@@ -154,8 +158,8 @@ impl Quadratic {
                     && face.value(&self.d).abs() <= 1e-9 * self.scale(face);
             }
             let step = full.min(partial);
-            for (own, dual) in self.multipliers.iter_mut().zip(&duals) {
-                *own -= step * dual;
+            for (multiplier, dual) in self.multipliers.iter_mut().zip(&duals) {
+                *multiplier -= step * dual;
             }
             multiplier += step;
             if full.is_finite() {
@@ -192,7 +196,7 @@ impl Quadratic {
         parts + face.slack.abs() + f64::MIN_POSITIVE
     }
 
-    /// Coordinates in the basis, and what is left; twice, because once loses digits.
+    /// Coordinates in the basis, and the rest; twice, because once loses digits.
     fn split(&self, image: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let mut rest = image.to_vec();
         let mut coordinates = vec![0.0; self.basis.len()];
@@ -208,7 +212,7 @@ impl Quadratic {
         (coordinates, rest)
     }
 
-    /// What a step does to the multipliers: the triangle solved for the coordinates.
+    /// Returns the effect of a step on the multipliers: the triangle solved for the coordinates.
     fn duals(&self, coordinates: &[f64]) -> Vec<f64> {
         let mut r = coordinates.to_vec();
         for i in (0..r.len()).rev() {

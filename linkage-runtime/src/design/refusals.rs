@@ -1,47 +1,10 @@
-//! What refused the starts of a search, in numbers.
+//! Counts of refused starts.
 
-use alloc::boxed::Box;
 use alloc::string::String;
 use alloc::vec::Vec;
-use core::fmt;
 
-use super::DesignError;
-use super::certificate::Interrupted;
-use super::problem::Violation;
-use crate::words::rounded;
-
-/// Why no start led to a mechanism that holds what must hold. Each start counts once: as `refused`, `open`, `broken` or `ended`.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Refusals {
-    /// Starts that were tried.
-    pub starts: usize,
-    /// Starts that contradict relations between parameters.
-    pub refused: usize,
-    /// These relations, in words, with how many starts contradict each: one start may contradict several.
-    pub relations: Vec<(String, usize)>,
-    /// Starts that do not assemble where something is wanted.
-    pub open: usize,
-    /// Starts that end where a condition does not hold.
-    pub broken: usize,
-    /// These conditions, with how many starts end where each does not hold.
-    pub conditions: Vec<(String, usize)>,
-    /// Of the ends that violate conditions the one that comes nearest: its condition that is missed most, and by how much.
-    pub missed: Option<(String, f64)>,
-    /// Starts that end at local optima which hold all conditions; they are refused for what follows.
-    pub ended: usize,
-    /// Distinct optima near which no values of catalogues hold all conditions.
-    pub no_values: usize,
-    /// Distinct optima that do not assemble over the whole range on one circuit.
-    pub not_whole: usize,
-    /// That of them with the least sum of squares, and why it does not.
-    pub nearest: Option<Interrupted>,
-    /// Distinct optima that violate a condition or a relation in the assembly that would be returned.
-    pub unverified: usize,
-    /// That of them with the least sum of squares: the condition or relation that is missed most, and by how much.
-    pub violated: Option<(String, f64)>,
-    /// What refused the first start of a search that has one of its own, with its numbers.
-    pub first: Option<Box<DesignError>>,
-}
+use super::error::Refusals;
+use super::violation::Violation;
 
 /// Refused starts, with relations and conditions by their numbers.
 #[derive(Clone, Debug, Default)]
@@ -55,7 +18,7 @@ pub(crate) struct Tally {
     nearest: Option<Violation>,
 }
 
-/// What became of a start in the modes of all assemblies, the best last.
+/// The fate of a start in the modes of all assemblies, the best last.
 #[derive(Clone, Debug, Default)]
 pub(crate) enum Fate {
     /// It does not assemble.
@@ -110,9 +73,9 @@ impl Tally {
             (&mut self.relations, &other.relations),
             (&mut self.conditions, &other.conditions),
         ];
-        for (own, others) in pairs {
+        for (counts, others) in pairs {
             let others = others.iter().enumerate();
-            others.for_each(|(k, &more)| count(own, k, more));
+            others.for_each(|(k, &more)| count(counts, k, more));
         }
     }
 
@@ -129,7 +92,7 @@ impl Tally {
         };
         let missed = self
             .nearest
-            .and_then(|own| Some((conditions.get(own.wish)?.clone(), own.by)));
+            .and_then(|nearest| Some((conditions.get(nearest.wish)?.clone(), nearest.by)));
         Refusals {
             missed,
             starts,
@@ -149,70 +112,4 @@ fn count(counts: &mut Vec<usize>, number: usize, more: usize) {
         counts.resize(number + 1, 0);
     }
     counts[number] += more;
-}
-
-/// One sentence, without what refused none.
-impl fmt::Display for Refusals {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "none of {} starts led to a mechanism that assembles over its whole range on one circuit and holds what must hold",
-            self.starts
-        )?;
-        let mut between = ": ";
-        let mut tell =
-            |f: &mut fmt::Formatter<'_>, count: usize, what: &str, by: &[(String, usize)]| {
-                if count == 0 {
-                    return Ok(());
-                }
-                write!(f, "{between}{count} {what}")?;
-                between = ", ";
-                for (k, (name, count)) in by.iter().enumerate() {
-                    write!(f, "{}{count} `{name}`", if k == 0 { " (" } else { ", " })?;
-                }
-                f.write_str(if by.is_empty() { "" } else { ")" })
-            };
-        tell(f, self.refused, "contradict relations", &self.relations)?;
-        tell(
-            f,
-            self.open,
-            "do not assemble where something is wanted",
-            &[],
-        )?;
-        tell(
-            f,
-            self.broken,
-            "end where a condition does not hold",
-            &self.conditions,
-        )?;
-        tell(f, self.ended, "end at local optima", &[])?;
-        tell(
-            f,
-            self.no_values,
-            "of these optima have no values of the catalogues near them that hold all conditions",
-            &[],
-        )?;
-        tell(
-            f,
-            self.not_whole,
-            "of these optima do not run through the range",
-            &[],
-        )?;
-        tell(
-            f,
-            self.unverified,
-            "of these optima violate what must hold once they are assembled",
-            &[],
-        )?;
-        for (name, by) in self.violated.iter().chain(&self.missed) {
-            write!(f, "; the nearest misses `{name}` by {}", rounded(*by))?;
-        }
-        if let Some(nearest) = &self.nearest {
-            write!(f, "; {nearest}")?;
-        }
-        if let Some(first) = &self.first {
-            write!(f, "; the first start: {first}")?;
-        }
-        Ok(())
-    }
 }

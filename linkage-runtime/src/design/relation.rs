@@ -5,7 +5,7 @@ use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::words::rounded;
+use crate::format::rounded;
 
 /// A linear relation between parameters that must hold: in their units, angles in radians.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,7 +38,8 @@ impl Relation {
         )
     }
 
-    /// The sum is exactly so much: `exactly([("rocker", 1.0), ("coupler", -1.0)], 0.0)` makes both equal.
+    /// The sum is exactly so much: `exactly([("rocker", 1.0), ("coupler", -1.0)], 0.0)` makes both
+    /// equal.
     #[must_use]
     pub fn exactly<'a>(terms: impl IntoIterator<Item = (&'a str, f64)>, sum: f64) -> Self {
         Self {
@@ -47,8 +48,9 @@ impl Relation {
         }
     }
 
-    /// The crank of a four-bar turns fully against the frame: it is the shortest link, and together with any other one not
-    /// longer than the two that are left by at least `spare` (Grashof's condition; with a spare of 0 the links may come in line).
+    /// The crank of a four-bar turns fully against the frame: it is the shortest link, and together
+    /// with any other one not longer than the two that are left by at least `spare` (Grashof's
+    /// condition; with a spare of 0 the links may come in line).
     #[must_use]
     pub fn crank_turns([frame, crank, coupler, rocker]: [&str; 4], spare: f64) -> Vec<Self> {
         let pairs = [

@@ -1,22 +1,25 @@
-//! From local optima to designs: rounded to values of catalogues, then certified over the whole range, on all threads.
+//! Designs from local optima: rounded to values of catalogues, then certified over the whole range,
+//! on all threads.
 
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
-use super::Found;
+use super::FoundDesign;
 use super::builder::CircuitsOf;
 use super::catalogue::rounded;
 use super::certificate::{Interrupted, Interruption};
 use super::limits::Limits;
 use super::normal::Normal;
+use super::optimum::Optimum;
 use super::parallel::in_parallel;
 use super::problem::{Evaluator, Problem};
-use super::search::{Optimum, distinct};
+use super::proof::certify_optimum;
+use super::search::{distinct, refine};
 use super::settings::End;
 use super::varied::Freedom;
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
-/// What designs are made from.
+/// The inputs of designs.
 pub(super) struct Results<'d, M, A, const N: usize> {
     pub(super) problem: &'d Problem<'d, M, A, N>,
     pub(super) assemblies: &'d [A],
@@ -45,23 +48,24 @@ pub(super) struct Rounded {
     pub(super) optima: Vec<Optimum>,
     /// Optima near which no values hold all conditions.
     pub(super) no_values: usize,
-    /// Whether it was ended before all combinations that might be better were looked at.
+    /// True if it ended before all combinations that might be better were tried.
     pub(super) ended: bool,
 }
 
 /// Optima that were looked at over the whole range.
 pub(super) struct Certified<M, A> {
-    pub(super) designs: Vec<Found<M, A>>,
+    pub(super) designs: Vec<FoundDesign<M, A>>,
     pub(super) not_whole: usize,
     /// The one with the least sum that is not whole.
     pub(super) nearest: Option<Interrupted>,
-    /// Optima that violate what must hold in the assembly that would be returned.
+    /// Optima that violate a condition or relation in the assembly that would be returned.
     pub(super) unverified: usize,
-    /// The one with the least sum that does: what it misses most, and by how much.
+    /// The one of these with the least sum: its worst condition or relation, and the size of the
+    /// violation.
     pub(super) violated: Option<(String, f64)>,
     /// Optima that were not looked at.
     pub(super) left_out: usize,
-    /// Whether this is because the search was to end.
+    /// True if this is because the search was to end.
     pub(super) ended: bool,
 }
 
@@ -81,7 +85,7 @@ impl<M, A> Default for Certified<M, A> {
 
 impl<M, A> Certified<M, A> {
     /// Adds a design that is better than all others, in a list of so many.
-    pub(super) fn add(&mut self, better: Option<Found<M, A>>, listed: usize) {
+    pub(super) fn add(&mut self, better: Option<FoundDesign<M, A>>, listed: usize) {
         if let Some(better) = better.filter(|_| listed > 0) {
             self.designs.insert(0, better);
             self.left_out += self.designs.len().saturating_sub(listed);
@@ -109,7 +113,7 @@ where
             let mut evaluator = Evaluator::new(problem);
             let mode = (&self.assemblies[optimum.assembly], self.steps);
             let descend = |limits: &Limits, near: &Optimum| {
-                near.within(limits, problem, &mut evaluator, mode)
+                refine(near, limits, problem, &mut evaluator, mode)
             };
             let (lists, limits) = (&problem.catalogues, &problem.limits);
             let best = rounded(lists, limits, optimum.clone(), descend, &ended);
@@ -128,8 +132,8 @@ where
         }
     }
 
-    /// The first optima that run through the whole range, as many as are listed. When the search is to end those that are being looked at
-    /// are the last ones.
+    /// The first optima that run through the whole range, as many as are listed. When the search is
+    /// to end those that are being looked at are the last ones.
     pub(super) fn certified(&self, optima: &[Optimum], end: &End<'_>) -> Certified<M, A> {
         let mut certified = Certified::default();
         let mut seen = 0;
@@ -168,12 +172,13 @@ where
         certified
     }
 
-    /// The design of an optimum, with directions within their bounds where relations and conditions allow it.
+    /// The design of an optimum, with directions within their bounds where relations and conditions
+    /// allow it.
     pub(super) fn found(
         &self,
         evaluator: &mut Evaluator<'_, M, A, N>,
         optimum: &Optimum,
-    ) -> Result<Found<M, A>, Refused> {
+    ) -> Result<FoundDesign<M, A>, Refused> {
         let wrapped = self.problem.wrapped(optimum);
         match self.verified(evaluator, &wrapped) {
             // A relation between angles need not be the same after a turn of one of them.
@@ -184,7 +189,7 @@ where
         }
     }
 
-    /// Whether bounds, relations and conditions hold; otherwise what is missed most.
+    /// Checks bounds, relations and conditions. The error has the one that is missed most.
     fn must_hold(&self, x: &[f64], at: &Normal) -> Result<(), Refused> {
         let problem = self.problem;
         let limits = &problem.limits;
@@ -206,16 +211,16 @@ where
         }
     }
 
-    /// The design, if it is there over the whole range and holds all that must hold: computed from its assembly, without the descent.
+    /// The design, if it is there over the whole range and holds all that must hold: computed from
+    /// its assembly, without the descent.
     fn verified(
         &self,
         evaluator: &mut Evaluator<'_, M, A, N>,
         optimum: &Optimum,
-    ) -> Result<Found<M, A>, Refused> {
+    ) -> Result<FoundDesign<M, A>, Refused> {
         let problem = self.problem;
         let assembly = &self.assemblies[optimum.assembly];
-        let branch = problem
-            .certify(evaluator, assembly, optimum, self.circuits)
+        let branch = certify_optimum(problem, evaluator, assembly, optimum, self.circuits)
             .map_err(Refused::NotWhole)?;
         evaluator.evaluate(&branch.assembly, core::iter::once(&optimum.x[..]));
         let mut normal = Normal::new(problem.limits.len());
@@ -244,7 +249,7 @@ where
         let active: Vec<(usize, f64)> = (0..problem.varied.len())
             .filter_map(|j| Some((j, bound(j)?)))
             .collect();
-        Ok(Found {
+        Ok(FoundDesign {
             mechanism: problem.mechanism(&optimum.x),
             sum: normal.sum,
             wishes: problem.wishes.iter().map(|wish| wish.title()).collect(),

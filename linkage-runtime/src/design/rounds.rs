@@ -1,4 +1,5 @@
-//! Blocks of starts on all threads, in rounds after each of which progress is told and the search may end.
+//! Blocks of starts on all threads, in rounds after each of which progress is reported and the search
+//! may end.
 
 use alloc::vec::Vec;
 use core::ops::Range;
@@ -9,14 +10,15 @@ use rayon::prelude::*;
 
 use super::settings::{Progress, Report};
 
-/// How long a round of blocks should take; after each the progress is reported.
+/// The duration of a round of blocks, after which the progress is reported.
 const ROUND: Duration = Duration::from_millis(100);
 
-/// Runs so many starts in blocks of a length, with feature `rayon` on all threads: what the blocks gave, in their order, and whether some were
-/// not begun because the search was to end: `ended` is asked before each round, with the number of blocks that are done.
+/// Runs the starts in blocks of a length, with feature `rayon` on all threads. Returns the results
+/// of the blocks in their order, and true if some were not begun because the search was to end:
+/// `ended` is asked before each round, with the number of blocks that are done.
 ///
-/// What a block gives depends on its starts alone, so that the number of threads and the length of rounds do not matter. `least` is what the
-/// best of a block comes to.
+/// The result of a block depends on its starts alone, so that the number of threads and the length
+/// of rounds do not matter. `least` is the value of the best of a block.
 pub(crate) fn in_rounds<B: Send>(
     (starts, block): (usize, usize),
     ended: &dyn Fn(usize) -> bool,

@@ -10,8 +10,8 @@ use super::results::Results;
 use super::rounds::in_rounds;
 use super::search::{BLOCK, Block, block, distinct};
 use super::settings::{End, Report};
-use super::{DesignError, Refusals, Search};
-use crate::Dimensions;
+use super::{DesignError, DesignSearch, Refusals};
+use crate::dimensions::Dimensions;
 
 impl<'a, M, A, const N: usize> Design<'a, M, A, N>
 where
@@ -20,17 +20,19 @@ where
 {
     /// Searches from all starts, and lists all distinct local optima that hold what must hold.
     ///
-    /// Each is verified without the descent that led to it: bounds, relations, conditions and the sum of squares are computed from the
-    /// assembly that is returned. A condition may be missed by a millionth of the mean size of its own number at most. Where inputs are
-    /// given, the best is never worse than the declared mechanism, if that holds all that must hold.
+    /// Each is verified without the descent that led to it: bounds, relations, conditions and the
+    /// sum of squares are computed from the assembly that is returned. A condition may be missed by
+    /// a millionth of the mean size of its own number at most. Where inputs are given, the best is
+    /// never worse than the declared mechanism, if that holds all that must hold.
     ///
-    /// Equal seeds give equal designs on any number of threads, unless time limit or cancellation end the search.
+    /// Equal seeds give equal designs on any number of threads, unless time limit or cancellation
+    /// end the search.
     ///
     /// # Errors
     ///
-    /// All mistakes of the problem at once; `NotFound` if no start led to a mechanism that runs through its whole range, `Ended` if the search
-    /// was ended before one did.
-    pub fn run(mut self) -> Result<Search<M, A>, DesignError> {
+    /// All mistakes of the problem at once; `NotFound` if no start led to a mechanism that runs
+    /// through its whole range, `Ended` if the search was ended before one did.
+    pub fn run(mut self) -> Result<DesignSearch<M, A>, DesignError> {
         let mut progress = self.settings.progress.take();
         let end = self.settings.end();
         let problem = self.problem()?;
@@ -88,7 +90,7 @@ where
                 false => DesignError::NotFound(refusals),
             });
         }
-        Ok(Search {
+        Ok(DesignSearch {
             designs: certified.designs,
             starts,
             refused: tally.refused,

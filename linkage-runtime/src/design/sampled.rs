@@ -13,10 +13,13 @@ use super::columns::Numbers;
 use super::problem::ROOM;
 use super::targets::{Targets, Timing};
 use super::wish::{Candidates, Evaluate, Free, Rows, Wish};
-use crate::words::rounded;
-use crate::{Dimensions, Parameter, Table};
+use crate::data::Parameter;
+use crate::dimensions::Dimensions;
+use crate::format::rounded;
+use crate::table::Table;
 
-/// Positions that are longer than the range by less than this part of it fill it: steps in degrees are rounded.
+/// Positions that are longer than the range by less than this part of it fill it: steps in degrees
+/// are rounded.
 const ROUNDING: f64 = 1e-12;
 
 /// [`Targets`] of a generated function.
@@ -24,6 +27,23 @@ pub struct Sampled<M, A, C, F, const N: usize> {
     targets: Targets,
     function: F,
     of: PhantomData<fn(&M, &A) -> C>,
+}
+
+impl Targets {
+    /// Makes a wish of it: the quantities and their derivatives are in the columns of this
+    /// function, a `_sweep_sets_into` method such as `FourBarAssembly::path_sweep_sets_into`.
+    ///
+    /// The function has each quantity, its `sensitivity(..)` by all parameters that may vary, and,
+    /// where inputs are free, its `velocity(..)`.
+    #[must_use]
+    pub fn computed_by<M, A, C, F, const N: usize>(self, function: F) -> Sampled<M, A, C, F, N>
+    where
+        M: Dimensions<N> + Copy,
+        F: Fn(&A, &[M], &[f64], &mut C) + Send + Sync,
+        C: Table + Default,
+    {
+        Sampled::new(self, function)
+    }
 }
 
 impl<M, A, C, F, const N: usize> Sampled<M, A, C, F, N> {
@@ -49,7 +69,7 @@ impl<M, A, C, F, const N: usize> Sampled<M, A, C, F, N> {
         })
     }
 
-    /// What is wrong with the given inputs.
+    /// Returns the mistakes of the given inputs.
     fn given(&self, cycle: &Cycle) -> Vec<DesignError> {
         let Timing::Given(inputs) = &self.targets.timing else {
             return Vec::new();
@@ -85,7 +105,7 @@ impl<M, A, C, F, const N: usize> Sampled<M, A, C, F, N> {
         (cycle.turn().is_none() && step.is_finite() && !fits).then_some(error)
     }
 
-    /// From the first position to the last, if they are evenly spaced.
+    /// Returns the distance from the first position to the last, if they are evenly spaced.
     fn rest(&self, step: f64) -> f64 {
         step * self.targets.targets.len().saturating_sub(1) as f64
     }
@@ -137,8 +157,10 @@ where
         let columns = C::default();
         let heading = columns.heading();
         let numbers = Numbers::all(heading, quantities);
-        let column = numbers.iter().nth(k).map(|own| &heading.columns[own.value]);
-        let (name, unit) = column.map_or((self.called(), ""), |own| (own.name.into(), own.unit));
+        let column = numbers.iter().nth(k).map(|nth| &heading.columns[nth.value]);
+        let (name, unit) = column.map_or((self.called(), ""), |column| {
+            (column.name.into(), column.unit)
+        });
         let (by, unit) = match unit {
             "rad" => ((value / weights[k]).to_degrees().abs(), "deg"),
             unit => ((value / weights[k]).abs(), unit),
@@ -167,7 +189,7 @@ where
         if let (Timing::Evenly(step), None) = (timing, turn) {
             let rest = self.rest(*step);
             let first = low - rest.min(0.0);
-            // As long as the range but for rounding, they begin at its end.
+            // As long as the range except for rounding, they begin at its end.
             bounds = (first, (high - rest.max(0.0)).max(first));
         }
         let backwards = matches!(timing, Timing::Backwards);

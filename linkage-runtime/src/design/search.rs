@@ -2,76 +2,48 @@
 
 use alloc::vec::Vec;
 
-use super::catalogue::Local;
 use super::least_squares::{Descent, State, minimise};
 use super::limits::Limits;
 use super::normal::Normal;
+use super::optimum::Optimum;
 use super::problem::{Evaluator, Problem};
 use super::refusals::{Fate, Tally};
 use super::starts;
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
-/// Starts of a block, which are evaluated side by side: enough for lanes, and few enough that their numbers stay in the cache.
+/// Starts of a block, which are evaluated side by side: enough for lanes, and few enough that their
+/// numbers stay in the cache.
 pub(crate) const BLOCK: usize = 32;
 
-/// A local optimum, not yet certified.
-#[derive(Clone, Debug)]
-pub(crate) struct Optimum {
-    /// The variables.
-    pub(crate) x: Vec<f64>,
-    pub(crate) sum: f64,
-    /// Which of the assemblies.
-    pub(crate) assembly: usize,
-    /// The start that led here.
-    pub(crate) start: usize,
-    /// How many starts did.
-    pub(crate) hits: usize,
-    /// Whether no step makes the sum smaller.
-    pub(crate) converged: bool,
-    /// Whether the sum is zero but for rounding.
-    pub(crate) zero: bool,
+/// The optimum within narrower limits, from this one.
+pub(crate) fn refine<M: Dimensions<N> + Copy, A, const N: usize>(
+    optimum: &Optimum,
+    limits: &Limits,
+    problem: &Problem<'_, M, A, N>,
+    evaluator: &mut Evaluator<'_, M, A, N>,
+    (assembly, most): (&A, usize),
+) -> Option<Optimum> {
+    let start = limits.nearest(&optimum.x)?;
+    let (descent, state) = minimise(start, limits, most, |x, normal| {
+        evaluator.evaluate(assembly, core::iter::once(x));
+        evaluator.normal(0, normal);
+    });
+    let valid = descent.here.sum.is_finite() && problem.meets(&descent.here);
+    valid.then(|| Optimum {
+        zero: optimum.zero && descent.is_zero(),
+        x: descent.x,
+        sum: descent.here.sum,
+        converged: state == State::Converged,
+        ..*optimum
+    })
 }
 
-impl Local for Optimum {
-    fn place(&self) -> &[f64] {
-        &self.x
-    }
-
-    fn least(&self) -> f64 {
-        self.sum
-    }
-}
-
-impl Optimum {
-    /// The optimum within narrower limits, from this one.
-    pub(crate) fn within<M: Dimensions<N> + Copy, A, const N: usize>(
-        &self,
-        limits: &Limits,
-        problem: &Problem<'_, M, A, N>,
-        evaluator: &mut Evaluator<'_, M, A, N>,
-        (assembly, most): (&A, usize),
-    ) -> Option<Self> {
-        let start = limits.nearest(&self.x)?;
-        let (descent, state) = minimise(start, limits, most, |x, normal| {
-            evaluator.evaluate(assembly, core::iter::once(x));
-            evaluator.normal(0, normal);
-        });
-        let valid = descent.here.sum.is_finite() && problem.meets(&descent.here);
-        valid.then(|| Self {
-            zero: self.zero && descent.is_zero(),
-            x: descent.x,
-            sum: descent.here.sum,
-            converged: state == State::Converged,
-            ..*self
-        })
-    }
-}
-
-/// What a block of starts gave.
+/// The results of a block of starts.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Block {
     pub(crate) optima: Vec<Optimum>,
-    /// Starts that hold all conditions, where descents end at nothing that holds them and has a smaller sum.
+    /// Starts that hold all conditions, where descents end at nothing that holds them and has a
+    /// smaller sum.
     pub(crate) feasible: Vec<Optimum>,
     pub(crate) tally: Tally,
     pub(crate) evaluations: usize,
@@ -151,7 +123,7 @@ pub(crate) fn block<M: Dimensions<N> + Copy, A, const N: usize>(
                     });
                 } else if !matches!(fates[*start], Fate::Ended) {
                     block.tally.missed(&broken);
-                    fates[*start] = Fate::Broken(broken.iter().map(|own| own.wish).collect());
+                    fates[*start] = Fate::Broken(broken.iter().map(|broken| broken.wish).collect());
                 }
                 false
             });
@@ -161,12 +133,14 @@ pub(crate) fn block<M: Dimensions<N> + Copy, A, const N: usize>(
     block
 }
 
-/// Optima whose variables differ by less than this part of the bounds' widths are one: descents stop that near.
+/// Optima whose variables differ by less than this part of the bounds' widths are one: descents
+/// stop that near.
 const SAME: f64 = 1e-4;
 /// Neither are two optima with sums that differ by more than this part.
 const SAME_SUM: f64 = 1e-6;
 
-/// The distinct ones, the least first; of equal ones that of the first start. A variable with a period counts without whole ones.
+/// The distinct ones, the least first; of equal ones that of the first start. A variable with a
+/// period counts without whole ones.
 pub(crate) fn distinct(
     mut optima: Vec<Optimum>,
     widths: &[f64],

@@ -1,20 +1,22 @@
-//! How a search is run, whatever it searches: starts, steps, when it ends, whom it tells.
+//! Settings of all searches: starts, steps, the end, reports of progress.
 
 use alloc::boxed::Box;
 use core::fmt;
 use core::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use crate::words::rounded;
+use crate::format::rounded;
 
-/// How far a search has come. Printed, it is a bar: `[#########---------------------] 320 of 1024, least 0.0123`.
+/// The progress of a search. Printed, it is a bar: `[#########---------------------] 320 of 1024,
+/// least 0.0123`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
     /// Starts, or paths of a homotopy, that are done.
     pub done: usize,
     /// All of them. Of a homotopy more are followed if some have no end of their own.
     pub count: usize,
-    /// What the search makes least, as far as it has come, not yet certified; infinite before there is one, and where nothing is made least.
+    /// The minimised value so far, not yet certified; infinite before there is one, and where
+    /// nothing is minimised.
     pub least: f64,
 }
 
@@ -41,7 +43,7 @@ impl fmt::Display for Progress {
 /// Whom a search tells how far it has come.
 pub(crate) type Report<'a> = Box<dyn FnMut(Progress) + 'a>;
 
-/// How a search is run.
+/// The settings of a search.
 pub(crate) struct Settings<'a> {
     pub(crate) starts: usize,
     pub(crate) seed: u64,
@@ -74,7 +76,8 @@ impl<'a> Settings<'a> {
     }
 }
 
-/// What was found when the time is over is rounded and certified for no longer than this part of the limit.
+/// Results at the end of the time are rounded and certified for no longer than this part of the
+/// limit.
 const AFTERWARDS: f64 = 0.25;
 
 /// When a search is to end before all is done.
@@ -86,7 +89,7 @@ pub(crate) struct End<'a> {
 }
 
 impl End<'_> {
-    /// Whether what was found is not to be looked at any more.
+    /// True if results are not to be rounded and certified any more.
     pub(crate) fn is_over(&self) -> bool {
         let late = |time: Duration| self.began.elapsed() >= time.mul_f64(1.0 + AFTERWARDS);
         self.time.is_some_and(late) || self.is_cancelled()
@@ -101,14 +104,15 @@ impl End<'_> {
         self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed))
     }
 
-    /// Whether its time is over, or it has been cancelled.
+    /// Returns true if its time is over, or it has been cancelled.
     pub(crate) fn reached(&self) -> bool {
         self.limit().is_some() || self.is_cancelled()
     }
 }
 
-/// The methods by which a design problem says how it is searched, for its field `settings`; what `starts` and `steps` are without them, and what
-/// is not begun any more once the search is to end.
+/// The methods with which a design problem sets its search, for its field `settings`. The arguments
+/// are the texts about the defaults of `starts` and `steps`, and about work that is not begun once
+/// the search is to end.
 macro_rules! settings_methods {
     ($starts:literal, $steps:literal, $begun:literal) => {
         #[doc = $starts]

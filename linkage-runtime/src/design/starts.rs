@@ -7,7 +7,8 @@ const SEQUENCE: u64 = 1 << 16;
 /// Dimensions of one sequence; further ones are those of another one.
 const DIMENSIONS: u32 = sobol_burley::NUM_DIMENSIONS;
 
-/// The numbers of a start, each from 0 to below 1: those of an index and a seed are always the same.
+/// The numbers of a start, each from 0 to below 1: those of an index and a seed are always the
+/// same.
 pub(crate) fn unit(seed: u64, index: usize, count: usize) -> Vec<f64> {
     let sequence = index as u64 / SEQUENCE;
     let place = (index as u64 % SEQUENCE) as u32;

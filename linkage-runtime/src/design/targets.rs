@@ -1,24 +1,23 @@
-//! Values that a quantity should have at positions: points of a path, function values, poses, velocities.
+//! Values that a quantity should have at positions: points of a path, function values, poses,
+//! velocities.
 
 use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
-
-use super::sampled::Sampled;
-use crate::{Dimensions, Table};
 
 /// At which inputs the positions are.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Timing {
     /// At these, one for each position.
     Given(Vec<f64>),
-    /// Anywhere, one after the other in the sense in which the input grows; within one turn of an input that turns.
+    /// Anywhere, one after the other in the sense in which the input grows; within one turn of an
+    /// input that turns.
     InOrder,
     /// Anywhere, as [`InOrder`](Self::InOrder), in the sense in which the input falls.
     Backwards,
     /// Anywhere, in any order.
     Free,
-    /// So far from each other, beginning anywhere.
+    /// At this distance from each other, beginning anywhere.
     Evenly(f64),
 }
 
@@ -34,10 +33,11 @@ impl Timing {
     }
 }
 
-/// Values that a quantity should have at positions: points of a path, function values, poses, velocities.
+/// Values that a quantity should have at positions: points of a path, function values, poses,
+/// velocities.
 ///
-/// The rows are the differences of the numbers of all positions from their targets, each times its weight; the difference of an
-/// angle is taken without whole turns.
+/// The rows are the differences of the numbers of all positions from their targets, each times its
+/// weight; the difference of an angle is taken without whole turns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Targets {
     pub(super) quantities: Vec<String>,
@@ -47,13 +47,18 @@ pub struct Targets {
 }
 
 impl Targets {
-    /// The numbers of a quantity at each position, such as `Targets::of("tracer", [[20.0, 20.0], [20.0, 25.0]])`.
+    /// The numbers of a quantity at each position, such as `Targets::new("tracer", [[20.0, 20.0],
+    /// [20.0, 25.0]])`.
     #[must_use]
-    pub fn of<const K: usize>(quantity: &str, targets: impl IntoIterator<Item = [f64; K]>) -> Self {
+    pub fn new<const K: usize>(
+        quantity: &str,
+        targets: impl IntoIterator<Item = [f64; K]>,
+    ) -> Self {
         Self::of_all([quantity], targets)
     }
 
-    /// The numbers of several quantities together: a point and an angle are a pose, `of_all(["point", "angle"], [[x, y, angle]])`.
+    /// The numbers of several quantities together: a point and an angle are a pose,
+    /// `of_all(["point", "angle"], [[x, y, angle]])`.
     #[must_use]
     pub fn of_all<'a, const K: usize>(
         quantities: impl IntoIterator<Item = &'a str>,
@@ -76,29 +81,15 @@ impl Targets {
 
     /// At these inputs, one for each position.
     #[must_use]
-    pub fn at(self, inputs: impl IntoIterator<Item = f64>) -> Self {
+    pub fn at_inputs(self, inputs: impl IntoIterator<Item = f64>) -> Self {
         self.timing(Timing::Given(inputs.into_iter().collect()))
     }
 
-    /// What each number counts: 1 over what is as bad as a difference of 1, in the units of the quantity. Without it 1.
+    /// Sets the weight of each number: 1 over a difference that counts as 1, in the units of the
+    /// quantity. Without it 1.
     #[must_use]
     pub fn weights(mut self, weights: impl IntoIterator<Item = f64>) -> Self {
         self.weights = weights.into_iter().collect();
         self
-    }
-
-    /// As a wish: the quantities and their derivatives are in the columns of this function, a `_sweep_sets_into` method such as
-    /// `FourBarAssembly::path_sweep_sets_into`.
-    ///
-    /// The function has each quantity, its `sensitivity(..)` by all parameters that may vary, and, where inputs are free, its
-    /// `velocity(..)`.
-    #[must_use]
-    pub fn computed_by<M, A, C, F, const N: usize>(self, function: F) -> Sampled<M, A, C, F, N>
-    where
-        M: Dimensions<N> + Copy,
-        F: Fn(&A, &[M], &[f64], &mut C) + Send + Sync,
-        C: Table + Default,
-    {
-        Sampled::new(self, function)
     }
 }

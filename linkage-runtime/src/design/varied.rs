@@ -1,13 +1,15 @@
-//! Which parameters may vary, within bounds and relations: as it is written, then names looked up, mistakes told together.
+//! Parameters that vary, within bounds and relations: names are looked up, and mistakes are
+//! reported together.
 
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
 use super::limits::{Limits, Linear};
 use super::{DesignError, Relation, contradiction};
-use crate::{Dimensions, Parameter};
+use crate::data::Parameter;
+use crate::dimensions::Dimensions;
 
-/// What may vary, as it is written.
+/// The parameters that vary, by name.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Freedom {
     /// Parameters with their bounds.
@@ -17,10 +19,12 @@ pub(crate) struct Freedom {
     relations: Vec<Relation>,
 }
 
-/// The methods by which a design problem says what may vary, for its fields `nominal`, `freedom` and `wishes`.
+/// The methods with which a design problem sets the parameters that vary, for its fields `nominal`,
+/// `freedom` and `wishes`.
 macro_rules! freedom_methods {
     () => {
-        /// A parameter may vary between these bounds, both included: named as in `PARAMETERS`, `pivot.x` for a component.
+        /// A parameter may vary between these bounds, both included: named as in `PARAMETERS`,
+        /// `pivot.x` for a component.
         #[must_use]
         pub fn vary(mut self, name: &str, low: f64, high: f64) -> Self {
             self.freedom.vary(name, low, high);
@@ -34,10 +38,12 @@ macro_rules! freedom_methods {
             self
         }
 
-        /// A parameter takes one of these values only, as lengths of a catalogue: instead of [`vary`](Self::vary).
+        /// A parameter takes one of these values only, as lengths of a catalogue: instead of
+        /// [`vary`](Self::vary).
         ///
-        /// Each local optimum with the parameter anywhere between them is rounded by branch and bound: it may be at most the value
-        /// below, or at least that above, and everything is optimised anew, until all such parameters are at values.
+        /// Each local optimum with the parameter anywhere between them is rounded by branch and
+        /// bound: it may be at most the value below, or at least that above, and everything is
+        /// optimised again, until all such parameters are at values.
         #[must_use]
         pub fn catalogue(mut self, name: &str, values: impl IntoIterator<Item = f64>) -> Self {
             self.freedom.catalogue(name, values.into_iter().collect());
@@ -51,8 +57,8 @@ macro_rules! freedom_methods {
             self
         }
 
-        /// A number that follows from the dimensions must not be negative: `function` gives it with its derivatives by all parameters,
-        /// in their order and units.
+        /// A number that follows from the dimensions must not be negative: `function` gives it with
+        /// its derivatives by all parameters, in their order and units.
         #[must_use]
         pub fn hold_that(
             mut self,
@@ -66,14 +72,14 @@ macro_rules! freedom_methods {
 }
 pub(crate) use freedom_methods;
 
-/// What may vary, looked up.
+/// The parameters that vary, by index.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Varied {
     /// Indices of the parameters that vary, in ascending order.
     pub(crate) indices: Vec<usize>,
     /// The limits of the variables in this order.
     pub(crate) limits: Limits,
-    /// Which of them, by their place in this order, take some values only, which ascend.
+    /// The parameters that take some values only, by their place in this order. The values ascend.
     pub(crate) catalogues: Vec<(usize, Vec<f64>)>,
     /// All mistakes. Without any the above means something.
     pub(crate) errors: Vec<DesignError>,
@@ -84,17 +90,17 @@ impl Freedom {
         self.bounds.push((name.to_string(), low, high));
     }
 
-    /// By a part of the size that it has in a mechanism.
+    /// Lets a parameter vary by a part of its size in a mechanism.
     pub(crate) fn vary_by<M: Dimensions<N>, const N: usize>(
         &mut self,
         name: &str,
         part: f64,
         mechanism: &M,
     ) {
-        let own = M::PARAMETERS
+        let index = M::PARAMETERS
             .iter()
             .position(|parameter| parameter.name == name);
-        let value = own.map_or(f64::NAN, |index| mechanism.values()[index]);
+        let value = index.map_or(f64::NAN, |index| mechanism.values()[index]);
         let room = part * value.abs();
         self.vary(name, value - room, value + room);
     }
@@ -111,8 +117,8 @@ impl Freedom {
         self.relations.extend(relations);
     }
 
-    /// Looks up parameters with their bounds, in the order in which they are named; and what is wrong with them. Bounds may be
-    /// `infinite`, or must not.
+    /// Looks up parameters with their bounds, in the order in which they are named, and returns the
+    /// mistakes. Bounds may be `infinite`, or must not.
     pub(crate) fn places(
         &self,
         parameters: &[Parameter],
@@ -122,7 +128,7 @@ impl Freedom {
         let (mut places, mut errors): (Vec<(usize, f64, f64)>, _) = (Vec::new(), Vec::new());
         for (name, low, high) in &self.bounds {
             let (name, low, high) = (name.clone(), *low, *high);
-            let Some(index) = known.iter().position(|own| *own == name) else {
+            let Some(index) = known.iter().position(|known| *known == name) else {
                 let known = known.clone();
                 errors.push(DesignError::NoParameter { name, known });
                 continue;
@@ -158,8 +164,8 @@ impl Freedom {
             });
         }
         let catalogues = self.catalogues.iter().filter_map(|(name, values)| {
-            let index = known.iter().position(|own| own == name)?;
-            let place = indices.iter().position(|own| *own == index)?;
+            let index = known.iter().position(|known| known == name)?;
+            let place = indices.iter().position(|known| *known == index)?;
             Some((place, values.clone()))
         });
         Varied {
@@ -170,19 +176,19 @@ impl Freedom {
         }
     }
 
-    /// All relations in words.
+    /// All relations as text.
     pub(crate) fn relations(&self) -> Vec<String> {
         self.relations.iter().map(Relation::described).collect()
     }
 
-    /// The relations that are no equalities and hold with nothing to spare, in words.
+    /// The relations that are no equalities and hold with nothing to spare, as text.
     pub(crate) fn active(&self, limits: &Limits, x: &[f64]) -> Vec<String> {
         let pairs = self.relations.iter().zip(&limits.relations);
         let active = pairs.filter(|(_, linear)| linear.is_active(x));
         active.map(|(relation, _)| relation.described()).collect()
     }
 
-    /// Whether the relations leave anything within the bounds of these variables.
+    /// Returns true if the relations leave anything within the bounds of these variables.
     pub(crate) fn consistent(
         &self,
         limits: &Limits,
@@ -210,14 +216,14 @@ fn linear(
         equality: relation.equality,
     };
     for (name, factor) in &relation.terms {
-        let Some(index) = known.iter().position(|own| own == name) else {
+        let Some(index) = known.iter().position(|known| known == name) else {
             errors.push(DesignError::NoParameter {
                 name: name.clone(),
                 known: known.to_vec(),
             });
             continue;
         };
-        match varied.iter().position(|own| *own == index) {
+        match varied.iter().position(|varied| *varied == index) {
             Some(place) => linear.terms.push((place, *factor)),
             None => linear.most -= factor * values[index],
         }

@@ -1,4 +1,4 @@
-//! What is wanted, as rows of residuals or conditions with exact derivatives.
+//! Wishes as rows of residuals or conditions with exact derivatives.
 
 use alloc::boxed::Box;
 use alloc::format;
@@ -8,27 +8,28 @@ use alloc::vec::Vec;
 use linkage_core::Cycle;
 
 use super::DesignError;
-use crate::Parameter;
-use crate::words::rounded;
+use crate::data::Parameter;
+use crate::format::rounded;
 
-/// Something that is wanted of a mechanism: rows of residuals, whose sum of squares is made least, or of conditions, which must
-/// not be negative.
+/// Something that is wanted of a mechanism: rows of residuals, whose sum of squares is made least,
+/// or of conditions, which must not be negative.
 ///
 /// [`Targets`](super::Targets) are the usual ones. One of your own needs rows with derivatives by all parameters, and by the
 /// inputs that it leaves free, if there are any.
 pub trait Wish<M, A>: Send + Sync {
-    /// How messages call it.
+    /// Returns the name in messages.
     fn title(&self) -> String;
 
-    /// How many rows.
+    /// Returns the number of rows.
     fn rows(&self) -> usize;
 
-    /// Whether the rows are conditions.
+    /// Returns true if the rows are conditions.
     fn is_condition(&self) -> bool {
         false
     }
 
-    /// By how much a row misses what is wanted, in words: which one, with its unit where it is known. `value` is that of the row.
+    /// Describes the miss of a row: its name, with its unit where it is known. `value` is that of
+    /// the row.
     fn missed(&self, row: usize, value: f64) -> String {
         format!(
             "by {} in row {} of {}",
@@ -50,16 +51,16 @@ pub trait Wish<M, A>: Send + Sync {
         free.to_vec()
     }
 
-    /// What is wrong with it, for a mechanism of which these parameters may vary.
+    /// Returns the mistakes of the wish, for a mechanism of which these parameters may vary.
     fn check(&self, cycle: &Cycle, parameters: &[Parameter], varied: &[usize]) -> Vec<DesignError>;
 
-    /// What evaluates it, with memory of its own: one for each thread.
+    /// Returns an evaluator with its own memory, one for each thread.
     fn evaluator(&self) -> Box<dyn Evaluate<M, A> + '_>;
 }
 
 /// Evaluates a wish for many mechanisms side by side.
 pub trait Evaluate<M, A> {
-    /// Fills the rows of all candidates; what cannot be assembled is NaN.
+    /// Fills the rows of all candidates. Rows of a mechanism that cannot be assembled are NaN.
     fn evaluate(&mut self, candidates: &Candidates<'_, M, A>, rows: &mut Rows);
 }
 
@@ -77,15 +78,16 @@ pub struct Candidates<'a, M, A> {
 /// Inputs that a wish leaves free.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Free {
-    /// How many.
+    /// The number of inputs.
     pub count: usize,
     /// The bounds of each.
     pub bounds: (f64, f64),
-    /// Whether each is at least the one before it; with the first one, all within a turn of an input that turns.
+    /// True if each is at least the one before it, and all are within a turn of the first one if
+    /// the input turns.
     pub ordered: bool,
     /// The length of a turn, if the input turns.
     pub turn: Option<f64>,
-    /// Where the first one may begin, for starts.
+    /// The bounds of the first one in starts.
     pub from: (f64, f64),
 }
 
@@ -117,7 +119,8 @@ impl Rows {
             .resize(candidates * self.rows * self.width, 0.0);
     }
 
-    /// A row of a candidate: the residual, its derivatives by all parameters in their order, those by the free inputs.
+    /// A row of a candidate: the residual, its derivatives by all parameters in their order, those
+    /// by the free inputs.
     ///
     /// # Panics
     ///
@@ -136,7 +139,7 @@ impl Rows {
         (&mut value[0], parameters, free)
     }
 
-    /// As [`row_mut`](Self::row_mut), to be read.
+    /// Returns a row as [`row_mut`](Self::row_mut), to be read.
     ///
     /// # Panics
     ///
@@ -150,7 +153,7 @@ impl Rows {
         (numbers[0], parameters, free)
     }
 
-    /// How many rows each candidate has.
+    /// Returns the number of rows of each candidate.
     #[must_use]
     pub fn count(&self) -> usize {
         self.rows

@@ -1,21 +1,24 @@
 //! Why a follower stays where it is.
 
-use super::place;
-use crate::Group;
-use crate::words::rounded;
+use super::group::GroupRef;
+use crate::format::rounded;
+use crate::structure::Group;
 use core::fmt;
 
-/// Why a follower of an assembly did not reach the inputs that it was to go to. It stays where it was.
+/// Why a follower of an assembly did not reach the inputs that it was to go to. It stays where it
+/// was.
 ///
 /// ```
-/// use linkage_runtime::{Halt, NotFollowed};
+/// use linkage_runtime::{GroupRef, Halt, NotFollowed};
 ///
 /// let error = NotFollowed {
-///     mechanism: "Hexapod",
-///     group: 0,
-///     kind: "9 loops in space",
-///     loops: &[1, 2, 3],
-///     unknowns: &["p", "x", "y"],
+///     group: GroupRef {
+///         mechanism: "Hexapod",
+///         index: 0,
+///         kind: "9 loops in space",
+///         loops: &[1, 2, 3],
+///         unknowns: &["p", "x", "y"],
+///     },
 ///     share: 0.25,
 ///     why: Halt::DeadPoint,
 /// };
@@ -27,52 +30,43 @@ use core::fmt;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NotFollowed {
-    /// Name of the mechanism.
-    pub mechanism: &'static str,
-    /// Index of the group in `STRUCTURE` that cannot be followed any further.
-    pub group: usize,
-    /// Its kind, such as `RR-RR-RR`.
-    pub kind: &'static str,
-    /// Its loops, the first loop of the mechanism being 1.
-    pub loops: &'static [usize],
-    /// Its unknowns.
-    pub unknowns: &'static [&'static str],
-    /// How far the way goes: 0 where the follower stands, 1 at the inputs that it was to go to.
+    /// The group that cannot be followed any further.
+    pub group: GroupRef,
+    /// The possible part of the path: 0 at the position of the follower, 1 at the wanted inputs.
     pub share: f64,
-    /// What is known of its end.
+    /// The reason for its end.
     pub why: Halt,
 }
 
-/// What is known of the end of a way.
+/// The reason for the end of a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Halt {
-    /// A dead point is there: the determinant of the loops is less than a hundredth of what it was where the way began.
+    /// A dead point is there: the determinant of the loops is less than a hundredth of its value at
+    /// the beginning of the path.
     DeadPoint,
-    /// No step is certain to stay on the assembly: a dead point is near, but not much nearer than where the way began, or another assembly; or the
-    /// equations are eliminated in an order, chosen at the reference, in which a pivot becomes too small here, which is a limit of linkage.
+    /// No step is certain to stay on the assembly: a dead point is near, but not much nearer than
+    /// where the way began, or another assembly; or the equations are eliminated in an order,
+    /// chosen at the reference, in which a pivot becomes too small here, which is a limit of
+    /// linkage.
     Uncertain,
     /// There is no correction: an input is no number, or a pivot of that order is zero.
     NoNumber,
 }
 
 impl NotFollowed {
-    /// What is known of a group and its way.
+    /// Builds the error of a group that cannot be followed any further.
     #[doc(hidden)]
     #[must_use]
     pub fn new(
         mechanism: &'static str,
-        group: usize,
-        own: &'static Group,
+        index: usize,
+        group: &'static Group,
         share: f64,
         why: Halt,
     ) -> Self {
         Self {
-            mechanism,
-            group,
-            kind: own.kind,
-            loops: own.loops,
-            unknowns: own.unknowns,
+            group: GroupRef::new(mechanism, index, group),
             share,
             why,
         }
@@ -81,26 +75,16 @@ impl NotFollowed {
 
 impl fmt::Display for NotFollowed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            mechanism,
-            group,
-            kind,
-            loops,
-            unknowns,
-            share,
-            why,
-        } = *self;
-        write!(f, "{mechanism}: ")?;
-        place(f, group, kind, loops, unknowns)?;
+        let Self { group, share, why } = *self;
         let share = rounded(100.0 * share);
         write!(
             f,
-            " cannot be followed beyond {share} % of the straight way to these inputs: {why}"
+            "{group} cannot be followed beyond {share} % of the straight way to these inputs: {why}"
         )
     }
 }
 
-/// Continues a sentence that says where the way ends.
+/// Continues a sentence about the end of a path.
 impl fmt::Display for Halt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

@@ -1,22 +1,25 @@
 //! Why a group without a closed form has no assembly.
 
-use super::{Reach, place};
-use crate::numeric::roots::Unlisted;
-use crate::words::rounded;
+use super::closest_approach::ClosestApproach;
+use super::group::GroupRef;
+use crate::format::rounded;
 use alloc::vec::Vec;
 use core::fmt;
+use linkage_core::numeric::roots::Unlisted;
 
 /// Why a group that has no closed form (class III and higher) was not assembled.
 ///
 /// ```
-/// use linkage_runtime::{CoupledCause, CoupledError};
+/// use linkage_runtime::{CoupledCause, CoupledError, GroupRef};
 ///
 /// let error = CoupledError {
-///     mechanism: "Platform",
-///     group: 0,
-///     kind: "RR-RR-RR",
-///     loops: &[1, 2],
-///     unknowns: &["alpha", "beta"],
+///     group: GroupRef {
+///         mechanism: "Platform",
+///         index: 0,
+///         kind: "RR-RR-RR",
+///         loops: &[1, 2],
+///         unknowns: &["alpha", "beta"],
+///     },
 ///     cause: CoupledCause::NoneReal { complex: 6 },
 /// };
 /// assert_eq!(
@@ -27,27 +30,19 @@ use core::fmt;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct CoupledError {
-    /// Name of the mechanism.
-    pub mechanism: &'static str,
-    /// Index of the group in `STRUCTURE`.
-    pub group: usize,
-    /// Its kind, such as `RR-RR-RR`.
-    pub kind: &'static str,
-    /// Its loops, the first loop of the mechanism being 1.
-    pub loops: &'static [usize],
-    /// Its unknowns.
-    pub unknowns: &'static [&'static str],
-    /// What is wrong.
+    /// The group.
+    pub group: GroupRef,
+    /// The cause.
     pub cause: CoupledCause,
 }
 
-/// What is wrong with a group that has no closed form.
+/// A cause why a group without a closed form was not assembled.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CoupledCause {
     /// All solutions at the reference input are complex: the links do not reach each other.
     NoneReal {
-        /// How many complex solutions there are.
+        /// The number of complex solutions.
         complex: usize,
     },
     /// The start estimates are equally near to two assemblies.
@@ -60,12 +55,13 @@ pub enum CoupledCause {
         /// Why.
         Unlisted,
     ),
-    /// The solutions cannot be listed, and the estimates, from which one is followed, do not lead to any: the way ends before, as at a dead point.
+    /// The solutions cannot be listed, and the estimates, from which one is followed, do not lead
+    /// to any: the way ends before, as at a dead point.
     NotReached {
-        /// The part of what the estimates miss by that is left there.
+        /// The part of the estimates' error that remains there.
         left: f64,
-        /// Whether the loops close all the same.
-        reach: Reach,
+        /// The closest approach of the loops.
+        closest_approach: ClosestApproach,
     },
     /// The assembly is at a dead point at the reference input.
     Singular,
@@ -79,15 +75,17 @@ pub enum CoupledCause {
         /// The input where it ends.
         Value,
     ),
-    /// With several inputs: positions in the ranges, away from dead points, are not served, although the mechanism can be assembled there,
-    /// as far as is known. This is a limit of what is prepared, not a dead point.
+    /// With several inputs: positions in the ranges, away from dead points, are not served,
+    /// although the mechanism can be assembled there, as far as is known. This is a limit of the
+    /// preparation, not a dead point.
     LeavesOut {
         /// The share of the ranges.
         share: f64,
         /// The inputs at one of the positions.
         example: Placed,
     },
-    /// With several inputs: a dead point is so near to the reference that the assembly is not served there.
+    /// With several inputs: a dead point is so near to the reference that the assembly is not
+    /// served there.
     BesideDeadPoint(
         /// The reference inputs.
         Placed,
@@ -97,7 +95,7 @@ pub enum CoupledCause {
 /// The values of a group's unknowns in one assembly, or of its inputs at one position.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placed(
-    /// Of the unknowns those that have start estimates.
+    /// The values; of the unknowns those that have start estimates.
     pub Vec<Value>,
 );
 
@@ -110,27 +108,18 @@ pub struct Value {
     pub value: f64,
     /// Unit of a length; empty for a number.
     pub unit: &'static str,
-    /// Whether it is an angle: it is printed in degrees.
+    /// True for an angle, which is printed in degrees.
     pub angle: bool,
 }
 
 impl fmt::Display for CoupledError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            mechanism,
-            group,
-            kind,
-            loops,
-            unknowns,
-            cause,
-        } = self;
-        write!(f, "{mechanism}: ")?;
-        place(f, *group, kind, loops, unknowns)?;
-        write!(f, " {cause}")
+        let Self { group, cause } = self;
+        write!(f, "{group} {cause}")
     }
 }
 
-/// What does without a listing.
+/// Advice for groups without a listing.
 const ANOTHER_WAY: &str =
     "`assemble_from` follows an assembly of other dimensions to these, without a listing";
 
@@ -170,10 +159,10 @@ impl fmt::Display for CoupledCause {
                 "cannot be solved: the solutions at the reference input cannot all be listed: {why}; this is a limit of \
                  linkage, not of the mechanism: {ANOTHER_WAY}"
             ),
-            Self::NotReached { left, reach } => write!(
+            Self::NotReached { left, closest_approach } => write!(
                 f,
                 "cannot be reached from its estimates at the reference input: the way ends where {:.1} % of what they miss by is \
-                 taken back, at a dead point or where a pivot of the elimination becomes small; {reach}",
+                 taken back, at a dead point or where a pivot of the elimination becomes small; {closest_approach}",
                 100.0 * (1.0 - left)
             ),
             Self::Singular => {

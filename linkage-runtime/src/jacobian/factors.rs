@@ -3,7 +3,7 @@
 
 use linkage_core::Scalar;
 
-use super::small_matrix::dot;
+use super::vectors::{dot, transposed};
 
 /// `Q R` of a square matrix.
 pub(super) struct Factors<T, const N: usize> {
@@ -15,9 +15,9 @@ pub(super) struct Factors<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> Factors<T, N> {
-    pub(super) fn of_rows(rows: [[T; N]; N]) -> Self {
+    pub(super) fn new(rows: [[T; N]; N]) -> Self {
         let zero = T::from_f64(0.0);
-        let mut columns = super::small_matrix::transposed(rows);
+        let mut columns = transposed(rows);
         let mut mirrors = [([zero; N], zero); N];
         for step in 0..N {
             let below: [T; N] =

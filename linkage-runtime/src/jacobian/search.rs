@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::Jacobian;
+use super::matrix::Jacobian;
 
 /// Halvings that leave neighbouring numbers of any range.
 const HALVINGS: usize = 1100;
@@ -68,9 +68,9 @@ pub fn singularities<const N: usize>(
     [from, to]: [f64; 2],
     steps: usize,
 ) -> Vec<Singularity> {
-    let mut at = |place: f64| Sample {
-        place,
-        determinant: jacobian(place).determinant(),
+    let mut at = |along: f64| Sample {
+        along,
+        determinant: jacobian(along).determinant(),
     };
     let count = steps.max(1);
     let mut found = Vec::new();
@@ -87,7 +87,7 @@ pub fn singularities<const N: usize>(
 
 #[derive(Clone, Copy)]
 struct Sample {
-    place: f64,
+    along: f64,
     determinant: f64,
 }
 
@@ -109,17 +109,18 @@ fn between(
     }
     let (mut low, mut high) = (first, second);
     for _ in 0..HALVINGS {
-        let middle = 0.5 * (low.place + high.place);
-        if middle == low.place || middle == high.place {
+        let middle = 0.5 * (low.along + high.along);
+        if middle == low.along || middle == high.along {
             break;
         }
         let middle = at(middle);
-        match middle.side() == low.side() {
-            true => low = middle,
-            false => high = middle,
+        if middle.side() == low.side() {
+            low = middle
+        } else {
+            high = middle
         }
     }
-    // What is finite, beside the border and far from it.
+    // Finite positions, next to the border and far from it.
     let (near, far) = match low.side() {
         Some(_) => (low, first),
         None => (high, second),
@@ -133,17 +134,17 @@ fn between(
         (false, false) => SingularityKind::End,
     };
     Some(Singularity {
-        at: near.place,
+        at: near.along,
         kind,
     })
 }
 
-/// Returns whether the determinant has a pole shortly beyond the border at `near`; `far` is a step
-/// away on the side where positions are.
+/// Returns true if the determinant has a pole shortly beyond the border at `near`; `far` is a step
+/// away on the side with positions.
 fn heads_for_pole(at: &mut impl FnMut(f64) -> Sample, near: Sample, far: Sample) -> bool {
-    let beside = at(near.place + SHORTLY * (far.place - near.place));
+    let beside = at(near.along + SHORTLY * (far.along - near.along));
     let [level, above] =
-        [near, beside].map(|jacobian| 1.0 / (jacobian.determinant * jacobian.determinant));
+        [near, beside].map(|position| 1.0 / (position.determinant * position.determinant));
     // From `above` over `level` down to zero, within the same distance.
     beside.side().is_some() && above >= 2.0 * level
 }

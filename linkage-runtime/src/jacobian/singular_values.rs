@@ -4,14 +4,13 @@
 
 use linkage_core::Scalar;
 
-use super::small_matrix::dot;
+use super::vectors::dot;
 
-/// The number of sweeps. Each sweep over all pairs squares the remaining products; from any matrix
-/// of up to six columns nothing remains after eight, and the last two are for columns of very
-/// different lengths.
+/// Each sweep over all pairs squares the remaining products. For any matrix of up to six columns
+/// none remain after eight, and the last two are for columns of very different lengths.
 const SWEEPS: usize = 10;
 
-/// Returns the singular values of a matrix of these columns, the largest first.
+/// The singular values of a matrix by its columns, the largest first.
 pub(super) fn singular_values<T: Scalar, const N: usize>(mut columns: [[T; N]; N]) -> [T; N] {
     for _ in 0..SWEEPS {
         for second in 1..N {

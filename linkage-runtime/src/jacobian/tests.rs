@@ -15,7 +15,7 @@ fn with_values(values: [f64; 3]) -> Jacobian<f64, 3> {
         core::array::from_fn(|column| if row == column { values[row] } else { 0.0 })
     });
     let rows = turned(turned(diagonal, 0, 1), 1, 2);
-    let columns = super::small_matrix::transposed(rows);
+    let columns = super::vectors::transposed(rows);
     Jacobian::of_inputs(turned(turned(columns, 0, 2), 0, 1))
 }
 
@@ -109,11 +109,11 @@ fn zeros_poles_and_ends_are_told_apart() {
     ];
     let found: Vec<_> = found
         .iter()
-        .map(|singularity| (singularity.at, singularity.kind))
+        .map(|jacobian| (jacobian.at, jacobian.kind))
         .collect();
     assert_eq!(found.len(), expected.len());
-    for ((at, kind), (place, expected)) in found.into_iter().zip(expected) {
-        close(at, place, 1e-15);
+    for ((at, kind), (known, expected)) in found.into_iter().zip(expected) {
+        close(at, known, 1e-15);
         assert_eq!(kind, expected);
     }
     // A root's pole at 2, of which the last stretch is not served: a hundredth of a step, and a

@@ -1,11 +1,14 @@
 //! The stresses of a pin.
 
+use super::criterion::Criterion;
+use super::error::PinError;
 use super::formulas::formulas;
-use super::pin::positive;
+use super::pin::{Limit, Pin};
 use super::size::largest;
-use super::{Limit, Pin, PinError, Rule};
+use super::validate::{positive, validate};
 
-/// A stress that exceeds the allowable one by this share or less does so by rounding: the diameter that is required was computed.
+/// A stress that exceeds the allowable one by this share or less does so by rounding: the diameter
+/// that is required was computed.
 const ROUNDING: f64 = 1e-12;
 
 /// A stress of a pin of known diameter.
@@ -44,13 +47,13 @@ pub struct Check {
     pub shear: Stress,
     /// Bearing pressures: in the rod and in the fork, or in the hub and in the seat.
     pub bearing: [Stress; 2],
-    /// What uses most of its allowable stress.
-    pub governing: Rule,
+    /// The criterion with the largest part of its allowable stress.
+    pub governing: Criterion,
 }
 
 impl Check {
-    /// Whether no stress exceeds its allowable stress, but for rounding (1e-12 of it): true for the diameter that is
-    /// required.
+    /// Returns true if no stress exceeds its allowable stress, except for rounding (1e-12 of it):
+    /// true for the required diameter.
     #[must_use]
     pub fn holds(&self) -> bool {
         let [first, second] = self.bearing;
@@ -66,14 +69,16 @@ impl Pin {
     ///
     /// `Invalid` for a number that is not positive and finite, `OutOfRange` if a stress overflows.
     pub fn check(&self, diameter: f64) -> Result<Check, PinError> {
-        self.validate()?;
+        validate(self)?;
         positive("the diameter", diameter)?;
-        let rules = self.rules();
+        let criteria = self.criteria();
         let limits = self.limits();
         let stresses = formulas(self).map(|formula| formula.stress(self.load, diameter));
         let beyond = |stress: &f64| !(*stress > 0.0 && stress.is_finite());
         if let Some(index) = stresses.iter().position(beyond) {
-            return Err(PinError::OutOfRange { rule: rules[index] });
+            return Err(PinError::OutOfRange {
+                criterion: criteria[index],
+            });
         }
         let [bending, shear, first, second] =
             core::array::from_fn(|i| Stress::new(stresses[i], limits[i]));
@@ -82,7 +87,7 @@ impl Pin {
             bending,
             shear,
             bearing: [first, second],
-            governing: rules[largest(&used)],
+            governing: criteria[largest(&used)],
         })
     }
 }

@@ -1,9 +1,9 @@
-//! What is wrong with the numbers of a pin.
+//! Errors in the numbers of a pin.
 
 use core::fmt;
 
-use super::Rule;
-use crate::words::rounded;
+use super::criterion::Criterion;
+use crate::format::rounded;
 
 /// Why a pin cannot be computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,32 +11,34 @@ use crate::words::rounded;
 pub enum PinError {
     /// A number that makes no sense.
     Invalid {
-        /// What it stands for.
+        /// Name of the number.
         what: &'static str,
         /// The number.
         value: f64,
-        /// What it must be.
+        /// The range that is required.
         expected: &'static str,
     },
     /// There are no reactions to take the largest of.
     NoReactions,
-    /// A reaction is NaN or infinite: the mechanism cannot be assembled there, or stands at a dead point.
+    /// A reaction is NaN or infinite: the mechanism cannot be assembled there, or is at a dead
+    /// point.
     NotFinite {
         /// The position, counted from 0.
         position: usize,
     },
-    /// No diameter is large enough: the hub grows with the diameter and the seat does not, so that the pressure at
-    /// the seat's mouth falls to `least` and no further.
+    /// No diameter is large enough: the hub grows with the diameter and the seat does not, so that
+    /// the pressure at the seat's mouth falls to `least` and no further.
     SeatTooShort {
         /// The pressure at the seat's mouth for a very large diameter.
         least: f64,
         /// The allowable pressure.
         allowable: f64,
     },
-    /// The numbers are so large or so small that a result is beyond the range of floating point numbers.
+    /// The numbers are so large or so small that a result is beyond the range of floating point
+    /// numbers.
     OutOfRange {
         /// The check.
-        rule: Rule,
+        criterion: Criterion,
     },
 }
 
@@ -61,9 +63,9 @@ impl fmt::Display for PinError {
                 rounded(*least),
                 rounded(*allowable)
             ),
-            Self::OutOfRange { rule } => write!(
+            Self::OutOfRange { criterion } => write!(
                 f,
-                "{rule}: the numbers are too large or too small to compute with"
+                "{criterion}: the numbers are too large or too small to compute with"
             ),
         }
     }

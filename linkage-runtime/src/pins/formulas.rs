@@ -2,7 +2,8 @@
 
 use core::f64::consts::PI;
 
-use super::{Fit, Mounting, Pin, PinError, Width};
+use super::error::PinError;
+use super::pin::{Fit, Mounting, Pin, Width};
 use linkage_core::math::cube_root;
 use linkage_core::math::double::sqrt;
 
@@ -28,7 +29,7 @@ impl Length {
         }
     }
 
-    fn at(self, diameter: f64) -> f64 {
+    fn length(self, diameter: f64) -> f64 {
         self.fixed + self.ratio * diameter
     }
 }
@@ -50,8 +51,9 @@ pub(super) enum Formula {
     Shear { sections: f64 },
     /// `share F / (d width)`.
     Bearing { share: f64, width: Width },
-    /// `F (6 l + 4 s) / (d s^2)` at the mouth of a seat of length `s`: `F / (d s)` by the force, and by its moment
-    /// `F (l + s/2)` about the seat's middle a linear pressure of `6 F (l + s/2) / (d s^2)`. `six_arms` is `6 l`.
+    /// `F (6 l + 4 s) / (d s^2)` at the mouth of a seat of length `s`: `F / (d s)` by the force,
+    /// and by its moment `F (l + s/2)` about the seat's middle a linear pressure of
+    /// `6 F (l + s/2) / (d s^2)`. `six_arms` is `6 l`.
     Seat { six_arms: Length, length: Width },
 }
 
@@ -101,12 +103,12 @@ impl Formula {
     /// The stress at a diameter.
     pub(super) fn stress(&self, load: f64, d: f64) -> f64 {
         match self {
-            Self::Bending { arm } => 32.0 / PI * (load / (d * d)) * (arm.at(d) / d),
+            Self::Bending { arm } => 32.0 / PI * (load / (d * d)) * (arm.length(d) / d),
             Self::Shear { sections } => 16.0 / (3.0 * PI * sections) * (load / (d * d)),
-            Self::Bearing { share, width } => share * (load / d) / width.at(d),
+            Self::Bearing { share, width } => share * (load / d) / width.length(d),
             Self::Seat { six_arms, length } => {
-                let s = length.at(d);
-                (load / d) / s * (six_arms.at(d) / s + 4.0)
+                let s = length.length(d);
+                (load / d) / s * (six_arms.length(d) / s + 4.0)
             }
         }
     }
@@ -148,8 +150,9 @@ impl Formula {
 
 /// The positive root of `x^3 = linear x + constant`, where neither is negative.
 ///
-/// In closed form where one of them is zero. Otherwise by Newton's method from above: the cubic is convex there, so that
-/// each step stays above the root. In the unit chosen, the root lies between 1 and 1.3248.
+/// In closed form where one of them is zero. Otherwise by Newton's method from above: the cubic is
+/// convex there, so that each step stays above the root. In the unit chosen, the root is between
+/// 1 and 1.3248.
 fn root_of_cubic(linear: f64, constant: f64) -> f64 {
     const ABOVE: f64 = 1.3248;
     const STEPS: usize = 8;

@@ -1,6 +1,6 @@
 //! The load of a pin from the reactions over a cycle.
 
-use super::PinError;
+use super::error::PinError;
 use crate::components::{Components, norm};
 
 /// The largest reaction of a cycle.
@@ -14,8 +14,8 @@ pub struct Largest {
 
 /// The largest of the reactions: the load of the joint's pin.
 ///
-/// Reactions are vectors, arrays of up to three components, or numbers (a normal force). The peak between two positions is
-/// not seen: choose them densely enough.
+/// Reactions are vectors, arrays of up to three components, or numbers (a normal force). The peak
+/// between two positions is not seen: choose them densely enough.
 ///
 /// # Errors
 ///

@@ -1,11 +1,9 @@
-//! What a pin is: its load, its mounting, its material.
+//! A pin: its load, its mounting, its material.
 
-use super::PinError;
-
-/// A pin of a joint, whose diameter is asked for or checked.
+/// A pin of a joint, whose diameter is required or checked.
 ///
 /// ```
-/// use linkage_runtime::pins::{Fit, Limit, Member, Mounting, Pin, Rule, Width, standard_diameter};
+/// use linkage_runtime::pins::{Fit, Limit, Member, Mounting, Pin, Criterion, Width, standard_diameter};
 ///
 /// // 4 kN on a pin of hardened steel, loose in a bushed rod of 1.2 diameters and in a fork of 8 mm; in N, mm, MPa.
 /// let pin = Pin {
@@ -32,7 +30,7 @@ use super::PinError;
 pub struct Pin {
     /// The largest force that the joint passes on.
     pub load: f64,
-    /// What holds the pin, and what it holds.
+    /// The parts that hold the pin, and that it holds.
     pub mounting: Mounting,
     /// The pin's strength in bending.
     pub bending: Limit,
@@ -40,12 +38,12 @@ pub struct Pin {
     pub shear: Limit,
 }
 
-/// What holds a pin, and what it holds.
+/// The parts that hold a pin, and that it holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mounting {
     /// A rod between the two cheeks of a fork.
     Clevis {
-        /// Where the pin is held.
+        /// The part that holds the pin.
         fit: Fit,
         /// The rod.
         rod: Member,
@@ -63,7 +61,7 @@ pub enum Mounting {
     },
 }
 
-/// Where the pin of a clevis is held. The tighter fit bends it less.
+/// The part that holds the pin of a clevis. The tighter fit bends the pin less.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Fit {
     /// Nowhere: it has clearance in the rod and in the fork.
@@ -95,7 +93,7 @@ pub enum Width {
 impl Width {
     /// The length at a diameter.
     #[must_use]
-    pub const fn at(self, diameter: f64) -> f64 {
+    pub const fn length(self, diameter: f64) -> f64 {
         match self {
             Self::Fixed(length) => length,
             Self::Ratio(ratio) => ratio * diameter,
@@ -130,91 +128,4 @@ impl Limit {
     pub const fn stress(&self) -> f64 {
         self.strength / self.safety
     }
-}
-
-impl Pin {
-    /// All numbers must be positive and finite; the gap may be 0.
-    pub(super) fn validate(&self) -> Result<(), PinError> {
-        positive("the load", self.load)?;
-        limit(
-            self.bending,
-            "the strength in bending",
-            "the safety factor in bending",
-        )?;
-        limit(
-            self.shear,
-            "the strength in shear",
-            "the safety factor in shear",
-        )?;
-        match self.mounting {
-            Mounting::Clevis { rod, fork, .. } => {
-                member(rod, &ROD)?;
-                member(fork, &FORK)
-            }
-            Mounting::Overhung { hub, seat, gap } => {
-                member(hub, &HUB)?;
-                member(seat, &SEAT)?;
-                if gap >= 0.0 && gap.is_finite() {
-                    return Ok(());
-                }
-                Err(PinError::Invalid {
-                    what: "the gap between seat and hub",
-                    value: gap,
-                    expected: "finite and not negative",
-                })
-            }
-        }
-    }
-}
-
-/// What the numbers of a member are called: width, ratio, strength, safety factor.
-type Names = [&'static str; 4];
-
-const ROD: Names = [
-    "the width of the rod",
-    "the ratio of the rod's width to the diameter",
-    "the strength of the rod under pressure",
-    "the safety factor of the rod's pressure",
-];
-const FORK: Names = [
-    "the width of the fork's cheek",
-    "the ratio of the fork's width to the diameter",
-    "the strength of the fork under pressure",
-    "the safety factor of the fork's pressure",
-];
-const HUB: Names = [
-    "the width of the hub",
-    "the ratio of the hub's width to the diameter",
-    "the strength of the hub under pressure",
-    "the safety factor of the hub's pressure",
-];
-const SEAT: Names = [
-    "the length of the seat",
-    "the ratio of the seat's length to the diameter",
-    "the strength of the seat under pressure",
-    "the safety factor of the seat's pressure",
-];
-
-fn member(member: Member, [width, ratio, strength, safety]: &Names) -> Result<(), PinError> {
-    match member.width {
-        Width::Fixed(length) => positive(width, length)?,
-        Width::Ratio(multiple) => positive(ratio, multiple)?,
-    }
-    limit(member.pressure, strength, safety)
-}
-
-fn limit(limit: Limit, strength: &'static str, safety: &'static str) -> Result<(), PinError> {
-    positive(strength, limit.strength)?;
-    positive(safety, limit.safety)
-}
-
-pub(super) fn positive(what: &'static str, value: f64) -> Result<(), PinError> {
-    if value > 0.0 && value.is_finite() {
-        return Ok(());
-    }
-    Err(PinError::Invalid {
-        what,
-        value,
-        expected: "positive and finite",
-    })
 }

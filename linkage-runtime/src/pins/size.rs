@@ -2,86 +2,47 @@
 
 use core::fmt;
 
+use super::criterion::{BearingPart, Criterion};
+use super::error::PinError;
 use super::formulas::formulas;
-use super::{Mounting, Pin, PinError};
-use crate::words::rounded;
+use super::pin::{Limit, Mounting, Pin};
+use super::validate::validate;
+use crate::format::rounded;
 
-/// A part that a pin presses on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Part {
-    /// The rod of a clevis.
-    Rod,
-    /// The fork of a clevis.
-    Fork,
-    /// The hub on an overhung pin.
-    Hub,
-    /// The seat of an overhung pin.
-    Seat,
-}
-
-impl fmt::Display for Part {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Rod => "rod",
-            Self::Fork => "fork",
-            Self::Hub => "hub",
-            Self::Seat => "seat",
-        })
-    }
-}
-
-/// What limits a pin.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Rule {
-    /// Its bending.
-    Bending,
-    /// Its shear.
-    Shear,
-    /// The bearing pressure in a part.
-    Bearing(Part),
-}
-
-impl fmt::Display for Rule {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Bending => f.write_str("bending"),
-            Self::Shear => f.write_str("shear"),
-            Self::Bearing(part) => write!(f, "bearing pressure in the {part}"),
-        }
-    }
-}
-
-/// The diameter that a pin needs, and what for.
+/// The diameter that a pin needs, with its criterion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Size {
     /// The diameter: the largest of those below.
     pub diameter: f64,
-    /// What bending requires.
+    /// The diameter required by bending.
     pub bending: f64,
-    /// What shear requires.
+    /// The diameter required by shear.
     pub shear: f64,
-    /// What the bearing pressures require: in the rod and in the fork, or in the hub and in the seat.
+    /// The diameters required by the bearing pressures: in the rod and in the fork, or in the hub
+    /// and in the seat.
     pub bearing: [f64; 2],
-    /// What requires the largest diameter.
-    pub governing: Rule,
+    /// The criterion that requires the largest diameter.
+    pub governing: Criterion,
 }
 
 impl Pin {
-    /// The diameter that is required, which no check exceeds and one just meets. Take the next larger
-    /// [standard diameter](super::standard_diameter) or any other that is not smaller.
+    /// The diameter that is required, which no check exceeds and one just meets. Take the next
+    /// larger [standard diameter](super::standard_diameter) or any other that is not smaller.
     ///
     /// # Errors
     ///
-    /// `Invalid` for a number that is not positive and finite, `SeatTooShort` if an overhung pin's seat has a fixed length
-    /// that no diameter makes up for, `OutOfRange` if a result overflows.
+    /// `Invalid` for a number that is not positive and finite, `SeatTooShort` if an overhung pin's
+    /// seat has a fixed length that no diameter makes up for, `OutOfRange` if a result overflows.
     pub fn diameter(&self) -> Result<Size, PinError> {
-        self.validate()?;
+        validate(self)?;
         let mut required = [0.0; 4];
         let checks = formulas(self).into_iter().zip(self.limits());
-        for (to, ((formula, limit), rule)) in required.iter_mut().zip(checks.zip(self.rules())) {
+        for (to, ((formula, limit), criterion)) in
+            required.iter_mut().zip(checks.zip(self.criteria()))
+        {
             *to = formula.diameter(self.load, limit.stress())?;
             if !(*to > 0.0 && to.is_finite()) {
-                return Err(PinError::OutOfRange { rule });
+                return Err(PinError::OutOfRange { criterion });
             }
         }
         let [bending, shear, bearing @ ..] = required;
@@ -91,22 +52,22 @@ impl Pin {
             bending,
             shear,
             bearing,
-            governing: self.rules()[largest],
+            governing: self.criteria()[largest],
         })
     }
 
     /// The checks, in the order of their formulas.
-    pub(super) fn rules(&self) -> [Rule; 4] {
+    pub(super) fn criteria(&self) -> [Criterion; 4] {
         let parts = match self.mounting {
-            Mounting::Clevis { .. } => [Part::Rod, Part::Fork],
-            Mounting::Overhung { .. } => [Part::Hub, Part::Seat],
+            Mounting::Clevis { .. } => [BearingPart::Rod, BearingPart::Fork],
+            Mounting::Overhung { .. } => [BearingPart::Hub, BearingPart::Seat],
         };
-        let [first, second] = parts.map(Rule::Bearing);
-        [Rule::Bending, Rule::Shear, first, second]
+        let [first, second] = parts.map(Criterion::Bearing);
+        [Criterion::Bending, Criterion::Shear, first, second]
     }
 
     /// Their limits.
-    pub(super) fn limits(&self) -> [super::Limit; 4] {
+    pub(super) fn limits(&self) -> [Limit; 4] {
         let members = match self.mounting {
             Mounting::Clevis { rod, fork, .. } => [rod, fork],
             Mounting::Overhung { hub, seat, .. } => [hub, seat],
@@ -124,7 +85,7 @@ pub(super) fn largest(numbers: &[f64; 4]) -> usize {
     )
 }
 
-/// One line: the diameter, what governs it, and what each check requires.
+/// One line: the diameter, its criterion, and the requirement of each check.
 impl fmt::Display for Size {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [first, second] = self.bearing;

@@ -1,7 +1,8 @@
 //! Reports in the words of the compiler.
 
 use super::{RangeFinding, RangeFindingKind, RangeReport};
-use crate::{Group, Input};
+use crate::data::Input;
+use crate::structure::Group;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -11,41 +12,45 @@ use linkage_core::range_check::{
     significant, with_apostrophes,
 };
 
-/// What a check of a range reports.
+/// A message of the check of a range.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RangeMessage {
-    /// What happens.
+    /// The fact.
     pub fact: String,
-    /// What to do instead.
+    /// The advice.
     pub help: String,
 }
 
 impl RangeReport {
-    /// One message for the change points of each group, and one for everything else that was found, in the order of the inputs.
+    /// One message for the change points of each group, and one for everything else that was found,
+    /// in the order of the inputs.
     #[must_use]
     pub fn messages(&self) -> Vec<RangeMessage> {
         let Some(input) = self.input else {
             return Vec::new();
         };
         let mut found: Vec<Vec<&RangeFinding>> = Vec::new();
-        for own in &self.findings {
+        for finding in &self.findings {
             let change = RangeFindingKind::ChangePoint;
             let alike = |other: &&mut Vec<&RangeFinding>| {
-                own.kind == change && other[0].kind == change && other[0].group == own.group
+                finding.kind == change && other[0].kind == change && other[0].group == finding.group
             };
             match found.iter_mut().find(alike) {
-                Some(others) => others.push(own),
-                None => found.push(Vec::from([own])),
+                Some(others) => others.push(finding),
+                None => found.push(Vec::from([finding])),
             }
         }
-        found.iter().map(|own| self.message(&input, own)).collect()
+        found
+            .iter()
+            .map(|alike| self.message(&input, alike))
+            .collect()
     }
 
-    fn message(&self, input: &Input, all: &[&RangeFinding]) -> RangeMessage {
-        let own = all[0];
+    fn message(&self, input: &Input, alike: &[&RangeFinding]) -> RangeMessage {
+        let finding = alike[0];
         let Group {
             loops, unknowns, ..
-        } = self.groups[own.group];
+        } = self.groups[finding.group];
         let unknowns = with_apostrophes(unknowns);
         let group = Comes {
             loops,
@@ -53,26 +58,26 @@ impl RangeReport {
         };
         let angle = input.unit == "rad";
         let at = |x: f64| format!("`{} = {}`", input.name, place(x, angle, input.unit));
-        let places: Vec<String> = all.iter().map(|own| at(own.from)).collect();
-        let places = listed(&places);
-        let change = own.kind == RangeFindingKind::ChangePoint;
-        if own.kind == RangeFindingKind::Undefined {
-            let [fact, help] = not_finite(group, &places, "");
+        let positions: Vec<String> = alike.iter().map(|finding| at(finding.from)).collect();
+        let positions = listed(&positions);
+        let change = finding.kind == RangeFindingKind::ChangePoint;
+        if finding.kind == RangeFindingKind::Undefined {
+            let [fact, help] = not_finite(group, &positions, "");
             return RangeMessage { fact, help };
         }
         if input.range.is_none() {
             return RangeMessage {
-                fact: passes(group, &places),
+                fact: passes(group, &positions),
                 help: PASSES_HELP.to_string(),
             };
         }
-        let unit = self.units[own.group];
-        let miss = significant(own.miss);
-        let picture = match own.kind {
-            _ if own.miss == 0.0 => String::new(),
+        let unit = self.units[finding.group];
+        let miss = significant(finding.miss);
+        let picture = match finding.kind {
+            _ if finding.miss == 0.0 => String::new(),
             RangeFindingKind::Gap => format!(
                 ", beyond which it misses by up to {miss}{unit}; it closes again at {}",
-                at(own.to)
+                at(finding.to)
             ),
             _ => format!(", beyond which it misses by up to {miss}{unit}"),
         };
@@ -83,7 +88,7 @@ impl RangeReport {
         let reaches = Reaches {
             group,
             change,
-            place: &places,
+            place: &positions,
             picture: &picture,
             works: works.each_ref().map(String::as_str),
             range: range.each_ref().map(String::as_str),

@@ -1,7 +1,8 @@
-//! Stretches of an input where a level is not positive: between samples, and at dips that no sample shows.
+//! Stretches of an input where a level is not positive: between samples, and at dips that no sample
+//! shows.
 
-use crate::numeric::golden_section::{Point, descend};
 use alloc::vec::Vec;
+use linkage_core::numeric::golden_section::{Point, descend};
 use linkage_core::range_check::{DEAD, END, ROUNDING};
 
 /// Halvings until the end of a stretch is known to the last digit.
@@ -12,9 +13,9 @@ const HALVINGS: usize = 64;
 pub(crate) struct Stretch {
     pub(crate) from: f64,
     pub(crate) to: f64,
-    /// Whether it works before the stretch, and after it.
+    /// True if the assembly works before the stretch, and after it.
     pub(crate) works: [bool; 2],
-    /// Whether the level is a number at all of its samples.
+    /// True if the level is a number at all of its samples.
     pub(crate) finite: bool,
 }
 
@@ -38,31 +39,31 @@ pub(crate) fn stretches(
         let works = |sample: Sample| sample.1.is_some_and(|level| !fails(level));
         match sample.1 {
             None => found.extend(open.take()),
-            Some(own) if fails(own) => {
-                let own = Stretch {
+            Some(slack) if fails(slack) => {
+                let stretch = Stretch {
                     from: sample.0,
                     to: sample.0,
                     works: [false; 2],
-                    finite: !own.is_nan(),
+                    finite: !slack.is_nan(),
                 };
                 open = Some(match (open, before.filter(|&before| works(before))) {
                     (Some(so_far), _) => Stretch {
-                        to: own.to,
-                        finite: so_far.finite && own.finite,
+                        to: stretch.to,
+                        finite: so_far.finite && stretch.finite,
                         ..so_far
                     },
                     (None, Some(before)) => Stretch {
                         from: edge(before.0, sample.0, level),
                         works: [true, false],
-                        ..own
+                        ..stretch
                     },
-                    (None, None) => own,
+                    (None, None) => stretch,
                 });
             }
-            Some(_) => found.extend(open.take().map(|own| Stretch {
-                to: edge(sample.0, own.to, level),
-                works: [own.works[0], true],
-                ..own
+            Some(_) => found.extend(open.take().map(|stretch| Stretch {
+                to: edge(sample.0, stretch.to, level),
+                works: [stretch.works[0], true],
+                ..stretch
             })),
         }
         before = Some(sample);
@@ -71,7 +72,8 @@ pub(crate) fn stretches(
     found
 }
 
-/// The inputs between `low` and `high` where a slack of about 1 touches zero and is positive on both sides; at an end, on its side.
+/// The inputs between `low` and `high` where a slack of about 1 touches zero and is positive on
+/// both sides; at an end, on its side.
 pub(crate) fn touches(
     [low, high]: [f64; 2],
     samples: usize,
@@ -79,13 +81,16 @@ pub(crate) fn touches(
 ) -> Vec<f64> {
     let inside = |x: f64| (x - low).min(high - x) > END * (high - low);
     let mut level = |x: f64| Some(slack(x) - if inside(x) { DEAD } else { 0.0 });
-    let at = |k: usize| match k == samples {
-        true => high,
-        false => low + (high - low) * (k as f64 / samples as f64),
+    let at = |k: usize| {
+        if k == samples {
+            high
+        } else {
+            low + (high - low) * (k as f64 / samples as f64)
+        }
     };
     let points: Vec<Sample> = (0..=samples).map(|k| (at(k), level(at(k)))).collect();
     let found = stretches(points, &mut level);
-    let mut lowest = |own: &Stretch| lowest(own, [low, high], &mut |x| slack(x));
+    let mut lowest = |stretch: &Stretch| lowest(stretch, [low, high], &mut |x| slack(x));
     found
         .iter()
         .map(&mut lowest)
@@ -94,58 +99,62 @@ pub(crate) fn touches(
         .collect()
 }
 
-/// Where a level is lowest in and beside a narrow stretch, and how low it is.
+/// The input with the lowest level in and next to a narrow stretch, and that level.
 pub(crate) fn lowest(
-    own: &Stretch,
+    stretch: &Stretch,
     [low, high]: [f64; 2],
     level: &mut dyn FnMut(f64) -> f64,
 ) -> (f64, f64) {
-    let width = own.to - own.from;
-    let [from, to] = [(own.from - width).max(low), (own.to + width).min(high)];
-    crate::numeric::range::minimum(from, to, 8, level)
+    let width = stretch.to - stretch.from;
+    let [from, to] = [
+        (stretch.from - width).max(low),
+        (stretch.to + width).min(high),
+    ];
+    linkage_core::numeric::range::minimum(from, to, 8, level)
 }
 
-/// Whether a level is not that of a position that works.
+/// Returns true if a level is not that of a position that works.
 pub(crate) fn fails(level: f64) -> bool {
     level.is_nan() || level < -ROUNDING
 }
 
-/// A place beside a sample where it is otherwise than at the sample and its neighbours: the bottom of a dip, the top of a hill.
+/// A place next to a sample that differs from the sample and its neighbours: the bottom
+/// of a dip, the top of a hill.
 fn between(
     samples: &[Sample],
     middle: usize,
     level: &mut dyn FnMut(f64) -> Option<f64>,
 ) -> Option<Sample> {
     let last = samples.len() - 1;
-    let places = [middle.saturating_sub(1), middle, (middle + 1).min(last)];
+    let indices = [middle.saturating_sub(1), middle, (middle + 1).min(last)];
     let mut levels = [0.0; 3];
-    for (own, &place) in levels.iter_mut().zip(&places) {
-        *own = samples[place].1?;
+    for (level, &index) in levels.iter_mut().zip(&indices) {
+        *level = samples[index].1?;
     }
     let fail = fails(levels[1]);
     let sign = if fail { -1.0 } else { 1.0 };
-    let [fall, rise] = [levels[0], levels[2]].map(|own| sign * (own - levels[1]));
-    let alike = levels.iter().all(|&own| fails(own) == fail);
+    let [fall, rise] = [levels[0], levels[2]].map(|level| sign * (level - levels[1]));
+    let alike = levels.iter().all(|&level| fails(level) == fail);
     if !(alike && fall >= 0.0 && rise >= 0.0 && fall + rise > 0.0) {
         return None;
     }
-    // The samples are of numbers here: what is none on the way does not end a search for a hill.
+    // The samples are of numbers here: NaN between them does not end a search for a hill.
     let mut depth = |x: f64| match level(x) {
         None => f64::INFINITY,
-        Some(own) if own.is_nan() && fail => f64::INFINITY,
-        Some(own) => sign * own,
+        Some(slack) if slack.is_nan() && fail => f64::INFINITY,
+        Some(slack) => sign * slack,
     };
-    let point = |place: usize, own: f64| Point {
-        x: samples[place].0,
-        margin: sign * own,
+    let point = |index: usize, margin: f64| Point {
+        x: samples[index].0,
+        margin: sign * margin,
     };
-    let ends = [point(places[0], levels[0]), point(places[2], levels[2])];
+    let ends = [point(indices[0], levels[0]), point(indices[2], levels[2])];
     let other = |point: Point| fails(sign * point.margin) != fail;
     let bottom = descend(ends[0], ends[1], &mut depth, other);
     other(bottom).then_some((bottom.x, Some(sign * bottom.margin)))
 }
 
-/// Where it stops working between a place that works and one that does not.
+/// The border between a working position and another one.
 fn edge(works: f64, broken: f64, level: &mut dyn FnMut(f64) -> Option<f64>) -> f64 {
     let (mut good, mut bad) = (works, broken);
     for _ in 0..HALVINGS {
@@ -153,7 +162,7 @@ fn edge(works: f64, broken: f64, level: &mut dyn FnMut(f64) -> Option<f64>) -> f
         if middle == good || middle == bad {
             break;
         }
-        if level(middle).is_some_and(|own| own > 0.0) {
+        if level(middle).is_some_and(|reserve| reserve > 0.0) {
             good = middle;
         } else {
             bad = middle;

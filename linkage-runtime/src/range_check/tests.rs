@@ -1,7 +1,8 @@
 //! The search on slacks that are formulas.
 
 use super::{RangeFindingKind, RangeReport, Ranged, Unchecked, check_range};
-use crate::{Group, Input};
+use crate::data::Input;
+use crate::structure::Group;
 use alloc::string::ToString;
 use alloc::vec::Vec;
 use core::f64::consts::{PI, TAU};
@@ -48,14 +49,14 @@ fn report(
     check_range(
         &ranged,
         &|x| {
-            let mut all = slack(x[0]);
-            all.insert(0, all.iter().fold(1.0, |a: f64, b| a.min(*b)));
-            all
+            let mut survey = slack(x[0]);
+            survey.insert(0, survey.iter().fold(1.0, |a: f64, b| a.min(*b)));
+            survey
         },
         &|x| {
             slack(x[0])
                 .iter()
-                .map(|own| if *own < -1e-14 { -10.0 * own } else { 0.0 })
+                .map(|slack| if *slack < -1e-14 { -10.0 * slack } else { 0.0 })
                 .collect()
         },
     )
@@ -66,12 +67,12 @@ fn what_touches_zero_is_a_change_point() {
     let found = report(&[INPUT], &[Slack::Number], &|x| {
         Vec::from([x.sin().powi(2)])
     });
-    let kinds: Vec<_> = found.findings.iter().map(|own| own.kind).collect();
+    let kinds: Vec<_> = found.findings.iter().map(|finding| finding.kind).collect();
     assert_eq!(kinds, [RangeFindingKind::ChangePoint; 3]);
-    for (own, at) in found.findings.iter().zip([0.0, PI, TAU]) {
+    for (finding, at) in found.findings.iter().zip([0.0, PI, TAU]) {
         assert!(
-            (own.from - at).abs() < 1e-7 && own.from == own.to,
-            "{own:?}"
+            (finding.from - at).abs() < 1e-7 && finding.from == finding.to,
+            "{finding:?}"
         );
     }
     assert_eq!(
@@ -119,12 +120,12 @@ fn narrow_gaps_and_hills_between_samples_are_found() {
     let width = 0.1 * TAU / 180.0;
     let dip = move |x: f64| ((x - 2.0) / width).powi(2) - 1.0;
     let found = report(&[INPUT], &[Slack::Relative], &|x| Vec::from([dip(x)]));
-    let kinds: Vec<_> = found.findings.iter().map(|own| own.kind).collect();
+    let kinds: Vec<_> = found.findings.iter().map(|finding| finding.kind).collect();
     assert_eq!(kinds, [RangeFindingKind::Gap]);
     let found = report(&[INPUT], &[Slack::Relative], &|x| {
         Vec::from([(1.0 - x) * dip(x)])
     });
-    let kinds: Vec<_> = found.findings.iter().map(|own| own.kind).collect();
+    let kinds: Vec<_> = found.findings.iter().map(|finding| finding.kind).collect();
     assert_eq!(kinds, [RangeFindingKind::Gap, RangeFindingKind::DeadPoint]);
 }
 
@@ -133,11 +134,11 @@ fn a_group_with_one_assembly_is_singular_where_its_slack_changes_sign() {
     let found = report(&[INPUT], &[Slack::Signed], &|x| {
         Vec::from([-1e9 * (x - 3.0)])
     });
-    let [own] = found.findings[..] else {
+    let [finding] = found.findings[..] else {
         panic!("{found:?}");
     };
-    assert_eq!(own.kind, RangeFindingKind::DeadPoint);
-    assert!((own.from - 3.0).abs() < 1e-8);
+    assert_eq!(finding.kind, RangeFindingKind::DeadPoint);
+    assert!((finding.from - 3.0).abs() < 1e-8);
 }
 
 #[test]
@@ -146,7 +147,7 @@ fn a_group_is_not_blamed_for_one_before_it() {
         let first = 0.5 + x.cos();
         Vec::from([first, if first < 0.0 { f64::NAN } else { 1.0 }])
     });
-    let groups: Vec<_> = found.findings.iter().map(|own| own.group).collect();
+    let groups: Vec<_> = found.findings.iter().map(|finding| finding.group).collect();
     assert_eq!(groups, [0]);
     let found = report(&[INPUT], &[Slack::Number; 2], &|x| {
         Vec::from([1.0, if x > 4.0 { f64::NAN } else { 1.0 }])
@@ -154,7 +155,7 @@ fn a_group_is_not_blamed_for_one_before_it() {
     let found: Vec<_> = found
         .findings
         .iter()
-        .map(|own| (own.group, own.kind))
+        .map(|finding| (finding.group, finding.kind))
         .collect();
     assert_eq!(found, [(1, RangeFindingKind::Undefined)]);
 }
@@ -168,9 +169,9 @@ fn a_turn_without_a_range_is_searched_for_change_points_alone() {
     let found = report(&[FREE], &[Slack::Number], &|x| {
         Vec::from([(0.5 * x).cos().powi(2)])
     });
-    let places: Vec<_> = found.findings.iter().map(|own| own.from).collect();
+    let inputs: Vec<_> = found.findings.iter().map(|finding| finding.from).collect();
     assert!(
-        places.len() == 1 && (places[0] - PI).abs() < 1e-7,
+        inputs.len() == 1 && (inputs[0] - PI).abs() < 1e-7,
         "{found:?}"
     );
     assert_eq!(

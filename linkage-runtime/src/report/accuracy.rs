@@ -1,21 +1,23 @@
-//! What the tolerances do: bands about quantities, and where the error is largest.
+//! Effects of tolerances: bands about quantities, and the largest errors.
 
 use std::borrow::Cow;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use super::Report;
+use super::builder::Report;
 use super::tables::Saved;
 use super::units::numerator;
-use crate::{Column, Meaning, Parameter};
+use crate::data::Parameter;
+use crate::table::Column;
+use linkage_core::Meaning;
 
-/// How errors add up.
+/// The sum of errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum BandKind {
     /// The sizes of all effects: no larger error is possible, to first order.
     WorstCase,
-    /// The root of the sum of squares: three standard deviations, if tolerances are three standard deviations of
-    /// independent errors.
+    /// The root of the sum of squares: three standard deviations, if tolerances are three standard
+    /// deviations of independent errors.
     Statistical,
 }
 
@@ -47,7 +49,7 @@ pub(super) struct Sensitive<'a> {
     effects: Vec<(Parameter, &'a [f64])>,
 }
 
-/// Where the error of a quantity is largest.
+/// The position of the largest error of a quantity.
 pub(super) struct Worst {
     pub(super) at: f64,
     pub(super) worst: f64,
@@ -60,7 +62,7 @@ impl Sensitive<'_> {
     /// Half the width of the band at each position.
     pub(super) fn half(&self, kind: BandKind) -> Vec<f64> {
         let rows = 0..self.table.rows;
-        rows.map(|row| kind.sum(self.at(row).map(|(_, effect)| effect)))
+        rows.map(|row| kind.sum(self.effects_at(row).map(|(_, effect)| effect)))
             .collect()
     }
 
@@ -69,60 +71,61 @@ impl Sensitive<'_> {
         let half = self.half(BandKind::WorstCase);
         let finite = half.iter().enumerate().filter(|(_, x)| x.is_finite());
         let (row, &worst) = finite.max_by(|a, b| a.1.total_cmp(b.1))?;
-        let sizes = self.at(row).map(|(name, effect)| (name, effect.abs()));
+        let sizes = self
+            .effects_at(row)
+            .map(|(name, effect)| (name, effect.abs()));
         let mut contributions: Vec<_> = sizes.filter(|(_, size)| *size > 0.0).collect();
         contributions.sort_by(|a, b| b.1.total_cmp(&a.1));
         Some(Worst {
             at: positions[row],
             worst,
-            statistical: BandKind::Statistical.sum(self.at(row).map(|(_, effect)| effect)),
+            statistical: BandKind::Statistical.sum(self.effects_at(row).map(|(_, effect)| effect)),
             contributions,
         })
     }
 
     /// Sensitivity times tolerance of each parameter.
-    pub(super) fn at(&self, row: usize) -> impl Iterator<Item = (&'static str, f64)> {
+    pub(super) fn effects_at(&self, row: usize) -> impl Iterator<Item = (&'static str, f64)> {
         let effects = self.effects.iter();
         effects.map(move |(parameter, e)| (parameter.name, e[row] * parameter.tolerance))
     }
 }
 
-impl Report {
-    /// Quantities with sensitivities, in the order of their first one. None without dimensions, or if no parameter that
-    /// they depend on has a tolerance.
-    pub(super) fn sensitive(&self) -> Vec<Sensitive<'_>> {
-        let mut all: Vec<Sensitive<'_>> = Vec::new();
-        for table in &self.tables {
-            let start = all.len();
-            for (column, values) in table.columns() {
-                let Meaning::Sensitivity { parameter, of } = column.meaning else {
-                    continue;
-                };
-                let Some(dimension) = self.dimensions.get(parameter) else {
-                    continue;
-                };
-                let effect = (dimension.parameter, values);
-                let name = quantity(table, column);
-                match all[start..].iter_mut().find(|s| s.name == name) {
-                    Some(sensitive) => sensitive.effects.push(effect),
-                    None => all.push(Sensitive {
-                        table,
-                        column: of,
-                        name,
-                        unit: unit(table, column, of, dimension.parameter.unit),
-                        effects: Vec::from([effect]),
-                    }),
-                }
+/// Quantities with sensitivities, in the order of their first one. None without dimensions, or if
+/// no parameter that they depend on has a tolerance.
+pub(super) fn sensitive(report: &Report) -> Vec<Sensitive<'_>> {
+    let mut all: Vec<Sensitive<'_>> = Vec::new();
+    for table in &report.tables {
+        let start = all.len();
+        for (column, values) in table.columns() {
+            let Meaning::Sensitivity { parameter, of } = column.meaning else {
+                continue;
+            };
+            let Some(dimension) = report.dimensions.get(parameter) else {
+                continue;
+            };
+            let effect = (dimension.parameter, values);
+            let name = quantity(table, column);
+            match all[start..].iter_mut().find(|s| s.name == name) {
+                Some(sensitive) => sensitive.effects.push(effect),
+                None => all.push(Sensitive {
+                    table,
+                    column: of,
+                    name,
+                    unit: unit(table, column, of, dimension.parameter.unit),
+                    effects: Vec::from([effect]),
+                }),
             }
         }
-        all.retain(|s| s.effects.iter().any(|(p, _)| p.tolerance > 0.0));
-        all
     }
+    all.retain(|s| s.effects.iter().any(|(p, _)| p.tolerance > 0.0));
+    all
 }
 
-/// What a sensitivity is one of: the quantity's name, otherwise its own without the parameter.
+/// Returns the quantity of a sensitivity: its name, or that of the sensitivity without the
+/// parameter.
 fn quantity(table: &Saved, column: &'static Column) -> Cow<'static, str> {
-    if let Some(name) = table.of(column) {
+    if let Some(name) = table.base_name(column) {
         return Cow::Borrowed(name);
     }
     match (column.name.rfind('['), column.name.rfind(']')) {

@@ -1,4 +1,4 @@
-//! What a report is made of.
+//! Contents of a report.
 
 use std::string::String;
 use std::vec::Vec;
@@ -8,15 +8,20 @@ use super::csv::CsvStyle;
 use super::figures::Figures;
 use super::tables::Saved;
 use crate::cyclogram::Cyclogram;
-use crate::{AssemblyMode, Dimensions, Input, Parameter, Programs, Structure, Table};
+use crate::data::{AssemblyMode, Input, Parameter};
+use crate::dimensions::Dimensions;
+use crate::javascript::Programs;
+use crate::structure::Structure;
+use crate::table::Table;
 
-/// What there is to tell about a mechanism over its range.
+/// A report about a mechanism over its range.
 ///
-/// Methods that add something never fail. Whatever does not fit together is found, all of it, by [`check`](Self::check),
-/// which everything that writes calls first.
+/// Methods that add something never fail. [`check`](Self::check) finds all contradictions, and
+/// every output calls it first.
 ///
-/// Angles are in radians here and in data files, as in results; plots and pages show degrees. A number that is not
-/// finite, because the mechanism cannot be assembled or stands at a dead point, is a gap: an empty cell, `null`, a break of the curve.
+/// Angles are in radians here and in data files, as in results; plots and pages show degrees. A
+/// number that is not finite, because the mechanism cannot be assembled or stands at a dead point,
+/// is a gap: an empty cell, `null`, a break of the curve.
 #[derive(Clone, Debug)]
 pub struct Report {
     pub(super) title: String,
@@ -105,8 +110,8 @@ impl Report {
         self
     }
 
-    /// A sweep over the positions of the report. There may be several, of different functions; one of them may have the
-    /// columns of a picture, which the drawing and the page show.
+    /// A sweep over the positions of the report. There may be several, of different functions; one
+    /// of them may have the columns of a picture, which the drawing and the page show.
     #[must_use]
     pub fn table(mut self, table: &impl Table) -> Self {
         self.tables.push(Saved::new(table));
@@ -127,15 +132,15 @@ impl Report {
         self
     }
 
-    /// The mechanism's dimensions with nominal values and tolerances. With them, sensitivities become bands about their
-    /// quantities and a table of accuracy.
+    /// The mechanism's dimensions with nominal values and tolerances. With them, sensitivities
+    /// become bands about their quantities and a table of accuracy.
     #[must_use]
     pub fn dimensions<M: Dimensions<N>, const N: usize>(self, mechanism: &M) -> Self {
         self.dimensions_listed(M::PARAMETERS, &mechanism.values())
     }
 
-    /// As [`dimensions`](Self::dimensions), from the parameters of the declaration and their values in this mechanism: for who reads
-    /// mechanisms at run time.
+    /// Adds dimensions as [`dimensions`](Self::dimensions) does, from the parameters of the
+    /// declaration and their values, for mechanisms that are read at run time.
     #[must_use]
     pub fn dimensions_listed(mut self, parameters: &[Parameter], values: &[f64]) -> Self {
         let pairs = parameters.iter().zip(values);
@@ -145,8 +150,8 @@ impl Report {
         self
     }
 
-    /// The input's speed (rad/s for an angle) and acceleration (rad/s^2). With them, first and second derivatives by the
-    /// input are also shown as true velocities and accelerations.
+    /// The input's speed (rad/s for an angle) and acceleration (rad/s^2). With them, first and
+    /// second derivatives by the input are also shown as true velocities and accelerations.
     #[must_use]
     pub fn speed(mut self, omega: f64, epsilon: f64) -> Self {
         self.speed = Some(Speed { omega, epsilon });
@@ -160,36 +165,38 @@ impl Report {
         self
     }
 
-    /// The direction from which a mechanism in space is seen at first, on the page and in [drawings](Self::drawing): the angle about z, from x, and
-    /// that above the plane of x and y, in radians. From -90 and 90 degrees x is to the right and y upwards. It changes nothing in the plane, nor
-    /// does what is not finite.
+    /// Sets the initial viewing direction of a mechanism in space, on the page and in
+    /// [drawings](Self::drawing): the angle about z, from x, and the angle above the plane of x and
+    /// y, in radians. From -90 and 90 degrees x is to the right and y upwards. It has no effect in
+    /// the plane, nor has a number that is not finite.
     #[must_use]
     pub fn view(mut self, azimuth: f64, elevation: f64) -> Self {
         self.view = Some([azimuth, elevation]).filter(|view| view.iter().all(|x| x.is_finite()));
         self
     }
 
-    /// Which version of a report this is that is written anew again and again: the open page of another version loads itself anew when
-    /// this one is [written](Self::write).
+    /// Sets the version of a report that is written repeatedly: the open page of another version
+    /// reloads when this one is [written](Self::write).
     #[must_use]
     pub fn version(mut self, version: u64) -> Self {
         self.version = Some(version);
         self
     }
 
-    /// What tables come from, the constant `PROGRAMS` of a mechanism that is drawn: with it, the page computes them for other dimensions while
-    /// somebody changes them. It needs [`dimensions`](Self::dimensions). There may be several, if tables come from several mechanisms: dimensions of one name
-    /// are then the same.
+    /// Adds the programs behind tables, the constant `PROGRAMS` of a mechanism that is drawn: with
+    /// them, the page computes the tables for other dimensions when the reader changes them. It
+    /// needs [`dimensions`](Self::dimensions). There may be several, if tables come from several
+    /// mechanisms. Dimensions of one name are then the same.
     #[must_use]
     pub fn programs(mut self, programs: Programs) -> Self {
         self.programs.push(programs);
         self
     }
 
-    /// An argument beside the input that functions of tables were called with, the same at all positions: without it, the page cannot compute
-    /// these.
+    /// An argument beside the input that functions of tables were called with, the same at all
+    /// positions: without it, the page cannot compute these.
     #[must_use]
-    pub fn at(mut self, argument: impl Into<String>, value: f64) -> Self {
+    pub fn argument(mut self, argument: impl Into<String>, value: f64) -> Self {
         self.given.push((argument.into(), value));
         self
     }
@@ -201,6 +208,23 @@ impl Report {
             name: name.into(),
             text: text.into(),
         });
+        self
+    }
+
+    /// Sets the style of [`csv`](Self::csv) and of the files of [`write`](Self::write): angles in
+    /// degrees, digits, separator, decimal mark.
+    #[must_use]
+    pub fn csv_style(mut self, style: CsvStyle) -> Self {
+        self.csv_style = style;
+        self
+    }
+
+    /// Adds the motions of the machine's organs over the angle of its shaft, which is the input: as
+    /// a diagram of bars below the drawing of the page, with a line at the current position, as a
+    /// table, and as files.
+    #[must_use]
+    pub fn cyclogram(mut self, cyclogram: &Cyclogram) -> Self {
+        self.cyclogram = Some(cyclogram.clone());
         self
     }
 }

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::format;
 use std::string::String;
 
-/// What a colour is for. Its value follows from the scheme of the reader.
+/// The purpose of a colour. Its value follows from the scheme of the reader.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Colour {
     /// The ground.
@@ -20,13 +20,13 @@ pub(super) enum Colour {
     Frame,
     /// Grid lines.
     Grid,
-    /// Where there are no values.
+    /// Ranges without values.
     Gap,
-    /// Curves, told apart by readers of any colour vision.
+    /// Curves, distinguished by readers of any colour vision.
     Curve(usize),
     /// Bodies of links; those behind the listed ones are made.
     Link(usize),
-    /// Lines of what has a made colour.
+    /// Lines of items with a computed colour.
     Rim(usize),
 }
 
@@ -79,7 +79,8 @@ impl Colour {
         self.pair().0
     }
 
-    /// Whether it stands in no list: then only drawings that have it say what it is on dark ground.
+    /// True for a colour outside the lists: only drawings that use it define its value on dark
+    /// ground.
     pub(super) const fn is_made(self) -> bool {
         match self {
             Self::Link(index) => index >= LINKS,
@@ -120,8 +121,8 @@ impl Colour {
     }
 }
 
-/// The colours of curves as variables of the page, which is light or dark as its reader has chosen, and those of so many links behind the
-/// listed ones.
+/// The colours of curves as variables of the page, which is light or dark as its reader has chosen,
+/// and those of so many links behind the listed ones.
 pub(super) fn page_rules(links: usize) -> String {
     let rules = CURVE_COLOURS
         .iter()
@@ -134,8 +135,9 @@ pub(super) fn page_rules(links: usize) -> String {
     format!("\n:root {{\n{}}}\n", rules.chain(links).collect::<String>())
 }
 
-/// Rules that change the colours for readers who prefer a dark ground. Attributes have the light ones, so that programs
-/// that know no rules show these. Made colours have rules where they are used.
+/// Rules that change the colours for readers who prefer a dark ground. Attributes have the light
+/// ones, so that programs that know no rules show these. Made colours have rules where they are
+/// used.
 pub(super) fn dark_rules(made: BTreeSet<Colour>) -> String {
     let curves = (0..CURVES).map(Colour::Curve);
     let links = (0..LINKS).map(Colour::Link);

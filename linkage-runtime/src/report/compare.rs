@@ -10,10 +10,12 @@ use std::path::{Path, PathBuf};
 use std::string::{String, ToString};
 use std::vec::Vec;
 
+use super::SummaryRow;
+use super::builder::Report;
 use super::colour::page_rules;
-use super::error::failed;
+use super::error::{ReportError, failed};
 use super::frame::Framed;
-use super::{Report, ReportError, SummaryRow};
+use super::{output_file, summary};
 
 const BODY: &str = include_str!("page/compare/page.html");
 /// Nothing comes from elsewhere.
@@ -35,11 +37,11 @@ const SCRIPTS: [&str; 9] = [
     include_str!("page/compare/start.js"),
 ];
 
-/// Several designs side by side: drawing over drawing, curves over curves, a table of figures, and the Pareto front of
-/// two or three wishes.
+/// Several designs side by side: drawing over drawing, curves over curves, a table of figures, and
+/// the Pareto front of two or three wishes.
 ///
-/// It is a page of one file. It has what it shows and no more: of each design the points of its drawing, the curves
-/// that are asked for and its figures, at 361 positions at most.
+/// It is a page of one file, with only the data that it shows: of each design the points of its
+/// drawing, the selected curves and its figures, at 361 positions at most.
 ///
 /// ```no_run
 /// # fn two(published: linkage_runtime::report::Report, found: linkage_runtime::report::Report)
@@ -73,7 +75,7 @@ pub struct Compared<'a> {
     page: Option<String>,
 }
 
-/// What is wanted of a figure.
+/// The direction in which a figure improves.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Aim {
     figure: String,
@@ -100,7 +102,8 @@ impl Aim {
 }
 
 impl<'a> Compared<'a> {
-    /// A design of this name, as its report tells it: with its picture, columns, dimensions and summary.
+    /// A design of this name, as its report tells it: with its picture, columns, dimensions and
+    /// summary.
     #[must_use]
     pub fn new(name: impl Into<String>, report: &'a Report) -> Self {
         Self {
@@ -118,7 +121,8 @@ impl<'a> Compared<'a> {
         self
     }
 
-    /// Where the design's own page is, as seen from that of the comparison: `found/index.html`.
+    /// Sets the address of the design's page, relative to that of the comparison:
+    /// `found/index.html`.
     #[must_use]
     pub fn page(mut self, address: impl Into<String>) -> Self {
         self.page = Some(address.into());
@@ -134,8 +138,11 @@ impl<'a> Compared<'a> {
             };
             (name, row.value, row.unit)
         };
-        let own = self.figures.iter().cloned();
-        own.chain(self.report.summary_rows()).map(named).collect()
+        let figures = self.figures.iter().cloned();
+        figures
+            .chain(summary::summary_rows(self.report))
+            .map(named)
+            .collect()
     }
 }
 
@@ -159,15 +166,15 @@ impl<'a> Comparison<'a> {
         self
     }
 
-    /// A design. The first one is what the others are compared with.
+    /// Adds a design. The others are compared with the first one.
     #[must_use]
     pub fn design(mut self, design: Compared<'a>) -> Self {
         self.designs.push(design);
         self
     }
 
-    /// The columns whose curves are laid over each other, named as in [`Report::plot`]. Without it: the values of the
-    /// first design's functions.
+    /// The columns whose curves are laid over each other, named as in [`Report::plot`]. Without it:
+    /// the values of the first design's functions.
     #[must_use]
     pub fn curves<'n>(mut self, columns: impl IntoIterator<Item = &'n str>) -> Self {
         self.curves
@@ -175,8 +182,8 @@ impl<'a> Comparison<'a> {
         self
     }
 
-    /// Shows which designs are best where two or three wishes contradict each other: plots of one figure against
-    /// another, on which a click shows or hides a design.
+    /// Shows which designs are best where two or three wishes contradict each other: plots of one
+    /// figure against another, on which a click shows or hides a design.
     #[must_use]
     pub fn front(mut self, aims: impl IntoIterator<Item = Aim>) -> Self {
         self.aims.extend(aims);
@@ -210,6 +217,6 @@ impl<'a> Comparison<'a> {
         let html = self.html()?;
         let folder = folder.as_ref();
         fs::create_dir_all(folder).map_err(failed(folder))?;
-        super::write::file(&folder.join("index.html"), html)
+        output_file::file(&folder.join("index.html"), html)
     }
 }

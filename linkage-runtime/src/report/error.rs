@@ -1,4 +1,4 @@
-//! What can be wrong with a report.
+//! Errors of a report.
 
 use core::fmt;
 use std::error::Error;
@@ -12,9 +12,10 @@ use super::Mistake;
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum ReportError {
-    /// What does not fit together in the report: all that was found.
+    /// Contradictions within the report: all that were found.
     Mistakes(Vec<Mistake>),
-    /// Pictures are written as SVG, with feature `png` as PNG, by the ending of the file's name; this one is different.
+    /// Pictures are written as SVG, with feature `png` as PNG, by the ending of the file's name;
+    /// this one is different.
     Ending {
         /// The file.
         path: PathBuf,
@@ -32,7 +33,7 @@ pub enum ReportError {
     File {
         /// The file or folder.
         path: PathBuf,
-        /// What the system says.
+        /// The error of the system.
         error: io::Error,
     },
 }
@@ -83,7 +84,7 @@ impl From<Mistake> for ReportError {
     }
 }
 
-/// What the system says about a file or folder.
+/// Converts an error of the system for a file or folder.
 pub(super) fn failed(path: &Path) -> impl Fn(io::Error) -> ReportError {
     let path = path.to_path_buf();
     move |error| ReportError::File {

@@ -1,16 +1,16 @@
-//! What pages have in common: one file with its style, its data and its program.
+//! The frame of all pages: one file with style, data and program.
 
 use std::string::String;
 
 const FRAME: &str = include_str!("page/frame.html");
 
-/// What a page puts into it.
+/// The contents of a page.
 pub(super) struct Framed<'a> {
     pub(super) title: &'a str,
-    /// Where what it loads may come from.
+    /// The allowed sources of everything that the page loads.
     pub(super) policy: &'a str,
     pub(super) style: &'a str,
-    /// What stands between its head and its data.
+    /// The elements between its head and its data.
     pub(super) body: &'a str,
     /// The id that the program finds the data by, and the data as JSON.
     pub(super) data: (&'a str, &'a str),
@@ -38,7 +38,8 @@ impl Framed<'_> {
     }
 }
 
-/// Without comments and indentation, which are for readers of the sources: a fourth of a script. No text in scripts goes over lines.
+/// Without comments and indentation, which are for readers of the sources: a fourth of a script. No
+/// text in scripts goes over lines.
 pub(super) fn bare(script: &str) -> String {
     let lines = script.lines().map(str::trim_start);
     let lines = lines.filter(|line| !line.is_empty() && !line.starts_with("//"));

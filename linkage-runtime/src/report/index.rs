@@ -7,11 +7,11 @@ use std::path::{Path, PathBuf};
 use std::string::String;
 use std::vec::Vec;
 
-use super::error::failed;
+use super::builder::Report;
+use super::error::{ReportError, failed};
 use super::frame::escaped;
-use super::letters::control;
-use super::write;
-use super::{Report, ReportError};
+use super::glyphs::control;
+use super::{output_file, positioned_picture};
 
 const FRAME: &str = include_str!("page/index.html");
 
@@ -59,7 +59,7 @@ impl Index {
             folder: folder.into(),
             title: report.title.clone(),
             about: report.about.clone(),
-            drawn: report.is_drawable(),
+            drawn: positioned_picture::is_drawable(report),
         });
         self
     }
@@ -75,7 +75,7 @@ impl Index {
         }
         let folder = folder.as_ref();
         fs::create_dir_all(folder).map_err(failed(folder))?;
-        write::file(&folder.join("index.html"), self.html())
+        output_file::file(&folder.join("index.html"), self.html())
     }
 
     /// The page.

@@ -4,19 +4,23 @@ use serde_json::{Value, json};
 use std::string::ToString;
 use std::vec::Vec;
 
+use super::Mistake;
+use super::builder::Report;
 use super::colour::LINKS;
-use super::shown::Shown;
-use super::{Mistake, Report, ReportError};
-use crate::cyclogram::{Cyclogram, Organ};
+use super::cyclogram::intervals;
+use super::error::ReportError;
+use super::positioned_picture::PositionedPicture;
+use super::{positioned_picture, tables};
+use crate::cyclogram::{Cyclogram, Member};
 
 /// The unit of a shaft's angle.
 const ANGLE: &str = "rad";
 /// The name of the cyclogram's files.
 const FILE: &str = "cyclogram";
 
-impl Shown<'_> {
-    /// Which of the colours of links a link has: that of its part, links of the machine itself that behind all parts. Without parts each
-    /// has one of the listed ones, which begin again.
+impl PositionedPicture<'_> {
+    /// Returns the number of the colour of a link: that of its part, and the one after all parts
+    /// for links of the machine itself. Without parts the colours of the list are used in turn.
     pub(super) fn link_hue(&self, link: usize) -> usize {
         let parts = self.picture.parts;
         let of = parts.iter().position(|part| part.links.contains(&link));
@@ -37,60 +41,56 @@ impl Shown<'_> {
     }
 }
 
-impl Report {
-    /// What the organs of the machine do at which angle of its shaft, which is the input: as a diagram of bars below the drawing of the
-    /// page, with a line where the machine stands, as a table, and as files.
-    #[must_use]
-    pub fn cyclogram(mut self, cyclogram: &Cyclogram) -> Self {
-        self.cyclogram = Some(cyclogram.clone());
-        self
+pub(super) fn check_cyclogram(report: &Report, mistakes: &mut Vec<Mistake>) {
+    let Some(cyclogram) = &report.cyclogram else {
+        return;
+    };
+    if let Err(ReportError::Mistakes(found)) = cyclogram.svg() {
+        mistakes.extend(found);
     }
+    if report.input.unit != ANGLE {
+        mistakes.push(Mistake::NoShaft {
+            input: report.input.name.to_string(),
+            unit: report.input.unit,
+        });
+    }
+    let mut functions = tables::function_names(&report.tables).into_iter();
+    if let Some(function) = functions.find(|function| function == FILE) {
+        mistakes.push(Mistake::File { function });
+    }
+}
 
-    pub(super) fn check_cyclogram(&self, mistakes: &mut Vec<Mistake>) {
-        let Some(cyclogram) = &self.cyclogram else {
-            return;
-        };
-        if let Err(ReportError::Mistakes(own)) = cyclogram.svg() {
-            mistakes.extend(own);
-        }
-        if self.input.unit != ANGLE {
-            mistakes.push(Mistake::NoShaft {
-                input: self.input.name.to_string(),
-                unit: self.input.unit,
-            });
-        }
-        let mut functions = self.functions().into_iter();
-        if let Some(function) = functions.find(|function| function == FILE) {
-            mistakes.push(Mistake::File { function });
-        }
-    }
+/// Returns the number of the colour of each organ: that of the part in its name, as in `hook` or
+/// `hook.tip`, and the ones after all parts for others.
+pub(super) fn organ_hues(report: &Report, cyclogram: &Cyclogram) -> Vec<usize> {
+    let parts =
+        positioned_picture::find_picture(report).map_or(&[][..], |shown| shown.picture.parts);
+    let part = |organ: &Member| {
+        let name = organ.name().split('.').next();
+        parts.iter().position(|part| Some(part.name) == name)
+    };
+    let mut others = parts.len()..;
+    let organs = cyclogram.members().iter();
+    let hues = organs.map(|organ| part(organ).or_else(|| others.next()));
+    hues.map(Option::unwrap_or_default).collect()
+}
 
-    /// Of each organ, which of the colours of links it has: that of the part whose name it bears, as `hook` or `hook.tip`, others those behind all
-    /// parts.
-    pub(super) fn organ_hues(&self, cyclogram: &Cyclogram) -> Vec<usize> {
-        let parts = self.shown().map_or(&[][..], |shown| shown.picture.parts);
-        let part = |organ: &Organ| {
-            let name = organ.name().split('.').next();
-            parts.iter().position(|part| Some(part.name) == name)
-        };
-        let mut others = parts.len()..;
-        let organs = cyclogram.organs().iter();
-        let hues = organs.map(|organ| part(organ).or_else(|| others.next()));
-        hues.map(Option::unwrap_or_default).collect()
-    }
+/// Returns the number of colours of links that the page needs: for parts, for links of the machine
+/// itself, for organs.
+pub(super) fn link_hues(report: &Report) -> usize {
+    let parts =
+        positioned_picture::find_picture(report).map_or(0, |shown| shown.picture.parts.len());
+    let organs = report
+        .cyclogram
+        .iter()
+        .flat_map(|cyclogram| organ_hues(report, cyclogram));
+    organs.fold(parts, usize::max) + 1
+}
 
-    /// How many colours of links the page has: of parts, of what the machine itself adds, of organs.
-    pub(super) fn link_hues(&self) -> usize {
-        let parts = self.shown().map_or(0, |shown| shown.picture.parts.len());
-        let organs = self.cyclogram.iter().flat_map(|own| self.organ_hues(own));
-        organs.fold(parts, usize::max) + 1
+pub(super) fn cyclogram_value(report: &Report, cyclogram: &Cyclogram) -> Value {
+    let mut value = intervals::value(cyclogram);
+    for (organ, hue) in organ_hues(report, cyclogram).into_iter().enumerate() {
+        value["organs"][organ]["colour"] = json!(hue);
     }
-
-    pub(super) fn cyclogram_value(&self, cyclogram: &Cyclogram) -> Value {
-        let mut value = cyclogram.value();
-        for (organ, hue) in self.organ_hues(cyclogram).into_iter().enumerate() {
-            value["organs"][organ]["colour"] = json!(hue);
-        }
-        value
-    }
+    value
 }

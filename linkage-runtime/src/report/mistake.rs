@@ -1,6 +1,6 @@
-//! What does not fit together in a report.
+//! Contradictions within a report.
 
-mod words;
+mod message;
 
 use std::string::String;
 use std::vec::Vec;
@@ -18,7 +18,7 @@ pub enum Mistake {
         /// The positions of the report.
         positions: usize,
     },
-    /// Two tables come from the same function, so that their columns could not be told apart.
+    /// Two tables come from the same function, so that their columns would be ambiguous.
     Twice {
         /// The function.
         function: String,
@@ -30,27 +30,28 @@ pub enum Mistake {
     },
     /// Something needs a picture, and no table has its columns.
     NoPicture {
-        /// What needs it.
+        /// The item that needs it.
         wanted: String,
         /// The functions of the tables that there are.
         functions: Vec<String>,
     },
     /// There is nothing of this name.
     Unknown {
-        /// What is missing: `column`, `table`, `point`, `curve`, `argument`.
+        /// The missing item: `column`, `table`, `point`, `curve`, `argument`.
         kind: &'static str,
         /// The name.
         name: String,
         /// The names that there are.
         known: Vec<String>,
     },
-    /// A column is a sensitivity to a parameter that the dimensions do not have: they are those of another mechanism.
+    /// A column is a sensitivity to a parameter that the dimensions do not have: they are those of
+    /// another mechanism.
     Parameter {
         /// The column.
         column: String,
         /// The index of the parameter.
         parameter: usize,
-        /// How many dimensions there are.
+        /// The number of dimensions.
         dimensions: usize,
     },
     /// A true acceleration needs the first derivative, too, since the input accelerates.
@@ -76,9 +77,9 @@ pub enum Mistake {
         /// The quantity that it is over.
         name: String,
     },
-    /// The cells of CSV could not be told apart: what stands between columns stands in numbers, too.
+    /// The cells of CSV are ambiguous, since the separator occurs in numbers.
     Separator {
-        /// What is between columns.
+        /// The separator.
         separator: String,
         /// The decimal mark.
         decimal: char,
@@ -108,7 +109,7 @@ pub enum Mistake {
     },
     /// There are fewer than two positions.
     Positions {
-        /// How many there are.
+        /// The number of positions.
         count: usize,
     },
     /// A cyclogram is over the angle of a shaft, which the report's input is not.
@@ -125,7 +126,7 @@ pub enum Mistake {
     },
     /// A position or a speed is not finite.
     NotFinite {
-        /// What it is.
+        /// The item.
         what: String,
         /// The number.
         value: f64,
@@ -138,14 +139,14 @@ pub enum Mistake {
         index: usize,
         /// The one before it, and itself.
         values: [f64; 2],
-        /// Whether the first positions that differ rise.
+        /// True if the first positions that differ rise.
         rises: bool,
     },
     /// Words have a control character, which neither SVG nor HTML can show.
     Control {
         /// The words: `the title`.
         what: String,
-        /// What stands before it.
+        /// The text before it.
         before: String,
         /// The character.
         character: char,
@@ -154,7 +155,7 @@ pub enum Mistake {
     Still {
         /// The input.
         input: String,
-        /// Where it stands.
+        /// The item with the name.
         at: f64,
     },
     /// A comparison of nothing.
@@ -182,7 +183,7 @@ pub enum Mistake {
     },
     /// A front of other than two or three wishes.
     Aims {
-        /// How many there are.
+        /// The number of wishes.
         count: usize,
     },
 }

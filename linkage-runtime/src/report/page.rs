@@ -2,10 +2,12 @@
 
 use std::string::String;
 
+use super::builder::Report;
 use super::colour::page_rules;
+use super::error::ReportError;
 use super::frame::Framed;
-use super::{Report, ReportError};
-use crate::javascript::{OTHERS, engine};
+use super::{joint_signs, json, machine, positioned_picture};
+use crate::javascript::{OTHERS, engine, with_constants};
 
 const BODY: &str = include_str!("page/page.html");
 const STYLES: [&str; 7] = [
@@ -63,7 +65,7 @@ const SCRIPTS: [&str; 40] = [
 
 const START: usize = SCRIPTS.len() - 1;
 
-/// Of a page that computes: they stand before the last one of the others.
+/// Styles and scripts of a page that computes, before the last script.
 const LIVE_STYLE: &str = include_str!("page/live/live.css");
 const LIVE: [&str; 15] = [
     include_str!("page/live/model.js"),
@@ -83,83 +85,82 @@ const LIVE: [&str; 15] = [
     include_str!("page/live/controls.js"),
 ];
 
-/// Of a page that computes a cyclogram, behind those.
+/// Scripts of a page that computes a cyclogram, after those.
 const LIVE_CYCLE: [&str; 2] = [
     include_str!("page/live/cycle.js"),
     include_str!("page/live/overlaps.js"),
 ];
 
-/// Of a page that is written anew while it is open.
+/// Script of a page that follows the versions of its report.
 const FOLLOW: &str = include_str!("page/follow.js");
 
-impl Report {
-    /// An interactive page as one file that needs no network: the moving mechanism, plots, tables.
-    ///
-    /// # Errors
-    ///
-    /// As [`check`](Self::check).
-    pub fn html(&self) -> Result<String, ReportError> {
-        let follow = match self.version {
-            Some(version) => std::format!("{FOLLOW}\nfollow({version});\n"),
-            None => String::new(),
-        };
-        let script =
-            self.engine() + &SCRIPTS[..START].join("\n") + &self.live() + SCRIPTS[START] + &follow;
-        let framed = Framed {
-            title: &self.title,
-            policy: &self.policy(),
-            style: &(self.styles() + &page_rules(self.link_hues())),
-            body: BODY,
-            data: ("report", &self.page_json()?),
-            script: &script,
-        };
-        Ok(framed.html())
+/// Returns the interactive page.
+pub(super) fn page_html(report: &Report) -> Result<String, ReportError> {
+    let follow = match report.version {
+        Some(version) => std::format!("{FOLLOW}\nfollow({version});\n"),
+        None => String::new(),
+    };
+    let joints =
+        positioned_picture::find_picture(report).map_or(&[][..], |shown| shown.picture.joints);
+    let script = engine_script(report)
+        + &joint_signs::page_constant(joints)
+        + &SCRIPTS[..START].join("\n")
+        + &live_script(report)
+        + SCRIPTS[START]
+        + &follow;
+    let framed = Framed {
+        title: &report.title,
+        policy: &content_policy(report),
+        style: &(page_styles(report) + &page_rules(machine::link_hues(report))),
+        body: BODY,
+        data: ("report", &json::page_json(report)?),
+        script: &script,
+    };
+    Ok(framed.html())
+}
+
+/// The engine with the programs, in a function of its own: its names are not those of the page.
+fn engine_script(report: &Report) -> String {
+    if report.programs.is_empty() {
+        return String::new();
+    }
+    let programs = report.programs.iter().map(|program| program.description);
+    let programs = programs.collect::<std::vec::Vec<_>>().join(",\n");
+    let engine = engine();
+    std::format!(
+        "const engine = (() => {{\n{engine}\n{OTHERS}\nreturn {{ assembled, evaluate, gapsAt, solutionsAt, standing, AssemblyError, programs: [{programs}] }};\n}})();\n"
+    )
+}
+
+/// Nothing comes from elsewhere, except for the version that an open page asks for.
+fn content_policy(report: &Report) -> String {
+    let follow = match report.version {
+        Some(_) => " 'self' file:",
+        None => "",
+    };
+    std::format!(
+        "default-src 'none'; script-src 'unsafe-inline'{follow}; style-src 'unsafe-inline'; img-src data: blob:; connect-src blob:; base-uri 'none'; form-action 'none'"
+    )
+}
+
+fn live_script(report: &Report) -> String {
+    match report.programs.is_empty() {
+        true => String::from("\n"),
+        false => {
+            let cycle = report.cyclogram.as_ref().map(|_| LIVE_CYCLE.join("\n"));
+            let live = with_constants(&LIVE.join("\n"));
+            std::format!("\n{live}\n{}\n", cycle.unwrap_or_default())
+        }
     }
 }
 
-impl Report {
-    /// The engine with the programs, in a function of its own: its names are not those of the page.
-    fn engine(&self) -> String {
-        if self.programs.is_empty() {
-            return String::new();
-        }
-        let programs = self.programs.iter().map(|own| own.description);
-        let programs = programs.collect::<std::vec::Vec<_>>().join(",\n");
-        let engine = engine();
-        std::format!(
-            "const engine = (() => {{\n{engine}\n{OTHERS}\nreturn {{ assembled, evaluate, gapsAt, solutionsAt, standing, AssemblyError, programs: [{programs}] }};\n}})();\n"
-        )
-    }
-
-    /// Nothing comes from elsewhere, but for the version that an open page asks for.
-    fn policy(&self) -> String {
-        let follow = match self.version {
-            Some(_) => " 'self' file:",
-            None => "",
-        };
-        std::format!(
-            "default-src 'none'; script-src 'unsafe-inline'{follow}; style-src 'unsafe-inline'; img-src data: blob:; connect-src blob:; base-uri 'none'; form-action 'none'"
-        )
-    }
-
-    fn live(&self) -> String {
-        match self.programs.is_empty() {
-            true => String::from("\n"),
-            false => {
-                let cycle = self.cyclogram.as_ref().map(|_| LIVE_CYCLE.join("\n"));
-                std::format!("\n{}\n{}\n", LIVE.join("\n"), cycle.unwrap_or_default())
-            }
-        }
-    }
-
-    fn styles(&self) -> String {
-        let live = if self.programs.is_empty() {
-            ""
-        } else {
-            LIVE_STYLE
-        };
-        std::format!("{}\n{live}", STYLES.join("\n"))
-    }
+fn page_styles(report: &Report) -> String {
+    let live = if report.programs.is_empty() {
+        ""
+    } else {
+        LIVE_STYLE
+    };
+    std::format!("{}\n{live}", STYLES.join("\n"))
 }
 
 #[cfg(test)]
@@ -169,15 +170,16 @@ mod tests {
     use crate::javascript::{ENGINE, MODULE};
     use std::collections::BTreeSet;
 
-    /// What a page takes to compute, beside the programs, which are 78,000 bytes for the largest mechanism of the gallery: the two may have 150 KiB, 153,600 bytes.
-    /// A machine of four of them with all sensitivities, the example `knitting_machine`, has 166,000 bytes of programs.
-    /// Only a page with a cyclogram has what computes that.
+    /// The code with which a page computes, besides the programs, which are 78,000 bytes for the
+    /// largest mechanism of the gallery. Both together may have 150 KiB, 153,600 bytes. A machine
+    /// of four of them with all sensitivities, the example `knitting_machine`, has 166,000 bytes of
+    /// programs. Only a page with a cyclogram has the code for it.
     #[test]
     fn what_computes_is_small() {
         let all = [&ENGINE.join("\n"), OTHERS, &LIVE.join("\n"), LIVE_STYLE];
-        let size: usize = all.iter().map(|own| bare(own).len()).sum();
+        let size: usize = all.iter().map(|script| bare(script).len()).sum();
         assert!(size < 75_000, "{size} bytes");
-        let [cycle, overlaps] = LIVE_CYCLE.map(|own| bare(own).len());
+        let [cycle, overlaps] = LIVE_CYCLE.map(|script| bare(script).len());
         assert!(cycle < 6_500, "{cycle} bytes");
         assert!(overlaps < 1_200, "{overlaps} bytes");
     }
@@ -192,7 +194,7 @@ mod tests {
             .chain(&MODULE)
             .chain(&LIVE_CYCLE)
             .chain([&OTHERS]);
-        for line in all.flat_map(|own| own.lines()) {
+        for line in all.flat_map(|script| script.lines()) {
             let is_comment = line.trim_start().starts_with("//");
             assert!(is_comment || line.matches('`').count() % 2 == 0, "{line}");
         }
@@ -203,7 +205,7 @@ mod tests {
     fn scripts_share_no_names() {
         let mut names = BTreeSet::new();
         let all = SCRIPTS.iter().chain(&LIVE).chain(&LIVE_CYCLE);
-        for line in all.flat_map(|own| own.lines()) {
+        for line in all.flat_map(|script| script.lines()) {
             let mut words = line.split(|c: char| !(c.is_alphanumeric() || c == '_'));
             if let Some("function" | "const" | "let") = words.next() {
                 let name = words.next().unwrap_or_default();

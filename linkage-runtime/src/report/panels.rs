@@ -1,13 +1,14 @@
-//! Which columns share a panel in the plots that are made unasked.
+//! Grouping of columns into panels in the plots that a report makes by itself.
 
 use std::vec::Vec;
 
-use super::Plot;
-use super::hues::Hues;
+use super::palette::Palette;
+use super::plot::Plot;
 
 /// Curves in one panel.
 pub(super) const TOGETHER: usize = 6;
-/// A panel is at most this much higher than the stroke of its largest curve: with more, all would be flat.
+/// A panel is at most this much higher than the stroke of its largest curve: with more, all would
+/// be flat.
 const FLATTEST: f64 = 2.5;
 
 /// Name, unit and values of a column.
@@ -41,7 +42,7 @@ impl<'a> Shared<'a> {
 /// A plot of columns, those of one unit and about one size together; `None` if there are none.
 pub(super) fn panels<'a>(
     plot: Plot,
-    hues: &Hues,
+    hues: &Palette,
     columns: impl Iterator<Item = Named<'a>>,
 ) -> Option<Plot> {
     let mut panels: Vec<Shared<'a>> = Vec::new();
@@ -100,7 +101,7 @@ mod tests {
     /// The titles of the panels.
     fn titles(columns: &[Named<'_>]) -> Vec<String> {
         let plot = Plot::new("s", "mm", &[0.0, 1.0]);
-        let svg = panels(plot, &Hues::default(), columns.iter().copied())
+        let svg = panels(plot, &Palette::default(), columns.iter().copied())
             .unwrap()
             .svg()
             .unwrap();
@@ -153,7 +154,7 @@ mod tests {
         assert!(
             panels(
                 Plot::new("s", "mm", &values),
-                &Hues::default(),
+                &Palette::default(),
                 [].into_iter()
             )
             .is_none()

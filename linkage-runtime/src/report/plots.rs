@@ -6,16 +6,21 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::accuracy::Sensitive;
+use super::builder::Report;
+use super::error::ReportError;
 use super::panels::{TOGETHER, panels};
+use super::plot::Plot;
 use super::rates::True;
 use super::tables::Saved;
 use super::units::{per_second, titled};
-use super::{BandKind, Mistake, Plot, Report, ReportError};
-use crate::words::rounded;
-use crate::{Column, Meaning};
+use super::{BandKind, Mistake};
+use super::{accuracy, check, palette, rates};
+use crate::format::rounded;
+use crate::table::Column;
+use linkage_core::Meaning;
 
 /// A column as it is asked for.
-struct Found<'a> {
+struct FoundColumn<'a> {
     name: &'static str,
     unit: Cow<'a, str>,
     values: Cow<'a, [f64]>,
@@ -23,222 +28,207 @@ struct Found<'a> {
     column: Option<(&'a Saved, usize)>,
 }
 
-impl Report {
-    /// A plot of columns against the input. Quantities that the report has sensitivities of get bands of their tolerances.
-    ///
-    /// A column is named as in the program, `p10.x`. Where that is not enough, the function stands in front,
-    /// `motion.p10.x`, or the unit behind, as in the head of a CSV file: `v.x [mm/s]` is the true velocity.
-    ///
-    /// # Errors
-    ///
-    /// As [`check`](Self::check), and for each name that is not there.
-    pub fn plot<'n>(
-        &self,
-        columns: impl IntoIterator<Item = &'n str>,
-    ) -> Result<Plot, ReportError> {
-        self.check()?;
-        let rates = self.true_rates();
-        let mut mistakes = Vec::new();
-        let mut plot = self.empty_plot();
-        for name in columns {
-            match self.find(&rates, name) {
-                Some(found) => plot = self.with(plot, &found),
-                None => mistakes.push(Mistake::Unknown {
-                    kind: "column",
-                    name: name.to_string(),
-                    known: self.known(),
-                }),
-            }
-        }
-        if mistakes.is_empty() {
-            Ok(plot)
-        } else {
-            Err(ReportError::Mistakes(mistakes))
+/// Plots the named columns against the input.
+pub(super) fn plot_columns<'n>(
+    report: &Report,
+    columns: impl IntoIterator<Item = &'n str>,
+) -> Result<Plot, ReportError> {
+    check::check(report)?;
+    let rates = rates::true_rates(report);
+    let mut mistakes = Vec::new();
+    let mut plot = empty_plot(report);
+    for name in columns {
+        match find_column(report, &rates, name) {
+            Some(found) => plot = with_column(report, plot, &found),
+            None => mistakes.push(Mistake::Unknown {
+                kind: "column",
+                name: name.to_string(),
+                known: known_columns(report),
+            }),
         }
     }
+    if mistakes.is_empty() {
+        Ok(plot)
+    } else {
+        Err(ReportError::Mistakes(mistakes))
+    }
+}
 
-    /// A plot of what tolerances do to each quantity with sensitivities: worst case and statistical error against the
-    /// input. `None` if there are no sensitivities, dimensions or tolerances.
-    ///
-    /// # Errors
-    ///
-    /// As [`check`](Self::check).
-    pub fn plot_errors(&self) -> Result<Option<Plot>, ReportError> {
-        self.check()?;
-        let sensitive = self.sensitive();
-        if sensitive.is_empty() {
-            return Ok(None);
-        }
-        let hues = self.hues();
-        let mut plot = self
-            .empty_plot()
-            .title(format!("{}: errors by tolerances", self.title));
-        for quantities in sensitive.chunks(TOGETHER / 2) {
-            for quantity in quantities {
-                for kind in [BandKind::WorstCase, BandKind::Statistical] {
-                    let name = format!("{}, {}", quantity.name, kind.name());
-                    plot = plot.curve(&name, &quantity.unit, &quantity.half(kind));
-                    plot = plot.styled(hues.style(&quantity.name));
-                    if kind == BandKind::Statistical {
-                        plot = plot.thin();
-                    }
+/// Plots the errors by tolerances; `None` if there are none.
+pub(super) fn plot_errors(report: &Report) -> Result<Option<Plot>, ReportError> {
+    check::check(report)?;
+    let sensitive = accuracy::sensitive(report);
+    if sensitive.is_empty() {
+        return Ok(None);
+    }
+    let hues = palette::palette(report);
+    let mut plot = empty_plot(report).title(format!("{}: errors by tolerances", report.title));
+    for quantities in sensitive.chunks(TOGETHER / 2) {
+        for quantity in quantities {
+            for kind in [BandKind::WorstCase, BandKind::Statistical] {
+                let name = format!("{}, {}", quantity.name, kind.name());
+                plot = plot.curve(&name, &quantity.unit, &quantity.half(kind));
+                plot = plot.styled(hues.style(&quantity.name));
+                if kind == BandKind::Statistical {
+                    plot = plot.thin();
                 }
             }
-            plot = plot.panel();
         }
-        Ok(Some(plot))
+        plot = plot.panel();
     }
+    Ok(Some(plot))
+}
 
-    /// The plots that belong to a report, with their names: values and derivatives of each function, true velocities and
-    /// accelerations, errors by tolerances.
-    pub(super) fn all_plots(&self) -> Result<Vec<(String, Plot)>, ReportError> {
-        let rates = self.true_rates();
-        let sensitive = self.sensitive();
-        let hues = self.hues();
-        let mut plots = Vec::new();
-        for table in &self.tables {
-            let function = table.heading.function;
-            let columns = table.columns().filter(|(column, _)| is_plotted(column));
-            let given = columns.map(|(column, values)| (column.name, column.unit, values));
-            let plot = self
-                .empty_plot()
-                .title(format!("{}: {function}", self.title));
-            let plot = panels(plot, &hues, given).map(|plot| banded(plot, table, &sensitive));
-            plots.extend(plot.map(|plot| (function.to_string(), plot)));
+/// The plots that belong to a report, with their names: values and derivatives of each function,
+/// true velocities and accelerations, errors by tolerances.
+pub(super) fn all_plots(report: &Report) -> Result<Vec<(String, Plot)>, ReportError> {
+    let rates = rates::true_rates(report);
+    let sensitive = accuracy::sensitive(report);
+    let hues = palette::palette(report);
+    let mut plots = Vec::new();
+    for table in &report.tables {
+        let function = table.heading.function;
+        let columns = table.columns().filter(|(column, _)| is_plotted(column));
+        let given = columns.map(|(column, values)| (column.name, column.unit, values));
+        let plot = empty_plot(report).title(format!("{}: {function}", report.title));
+        let plot = panels(plot, &hues, given).map(|plot| banded(plot, table, &sensitive));
+        plots.extend(plot.map(|plot| (function.to_string(), plot)));
 
-            let rates = rates.iter().filter(|rate| rate.table == function);
-            let rates = rates.map(|r| (r.column.name, r.unit.as_str(), r.values.as_slice()));
-            let title = format!(
-                "{}: {function}, true velocities and accelerations{}",
-                self.title,
-                self.at_speed()
-            );
-            let plot = self.empty_plot().title(title);
-            plots.extend(panels(plot, &hues, rates).map(|plot| (format!("{function}-true"), plot)));
+        let rates = rates.iter().filter(|rate| rate.table == function);
+        let rates = rates.map(|r| (r.column.name, r.unit.as_str(), r.values.as_slice()));
+        let title = format!(
+            "{}: {function}, true velocities and accelerations{}",
+            report.title,
+            speed_note(report)
+        );
+        let plot = empty_plot(report).title(title);
+        plots.extend(panels(plot, &hues, rates).map(|plot| (format!("{function}-true"), plot)));
+    }
+    let errors = plot_errors(report)?;
+    plots.extend(errors.map(|plot| (String::from("errors-by-tolerances"), plot)));
+    Ok(plots)
+}
+
+/// ` at 10 rad/s`
+fn speed_note(report: &Report) -> String {
+    report.speed.map_or_else(String::new, |speed| {
+        let unit = per_second(report.input.unit, 1);
+        format!(" at {} {unit}", rounded(speed.omega))
+    })
+}
+
+fn empty_plot(report: &Report) -> Plot {
+    Plot::new(report.input.name, report.input.unit, &report.positions).title(report.title.as_str())
+}
+
+fn with_column(report: &Report, plot: Plot, found: &FoundColumn<'_>) -> Plot {
+    let name = match found.column {
+        Some((table, _)) if plot.has_curve(found.name, &found.unit) => {
+            Cow::Owned(format!("{}.{}", table.heading.function, found.name))
         }
-        let errors = self.plot_errors()?;
-        plots.extend(errors.map(|plot| (String::from("errors-by-tolerances"), plot)));
-        Ok(plots)
+        _ => Cow::Borrowed(found.name),
+    };
+    let plot = plot.curve(&name, &found.unit, &found.values);
+    let mut plot = plot.styled(palette::palette(report).style(found.name));
+    let sensitive = accuracy::sensitive(report);
+    let about = sensitive.iter().filter(|sensitive| {
+        let of = sensitive.column.map(|index| (sensitive.table, index));
+        match (of, found.column) {
+            (Some((a, i)), Some((b, j))) => core::ptr::eq(a, b) && i == j,
+            _ => false,
+        }
+    });
+    for sensitive in about {
+        for kind in [BandKind::WorstCase, BandKind::Statistical] {
+            plot = plot.band(&name, kind, &sensitive.half(kind));
+        }
     }
+    plot
+}
 
-    /// ` at 10 rad/s`
-    fn at_speed(&self) -> String {
-        self.speed.map_or_else(String::new, |speed| {
-            let unit = per_second(self.input.unit, 1);
-            format!(" at {} {unit}", rounded(speed.omega))
+fn find_column<'a>(report: &'a Report, rates: &'a [True], name: &str) -> Option<FoundColumn<'a>> {
+    let named = |function: &str, column: &Column, unit: &str| {
+        let titled = titled(column.name, unit);
+        let rest = name
+            .strip_prefix(function)
+            .and_then(|rest| rest.strip_prefix('.'));
+        [Some(name), rest]
+            .into_iter()
+            .flatten()
+            .any(|name| name == column.name || name == titled)
+    };
+    let columns = report.tables.iter().flat_map(|table| {
+        let columns = table.columns().enumerate();
+        columns.map(move |(index, (column, values))| (table, index, column, values))
+    });
+    let columns =
+        columns.filter(|(table, _, column, _)| named(table.heading.function, column, column.unit));
+    // Of functions that all have it, one that has its sensitivities, too.
+    let sensitive = accuracy::sensitive(report);
+    let is_banded = |table: &Saved, index: usize| {
+        let is_it = |s: &Sensitive<'_>| s.column == Some(index) && core::ptr::eq(s.table, table);
+        sensitive.iter().any(is_it)
+    };
+    let given = columns.min_by_key(|(table, index, ..)| !is_banded(table, *index));
+    let given = given.map(|(table, index, column, values)| FoundColumn {
+        name: column.name,
+        unit: Cow::Borrowed(column.unit),
+        values: Cow::Borrowed(values),
+        column: Some((table, index)),
+    });
+    let mut rates = rates
+        .iter()
+        .filter(|rate| named(rate.table, rate.column, &rate.unit));
+    given.or_else(|| {
+        rates.next().map(|rate| FoundColumn {
+            name: rate.column.name,
+            unit: Cow::Borrowed(&rate.unit),
+            values: Cow::Borrowed(&rate.values),
+            column: None,
         })
-    }
+    })
+}
 
-    fn empty_plot(&self) -> Plot {
-        Plot::new(self.input.name, self.input.unit, &self.positions).title(self.title.as_str())
-    }
+/// Name, unit and values of a column, as [`plot`](Self::plot) finds it.
+pub(super) fn find_series(report: &Report, name: &str) -> Option<(&'static str, String, Vec<f64>)> {
+    let rates = rates::true_rates(report);
+    let found = find_column(report, &rates, name)?;
+    Some((
+        found.name,
+        found.unit.into_owned(),
+        found.values.into_owned(),
+    ))
+}
 
-    fn with(&self, plot: Plot, found: &Found<'_>) -> Plot {
-        let name = match found.column {
-            Some((table, _)) if plot.has_curve(found.name, &found.unit) => {
-                Cow::Owned(format!("{}.{}", table.heading.function, found.name))
-            }
-            _ => Cow::Borrowed(found.name),
-        };
-        let plot = plot.curve(&name, &found.unit, &found.values);
-        let mut plot = plot.styled(self.hues().style(found.name));
-        let sensitive = self.sensitive();
-        let about = sensitive.iter().filter(|sensitive| {
-            let of = sensitive.column.map(|index| (sensitive.table, index));
-            match (of, found.column) {
-                (Some((a, i)), Some((b, j))) => core::ptr::eq(a, b) && i == j,
-                _ => false,
-            }
-        });
-        for sensitive in about {
-            for kind in [BandKind::WorstCase, BandKind::Statistical] {
-                plot = plot.band(&name, kind, &sensitive.half(kind));
-            }
-        }
-        plot
-    }
-
-    fn find<'a>(&'a self, rates: &'a [True], name: &str) -> Option<Found<'a>> {
-        let named = |function: &str, column: &Column, unit: &str| {
-            let titled = titled(column.name, unit);
-            let rest = name
-                .strip_prefix(function)
-                .and_then(|rest| rest.strip_prefix('.'));
-            [Some(name), rest]
-                .into_iter()
-                .flatten()
-                .any(|name| name == column.name || name == titled)
-        };
-        let columns = self.tables.iter().flat_map(|table| {
-            let columns = table.columns().enumerate();
-            columns.map(move |(index, (column, values))| (table, index, column, values))
-        });
-        let columns = columns
-            .filter(|(table, _, column, _)| named(table.heading.function, column, column.unit));
-        // Of functions that all have it, one that has its sensitivities, too.
-        let sensitive = self.sensitive();
-        let is_banded = |table: &Saved, index: usize| {
-            let is_it =
-                |s: &Sensitive<'_>| s.column == Some(index) && core::ptr::eq(s.table, table);
-            sensitive.iter().any(is_it)
-        };
-        let given = columns.min_by_key(|(table, index, ..)| !is_banded(table, *index));
-        let given = given.map(|(table, index, column, values)| Found {
-            name: column.name,
-            unit: Cow::Borrowed(column.unit),
-            values: Cow::Borrowed(values),
-            column: Some((table, index)),
-        });
-        let mut rates = rates
-            .iter()
-            .filter(|rate| named(rate.table, rate.column, &rate.unit));
-        given.or_else(|| {
-            rates.next().map(|rate| Found {
-                name: rate.column.name,
-                unit: Cow::Borrowed(&rate.unit),
-                values: Cow::Borrowed(&rate.values),
-                column: None,
-            })
-        })
-    }
-
-    /// Name, unit and values of a column, as [`plot`](Self::plot) finds it.
-    pub(super) fn series(&self, name: &str) -> Option<(&'static str, String, Vec<f64>)> {
-        let rates = self.true_rates();
-        let found = self.find(&rates, name)?;
-        Some((
-            found.name,
-            found.unit.into_owned(),
-            found.values.into_owned(),
-        ))
-    }
-
-    pub(super) fn known(&self) -> Vec<String> {
-        let columns = self.tables.iter().flat_map(|table| table.heading.columns);
-        let columns = columns.filter(|column| column.meaning != Meaning::Picture);
-        let columns = columns.map(|column| column.name.to_string());
-        let rates = self.true_rates();
-        let rates = rates
-            .iter()
-            .map(|rate| titled(rate.column.name, &rate.unit));
-        columns.chain(rates).collect()
-    }
+pub(super) fn known_columns(report: &Report) -> Vec<String> {
+    let columns = report.tables.iter().flat_map(|table| table.heading.columns);
+    let columns = columns.filter(|column| column.meaning != Meaning::Picture);
+    let columns = columns.map(|column| column.name.to_string());
+    let rates = rates::true_rates(report);
+    let rates = rates
+        .iter()
+        .map(|rate| titled(rate.column.name, &rate.unit));
+    columns.chain(rates).collect()
 }
 
 /// The plot with bands about the quantities that the function has sensitivities of, too.
 fn banded(plot: Plot, table: &Saved, sensitive: &[Sensitive<'_>]) -> Plot {
-    let own = |about: &&Sensitive<'_>| about.column.is_some() && core::ptr::eq(about.table, table);
-    sensitive.iter().filter(own).fold(plot, |plot, about| {
-        [BandKind::WorstCase, BandKind::Statistical]
-            .into_iter()
-            .fold(plot, |plot, kind| {
-                plot.band(&about.name, kind, &about.half(kind))
-            })
-    })
+    let is_of_table =
+        |about: &&Sensitive<'_>| about.column.is_some() && core::ptr::eq(about.table, table);
+    sensitive
+        .iter()
+        .filter(is_of_table)
+        .fold(plot, |plot, about| {
+            [BandKind::WorstCase, BandKind::Statistical]
+                .into_iter()
+                .fold(plot, |plot, kind| {
+                    plot.band(&about.name, kind, &about.half(kind))
+                })
+        })
 }
 
-/// Whether a column is in the plots that are made unasked: sensitivities are too many, and points of the picture are in the
-/// drawing.
+/// Returns true for a column in the plots that a report makes by itself. Sensitivities are too
+/// many, and points of the picture are in the drawing.
 fn is_plotted(column: &Column) -> bool {
     match column.meaning {
         Meaning::Value | Meaning::Rate { .. } | Meaning::Margin => true,

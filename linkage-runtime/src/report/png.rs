@@ -7,7 +7,7 @@ use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::fontdb::Database;
 use resvg::usvg::{Options, Tree};
 
-use super::ReportError;
+use super::error::ReportError;
 
 /// Pixels for one of the 96 in an inch that SVG counts with.
 const DENSITY: f32 = 2.0;

@@ -3,10 +3,12 @@
 use std::string::String;
 use std::vec::Vec;
 
-use super::Report;
+use super::builder::Report;
 use super::tables::Saved;
 use super::units::{numerator, per_second};
-use crate::{Column, Meaning, true_acceleration, true_velocity};
+use crate::motion::{true_acceleration, true_velocity};
+use crate::table::Column;
+use linkage_core::Meaning;
 
 /// A derivative by time.
 pub(super) struct True {
@@ -20,75 +22,82 @@ pub(super) struct True {
     pub(super) values: Vec<f64>,
 }
 
-impl Report {
-    /// The true velocities and accelerations of all first and second derivatives; none without a speed.
-    pub(super) fn true_rates(&self) -> Vec<True> {
-        let tables = self.tables.iter();
-        let pairs = tables.flat_map(|table| table.columns().map(move |column| (table, column)));
-        pairs
-            .filter_map(|(table, (column, values))| self.true_rate(table, column, values))
-            .collect()
-    }
+/// The true velocities and accelerations of all first and second derivatives; none without a speed.
+pub(super) fn true_rates(report: &Report) -> Vec<True> {
+    let tables = report.tables.iter();
+    let pairs = tables.flat_map(|table| table.columns().map(move |column| (table, column)));
+    pairs
+        .filter_map(|(table, (column, values))| true_rate(report, table, column, values))
+        .collect()
+}
 
-    fn true_rate(&self, table: &Saved, column: &'static Column, values: &[f64]) -> Option<True> {
-        let speed = self.speed?;
-        let Meaning::Rate { order, .. } = column.meaning else {
-            return None;
-        };
-        let values = match order {
-            1 => values
-                .iter()
-                .map(|&v| true_velocity(v, speed.omega))
-                .collect(),
-            2 if speed.epsilon == 0.0 => {
-                let acceleration = |&a| true_acceleration(0.0, a, speed.omega, 0.0);
-                values.iter().map(acceleration).collect()
-            }
-            2 => {
-                let velocities = self.velocity(table, column)?.iter();
-                let both = velocities.zip(values);
-                both.map(|(&v, &a)| true_acceleration(v, a, speed.omega, speed.epsilon))
-                    .collect()
-            }
-            _ => return None,
-        };
-        Some(True {
-            table: table.heading.function,
-            column,
-            order,
-            of: table.of(column),
-            unit: self.true_unit(table, column, order),
-            values,
-        })
-    }
-
-    fn true_unit(&self, table: &Saved, column: &Column, order: u32) -> String {
-        if let Meaning::Rate { of: Some(of), .. } = column.meaning {
-            return per_second(table.heading.columns[of].unit, order);
-        }
-        let per = match order {
-            1 => String::from(self.input.unit),
-            _ => std::format!("{}^{order}", self.input.unit),
-        };
-        per_second(&numerator(column.unit, &per), order)
-    }
-
-    /// The first derivative of the quantity of which a column is the second one: in the same table, or in another one that
-    /// has the quantity under the same name.
-    pub(super) fn velocity(&self, table: &Saved, column: &Column) -> Option<&[f64]> {
-        let of = table.of(column)?;
-        let here = self
-            .tables
+fn true_rate(
+    report: &Report,
+    table: &Saved,
+    column: &'static Column,
+    values: &[f64],
+) -> Option<True> {
+    let speed = report.speed?;
+    let Meaning::Rate { order, .. } = column.meaning else {
+        return None;
+    };
+    let values = match order {
+        1 => values
             .iter()
-            .filter(|t| core::ptr::eq(t.heading, table.heading));
-        here.chain(&self.tables).find_map(|table| {
-            table
-                .columns()
-                .find(|(other, _)| {
-                    matches!(other.meaning, Meaning::Rate { order: 1, .. })
-                        && table.of(other) == Some(of)
-                })
-                .map(|(_, values)| values)
-        })
+            .map(|&v| true_velocity(v, speed.omega))
+            .collect(),
+        2 if speed.epsilon == 0.0 => {
+            let acceleration = |&a| true_acceleration(0.0, a, speed.omega, 0.0);
+            values.iter().map(acceleration).collect()
+        }
+        2 => {
+            let velocities = first_derivative(report, table, column)?.iter();
+            let both = velocities.zip(values);
+            both.map(|(&v, &a)| true_acceleration(v, a, speed.omega, speed.epsilon))
+                .collect()
+        }
+        _ => return None,
+    };
+    Some(True {
+        table: table.heading.function,
+        column,
+        order,
+        of: table.base_name(column),
+        unit: true_unit(report, table, column, order),
+        values,
+    })
+}
+
+fn true_unit(report: &Report, table: &Saved, column: &Column, order: u32) -> String {
+    if let Meaning::Rate { of: Some(of), .. } = column.meaning {
+        return per_second(table.heading.columns[of].unit, order);
     }
+    let per = match order {
+        1 => String::from(report.input.unit),
+        _ => std::format!("{}^{order}", report.input.unit),
+    };
+    per_second(&numerator(column.unit, &per), order)
+}
+
+/// The first derivative of the quantity of which a column is the second one: in the same table, or
+/// in another one that has the quantity under the same name.
+pub(super) fn first_derivative<'a>(
+    report: &'a Report,
+    table: &Saved,
+    column: &Column,
+) -> Option<&'a [f64]> {
+    let of = table.base_name(column)?;
+    let here = report
+        .tables
+        .iter()
+        .filter(|t| core::ptr::eq(t.heading, table.heading));
+    here.chain(&report.tables).find_map(|table| {
+        table
+            .columns()
+            .find(|(other, _)| {
+                matches!(other.meaning, Meaning::Rate { order: 1, .. })
+                    && table.base_name(other) == Some(of)
+            })
+            .map(|(_, values)| values)
+    })
 }

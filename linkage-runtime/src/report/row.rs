@@ -1,4 +1,4 @@
-//! A figure and what it is about.
+//! A figure and its quantity.
 
 use std::string::String;
 
@@ -7,7 +7,7 @@ use std::string::String;
 pub struct SummaryRow {
     /// The quantity that it is about, such as `p10.x`.
     pub quantity: String,
-    /// What it is: `stroke`, `highest`, `smallest transmission angle`.
+    /// The kind of figure: `stroke`, `highest`, `smallest transmission angle`.
     pub what: String,
     /// Its value.
     pub value: f64,
@@ -36,7 +36,7 @@ impl SummaryRow {
 
     /// The same, with the input at which it occurs.
     #[must_use]
-    pub fn at(mut self, input: f64) -> Self {
+    pub fn at_input(mut self, input: f64) -> Self {
         self.at = Some(input);
         self
     }

@@ -10,17 +10,17 @@ use std::vec::Vec;
 use super::colour::{Colour, dark_rules};
 use super::frame::escaped;
 
-/// What text is set in: what the reader's system has.
+/// The typeface of text: the default of the reader's system.
 const FONTS: &str = "system-ui, 'Segoe UI', Roboto, Helvetica, Arial, 'DejaVu Sans', sans-serif";
 
 /// A drawing that is being written.
 pub(super) struct Svg {
-    /// As far as its colours.
+    /// The colours of the style.
     head: String,
     marks: Vec<Mark>,
 }
 
-/// What a drawing consists of, in its order.
+/// The items of a drawing, in their order.
 enum Mark {
     Alone(Element),
     /// The begin of a group, which its end closes.
@@ -39,8 +39,8 @@ pub(super) struct Element {
 }
 
 impl Svg {
-    /// A drawing of this size; a unit is a pixel or, in `mm`, a millimetre on paper. The title is read to those who do not
-    /// see it.
+    /// A drawing of this size; a unit is a pixel or, in `mm`, a millimetre on paper. The title is
+    /// read to those who do not see it.
     pub(super) fn new(width: f64, height: f64, unit: &str, title: &str) -> Self {
         let (w, h) = (short(width), short(height));
         let head = format!(
@@ -78,7 +78,7 @@ impl Svg {
         self.marks.push(Mark::Words(element, words.to_string()));
     }
 
-    /// What stands before all marks.
+    /// The start of the file, before all marks.
     fn head(&self) -> String {
         let elements = self.marks.iter().filter_map(|mark| match mark {
             Mark::Alone(element) | Mark::Begin(element) | Mark::Words(element, _) => Some(element),

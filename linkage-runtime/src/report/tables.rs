@@ -3,8 +3,8 @@
 use std::string::String;
 use std::vec::Vec;
 
-use super::Report;
-use crate::{Column, Heading, Meaning, Table};
+use crate::table::{Column, Heading, Table};
+use linkage_core::Meaning;
 
 /// A table as the report keeps it.
 #[derive(Clone, Debug)]
@@ -32,7 +32,7 @@ impl Saved {
     }
 
     /// The name of the column that another one is a derivative of.
-    pub(super) fn of(&self, column: &Column) -> Option<&'static str> {
+    pub(super) fn base_name(&self, column: &Column) -> Option<&'static str> {
         let of = match column.meaning {
             Meaning::Rate { of, .. } | Meaning::Sensitivity { of, .. } => of,
             Meaning::Value | Meaning::Margin | Meaning::Picture => None,
@@ -41,10 +41,8 @@ impl Saved {
     }
 }
 
-impl Report {
-    /// Names of the tables.
-    pub(super) fn functions(&self) -> Vec<String> {
-        let names = self.tables.iter().map(|table| table.heading.function);
-        names.map(String::from).collect()
-    }
+/// Names of the tables.
+pub(super) fn function_names(tables: &[Saved]) -> Vec<String> {
+    let names = tables.iter().map(|table| table.heading.function);
+    names.map(String::from).collect()
 }

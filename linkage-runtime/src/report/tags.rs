@@ -1,15 +1,16 @@
-//! Groups of DXF: a number that says what is meant, and a value, on a line each.
+//! Groups of DXF: a number with the kind of the value, and the value, on a line each.
 //!
-//! Written here: the crate that reads and writes DXF rounds to twelve decimals and puts the time and a random number into every file, so
-//! that reports that are the same would differ, and brings decoders of images.
+//! Written here: the crate that reads and writes DXF rounds to twelve decimals and puts the time
+//! and a random number into every file, so that reports that are the same would differ, and brings
+//! decoders of images.
 
 use core::fmt::{Display, Write};
 use std::format;
 use std::string::String;
 
-/// Where an entity belongs to.
+/// The layer of an entity.
 #[derive(Clone, Copy)]
-pub(crate) enum Layer {
+pub(super) enum Layer {
     Links,
     Joints,
     Paths,
@@ -25,12 +26,12 @@ pub(crate) enum Layer {
 
 /// The numbers of its strong colours begin with 10, and are ten apart.
 const HUES: usize = 24;
-/// From one part to the next: neighbours differ much, and all hues have their turn.
+/// Step from one part to the next: neighbours differ much, and all hues have their turn.
 const NEXT_HUE: usize = 7;
 
 impl Layer {
     /// Those of a mechanism.
-    pub(crate) const OF_MECHANISMS: &'static [Self] = &[
+    pub(super) const OF_MECHANISMS: &'static [Self] = &[
         Self::Links,
         Self::Joints,
         Self::Paths,
@@ -63,20 +64,20 @@ impl Layer {
 }
 
 /// A file that is being written.
-pub(crate) struct Tags {
+pub(super) struct Tags {
     text: String,
 }
 
 impl Tags {
     /// Everything before the entities. Points are seen as dots in circles of this radius.
-    pub(crate) fn new(layers: &[Layer], [low, high]: [[f64; 3]; 2], radius: f64) -> Self {
+    pub(super) fn new(layers: &[Layer], [low, high]: [[f64; 3]; 2], radius: f64) -> Self {
         let mut tags = Self {
             text: String::new(),
         };
         tags.section("HEADER");
         tags.variable("$ACADVER").put(1, "AC1009");
-        tags.variable("$EXTMIN").place(0, low);
-        tags.variable("$EXTMAX").place(0, high);
+        tags.variable("$EXTMIN").coordinates(0, low);
+        tags.variable("$EXTMAX").coordinates(0, high);
         tags.variable("$PDMODE").put(70, 32);
         tags.variable("$PDSIZE").number(40, 2.0 * radius);
         tags.put(0, "ENDSEC").section("TABLES");
@@ -86,7 +87,7 @@ impl Tags {
         tags.number(40, 0.0).put(0, "ENDTAB");
         tags.put(0, "TABLE").put(2, "LAYER");
         tags.put(70, layers.len());
-        for (name, colour) in layers.iter().map(|own| own.named()) {
+        for (name, colour) in layers.iter().map(|layer| layer.named()) {
             tags.put(0, "LAYER").put(2, name).put(70, 0);
             tags.put(62, colour).put(6, "CONTINUOUS");
         }
@@ -94,25 +95,27 @@ impl Tags {
         tags
     }
 
-    pub(crate) fn finish(mut self) -> String {
+    pub(super) fn finish(mut self) -> String {
         self.put(0, "ENDSEC").put(0, "EOF");
         self.text
     }
 
-    pub(crate) fn point(&mut self, layer: Layer, at: [f64; 3]) {
-        self.entity("POINT", layer).place(0, at);
+    pub(super) fn point(&mut self, layer: Layer, at: [f64; 3]) {
+        self.entity("POINT", layer).coordinates(0, at);
     }
 
-    pub(crate) fn line(&mut self, layer: Layer, from: [f64; 3], to: [f64; 3]) {
-        self.entity("LINE", layer).place(0, from).place(1, to);
+    pub(super) fn line(&mut self, layer: Layer, from: [f64; 3], to: [f64; 3]) {
+        self.entity("LINE", layer)
+            .coordinates(0, from)
+            .coordinates(1, to);
     }
 
-    pub(crate) fn circle(&mut self, layer: Layer, centre: [f64; 3], radius: f64) {
-        self.entity("CIRCLE", layer).place(0, centre);
+    pub(super) fn circle(&mut self, layer: Layer, centre: [f64; 3], radius: f64) {
+        self.entity("CIRCLE", layer).coordinates(0, centre);
         self.number(40, radius);
     }
 
-    pub(crate) fn polyline(
+    pub(super) fn polyline(
         &mut self,
         layer: Layer,
         closed: bool,
@@ -121,16 +124,16 @@ impl Tags {
     ) {
         let [closed, spatial] = [closed, spatial].map(u8::from);
         self.entity("POLYLINE", layer).put(66, 1);
-        self.place(0, [0.0; 3]).put(70, closed + 8 * spatial);
+        self.coordinates(0, [0.0; 3]).put(70, closed + 8 * spatial);
         for place in places {
-            self.entity("VERTEX", layer).place(0, place);
+            self.entity("VERTEX", layer).coordinates(0, place);
             self.put(70, 32 * spatial);
         }
         self.entity("SEQEND", layer);
     }
 
-    pub(crate) fn text(&mut self, layer: Layer, at: [f64; 3], height: f64, words: &str) {
-        self.entity("TEXT", layer).place(0, at);
+    pub(super) fn text(&mut self, layer: Layer, at: [f64; 3], height: f64, words: &str) {
+        self.entity("TEXT", layer).coordinates(0, at);
         self.number(40, height).put(1, ascii(words));
     }
 
@@ -147,7 +150,7 @@ impl Tags {
     }
 
     /// Three components, of the first or of a further place of an entity.
-    fn place(&mut self, which: u8, place: [f64; 3]) -> &mut Self {
+    fn coordinates(&mut self, which: u8, place: [f64; 3]) -> &mut Self {
         for (axis, component) in [10, 20, 30].into_iter().zip(place) {
             self.number(axis + which, component);
         }

@@ -1,10 +1,11 @@
-//! What a function of a scene is made of.
+//! The handles that a function of a scene uses.
 
 use super::Handle;
 use alloc::vec::Vec;
 use core::any::Any;
 
-/// One handle, or a tuple of two to four: whose results [`Scene::add_of`](crate::Scene::add_of) gives to a function.
+/// One handle, or a tuple of two to four: whose results [`Scene::add_of`](crate::Scene::add_of)
+/// gives to a function.
 pub trait Handles: sealed::Handles {}
 
 pub(super) mod sealed {
@@ -15,8 +16,8 @@ pub(super) mod sealed {
         /// The results, borrowed from the scene.
         type Results<'r>;
 
-        /// Which functions of which scene they are.
-        fn places(self) -> Vec<(usize, usize)>;
+        /// The numbers of the functions, with their scene.
+        fn entries(self) -> Vec<(usize, usize)>;
 
         /// The results, if all are there and of the types of the handles.
         fn results<'r>(
@@ -28,7 +29,7 @@ pub(super) mod sealed {
     impl<A: 'static> Handles for Handle<A> {
         type Results<'r> = &'r A;
 
-        fn places(self) -> Vec<(usize, usize)> {
+        fn entries(self) -> Vec<(usize, usize)> {
             [(self.scene, self.index)].into()
         }
 
@@ -42,7 +43,7 @@ pub(super) mod sealed {
             impl<$($name: 'static),*> Handles for ($(Handle<$name>,)*) {
                 type Results<'r> = ($(&'r $name,)*);
 
-                fn places(self) -> Vec<(usize, usize)> {
+                fn entries(self) -> Vec<(usize, usize)> {
                     [$((self.$index.scene, self.$index.index)),*].into()
                 }
 

@@ -28,7 +28,8 @@ fn near(found: Vector3<f64>, expected: [f64; 3], tolerance: f64) {
     }
 }
 
-/// An angular velocity of length 7 about a line through (1, -2, 3), a pitch of 5/2; the velocity is given at (5, -2, 2).
+/// An angular velocity of length 7 about a line through (1, -2, 3), a pitch of 5/2; the velocity is
+/// given at (5, -2, 2).
 const OMEGA: [f64; 3] = [2.0, 3.0, 6.0];
 const VELOCITY: [f64; 3] = [2.0, 33.5, 3.0];
 const AT: [f64; 3] = [5.0, -2.0, 2.0];
@@ -147,8 +148,8 @@ fn what_has_no_position_has_no_screw() {
     }
 }
 
-/// The velocity of any point is that of the rigid body, which whole numbers give exactly; at all sizes, and from bodies that hardly shift to
-/// bodies that hardly turn.
+/// The velocity of any point is that of the rigid body, which whole numbers give exactly; at all
+/// sizes, and from bodies that hardly shift to bodies that hardly turn.
 #[test]
 fn velocities_are_those_of_the_body() {
     let mut random = Random::new(71);

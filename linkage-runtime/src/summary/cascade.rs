@@ -1,16 +1,16 @@
 //! The roots of all derivatives, from the highest one down.
 //!
-//! Between neighbouring roots of one derivative the one below is monotone and has one root at most. So only the highest
-//! derivative depends on the positions to begin with. There, values and mean (the difference of the derivative below)
-//! tell of pairs of roots between two positions.
+//! Between neighbouring roots of one derivative the one below is monotone and has one root at most.
+//! So only the highest derivative depends on the positions to begin with. There, values and mean
+//! (the difference of the derivative below) tell of pairs of roots between two positions.
 
-use super::noise::Noise;
+use super::defined_intervals::DefinedInterval;
 use super::root::root;
 use super::source::{Node, Source};
-use super::stretch::Stretch;
+use super::zero_threshold::ZeroThreshold;
 use alloc::vec::Vec;
 
-/// How often an interval is divided in search of a pair of roots.
+/// The number of divisions of an interval in search of a pair of roots.
 const DIVISIONS: u32 = 12;
 
 /// A place where a derivative is zero, and its signs around it.
@@ -24,7 +24,7 @@ pub(super) struct Root<const N: usize> {
 /// A stretch, and the roots of its derivatives.
 #[derive(Clone, Debug)]
 pub(super) struct Solved<const N: usize> {
-    pub(super) stretch: Stretch<N>,
+    pub(super) interval: DefinedInterval<N>,
     /// Roots of the quantity's derivatives by order; no roots of the quantity itself.
     pub(super) roots: [Vec<Root<N>>; N],
 }
@@ -32,23 +32,23 @@ pub(super) struct Solved<const N: usize> {
 /// Solves a stretch, in parts if gaps come to light.
 pub(super) fn solve<const N: usize, F: Fn(f64) -> [f64; N]>(
     source: &Source<N, F>,
-    noise: &Noise<N>,
-    stretches: Vec<Stretch<N>>,
+    threshold: &ZeroThreshold<N>,
+    defined_intervals: Vec<DefinedInterval<N>>,
 ) -> Vec<Solved<N>> {
     // Each gap takes some bisections; a function that is full of gaps should not take for ever.
     let mut searches = 64;
-    let mut open = stretches;
+    let mut open = defined_intervals;
     let mut solved = Vec::new();
-    while let Some(stretch) = open.pop() {
-        match cascade(source, noise, &stretch) {
-            Ok(roots) => solved.push(Solved { stretch, roots }),
+    while let Some(interval) = open.pop() {
+        match cascade(source, threshold, &interval) {
+            Ok(roots) => solved.push(Solved { interval, roots }),
             Err(Gap(u)) => {
-                open.extend(stretch.split(source, u, searches > 0));
+                open.extend(interval.split(source, u, searches > 0));
                 searches -= i32::from(searches > 0);
             }
         }
     }
-    solved.sort_by(|a, b| a.stretch.nodes[0].u.total_cmp(&b.stretch.nodes[0].u));
+    solved.sort_by(|a, b| a.interval.nodes[0].u.total_cmp(&b.interval.nodes[0].u));
     solved
 }
 
@@ -57,16 +57,16 @@ struct Gap(f64);
 
 fn cascade<const N: usize, F: Fn(f64) -> [f64; N]>(
     source: &Source<N, F>,
-    noise: &Noise<N>,
-    stretch: &Stretch<N>,
+    threshold: &ZeroThreshold<N>,
+    interval: &DefinedInterval<N>,
 ) -> Result<[Vec<Root<N>>; N], Gap> {
-    let mut nodes = stretch.nodes[..1].to_vec();
-    for pair in stretch.nodes.windows(2) {
-        divide(source, noise, [pair[0], pair[1]], DIVISIONS, &mut nodes)?;
+    let mut nodes = interval.nodes[..1].to_vec();
+    for pair in interval.nodes.windows(2) {
+        divide(source, threshold, [pair[0], pair[1]], DIVISIONS, &mut nodes)?;
     }
     let mut roots = [const { Vec::new() }; N];
     for k in (1..N).rev() {
-        roots[k] = roots_of(source, noise, &nodes, k)?;
+        roots[k] = roots_of(source, threshold, &nodes, k)?;
         nodes.extend(roots[k].iter().map(|root| root.node));
         nodes.sort_by(|a, b| a.u.total_cmp(&b.u));
         nodes.dedup_by(|a, b| a.u == b.u);
@@ -74,28 +74,29 @@ fn cascade<const N: usize, F: Fn(f64) -> [f64; N]>(
     Ok(roots)
 }
 
-/// Adds the second node, and before it those between which the highest derivative changes its sign twice.
+/// Adds the second node, and before it those between which the highest derivative changes its sign
+/// twice.
 fn divide<const N: usize, F: Fn(f64) -> [f64; N]>(
     source: &Source<N, F>,
-    noise: &Noise<N>,
+    threshold: &ZeroThreshold<N>,
     [a, b]: [Node<N>; 2],
     divisions: u32,
     nodes: &mut Vec<Node<N>>,
 ) -> Result<(), Gap> {
-    let same = noise.sign(&a, N - 1) * noise.sign(&b, N - 1) > 0;
+    let same = threshold.sign(&a, N - 1) * threshold.sign(&b, N - 1) > 0;
     let dip = dip(&a, &b).filter(|_| same && divisions > 0);
-    let probe = dip.map(|u| source.at(u));
+    let probe = dip.map(|u| source.node(u));
     if let Some(probe) = probe.filter(|probe| probe.u > a.u && probe.u < b.u) {
         let probe = finite(probe)?;
-        divide(source, noise, [a, probe], divisions - 1, nodes)?;
-        return divide(source, noise, [probe, b], divisions - 1, nodes);
+        divide(source, threshold, [a, probe], divisions - 1, nodes)?;
+        return divide(source, threshold, [probe, b], divisions - 1, nodes);
     }
     nodes.push(b);
     Ok(())
 }
 
-/// Where the parabola with the highest derivative's values and mean comes nearest to zero, if it comes much nearer than
-/// both ends.
+/// The place where the parabola with the highest derivative's values and mean comes nearest to
+/// zero, if it comes much nearer than both ends.
 fn dip<const N: usize>(a: &Node<N>, b: &Node<N>) -> Option<f64> {
     const NEAR: f64 = 0.25;
     let width = b.u - a.u;
@@ -111,17 +112,18 @@ fn dip<const N: usize>(a: &Node<N>, b: &Node<N>) -> Option<f64> {
     nearer.then_some(a.u + width * share)
 }
 
-/// The roots of the `k`th derivative: sign changes, and places where it comes down to zero and rises again.
+/// The roots of the `k`th derivative: sign changes, and places where it comes down to zero and
+/// rises again.
 fn roots_of<const N: usize, F: Fn(f64) -> [f64; N]>(
     source: &Source<N, F>,
-    noise: &Noise<N>,
+    threshold: &ZeroThreshold<N>,
     nodes: &[Node<N>],
     k: usize,
 ) -> Result<Vec<Root<N>>, Gap> {
     let mut roots = Vec::new();
     let mut last: Option<(usize, i8)> = None;
     for (i, node) in nodes.iter().enumerate() {
-        let after = noise.sign(node, k);
+        let after = threshold.sign(node, k);
         if after == 0 {
             continue;
         }
@@ -166,7 +168,7 @@ fn crossing<const N: usize, F: Fn(f64) -> [f64; N]>(
     let mut gap = None;
     let mut last = *a;
     let mut value = |u: f64| {
-        let node = source.at(u);
+        let node = source.node(u);
         last = node;
         if !node.is_finite() {
             gap = Some(u);
@@ -184,7 +186,7 @@ fn crossing<const N: usize, F: Fn(f64) -> [f64; N]>(
         None if u == a.u => Ok(*a),
         None if u == b.u => Ok(*b),
         None if u == last.u => finite(last),
-        None => finite(source.at(u)),
+        None => finite(source.node(u)),
     }
 }
 

@@ -1,187 +1,196 @@
 //! Dwells: the longest intervals of the input in which a quantity stays in a band.
 
-use super::course::Course;
+use super::curve::Curve;
+use super::dwell_between_limits::between;
 use super::extremes::Kind;
 use super::interval::Interval;
+use super::monotone_pieces::{PieceEnd, crossing_input, monotone_pieces};
 use super::source::Node;
-use super::stations::{Station, passing, stations};
 use alloc::vec::Vec;
 
 /// An interval of the input in which the quantity stays in a band.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dwell {
-    /// Where it is; in a cycle perhaps across the seam.
+    /// The interval; in a cycle perhaps across the seam.
     pub interval: Interval,
-    /// The lowest value in it. If the quantity advances over a cycle, and the interval goes across the seam, values beyond it are
-    /// those of the next cycle; so also for the highest one.
+    /// The lowest value in it. If the quantity advances over a cycle, and the interval goes across
+    /// the seam, values beyond it are those of the next cycle; so also for the highest one.
     pub lowest: f64,
     /// The highest value in it.
     pub highest: f64,
-    /// The highest less the lowest of the limits in it: how much the quantity moves to and fro. 0 with one limit or none.
+    /// The highest less the lowest of the limits in it: how much the quantity moves to and fro. 0
+    /// with one limit or none.
     pub ripple: f64,
 }
 
-impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
-    /// The intervals in which the quantity changes by no more than `band`, each as long as it can be made by moving it to and
-    /// fro; in order of the input. Of those that overlap, only the longest is there.
-    ///
-    /// Such an interval has a limit of the quantity, or an end of the course, as the highest or the lowest of its values. Or
-    /// it passes through the whole band with the same speed at both its ends, as around an inflection or a short way
-    /// back (a pilgrim step): for these the second derivative is needed (`N` of 3 or more). The ends are roots of the
-    /// quantity less the band's bounds.
-    ///
-    /// So [`longest_dwell`](Self::longest_dwell) is the longest interval of the input in which the quantity stays within
-    /// `band`. Without a positive band there are no dwells.
-    ///
-    /// ```
-    /// use linkage_runtime::summary::Course;
-    ///
-    /// // 1 - cos 10 deg beside each limit of a cosine.
-    /// let course = Course::of((0.0, std::f64::consts::TAU), 360, |x: f64| [x.cos(), -x.sin(), -x.cos()])?;
-    /// let dwells = course.dwells(1.0 - 10f64.to_radians().cos());
-    /// let places = dwells.iter().map(|dwell| [dwell.interval.from, dwell.interval.to].map(|x| x.to_degrees().round()));
-    /// assert_eq!(places.collect::<Vec<_>>(), [[170.0, 190.0], [350.0, 10.0]]);
-    /// # Ok::<(), linkage_runtime::summary::SummaryError>(())
-    /// ```
-    #[must_use]
-    pub fn dwells(&self, band: f64) -> Vec<Dwell> {
-        if band.is_nan() || band <= 0.0 {
-            return Vec::new();
-        }
-        if self.is_cycle() && self.solved[0].stretch.whole && self.position().stroke() <= band {
-            let interval = Interval::whole(&self.source);
-            return alloc::vec![self.dwell(
-                &self.stations(0),
-                interval,
-                [interval.from, interval.to]
-            )];
-        }
-        let mut found: Vec<(usize, [f64; 2])> = Vec::new();
-        let chains: Vec<_> = (0..self.solved.len()).map(|i| self.stations(i)).collect();
-        for (i, chain) in chains.iter().enumerate() {
-            let whole = self.solved[i].stretch.whole;
-            let limits = (0..chain.len()).filter_map(|at| self.around(chain, at, band));
-            found.extend(
-                limits
-                    .chain(self.between(chain, band))
-                    .filter(|ends| ends[1] > ends[0] && (!whole || self.begins_in_range(ends[0])))
-                    .map(|ends| (i, ends)),
-            );
-        }
-        let length = |ends: [f64; 2]| ends[1] - ends[0];
-        found.sort_by(|(_, a), (_, b)| length(*b).total_cmp(&length(*a)));
-        let mut kept: Vec<(usize, [f64; 2])> = Vec::new();
-        for dwell in found {
-            if !kept.iter().any(|other| self.overlap(other.1, dwell.1)) {
-                kept.push(dwell);
-            }
-        }
-        let dwell = |(i, ends): (usize, [f64; 2])| {
-            let interval = Interval::of(&self.source, ends[0], ends[1]);
-            self.dwell(&chains[i], interval, ends)
-        };
-        let mut dwells: Vec<Dwell> = kept.into_iter().map(dwell).collect();
-        dwells.sort_by(|a, b| a.interval.from.total_cmp(&b.interval.from));
-        dwells
+/// The dwells of [`Curve::dwells`].
+pub(super) fn dwells<const N: usize, F: Fn(f64) -> [f64; N]>(
+    curve: &Curve<N, F>,
+    band: f64,
+) -> Vec<Dwell> {
+    if band.is_nan() || band <= 0.0 {
+        return Vec::new();
     }
-
-    /// The longest interval of the input in which the quantity changes by no more than `band`. See [`dwells`](Self::dwells).
-    #[must_use]
-    pub fn longest_dwell(&self, band: f64) -> Option<Dwell> {
-        let longer = |a: Dwell, b: Dwell| {
-            if b.interval.range > a.interval.range {
-                b
-            } else {
-                a
-            }
-        };
-        self.dwells(band).into_iter().reduce(longer)
-    }
-
-    /// The stations of a stretch; those of a cycle thrice, one after the other.
-    fn stations(&self, stretch: usize) -> Vec<Station<N>> {
-        let part = &self.solved[stretch];
-        let chain = stations(part);
-        if !part.stretch.whole {
-            return chain;
-        }
-        let once = &chain[..chain.len() - 1];
-        let again = |cycle: f64| {
-            once.iter().map(move |station| Station {
-                node: self.source.shifted(station.node, cycle),
-                ..*station
-            })
-        };
-        [-1.0, 0.0, 1.0].into_iter().flat_map(again).collect()
-    }
-
-    /// Around the limit `at` of a chain: as far as the quantity stays in the band that it closes.
-    fn around(&self, chain: &[Station<N>], at: usize, band: f64) -> Option<[f64; 2]> {
-        let value = chain[at].value();
-        let bounds = match chain[at].limit? {
-            Kind::High => [value - band, value],
-            _ => [value, value + band],
-        };
-        Some([
-            self.leaves(chain[..=at].iter().rev(), bounds)?,
-            self.leaves(chain[at..].iter(), bounds)?,
-        ])
-    }
-
-    /// Where the quantity leaves the bounds on the way through these stations.
-    fn leaves<'a>(
-        &self,
-        mut way: impl Iterator<Item = &'a Station<N>>,
-        [low, high]: [f64; 2],
-    ) -> Option<f64> {
-        let mut inside = way.next()?;
-        for next in way {
-            let bound = if next.value() > high { high } else { low };
-            if next.value() > high || next.value() < low {
-                return Some(passing(&self.source, &inside.node, &next.node, bound));
-            }
-            inside = next;
-        }
-        Some(inside.u())
-    }
-
-    /// Of the dwells of a chain of three cycles: whether this one belongs to the range.
-    fn begins_in_range(&self, from: f64) -> bool {
-        let (low, high) = self.range();
-        (low..high).contains(&from)
-    }
-
-    fn overlap(&self, a: [f64; 2], b: [f64; 2]) -> bool {
-        let width = self.source.width();
-        let shifts = match self.source.advance {
-            Some(_) => &[-width, 0.0, width][..],
-            None => &[0.0],
-        };
-        let meet = |shift: &f64| a[0] < b[1] + shift && b[0] + shift < a[1];
-        shifts.iter().any(meet)
-    }
-
-    fn dwell(&self, chain: &[Station<N>], interval: Interval, ends: [f64; 2]) -> Dwell {
-        let within = |station: &&Station<N>| station.u() >= ends[0] && station.u() <= ends[1];
-        let inside: Vec<&Station<N>> = chain.iter().filter(within).collect();
-        let turns = inside
-            .iter()
-            .filter(|station| station.limit.is_some() && !station.end);
-        let limits: Vec<f64> = turns.map(|station| station.value()).collect();
-        // An end at the border of a gap may be no number, but it is a station.
-        let at_ends = ends.map(|u| self.source.at(u).jet[0]);
-        let values = inside.iter().map(|station| station.value());
-        let values: Vec<f64> = values.chain(at_ends).collect();
-        let least = |values: &[f64]| values.iter().copied().fold(f64::INFINITY, f64::min);
-        let most = |values: &[f64]| values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        // As it is where the interval begins, in a cycle over which the quantity advances.
-        let jet = [0.0; N];
-        let shift = self.source.in_range(Node { u: ends[0], jet }).jet[0];
-        Dwell {
+    if curve.is_cycle() && curve.solved[0].interval.whole && curve.position().stroke() <= band {
+        let interval = Interval::whole(&curve.source);
+        return alloc::vec![dwell(
+            curve,
+            &chain_of(curve, 0),
             interval,
-            lowest: least(&values) + shift,
-            highest: most(&values) + shift,
-            ripple: (most(&limits) - least(&limits)).max(0.0),
+            [interval.from, interval.to]
+        )];
+    }
+    let mut found: Vec<(usize, [f64; 2])> = Vec::new();
+    let chains: Vec<_> = (0..curve.solved.len())
+        .map(|i| chain_of(curve, i))
+        .collect();
+    for (i, chain) in chains.iter().enumerate() {
+        let whole = curve.solved[i].interval.whole;
+        let limits = (0..chain.len()).filter_map(|at| around(curve, chain, at, band));
+        found.extend(
+            limits
+                .chain(between(curve, chain, band))
+                .filter(|ends| ends[1] > ends[0] && (!whole || begins_in_range(curve, ends[0])))
+                .map(|ends| (i, ends)),
+        );
+    }
+    let length = |ends: [f64; 2]| ends[1] - ends[0];
+    found.sort_by(|(_, a), (_, b)| length(*b).total_cmp(&length(*a)));
+    let mut kept: Vec<(usize, [f64; 2])> = Vec::new();
+    for dwell in found {
+        if !kept.iter().any(|other| overlap(curve, other.1, dwell.1)) {
+            kept.push(dwell);
         }
+    }
+    let located = |(i, ends): (usize, [f64; 2])| {
+        let interval = Interval::between(&curve.source, ends[0], ends[1]);
+        dwell(curve, &chains[i], interval, ends)
+    };
+    let mut dwells: Vec<Dwell> = kept.into_iter().map(located).collect();
+    dwells.sort_by(|a, b| a.interval.from.total_cmp(&b.interval.from));
+    dwells
+}
+
+/// The longest of the dwells.
+pub(super) fn longest_dwell<const N: usize, F: Fn(f64) -> [f64; N]>(
+    curve: &Curve<N, F>,
+    band: f64,
+) -> Option<Dwell> {
+    let longer = |a: Dwell, b: Dwell| {
+        if b.interval.range > a.interval.range {
+            b
+        } else {
+            a
+        }
+    };
+    dwells(curve, band).into_iter().reduce(longer)
+}
+
+/// The stations of a stretch; those of a cycle thrice, one after the other.
+fn chain_of<const N: usize, F: Fn(f64) -> [f64; N]>(
+    curve: &Curve<N, F>,
+    index: usize,
+) -> Vec<PieceEnd<N>> {
+    let part = &curve.solved[index];
+    let chain = monotone_pieces(part);
+    if !part.interval.whole {
+        return chain;
+    }
+    let once = &chain[..chain.len() - 1];
+    let again = |cycle: f64| {
+        once.iter().map(move |piece_end| PieceEnd {
+            node: curve.source.shifted(piece_end.node, cycle),
+            ..*piece_end
+        })
+    };
+    [-1.0, 0.0, 1.0].into_iter().flat_map(again).collect()
+}
+
+/// Around the limit `at` of a chain: as far as the quantity stays in the band that it closes.
+fn around<const N: usize, F: Fn(f64) -> [f64; N]>(
+    curve: &Curve<N, F>,
+    chain: &[PieceEnd<N>],
+    at: usize,
+    band: f64,
+) -> Option<[f64; 2]> {
+    let value = chain[at].value();
+    let bounds = match chain[at].limit? {
+        Kind::High => [value - band, value],
+        _ => [value, value + band],
+    };
+    Some([
+        leaves(curve, chain[..=at].iter().rev(), bounds)?,
+        leaves(curve, chain[at..].iter(), bounds)?,
+    ])
+}
+
+/// The input where the quantity leaves the bounds on the path through these ends of pieces.
+fn leaves<'a, const N: usize, F: Fn(f64) -> [f64; N]>(
+    curve: &Curve<N, F>,
+    mut way: impl Iterator<Item = &'a PieceEnd<N>>,
+    [low, high]: [f64; 2],
+) -> Option<f64> {
+    let mut inside = way.next()?;
+    for next in way {
+        let bound = if next.value() > high { high } else { low };
+        if next.value() > high || next.value() < low {
+            return Some(crossing_input(
+                &curve.source,
+                &inside.node,
+                &next.node,
+                bound,
+            ));
+        }
+        inside = next;
+    }
+    Some(inside.u())
+}
+
+/// Returns true if a dwell of a chain of three cycles belongs to the range.
+fn begins_in_range<const N: usize, F: Fn(f64) -> [f64; N]>(curve: &Curve<N, F>, from: f64) -> bool {
+    let (low, high) = curve.range();
+    (low..high).contains(&from)
+}
+
+fn overlap<const N: usize, F: Fn(f64) -> [f64; N]>(
+    curve: &Curve<N, F>,
+    a: [f64; 2],
+    b: [f64; 2],
+) -> bool {
+    let width = curve.source.width();
+    let shifts = match curve.source.advance {
+        Some(_) => &[-width, 0.0, width][..],
+        None => &[0.0],
+    };
+    let meet = |shift: &f64| a[0] < b[1] + shift && b[0] + shift < a[1];
+    shifts.iter().any(meet)
+}
+
+fn dwell<const N: usize, F: Fn(f64) -> [f64; N]>(
+    curve: &Curve<N, F>,
+    chain: &[PieceEnd<N>],
+    interval: Interval,
+    ends: [f64; 2],
+) -> Dwell {
+    let within = |piece_end: &&PieceEnd<N>| piece_end.u() >= ends[0] && piece_end.u() <= ends[1];
+    let inside: Vec<&PieceEnd<N>> = chain.iter().filter(within).collect();
+    let turns = inside
+        .iter()
+        .filter(|piece_end| piece_end.limit.is_some() && !piece_end.end);
+    let limits: Vec<f64> = turns.map(|piece_end| piece_end.value()).collect();
+    // An end at the border of a gap may be no number, but it is a station.
+    let at_ends = ends.map(|u| curve.source.node(u).jet[0]);
+    let values = inside.iter().map(|piece_end| piece_end.value());
+    let values: Vec<f64> = values.chain(at_ends).collect();
+    let least = |values: &[f64]| values.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = |values: &[f64]| values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    // As it is where the interval begins, in a cycle over which the quantity advances.
+    let jet = [0.0; N];
+    let shift = curve.source.in_range(Node { u: ends[0], jet }).jet[0];
+    Dwell {
+        interval,
+        lowest: least(&values) + shift,
+        highest: most(&values) + shift,
+        ripple: (most(&limits) - least(&limits)).max(0.0),
     }
 }

@@ -1,4 +1,4 @@
-//! What keeps a course from being summarised.
+//! A reason why a curve cannot be summarised.
 
 use core::fmt;
 
@@ -15,17 +15,17 @@ pub enum SummaryError {
     },
     /// Too few positions to begin with.
     Positions {
-        /// How many were given.
+        /// The given number.
         positions: usize,
     },
     /// The quantity is a number at none of the positions.
     NotAssembled {
-        /// How many there are.
+        /// The number of positions.
         positions: usize,
     },
     /// A link that has no positive length.
     Length {
-        /// Which one.
+        /// The number of the derivative.
         link: &'static str,
         /// Its length.
         length: f64,

@@ -1,49 +1,50 @@
 //! The highest and lowest values of a quantity or of one of its derivatives.
 
 use super::cascade::Solved;
-use super::noise::Noise;
 use super::source::{Node, Source};
+use super::zero_threshold::ZeroThreshold;
 use alloc::vec::Vec;
 
-/// What a quantity does where it stands still.
+/// Extremes of a quantity and of its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
-    /// It is higher than beside.
+    /// A local maximum.
     High,
-    /// It is lower than beside.
+    /// A local minimum.
     Low,
     /// It moves on in the same sense.
     Pass,
 }
 
-/// A place where a quantity stands still, or an end of its course.
+/// A place where a quantity is stationary, or an end of its curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extreme {
     /// The input.
     pub at: f64,
-    /// The value there. Its tolerance is that of the quantity at this place, `sensitivity(q)`: where the quantity stands still, its derivative by
-    /// the input is zero, and it does not matter that the place shifts (the envelope theorem).
+    /// The value there. Its tolerance is that of the quantity at this place, `sensitivity(q)`:
+    /// where the quantity is stationary, its derivative by the input is zero, and it does not
+    /// matter that the place shifts (the envelope theorem).
     pub value: f64,
-    /// Whether it is a limit, and which one.
+    /// The kind of limit.
     pub kind: Kind,
-    /// Whether the course ends there: at an end of a range that is no cycle, or where the mechanism can no longer be assembled.
-    /// The quantity need not stand still there.
+    /// True at an end of the curve: an end of a range that is no cycle, or of the assembled part.
+    /// The quantity need not be stationary there.
     pub end: bool,
 }
 
 impl Extreme {
-    /// Whether the quantity turns back there.
+    /// Returns true if the quantity turns back there.
     #[must_use]
     pub fn is_limit(&self) -> bool {
         self.kind != Kind::Pass
     }
 }
 
-/// The extreme values of a quantity, or of one of its derivatives, over its course.
+/// The extreme values of a quantity, or of one of its derivatives, over its curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Extremes {
-    /// Where it stands still, and where its course ends, in order of the input. Of a rest in which the derivative is 0 exactly,
-    /// it is the first of the positions looked at. Empty for a constant.
+    /// The stationary places, and the ends of the curve, in order of the input. A rest with the
+    /// derivative 0 exactly is represented by its first position. Empty for a constant.
     pub points: Vec<Extreme>,
     /// The first of the lowest values.
     pub lowest: Extreme,
@@ -68,59 +69,60 @@ impl Extremes {
         }
     }
 
-    /// The places where it turns back, the ends of its course left out.
+    /// The places where it turns back, the ends of its curve left out.
     pub fn limits(&self) -> impl Iterator<Item = &Extreme> {
         self.points
             .iter()
             .filter(|point| point.is_limit() && !point.end)
     }
 
-    /// Of the `k`th derivative.
-    pub(super) fn of<const N: usize, F: Fn(f64) -> [f64; N]>(
+    /// The extremes of the `k`th derivative.
+    pub(super) fn new<const N: usize, F: Fn(f64) -> [f64; N]>(
         source: &Source<N, F>,
-        noise: &Noise<N>,
+        threshold: &ZeroThreshold<N>,
         solved: &[Solved<N>],
         k: usize,
     ) -> Self {
         let mut points = Vec::new();
-        let mut all = Vec::new();
+        let mut extremes = Vec::new();
         for part in solved {
             let turns = part.roots[k + 1].iter();
             points.extend(turns.map(|root| {
                 let node = source.in_range(root.node);
                 extreme(node, k, [root.before, root.after])
             }));
-            points.extend(ends(source, noise, part, k));
-            all.push(extreme(source.in_range(part.stretch.nodes[0]), k, [0; 2]));
+            points.extend(ends(source, threshold, part, k));
+            extremes.push(extreme(source.in_range(part.interval.nodes[0]), k, [0; 2]));
         }
         points.sort_by(|a, b| a.at.total_cmp(&b.at));
         if !points.is_empty() {
-            all.clone_from(&points);
+            extremes.clone_from(&points);
         }
         // A constant has no point; its value is the one of any node.
         let lower = |a: Extreme, b: Extreme| if b.value < a.value { b } else { a };
         let higher = |a: Extreme, b: Extreme| if b.value > a.value { b } else { a };
-        let first = all[0];
+        let first = extremes[0];
         Self {
-            lowest: all.iter().copied().fold(first, lower),
-            highest: all.iter().copied().fold(first, higher),
+            lowest: extremes.iter().copied().fold(first, lower),
+            highest: extremes.iter().copied().fold(first, higher),
             points,
         }
     }
 }
 
-/// The ends of a stretch. Over the seam of a cycle over which the quantity advances, also the ends of the range.
+/// The ends of a stretch. Over the seam of a cycle over which the quantity advances, also the ends
+/// of the range.
 fn ends<const N: usize, F: Fn(f64) -> [f64; N]>(
     source: &Source<N, F>,
-    noise: &Noise<N>,
+    threshold: &ZeroThreshold<N>,
     part: &Solved<N>,
     k: usize,
 ) -> Vec<Extreme> {
     let mut ends = Vec::new();
-    let nodes = &part.stretch.nodes;
+    let nodes = &part.interval.nodes;
     let [start, end] = [nodes[0], nodes[nodes.len() - 1]];
-    if !part.stretch.whole {
-        let sign = |node: &Node<N>| noise.sign(node, k + 1);
+    if !part.interval.whole {
+        let sign = |node: &Node<N>| threshold.sign(node, k + 1);
         let first = nodes.iter().map(sign).find(|&sign| sign != 0);
         let last = nodes.iter().rev().map(sign).find(|&sign| sign != 0);
         ends.extend(first.map(|sign| ending(source.in_range(start), k, [0, sign])));
@@ -128,8 +130,8 @@ fn ends<const N: usize, F: Fn(f64) -> [f64; N]>(
     }
     let advance = source.advance.filter(|&advance| k == 0 && advance != 0.0);
     if let Some(advance) = advance.filter(|_| start.u < source.high && end.u >= source.high) {
-        let [low, high] = [source.low, source.high].map(|x| source.at(x));
-        let sense = match noise.sign(&low, 1) {
+        let [low, high] = [source.low, source.high].map(|x| source.node(x));
+        let sense = match threshold.sign(&low, 1) {
             0 if advance > 0.0 => 1,
             0 => -1,
             sign => sign,

@@ -1,13 +1,13 @@
-//! Which links of a four-bar turn fully.
+//! Grashof's rule: the links of a four-bar that turn fully.
 
 use super::SummaryError;
-use crate::words::rounded;
+use crate::format::rounded;
 use core::fmt;
 
 /// Rounding of the two sums that are compared, relative to the sum of all lengths.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// What a four-bar is by its lengths.
+/// The types of four-bars by their lengths.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FourBar {
     /// The input turns fully, the output swings: the input is the shortest link.
@@ -18,12 +18,14 @@ pub enum FourBar {
     DoubleCrank,
     /// Input and output swing, the coupler turns fully: the coupler is the shortest link.
     DoubleRocker,
-    /// No link turns fully against another: shortest and longest link are longer together than the other two.
+    /// No link turns fully against another: shortest and longest link are longer together than the
+    /// other two.
     TripleRocker,
-    /// Shortest and longest link are as long as the other two, to rounding: all links can come to lie on one line, where its two
-    /// assemblies meet.
+    /// Shortest and longest link are as long as the other two, to rounding: all links can come to
+    /// lie on one line, where its two assemblies meet.
     ChangePoint,
-    /// The longest link is as long as the other three together, or longer: they cannot be joined, or cannot move.
+    /// The longest link is as long as the other three together, or longer: they cannot be joined,
+    /// or cannot move.
     NotClosable,
 }
 
@@ -41,7 +43,7 @@ impl fmt::Display for FourBar {
     }
 }
 
-/// What a four-bar is, and the two sums that tell it.
+/// The type of a four-bar, and the two sums that determine it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grashof {
     /// Its kind.
@@ -53,7 +55,8 @@ pub struct Grashof {
 }
 
 impl Grashof {
-    /// How much longer the two middle links are than the shortest and the longest one: positive if a link turns fully.
+    /// The excess of the two middle links over the shortest and the longest one: positive if a link
+    /// turns fully.
     #[must_use]
     pub fn reserve(&self) -> f64 {
         self.middle - self.extreme
@@ -73,7 +76,7 @@ impl fmt::Display for Grashof {
     }
 }
 
-/// What a four-bar with these lengths is, by Grashof's rule.
+/// The type of a four-bar with these lengths, by Grashof's rule.
 ///
 /// Sums that differ by less than 8 units in the last place of the sum of all lengths are equal.
 ///

@@ -9,25 +9,25 @@ pub struct Interval {
     pub from: f64,
     /// Its end.
     pub to: f64,
-    /// How much input it is, across the seam where it goes.
+    /// Length of the interval, across the seam if it goes there.
     pub range: f64,
 }
 
 impl Interval {
-    /// From one place to another, which may lie beyond the range.
-    pub(super) fn of<const N: usize, F: Fn(f64) -> [f64; N]>(
+    /// The interval from one input to another, which may be beyond the range.
+    pub(super) fn between<const N: usize, F: Fn(f64) -> [f64; N]>(
         source: &Source<N, F>,
         from: f64,
         to: f64,
     ) -> Self {
-        let place = |u: f64| {
+        let in_range = |u: f64| {
             let jet = [0.0; N];
             source.in_range(Node { u, jet }).u
         };
-        let start = place(from);
+        let start = in_range(from);
         let range = to - from;
         // The end of the range is no place before its beginning.
-        let end = place(to);
+        let end = in_range(to);
         Self {
             from: start,
             to: if end <= source.low && range > 0.0 {

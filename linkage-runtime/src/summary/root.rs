@@ -6,8 +6,9 @@ pub(super) type Sample = (f64, f64);
 /// More than Newton's steps and all bisections of a bracket together.
 const STEPS: usize = 200;
 
-/// The root between `a` and `b`, to the last digit of the bracket's ends, if `g` gives value and slope: by Newton's
-/// method, by interpolation where there is no slope (NaN), and by bisection where either leaves the bracket or is slow.
+/// The root between `a` and `b`, to the last digit of the bracket's ends, if `g` gives value and
+/// slope: by Newton's method, by interpolation where there is no slope (NaN), and by bisection
+/// where either leaves the bracket or is slow.
 pub(super) fn root(mut a: Sample, mut b: Sample, g: &mut impl FnMut(f64) -> [f64; 2]) -> f64 {
     let tolerance = 0.5 * f64::EPSILON * a.0.abs().max(b.0.abs());
     let mut x = a.0 + 0.5 * (b.0 - a.0);
@@ -21,7 +22,8 @@ pub(super) fn root(mut a: Sample, mut b: Sample, g: &mut impl FnMut(f64) -> [f64
         if value == 0.0 {
             return x;
         }
-        // The new place, the end of the other sign, and the end that the new place takes the place of.
+        // The new place, the end of the other sign, and the end that the new place takes the place
+        // of.
         let (old, other) = if (value > 0.0) == (a.1 > 0.0) {
             (a, b)
         } else {
@@ -54,12 +56,12 @@ pub(super) fn root(mut a: Sample, mut b: Sample, g: &mut impl FnMut(f64) -> [f64
     }
 }
 
-/// Where between `a` and `b` the root is by inverse quadratic interpolation through three places, where that is monotone; half the
-/// way elsewhere (Chandrupatla 1997).
+/// Share of the way from `a` to `b` at which the root is, by inverse quadratic interpolation
+/// through three places, if that is monotone; otherwise one half (Chandrupatla 1997).
 fn share(a: Sample, b: Sample, c: Sample) -> f64 {
-    let place = (a.0 - b.0) / (c.0 - b.0);
+    let ratio = (a.0 - b.0) / (c.0 - b.0);
     let level = (a.1 - b.1) / (c.1 - b.1);
-    if !(level * level < place && (1.0 - level) * (1.0 - level) < 1.0 - place) {
+    if !(level * level < ratio && (1.0 - level) * (1.0 - level) < 1.0 - ratio) {
         return 0.5;
     }
     let near = a.1 / (b.1 - a.1) * (c.1 / (b.1 - c.1));
@@ -71,7 +73,8 @@ fn share(a: Sample, b: Sample, c: Sample) -> f64 {
 mod tests {
     use super::root;
 
-    /// Without a slope a smooth root takes a dozen values, not the fifty of bisection; one at which nothing is smooth is found, too.
+    /// Without a slope a smooth root takes a dozen values, not the fifty of bisection; one at which
+    /// nothing is smooth is found, too.
     #[test]
     fn roots_without_slopes() {
         let solve = |f: fn(f64) -> f64, a: f64, b: f64| {

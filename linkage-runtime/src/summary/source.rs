@@ -3,7 +3,7 @@
 /// A place and the quantity with its derivatives there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node<const N: usize> {
-    /// The input, beyond the range where the course was followed over the seam.
+    /// The input, beyond the range if the curve was followed over the seam.
     pub(super) u: f64,
     pub(super) jet: [f64; N],
 }
@@ -14,7 +14,7 @@ impl<const N: usize> Node<N> {
     }
 }
 
-/// Roundoffs of the range's ends: what is nearer to the seam lies at it.
+/// Roundoffs of the range's ends: a nearer place is at the seam.
 const SEAM: f64 = 8.0;
 
 /// The quantity as a function of the input.
@@ -23,7 +23,7 @@ pub(super) struct Source<const N: usize, F> {
     pub(super) function: F,
     pub(super) low: f64,
     pub(super) high: f64,
-    /// How far the quantity advances over the range, if the range is a cycle that repeats itself.
+    /// The advance of the quantity over the range, if the range is a cycle that repeats itself.
     pub(super) advance: Option<f64>,
 }
 
@@ -33,7 +33,7 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Source<N, F> {
     }
 
     /// The quantity at an input, which may be a few cycles beyond the range.
-    pub(super) fn at(&self, u: f64) -> Node<N> {
+    pub(super) fn node(&self, u: f64) -> Node<N> {
         let (mut x, mut shift) = (u, 0.0);
         if let Some(advance) = self.advance {
             while x > self.high {
@@ -58,7 +58,7 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Source<N, F> {
         shifted
     }
 
-    /// The node as it is in the range. What lies at the seam is at the lower end.
+    /// The node within the range. A node at the seam is at the lower end.
     pub(super) fn in_range(&self, node: Node<N>) -> Node<N> {
         if self.advance.is_none() {
             return node;

@@ -1,8 +1,8 @@
 //! Transmission angle.
 
-use super::course::Course;
+use super::curve::Curve;
 use super::interval::Interval;
-use super::stations::{passing, stations};
+use super::monotone_pieces::{crossing_input, monotone_pieces};
 use core::f64::consts::{FRAC_PI_2, PI};
 
 /// A transmission angle and the input where it occurs.
@@ -14,56 +14,44 @@ pub struct Transmission {
     pub angle: f64,
 }
 
-impl<const N: usize, F: Fn(f64) -> [f64; N]> Course<N, F> {
-    /// For an angle between two links, in radians: the least and the greatest transmission angle, which is the acute one of the
-    /// angles between their lines, 0 to pi/2.
-    ///
-    /// It is extreme where the given angle stands still, at ends of the course, and where the links are in line or perpendicular: there
-    /// it is 0 or pi/2 exactly.
-    ///
-    /// ```
-    /// use linkage_runtime::summary::Course;
-    /// use std::f64::consts::{FRAC_PI_3, TAU};
-    ///
-    /// let between = |phi: f64| [1.2 + 0.5 * phi.sin(), 0.5 * phi.cos()];
-    /// let [least, greatest] = Course::of((0.0, TAU), 360, between)?.transmission_angle();
-    /// assert!((least.angle - 0.7).abs() < 1e-15);
-    /// assert_eq!(greatest.angle, std::f64::consts::FRAC_PI_2);
-    /// # Ok::<(), linkage_runtime::summary::SummaryError>(())
-    /// ```
-    #[must_use]
-    pub fn transmission_angle(&self) -> [Transmission; 2] {
-        let first = self.solved[0].stretch.nodes[0];
-        let mut found = [self.transmission(first.u, acute(first.jet[0])); 2];
-        let mut add = |u: f64, angle: f64| {
-            if angle < found[0].angle {
-                found[0] = self.transmission(u, angle);
-            }
-            if angle > found[1].angle {
-                found[1] = self.transmission(u, angle);
-            }
-        };
-        for part in &self.solved {
-            let chain = stations(part);
-            for station in &chain {
-                add(station.u(), acute(station.value()));
-            }
-            for pair in chain.windows(2) {
-                let [a, b] = [&pair[0].node, &pair[1].node];
-                for angle in [0.0, FRAC_PI_2] {
-                    if let Some(bound) = multiple(a.jet[0], b.jet[0], angle) {
-                        add(passing(&self.source, a, b, bound), angle);
-                    }
+/// The angles of [`Curve::transmission_angle`].
+pub(super) fn transmission_angle<const N: usize, F: Fn(f64) -> [f64; N]>(
+    curve: &Curve<N, F>,
+) -> [Transmission; 2] {
+    let first = curve.solved[0].interval.nodes[0];
+    let mut found = [transmission(curve, first.u, acute(first.jet[0])); 2];
+    let mut add = |u: f64, angle: f64| {
+        if angle < found[0].angle {
+            found[0] = transmission(curve, u, angle);
+        }
+        if angle > found[1].angle {
+            found[1] = transmission(curve, u, angle);
+        }
+    };
+    for part in &curve.solved {
+        let chain = monotone_pieces(part);
+        for piece_end in &chain {
+            add(piece_end.u(), acute(piece_end.value()));
+        }
+        for pair in chain.windows(2) {
+            let [a, b] = [&pair[0].node, &pair[1].node];
+            for angle in [0.0, FRAC_PI_2] {
+                if let Some(bound) = multiple(a.jet[0], b.jet[0], angle) {
+                    add(crossing_input(&curve.source, a, b, bound), angle);
                 }
             }
         }
-        found
     }
+    found
+}
 
-    fn transmission(&self, u: f64, angle: f64) -> Transmission {
-        let at = Interval::of(&self.source, u, u).from;
-        Transmission { at, angle }
-    }
+fn transmission<const N: usize, F: Fn(f64) -> [f64; N]>(
+    curve: &Curve<N, F>,
+    u: f64,
+    angle: f64,
+) -> Transmission {
+    let at = Interval::between(&curve.source, u, u).from;
+    Transmission { at, angle }
 }
 
 /// The acute one of the angles between two lines.
@@ -72,7 +60,7 @@ fn acute(angle: f64) -> f64 {
     angle.min(PI - angle)
 }
 
-/// `angle` plus a multiple of pi that lies strictly between two numbers.
+/// `angle` plus a multiple of pi that is strictly between two numbers.
 fn multiple(a: f64, b: f64, angle: f64) -> Option<f64> {
     let (low, high) = (a.min(b), a.max(b));
     let below = (low - angle) % PI;

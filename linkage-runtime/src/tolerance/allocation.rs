@@ -5,14 +5,15 @@ use core::array;
 
 use super::cost::{self, Term};
 use super::{Addition, Grade, Requirement, Sizes, ToleranceError, Tolerances};
-use crate::Parameter;
+use crate::data::Parameter;
 
-/// The share by which tolerances stay below what the limit allows, so that rounding does not exceed it: a few roundoffs.
+/// The share by which tolerances stay below the limit, so that rounding does not exceed it: a few
+/// roundoffs.
 const SPARE: f64 = 8.0 * f64::EPSILON;
 
-/// How an allowed error is divided among parameters.
+/// Rules that divide an allowed error among parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Rule<const N: usize> {
+pub enum AllocationRule<const N: usize> {
     /// Each parameter may cause the same error, at the position where it causes most.
     EqualEffect,
     /// In proportion to these tolerances: all of them changed by one factor.
@@ -27,12 +28,12 @@ pub enum Rule<const N: usize> {
     LeastCost(Costs<N>),
 }
 
-/// What tolerances cost: `cost / t^exponent` with `t` in the unit of the parameter.
+/// Costs of tolerances: `cost / t^exponent` with `t` in the unit of the parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Costs<const N: usize> {
     /// The cost at a tolerance of 1.
     pub cost: [f64; N],
-    /// How fast it grows; 1 or 2 is usual.
+    /// The exponent; 1 or 2 is usual.
     pub exponent: [f64; N],
 }
 
@@ -52,35 +53,36 @@ pub struct Allocation<const N: usize> {
 }
 
 impl<const N: usize, const K: usize> Requirement<N, K> {
-    /// Divides the allowed error among the parameters: [`Dimensions::parameters`] of the mechanism whose sensitivities were given, with
-    /// its dimensions. Printed, the tolerances stand beside those; their own tolerances do not matter.
+    /// Divides the allowed error among the parameters: [`Dimensions::parameters`] of the mechanism
+    /// whose sensitivities were given, with its dimensions. Printed, the tolerances are next to
+    /// those; their own tolerances do not matter.
     ///
     /// [`Dimensions::parameters`]: crate::Dimensions::parameters
     ///
-    /// The result is analysed anew and holds the limit at every position. With all rules but
-    /// `StandardGrade` it uses the limit up, to within rounding at the tightest position; `LeastCost`
-    /// to about `1e-7`.
+    /// The result is analysed again and satisfies the limit at every position. With all rules but
+    /// `StandardGrade` it uses the limit up, to within rounding at the tightest position;
+    /// `LeastCost` to about `1e-7`.
     ///
     /// # Errors
     ///
-    /// `Limit`, `Nothing` without positions, `Count`, `NoEffect` where a rule leaves a tolerance free,
-    /// `Cost`, `NoSize`, `SizeOutOfRange`, `NoGrade`.
+    /// `Limit`, `Nothing` without positions, `Count`, `NoEffect` where a rule leaves a tolerance
+    /// free, `Cost`, `NoSize`, `SizeOutOfRange`, `NoGrade`.
     pub fn allocate(
         &self,
         parameters: &[Parameter],
-        rule: &Rule<N>,
+        rule: &AllocationRule<N>,
     ) -> Result<Allocation<N>, ToleranceError> {
         self.check()?;
         match rule {
-            Rule::EqualEffect => {
+            AllocationRule::EqualEffect => {
                 let effects = self.effective(parameters)?;
                 self.scaled(parameters, &effects.map(|effect| self.limit() / effect))
             }
-            Rule::Proportional(shape) => self.scaled(parameters, shape),
-            Rule::EqualTolerance(sizes) => self.scaled(parameters, &sizes.equal()?),
-            Rule::StandardFactor(sizes) => self.scaled(parameters, &sizes.factors()?),
-            Rule::StandardGrade(sizes) => self.coarsest_grade(parameters, sizes),
-            Rule::LeastCost(costs) => self.least_cost(parameters, costs),
+            AllocationRule::Proportional(shape) => self.scaled(parameters, shape),
+            AllocationRule::EqualTolerance(sizes) => self.scaled(parameters, &sizes.equal()?),
+            AllocationRule::StandardFactor(sizes) => self.scaled(parameters, &sizes.factors()?),
+            AllocationRule::StandardGrade(sizes) => self.coarsest_grade(parameters, sizes),
+            AllocationRule::LeastCost(costs) => self.least_cost(parameters, costs),
         }
     }
 

@@ -4,11 +4,14 @@ mod print;
 
 use core::array;
 
+use super::distribution::Distribution;
 use super::student;
-use super::{Distribution, Uncertainties};
+use super::uncertainties::Uncertainties;
+use crate::components::Components;
 
-/// The uncertainty of a quantity of `K` components by those of `N` parameters, to first order: the law of propagation
-/// of uncertainty (JCGM 100:2008, 5.2.2), for several components its matrix form (JCGM 102:2011, 6.2.1.3).
+/// The uncertainty of a quantity of `K` components by those of `N` parameters, to first order: the
+/// law of propagation of uncertainty (JCGM 100:2008, 5.2.2), for several components its matrix form
+/// (JCGM 102:2011, 6.2.1.3).
 ///
 /// All figures are in the unit of the quantity. They are NaN where a sensitivity is NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,18 +31,29 @@ pub struct BudgetLine {
     pub value: f64,
     /// Its standard uncertainty.
     pub standard: f64,
-    /// How it is distributed.
+    /// Its distribution.
     pub distribution: Distribution,
     /// The degrees of freedom of its standard uncertainty.
     pub degrees_of_freedom: f64,
     /// The sensitivity coefficient, with its sign.
     pub sensitivity: f64,
-    /// Sensitivity coefficient times standard uncertainty, with its sign: what the uncertainty would be by this
-    /// parameter alone.
+    /// Sensitivity coefficient times standard uncertainty, with its sign: the uncertainty caused by
+    /// this parameter alone.
     pub contribution: f64,
-    /// Its part of the variance, that of its correlations included, half of each pair's. Parts sum up to 1; one may be
-    /// negative, where a correlation makes the uncertainty smaller.
+    /// Its part of the variance, that of its correlations included, half of each pair's. Parts sum
+    /// up to 1; one may be negative, where a correlation makes the uncertainty smaller.
     pub share: f64,
+}
+
+impl<const N: usize> Uncertainties<N> {
+    /// The uncertainty of a quantity with these sensitivities, to first order, and the contribution
+    /// of each parameter. The correlations are taken into account.
+    ///
+    /// All figures are NaN where a sensitivity is, because the mechanism cannot be assembled.
+    #[must_use]
+    pub fn budget<V: Components<K>, const K: usize>(&self, sensitivities: &[V; N]) -> Budget<N, K> {
+        Budget::new(*self, sensitivities.map(V::components))
+    }
 }
 
 impl<const N: usize, const K: usize> Budget<N, K> {
@@ -112,11 +126,11 @@ impl<const N: usize, const K: usize> Budget<N, K> {
         })
     }
 
-    /// The effective degrees of freedom of component `k` by the formula of Welch and Satterthwaite (JCGM 100:2008,
-    /// G.4.1); infinite if all parameters' are.
+    /// The effective degrees of freedom of component `k` by the formula of Welch and Satterthwaite
+    /// (JCGM 100:2008, G.4.1); infinite if all parameters' are.
     ///
-    /// The formula is for independent contributions: NaN if a parameter with finite degrees of freedom contributes and
-    /// is correlated with another one.
+    /// The formula is for independent contributions: NaN if a parameter with finite degrees of
+    /// freedom contributes and is correlated with another one.
     #[must_use]
     pub fn degrees_of_freedom(&self, k: usize) -> f64 {
         let lines = self.lines(k);
@@ -134,12 +148,13 @@ impl<const N: usize, const K: usize> Budget<N, K> {
         1.0 / (0..N).filter(finite).map(part).sum::<f64>().abs()
     }
 
-    /// The factor by which the standard uncertainty of component `k` is multiplied for an interval of this confidence,
-    /// 0.95 for 95 %: the quantile of Student's distribution with the effective degrees of freedom (JCGM 100:2008,
-    /// G.3.2), that of the normal distribution if they are infinite.
+    /// The factor by which the standard uncertainty of component `k` is multiplied for an interval
+    /// of this confidence, 0.95 for 95 %: the quantile of Student's distribution with the effective
+    /// degrees of freedom (JCGM 100:2008, G.3.2), that of the normal distribution if they are
+    /// infinite.
     ///
-    /// It supposes that the quantity is distributed so, as many contributions of similar size make it. NaN if the
-    /// confidence is not between 0 and 1, or the degrees of freedom are NaN.
+    /// It supposes that the quantity is distributed so, as many contributions of similar size make
+    /// it. NaN if the confidence is not between 0 and 1, or the degrees of freedom are NaN.
     #[must_use]
     pub fn coverage_factor(&self, k: usize, confidence: f64) -> f64 {
         student::two_sided(confidence, self.degrees_of_freedom(k))

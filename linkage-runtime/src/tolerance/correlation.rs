@@ -3,16 +3,16 @@
 /// A matrix with a row for each parameter.
 pub(super) type Square<const N: usize> = [[f64; N]; N];
 
-/// What is left of a variance of 1 is nothing, up to roundoffs of some ten subtractions of products, and may then be a
-/// little below 0.
+/// Remainder of a variance of 1 that counts as nothing: roundoffs of some ten subtractions of
+/// products, which may also be a little below 0.
 const NOTHING: f64 = 1e-13;
 
-/// The lower triangle `r` with `r * transposed(r)` equal to the matrix, by Cholesky's method; a column of zeros where a
-/// quantity follows from those before it.
+/// The lower triangle `r` with `r * transposed(r)` equal to the matrix, by Cholesky's method; a
+/// column of zeros where a quantity follows from those before it.
 ///
 /// # Errors
 ///
-/// The first row that no quantity has together with those above it, and what they leave of its variance.
+/// The first row that contradicts those above it, and the variance that these leave.
 pub(super) fn root<const N: usize>(correlations: &Square<N>) -> Result<Square<N>, (usize, f64)> {
     let mut root = [[0.0; N]; N];
     for i in 0..N {

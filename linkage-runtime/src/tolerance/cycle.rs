@@ -1,4 +1,4 @@
-//! Where a figure is largest.
+//! The largest value of a figure.
 
 use alloc::vec::Vec;
 use core::ops::Range;
@@ -25,8 +25,8 @@ pub struct Extreme {
 ///
 /// # Errors
 ///
-/// `Nothing` for an empty or infinite range or less than two positions, `NotAssembled` if the figure
-/// is NaN everywhere.
+/// `Nothing` for an empty or infinite range or less than two positions, `NotAssembled` if the
+/// figure is NaN everywhere.
 ///
 /// ```
 /// use linkage_runtime::tolerance::largest;

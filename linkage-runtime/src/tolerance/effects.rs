@@ -1,27 +1,27 @@
-//! What tolerances do to a quantity at one position.
+//! Effects of tolerances on a quantity at one position.
 
 use alloc::vec::Vec;
 use core::array;
 use core::fmt;
 
-use super::Tolerances;
+use super::given::Tolerances;
 use super::modulus;
-use crate::components::{in_space, norm};
-use crate::words::rounded;
+use crate::components::{Components, in_space, norm};
+use crate::format::rounded;
 
 /// The error of a quantity of `K` components that each of `N` tolerances allows, to first order:
 /// sensitivity times tolerance.
 ///
-/// Errors are those from the value that nominal dimensions give. Where [limits](Tolerances::limits) do not lie
-/// symmetrically about a nominal dimension, the middle of its zone gives a part that is always there, the
-/// [shift](Self::shift).
+/// Errors are those from the value that nominal dimensions give. Where [limits](Tolerances::limits)
+/// do not lie symmetrically about a nominal dimension, the middle of its zone gives a part that is
+/// always there, the [shift](Self::shift).
 ///
 /// All figures are in the unit of the quantity. They are NaN where a sensitivity is NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effects<const N: usize, const K: usize> {
     tolerances: Tolerances<N>,
     effects: [[f64; K]; N],
-    /// What the middle of each zone does.
+    /// The effect of the middle of each zone.
     shifts: [[f64; K]; N],
 }
 
@@ -34,16 +34,32 @@ pub struct Contribution<const K: usize> {
     pub unit: &'static str,
     /// Its tolerance.
     pub tolerance: f64,
-    /// The error when the dimension is too large by its tolerance, counted from the middle of its zone.
+    /// The error when the dimension is too large by its tolerance, counted from the middle of its
+    /// zone.
     pub effect: [f64; K],
     /// The length of `effect`.
     pub modulus: f64,
-    /// Its part of the worst case by modulus: `effect` with its sign, and what the middle of the zone does, along the
-    /// direction of the worst error, divided by that error. The parts sum up to 1.
+    /// Its part of the worst case by modulus: `effect` with its sign, and the effect of the middle
+    /// of the zone, along the direction of the worst error, divided by that error. The parts sum up
+    /// to 1.
     pub share_of_worst_case: f64,
-    /// Its part of the variance: the square of `modulus` over the sum of squares. The parts sum up to
-    /// 1.
+    /// Its part of the variance: the square of `modulus` over the sum of squares. The parts sum up
+    /// to 1.
     pub share_of_variance: f64,
+}
+
+impl<const N: usize> Tolerances<N> {
+    /// The effect of each tolerance on a quantity with these sensitivities.
+    ///
+    /// Where a sensitivity is NaN, because the mechanism cannot be assembled, all figures that it
+    /// enters are NaN.
+    #[must_use]
+    pub fn effects<V: Components<K>, const K: usize>(
+        &self,
+        sensitivities: &[V; N],
+    ) -> Effects<N, K> {
+        Effects::new(*self, &sensitivities.map(V::components))
+    }
 }
 
 impl<const N: usize, const K: usize> Effects<N, K> {
@@ -59,8 +75,8 @@ impl<const N: usize, const K: usize> Effects<N, K> {
     }
 
     /// The error of the displacement from a start position, where these are the effects here and
-    /// `start` those there, by the same tolerances: a dimension that shifts both positions alike has
-    /// no effect.
+    /// `start` those there, by the same tolerances: a dimension that shifts both positions alike
+    /// has no effect.
     #[must_use]
     pub fn relative_to(&self, start: &Self) -> Self {
         Self {
@@ -70,8 +86,8 @@ impl<const N: usize, const K: usize> Effects<N, K> {
         }
     }
 
-    /// The error when every dimension is in the middle of its zone: the mean error to first order, 0 if all zones lie
-    /// symmetrically about their nominal dimensions.
+    /// The error when every dimension is in the middle of its zone: the mean error to first order,
+    /// 0 if all zones lie symmetrically about their nominal dimensions.
     #[must_use]
     pub fn shift(&self) -> [f64; K] {
         array::from_fn(|k| self.shifts.iter().map(|shift| shift[k]).sum())
@@ -91,8 +107,8 @@ impl<const N: usize, const K: usize> Effects<N, K> {
 
     /// The largest error of each component: the sum of the sizes of its effects, and of its shift.
     ///
-    /// Different dimensions make different components large, so these errors need not occur together:
-    /// see [`worst_modulus`](Self::worst_modulus).
+    /// Different dimensions make different components large, so these errors need not occur
+    /// together: see [`worst_modulus`](Self::worst_modulus).
     #[must_use]
     pub fn worst_case(&self) -> [f64; K] {
         let shift = self.shift();
@@ -100,20 +116,21 @@ impl<const N: usize, const K: usize> Effects<N, K> {
         array::from_fn(|k| sum[k] + shift[k].abs())
     }
 
-    /// The largest length of the error vector: the longest sum of effects over all choices of signs,
-    /// exactly, in `n log n` steps for plane vectors (`n^3` in space).
+    /// The largest length of the error vector: the longest sum of effects over all choices of
+    /// signs, exactly, in `n log n` steps for plane vectors (`n^3` in space).
     #[must_use]
     pub fn worst_modulus(&self) -> f64 {
         modulus::farthest(&self.vectors()).map_or(f64::NAN, |corner| norm(&corner.sum))
     }
 
-    /// The error vector that is longest, and the signs of the errors that give it; 0 for a parameter
-    /// without effect. Without a shift the opposite signs give the opposite vector.
+    /// The error vector that is longest, and the signs of the errors that give it; 0 for a
+    /// parameter without effect. Without a shift the opposite signs give the opposite vector.
     #[must_use]
     pub fn worst_vector(&self) -> ([f64; K], [f64; N]) {
         match modulus::farthest(&self.vectors()) {
             Some(corner) => {
-                // All sums lie symmetrically about 0, the shift among them: it may be the opposite sum that is meant.
+                // All sums lie symmetrically about 0, the shift among them: it may be the opposite
+                // sum that is meant.
                 let way = if corner.signs.get(N).is_some_and(|&sign| sign < 0.0) {
                     -1.0
                 } else {
@@ -128,8 +145,9 @@ impl<const N: usize, const K: usize> Effects<N, K> {
         }
     }
 
-    /// The root of the sum of squares of each component: the error about the [shift](Self::shift) at three standard
-    /// deviations, if the tolerances are three standard deviations of independent errors.
+    /// The root of the sum of squares of each component: the error about the [shift](Self::shift)
+    /// at three standard deviations, if the tolerances are three standard deviations of independent
+    /// errors.
     #[must_use]
     pub fn root_sum_square(&self) -> [f64; K] {
         let mut column = [0.0; N];
@@ -148,8 +166,8 @@ impl<const N: usize, const K: usize> Effects<N, K> {
         norm(&self.root_sum_square())
     }
 
-    /// The error when every dimension is at its upper limit: errors of equal sign. It is no bound, since effects
-    /// cancel each other.
+    /// The error when every dimension is at its upper limit: errors of equal sign. It is no bound,
+    /// since effects cancel each other.
     #[must_use]
     pub fn algebraic_sum(&self) -> [f64; K] {
         let shift = self.shift();
@@ -157,7 +175,7 @@ impl<const N: usize, const K: usize> Effects<N, K> {
         array::from_fn(|k| sum[k] + shift[k])
     }
 
-    /// What each parameter contributes.
+    /// The contribution of each parameter.
     #[must_use]
     pub fn contributions(&self) -> [Contribution<K>; N] {
         let (worst, signs) = self.worst_vector();

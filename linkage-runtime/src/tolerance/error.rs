@@ -1,9 +1,9 @@
-//! What is wrong with the numbers of an analysis.
+//! Errors in the numbers of an analysis.
 
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::words::{join, rounded};
+use crate::format::{join, rounded};
 
 /// Why a tolerance analysis cannot be made.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,11 +11,11 @@ use crate::words::{join, rounded};
 pub enum ToleranceError {
     /// A list has not as many entries as there are sensitivities.
     Count {
-        /// What is listed.
+        /// Name of the list.
         what: &'static str,
-        /// How many there should be.
+        /// The required number.
         expected: usize,
-        /// How many there are.
+        /// The given number.
         found: usize,
     },
     /// A tolerance is negative, infinite or NaN.
@@ -66,8 +66,8 @@ pub enum ToleranceError {
     Contradiction {
         /// The first parameter whose correlations contradict those of the parameters before it.
         name: &'static str,
-        /// The part of its variance that these leave to it, which is negative; or by how much a correlation is off
-        /// that follows from them, if they leave nothing.
+        /// The part of its variance that these leave to it, which is negative; or by how much a
+        /// correlation is off that follows from them, if they leave nothing.
         left: f64,
     },
     /// A dimension that is correlated and whose distribution is not normal.
@@ -84,12 +84,12 @@ pub enum ToleranceError {
     NoSuchParameter {
         /// The index.
         index: usize,
-        /// How many parameters there are.
+        /// The number of parameters.
         count: usize,
     },
     /// There is nothing to analyse: no position, no sample, an empty or infinite range.
     Nothing {
-        /// What is empty.
+        /// Name of the empty list.
         what: &'static str,
     },
     /// The figure is NaN at all positions: the mechanism cannot be assembled there.

@@ -3,13 +3,12 @@
 use alloc::vec::Vec;
 use core::fmt;
 
-use super::{Effects, ToleranceError};
-use crate::Parameter;
-use crate::components::Components;
-use crate::words::rounded;
+use super::error::ToleranceError;
+use crate::data::Parameter;
+use crate::format::rounded;
 
-/// The tolerances of `N` parameters: each dimension lies within its nominal value, plus or minus its
-/// tolerance, or between [other limits](Self::limits). In the units of the parameters.
+/// The tolerances of `N` parameters: each dimension is within its nominal value, plus or minus
+/// its tolerance, or between [other limits](Self::limits). In the units of the parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerances<const N: usize> {
     parameters: [Parameter; N],
@@ -22,8 +21,8 @@ impl<const N: usize> Tolerances<N> {
     ///
     /// # Errors
     ///
-    /// `Count` if there are not `N` parameters, `Invalid` for a tolerance that is negative, infinite
-    /// or NaN.
+    /// `Count` if there are not `N` parameters, `Invalid` for a tolerance that is negative,
+    /// infinite or NaN.
     pub fn declared(parameters: &[Parameter]) -> Result<Self, ToleranceError> {
         Self::checked(exactly("parameters", parameters)?)
     }
@@ -32,8 +31,8 @@ impl<const N: usize> Tolerances<N> {
     ///
     /// # Errors
     ///
-    /// As [`declared`](Self::declared), and `Missing` with the names of the parameters whose tolerance
-    /// is 0.
+    /// As [`declared`](Self::declared), and `Missing` with the names of the parameters whose
+    /// tolerance is 0.
     pub fn complete(parameters: &[Parameter]) -> Result<Self, ToleranceError> {
         let tolerances = Self::declared(parameters)?;
         let without = tolerances.parameters.iter().filter(|p| p.tolerance == 0.0);
@@ -49,8 +48,8 @@ impl<const N: usize> Tolerances<N> {
     ///
     /// # Errors
     ///
-    /// `Count` if there are not `N` of both, `Invalid` for a tolerance that is negative, infinite or
-    /// NaN.
+    /// `Count` if there are not `N` of both, `Invalid` for a tolerance that is negative, infinite
+    /// or NaN.
     pub fn new(parameters: &[Parameter], tolerances: &[f64]) -> Result<Self, ToleranceError> {
         let mut parameters: [Parameter; N] = exactly("parameters", parameters)?;
         let tolerances: [f64; N] = exactly("tolerances", tolerances)?;
@@ -60,14 +59,14 @@ impl<const N: usize> Tolerances<N> {
         Self::checked(parameters)
     }
 
-    /// Other limits for the parameter with this index, as deviations from its nominal value: `-0.01` and `0.02` for
-    /// 50 +0.02 -0.01 mm, `-0.03` and `-0.01` for a fit. Half the width of the zone is its tolerance then, and its
-    /// middle is where the dimension is on average.
+    /// Other limits for the parameter with this index, as deviations from its nominal value:
+    /// `-0.01` and `0.02` for 50 +0.02 -0.01 mm, `-0.03` and `-0.01` for a fit. Half the width of
+    /// the zone is its tolerance then, and its middle is where the dimension is on average.
     ///
     /// # Errors
     ///
-    /// `NoSuchParameter` for an index that is not below `N`, `Limits` if the lower one is above the upper one, or one is
-    /// infinite or NaN.
+    /// `NoSuchParameter` for an index that is not below `N`, `Limits` if the lower one is above the
+    /// upper one, or one is infinite or NaN.
     ///
     /// ```
     /// use linkage_runtime::Parameter;
@@ -129,18 +128,6 @@ impl<const N: usize> Tolerances<N> {
     #[must_use]
     pub const fn middles(&self) -> &[f64; N] {
         &self.middles
-    }
-
-    /// What each tolerance does to a quantity with these sensitivities.
-    ///
-    /// Where a sensitivity is NaN, because the mechanism cannot be assembled, all figures that it
-    /// enters are NaN.
-    #[must_use]
-    pub fn effects<V: Components<K>, const K: usize>(
-        &self,
-        sensitivities: &[V; N],
-    ) -> Effects<N, K> {
-        Effects::new(*self, &sensitivities.map(V::components))
     }
 
     fn checked(parameters: [Parameter; N]) -> Result<Self, ToleranceError> {

@@ -75,11 +75,11 @@ impl Grade {
         (0..20).map(Self)
     }
 
-    /// The width of the tolerance zone in mm for a size in mm, as published. A dimension with the zone
-    /// in the middle has half of it as tolerance on either side.
+    /// The width of the tolerance zone in mm for a size in mm, as published. A dimension with the
+    /// zone in the middle has half of it as tolerance on either side.
     ///
-    /// `None` for sizes beyond 3150 mm (500 mm for IT01 and IT0), negative ones and NaN. ISO 286 does
-    /// not use IT14 to IT18 below 1 mm; the width is given all the same.
+    /// `None` for sizes beyond 3150 mm (500 mm for IT01 and IT0), negative ones and NaN. ISO 286
+    /// does not use IT14 to IT18 below 1 mm; the width is given all the same.
     ///
     /// ```
     /// use linkage_runtime::tolerance::Grade;
@@ -107,9 +107,9 @@ impl fmt::Display for Grade {
     }
 }
 
-/// The standard tolerance factor in um for a size in mm: `0.45 cbrt(D) + 0.001 D` up to 500 mm, then
-/// `0.004 D + 2.1`. D, in mm, is the geometric mean of the ends of the range of sizes; for up to 3 mm
-/// that of 1 and 3 mm.
+/// The standard tolerance factor in um for a size in mm: `0.45 cbrt(D) + 0.001 D` up to 500 mm,
+/// then `0.004 D + 2.1`. D, in mm, is the geometric mean of the ends of the range of sizes; for up
+/// to 3 mm that of 1 and 3 mm.
 ///
 /// From IT5 on, the standard tolerances are 7, 10, 16, 25, 40, 64, 100 times this factor and so on,
 /// rounded, and in places adapted, by the standard. `None` for sizes that have no range.
@@ -167,28 +167,28 @@ mod tests {
         assert_eq!((Grade::it(0), Grade::it(19)), (None, None));
     }
 
-    /// From IT5 on the table is the formula, rounded: at most 5.5 % or 0.7 um off, and more only in the
-    /// first range, which the standard adapts.
+    /// The table is the formula, rounded, from IT5 on: at most 5.5 % or 0.7 um off, and more only
+    /// in the first range, which the standard adapts.
     #[test]
     fn the_table_follows_from_the_formula() {
         for (range, row) in STANDARD.iter().enumerate() {
             let factor = tolerance_factor(UP_TO[range]).expect("it has a range");
-            for (place, multiple) in MULTIPLES.iter().enumerate() {
-                let (published, computed) = (row[place + 4], multiple * factor);
+            for (column, multiple) in MULTIPLES.iter().enumerate() {
+                let (published, computed) = (row[column + 4], multiple * factor);
                 let allowed = if range == 0 { 0.16 } else { 0.055 };
                 assert!(
                     (published / computed - 1.0).abs() <= allowed
                         || (published - computed).abs() <= 0.7,
                     "IT{} up to {} mm: {published}, computed {computed}",
-                    place + 5,
+                    column + 5,
                     UP_TO[range]
                 );
             }
         }
     }
 
-    /// Up to 500 mm IT01 to IT1 are linear in the size, and IT2 to IT4 are in geometric progression to
-    /// IT5. Such small widths are rounded by up to 29 %.
+    /// Up to 500 mm IT01 to IT1 are linear in the size, and IT2 to IT4 are in geometric progression
+    /// to IT5. Such small widths are rounded by up to 29 %.
     #[test]
     fn the_finest_grades_follow_from_their_formulas() {
         for (range, finest) in FINEST.iter().enumerate() {
@@ -227,7 +227,7 @@ mod tests {
         }
     }
 
-    /// From IT6 on every fifth grade is ten times as wide, with one exception in the standard.
+    /// Every fifth grade is ten times as wide, from IT6 on, with one exception in the standard.
     #[test]
     fn every_fifth_grade_is_ten_times_as_wide() {
         for (range, row) in STANDARD.iter().enumerate() {

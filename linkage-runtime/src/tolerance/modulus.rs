@@ -1,9 +1,9 @@
 //! The longest sum of vectors whose signs are free.
 //!
-//! All sums `+-v1 +- .. +- vn` lie in a zonotope, and the longest one is at a corner of it. A corner is
-//! the sum that reaches farthest in some direction `d`: each sign is that of `v . d`. Turning `d`
-//! around changes one sign after the other, so that a plane zonotope has `2 n` corners, in the order
-//! of the directions of the vectors, and one in space not more than about `n^2`.
+//! All sums `+-v1 +- .. +- vn` lie in a zonotope, and the longest one is at a corner of it. A
+//! corner is the sum that reaches farthest in some direction `d`: each sign is that of `v . d`.
+//! Turning `d` around changes one sign after the other, so that a plane zonotope has `2 n` corners,
+//! in the order of the directions of the vectors, and one in space not more than about `n^2`.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -55,8 +55,8 @@ pub(crate) fn corners(vectors: &[[f64; 3]], visit: &mut dyn FnMut(&[f64], [f64; 
         return;
     }
     let mut crossing = false;
-    for (place, &i) in long.iter().enumerate() {
-        for &j in &long[place + 1..] {
+    for (index, &i) in long.iter().enumerate() {
+        for &j in &long[index + 1..] {
             let Some(axis) = crossing_of(&units[i], &units[j]) else {
                 continue;
             };

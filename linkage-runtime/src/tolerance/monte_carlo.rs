@@ -19,19 +19,19 @@ pub use samples::{Estimate, Samples, Statistics};
 use draw::Draw;
 
 use super::{Distribution, ToleranceError, Tolerances, Uncertainties};
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
 /// Mechanisms that are drawn and evaluated together.
 const BLOCK: usize = 1024;
-/// How long a round of blocks should take; after each the progress is reported.
+/// Length of a round of blocks; the progress is reported after each.
 const ROUND: Duration = Duration::from_millis(100);
 
 /// A study by random sampling: mechanisms whose dimensions are drawn within their tolerances,
 /// independently or [correlated](Self::run_correlated), each evaluated in full.
 ///
-/// Equal seeds give equal samples on any number of threads: each block of 1024 mechanisms has a stream
-/// of random numbers of its own, and each mechanism uses one number for each parameter, also for those
-/// that are exact.
+/// Equal seeds give equal samples on any number of threads: each block of 1024 mechanisms has a
+/// stream of random numbers of its own, and each mechanism uses one number for each parameter, also
+/// for those that are exact.
 ///
 /// ```
 /// use linkage_runtime::tolerance::{MonteCarlo, Tolerances};
@@ -68,7 +68,7 @@ pub struct MonteCarlo<'a> {
     progress: Option<Box<dyn FnMut(Progress) + 'a>>,
 }
 
-/// How far a study has come.
+/// The progress of a study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
     /// Mechanisms that have been evaluated.
@@ -78,7 +78,7 @@ pub struct Progress {
 }
 
 impl<'a> MonteCarlo<'a> {
-    /// A study of so many mechanisms, normally distributed, with seed 0.
+    /// A study of this number of mechanisms, normally distributed, with seed 0.
     #[must_use]
     pub fn new(count: usize) -> Self {
         Self {
@@ -120,14 +120,14 @@ impl<'a> MonteCarlo<'a> {
 
     /// Draws and evaluates the mechanisms, on all threads of rayon's current pool.
     ///
-    /// `evaluate` gets some mechanisms and a slice of equal length for each of `K` numbers, which it
-    /// fills with one value for each mechanism; what cannot be assembled is NaN. Use a `_sweep_sets`
-    /// method in it, which computes in lanes.
+    /// `evaluate` gets some mechanisms and a slice of equal length for each of `K` numbers, which
+    /// it fills with one value for each mechanism; NaN for one that cannot be assembled. Use a
+    /// `_sweep_sets` method in it, which computes in lanes.
     ///
     /// # Errors
     ///
-    /// `Nothing` without mechanisms, `NoSuchParameter` for a distribution of a parameter that is not
-    /// there.
+    /// `Nothing` without mechanisms, `NoSuchParameter` for a distribution of a parameter that is
+    /// not there.
     pub fn run<M, const N: usize, const K: usize>(
         self,
         nominal: &M,
@@ -148,13 +148,13 @@ impl<'a> MonteCarlo<'a> {
         self.sample(&draw, evaluate)
     }
 
-    /// As [`run`](Self::run), with the distributions and correlations of `uncertainties`, which take the place of
-    /// those of the study.
+    /// Works as [`run`](Self::run), with the distributions and correlations of `uncertainties`
+    /// instead of those of the study.
     ///
     /// # Errors
     ///
-    /// `Nothing` without mechanisms, `NotNormal` if a dimension of another distribution than the normal one is
-    /// correlated: its joint distribution is not known then.
+    /// `Nothing` without mechanisms, `NotNormal` if a dimension of another distribution than the
+    /// normal one is correlated: its joint distribution is not known then.
     pub fn run_correlated<M, const N: usize, const K: usize>(
         self,
         nominal: &M,
@@ -229,8 +229,8 @@ impl<'a> MonteCarlo<'a> {
     fn distributions<const N: usize>(&self) -> Result<[Distribution; N], ToleranceError> {
         let mut distributions = [self.distribution; N];
         for &(index, distribution) in &self.exceptions {
-            let place = distributions.get_mut(index);
-            *place.ok_or(ToleranceError::NoSuchParameter { index, count: N })? = distribution;
+            let entry = distributions.get_mut(index);
+            *entry.ok_or(ToleranceError::NoSuchParameter { index, count: N })? = distribution;
         }
         Ok(distributions)
     }

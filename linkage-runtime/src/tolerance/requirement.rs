@@ -8,7 +8,7 @@ use super::modulus::farthest;
 use super::{Effects, ToleranceError, Tolerances};
 use crate::components::{Components, in_space, norm};
 
-/// How errors add up.
+/// Kinds of addition of errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Addition {
     /// All at their limits, with the worst signs.
@@ -18,16 +18,16 @@ pub enum Addition {
 }
 
 /// An allowed error of a quantity of `K` components, over positions with the sensitivities to `N`
-/// parameters: what tolerances are allocated to.
+/// parameters, to which tolerances are allocated.
 ///
 /// ```
 /// use linkage_runtime::Parameter;
-/// use linkage_runtime::tolerance::{Addition, Requirement, Rule};
+/// use linkage_runtime::tolerance::{Addition, Requirement, AllocationRule};
 ///
 /// let parameter = |name| Parameter { name, unit: "mm", nominal: 50.0, tolerance: 0.0 };
 /// let parameters = ["a", "b"].map(parameter);
-/// let requirement = Requirement::new(0.1, Addition::WorstCase).at(&[0.5, -2.0])?;
-/// let allocation = requirement.allocate(&parameters, &Rule::EqualEffect)?;
+/// let requirement = Requirement::new(0.1, Addition::WorstCase).position(&[0.5, -2.0])?;
+/// let allocation = requirement.allocate(&parameters, &AllocationRule::EqualEffect)?;
 /// let [a, b] = allocation.tolerances.values();
 /// assert!((a - 0.1).abs() < 1e-12 && (b - 0.025).abs() < 1e-12);
 /// # Ok::<(), linkage_runtime::tolerance::ToleranceError>(())
@@ -64,7 +64,10 @@ impl<const N: usize, const K: usize> Requirement<N, K> {
     /// # Errors
     ///
     /// `NotFinite` for sensitivities that are NaN or infinite.
-    pub fn at<V: Components<K>>(mut self, sensitivities: &[V; N]) -> Result<Self, ToleranceError> {
+    pub fn position<V: Components<K>>(
+        mut self,
+        sensitivities: &[V; N],
+    ) -> Result<Self, ToleranceError> {
         self.positions
             .push(array::from_fn(|i| sensitivities[i].components()));
         self.finite()
@@ -74,7 +77,7 @@ impl<const N: usize, const K: usize> Requirement<N, K> {
     ///
     /// # Errors
     ///
-    /// As [`at`](Self::at).
+    /// As [`position`](Self::position).
     pub fn over<V: Components<K>>(
         mut self,
         positions: impl IntoIterator<Item = [V; N]>,
@@ -91,7 +94,7 @@ impl<const N: usize, const K: usize> Requirement<N, K> {
     ///
     /// # Errors
     ///
-    /// As [`at`](Self::at).
+    /// As [`position`](Self::position).
     pub fn relative_to<V: Components<K>>(mut self, start: &[V; N]) -> Result<Self, ToleranceError> {
         for position in &mut self.positions {
             for (row, start) in position.iter_mut().zip(start) {
@@ -109,7 +112,7 @@ impl<const N: usize, const K: usize> Requirement<N, K> {
         self.limit
     }
 
-    /// How errors add up.
+    /// Kinds of addition of errors.
     #[must_use]
     pub const fn addition(&self) -> Addition {
         self.addition
@@ -140,9 +143,12 @@ impl<const N: usize, const K: usize> Requirement<N, K> {
 
     /// The largest effect of each parameter over all positions, for a tolerance of 1.
     pub(super) fn largest_effects(&self) -> [f64; N] {
-        let size = |row: &[f64; K]| match self.by_component {
-            true => row.iter().fold(0.0, |max: f64, x| max.max(x.abs())),
-            false => norm(row),
+        let size = |row: &[f64; K]| {
+            if self.by_component {
+                row.iter().fold(0.0, |max: f64, x| max.max(x.abs()))
+            } else {
+                norm(row)
+            }
         };
         array::from_fn(|i| {
             let sizes = self.positions.iter().map(|position| size(&position[i]));
@@ -163,8 +169,8 @@ impl<const N: usize, const K: usize> Requirement<N, K> {
         Ok(())
     }
 
-    /// The conditions of the positions: of each the one that is tightest at some tolerances, or one for
-    /// each component. A condition limits tolerances `t`, or their squares where errors add
+    /// The conditions of the positions: of each the one that is tightest at some tolerances, or one
+    /// for each component. A condition limits tolerances `t`, or their squares where errors add
     /// statistically: the vector `sum of row_i t_i` must not be longer than 1.
     pub(super) fn conditions(&self, tolerances: &[f64; N]) -> Vec<Vec<[f64; 3]>> {
         let plain = |x: f64| match self.addition {

@@ -3,17 +3,20 @@
 use core::array;
 use core::fmt;
 
+use super::budget::Budget;
 use super::correlation::Square;
-use super::{Budget, Uncertainties};
+use super::uncertainties::Uncertainties;
 use crate::components::Components;
-use crate::words::rounded;
+use crate::format::rounded;
 
-/// Mean and uncertainty of a quantity by its Taylor polynomial of second order, and of third order where that is asked for.
+/// Mean and uncertainty of a quantity by its Taylor polynomial of second order, and of third order
+/// where that is required.
 ///
-/// With second derivatives the figures are those that the polynomial has, exactly: for normally distributed dimensions,
-/// correlated or not, and for independent ones of any distribution. The guide's formula for independent quantities
-/// (JCGM 100:2008, note in 5.1.2) has the products of first and third derivatives, too, which are of the same order in
-/// the uncertainties: [`with_third`](Self::with_third) adds them.
+/// With second derivatives the figures are those that the polynomial has, exactly: for normally
+/// distributed dimensions, correlated or not, and for independent ones of any distribution. The
+/// guide's formula for independent quantities (JCGM 100:2008, note in 5.1.2) has the products of
+/// first and third derivatives, too, which are of the same order in the uncertainties:
+/// [`with_third`](Self::with_third) adds them.
 ///
 /// All figures are NaN where a derivative is NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,14 +27,28 @@ pub struct SecondOrder<const N: usize, const K: usize> {
     pub shift: [f64; K],
     /// Variances and covariances by first derivatives alone.
     pub linear: [[f64; K]; K],
-    /// What second derivatives add to them.
+    /// The part of second derivatives.
     pub quadratic: [[f64; K]; K],
-    /// What products of first and third derivatives add to them: 0 unless they were given.
+    /// The part of products of first and third derivatives: 0 unless they were given.
     pub cubic: [[f64; K]; K],
 }
 
+impl<const N: usize> Uncertainties<N> {
+    /// The uncertainty of a quantity to second order: `first` are its sensitivities, `second` their
+    /// sensitivities, which a function gives as `sensitivity(q)` and `sensitivity(sensitivity(q))`.
+    #[must_use]
+    pub fn second_order<V: Components<K>, const K: usize>(
+        &self,
+        first: &[V; N],
+        second: &[[V; N]; N],
+    ) -> SecondOrder<N, K> {
+        let second = second.map(|row| row.map(V::components));
+        SecondOrder::new(*self, first.map(V::components), &second)
+    }
+}
+
 impl<const N: usize, const K: usize> SecondOrder<N, K> {
-    pub(super) fn new(
+    fn new(
         uncertainties: Uncertainties<N>,
         first: [[f64; K]; N],
         second: &[[[f64; K]; N]; N],
@@ -59,7 +76,8 @@ impl<const N: usize, const K: usize> SecondOrder<N, K> {
         }
     }
 
-    /// With third derivatives, `sensitivity(sensitivity(sensitivity(q)))`: the products of first and third ones.
+    /// With third derivatives, `sensitivity(sensitivity(sensitivity(q)))`: the products of first
+    /// and third ones.
     #[must_use]
     pub fn with_third<V: Components<K>>(mut self, third: &[[[V; N]; N]; N]) -> Self {
         let covariance = self.uncertainties.covariance_matrix();
@@ -93,16 +111,18 @@ impl<const N: usize, const K: usize> SecondOrder<N, K> {
         array::from_fn(|k| array::from_fn(|l| sum(k, l)))
     }
 
-    /// The standard uncertainty of each component about the mean, all terms together; NaN where third derivatives
-    /// make the variance negative: the uncertainties are too large for a polynomial of this order then.
+    /// The standard uncertainty of each component about the mean, all terms together; NaN where
+    /// third derivatives make the variance negative: the uncertainties are too large for a
+    /// polynomial of this order then.
     #[must_use]
     pub fn standard(&self) -> [f64; K] {
         let covariance = self.covariance();
         array::from_fn(|k| covariance[k][k].sqrt())
     }
 
-    /// The root mean square deviation of each component from the value at the best estimates: the standard uncertainty
-    /// of that value, if the mean is not corrected by the [`shift`](Self::shift).
+    /// The root mean square deviation of each component from the value at the best estimates: the
+    /// standard uncertainty of that value, if the mean is not corrected by the
+    /// [`shift`](Self::shift).
     #[must_use]
     pub fn standard_uncorrected(&self) -> [f64; K] {
         let covariance = self.covariance();
@@ -135,7 +155,7 @@ fn half_product<const N: usize>(second: &Square<N>, covariance: &Square<N>) -> S
     array::from_fn(|i| array::from_fn(|j| 0.5 * product(i, j)))
 }
 
-/// By how much the mean fourth power of each deviation exceeds that of a normal distribution.
+/// The excess of the mean fourth power of each deviation over that of a normal distribution.
 fn excess<const N: usize>(uncertainties: &Uncertainties<N>) -> [f64; N] {
     let standard = uncertainties.standard_uncertainties();
     let distributions = uncertainties.distributions();

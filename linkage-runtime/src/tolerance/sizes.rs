@@ -4,14 +4,14 @@ use core::array;
 
 use super::given::exactly;
 use super::{Grade, ToleranceError, tolerance_factor};
-use crate::Parameter;
+use crate::data::Parameter;
 
 /// A size in mm for each parameter, and how a tolerance in mm becomes one of the parameter.
 ///
 /// The size of a length is its nominal value. An angle or a number has none by itself: a
-/// [`lever`](Self::lever) says at which length it acts. ISO 286 is about lengths; this is the rule that
-/// extends it: the angle may move a point at the end of its lever by the tolerance of a length of that
-/// size.
+/// [`lever`](Self::lever) sets the length at which it acts. ISO 286 is about lengths; this is the
+/// rule that extends it: the angle may move a point at the end of its lever by the tolerance of a
+/// length of that size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sizes<const N: usize> {
     names: [&'static str; N],
@@ -22,13 +22,14 @@ pub struct Sizes<const N: usize> {
 }
 
 impl<const N: usize> Sizes<N> {
-    /// The sizes of lengths; angles and numbers have none yet. A mechanism with other dimensions than those of the declaration has
-    /// them in [`Dimensions::parameters`](crate::Dimensions::parameters).
+    /// The sizes of lengths; angles and numbers have none yet. A mechanism with other dimensions
+    /// than those of the declaration has them in
+    /// [`Dimensions::parameters`](crate::Dimensions::parameters).
     ///
     /// # Errors
     ///
     /// `Count` if there are not `N` parameters.
-    pub fn of(parameters: &[Parameter]) -> Result<Self, ToleranceError> {
+    pub fn new(parameters: &[Parameter]) -> Result<Self, ToleranceError> {
         let parameters: [Parameter; N] = exactly("parameters", parameters)?;
         let units = parameters.map(|parameter| 1.0 / millimetres(parameter.unit));
         Ok(Self {
@@ -38,25 +39,25 @@ impl<const N: usize> Sizes<N> {
         })
     }
 
-    /// The parameter with this index acts at this length, in mm: for an angle, and for a number that
-    /// multiplies the length.
+    /// The parameter with this index acts at this length, in mm: for an angle, and for a number
+    /// that multiplies the length.
     ///
     /// # Errors
     ///
-    /// `NoSuchParameter` for an index that is not below `N`, `SizeOutOfRange` for a lever that is not positive
-    /// and finite.
+    /// `NoSuchParameter` for an index that is not below `N`, `SizeOutOfRange` for a lever that is
+    /// not positive and finite.
     pub fn lever(mut self, index: usize, lever: f64) -> Result<Self, ToleranceError> {
         self.checked(index, lever)?;
         (self.sizes[index], self.units[index]) = (lever, 1.0 / lever);
         Ok(self)
     }
 
-    /// Another size, in mm, for the length with this index: for a coordinate, whose nominal value says
-    /// nothing about how it is made.
+    /// Another size, in mm, for the length with this index: for a coordinate, whose nominal value
+    /// does not determine the process.
     ///
     /// # Errors
     ///
-    /// As [`lever`](Self::lever), and `NoSize` for what is no length.
+    /// Works as [`lever`](Self::lever), and fails with `NoSize` for a parameter that is no length.
     pub fn size(mut self, index: usize, size: f64) -> Result<Self, ToleranceError> {
         self.checked(index, size)?;
         if self.units[index].is_nan() {
@@ -131,7 +132,7 @@ impl<const N: usize> Sizes<N> {
     }
 }
 
-/// How many mm the unit of a parameter has; NaN for what is no length.
+/// The unit of a parameter in mm; NaN unless it is a length.
 fn millimetres(unit: &str) -> f64 {
     match unit {
         "m" => 1000.0,

@@ -1,18 +1,19 @@
-//! What is known of dimensions, and how far they depend on each other.
+//! Knowledge of dimensions: distributions, standard uncertainties and correlations.
 
 use core::array;
 
 use super::correlation::{self, Square};
-use super::given::exactly;
-use super::{Budget, Distribution, SecondOrder, ToleranceError, Tolerances};
-use crate::Parameter;
-use crate::components::Components;
+use super::distribution::Distribution;
+use super::error::ToleranceError;
+use super::given::{Tolerances, exactly};
+use crate::data::Parameter;
 
-/// Standard uncertainties of `N` parameters with their correlations, as in the Guide to the Expression of Uncertainty
-/// in Measurement (JCGM 100:2008), in the units of the parameters.
+/// Standard uncertainties of `N` parameters with their correlations, as in the Guide to the
+/// Expression of Uncertainty in Measurement (JCGM 100:2008), in the units of the parameters.
 ///
-/// They come from tolerances and how dimensions are distributed within them (type B of the Guide), or from
-/// measurements: a standard deviation with its degrees of freedom, a matrix of covariances (type A).
+/// They come from tolerances and how dimensions are distributed within them (type B of the Guide),
+/// or from measurements: a standard deviation with its degrees of freedom, a matrix of covariances
+/// (type A).
 ///
 /// ```
 /// use linkage_runtime::Parameter;
@@ -20,7 +21,7 @@ use crate::components::Components;
 ///
 /// let rods = ["a", "b"].map(|name| Parameter { name, unit: "mm", nominal: 40.0, tolerance: 0.03 });
 /// let tolerances = Tolerances::<2>::complete(&rods)?;
-/// let alone = Uncertainties::of(&tolerances, Distribution::Normal);
+/// let alone = Uncertainties::new(&tolerances, Distribution::Normal);
 /// // Cut on one stop: what one is too long, the other is, too.
 /// let together = alone.correlations(&[(0, 1, 0.8)])?;
 ///
@@ -41,10 +42,10 @@ pub struct Uncertainties<const N: usize> {
 }
 
 impl<const N: usize> Uncertainties<N> {
-    /// Dimensions that are distributed in this way within their tolerances, independently, with infinite degrees of
-    /// freedom: the distributions are known.
+    /// Dimensions that are distributed in this way within their tolerances, independently, with
+    /// infinite degrees of freedom: the distributions are known.
     #[must_use]
-    pub fn of(tolerances: &Tolerances<N>, distribution: Distribution) -> Self {
+    pub fn new(tolerances: &Tolerances<N>, distribution: Distribution) -> Self {
         Self {
             tolerances: *tolerances,
             distributions: [distribution; N],
@@ -54,19 +55,20 @@ impl<const N: usize> Uncertainties<N> {
         }
     }
 
-    /// Dimensions with these nominal values, normally distributed about them with these covariances; a dimension whose
-    /// variance is 0 is exact.
+    /// Dimensions with these nominal values, normally distributed about them with these
+    /// covariances; a dimension whose variance is 0 is exact.
     ///
     /// # Errors
     ///
-    /// `Count` if there are not `N` parameters; `Uncertainty` for a variance that is negative, infinite or NaN,
-    /// `NotSymmetric`, `Correlation` or `Contradiction` for covariances that no quantities have.
+    /// `Count` if there are not `N` parameters; `Uncertainty` for a variance that is negative,
+    /// infinite or NaN, `NotSymmetric`, `Correlation` or `Contradiction` for covariances that no
+    /// quantities have.
     pub fn covariance(
         parameters: &[Parameter],
         covariance: &[[f64; N]; N],
     ) -> Result<Self, ToleranceError> {
         let listed: [Parameter; N] = exactly("parameters", parameters)?;
-        let mut uncertain = Self::of(&Tolerances::new(&listed, &[0.0; N])?, Distribution::Normal);
+        let mut uncertain = Self::new(&Tolerances::new(&listed, &[0.0; N])?, Distribution::Normal);
         for (i, row) in covariance.iter().enumerate() {
             uncertain = uncertain.standard(i, row[i].sqrt())?;
         }
@@ -108,12 +110,13 @@ impl<const N: usize> Uncertainties<N> {
         Ok(self)
     }
 
-    /// The standard uncertainty of the parameter with this index, which is then normally distributed, about the middle of
-    /// its zone.
+    /// The standard uncertainty of the parameter with this index, which is then normally
+    /// distributed, about the middle of its zone.
     ///
     /// # Errors
     ///
-    /// `NoSuchParameter` for an index that is not below `N`, `Uncertainty` if it is negative, infinite or NaN.
+    /// `NoSuchParameter` for an index that is not below `N`, `Uncertainty` if it is negative,
+    /// infinite or NaN.
     pub fn standard(mut self, index: usize, standard: f64) -> Result<Self, ToleranceError> {
         let name = self.parameter(index)?.name;
         if !(standard >= 0.0 && standard.is_finite()) {
@@ -128,12 +131,13 @@ impl<const N: usize> Uncertainties<N> {
         Ok(self)
     }
 
-    /// On how many degrees of freedom the standard uncertainty of the parameter with this index rests: one less than
-    /// there were measurements. Infinity if it is exactly known.
+    /// On how many degrees of freedom the standard uncertainty of the parameter with this index
+    /// rests: one less than there were measurements. Infinity if it is exactly known.
     ///
     /// # Errors
     ///
-    /// `NoSuchParameter` for an index that is not below `N`, `DegreesOfFreedom` if there is not one at least.
+    /// `NoSuchParameter` for an index that is not below `N`, `DegreesOfFreedom` if there is not one
+    /// at least.
     pub fn degrees_of_freedom(
         mut self,
         index: usize,
@@ -147,12 +151,14 @@ impl<const N: usize> Uncertainties<N> {
         Ok(self)
     }
 
-    /// Correlation coefficients of pairs of parameters, by their indices, beside those that were given before.
+    /// Correlation coefficients of pairs of parameters, by their indices, in addition to those that
+    /// were given before.
     ///
     /// # Errors
     ///
-    /// `NoSuchParameter` for an index that is not below `N`, `Correlation` for one that is not between -1 and 1 or of a
-    /// parameter with itself, `Contradiction` if no quantities have all of them together.
+    /// `NoSuchParameter` for an index that is not below `N`, `Correlation` for one that is not
+    /// between -1 and 1 or of a parameter with itself, `Contradiction` if no quantities have all of
+    /// them together.
     pub fn correlations(mut self, pairs: &[(usize, usize, f64)]) -> Result<Self, ToleranceError> {
         for &(i, j, coefficient) in pairs {
             self = self.pair(i, j, coefficient)?;
@@ -160,14 +166,14 @@ impl<const N: usize> Uncertainties<N> {
         self.rooted()
     }
 
-    /// The parameters with nominal values; their tolerances are half the widths of their zones, three standard
-    /// uncertainties where these were given.
+    /// The parameters with nominal values; their tolerances are half the widths of their zones,
+    /// three standard uncertainties where these were given.
     #[must_use]
     pub const fn tolerances(&self) -> &Tolerances<N> {
         &self.tolerances
     }
 
-    /// How each parameter is distributed.
+    /// The distribution of each parameter.
     #[must_use]
     pub const fn distributions(&self) -> &[Distribution; N] {
         &self.distributions
@@ -200,32 +206,11 @@ impl<const N: usize> Uncertainties<N> {
         array::from_fn(|i| array::from_fn(|j| covariance(i, j)))
     }
 
-    /// The uncertainty of a quantity with these sensitivities, to first order, and what each parameter has to do with
-    /// it. The correlations are taken into account.
-    ///
-    /// All figures are NaN where a sensitivity is, because the mechanism cannot be assembled.
-    #[must_use]
-    pub fn budget<V: Components<K>, const K: usize>(&self, sensitivities: &[V; N]) -> Budget<N, K> {
-        Budget::new(*self, sensitivities.map(V::components))
-    }
-
-    /// The uncertainty of a quantity to second order: `first` are its sensitivities, `second` their sensitivities, which a
-    /// function gives as `sensitivity(q)` and `sensitivity(sensitivity(q))`.
-    #[must_use]
-    pub fn second_order<V: Components<K>, const K: usize>(
-        &self,
-        first: &[V; N],
-        second: &[[V; N]; N],
-    ) -> SecondOrder<N, K> {
-        let second = second.map(|row| row.map(V::components));
-        SecondOrder::new(*self, first.map(V::components), &second)
-    }
-
     pub(super) const fn root(&self) -> &Square<N> {
         &self.root
     }
 
-    /// Whether the parameter is correlated with another one.
+    /// Returns true if the parameter is correlated with another one.
     pub(super) fn is_correlated(&self, i: usize) -> bool {
         (0..N).any(|j| j != i && self.correlations[i][j] != 0.0)
     }

@@ -1,6 +1,6 @@
 //! Assemblies over the range of an input.
 
-use linkage_runtime::generated::{
+use linkage_runtime::support::{
     Chosen, Level, Levels, NoPrograms, Searched, SurveyedUnknown, circuits,
 };
 use linkage_runtime::{AssemblyError, AssemblyMode, BranchEnd, Circuits, Cycle};

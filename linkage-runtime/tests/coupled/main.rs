@@ -4,7 +4,7 @@ mod circuits;
 mod closing;
 mod grid;
 mod hostile;
-mod start;
+mod initial_state;
 mod table;
 mod triads;
 

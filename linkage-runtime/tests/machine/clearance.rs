@@ -22,7 +22,7 @@ where
     [f64; K]: linkage_runtime::tolerance::Components<K>,
 {
     let shapes = |x| (first.map(|p| p.at(x)), second.map(|p| p.at(x)));
-    Clearance::of(TURN, POSITIONS, shapes).expect("a clearance")
+    Clearance::new(TURN, POSITIONS, shapes).expect("a clearance")
 }
 
 fn at<const K: usize, const A: usize>(shape: &Shape<K, A>, x: f64) -> [[f64; K]; A] {
@@ -193,10 +193,10 @@ fn segments_that_cross() {
         };
         [end(1.0), end(5.0)]
     };
-    let found = Clearance::of(TURN, 19, |x| (fixed, bar(x))).expect("a clearance");
+    let found = Clearance::new(TURN, 19, |x| (fixed, bar(x))).expect("a clearance");
     assert!(found.least().distance < 1e-15, "{:?}", found.least());
     let crossed = [still(0.0, -1.0), still(0.3, 1.0)];
-    let found = Clearance::of(TURN, 19, |_| (fixed, crossed)).expect("a clearance");
+    let found = Clearance::new(TURN, 19, |_| (fixed, crossed)).expect("a clearance");
     assert!(found.least().distance == 0.0 && found.least().direction[0].is_nan());
 }
 
@@ -204,22 +204,22 @@ fn segments_that_cross() {
 #[test]
 fn borders() {
     let still = |x: f64, y: f64| [[x, y], [0.0; 2], [0.0; 2]];
-    let found = Clearance::of(TURN, 19, |_| {
+    let found = Clearance::new(TURN, 19, |_| {
         ([still(0.0, 0.0)], [still(3.0, -1.0), still(3.0, 4.0)])
     });
     let found = found.expect("a clearance");
     assert!(
         found.minima().len() == 1 && found.least().distance == 3.0 && found.least().feet[1] == 0.2
     );
-    let found = Clearance::of(TURN, 19, |_| {
+    let found = Clearance::new(TURN, 19, |_| {
         ([still(0.0, 0.0)], [still(3.0, 4.0), still(3.0, 4.0)])
     });
     assert_eq!(found.expect("a clearance").least().distance, 5.0);
     let away = |x: f64| [[x, 0.0], [1.0, 0.0], [0.0; 2]];
     let found =
-        Clearance::of((1.0, 2.0), 19, |x| ([away(x)], [still(0.0, 0.0)])).expect("a clearance");
+        Clearance::new((1.0, 2.0), 19, |x| ([away(x)], [still(0.0, 0.0)])).expect("a clearance");
     assert_eq!((found.least().at, found.least().distance), (1.0, 1.0));
-    let missing = Clearance::of(TURN, 19, |_| ([[[f64::NAN; 2]; 3]], [still(0.0, 0.0)]));
+    let missing = Clearance::new(TURN, 19, |_| ([[[f64::NAN; 2]; 3]], [still(0.0, 0.0)]));
     assert_eq!(missing, Err(SummaryError::NotAssembled { positions: 19 }));
 }
 
@@ -237,7 +237,7 @@ fn what_tolerances_leave() {
         ]
     };
     let still = [[0.0; 2]; 3];
-    let found = Clearance::of(TURN, POSITIONS, |x| ([point(x)], [still])).expect("a clearance");
+    let found = Clearance::new(TURN, POSITIONS, |x| ([point(x)], [still])).expect("a clearance");
     assert_eq!(found.minima().len(), 2);
     let parameter = Parameter {
         name: "gap",

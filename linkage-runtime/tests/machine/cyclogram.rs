@@ -4,9 +4,9 @@ use crate::{TAU, TURN};
 use linkage_random::Random;
 use linkage_runtime::Parameter;
 use linkage_runtime::cyclogram::{
-    Band, Cause, Cyclogram, CyclogramError, Motion, Organ, nearest_slot,
+    Band, Cause, Cyclogram, CyclogramError, Member, Motion, nearest_slot,
 };
-use linkage_runtime::summary::Course;
+use linkage_runtime::summary::Curve;
 use linkage_runtime::tolerance::Tolerances;
 
 fn wave(a: [f64; 4]) -> impl Fn(f64) -> [f64; 3] {
@@ -20,13 +20,13 @@ fn wave(a: [f64; 4]) -> impl Fn(f64) -> [f64; 3] {
     }
 }
 
-pub(crate) fn organ(
+pub(crate) fn member(
     name: &str,
     function: impl Fn(f64) -> [f64; 3],
     bands: &[Band],
-) -> Result<Organ, CyclogramError> {
-    let course = Course::of(TURN, 73, function).expect("a course");
-    Organ::new(name, &course, bands)
+) -> Result<Member, CyclogramError> {
+    let course = Curve::new(TURN, 73, function).expect("a course");
+    Member::new(name, &course, bands)
 }
 
 /// At each of many angles an organ does what value and slope say.
@@ -37,7 +37,7 @@ fn motions_at_samples() {
     for _ in 0..30 {
         let factors = std::array::from_fn(|_| random.between(-10.0, 10.0));
         let function = wave(factors);
-        let course = Course::of(TURN, 73, &function).expect("a course");
+        let course = Curve::new(TURN, 73, &function).expect("a course");
         let (low, high) = (
             course.position().lowest.value,
             course.position().highest.value,
@@ -49,7 +49,7 @@ fn motions_at_samples() {
             Band::Bottom(0.2 * stroke),
             Band::Between(middle[0], middle[1]),
         ];
-        let organ = organ("wave", &function, &bands).expect("an organ");
+        let member = member("wave", &function, &bands).expect("an organ");
         for i in 0..2000 {
             let x = TAU * (f64::from(i) + 0.5) / 2000.0;
             let [y, v, _] = function(x);
@@ -64,19 +64,19 @@ fn motions_at_samples() {
             } else {
                 Motion::Return
             };
-            let beside = organ
+            let beside = member
                 .events()
                 .iter()
                 .any(|event| (event.at - x).abs() < 1e-9);
             assert!(
-                beside || organ.motion(x) == expected,
+                beside || member.motion(x) == expected,
                 "{x}: {:?} {expected:?}",
-                organ.motion(x)
+                member.motion(x)
             );
         }
-        let whole: f64 = organ.intervals().map(|(_, interval)| interval.range).sum();
+        let whole: f64 = member.intervals().map(|(_, interval)| interval.range).sum();
         assert!((whole - TAU).abs() < 1e-12);
-        for event in organ.events() {
+        for event in member.events() {
             let [y, v, a] = function(event.at);
             assert_eq!([event.value, event.slope, event.bend], [y, v, a]);
             turns += usize::from(event.cause == Cause::Turn);
@@ -99,7 +99,7 @@ fn sensitivities_are_differences() {
         [-s, c, -2.0 * s2, 2.0 * c2]
     };
     let bands = [Band::Top(0.5), Band::Bottom(0.7), Band::Between(1.0, 1.5)];
-    let nominal = organ("wave", wave(factors), &bands).expect("an organ");
+    let nominal = member("wave", wave(factors), &bands).expect("an organ");
     let nominal = nominal.sensitivities(value, rate);
     let mut causes = std::collections::BTreeSet::new();
     for p in 0..4 {
@@ -107,7 +107,7 @@ fn sensitivities_are_differences() {
         let [more, less] = [H, -H].map(|h| {
             let mut factors = factors;
             factors[p] += h;
-            organ("wave", wave(factors), &bands).expect("an organ")
+            member("wave", wave(factors), &bands).expect("an organ")
         });
         for (index, event) in nominal.events().iter().enumerate() {
             let difference = (more.events()[index].at - less.events()[index].at) / (2.0 * H);
@@ -147,7 +147,7 @@ fn sensitivities_are_differences() {
         error.to_string(),
         "`wave` has sensitivities to 4 parameters, and there are 3 tolerances"
     );
-    let error = organ("wave", wave(factors), &bands)
+    let error = member("wave", wave(factors), &bands)
         .expect("an organ")
         .tolerances(&fewer)
         .expect_err("none");
@@ -160,7 +160,7 @@ fn sensitivities_are_differences() {
 #[test]
 fn messages() {
     let lift = |x: f64| [10.0 * x.sin(), 10.0 * x.cos(), -10.0 * x.sin()];
-    let told = |bands: &[Band]| match organ("press", lift, bands) {
+    let told = |bands: &[Band]| match member("press", lift, bands) {
         Err(error) => error.to_string(),
         Ok(_) => String::new(),
     };
@@ -177,8 +177,8 @@ fn messages() {
          `press`: the whole motion, from -10 to 10, is in the band top 30: there is nothing but a dwell\n\
          `press`: the bands top 1 and 8.5 to 9.5 overlap by 0.5: the motion is from -10 to 10"
     );
-    let half = Course::of((0.0, 3.0), 73, lift).expect("a course");
-    let error = Organ::new("press", &half, &[]).expect_err("no cycle");
+    let half = Curve::new((0.0, 3.0), 73, lift).expect("a course");
+    let error = Member::new("press", &half, &[]).expect_err("no cycle");
     assert_eq!(
         error.to_string(),
         "`press` does not repeat itself from 0 to 171.887 deg: there it is 0 and 1.4112, or a derivative differs\n\
@@ -191,21 +191,24 @@ fn messages() {
             lift(x)
         }
     };
-    let gap = Course::of(TURN, 73, gap).expect("a course");
-    let error = Organ::new("press", &gap, &[]).expect_err("a gap");
+    let gap = Curve::new(TURN, 73, gap).expect("a course");
+    let error = Member::new("press", &gap, &[]).expect_err("a gap");
     assert_eq!(
         error.to_string(),
         "`press` cannot be assembled over the whole cycle, only from 143.239 to 114.592 deg"
     );
-    let error = organ("press", |_| [3.0, 0.0, 0.0], &[]).expect_err("it stands still");
+    let error = member("press", |_| [3.0, 0.0, 0.0], &[]).expect_err("it stands still");
     assert_eq!(
         error.to_string(),
         "`press` stands still at 3 over the whole cycle"
     );
-    let twice = Course::of((0.0, 2.0 * TAU), 73, lift).expect("a course");
-    let organs = [organ("press", lift, &[]), Organ::new("sinker", &twice, &[])];
+    let twice = Curve::new((0.0, 2.0 * TAU), 73, lift).expect("a course");
+    let members = [
+        member("press", lift, &[]),
+        Member::new("sinker", &twice, &[]),
+    ];
     let error =
-        Cyclogram::of(organs.map(|organ| organ.expect("an organ"))).expect_err("two ranges");
+        Cyclogram::new(members.map(|member| member.expect("an organ"))).expect_err("two ranges");
     assert_eq!(
         error.to_string(),
         "`press` has a cycle from 0 to 360 deg, `sinker` one from 0 to 720 deg\n\
@@ -218,10 +221,10 @@ fn messages() {
 fn what_happens_together() {
     let lift = |lead: f64| move |x: f64| [(x + lead).cos(), -(x + lead).sin(), -(x + lead).cos()];
     let width = 1.0 - 40f64.to_radians().cos();
-    let organs = [0.0, 50.0, 180.0].map(|lead: f64| {
-        organ("organ", lift(lead.to_radians()), &[Band::Top(width)]).expect("an organ")
+    let members = [0.0, 50.0, 180.0].map(|lead: f64| {
+        member("organ", lift(lead.to_radians()), &[Band::Top(width)]).expect("an organ")
     });
-    let machine = Cyclogram::of(organs).expect("a machine");
+    let machine = Cyclogram::new(members).expect("a machine");
     let degrees = |found: Vec<linkage_runtime::summary::Interval>| -> Vec<[f64; 3]> {
         let of = |i: &linkage_runtime::summary::Interval| {
             [i.from, i.to, i.range].map(|x| (x.to_degrees() * 1e9).round() / 1e9)
@@ -243,7 +246,7 @@ fn what_happens_together() {
     );
 
     // The dwell of the second organ is to begin at 300 degrees, not at 270; the gear has 48 slots.
-    let second = &machine.organs()[1];
+    let second = &machine.members()[1];
     let begin = second
         .events()
         .iter()
@@ -253,7 +256,7 @@ fn what_happens_together() {
     assert!((lead.to_degrees() + 30.0).abs() < 1e-12);
     let slot = nearest_slot(lead, TAU / 48.0);
     assert!(slot.step == -4 && slot.off.abs() < 1e-12);
-    let set = organ(
+    let set = member(
         "organ",
         lift(50f64.to_radians() + slot.angle),
         &[Band::Top(width)],

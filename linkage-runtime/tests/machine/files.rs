@@ -1,19 +1,19 @@
 //! Cyclograms as CSV, JSON and pictures.
 
-use crate::cyclogram::organ;
+use crate::cyclogram::member;
 use linkage_runtime::cyclogram::{Band, Cyclogram};
 use linkage_runtime::report::CsvStyle;
 
 #[test]
 fn files() {
     let lift = |lead: f64| move |x: f64| [(x + lead).cos(), -(x + lead).sin(), -(x + lead).cos()];
-    let organs = [("hook & eye", 0.0), ("press", 1.0)].map(|(name, lead)| {
-        organ(name, lift(lead), &[Band::Top(0.5)])
+    let members = [("hook & eye", 0.0), ("press", 1.0)].map(|(name, lead)| {
+        member(name, lift(lead), &[Band::Top(0.5)])
             .expect("an organ")
             .unit("mm")
             .sensitivities(|x| [x.cos()], |x| [-x.sin()])
     });
-    let machine = Cyclogram::of(organs).expect("a machine");
+    let machine = Cyclogram::new(members).expect("a machine");
     let csv = machine
         .csv(&CsvStyle::default().degrees(true).digits(6))
         .expect("CSV");
@@ -50,7 +50,7 @@ fn files() {
     assert!(machine.order_csv(&wrong).is_err() && machine.overlaps_csv(&wrong).is_err());
     let json: serde_json::Value = serde_json::from_str(&machine.json()).expect("JSON");
     let at = json["organs"][1]["events"][2]["at"].as_f64();
-    assert_eq!(at, Some(machine.organs()[1].events()[2].at));
+    assert_eq!(at, Some(machine.members()[1].events()[2].at));
     let bounds = &json["organs"][0]["bounds"];
     assert_eq!(*bounds, serde_json::json!([["top", 0.5]]));
     assert_eq!(json["order"].as_array().map(Vec::len), Some(6));
@@ -60,7 +60,7 @@ fn files() {
     let found = machine.overlaps();
     for (own, overlap) in found.all().iter().enumerate() {
         let told = &json["overlaps"][own];
-        assert_eq!(told["organs"], serde_json::json!(overlap.organs));
+        assert_eq!(told["organs"], serde_json::json!(overlap.members));
         assert_eq!(told["from"].as_f64(), Some(overlap.interval.from));
         assert_eq!(told["range"].as_f64(), Some(overlap.interval.range));
     }
@@ -102,7 +102,7 @@ fn files() {
         axis.and_then(|axis| axis.attribute(name)?.parse::<f64>().ok())
             .expect(name)
     };
-    let share = (machine.organs()[1].events()[0].at - number("data-from"))
+    let share = (machine.members()[1].events()[0].at - number("data-from"))
         / (number("data-to") - number("data-from"));
     let place = number("x1") + share * (number("x2") - number("x1"));
     let circles = drawing
@@ -115,6 +115,6 @@ fn files() {
             && svg.contains("prefers-color-scheme: dark")
             && svg.contains("hook &amp; eye")
     );
-    let organ = organ("a\u{1}b", lift(0.0), &[Band::Top(0.5)]).expect("an organ");
-    assert!(Cyclogram::of([organ]).expect("a machine").svg().is_err());
+    let member = member("a\u{1}b", lift(0.0), &[Band::Top(0.5)]).expect("an organ");
+    assert!(Cyclogram::new([member]).expect("a machine").svg().is_err());
 }

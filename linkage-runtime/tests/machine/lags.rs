@@ -1,15 +1,15 @@
 //! Angles between events of organs, and what organs do at once, against samples and differences.
 
-use crate::cyclogram::organ;
+use crate::cyclogram::member;
 use crate::{TAU, TURN};
 use linkage_random::Random;
 use linkage_runtime::Parameter;
-use linkage_runtime::cyclogram::{Band, Cyclogram, CyclogramError, Moment, Motion, Organ};
-use linkage_runtime::summary::Course;
+use linkage_runtime::cyclogram::{Band, Cyclogram, CyclogramError, Member, Moment, Motion};
+use linkage_runtime::summary::Curve;
 use linkage_runtime::tolerance::Tolerances;
 
 /// Two organs on one shaft: `size` is a radius that both have, the leads are their own.
-fn organs(size: f64, leads: [f64; 2]) -> [Organ; 2] {
+fn members(size: f64, leads: [f64; 2]) -> [Member; 2] {
     [0, 1].map(|k| {
         let harmonics = [[1.0, 0.3], [0.8, -0.4]][k];
         let angles = move |x: f64| [(x + leads[k]).sin_cos(), (2.0 * x).sin_cos()];
@@ -33,10 +33,10 @@ fn organs(size: f64, leads: [f64; 2]) -> [Organ; 2] {
             let lead = -size * harmonics[0] * c;
             [-harmonics[0] * s, by_lead(0, lead), by_lead(1, lead)]
         };
-        let course = Course::of(TURN, 73, lift).expect("a course");
+        let course = Curve::new(TURN, 73, lift).expect("a course");
         let name = ["hook", "eye"][k];
-        let organ = Organ::new(name, &course, &[Band::Top(0.2)]).expect("an organ");
-        organ.unit("mm").sensitivities(value, rate)
+        let member = Member::new(name, &course, &[Band::Top(0.2)]).expect("an organ");
+        member.unit("mm").sensitivities(value, rate)
     })
 }
 
@@ -44,7 +44,7 @@ fn organs(size: f64, leads: [f64; 2]) -> [Organ; 2] {
 fn lags_and_their_sensitivities_are_differences() {
     const SIZE: f64 = 2.0;
     const LEADS: [f64; 2] = [0.3, -1.1];
-    let machine = |size, leads| Cyclogram::of(organs(size, leads)).expect("a machine");
+    let machine = |size, leads| Cyclogram::new(members(size, leads)).expect("a machine");
     let nominal = machine(SIZE, LEADS);
     let count = nominal.moments().len();
     assert!(count > 5);
@@ -90,7 +90,7 @@ fn lags_and_their_sensitivities_are_differences() {
 /// What both organs have in common shifts both: the worst case of the angle between them is less than that of the two.
 #[test]
 fn tolerances_of_common_dimensions_cancel() {
-    let machine = Cyclogram::of(organs(2.0, [0.3, -1.1])).expect("a machine");
+    let machine = Cyclogram::new(members(2.0, [0.3, -1.1])).expect("a machine");
     let parameter = |name, tolerance| Parameter {
         name,
         unit: "mm",
@@ -108,7 +108,7 @@ fn tolerances_of_common_dimensions_cancel() {
     let other = machine.end("eye", dwell).expect("it dwells");
     let of = |moment: &Moment<'_>| {
         let effects = moment
-            .organ
+            .member
             .effects(moment.index, &tolerances)
             .expect("as many");
         effects.effects().map(|own| own[0])
@@ -126,7 +126,7 @@ fn tolerances_of_common_dimensions_cancel() {
             assert!((found - expected).abs() < 1e-15);
             let apart: f64 = (0..3).map(|p| a[p].abs() + b[p].abs()).sum();
             assert!(found < apart + 1e-15);
-            if from.organ.name() != to.organ.name() {
+            if from.member.name() != to.member.name() {
                 cancelled = cancelled.max(apart - found);
             }
         }
@@ -155,24 +155,24 @@ fn tolerances_of_common_dimensions_cancel() {
         machine.begin("press", dwell).is_none() && machine.begin("eye", Motion::Dwell(1)).is_none()
     );
     let end = machine.end("eye", dwell).expect("it dwells");
-    assert_eq!((end.event.ends, end.organ.name()), (dwell, "eye"));
+    assert_eq!((end.event.ends, end.member.name()), (dwell, "eye"));
 
     // Without sensitivities there are none of the angle, and the organ is named.
-    let plain = organ(
+    let plain = member(
         "press",
         |x: f64| [x.sin(), x.cos(), -x.sin()],
         &[Band::Top(0.1)],
     )
     .expect("an organ");
-    let [hook, _] = organs(2.0, [0.3, -1.1]);
-    let mixed = Cyclogram::of([hook, plain]).expect("a machine");
+    let [hook, _] = members(2.0, [0.3, -1.1]);
+    let mixed = Cyclogram::new([hook, plain]).expect("a machine");
     let [from, to] = ["hook", "press"].map(|name| mixed.begin(name, dwell).expect("it dwells"));
     let lag = mixed.after(&from, &to);
     assert_eq!(lag.sensitivity(), None);
-    let Err(CyclogramError::Parameters { organ, .. }) = lag.effects(&tolerances) else {
+    let Err(CyclogramError::Parameters { member, .. }) = lag.effects(&tolerances) else {
         panic!("no sensitivities");
     };
-    assert_eq!(organ, "press");
+    assert_eq!(member, "press");
 }
 
 /// At each of many angles two organs do the same exactly if an overlap says so.
@@ -186,18 +186,18 @@ fn overlaps_at_samples() {
             Band::Bottom(random.between(0.1, 0.9)),
         ];
         let leads = [0, 1, 2].map(|_| random.between(0.0, TAU));
-        let organs = leads.map(|lead| {
+        let members = leads.map(|lead| {
             let lift = |x: f64| {
                 let ((s, c), (s2, c2)) = ((x + lead).sin_cos(), (2.0 * (x + lead)).sin_cos());
                 [c + 0.4 * c2, -s - 0.8 * s2, -c - 1.6 * c2]
             };
-            organ("organ", lift, &bands).expect("an organ")
+            member("organ", lift, &bands).expect("an organ")
         });
-        let machine = Cyclogram::of(organs).expect("a machine");
+        let machine = Cyclogram::new(members).expect("a machine");
         let overlaps = machine.overlaps();
         let sorted = overlaps.all().windows(2);
         assert!(sorted.into_iter().all(|own| {
-            let key = |own: &linkage_runtime::cyclogram::Overlap| (own.organs, own.interval.from);
+            let key = |own: &linkage_runtime::cyclogram::Overlap| (own.members, own.interval.from);
             key(&own[0]) <= key(&own[1])
         }));
         for own in overlaps.all() {
@@ -209,18 +209,18 @@ fn overlaps_at_samples() {
             let turned = (interval.from + interval.range - interval.to).abs();
             assert!(turned < 1e-12 || (turned - TAU).abs() < 1e-12, "{own:?}");
         }
-        for organs in [[0, 1], [0, 2], [1, 2]] {
+        for members in [[0, 1], [0, 2], [1, 2]] {
             for k in 0..1000 {
                 let x = TAU * (f64::from(k) + 0.5) / 1000.0;
-                let motions = organs.map(|organ| machine.organs()[organ].motion(x));
+                let motions = members.map(|member| machine.members()[member].motion(x));
                 let same = motions[0] == motions[1] || motions.iter().all(|own| own.is_dwell());
                 let holds = overlaps.all().iter().filter(|own| {
                     let after = (x - own.interval.from).rem_euclid(TAU);
-                    own.organs == organs && after < own.interval.range
+                    own.members == members && after < own.interval.range
                 });
                 let found: Vec<_> = holds.map(|own| own.motions).collect();
-                let beside = organs.iter().any(|&organ| {
-                    let events = machine.organs()[organ].events();
+                let beside = members.iter().any(|&member| {
+                    let events = machine.members()[member].events();
                     events.iter().any(|event| (event.at - x).abs() < 1e-9)
                 });
                 let expected = if same { vec![motions] } else { Vec::new() };
@@ -229,7 +229,7 @@ fn overlaps_at_samples() {
             // Two advances, each longer than half a turn, may have two intervals in common.
             let advances = overlaps.all().iter();
             let advances =
-                advances.filter(|own| own.organs == organs && own.motions[0] == own.motions[1]);
+                advances.filter(|own| own.members == members && own.motions[0] == own.motions[1]);
             let mut kinds: Vec<_> = advances
                 .map(|own| format!("{:?}", own.motions[0]))
                 .collect();

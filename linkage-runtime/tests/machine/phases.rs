@@ -17,7 +17,7 @@ fn best_of_all_phases() {
     for case in 0..9 {
         let point: Moving<2> = Moving::random(&mut random, 5.0);
         let bar: [Moving<2>; 2] = std::array::from_fn(|_| Moving::random(&mut random, 40.0));
-        let phases = Phases::of(TURN, 91, |x| [point.at(x)], |x| bar.map(|end| end.at(x)));
+        let phases = Phases::new(TURN, 91, |x| [point.at(x)], |x| bar.map(|end| end.at(x)));
         let phases = phases.expect("phases");
         // The whole cycle, and parts of it whose ends are no positions.
         let range = match case % 3 {
@@ -44,7 +44,11 @@ fn best_of_all_phases() {
         );
         for i in 0..=24 {
             let phase = range.0 + (range.1 - range.0) * f64::from(i) / 24.0;
-            let other = phases.at(phase).expect("a clearance").least().distance;
+            let other = phases
+                .clearance(phase)
+                .expect("a clearance")
+                .least()
+                .distance;
             assert!(
                 other <= best.distance + 1e-12,
                 "{other} at {phase}: {best:?}"
@@ -58,7 +62,7 @@ fn best_of_all_phases() {
         for contact in &best.contacts {
             const H: f64 = 1e-6;
             let along = |phase: f64| {
-                let found = phases.at(phase).expect("a clearance");
+                let found = phases.clearance(phase).expect("a clearance");
                 let near = |a: f64| (a - contact.nearest.at).abs();
                 let mut minima = found.minima().to_vec();
                 minima.sort_by(|a, b| near(a.at).total_cmp(&near(b.at)));
@@ -76,7 +80,11 @@ fn best_of_all_phases() {
             .map(|slot| f64::from(slot) * step)
             .filter(|phase| (range.0 - 1e-9..=range.1 + 1e-9).contains(phase));
         for phase in slots {
-            let other = phases.at(phase).expect("a clearance").least().distance;
+            let other = phases
+                .clearance(phase)
+                .expect("a clearance")
+                .least()
+                .distance;
             assert!(
                 other <= found.distance + 1e-12,
                 "{other} at {phase}: {found:?}"
@@ -116,7 +124,7 @@ fn narrow_peaks() {
             let [y, v, a] = along(x + lead);
             [[[y + 40.0, 0.0], [v, 0.0], [a, 0.0]]]
         };
-        let phases = Phases::of(TURN, positions, first, second).expect("phases");
+        let phases = Phases::new(TURN, positions, first, second).expect("phases");
         let best = phases.best((-PI, PI)).expect("a best phase");
         assert!(
             (best.distance - 40.0).abs() < near && (best.phase + lead).abs() < 1e-9,
@@ -141,7 +149,7 @@ fn messages() {
         }
     };
     let told = |error: PhaseError| error.to_string();
-    let error = Phases::of(TURN, 73, crank, line)
+    let error = Phases::new(TURN, 73, crank, line)
         .map(|_| ())
         .expect_err("no cycle");
     assert_eq!(
@@ -149,7 +157,7 @@ fn messages() {
         "the second organ does not repeat itself from 0 to 360 deg: its points or their derivatives differ by 6.28319\n\
          help: give the range of a whole cycle"
     );
-    let error = Phases::of(TURN, 73, gap, crank)
+    let error = Phases::new(TURN, 73, gap, crank)
         .map(|_| ())
         .expect_err("a gap");
     assert_eq!(
@@ -157,14 +165,14 @@ fn messages() {
         "the first organ cannot be assembled at 38 of the positions, first at 175 deg: a phase would turn the other organ \
          past them"
     );
-    let error = Phases::of(TURN, 1, crank, crank)
+    let error = Phases::new(TURN, 1, crank, crank)
         .map(|_| ())
         .expect_err("one position");
     assert_eq!(
         error,
-        PhaseError::Course(SummaryError::Positions { positions: 1 })
+        PhaseError::Curve(SummaryError::Positions { positions: 1 })
     );
-    let phases = Phases::of(TURN, 73, crank, |x| {
+    let phases = Phases::new(TURN, 73, crank, |x| {
         crank(x).map(|p| [[p[0][0] + 5.0, p[0][1]], p[1], p[2]])
     })
     .expect("phases");

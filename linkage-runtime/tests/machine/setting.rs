@@ -3,15 +3,15 @@
 use crate::{TAU, TURN};
 use linkage_random::Random;
 use linkage_runtime::cyclogram::{
-    Band, CyclogramError, Event, Motion, Organ, Setting, SettingError, set_event,
+    Band, CyclogramError, Event, Member, Motion, Setting, SettingError, set_event,
 };
-use linkage_runtime::summary::Course;
+use linkage_runtime::summary::Curve;
 
 const POSITIONS: usize = 73;
 const BAND: f64 = 1.5;
 
 /// A sinker on two eccentrics, each with a lead of its own; sensitivities are to both leads. `second` is the stroke of the faster one.
-fn sinker_of(second: f64, leads: [f64; 2]) -> Result<Organ, CyclogramError> {
+fn sinker_of(second: f64, leads: [f64; 2]) -> Result<Member, CyclogramError> {
     let angles = move |x: f64| [(x + leads[0]).sin_cos(), (2.0 * x + leads[1]).sin_cos()];
     let lift = move |x: f64| {
         let [(s, c), (s2, c2)] = angles(x);
@@ -29,8 +29,8 @@ fn sinker_of(second: f64, leads: [f64; 2]) -> Result<Organ, CyclogramError> {
         let [(_, c), (_, c2)] = angles(x);
         [-10.0 * c, -2.0 * second * c2]
     };
-    let course = Course::of(TURN, POSITIONS, lift).expect("a course");
-    Ok(Organ::new("sinker", &course, &[Band::Top(BAND)])?.sensitivities(value, rate))
+    let course = Curve::new(TURN, POSITIONS, lift).expect("a course");
+    Ok(Member::new("sinker", &course, &[Band::Top(BAND)])?.sensitivities(value, rate))
 }
 
 /// One highest position, whatever the leads are.
@@ -38,7 +38,7 @@ const GENTLE: f64 = 2.0;
 /// With some leads there are two, and dwells begin anew.
 const STRONG: f64 = 4.0;
 
-fn sinker(leads: [f64; 2]) -> Result<Organ, CyclogramError> {
+fn sinker(leads: [f64; 2]) -> Result<Member, CyclogramError> {
     sinker_of(GENTLE, leads)
 }
 
@@ -119,11 +119,11 @@ fn every_setting_of_a_dense_search_is_found() {
                 );
                 for Setting {
                     value,
-                    organ,
+                    member,
                     event,
                 } in &found
                 {
-                    let event = organ.events()[*event];
+                    let event = member.events()[*event];
                     assert!(
                         begins(&event) && away(event.at, wanted).abs() < 1e-13,
                         "{event:?} {wanted}"
@@ -135,8 +135,8 @@ fn every_setting_of_a_dense_search_is_found() {
             }
             Err(SettingError::Unreached { nearest, value, .. }) => {
                 assert_eq!(expected, [0.0; 0], "{range:?} {wanted}");
-                let organ = build(value).expect("an organ");
-                let mut there = organ.events().iter().filter(|own| begins(own));
+                let member = build(value).expect("an organ");
+                let mut there = member.events().iter().filter(|own| begins(own));
                 assert!(there.any(|own| own.at == nearest));
                 let least = (0..=MANY)
                     .flat_map(offs)
@@ -164,13 +164,13 @@ fn the_nearest_angle_is_told_to_the_last_digits() {
     let Err(SettingError::Unreached { nearest, value, .. }) = error else {
         panic!("{error:?}");
     };
-    let organ = sinker([0.0, value]).expect("an organ");
-    let event = organ
+    let member = sinker([0.0, value]).expect("an organ");
+    let event = member
         .events()
         .iter()
         .position(|own| own.at == nearest)
         .expect("an event");
-    let slope = organ.sensitivity(event).expect("sensitivities")[1];
+    let slope = member.sensitivity(event).expect("sensitivities")[1];
     assert!(slope.abs() < 1e-12, "{nearest} {value} {slope}");
     for by in [-1e-3, 1e-3] {
         let beside = sinker([0.0, value + by]).expect("an organ");
@@ -190,8 +190,8 @@ fn messages() {
     };
     let plain = |_: f64| {
         let course =
-            Course::of(TURN, POSITIONS, |x: f64| [x.sin(), x.cos(), -x.sin()]).expect("a course");
-        Organ::new("press", &course, &[Band::Top(0.5)])
+            Curve::new(TURN, POSITIONS, |x: f64| [x.sin(), x.cos(), -x.sin()]).expect("a course");
+        Member::new("press", &course, &[Band::Top(0.5)])
     };
     assert_eq!(
         told(set_event((0.0, 1.0), 0, plain, begins, 1.0)),
@@ -213,8 +213,8 @@ fn messages() {
         "`sinker` has no event that is meant, with any of the 33 values from 0 to 1 of the parameter that were looked at"
     );
     let still = |_: f64| {
-        let course = Course::of(TURN, POSITIONS, |_: f64| [3.0, 0.0, 0.0]).expect("a course");
-        Organ::new("press", &course, &[])
+        let course = Curve::new(TURN, POSITIONS, |_: f64| [3.0, 0.0, 0.0]).expect("a course");
+        Member::new("press", &course, &[])
     };
     assert_eq!(
         told(set_event((0.0, 1.0), 0, still, begins, 1.0)),

@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 
 use linkage_runtime::pins::{
-    Fit, Limit, Member, Mounting, Part, Rule, STANDARD_DIAMETERS, Width, standard_diameter,
+    BearingPart, Criterion, Fit, Limit, Member, Mounting, STANDARD_DIAMETERS, Width,
+    standard_diameter,
 };
 
 use super::{clevis, near, pin, strong};
@@ -123,22 +124,22 @@ fn every_rule_can_govern() {
         gap: 1.0,
     };
     let parts = [
-        (fork, [Part::Rod, Part::Fork]),
-        (overhung, [Part::Hub, Part::Seat]),
+        (fork, [BearingPart::Rod, BearingPart::Fork]),
+        (overhung, [BearingPart::Hub, BearingPart::Seat]),
     ];
     for (mounting, parts) in parts {
-        let mut cases = vec![(pin(1000.0, mounting), Rule::Bending)];
+        let mut cases = vec![(pin(1000.0, mounting), Criterion::Bending)];
         let mut sheared = pin(1000.0, mounting);
         sheared.shear = Limit::new(1.0, 2.0);
-        cases.push((sheared, Rule::Shear));
+        cases.push((sheared, Criterion::Shear));
         for (which, part) in parts.into_iter().enumerate() {
-            cases.push((pin(1000.0, weak(mounting, which)), Rule::Bearing(part)));
+            cases.push((pin(1000.0, weak(mounting, which)), Criterion::Bearing(part)));
         }
-        for (pin, rule) in cases {
+        for (pin, criterion) in cases {
             let size = pin.diameter().expect("it is valid");
-            assert_eq!(size.governing, rule);
+            assert_eq!(size.governing, criterion);
             let check = pin.check(size.diameter).expect("it is valid");
-            assert_eq!(check.governing, rule);
+            assert_eq!(check.governing, criterion);
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::fixture::{FourBar, MOTION, PHI, Sweep};
 use crate::four_bar;
 use crate::once::series;
 use linkage_runtime::report::{Report, SummaryRow};
-use linkage_runtime::summary::Course;
+use linkage_runtime::summary::Curve;
 use linkage_runtime::{AssemblyMode, Group, Operations, Structure, Table};
 use serde_json::Value;
 
@@ -143,7 +143,7 @@ fn the_rest_is_there_too() {
         .modes(&[AssemblyMode::Minus])
         .summary([
             SummaryRow::new("psi", "stroke", 1.25, "rad"),
-            SummaryRow::new("psi", "upper limit", f64::NAN, "rad").at(0.1 + 0.2),
+            SummaryRow::new("psi", "upper limit", f64::NAN, "rad").at_input(0.1 + 0.2),
         ])
         .fact("Grashof", "crank-rocker");
     let json = json(&report);
@@ -203,7 +203,7 @@ fn gaps_are_ranges_of_the_input() {
 #[test]
 fn the_figures_of_a_course_are_listed() {
     let yoke = |phi: f64| [40.0 * phi.sin(), 40.0 * phi.cos(), -40.0 * phi.sin()];
-    let course = Course::of((0.0, std::f64::consts::TAU), 360, yoke).unwrap();
+    let course = Curve::new((0.0, std::f64::consts::TAU), 360, yoke).unwrap();
     let report = four_bar(FourBar::NOMINAL).course("yoke", "mm", &course);
     let json = json(&report);
     let rows = json["summary"].as_array().unwrap();

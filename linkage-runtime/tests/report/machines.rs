@@ -3,9 +3,9 @@
 use crate::fixture::{FourBar, PHI, Sweep, pictured, polar};
 use crate::picture::{classed, words};
 use dxf::entities::EntityType;
-use linkage_runtime::cyclogram::{Band, Cyclogram, Organ};
+use linkage_runtime::cyclogram::{Band, Cyclogram, Member};
 use linkage_runtime::report::Report;
-use linkage_runtime::summary::Course;
+use linkage_runtime::summary::Curve;
 use linkage_runtime::{
     Column, Heading, Input, Picture, PictureColumns, PictureLink, PicturePart, PicturePoint,
     PointKind,
@@ -75,12 +75,12 @@ const fn point(name: &'static str, kind: PointKind) -> PicturePoint {
 }
 
 fn cyclogram(names: [&str; 2]) -> Cyclogram {
-    let organs = names.map(|name| {
+    let members = names.map(|name| {
         let yoke = |phi: f64| [40.0 * phi.sin(), 40.0 * phi.cos(), -40.0 * phi.sin()];
-        let course = Course::of((0.0, TAU), 90, yoke).unwrap();
-        Organ::new(name, &course, &[Band::Top(5.0)]).unwrap()
+        let course = Curve::new((0.0, TAU), 90, yoke).unwrap();
+        Member::new(name, &course, &[Band::Top(5.0)]).unwrap()
     });
-    Cyclogram::of(organs).unwrap()
+    Cyclogram::new(members).unwrap()
 }
 
 fn machine() -> Report {
@@ -200,7 +200,7 @@ fn data_tell_of_parts_and_organs() {
     );
     // An organ of a part has its colour, others those behind all parts.
     let hues = data["cyclogram"]["organs"].as_array().unwrap();
-    let hues: Vec<_> = hues.iter().map(|organ| &organ["colour"]).collect();
+    let hues: Vec<_> = hues.iter().map(|member| &member["colour"]).collect();
     assert_eq!(hues, [&json!(2), &json!(1)]);
     let at = data["cyclogram"]["organs"][0]["events"][0]["at"].as_f64();
     assert!((at.unwrap() - (35.0f64 / 40.0).asin()).abs() < 1e-15);

@@ -2,9 +2,9 @@
 
 use crate::fixture::{PHI, Sweep, pictured, polar};
 use crate::picture::classed;
-use linkage_runtime::cyclogram::{Band, Cyclogram, Organ};
+use linkage_runtime::cyclogram::{Band, Cyclogram, Member};
 use linkage_runtime::report::Report;
-use linkage_runtime::summary::Course;
+use linkage_runtime::summary::Curve;
 use linkage_runtime::{
     Column, Heading, Picture, PictureColumns, PictureLink, PicturePart, PicturePoint, PointKind,
 };
@@ -116,12 +116,12 @@ fn report(heading: &'static Heading) -> Report {
 }
 
 fn cyclogram() -> Cyclogram {
-    let organs = PARTS.iter().map(|part| {
+    let members = PARTS.iter().map(|part| {
         let yoke = |phi: f64| [40.0 * phi.sin(), 40.0 * phi.cos()];
-        let course = Course::of((0.0, TAU), 90, yoke).unwrap();
-        Organ::new(part.name, &course, &[Band::Top(5.0)]).unwrap()
+        let course = Curve::new((0.0, TAU), 90, yoke).unwrap();
+        Member::new(part.name, &course, &[Band::Top(5.0)]).unwrap()
     });
-    Cyclogram::of(organs).unwrap()
+    Cyclogram::new(members).unwrap()
 }
 
 /// The colours that a drawing fills things of a class with on light ground.

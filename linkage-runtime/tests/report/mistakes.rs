@@ -187,7 +187,7 @@ fn pictures_have_known_endings() {
 
 #[test]
 fn arguments_are_those_of_functions_and_numbers() {
-    let report = four_bar(FourBar::NOMINAL).at("omega", f64::NAN);
+    let report = four_bar(FourBar::NOMINAL).argument("omega", f64::NAN);
     assert_eq!(
         report.json().unwrap_err().to_string(),
         "no argument `omega`; there is nothing\nthe argument `omega` is NaN; give a finite number"

@@ -1,7 +1,7 @@
 //! Mechanisms whose summaries are known.
 
 use crate::{PI, TAU, near, turn};
-use linkage_runtime::summary::{Course, Kind};
+use linkage_runtime::summary::{Curve, Kind};
 
 /// A slider-crank with an offset: the slide and three derivatives.
 fn slider_crank(crank: f64, rod: f64, offset: f64) -> impl Fn(f64) -> [f64; 4] {
@@ -104,7 +104,7 @@ fn transmission_of_a_crank_rocker() {
 #[test]
 fn transmission_over_several_right_angles() {
     // From -0.1 to 2 pi: twice in line, perpendicular at pi/2 first.
-    let course = Course::of((-0.1, 6.0), 50, |x: f64| [x, 1.0]).expect("a course");
+    let course = Curve::new((-0.1, 6.0), 50, |x: f64| [x, 1.0]).expect("a course");
     let [least, greatest] = course.transmission_angle();
     assert_eq!((least.angle, greatest.angle), (0.0, 0.5 * PI));
     near(least.at, 0.0, 1e-15);
@@ -115,7 +115,7 @@ fn transmission_over_several_right_angles() {
         (-PI - 0.9, -PI - 0.3),
         (2.0 * PI - 0.9, 2.0 * PI - 0.3),
     ] {
-        let course = Course::of((from, to), 10, |x: f64| [x, 1.0]).expect("a course");
+        let course = Curve::new((from, to), 10, |x: f64| [x, 1.0]).expect("a course");
         let [least, greatest] = course.transmission_angle();
         near(least.angle, 0.3, 1e-14);
         near(greatest.angle, 0.9, 1e-14);

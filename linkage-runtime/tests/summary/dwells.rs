@@ -1,7 +1,7 @@
 //! Dwells and bands with known ends.
 
 use crate::{PI, TAU, near, turn};
-use linkage_runtime::summary::Course;
+use linkage_runtime::summary::Curve;
 
 #[test]
 fn around_limits() {
@@ -38,7 +38,7 @@ fn double_hollow(x: f64) -> [f64; 4] {
 
 #[test]
 fn ripple() {
-    let course = Course::of((-2.0, 2.0), 80, double_hollow).expect("a course");
+    let course = Curve::new((-2.0, 2.0), 80, double_hollow).expect("a course");
     // Wide enough for the summit: one dwell, from one slope to the other. (s - 1)^2 = 1.21 there.
     let dwell = course.longest_dwell(1.21).expect("a dwell");
     near(dwell.interval.from, -(2.1_f64.sqrt()), 1e-14);
@@ -60,8 +60,8 @@ fn around_an_inflection() {
     let cube = |x: f64| [x * x * x, 3.0 * x * x, 6.0 * x];
     let falling = |x: f64| cube(x).map(|value| -value);
     for course in [
-        Course::of((-1.0, 1.3), 50, &cube as &dyn Fn(f64) -> [f64; 3]),
-        Course::of((-1.0, 1.3), 50, &falling),
+        Curve::new((-1.0, 1.3), 50, &cube as &dyn Fn(f64) -> [f64; 3]),
+        Curve::new((-1.0, 1.3), 50, &falling),
     ] {
         let dwells = course.expect("a course").dwells(2e-6);
         let dwell = dwells

@@ -1,7 +1,7 @@
 //! Positions that cannot be assembled.
 
 use crate::{PI, TAU, near, turn};
-use linkage_runtime::summary::{Course, Kind, least};
+use linkage_runtime::summary::{Curve, Kind, minimise};
 
 /// sqrt(c - cos x) with three derivatives: a gap around 0.
 fn gap_at_seam(c: f64) -> impl Fn(f64) -> [f64; 4] {
@@ -74,7 +74,7 @@ fn a_gap_narrower_than_the_spacing() {
 
 #[test]
 fn several_gaps_and_single_positions() {
-    let course = Course::of((0.0, 10.0), 101, |x: f64| match (x as u64) % 2 {
+    let course = Curve::new((0.0, 10.0), 101, |x: f64| match (x as u64) % 2 {
         0 => [x.sin(), x.cos(), -x.sin()],
         _ => [f64::NAN; 3],
     });
@@ -117,10 +117,10 @@ fn least_of_a_margin() {
             0.4 + 0.3 * (x - 2.0).abs()
         }
     };
-    let found = least((0.0, 6.0), 61, margin).expect("a margin");
+    let found = minimise((0.0, 6.0), 61, margin).expect("a margin");
     near(found.at, 2.0, 1e-9);
     near(found.value, 0.4, 1e-9);
     assert_eq!(found.missing, 10);
-    assert!(least((0.0, 6.0), 61, |_| f64::NAN).is_err());
-    assert!(least((1.0, 1.0), 61, margin).is_err() && least((0.0, 1.0), 1, margin).is_err());
+    assert!(minimise((0.0, 6.0), 61, |_| f64::NAN).is_err());
+    assert!(minimise((1.0, 1.0), 61, margin).is_err() && minimise((0.0, 1.0), 1, margin).is_err());
 }

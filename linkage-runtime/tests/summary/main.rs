@@ -2,23 +2,23 @@
 #![cfg(feature = "alloc")]
 
 mod closed_forms;
+mod crossings;
 mod dwells;
 mod gaps;
 mod harmonics;
 mod lengths;
-mod passages;
 mod printed;
 mod ranges;
 mod samples;
 
-use linkage_runtime::summary::Course;
+use linkage_runtime::summary::Curve;
 
 pub(crate) const TAU: f64 = std::f64::consts::TAU;
 pub(crate) const PI: f64 = std::f64::consts::PI;
 
 /// Over a turn, from 360 positions.
-pub(crate) fn turn<const N: usize, F: Fn(f64) -> [f64; N]>(function: F) -> Course<N, F> {
-    Course::of((0.0, TAU), 360, function).expect("a course")
+pub(crate) fn turn<const N: usize, F: Fn(f64) -> [f64; N]>(function: F) -> Curve<N, F> {
+    Curve::new((0.0, TAU), 360, function).expect("a course")
 }
 
 #[track_caller]

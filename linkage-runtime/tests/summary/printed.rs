@@ -1,7 +1,7 @@
 //! Words.
 
 use crate::turn;
-use linkage_runtime::summary::{Course, SummaryError};
+use linkage_runtime::summary::{Curve, SummaryError};
 
 #[test]
 fn a_cycle() {
@@ -21,7 +21,7 @@ fn a_cycle() {
 
 #[test]
 fn gaps() {
-    let course = Course::of((0.0, 4.0), 9, |x: f64| {
+    let course = Curve::new((0.0, 4.0), 9, |x: f64| {
         [(x - 1.0).sqrt(), 0.5 / (x - 1.0).sqrt()]
     });
     assert_eq!(

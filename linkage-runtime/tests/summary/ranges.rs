@@ -1,7 +1,7 @@
 //! Ends, seams, standstills, constants, errors and scales.
 
 use crate::{PI, TAU, near, turn};
-use linkage_runtime::summary::{Course, Kind, SummaryError};
+use linkage_runtime::summary::{Curve, Kind, SummaryError};
 
 #[test]
 fn limits_at_the_seam_are_there_once() {
@@ -20,7 +20,7 @@ fn limits_at_the_seam_are_there_once() {
 fn limits_in_any_cycle() {
     for start in [-7.0, -0.3, 1e-9, 0.1, 2.0, 3.1, 100.0] {
         for positions in [7, 90, 361, 1000] {
-            let course = Course::of((start, start + TAU), positions, |x: f64| {
+            let course = Curve::new((start, start + TAU), positions, |x: f64| {
                 [
                     (2.0 * x).sin(),
                     2.0 * (2.0 * x).cos(),
@@ -42,7 +42,7 @@ fn limits_in_any_cycle() {
 
 #[test]
 fn ends_of_a_part_of_a_turn_are_limits() {
-    let course = Course::of((0.0, 2.0), 20, |x: f64| [x.cos(), -x.sin()]).expect("a course");
+    let course = Curve::new((0.0, 2.0), 20, |x: f64| [x.cos(), -x.sin()]).expect("a course");
     assert!(!course.is_cycle());
     let points = &course.position().points;
     assert!(points.len() == 2 && points.iter().all(|point| point.end));
@@ -55,7 +55,7 @@ fn ends_of_a_part_of_a_turn_are_limits() {
 #[test]
 fn a_momentary_standstill_is_no_limit() {
     let cube = |x: f64| [x * x * x, 3.0 * x * x, 6.0 * x, 6.0];
-    let course = Course::of((-1.0, 1.3), 50, cube).expect("a course");
+    let course = Curve::new((-1.0, 1.3), 50, cube).expect("a course");
     let points = &course.position().points;
     assert_eq!(points.len(), 3);
     assert_eq!(points[1].kind, Kind::Pass);
@@ -85,7 +85,7 @@ fn pairs_of_limits_near_each_other() {
                 6.0 * x,
             ]
         };
-        let course = Course::of((-1.0, 1.03), 100, wave).expect("a course");
+        let course = Curve::new((-1.0, 1.03), 100, wave).expect("a course");
         let limits: Vec<f64> = course.position().limits().map(|limit| limit.at).collect();
         assert_eq!(limits.len(), 2, "{a}");
         near(limits[0], -a, 1e-15);
@@ -93,7 +93,7 @@ fn pairs_of_limits_near_each_other() {
 
         // Without the second derivative, the mean of the first one shows them.
         let wave = |x: f64| [x * x * x - 3.0 * a * a * x, 3.0 * (x - a) * (x + a)];
-        let course = Course::of((-1.0, 1.03), 100, wave).expect("a course");
+        let course = Curve::new((-1.0, 1.03), 100, wave).expect("a course");
         assert_eq!(course.position().limits().count(), 2, "{a}");
     }
 }
@@ -117,7 +117,7 @@ fn constants() {
     assert!(course.position().points.is_empty());
 
     // Uniform motion.
-    let course = Course::of((1.0, 3.0), 30, |x: f64| [2.0 * x, 2.0, 0.0, 0.0]).expect("a course");
+    let course = Curve::new((1.0, 3.0), 30, |x: f64| [2.0 * x, 2.0, 0.0, 0.0]).expect("a course");
     assert_eq!(course.velocity().points, []);
     assert_eq!(course.velocity().highest.value, 2.0);
     assert_eq!(course.position().stroke(), 4.0);
@@ -162,7 +162,7 @@ fn scales() {
         near(dwell.interval.range, 1.2, 1e-13);
     }
     for size in [1e-100_f64, 1e-9, 1e9, 1e100] {
-        let course = Course::of((size, 5.0 * size), 40, |x: f64| {
+        let course = Curve::new((size, 5.0 * size), 40, |x: f64| {
             let (sin, cos) = (x / size).sin_cos();
             [cos, -sin / size, -cos / size / size]
         });
@@ -182,15 +182,15 @@ fn errors() {
         (0.0, f64::INFINITY),
     ] {
         assert!(matches!(
-            Course::of(range, 9, line),
+            Curve::new(range, 9, line),
             Err(SummaryError::Range { .. })
         ));
     }
     assert_eq!(
-        Course::of((0.0, 1.0), 1, line).err(),
+        Curve::new((0.0, 1.0), 1, line).err(),
         Some(SummaryError::Positions { positions: 1 })
     );
-    let nowhere = Course::of((0.0, 1.0), 9, |_: f64| [f64::NAN; 2]);
+    let nowhere = Curve::new((0.0, 1.0), 9, |_: f64| [f64::NAN; 2]);
     assert_eq!(
         nowhere.err(),
         Some(SummaryError::NotAssembled { positions: 9 })

@@ -3,7 +3,7 @@
 use crate::TAU;
 use crate::harmonics::Harmonics;
 use linkage_random::Random;
-use linkage_runtime::summary::{Course, Interval};
+use linkage_runtime::summary::{Curve, Interval};
 
 const SAMPLES: usize = 3000;
 /// At borders, a sample may lie on either side.
@@ -55,7 +55,7 @@ fn all_statements_hold_at_samples() {
                 function.at(x, 2),
             ],
         };
-        let Ok(course) = Course::of((low, low + width), 200, at) else {
+        let Ok(course) = Curve::new((low, low + width), 200, at) else {
             continue;
         };
         with_gaps += u32::from(course.has_gaps());

@@ -1,7 +1,7 @@
 //! Tolerances of least cost.
 
 use linkage_runtime::tolerance::{
-    Addition, Allocation, Components, Costs, Requirement, Rule, Tolerances,
+    Addition, Allocation, AllocationRule, Components, Costs, Requirement, Tolerances,
 };
 
 use super::allocation::{ADDITIONS, requirements, rules};
@@ -68,13 +68,13 @@ fn costs<const N: usize>(found: &Allocation<N>) -> (f64, f64) {
 #[test]
 fn closed_forms() {
     let sensitivities = [0.5, -2.0, 0.1];
-    let rule = Rule::LeastCost(Costs {
+    let rule = AllocationRule::LeastCost(Costs {
         cost: [1.0, 2.0, 0.5],
         exponent: [1.0; 3],
     });
     let allocate = |addition| {
         let requirement = Requirement::new(0.1, addition)
-            .at(&sensitivities)
+            .position(&sensitivities)
             .expect("finite");
         requirement
             .allocate(&lengths::<3>(), &rule)
@@ -106,9 +106,9 @@ fn different_exponents() {
     let (e, exponent) = ([0.5, -2.0, 0.1, 1.0], [1.0, 2.0, 0.5, 3.0]);
     let cost = [1.0, 2.0, 0.5, 1e-3];
     let requirement = Requirement::new(0.1, Addition::WorstCase)
-        .at(&e)
+        .position(&e)
         .expect("it is finite");
-    let rule = Rule::LeastCost(Costs { cost, exponent });
+    let rule = AllocationRule::LeastCost(Costs { cost, exponent });
     let found = requirement
         .allocate(&lengths::<4>(), &rule)
         .expect("it is possible");
@@ -131,9 +131,9 @@ fn no_neighbour_is_cheaper() {
         let cost: [f64; 5] = std::array::from_fn(|_| random.between(0.1, 2.0));
         let exponent: [f64; 5] = std::array::from_fn(|_| random.between(0.5, 2.0));
         let requirement = Requirement::new(0.1, Addition::WorstCase)
-            .at(&e)
+            .position(&e)
             .expect("it is finite");
-        let rule = Rule::LeastCost(Costs { cost, exponent });
+        let rule = AllocationRule::LeastCost(Costs { cost, exponent });
         let found = requirement
             .allocate(&lengths::<5>(), &rule)
             .expect("it is possible");
@@ -183,7 +183,7 @@ where
             .over(rows.clone())
             .expect("it is finite");
         for requirement in [whole.clone(), whole.by_component()] {
-            let rule = Rule::LeastCost(Costs { cost, exponent });
+            let rule = AllocationRule::LeastCost(Costs { cost, exponent });
             let found = requirement
                 .allocate(&lengths::<N>(), &rule)
                 .expect("it is possible");
@@ -201,9 +201,9 @@ where
 fn each_component_limits_its_own() {
     let effects = [[1.0, 0.0], [2.0, 0.0], [0.0, 1e-3]];
     let requirement = Requirement::new(0.1, Addition::WorstCase)
-        .at(&effects)
+        .position(&effects)
         .expect("finite");
-    let rule = Rule::LeastCost(Costs {
+    let rule = AllocationRule::LeastCost(Costs {
         cost: [1.0; 3],
         exponent: [1.0; 3],
     });

@@ -8,8 +8,8 @@ use crate::lookup::Map;
 /// Derivatives already known: of a node, by a symbol.
 pub type DerivativeMemo = Map<(NodeId, SymbolId), NodeId>;
 
-/// Who knows the derivatives of symbols: parameters and inputs are independent, the solution of a loop follows the
-/// implicit function theorem.
+/// Derivatives of symbols: parameters and inputs are independent, and the solution of a loop
+/// follows the implicit function theorem.
 pub trait Calculus<'g> {
     /// The graph that derivatives are built in.
     fn graph(&self) -> &'g Graph;

@@ -4,8 +4,9 @@ use crate::expression::Ex;
 use crate::graph::{Node, NodeId};
 use crate::operation::{Binary, Ternary, Unary};
 
-/// The chain rule backwards: from the derivative `weight` of a result by an operation, what each of the operation's operands contributes
-/// to the result's derivatives by them.
+/// Applies the chain rule backwards. From the derivative `weight` of a result with respect to an
+/// operation it returns, for each operand, the contribution to the derivative with respect to this
+/// operand.
 pub fn pull_back<'g>(value: Ex<'g>, weight: Ex<'g>) -> Vec<(NodeId, Ex<'g>)> {
     let operands: Vec<NodeId> = value.node().operands().collect();
     let zero = value.number(0.0);
@@ -48,7 +49,7 @@ fn unary_rule<'g>(op: Unary, y: Ex<'g>, a: Ex<'g>, da: Ex<'g>) -> Ex<'g> {
         Unary::Asin => arc_rule(a, da),
         Unary::Acos => -arc_rule(a, da),
         Unary::Atan => da / (1.0 + a.square()),
-        Unary::Sign | Unary::Whole | Unary::Slack | Unary::InverseScale => a.number(0.0),
+        Unary::Sign | Unary::Round | Unary::Slack | Unary::InverseScale => a.number(0.0),
     }
 }
 
@@ -81,7 +82,7 @@ fn ternary_rule<'g>(
         // The number of turns does not change where there is a derivative.
         Ternary::AngleNear => argument_rule([a, b], [da, db]),
         Ternary::Select => a.select(db, dc),
-        Ternary::Root => unary_rule(Unary::Sqrt, y, a, da),
+        Ternary::GuardedSqrt => unary_rule(Unary::Sqrt, y, a, da),
     }
 }
 

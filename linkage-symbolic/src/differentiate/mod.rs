@@ -1,4 +1,5 @@
-//! Derivatives: `calculus` walks through the graph, `chain_rule` has the formula of each operation, `known_slope` those that are said.
+//! Derivatives: `calculus` walks through the graph, `chain_rule` has the formula of each operation,
+//! `known_slope` those that are said.
 
 mod calculus;
 mod chain_rule;

@@ -1,5 +1,5 @@
-//! A vector of the plane or of space, for what reads the same in both. A turn or a moment has one component in the plane and three in
-//! space.
+//! A vector of the plane or of space, for formulas that are the same in both. A turn or a moment
+//! has one component in the plane and three in space.
 
 use std::fmt;
 use std::ops::{Add, Div, Index, Mul, Neg, Sub};
@@ -41,7 +41,7 @@ impl<'g> Vn<'g> {
         &self.components[..self.count]
     }
 
-    /// How many components there are.
+    /// Returns the number of components.
     pub fn len(&self) -> usize {
         self.count
     }

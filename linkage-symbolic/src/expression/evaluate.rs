@@ -4,7 +4,8 @@ use super::ex::Ex;
 use crate::graph::{Node, NodeId, Source, SymbolId, meaning};
 use crate::lookup::Map;
 
-/// Evaluates expressions, following definitions. Symbols that have neither source nor definition are NaN.
+/// Evaluates expressions, following definitions. Symbols that have neither source nor definition
+/// are NaN.
 pub fn evaluate(roots: &[Ex], load: impl Fn(Source) -> f64) -> Vec<f64> {
     evaluate_given(roots, load, |_| None)
 }
@@ -26,11 +27,11 @@ pub fn evaluate_given(
             continue;
         }
         let node = graph.node(id);
-        let own = match node {
+        let known = match node {
             Node::Symbol(symbol) => given(symbol),
             _ => None,
         };
-        if let Some(value) = own {
+        if let Some(value) = known {
             memo.insert(id, value);
             stack.pop();
             continue;

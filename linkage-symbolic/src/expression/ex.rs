@@ -1,7 +1,8 @@
-//! Expressions: nodes to compute with, so that a formula in code reads as the formula in its comment.
+//! Expressions: nodes to compute with, so that a formula in code reads as the formula in its
+//! comment.
 //!
-//! The order in which operations are written is the order in which their nodes are made, and that order decides which operand of a sum
-//! stands first.
+//! The order in which operations are written is the order in which their nodes are made, and that
+//! order decides which operand of a sum stands first.
 
 use std::fmt;
 use std::hash::{Hash, Hasher};
@@ -94,7 +95,7 @@ impl<'g> Ex<'g> {
 
     /// The nearest whole number, of two the even one.
     pub fn whole(self) -> Self {
-        self.unary(Unary::Whole)
+        self.unary(Unary::Round)
     }
 
     /// A power of two near `1/|x|`: scales lengths without rounding.
@@ -122,16 +123,18 @@ impl<'g> Ex<'g> {
         self.binary(Binary::Atan2, x)
     }
 
-    /// The root of a discriminant that was computed from terms of the size `scale`: see [`Ternary::Root`].
+    /// The root of a discriminant that was computed from terms of the size `scale`: see
+    /// [`Ternary::GuardedSqrt`].
     pub fn root(self, scale: Self) -> Self {
         let slack = scale.number(1.0).unary(Unary::Slack);
-        self.ternary(Ternary::Root, slack, scale.abs())
+        self.ternary(Ternary::GuardedSqrt, slack, scale.abs())
     }
 
-    /// What is not negative where [`root`](Self::root) is a number: the discriminant with what rounding may have taken.
+    /// Returns the discriminant plus the rounding that [`root`](Self::root) allows: it is not
+    /// negative where that is a number.
     pub fn reserve(self, scale: Self) -> Self {
         match self.root(scale).node() {
-            Node::Ternary(Ternary::Root, _, slack, size) => {
+            Node::Ternary(Ternary::GuardedSqrt, _, slack, size) => {
                 let [slack, size] = [slack, size].map(|id| Self::new(self.graph, id));
                 slack * size + self
             }

@@ -2,10 +2,10 @@
 
 use super::any_vector::Vn;
 use super::ex::Ex;
-use super::numeric_equality::{agree, agree_within};
+use super::numeric_equality::{numerically_equal, numerically_equal_within};
 use super::vector::{V3, Vector};
 
-/// What rounding may add to the square of a direction.
+/// Rounding of the square of a direction.
 const UNIT: f64 = 8.0 * f64::EPSILON;
 
 impl<'g> Vn<'g> {
@@ -28,7 +28,7 @@ impl<'g> Vn<'g> {
         }
     }
 
-    /// The length; of what it is the length stays known.
+    /// Returns the length. The graph remembers the vector for it.
     pub fn length(self) -> Ex<'g> {
         let length = match self.len() {
             2 => self.at(0).hypot(self.at(1)),
@@ -39,7 +39,7 @@ impl<'g> Vn<'g> {
         length
     }
 
-    /// The scalar product with itself; what it is the square of stays known.
+    /// Returns the scalar product with itself. The graph remembers the vector for it.
     pub fn square(self) -> Ex<'g> {
         let zero = self.graph.number(0.0);
         let square = self.iter().fold(zero, |sum, x| sum + x.square());
@@ -48,7 +48,8 @@ impl<'g> Vn<'g> {
         square
     }
 
-    /// Remembers that the length is 1: of the vector, its opposite, and in the plane both turned by a quarter.
+    /// Remembers that the length is 1: of the vector, its opposite, and in the plane both turned by
+    /// a quarter.
     pub fn mark_unit(self) {
         let back = -self;
         let quarters = match (self.ids(), back.ids()) {
@@ -72,13 +73,13 @@ impl<'g> Vn<'g> {
         }
     }
 
-    /// True if two vectors are perpendicular and of one length. Not by a product that vanishes: rounded constants leave a rest of it,
-    /// which is small only beside the squares.
+    /// True if two vectors are perpendicular and of one length. Not by a product that vanishes:
+    /// rounded constants leave a rest of it, which is small only beside the squares.
     pub fn is_turned(self, other: Self) -> bool {
         let [first, second] = [self, other].map(Self::square);
         let whole = (self + other).square();
         let parts = first + second;
-        agree(first, second) && agree(whole, parts)
+        numerically_equal(first, second) && numerically_equal(whole, parts)
     }
 }
 
@@ -88,12 +89,12 @@ impl<'g, const N: usize> Vector<'g, N> {
         self.either().dot(other.either())
     }
 
-    /// The scalar product with itself; what it is the square of stays known.
+    /// Returns the scalar product with itself. The graph remembers the vector for it.
     pub fn square(self) -> Ex<'g> {
         self.either().square()
     }
 
-    /// The length; of what it is the length stays known.
+    /// Returns the length. The graph remembers the vector for it.
     pub fn length(self) -> Ex<'g> {
         self.either().length()
     }
@@ -108,7 +109,7 @@ impl<'g, const N: usize> Vector<'g, N> {
         self.either().mark_unit();
     }
 
-    /// The length, and the vector brought to length 1. What is known to be a unit vector is not divided.
+    /// Returns the length, and the vector divided by it. A known unit vector is not divided.
     pub fn length_and_unit(self) -> (Ex<'g>, Self) {
         if self.is_unit() {
             return (self.0[0].number(1.0), self);
@@ -136,12 +137,13 @@ impl<'g> V3<'g> {
 }
 
 impl V3<'_> {
-    /// The direction. What has length 1 by its formula, as `(cos t, 0, sin t)`, is not divided.
+    /// Returns the direction. A vector of length 1 by its formula, as `(cos t, 0, sin t)`, is not
+    /// divided.
     #[must_use]
     pub fn unit(self) -> Self {
         if !self.is_unit() {
             let (square, one) = (self.square(), self.0[0].number(1.0));
-            if agree_within(square, one, UNIT) {
+            if numerically_equal_within(square, one, UNIT) {
                 self.mark_unit();
             }
         }

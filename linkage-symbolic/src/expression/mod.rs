@@ -1,4 +1,4 @@
-//! Formulas: expressions and vectors of expressions, and what is asked of them.
+//! Formulas: expressions and vectors of expressions, with their values, polynomials and equality.
 
 mod any_vector;
 mod evaluate;
@@ -14,7 +14,7 @@ mod vector;
 pub use any_vector::Vn;
 pub use evaluate::{evaluate, evaluate_given};
 pub use ex::Ex;
-pub use numeric_equality::{agree, agree_within};
+pub use numeric_equality::{numerically_equal, numerically_equal_within};
 pub use polynomial::{MAX_DEGREE, Monomial, Obstacle, Polynomial, collect, obstacle};
 pub use substitute::substitute;
 pub(crate) use substitute::{rebuild, rebuild_shared};

@@ -1,5 +1,5 @@
-//! Are two expressions equal? By evaluating both at chosen places: sums and products may be written in more ways than
-//! constructors can bring to one form.
+//! Are two expressions equal? By evaluating both at chosen places: sums and products may be written
+//! in more ways than constructors can bring to one form.
 
 use super::ex::Ex;
 use crate::graph::{Graph, Node, NodeId, SymbolId};
@@ -7,7 +7,7 @@ use crate::lookup::Map;
 use crate::operation::{Binary, Ternary};
 
 /// Places at which both sides must be defined and agree.
-const PLACES: u64 = 4;
+const POINTS: u64 = 4;
 
 /// Places that are tried: not every function is defined everywhere.
 const TRIED: u64 = 64;
@@ -15,27 +15,28 @@ const TRIED: u64 = 64;
 /// Differences below this share of the larger terms are rounding.
 const ROUNDING: f64 = 1e-10;
 
-/// True if two expressions have equal values wherever their symbols are independent, up to rounding. Definitions are not
-/// followed.
-pub fn agree(a: Ex, b: Ex) -> bool {
-    agree_within(a, b, ROUNDING)
+/// True if two expressions have equal values wherever their symbols are independent, up to
+/// rounding. Definitions are not followed.
+pub fn numerically_equal(a: Ex, b: Ex) -> bool {
+    numerically_equal_within(a, b, ROUNDING)
 }
 
 /// The same up to a given share of the larger terms.
-pub fn agree_within(a: Ex, b: Ex, share: f64) -> bool {
+pub fn numerically_equal_within(a: Ex, b: Ex, share: f64) -> bool {
     if a == b {
         return true;
     }
     let (graph, a, b) = (a.graph(), a.id(), b.id());
-    let near = (0..TRIED).map(|place| agree_at(graph, a, b, Place::Near(place), share));
-    let near: Vec<bool> = near.flatten().take(PLACES as usize).collect();
+    let near = (0..TRIED).map(|point| agree_at(graph, a, b, SamplePoint::Near(point), share));
+    let near: Vec<bool> = near.flatten().take(POINTS as usize).collect();
     let analytic = || {
         graph
             .reachable(&[a, b])
             .iter()
             .all(|&id| !splits(graph, id))
     };
-    let far = || (0..TRIED).filter_map(|place| agree_at(graph, a, b, Place::Far(place), share));
+    let far =
+        || (0..TRIED).filter_map(|point| agree_at(graph, a, b, SamplePoint::Far(point), share));
     !near.is_empty() && near.into_iter().all(|x| x) && (analytic() || far().all(|x| x))
 }
 
@@ -49,9 +50,9 @@ fn splits(graph: &Graph, id: NodeId) -> bool {
     }
 }
 
-/// Where expressions are evaluated.
+/// A point at which expressions are evaluated.
 #[derive(Clone, Copy)]
-enum Place {
+enum SamplePoint {
     /// All symbols in 0.5..1.5: roots are defined, nothing is lost beside large terms.
     Near(u64),
     /// Any signs and magnitudes.
@@ -59,13 +60,14 @@ enum Place {
 }
 
 /// Nothing where both sides are undefined.
-fn agree_at(graph: &Graph, a: NodeId, b: NodeId, place: Place, share: f64) -> Option<bool> {
-    // Each value comes with the size of the terms that it is made of: a small sum of large terms is known less well.
+fn agree_at(graph: &Graph, a: NodeId, b: NodeId, point: SamplePoint, share: f64) -> Option<bool> {
+    // Each value comes with the size of the terms that it is made of: a small sum of large terms is
+    // known less well.
     let mut values: Map<NodeId, (f64, f64)> = Map::new();
     for id in graph.reachable(&[a, b]) {
         let known = match graph.node(id) {
             Node::Constant(bits) => sized(f64::from_bits(bits)),
-            Node::Symbol(symbol) => sized(sample(graph, symbol, place)),
+            Node::Symbol(symbol) => sized(sample(graph, symbol, point)),
             Node::Unary(op, x) => {
                 let (value, size) = values[&x];
                 let result = op.apply([value]);
@@ -82,9 +84,9 @@ fn agree_at(graph: &Graph, a: NodeId, b: NodeId, place: Place, share: f64) -> Op
                 (result, result.abs().max(size))
             }
             Node::Ternary(op, x, y, z) => {
-                let result = op.apply([x, y, z].map(|own| values[&own].0));
+                let result = op.apply([x, y, z].map(|entry| values[&entry].0));
                 // A root is known as well as its discriminant.
-                let size = if op == Ternary::Root {
+                let size = if op == Ternary::GuardedSqrt {
                     values[&x].1
                 } else {
                     0.0
@@ -103,23 +105,23 @@ fn sized(value: f64) -> (f64, f64) {
     (value, value.abs())
 }
 
-/// A value for each symbol and place; the cosine and the sine of one angle fit each other.
-fn sample(graph: &Graph, symbol: SymbolId, place: Place) -> f64 {
+/// A value for each symbol and point; the cosine and the sine of one angle fit each other.
+fn sample(graph: &Graph, symbol: SymbolId, point: SamplePoint) -> f64 {
     match graph.store().cosine_of(symbol) {
-        Some(cosine) => number(cosine, place).sin(),
-        None if graph.store().is_cosine(symbol) => number(symbol, place).cos(),
-        None => number(symbol, place),
+        Some(cosine) => number(cosine, point).sin(),
+        None if graph.store().is_cosine(symbol) => number(symbol, point).cos(),
+        None => number(symbol, point),
     }
 }
 
 /// A number without pattern.
-fn number(symbol: SymbolId, place: Place) -> f64 {
-    let (place, far) = match place {
-        Place::Near(place) => (place, false),
-        Place::Far(place) => (TRIED + place, true),
+fn number(symbol: SymbolId, point: SamplePoint) -> f64 {
+    let (point, far) = match point {
+        SamplePoint::Near(point) => (point, false),
+        SamplePoint::Far(point) => (TRIED + point, true),
     };
     let mut x = (symbol.index() as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15)
-        ^ (place + 1).wrapping_mul(0xd1b5_4a32_d192_ed03);
+        ^ (point + 1).wrapping_mul(0xd1b5_4a32_d192_ed03);
     x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     x ^= x >> 31;
@@ -138,8 +140,8 @@ mod tests {
     use crate::graph::Source;
 
     /// Numbers of some symbols, each at many places.
-    fn numbers(place: fn(u64) -> Place) -> Vec<Vec<f64>> {
-        let of = |symbol| (0..TRIED).map(move |k| number(SymbolId(symbol), place(k)));
+    fn numbers(point: fn(u64) -> SamplePoint) -> Vec<Vec<f64>> {
+        let of = |symbol| (0..TRIED).map(move |k| number(SymbolId(symbol), point(k)));
         (0..20).map(|symbol| of(symbol).collect()).collect()
     }
 
@@ -148,10 +150,11 @@ mod tests {
         numbers.iter().sum::<f64>() / numbers.len() as f64
     }
 
-    /// Near numbers fill 0.5 to 1.5 evenly: the mean is 1, that of the squared distances from it 1/12.
+    /// Near numbers fill 0.5 to 1.5 evenly: the mean is 1, that of the squared distances from it
+    /// 1/12.
     #[test]
     fn near_numbers_fill_their_range() {
-        let numbers = numbers(Place::Near);
+        let numbers = numbers(SamplePoint::Near);
         let mut all = numbers.concat();
         assert!(all.iter().all(|x| (0.5..1.5).contains(x)));
         assert!((mean(all.iter().copied()) - 1.0).abs() < 0.03);
@@ -169,10 +172,10 @@ mod tests {
         );
     }
 
-    /// No symbol tells anything of another, nor a place of the next one.
+    /// No symbol tells anything of another, nor a point of the next one.
     #[test]
     fn numbers_have_no_pattern() {
-        let numbers = numbers(Place::Near);
+        let numbers = numbers(SamplePoint::Near);
         let product = |(x, y): (&f64, &f64)| (x - 1.0) * (y - 1.0) * 12.0;
         let mut products = Vec::new();
         for k in 1..numbers.len() {
@@ -192,7 +195,7 @@ mod tests {
     /// Far numbers have both signs, and sizes from a thousandth to ten thousand.
     #[test]
     fn far_numbers_have_all_signs_and_sizes() {
-        let all = numbers(Place::Far).concat();
+        let all = numbers(SamplePoint::Far).concat();
         let negative = mean(all.iter().map(|x| f64::from(x.is_sign_negative())));
         assert!((negative - 0.5).abs() < 0.05, "{negative}");
         let mut decades = [0; 8];
@@ -210,7 +213,10 @@ mod tests {
             "{decades:?}"
         );
         // At places of their own: none is a near number with another sign or size.
-        for (near, far) in numbers(Place::Near).iter().zip(numbers(Place::Far)) {
+        for (near, far) in numbers(SamplePoint::Near)
+            .iter()
+            .zip(numbers(SamplePoint::Far))
+        {
             let is_near = |x: f64| near.iter().any(|y| (rest(x) - y).abs() < 1e-9);
             assert!(!far.into_iter().any(is_near));
         }
@@ -228,12 +234,12 @@ mod tests {
         let of_source = graph.source(Source::Input(0));
         let of_source = graph.symbols_of(&[of_source])[0];
         for k in 0..TRIED {
-            for place in [Place::Near(k), Place::Far(k)] {
-                let [cos, sin] = [c, s].map(|symbol| sample(&graph, symbol, place));
+            for point in [SamplePoint::Near(k), SamplePoint::Far(k)] {
+                let [cos, sin] = [c, s].map(|symbol| sample(&graph, symbol, point));
                 assert!((cos * cos + sin * sin - 1.0).abs() < 1e-15);
-                assert_eq!(cos, number(c, place).cos());
+                assert_eq!(cos, number(c, point).cos());
                 for symbol in [free, of_source] {
-                    assert_eq!(sample(&graph, symbol, place), number(symbol, place));
+                    assert_eq!(sample(&graph, symbol, point), number(symbol, point));
                 }
             }
         }

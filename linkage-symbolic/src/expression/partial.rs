@@ -1,12 +1,12 @@
-//! Where finite numbers may lead to none.
+//! Expressions that may have no finite value for finite symbols.
 
 use super::ex::Ex;
 use crate::graph::{Graph, Node, NodeId};
 use crate::operation::Binary;
 
 impl Ex<'_> {
-    /// True if a division, a root or an arc function in it may give no finite number although all symbols have finite values.
-    /// Definitions of symbols are not followed.
+    /// True if a division, a root or an arc function in it may give no finite number although all
+    /// symbols have finite values. Definitions of symbols are not followed.
     pub fn is_partial(self) -> bool {
         let graph = self.graph();
         let below = graph.reachable(&[self.id()]);
@@ -34,7 +34,8 @@ mod tests {
     use crate::graph::Source;
     use crate::operation::{Ternary, Unary};
 
-    /// Every operation at a few finite numbers: what is said to have a value everywhere has one.
+    /// Evaluates every operation at a few finite numbers: an operation that is not partial has a
+    /// finite value.
     #[test]
     fn operations_that_are_not_partial_have_finite_values() {
         let numbers = [-3.0, -1.0, -0.5, -0.0, 0.0, 0.5, 1.0, 3.0];

@@ -1,4 +1,5 @@
-//! An expression as a polynomial in chosen symbols: how the solver sees a loop whatever way it was written.
+//! An expression as a polynomial in chosen symbols: how the solver sees a loop whatever way it was
+//! written.
 
 use std::collections::BTreeMap;
 
@@ -29,8 +30,8 @@ pub enum Obstacle {
     Function,
 }
 
-/// What is in the way of `root` being a polynomial in `symbols`, if anything is: the first function on the way, else the degree as
-/// written, with nothing cancelled.
+/// Returns the obstacle to `root` being a polynomial in `symbols`, if there is one: the first
+/// function, else the degree as written, without cancellation.
 pub fn obstacle(root: Ex, symbols: &[SymbolId]) -> Option<Obstacle> {
     let graph = root.graph();
     let mut degrees: Map<NodeId, u32> = Map::new();
@@ -47,7 +48,7 @@ pub fn obstacle(root: Ex, symbols: &[SymbolId]) -> Option<Obstacle> {
             Node::Binary(Binary::Div, ..) => return Some(Obstacle::Division),
             Node::Unary(Unary::Sqrt, _)
             | Node::Binary(Binary::Hypot, ..)
-            | Node::Ternary(Ternary::Root, ..) => {
+            | Node::Ternary(Ternary::GuardedSqrt, ..) => {
                 return Some(Obstacle::Root);
             }
             _ => return Some(Obstacle::Function),
@@ -58,8 +59,9 @@ pub fn obstacle(root: Ex, symbols: &[SymbolId]) -> Option<Obstacle> {
     (degree > u32::from(MAX_DEGREE)).then_some(Obstacle::Degree(degree))
 }
 
-/// `root` as a polynomial in `symbols`; `None` if it is none. `unit_pairs` are the positions in `symbols` of the cosine
-/// and sine of one angle; even powers of the sine are expressed by the cosine, so that `c^2 + s^2` is 1.
+/// `root` as a polynomial in `symbols`; `None` if it is none. `unit_pairs` are the positions in
+/// `symbols` of the cosine and sine of one angle; even powers of the sine are expressed by the
+/// cosine, so that `c^2 + s^2` is 1.
 pub fn collect<'g>(
     root: Ex<'g>,
     symbols: &[SymbolId],

@@ -5,7 +5,7 @@ use crate::graph::{Graph, Node, NodeId, SymbolId};
 use crate::lookup::Map;
 use crate::operation::Binary;
 
-/// The expressions `roots` with symbols replaced as `map` says, simplified anew.
+/// The expressions `roots` with symbols replaced as `map` says, simplified again.
 pub fn substitute<'g>(roots: &[Ex<'g>], map: &Map<SymbolId, Ex<'g>>) -> Vec<Ex<'g>> {
     let Some(graph) = roots.first().map(|root| root.graph()) else {
         return Vec::new();
@@ -41,7 +41,8 @@ pub(crate) fn rebuild(
     }
 }
 
-/// The same, but what is a product stays one: multiples that are shared are not distributed over their sums again.
+/// Does the same, but keeps products as they are: shared multiples are not distributed over their
+/// sums again.
 pub(crate) fn rebuild_shared(
     graph: &Graph,
     id: NodeId,

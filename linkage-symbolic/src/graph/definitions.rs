@@ -1,10 +1,11 @@
 //! Definitions of symbols, as a walk through the graph follows them.
 
+use super::binding::Source;
 use super::node::{Node, NodeId};
 use super::shared::Graph;
-use super::source::Source;
 
-/// What a symbol stands for, and where it is loaded from; nothing for operations.
+/// Returns the definition of a symbol, and the source that it is loaded from. Operations have
+/// neither.
 pub(crate) fn meaning(graph: &Graph, node: Node) -> (Option<NodeId>, Option<Source>) {
     let Node::Symbol(symbol) = node else {
         return (None, None);
@@ -14,7 +15,7 @@ pub(crate) fn meaning(graph: &Graph, node: Node) -> (Option<NodeId>, Option<Sour
     (symbol.definition, symbol.source)
 }
 
-/// What must be known before `id`: its operands, or the definition of a symbol.
+/// Returns the nodes that must be known before `id`: its operands, or the definition of a symbol.
 pub(crate) fn dependencies(graph: &Graph, id: NodeId) -> impl Iterator<Item = NodeId> + use<> {
     let node = graph.node(id);
     node.operands().chain(meaning(graph, node).0)

@@ -1,20 +1,21 @@
 //! The graph: a flat arena of operations.
 //!
-//! From the ground up: `source` and `node` are the data, `vectors` remembers facts about vectors, `store` is the arena, `terms` recognises
-//! forms of operands, `shared` is the arena behind a shared reference, and `definitions` leads from symbols to their definitions.
-//! Constructors that simplify are in [`rules`](crate::rules).
+//! From the ground up: `binding` and `node` are the data, `vectors` remembers facts about vectors,
+//! `store` is the arena, `terms` recognises forms of operands, `shared` is the arena behind a
+//! shared reference, and `definitions` leads from symbols to their definitions. Constructors that
+//! simplify are in [`rules`](crate::rules).
 
+mod binding;
 mod definitions;
 mod node;
 mod shared;
-mod source;
 mod store;
 mod terms;
 mod vectors;
 
+pub use binding::{Binding, Source};
 pub(crate) use definitions::{dependencies, meaning};
 pub use node::{Node, NodeId, Symbol, SymbolId};
-pub use shared::Graph;
-pub use source::{Binding, Source};
+pub use shared::{Graph, Snapshot};
 pub(crate) use store::Store;
 pub(crate) use vectors::Vectors;

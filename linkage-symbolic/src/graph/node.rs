@@ -1,6 +1,6 @@
 //! Nodes and symbols of the graph.
 
-use super::source::{Binding, Source};
+use super::binding::{Binding, Source};
 use crate::operation::{Binary, Ternary, Unary};
 
 /// Index of a node; children have smaller indices than their parents.
@@ -58,9 +58,10 @@ impl Node {
 pub struct Symbol {
     /// For dumps and messages.
     pub name: String,
-    /// Where a program finds its value; `None` for a symbol that lives by its definition.
+    /// The source that a program loads its value from; `None` for a symbol that lives by its
+    /// definition.
     pub source: Option<Source>,
-    /// What it stands for, once known.
+    /// Its definition, once known.
     pub definition: Option<NodeId>,
     /// When its value is known.
     pub binding: Binding,

@@ -2,18 +2,18 @@
 
 use std::cell::{Ref, RefCell, RefMut};
 
+use super::binding::{Binding, Source};
 use super::node::{Node, NodeId, Symbol, SymbolId};
-use super::source::{Binding, Source};
 use super::store::Store;
 
-/// A flat arena of operations. Equal operations are one node, constructors simplify. It grows behind a shared reference: [`Ex`](crate::Ex) is a
-/// node together with that.
+/// A flat arena of operations. Equal operations are one node, constructors simplify. It grows
+/// behind a shared reference: [`Ex`](crate::Ex) is a node together with that.
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     store: RefCell<Store>,
 }
 
-/// What a graph held at some time.
+/// The contents of a graph at some time.
 #[derive(Clone, Debug)]
 pub struct Snapshot(Store);
 
@@ -36,7 +36,8 @@ impl Graph {
         Snapshot(self.store().clone())
     }
 
-    /// Forgets what was made since a snapshot. Expressions made since then must not be used any more.
+    /// Drops everything that was made since a snapshot. Expressions made since then must not be
+    /// used any more.
     pub fn restore(&self, snapshot: Snapshot) {
         *self.store_mut() = snapshot.0;
     }
@@ -81,7 +82,7 @@ impl Graph {
         self.store().find_source(source)
     }
 
-    /// Loads from other places: `new` says from where. What was loaded from different places must still be.
+    /// Replaces each source by `new(source)`. Different sources must stay different.
     pub fn move_sources(&self, new: impl Fn(Source) -> Source) {
         self.store_mut().move_sources(new);
     }
@@ -101,7 +102,7 @@ impl Graph {
         self.store_mut().intern(Node::Symbol(symbol))
     }
 
-    /// How many symbols there are.
+    /// Returns the number of symbols.
     pub fn symbol_count(&self) -> usize {
         self.store().symbol_count()
     }
@@ -111,7 +112,7 @@ impl Graph {
         (count as u32..self.symbol_count() as u32).map(SymbolId)
     }
 
-    /// Says what a symbol stands for.
+    /// Sets the definition of a symbol.
     pub fn define(&self, symbol: SymbolId, definition: NodeId) {
         self.store_mut().define(symbol, definition);
     }
@@ -121,7 +122,8 @@ impl Graph {
         self.store().revision()
     }
 
-    /// All nodes that `roots` are made of, roots included, children first, without following definitions.
+    /// All nodes that `roots` are made of, roots included, children first, without following
+    /// definitions.
     pub fn reachable(&self, roots: &[NodeId]) -> Vec<NodeId> {
         self.store().reachable(roots)
     }
@@ -151,7 +153,7 @@ impl Graph {
         self.store().vectors.squares.get(&square).cloned()
     }
 
-    /// What a node is a function of, and its slope by that, if it was said.
+    /// Returns the argument of a node and its slope with respect to that, if it was set.
     pub(crate) fn known_slope(&self, id: NodeId) -> Option<(NodeId, NodeId)> {
         self.store().slopes.get(&id).copied()
     }

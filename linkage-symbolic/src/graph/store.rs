@@ -1,7 +1,7 @@
-//! What the graph holds.
+//! The contents of the graph.
 
+use super::binding::{Binding, Source};
 use super::node::{Node, NodeId, Symbol, SymbolId};
-use super::source::{Binding, Source};
 use super::vectors::Vectors;
 use crate::lookup::{Map, Set};
 
@@ -10,7 +10,7 @@ use crate::lookup::{Map, Set};
 pub(crate) struct Store {
     nodes: Vec<Node>,
     bindings: Vec<Binding>,
-    /// Which nodes are never negative.
+    /// True for each node that is never negative.
     never_negative: Vec<bool>,
     index: Map<Node, NodeId>,
     symbols: Vec<Symbol>,
@@ -18,11 +18,11 @@ pub(crate) struct Store {
     /// The cosine that a sine belongs to.
     cosines: Map<SymbolId, SymbolId>,
     with_sine: Set<SymbolId>,
-    /// How often a definition was exchanged for another.
+    /// The number of definitions that were exchanged for another.
     revision: usize,
-    /// What is known of vectors.
+    /// Known facts about vectors.
     pub(crate) vectors: Vectors,
-    /// What is known of slopes: of a node by another one.
+    /// Known slopes of nodes: the argument, and the slope with respect to it.
     pub(crate) slopes: Map<NodeId, (NodeId, NodeId)>,
 }
 
@@ -42,7 +42,7 @@ impl Store {
         self.bindings[id.index()]
     }
 
-    /// True for what is no negative number, whatever it is computed from; it may be -0, or NaN.
+    /// Returns true for a node that is no negative number for any operands; it may be -0, or NaN.
     pub(crate) fn is_never_negative(&self, id: NodeId) -> bool {
         self.never_negative[id.index()]
     }
@@ -113,12 +113,13 @@ impl Store {
         self.with_sine.contains(&symbol)
     }
 
-    /// How many symbols there are.
+    /// Returns the number of symbols.
     pub(crate) fn symbol_count(&self) -> usize {
         self.symbols.len()
     }
 
-    /// Says what a symbol stands for. What was found with another definition must be found anew.
+    /// Sets the definition of a symbol. Results that were found with another definition must be
+    /// found again.
     pub(crate) fn define(&mut self, symbol: SymbolId, definition: NodeId) {
         let old = self.symbols[symbol.index()].definition.replace(definition);
         if old.is_some_and(|old| old != definition) {
@@ -130,7 +131,7 @@ impl Store {
         self.revision
     }
 
-    /// Loads from other places: `new` says from where. What was loaded from different places still is.
+    /// Replaces each source by `new(source)`. Different sources stay different.
     pub(crate) fn move_sources(&mut self, new: impl Fn(Source) -> Source) {
         self.sources = Map::new();
         for (index, symbol) in self.symbols.iter_mut().enumerate() {
@@ -175,7 +176,8 @@ impl Store {
         id
     }
 
-    /// All nodes that `roots` are made of, roots included, children first, without following definitions.
+    /// All nodes that `roots` are made of, roots included, children first, without following
+    /// definitions.
     pub(crate) fn reachable(&self, roots: &[NodeId]) -> Vec<NodeId> {
         let mut seen = vec![false; self.len()];
         let mut stack: Vec<NodeId> = roots.to_vec();

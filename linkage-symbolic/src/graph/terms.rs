@@ -1,7 +1,7 @@
-//! What rules look for in operands: signs, factors, terms.
+//! Forms of operands that rules look for: signs, factors, terms.
 
+use super::binding::Binding;
 use super::node::{Node, NodeId};
-use super::source::Binding;
 use super::store::Store;
 use crate::operation::{Binary, Ternary, Unary};
 
@@ -16,7 +16,7 @@ impl Store {
         self.constant_value(id) == Some(1.0)
     }
 
-    /// True for what is known before a call: a number, or a value of `assemble()`.
+    /// True for a value that is known before a call: a number, or a value of `assemble()`.
     pub(crate) fn is_early(&self, id: NodeId) -> bool {
         self.binding(id) < Binding::Call
     }
@@ -54,7 +54,7 @@ impl Store {
         }
     }
 
-    /// Whether an operation's value is never negative, by its operands' own.
+    /// Returns true if the value of an operation is never negative, judged by its operands.
     pub(crate) fn makes_no_negative(&self, node: Node) -> bool {
         match node {
             Node::Constant(bits) => {

@@ -1,9 +1,9 @@
-//! What is known of vectors: lengths and what they are the lengths of, scalar products and their factors, directions.
+//! Known facts about vectors: lengths, scalar products with their factors, directions.
 
 use super::node::NodeId;
 use crate::lookup::{Map, Set};
 
-/// What the graph remembers of vectors.
+/// Facts about vectors that the graph remembers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Vectors {
     /// Vectors behind nodes that are their lengths: a loop `distance(a, b) = l` is solved by these.

@@ -1,31 +1,31 @@
 //! Rows of the table of operations.
 
-/// What is known of an operation of so many operands.
+/// The facts about an operation of so many operands.
 #[derive(Clone, Copy, Debug)]
-pub struct Row<const ARITY: usize> {
+pub struct OperationRow<const ARITY: usize> {
     /// In texts: a word, or the sign that stands between both operands.
     pub name: &'static str,
-    /// What it computes, on numbers.
+    /// Its value on numbers.
     pub value: fn([f64; ARITY]) -> f64,
-    /// In rough cycles: when its result is known after its operands. It decides which of two products is fused, so a change of it
-    /// changes last digits where multiply-adds are.
+    /// In rough cycles: when its result is known after its operands. It decides which of two
+    /// products is fused, so a change of it changes last digits where multiply-adds are.
     pub latency: u32,
-    /// By throughput, an addition being 1: what it costs where much else is computed beside it.
+    /// Cost by throughput, where many other operations are computed next to it; an addition is 1.
     pub time: u32,
-    /// In machine instructions, roughly: how much of what a processor looks ahead it takes.
+    /// Size in machine instructions, roughly: its part of the window of a processor.
     pub size: u32,
-    /// As what it is counted.
+    /// The class in which it is counted.
     pub class: Class,
     /// True for a function that is a different formula on different sides of some value.
     pub splits: bool,
     /// True if its value is no negative number, whatever the operands are; it may be -0, or NaN.
     pub never_negative: bool,
-    /// True if it has no finite value for some finite operands. What is too large for a number is another matter.
+    /// True if it has no finite value for some finite operands. Overflow does not count.
     pub partial: bool,
     /// Its result for the negative operand: the rules of simplification follow from it.
     pub symmetry: Symmetry,
     /// The code for it in Rust.
-    pub call: Call,
+    pub call: RustCall,
 }
 
 /// The result of an operation of one operand for the negative operand.
@@ -41,7 +41,7 @@ pub enum Symmetry {
 
 /// The code of an operation on numbers of `linkage_core::Scalar`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Call {
+pub enum RustCall {
     /// An operator in front of the operand or between both.
     Operator(char),
     /// A method of this name.
@@ -77,8 +77,8 @@ pub enum Class {
 pub(super) const fn row<const ARITY: usize>(
     name: &'static str,
     value: fn([f64; ARITY]) -> f64,
-) -> Row<ARITY> {
-    Row {
+) -> OperationRow<ARITY> {
+    OperationRow {
         name,
         value,
         latency: 4,
@@ -89,16 +89,19 @@ pub(super) const fn row<const ARITY: usize>(
         never_negative: false,
         partial: false,
         symmetry: Symmetry::Neither,
-        call: Call::Method(name),
+        call: RustCall::Method(name),
     }
 }
 
-/// What an arc function or a tangent costs by throughput.
+/// Cost of an arc function or a tangent by throughput.
 pub(super) const ARC: u32 = 30;
 
 /// A row of a function of an angle.
-pub(super) const fn trigonometric(name: &'static str, value: fn([f64; 1]) -> f64) -> Row<1> {
-    Row {
+pub(super) const fn trigonometric(
+    name: &'static str,
+    value: fn([f64; 1]) -> f64,
+) -> OperationRow<1> {
+    OperationRow {
         latency: 20,
         time: 20,
         size: 20,
@@ -110,8 +113,8 @@ pub(super) const fn trigonometric(name: &'static str, value: fn([f64; 1]) -> f64
 pub(super) const fn arc<const ARITY: usize>(
     name: &'static str,
     value: fn([f64; ARITY]) -> f64,
-) -> Row<ARITY> {
-    Row {
+) -> OperationRow<ARITY> {
+    OperationRow {
         latency: 20,
         time: ARC,
         size: 50,

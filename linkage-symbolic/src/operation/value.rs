@@ -2,10 +2,12 @@
 
 use std::f64::consts::TAU;
 
-/// Roundoffs of the scale by which a discriminant may be negative at the dead point: what its terms are rounded by.
+/// Roundoffs of the scale by which a discriminant may be negative at the dead point: the rounding
+/// of its terms.
 pub(super) const DEAD_POINT: f64 = 8.0 * f64::EPSILON;
 
-/// Added and taken away again, it leaves whole numbers: the numbers beside it have no digits behind the point.
+/// Added and taken away again, it leaves whole numbers: the numbers beside it have no digits behind
+/// the point.
 pub(super) const WHOLE: f64 = 1.5 / f64::EPSILON;
 
 pub(super) fn sign(a: f64) -> f64 {
@@ -27,8 +29,8 @@ pub(super) fn inverse_scale(x: f64) -> f64 {
     f64::from_bits((2046 - exponent.clamp(1, 2045)) << 52)
 }
 
-/// The one that is to be taken. Of two zeros the standard library may take either, and does so by machine; this is what generated
-/// code takes.
+/// Returns the operand that a minimum or a maximum takes. The standard library may take either of
+/// two zeros, depending on the machine; this is the choice of generated code.
 pub(super) fn one_of(a: f64, b: f64, first: bool, second: bool) -> f64 {
     if a.is_nan() || b.is_nan() {
         f64::NAN

@@ -1,11 +1,14 @@
-//! Sums that are multiples of each other by something known early: `r c x + r s y` is `r (c x + s y)`.
+//! Sums that are multiples of each other by something known early: `r c x + r s y` is `r (c x + s
+//! y)`.
 //!
-//! Constructors gather factors in front of each term, so that a lone vector that turns with a link costs nothing for
-//! its length. Where the same direction occurs with several lengths, as it does among sensitivities, one
-//! sum and a product for each further length are cheaper. Nothing is divided: a length may be 0.
+//! Constructors gather factors in front of each term, so that a lone vector that turns with a link
+//! costs nothing for its length. Where the same direction occurs with several lengths, as it does
+//! among sensitivities, one sum and a product for each further length are cheaper. Nothing is
+//! divided: a length may be 0.
 //!
-//! A multiple has as many roundings as the sum had that it stands for. Divisors among the factors add one, as they are inverted; numbers add
-//! three at most, for their quotients are rounded. As in [`crate::rules`], results in between must be in range, and no NaN is lost.
+//! A multiple has as many roundings as the sum had that it stands for. Divisors among the factors
+//! add one, as they are inverted; numbers add three at most, for their quotients are rounded. As in
+//! [`crate::rules`], results in between must be in range, and no NaN is lost.
 
 use std::collections::BTreeMap;
 
@@ -22,11 +25,12 @@ struct Factors {
     nodes: Vec<NodeId>,
 }
 
-/// What multiples of one sum have in common: both terms without their common factor, the first with the number 1.
+/// The common part of multiples of one sum: both terms without their common factor, the first with
+/// the number 1.
 type Base = ([NodeId; 2], [Vec<NodeId>; 2], u64);
 
 /// The values `outputs` with multiples of the same sum computed as such.
-pub fn share_multiples(graph: &Graph, outputs: &[NodeId]) -> Vec<NodeId> {
+pub fn share_common_factors(graph: &Graph, outputs: &[NodeId]) -> Vec<NodeId> {
     let reachable = graph.reachable(outputs);
     let mut members: BTreeMap<Base, Vec<(NodeId, Factors)>> = BTreeMap::new();
     for &id in &reachable {
@@ -104,7 +108,7 @@ fn term(graph: &Graph, id: NodeId) -> Option<(Factors, NodeId)> {
     (split_by_time && factors.number.is_normal()).then_some((factors, x))
 }
 
-/// The common part of two sorted lists, and what remains of each.
+/// Returns the common part of two sorted lists, and the rest of each.
 fn split(a: Vec<NodeId>, mut b: Vec<NodeId>) -> (Vec<NodeId>, [Vec<NodeId>; 2]) {
     let (mut shared, mut rest) = (Vec::new(), Vec::new());
     for x in a {

@@ -1,10 +1,11 @@
-//! Products that are added become multiply-adds, which machines with fused arithmetic do in one step. Without it, equal
-//! products are one operation again: nothing is computed twice.
+//! Products that are added become multiply-adds, which machines with fused arithmetic do in one
+//! step. Without it, equal products are one operation again: nothing is computed twice.
 
 use crate::program::count::arrival_times;
 use crate::program::{Binary, Fused, Instruction, Program, Unary, Value};
 
-/// Replaces `a * b + c`, `a * b - c` and `c - a * b`, and removes the products that nobody uses any more.
+/// Replaces `a * b + c`, `a * b - c` and `c - a * b`, and removes the products that nobody uses any
+/// more.
 pub fn contract(mut program: Program) -> Program {
     let known = arrival_times(&program);
     let exact = compared_with_zero(&program);
@@ -17,8 +18,9 @@ pub fn contract(mut program: Program) -> Program {
     program.without_unused()
 }
 
-/// Divisors, and what only its size counts of: a determinant of parallel directions is 0 if both of its products are
-/// rounded, and the rounding error of one of them if that is not. Squares have no difference to lose.
+/// Returns true for divisors and for operands of absolute values. A determinant of parallel
+/// directions is 0 if both of its products are rounded, else it is the rounding error of one of
+/// them. Squares have no difference to lose.
 fn compared_with_zero(program: &Program) -> Vec<bool> {
     let mut exact = vec![false; program.instructions.len()];
     for instruction in &program.instructions {
@@ -32,7 +34,7 @@ fn compared_with_zero(program: &Program) -> Vec<bool> {
     exact
 }
 
-/// Whether both operands are products that may cancel each other.
+/// Returns true if both operands are products that may cancel each other.
 fn is_of_two_products(program: &Program, sum: Value) -> bool {
     let mut squares = 0;
     let products = program.instructions[sum.0].operands().all(|x| {
@@ -49,8 +51,8 @@ fn is_of_two_products(program: &Program, sum: Value) -> bool {
     products && !(is_sum && squares == 2)
 }
 
-/// The multiply-add for a sum or a difference. Of two products, the one that is known later is fused: the other can be
-/// computed meanwhile.
+/// The multiply-add for a sum or a difference. Of two products, the one that is known later is
+/// fused: the other can be computed meanwhile.
 fn fuse(program: &Program, known: &[u32], sum: Value) -> Option<Instruction> {
     let product = |value: Value| match program.instructions[value.0] {
         Instruction::Binary(Binary::Mul, x, y) => Some((x, y)),
@@ -183,7 +185,7 @@ mod tests {
                 binary(Binary::Div, 2, 6),
             ];
             let contracted = contract(program(&operations, &[7]));
-            let is_fused = |own: &Instruction| matches!(own, Instruction::Fused(..));
+            let is_fused = |entry: &Instruction| matches!(entry, Instruction::Fused(..));
             assert_eq!(contracted.instructions.iter().any(is_fused), fuses);
         }
     }

@@ -1,11 +1,12 @@
-//! One sine pair for an angle and its double, such as a crank and one that is geared to half its speed.
+//! One sine pair for an angle and its double, such as a crank and one that is geared to half its
+//! speed.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::program::{Binary, Instruction, Program, Value};
 
-/// Replaces the sine and cosine of an angle by `2 s c` and `1 - 2 s^2` where those of half the angle are computed anyway. They are
-/// rounded twice more.
+/// Replaces the sine and cosine of an angle by `2 s c` and `1 - 2 s^2` where those of half the
+/// angle are computed anyway. They are rounded twice more.
 pub fn share(program: Program) -> Program {
     let halves = halves(&program);
     if halves.is_empty() {
@@ -26,7 +27,7 @@ pub fn share(program: Program) -> Program {
     builder.program.without_unused()
 }
 
-/// An angle and what it is the double of: `-1` or `+1`, and the half.
+/// The sign, `-1` or `+1`, and the half of each angle.
 type Halves = BTreeMap<Value, (f64, Value)>;
 
 /// The angles whose halves have a sine pair of their own; halves are not halved again.
@@ -75,7 +76,7 @@ struct Builder<'a> {
     whole: &'a Program,
     halves: &'a Halves,
     program: Program,
-    /// Where values of the whole program are now.
+    /// The new positions of the values of the whole program.
     places: Vec<Option<Value>>,
     /// Sine and cosine of angles, by angle of the whole program.
     pairs: BTreeMap<Value, [Value; 2]>,
@@ -176,7 +177,7 @@ mod tests {
     }
 
     fn angles(program: &Program) -> usize {
-        let is_pair = |own: &&Instruction| matches!(own, Instruction::SinCos(_));
+        let is_pair = |angle: &&Instruction| matches!(angle, Instruction::SinCos(_));
         program.instructions.iter().filter(is_pair).count()
     }
 

@@ -1,7 +1,9 @@
-//! Vectors that turn with an angle by the sine pair of its half, where that is computed anyway: `p cos 2x = p - (2 p sin x) sin x` and `p sin 2x = (2 p sin x) cos x`.
+//! Vectors that turn with an angle by the sine pair of its half, where that is computed anyway: `p
+//! cos 2x = p - (2 p sin x) sin x` and `p sin 2x = (2 p sin x) cos x`.
 //!
-//! With a factor that is known before a call this spares the cosine and sine themselves, and `q + p` is known before the call, too. Values are rounded as often as by
-//! [double angles](crate::passes).
+//! With a factor that is known before a call this spares the cosine and sine themselves, and `q +
+//! p` is known before the call, too. Values are rounded as often as by [double
+//! angles](crate::passes).
 
 use crate::expression::rebuild_shared;
 use crate::graph::{Binding, Graph, Node, NodeId};
@@ -30,7 +32,7 @@ pub fn by_half_angles(graph: &Graph, outputs: &[NodeId]) -> Option<Vec<NodeId>> 
 
 struct Halves<'a> {
     graph: &'a Graph,
-    /// By angle: the half, and whether the angle is that twice backward.
+    /// The half of each angle, and true if the angle is twice the half backward.
     halves: Map<NodeId, (NodeId, bool)>,
 }
 
@@ -77,7 +79,8 @@ impl<'a> Halves<'a> {
         }
     }
 
-    /// Of `p cos` or `p sin` of an angle with a half, what is known before a call, and the rest.
+    /// Returns the part of `p cos` or `p sin` of an angle with a half that is known before a call,
+    /// and the rest.
     fn product(&self, id: NodeId) -> Option<(NodeId, NodeId)> {
         let graph = self.graph;
         let Node::Binary(Binary::Mul, p, x) = graph.node(id) else {
@@ -90,7 +93,7 @@ impl<'a> Halves<'a> {
         if graph.binding(p) == Binding::Call {
             return None;
         }
-        let [sin, cos] = [Unary::Sin, Unary::Cos].map(|own| graph.unary(own, half));
+        let [sin, cos] = [Unary::Sin, Unary::Cos].map(|entry| graph.unary(entry, half));
         let twice = graph.mul(graph.mul(graph.constant(2.0), p), sin);
         Some(match function {
             Unary::Cos => (p, graph.neg(graph.mul(twice, sin))),

@@ -1,22 +1,23 @@
-//! Removing definitions: what was solved for becomes what it is computed from.
+//! Removes definitions: each unknown is replaced by the expression that it is computed from.
 
 use crate::graph::{Graph, Node, NodeId, dependencies};
 use crate::lookup::Map;
 
-/// Copies nodes of one graph into another without definitions, simplifying anew: factors of a link's length that
-/// cancel against the solution for that link do so here.
+/// Copies nodes of one graph into another without definitions, simplifying again: factors of a
+/// link's length that cancel against the solution for that link do so here.
 #[derive(Clone, Debug, Default)]
 pub struct Inliner {
     /// The plain graph: its symbols all have sources.
     pub target: Graph,
     copied: Map<NodeId, NodeId>,
-    /// Of the source: copies under other definitions are worth nothing.
+    /// The revision of the source: copies under other definitions are useless.
     revision: usize,
 }
 
 impl Inliner {
-    /// The copy of `root` in the target graph. Symbols without source and definition must not occur.
-    /// Under other definitions than before it is a copy of its own; equal expressions stay one node of the target.
+    /// The copy of `root` in the target graph. Symbols without source and definition must not
+    /// occur. Under other definitions than before it is a copy of its own; equal expressions stay
+    /// one node of the target.
     pub fn copy(&mut self, source: &Graph, root: NodeId) -> NodeId {
         if self.revision != source.revision() {
             self.copied.clear();

@@ -1,7 +1,10 @@
-//! What waits for a root is added last, and turned before: the chain behind a root is as short as its formulas allow.
+//! Adds terms that wait for a root last, and turns vectors before: the chain after a root is as
+//! short as its formulas allow.
 //!
-//! A vector that turns with a link is `Z (n D + h D_perp)` with a root `h`: `n (Z D) + h (Z D)_perp` has as many operations, and all but the last of them are done by the
-//! time the root is. The same holds for a sum, `x + (y + h z) = (x + y) + h z`. Both round as often as before.
+//! A vector that turns with a link is `Z (n D + h D_perp)` with a root `h`. The form `n (Z D) + h
+//! (Z D)_perp` has as many operations, and all except the last of them are done by the time the
+//! root is. The same holds for a sum, `x + (y + h z) = (x + y) + h z`. Both round as often as
+//! before.
 
 use crate::expression::rebuild_shared;
 use crate::graph::{Binding, Graph, Node, NodeId};
@@ -9,7 +12,7 @@ use crate::lookup::Map;
 use crate::program::{Binary, Ternary, Unary};
 
 /// The values `outputs` with less behind each root: turned before it, then summed before it, too.
-pub fn roots_last(graph: &Graph, outputs: &[NodeId]) -> [Vec<NodeId>; 2] {
+pub fn late_roots(graph: &Graph, outputs: &[NodeId]) -> [Vec<NodeId>; 2] {
     let turned = rewritten(graph, outputs, |view, id, new| view.turned_before(id, new));
     let added = rewritten(graph, &turned, |view, id, new| view.added_before(id, new));
     [turned, added]
@@ -41,12 +44,12 @@ struct Product {
     factors: [NodeId; 2],
 }
 
-/// What is known of the nodes below some outputs.
+/// Facts about the nodes below some outputs.
 struct View<'a> {
     graph: &'a Graph,
     /// The operations on each node; an output is used once more.
     users: Map<NodeId, Vec<NodeId>>,
-    /// How many roots each node waits for, one behind the other.
+    /// The number of roots that each node waits for, one after the other.
     roots: Map<NodeId, usize>,
     /// Sums of two products, by their factors in order.
     sums: Map<[[NodeId; 2]; 2], NodeId>,
@@ -62,18 +65,18 @@ impl<'a> View<'a> {
         };
         for id in graph.reachable(outputs) {
             let node = graph.node(id);
-            let own = matches!(
+            let is_root = matches!(
                 node,
-                Node::Ternary(Ternary::Root, ..) | Node::Unary(Unary::Sqrt, _)
+                Node::Ternary(Ternary::GuardedSqrt, ..) | Node::Unary(Unary::Sqrt, _)
             );
             let before = node.operands().map(|x| view.roots[&x]).max();
             view.roots
-                .insert(id, before.unwrap_or(0) + usize::from(own));
+                .insert(id, before.unwrap_or(0) + usize::from(is_root));
             for operand in node.operands() {
                 view.users.entry(operand).or_default().push(id);
             }
             if let Some(sum) = view.two_products(id) {
-                view.sums.insert(key(sum.map(|own| own.factors)), id);
+                view.sums.insert(key(sum.map(|item| item.factors)), id);
             }
         }
         for &output in outputs {
@@ -99,7 +102,8 @@ impl<'a> View<'a> {
         Some([a, b])
     }
 
-    /// Signs in front of what is known before a call count as those of the product.
+    /// Returns the factors of a product. Signs of a factor that is known before a call count as
+    /// those of the product.
     fn product(&self, id: NodeId) -> Option<Product> {
         let Node::Binary(Binary::Mul, a, b) = self.graph.node(id) else {
             return None;
@@ -121,9 +125,9 @@ impl<'a> View<'a> {
         let outer = self.two_products(id)?;
         outer
             .iter()
-            .all(|own| self.is_early(own.factors[0]))
+            .all(|item| self.is_early(item.factors[0]))
             .then_some(())?;
-        let [[p, u], [q, v]] = outer.map(|own| own.factors);
+        let [[p, u], [q, v]] = outer.map(|product| product.factors);
         let inner = self.inner(u, v)?;
         // The other component.
         let partner = *self.sums.get(&key([[q, u], [p, v]]))?;
@@ -146,7 +150,7 @@ impl<'a> View<'a> {
         } else {
             [other[1], other[0]]
         };
-        let signs = |pair: [Product; 2]| pair.map(|own| own.negative);
+        let signs = |pair: [Product; 2]| pair.map(|entry| entry.negative);
         let ([s1, s2], [o1, o2]) = (signs(outer), signs(other));
         // A rotation has one sign that differs from the other three, or three.
         if !(s1 ^ s2 ^ o1 ^ o2) {
@@ -182,7 +186,8 @@ impl<'a> View<'a> {
         self.graph.add(first, second)
     }
 
-    /// `u = +-a d1 +- b d2` and `v = +-a d2 +- b d1`, a rotation, where `b` waits for one root more than all else.
+    /// `u = +-a d1 +- b d2` and `v = +-a d2 +- b d1`, a rotation, where `b` waits for one root more
+    /// than all else.
     fn inner(&self, u: NodeId, v: NodeId) -> Option<Inner> {
         let [of_u, of_v] = [self.two_products(u)?, self.two_products(v)?];
         let orders = [[0, 1], [1, 0]];
@@ -197,7 +202,7 @@ impl<'a> View<'a> {
                 }
                 let find = |x: NodeId, y: NodeId| {
                     of_v.iter()
-                        .find(|own| key([own.factors; 2])[0] == key([[x, y]; 2])[0])
+                        .find(|entry| key([entry.factors; 2])[0] == key([[x, y]; 2])[0])
                 };
                 if let (Some(first), Some(second)) = (find(a, d2), find(b, d1))
                     && f.negative ^ g.negative ^ first.negative ^ second.negative
@@ -243,7 +248,8 @@ impl<'a> View<'a> {
             })
     }
 
-    /// The product that waits for a root in a sum that is used once, and the rest, each with its sign.
+    /// The product that waits for a root in a sum that is used once, and the rest, each with its
+    /// sign.
     fn late_term(&self, sum: NodeId) -> Option<((NodeId, bool), NodeId, bool)> {
         let Node::Binary(op @ (Binary::Add | Binary::Sub), a, b) = self.graph.node(sum) else {
             return None;

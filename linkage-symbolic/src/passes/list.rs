@@ -12,7 +12,7 @@ pub struct Pass {
     pub run: fn(Program) -> Program,
 }
 
-/// All passes, in order: what a program is polished by before it is printed.
+/// All passes, in order: each program is polished by them before it is printed.
 pub const PASSES: &[Pass] = &[
     Pass {
         name: "reciprocals",

@@ -1,7 +1,8 @@
-//! Rewriting of programs and of what they are made from.
+//! Passes that rewrite programs, and graphs before they become programs.
 //!
-//! `inline` copies a graph without definitions; `common_factors`, `half_angles` and `late_roots` rewrite a plain graph before it is scheduled; the others rewrite a program. Each pass keeps
-//! what is computed; its name stands in dumps. [`stages`] cuts long programs.
+//! `inline` copies a graph without definitions. `common_factors`, `half_angles` and `late_roots`
+//! rewrite a plain graph before it is scheduled. The others rewrite a program. A pass does not
+//! change the results. Its name is printed in dumps. [`stages`] cuts long programs.
 
 pub mod common_factors;
 pub mod contract;

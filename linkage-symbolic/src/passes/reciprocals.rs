@@ -1,12 +1,13 @@
-//! One reciprocal for many divisions by one divisor. A quotient then is rounded once more than by a division.
+//! One reciprocal for many divisions by one divisor. A quotient then is rounded once more than by a
+//! division.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::graph::Binding;
 use crate::program::{Binary, Instruction, Program, Value};
 
-/// From this many divisions by one divisor, one reciprocal and products are cheaper. Two independent divisions are
-/// faster than a reciprocal and two dependent products.
+/// The number of divisions by one divisor from which on one reciprocal and products are cheaper.
+/// Two independent divisions are faster than a reciprocal and two dependent products.
 const SHARED_DIVISIONS: usize = 3;
 
 /// Replaces divisions by a divisor that is known at a call only, where there are many.
@@ -62,9 +63,9 @@ fn shared_divisors(program: &Program) -> BTreeSet<Value> {
 #[derive(Default)]
 struct Rewriter {
     program: Program,
-    /// Where values of the whole program are now.
+    /// The new positions of the values of the whole program.
     places: Vec<Value>,
-    /// By divisor of the whole program.
+    /// The reciprocals, by divisor of the whole program.
     reciprocals: BTreeMap<Value, Value>,
     /// The constant 1, once it is asked for.
     one: Option<Value>,
@@ -76,7 +77,7 @@ impl Rewriter {
             return known;
         }
         let one = self.one.unwrap_or_else(|| {
-            let is_one = |own: &Instruction| *own == Instruction::Constant(1.0);
+            let is_one = |entry: &Instruction| *entry == Instruction::Constant(1.0);
             let known = self.program.instructions.iter().position(is_one);
             known.map_or_else(|| self.program.push(Instruction::Constant(1.0)), Value)
         });
@@ -110,7 +111,8 @@ mod tests {
     }
 
     fn divisions(program: &Program) -> usize {
-        let is_division = |own: &&Instruction| matches!(own, Instruction::Binary(Binary::Div, ..));
+        let is_division =
+            |entry: &&Instruction| matches!(entry, Instruction::Binary(Binary::Div, ..));
         program.instructions.iter().filter(is_division).count()
     }
 

@@ -1,4 +1,5 @@
-//! Sine and cosine of one angle as one instruction: the machine computes both for little more than one of them.
+//! Sine and cosine of one angle as one instruction: the machine computes both for little more than
+//! one of them.
 
 use std::collections::BTreeMap;
 
@@ -37,7 +38,7 @@ pub fn pair(program: Program) -> Program {
     paired
 }
 
-/// What is used of an angle.
+/// The used functions of an angle.
 #[derive(Default)]
 struct Used {
     cosine: bool,
@@ -71,11 +72,11 @@ mod tests {
         ] {
             let written = program(operations);
             let paired = pair(written.clone());
-            let is_pair = |own: &&Instruction| matches!(own, Instruction::SinCos(_));
+            let is_pair = |entry: &&Instruction| matches!(entry, Instruction::SinCos(_));
             assert_eq!(paired.instructions.iter().filter(is_pair).count(), 1);
             for x in [0.7, -3.0, 0.0, -0.0, f64::INFINITY, f64::NAN] {
-                let [expected, found] = [&written, &paired].map(|own| {
-                    let values = run(own, |_| x).into_iter();
+                let [expected, found] = [&written, &paired].map(|item| {
+                    let values = run(item, |_| x).into_iter();
                     values.map(f64::to_bits).collect::<Vec<_>>()
                 });
                 assert_eq!(expected, found, "{operations:?} {x}");

@@ -1,7 +1,9 @@
-//! Quotients by the root of a discriminant have no value where the root is 0: NaN instead of an infinity.
+//! Quotients by the root of a discriminant have no value where the root is 0: NaN instead of an
+//! infinity.
 //!
-//! A rate of a group is such a quotient. At a dead point it does not exist. At a change point its limits are finite, but the dividend is 0 apart
-//! from rounding, and so would be the sign of an infinity.
+//! A rate of a group is such a quotient. At a dead point it does not exist. At a change point its
+//! limits are finite, but the dividend is 0 apart from rounding, and so would be the sign of an
+//! infinity.
 
 use crate::program::{Binary, Instruction, Program, Ternary, Unary, Value};
 
@@ -18,19 +20,19 @@ pub fn mark(mut program: Program) -> Program {
     program
 }
 
-/// Which values have a root of a discriminant as a factor.
+/// Returns true for each value that has a root of a discriminant as a factor.
 fn factors(program: &Program) -> Vec<bool> {
     let mut of_root = Vec::with_capacity(program.instructions.len());
     for instruction in &program.instructions {
         let is = |x: Value| -> bool { of_root[x.0] };
-        let own = match *instruction {
-            Instruction::Ternary(Ternary::Root, ..) => true,
+        let has_root = match *instruction {
+            Instruction::Ternary(Ternary::GuardedSqrt, ..) => true,
             Instruction::Unary(Unary::Neg | Unary::Abs, x) => is(x),
             Instruction::Binary(Binary::Mul, a, b) => is(a) || is(b),
             Instruction::Binary(Binary::Div, a, _) => is(a),
             _ => false,
         };
-        of_root.push(own);
+        of_root.push(has_root);
     }
     of_root
 }
@@ -46,7 +48,7 @@ mod tests {
         let mut program = Program::default();
         let [q, x] = [0, 1].map(|k| program.push(Instruction::Load(Source::Input(k))));
         let [one, two, slack] = [1.0, 2.0, 1e-15].map(|x| program.push(Instruction::Constant(x)));
-        let root = program.push(Instruction::Ternary(Ternary::Root, q, slack, one));
+        let root = program.push(Instruction::Ternary(Ternary::GuardedSqrt, q, slack, one));
         let divisor = program.push(Instruction::Binary(Binary::Mul, two, root));
         let rate = program.push(Instruction::Binary(Binary::Div, x, divisor));
         let plain = program.push(Instruction::Binary(Binary::Div, x, q));
@@ -66,14 +68,14 @@ mod tests {
         };
         for x in [1.0, -3.5, 0.0, -0.0, 1e100, f64::MIN_POSITIVE] {
             for q in [1.0, 0.3, 1e-300, 2e-16] {
-                let [old, new] = [&written, &marked].map(|own| at(own, q, x));
+                let [old, new] = [&written, &marked].map(|entry| at(entry, q, x));
                 assert_eq!(old[0].to_bits(), new[0].to_bits(), "{x} {q}");
             }
             for q in [0.0, -1e-16] {
                 assert!(at(&marked, q, x)[0].is_nan(), "{x} {q}");
             }
             // Other divisors are as they were.
-            let [old, new] = [&written, &marked].map(|own| at(own, 0.0, x)[1]);
+            let [old, new] = [&written, &marked].map(|item| at(item, 0.0, x)[1]);
             assert!(old.to_bits() == new.to_bits() || old.is_nan() && new.is_nan());
         }
     }

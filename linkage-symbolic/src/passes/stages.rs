@@ -1,8 +1,9 @@
 //! Long programs cut into stages, for loops over many positions.
 //!
-//! A processor overlaps the computations of neighbouring positions only as far as it looks ahead, some hundred
-//! operations. A loop over a long dependent program therefore waits for results; several short loops, each over the same
-//! positions, do not. What one loop leaves for others costs memory traffic, so cuts are made where little is left.
+//! A processor overlaps the computations of neighbouring positions only as far as it looks ahead,
+//! some hundred operations. A loop over a long dependent program therefore waits for results.
+//! Several short loops, each over the same positions, do not wait. Each value that one loop leaves
+//! for others costs memory traffic, so cuts are made where few values are left.
 
 mod cuts;
 
@@ -11,21 +12,23 @@ use std::ops::Range;
 
 use crate::program::{Instruction, Program, Source, Value};
 
-/// A part of a program. What one stage leaves for others stands in a memory that they share: so a stage has to do with what it uses
-/// and makes itself, and not with what only passes it by. Places are used again where nothing needs what stands there.
+/// A part of a program. Stages leave values for others in a shared memory, so a stage reads and
+/// writes only the values that it uses and makes. Positions in memory are used again once their
+/// values are not needed any more.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stage {
-    /// Loads [`Source::Carried`], one for each of `taken`. Its outputs are first what is `kept`, then results.
+    /// Loads [`Source::Carried`], one for each of `taken`. Its outputs are first the values of
+    /// `kept`, then results.
     pub program: Program,
-    /// The places in memory of what comes from stages before.
+    /// The positions in memory of the values from stages before.
     pub taken: Vec<usize>,
-    /// The places in memory of what later stages need; all of `taken` is read before.
+    /// The positions in memory of the values that later stages need; all of `taken` is read before.
     pub kept: Vec<usize>,
-    /// Which results of the whole program the other outputs are.
+    /// The results of the whole program that the other outputs are.
     pub results: Vec<usize>,
 }
 
-/// How many places the memory of stages has.
+/// Returns the number of values that the memory of stages holds.
 pub fn memory(stages: &[Stage]) -> usize {
     let kept = stages.iter().flat_map(|stage| &stage.kept);
     kept.max().map_or(0, |last| last + 1)
@@ -45,14 +48,14 @@ pub fn split(program: &Program) -> Vec<Stage> {
     stages
 }
 
-/// What stands where while stages run.
+/// The use of the memory while stages run.
 #[derive(Default)]
 struct Memory {
     /// The places of values that are still needed.
     places: BTreeMap<usize, usize>,
     /// Places that nothing needs any more.
     free: BTreeSet<usize>,
-    /// How many places there are.
+    /// The number of positions.
     size: usize,
 }
 
@@ -80,7 +83,8 @@ fn last_uses(program: &Program) -> Vec<usize> {
     last
 }
 
-/// The instructions of `range`, with what they need from stages before, what is needed later, and the results that are known now.
+/// Returns the instructions of `range`, with the values that they need from stages before, the
+/// values that later stages need, and the results that are known now.
 fn stage(
     program: &Program,
     range: Range<usize>,
@@ -107,13 +111,13 @@ fn stage(
         taken: Vec::new(),
         places: BTreeMap::new(),
     };
-    let own: Vec<usize> = range
+    let operations: Vec<usize> = range
         .filter(|&index| !program.instructions[index].is_free())
         .collect();
-    for &index in &own {
+    for &index in &operations {
         builder.place(index);
     }
-    let next: Vec<usize> = own
+    let next: Vec<usize> = operations
         .into_iter()
         .filter(|&index| last_uses[index] >= end)
         .collect();
@@ -145,19 +149,19 @@ struct Builder<'a> {
     program: Program,
     /// Values of stages before that are needed here.
     taken: Vec<usize>,
-    /// Where values of the whole program are in this one.
+    /// The positions of the values of the whole program in this one.
     places: BTreeMap<usize, Value>,
 }
 
 impl Builder<'_> {
-    /// Where a value is, appended if it is not there yet: an instruction of this stage whose operands are there, one that is free, or what a
-    /// stage before has kept.
+    /// Returns the position of a value, and appends it if it is missing: an instruction of this
+    /// stage after its operands, a free instruction, or a load of a value from a stage before.
     fn place(&mut self, value: usize) -> Value {
         if let Some(&place) = self.places.get(&value) {
             return place;
         }
         let instruction = self.whole.instructions[value];
-        let own = match self.range.contains(&value) || instruction.is_free() {
+        let instruction = match self.range.contains(&value) || instruction.is_free() {
             true => {
                 let operands: Vec<Value> = instruction.operands().collect();
                 operands.iter().for_each(|operand| {
@@ -170,7 +174,7 @@ impl Builder<'_> {
                 Instruction::Load(Source::Carried(self.taken.len() - 1))
             }
         };
-        let place = self.program.push(own);
+        let place = self.program.push(instruction);
         self.places.insert(value, place);
         place
     }

@@ -1,10 +1,11 @@
-//! How many operations a program costs, and how long they take.
+//! Costs of programs: numbers of operations, and time.
 
 use crate::graph::Binding;
 use crate::operation::Class;
 use crate::program::{Instruction, Program, Value};
 
-/// Operation counts by class. A multiply-add is a multiplication and an addition; equal products count once.
+/// Operation counts by class. A multiply-add is a multiplication and an addition; equal products
+/// count once.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Count {
     /// Additions and subtractions.
@@ -24,8 +25,8 @@ pub struct Count {
 }
 
 impl Count {
-    /// What a program costs.
-    pub fn of(program: &Program) -> Self {
+    /// Counts the operations of a program.
+    pub fn of_program(program: &Program) -> Self {
         let mut count = Self::default();
         let mut products: Vec<[Value; 2]> = Vec::new();
         for (instruction, binding) in program.instructions.iter().zip(program.bindings()) {
@@ -71,7 +72,7 @@ fn distinct<V: Ord>(mut values: Vec<V>) -> u32 {
     values.len() as u32
 }
 
-/// How long a call takes if everything runs as early as it can, in rough cycles.
+/// Returns the time of a call if every operation runs as early as possible, in rough cycles.
 pub fn chain(program: &Program) -> u32 {
     let known = arrival_times(program);
     let outputs = program.outputs.iter().map(|output| known[output.0]);
@@ -88,8 +89,8 @@ pub(crate) fn arrival_times(program: &Program) -> Vec<u32> {
     known
 }
 
-/// What a program costs at a call, by throughput, an addition being 1: the measure by which lowering chooses between equal
-/// programs.
+/// Returns the cost of a program at a call by throughput, where an addition is 1. Lowering chooses
+/// between equal programs by this measure.
 pub fn time(program: &Program) -> u32 {
     program.instructions.iter().map(Instruction::time).sum()
 }

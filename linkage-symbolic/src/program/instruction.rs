@@ -22,7 +22,8 @@ pub enum Instruction {
     Ternary(Ternary, Value, Value, Value),
     /// A product and a sum, rounded once or twice as the machine can.
     Fused(Fused, Value, Value, Value),
-    /// Sine and cosine of an angle. Its value is the sine; the cosine is the [`Second`](Self::Second) result, right behind it.
+    /// Sine and cosine of an angle. Its value is the sine; the cosine is the
+    /// [`Second`](Self::Second) result, right behind it.
     SinCos(Value),
     /// The second result of an instruction that has two.
     Second(Value),
@@ -58,7 +59,8 @@ impl Instruction {
         }
     }
 
-    /// In machine instructions, roughly; loads and constants come with what uses them.
+    /// The size in machine instructions, roughly; loads and constants belong to the instructions
+    /// that use them.
     pub fn size(&self) -> u32 {
         match self {
             Self::Constant(_) | Self::Load(_) => 0,
@@ -71,7 +73,7 @@ impl Instruction {
         }
     }
 
-    /// By throughput, an addition being 1; what is loaded was computed elsewhere.
+    /// The cost by throughput, where an addition is 1; loaded values were computed elsewhere.
     pub fn time(&self) -> u32 {
         match self {
             Self::Constant(_) | Self::Load(_) => 0,
@@ -84,7 +86,7 @@ impl Instruction {
         }
     }
 
-    /// As what it is counted; `None` for what costs nothing.
+    /// The class in which it is counted; `None` for instructions without cost.
     pub fn class(&self) -> Option<Class> {
         Some(match self {
             Self::Constant(_) | Self::Load(_) | Self::Second(_) => return None,

@@ -3,12 +3,14 @@
 pub mod count;
 mod display;
 mod instruction;
-mod print;
+mod language;
 pub mod schedule;
 mod straight_line;
 
 pub use crate::graph::Source;
-pub use crate::operation::{Binary, Call, Class, Fused, Row, Symmetry, Ternary, Unary};
+pub use crate::operation::{
+    Binary, Class, Fused, OperationRow, RustCall, Symmetry, Ternary, Unary,
+};
 pub use instruction::{Instruction, Value};
-pub use print::{Language, print};
+pub use language::{Language, print};
 pub use straight_line::Program;

@@ -1,30 +1,32 @@
-//! Slicing and ordering: from a plain graph to straight-line programs, split by when values are known.
+//! Slicing and ordering: from a plain graph to straight-line programs, split by when values are
+//! known.
 
 use crate::graph::{Binding, Graph, Node, NodeId};
 use crate::lookup::Map;
 use crate::program::{Binary, Instruction, Program, Source, Unary, Value};
 
-/// The values that `assemble()` computes for all evaluators of a mechanism, in a graph of their own: equal values of different graphs
-/// are one slot.
+/// The values that `assemble()` computes for all evaluators of a mechanism, in a graph of their
+/// own: equal values of different graphs are one slot.
 #[derive(Debug, Default)]
 pub struct Slots {
     graph: Graph,
     nodes: Vec<NodeId>,
     index: Map<NodeId, usize>,
-    /// Where values of the graph that is scheduled now are in the own one.
+    /// The nodes in `graph` of the values of the graph that is scheduled now.
     copied: Map<NodeId, NodeId>,
 }
 
 impl Slots {
     fn slot(&mut self, source: &Graph, node: NodeId) -> usize {
-        let own = self.copy(source, node);
-        *self.index.entry(own).or_insert_with(|| {
-            self.nodes.push(own);
+        let copy = self.copy(source, node);
+        *self.index.entry(copy).or_insert_with(|| {
+            self.nodes.push(copy);
             self.nodes.len() - 1
         })
     }
 
-    /// The same operations in the own graph, as they are: to simplify anew would round differently beside other values.
+    /// The same operations in the own graph, as they are: simplifying again would round differently
+    /// beside other values.
     fn copy(&mut self, source: &Graph, root: NodeId) -> NodeId {
         let mut stack = vec![root];
         while let Some(&id) = stack.last() {
@@ -43,23 +45,23 @@ impl Slots {
     /// An operation of values that are copied already.
     fn copy_operation(&self, source: &Graph, node: Node) -> NodeId {
         let new = |x: NodeId| self.copied[&x];
-        let mut own = self.graph.store_mut();
+        let mut store = self.graph.store_mut();
         match node {
-            Node::Constant(_) => own.intern(node),
+            Node::Constant(_) => store.intern(node),
             Node::Symbol(symbol) => {
                 let place = source.symbol(symbol).source;
-                own.source(place.expect("symbols of a plain graph have sources"))
+                store.source(place.expect("symbols of a plain graph have sources"))
             }
-            Node::Unary(op, a) => own.intern(Node::Unary(op, new(a))),
+            Node::Unary(op, a) => store.intern(Node::Unary(op, new(a))),
             Node::Binary(op, a, b) => {
                 let (mut a, mut b) = (new(a), new(b));
                 // Which operand is first follows from the graph; equal values must be one slot.
                 if matches!(op, Binary::Add | Binary::Mul) && b < a {
                     (a, b) = (b, a);
                 }
-                own.intern(Node::Binary(op, a, b))
+                store.intern(Node::Binary(op, a, b))
             }
-            Node::Ternary(op, a, b, c) => own.intern(Node::Ternary(op, new(a), new(b), new(c))),
+            Node::Ternary(op, a, b, c) => store.intern(Node::Ternary(op, new(a), new(b), new(c))),
         }
     }
 
@@ -69,14 +71,16 @@ impl Slots {
     }
 }
 
-/// The program for `outputs` at a call: what is known earlier comes from slots, what no output needs is not in it.
+/// Returns the program for `outputs` at a call: values that are known earlier come from slots, and
+/// values that no output needs are left out.
 pub fn schedule(graph: &Graph, outputs: &[NodeId], slots: &mut Slots) -> Program {
     slots.copied.clear();
     let mut slot = |node| slots.slot(graph, node);
     Scheduler::new(graph, Some(&mut slot)).run(outputs)
 }
 
-/// The same program but for the numbers of its slots, to be counted and thrown away: nothing is kept of what `assemble()` would compute.
+/// Returns the same program except for the numbers of its slots, to be counted and dropped: values
+/// of `assemble()` are not recorded.
 pub fn draft(graph: &Graph, outputs: &[NodeId]) -> Program {
     let mut count = 0;
     let mut slot = |_| {
@@ -93,7 +97,7 @@ pub fn schedule_whole(graph: &Graph, outputs: &[NodeId]) -> Program {
 
 struct Scheduler<'a> {
     graph: &'a Graph,
-    /// Numbers what `assemble()` computes.
+    /// Numbers the values of `assemble()`.
     slots: Option<&'a mut dyn FnMut(NodeId) -> usize>,
     program: Program,
     values: Map<NodeId, Value>,
@@ -140,7 +144,8 @@ impl<'a> Scheduler<'a> {
         }
     }
 
-    /// What is done for a node: a difference with a minus sign is the opposite difference.
+    /// Returns the operation that is done for a node: a difference with a minus sign is the
+    /// opposite difference.
     fn operation(&self, id: NodeId) -> Node {
         let node = self.graph.node(id);
         if let Node::Unary(Unary::Neg, inner) = node

@@ -1,4 +1,4 @@
-//! Straight-line programs: what a sliced, scheduled graph becomes before it is printed as code.
+//! Straight-line programs: a sliced, scheduled graph, before it is printed as code.
 
 use super::instruction::{Instruction, Value};
 use crate::graph::Binding;
@@ -36,8 +36,10 @@ impl Program {
         bindings
     }
 
-    /// Whether it compares an angle's direction with one that it does not compute: by a determinant, whose products are rounded one by one
-    /// so that it is 0 where both are the same. With sines that are rounded in another way than those of what is prepared it would be 1e-16.
+    /// Returns true if it compares an angle's direction with one that it does not compute, by a
+    /// determinant. The products of a determinant are rounded one by one, so that it is 0 where
+    /// both directions are equal. With sines that are rounded in another way than those of prepared
+    /// values it would be 1e-16.
     pub fn compares_sines(&self) -> bool {
         let pair_of = |factor: Value| match self.instructions[factor.0] {
             Instruction::SinCos(_) => Some(factor),
@@ -87,8 +89,9 @@ impl Program {
         kept
     }
 
-    /// What is wrong with the program; nothing if every pass kept to the rules: operands stand before their operations, outputs are
-    /// there, a second result stands right behind what computes it.
+    /// Returns a mistake of the program, or nothing if every pass kept to the rules: operands
+    /// precede their operations, outputs exist, and a second result is right after the instruction
+    /// that computes it.
     pub fn mistake(&self) -> Option<String> {
         for (index, instruction) in self.instructions.iter().enumerate() {
             if let Some(late) = instruction.operands().find(|x| x.0 >= index) {
@@ -119,7 +122,8 @@ mod tests {
     use crate::graph::Source;
     use crate::operation::Fused;
 
-    /// A sum or difference of products of sine or cosine of each of two angles with the factor that is prepared.
+    /// A sum or difference of products of sine or cosine of each of two angles with the factor that
+    /// is prepared.
     fn compares(operation: Binary, [first, second]: [usize; 2], fused: bool) -> bool {
         let mut program = Program::default();
         let factor = program.push(Instruction::Load(Source::Prepared(0)));

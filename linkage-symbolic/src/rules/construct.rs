@@ -1,7 +1,7 @@
 //! Constructors: every operation is simplified where a rule of [`rules`] says how, then interned.
 
+use super::by_operation;
 use super::rule::first;
-use super::table;
 use crate::graph::{Graph, Node, NodeId, Store};
 use crate::operation::{Binary, Ternary, Unary};
 
@@ -18,7 +18,7 @@ impl Store {
 
     /// Any unary operation.
     pub(crate) fn unary(&mut self, op: Unary, a: NodeId) -> NodeId {
-        match first(table::of_unary(op), self, op, [a]) {
+        match first(by_operation::of_unary(op), self, op, [a]) {
             Some(simpler) => simpler,
             None => self.intern(Node::Unary(op, a)),
         }
@@ -31,7 +31,7 @@ impl Store {
             Binary::Mul if self.binding(b) < self.binding(a) => [b, a],
             _ => [a, b],
         };
-        match first(table::of_binary(op), self, op, operands) {
+        match first(by_operation::of_binary(op), self, op, operands) {
             Some(simpler) => simpler,
             None => self.plain_binary(op, operands),
         }
@@ -39,7 +39,7 @@ impl Store {
 
     /// Any ternary operation.
     pub(crate) fn ternary(&mut self, op: Ternary, a: NodeId, b: NodeId, c: NodeId) -> NodeId {
-        match first(table::of_ternary(op), self, op, [a, b, c]) {
+        match first(by_operation::of_ternary(op), self, op, [a, b, c]) {
             Some(simpler) => simpler,
             None => self.intern(Node::Ternary(op, a, b, c)),
         }
@@ -47,7 +47,7 @@ impl Store {
 
     /// A sum or product of rates.
     pub(crate) fn of_rates(&mut self, op: Binary, a: NodeId, b: NodeId) -> NodeId {
-        match first(table::of_rates(op), self, op, [a, b]) {
+        match first(by_operation::of_rates(op), self, op, [a, b]) {
             Some(simpler) => simpler,
             None => self.binary(op, a, b),
         }
@@ -55,7 +55,7 @@ impl Store {
 
     /// A choice between values whose definitions are known.
     pub(crate) fn inlined_ternary(&mut self, op: Ternary, [a, b, c]: [NodeId; 3]) -> NodeId {
-        match first(table::of_inlined(op), self, op, [a, b, c]) {
+        match first(by_operation::of_inlined(op), self, op, [a, b, c]) {
             Some(simpler) => simpler,
             None => self.ternary(op, a, b, c),
         }
@@ -111,8 +111,8 @@ impl Store {
         self.binary(Binary::Div, a, b)
     }
 
-    /// `x` of a term `-x`. The sign may be in a factor that is known early: in a sum or product it costs nothing, and
-    /// without it the term may be one that exists.
+    /// `x` of a term `-x`. The sign may be in a factor that is known early: in a sum or product it
+    /// costs nothing, and without it the term may be one that exists.
     pub(crate) fn negative_term(&mut self, id: NodeId) -> Option<NodeId> {
         if let Some(x) = self.negated(id) {
             return Some(x);

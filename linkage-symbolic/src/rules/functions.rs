@@ -1,24 +1,24 @@
 //! Rules of functions, and of all operations of numbers.
 
-use super::rule::{Assumes, Changes, Rule, rule};
+use super::rule::{Assumes, Changes, RewriteRule, rule};
 use crate::operation::{Binary, Ternary, Unary};
 
 // Folding: there is no constant -0.
 
-pub(super) const FOLD_ONE: Rule<Unary, 1> = rule("f(k) is a number", |g, op: Unary, [a]| {
+pub(super) const FOLD_ONE: RewriteRule<Unary, 1> = rule("f(k) is a number", |g, op: Unary, [a]| {
     let value = op.apply([g.constant_value(a)?]);
     Some(g.constant(value))
 })
 .changes(Changes::SignOfZero);
 
-pub(super) const FOLD_TWO: Rule<Binary, 2> =
+pub(super) const FOLD_TWO: RewriteRule<Binary, 2> =
     rule("f(k, m) is a number", |g, op: Binary, [a, b]| {
         let value = op.apply([g.constant_value(a)?, g.constant_value(b)?]);
         Some(g.constant(value))
     })
     .changes(Changes::SignOfZero);
 
-pub(super) const FOLD_THREE: Rule<Ternary, 3> =
+pub(super) const FOLD_THREE: RewriteRule<Ternary, 3> =
     rule("f(k, m, k) is a number", |g, op: Ternary, operands| {
         let [Some(a), Some(b), Some(c)] = operands.map(|x| g.constant_value(x)) else {
             return None;
@@ -27,13 +27,13 @@ pub(super) const FOLD_THREE: Rule<Ternary, 3> =
     })
     .changes(Changes::SignOfZero);
 
-pub(super) static OF_ONE: &[Rule<Unary, 1>] = &[FOLD_ONE];
+pub(super) static OF_ONE: &[RewriteRule<Unary, 1>] = &[FOLD_ONE];
 
-pub(super) static OF_TWO: &[Rule<Binary, 2>] = &[FOLD_TWO];
+pub(super) static OF_TWO: &[RewriteRule<Binary, 2>] = &[FOLD_TWO];
 
-pub(super) static OF_THREE: &[Rule<Ternary, 3>] = &[FOLD_THREE];
+pub(super) static OF_THREE: &[RewriteRule<Ternary, 3>] = &[FOLD_THREE];
 
-pub(super) static ODD: &[Rule<Unary, 1>] = &[
+pub(super) static ODD: &[RewriteRule<Unary, 1>] = &[
     FOLD_ONE,
     rule("f(-x) = -f(x)", |g, op, [a]| {
         let x = g.negated(a)?;
@@ -42,7 +42,7 @@ pub(super) static ODD: &[Rule<Unary, 1>] = &[
     }),
 ];
 
-pub(super) static EVEN: &[Rule<Unary, 1>] = &[
+pub(super) static EVEN: &[RewriteRule<Unary, 1>] = &[
     FOLD_ONE,
     rule("f(-x) = f(x)", |g, op, [a]| {
         let x = g.negated(a)?;
@@ -50,7 +50,7 @@ pub(super) static EVEN: &[Rule<Unary, 1>] = &[
     }),
 ];
 
-pub(super) static ROOT: &[Rule<Unary, 1>] = &[
+pub(super) static ROOT: &[RewriteRule<Unary, 1>] = &[
     FOLD_ONE,
     // The root of a rounded square is rounded to where it came from.
     rule("sqrt(x x) = abs(x)", |g, _, [a]| {
@@ -60,7 +60,7 @@ pub(super) static ROOT: &[Rule<Unary, 1>] = &[
     .assumes(Assumes::Range),
 ];
 
-pub(super) static HYPOT: &[Rule<Binary, 2>] = &[
+pub(super) static HYPOT: &[RewriteRule<Binary, 2>] = &[
     rule("hypot(0, x) = abs(x)", |g, _, [a, b]| {
         g.is_zero(a).then(|| g.abs(b))
     }),
@@ -81,7 +81,7 @@ pub(super) static HYPOT: &[Rule<Binary, 2>] = &[
     FOLD_TWO,
 ];
 
-pub(super) static SELECT: &[Rule<Ternary, 3>] = &[
+pub(super) static SELECT: &[RewriteRule<Ternary, 3>] = &[
     FOLD_THREE,
     rule("select(1, x, y) = x", |g, _, [a, b, c]| {
         let s = g.constant_value(a)?;

@@ -1,11 +1,11 @@
 //! Rules of products. The first factor is never known later than the second.
 
 use super::functions::FOLD_TWO;
-use super::rule::{Assumes, Changes, Rule, rule};
+use super::rule::{Assumes, Changes, RewriteRule, rule};
 use crate::graph::{Node, NodeId, Store};
 use crate::operation::{Binary, Unary};
 
-pub(super) static PRODUCT: &[Rule<Binary, 2>] = &[
+pub(super) static PRODUCT: &[RewriteRule<Binary, 2>] = &[
     // 0 times a negative number is -0.
     rule("0 x = 0", |g, _, [a, b]| {
         (g.is_zero(a) || g.is_zero(b)).then(|| g.zero())

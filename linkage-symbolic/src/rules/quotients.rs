@@ -1,12 +1,12 @@
 //! Rules of quotients.
 
 use super::functions::FOLD_TWO;
-use super::rule::{Assumes, Changes, Rule, rule};
+use super::rule::{Assumes, Changes, RewriteRule, rule};
 use super::sums::other;
 use crate::graph::{Node, NodeId, Store};
 use crate::operation::{Binary, Unary};
 
-pub(super) static QUOTIENT: &[Rule<Binary, 2>] = &[
+pub(super) static QUOTIENT: &[RewriteRule<Binary, 2>] = &[
     // 0 over a negative number is -0.
     rule("0 / x = 0", |g, _, [a, b]| {
         (g.is_zero(a) && !g.is_zero(b)).then_some(a)

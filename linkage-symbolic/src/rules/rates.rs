@@ -1,10 +1,10 @@
 //! Rules of rates: vectors that turn with a link have the link's rate as a factor.
 
-use super::rule::{Assumes, Changes, Rule, rule};
+use super::rule::{Assumes, Changes, RewriteRule, rule};
 use crate::graph::{Binding, Node, NodeId, Store};
 use crate::operation::{Binary, Unary};
 
-pub(super) static PRODUCT: &[Rule<Binary, 2>] = &[
+pub(super) static PRODUCT: &[RewriteRule<Binary, 2>] = &[
     // Only where `p y` is known already: the vector of a link, whose direction `y` is.
     rule("p (x y) = x (p y)", |g, _, [p, rate]| {
         let mut factors = factors(g, rate);
@@ -22,16 +22,18 @@ pub(super) static PRODUCT: &[Rule<Binary, 2>] = &[
     .assumes(Assumes::Range),
 ];
 
-// Where vectors turn with one angle, `y + z` is mostly a component of their sum that is known already.
+// Where vectors turn with one angle, `y + z` is mostly a component of their sum that is known
+// already.
 
-pub(super) static SUM: &[Rule<Binary, 2>] = &[rule("x y + x z = x (y + z)", common_rate)
+pub(super) static SUM: &[RewriteRule<Binary, 2>] = &[rule("x y + x z = x (y + z)", common_rate)
     .also(&["(p x) y + x z = x (p y + z)"])
     .changes(Changes::Roundings(0))
     .assumes(Assumes::Range)];
 
-pub(super) static DIFFERENCE: &[Rule<Binary, 2>] = &[rule("x y - x z = x (y - z)", common_rate)
-    .changes(Changes::Roundings(0))
-    .assumes(Assumes::Range)];
+pub(super) static DIFFERENCE: &[RewriteRule<Binary, 2>] =
+    &[rule("x y - x z = x (y - z)", common_rate)
+        .changes(Changes::Roundings(0))
+        .assumes(Assumes::Range)];
 
 /// `x (a + b)` from the factors of `x a` and of `x b`.
 fn common_rate(g: &mut Store, op: Binary, [a, b]: [NodeId; 2]) -> Option<NodeId> {

@@ -1,32 +1,33 @@
-//! A rule, and what it may change and assume.
+//! A rule, its changes and its assumptions.
 
 use crate::graph::{Graph, NodeId, Store};
 
-/// By what a result may differ from that of the plain operation.
+/// The difference of a result from that of the plain operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Changes {
-    /// By nothing: bit for bit the same (a NaN is a NaN).
+    /// No difference: bit for bit the same (a NaN is a NaN).
     Nothing,
-    /// By the sign of a zero.
+    /// The sign of a zero.
     SignOfZero,
-    /// It is rounded so many times more often on its way from the operands (less often, if negative), each time by at most half a unit
-    /// in the last place of all its terms taken together.
+    /// It is rounded so many times more often on its way from the operands (less often, if
+    /// negative), each time by at most half a unit in the last place of all its terms taken
+    /// together.
     Roundings(i32),
 }
 
-/// What must hold of the numbers; each one demands what stands before it, too.
+/// The condition on the numbers; each one includes those before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Assumes {
     /// Nothing: the rule holds for all numbers, NaN and infinities among them.
     Nothing,
-    /// What drops out is not NaN.
+    /// Terms that drop out are not NaN.
     Number,
-    /// What drops out is finite.
+    /// Terms that drop out are finite.
     Finite,
-    /// All values are finite, and no result in between overflows or loses digits next to zero. What is divided by zero is infinite or NaN
-    /// as before.
+    /// All values are finite, and no result in between overflows or loses digits next to zero. A
+    /// quotient by zero is infinite or NaN as before.
     Range,
-    /// What drops out is not zero.
+    /// Factors that drop out are not zero.
     Nonzero,
 }
 
@@ -35,14 +36,14 @@ type Rewrite<Operation, const ARITY: usize> =
 
 /// A rewriting that a constructor tries.
 #[derive(Clone, Copy, Debug)]
-pub struct Rule<Operation, const ARITY: usize> {
-    /// What it does, as a formula.
+pub struct RewriteRule<Operation, const ARITY: usize> {
+    /// The rule as a formula.
     pub name: &'static str,
     /// Other ways of writing that it finds.
     pub also: &'static [&'static str],
-    /// What it does to the result.
+    /// Its effect on the result.
     pub changes: Changes,
-    /// Where that holds.
+    /// The condition for that.
     pub assumes: Assumes,
     rewrite: Rewrite<Operation, ARITY>,
 }
@@ -51,8 +52,8 @@ pub struct Rule<Operation, const ARITY: usize> {
 pub(super) const fn rule<Operation, const ARITY: usize>(
     name: &'static str,
     rewrite: Rewrite<Operation, ARITY>,
-) -> Rule<Operation, ARITY> {
-    Rule {
+) -> RewriteRule<Operation, ARITY> {
+    RewriteRule {
         name,
         also: &[],
         changes: Changes::Nothing,
@@ -61,7 +62,7 @@ pub(super) const fn rule<Operation, const ARITY: usize>(
     }
 }
 
-impl<Operation, const ARITY: usize> Rule<Operation, ARITY> {
+impl<Operation, const ARITY: usize> RewriteRule<Operation, ARITY> {
     pub(super) const fn changes(self, changes: Changes) -> Self {
         Self { changes, ..self }
     }
@@ -85,9 +86,9 @@ impl<Operation, const ARITY: usize> Rule<Operation, ARITY> {
     }
 }
 
-/// What the first rule that fits makes of an operation.
+/// Applies the first rule that fits to an operation.
 pub(super) fn first<Operation: Copy, const ARITY: usize>(
-    rules: &[Rule<Operation, ARITY>],
+    rules: &[RewriteRule<Operation, ARITY>],
     store: &mut Store,
     op: Operation,
     operands: [NodeId; ARITY],

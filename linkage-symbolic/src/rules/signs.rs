@@ -1,10 +1,10 @@
 //! Rules of signs and absolute values.
 
 use super::functions::FOLD_ONE;
-use super::rule::{Changes, Rule, rule};
+use super::rule::{Changes, RewriteRule, rule};
 use crate::operation::Unary;
 
-pub(super) static NEGATIVE: &[Rule<Unary, 1>] = &[
+pub(super) static NEGATIVE: &[RewriteRule<Unary, 1>] = &[
     FOLD_ONE,
     rule("-(-x) = x", |g, _, [a]| g.negated(a)),
     // The sign goes where it costs nothing: into what is computed earlier.
@@ -18,7 +18,7 @@ pub(super) static NEGATIVE: &[Rule<Unary, 1>] = &[
     .also(&["-(k x) = (-k) x", "-(k p) = (-k) p"]),
 ];
 
-pub(super) static ABSOLUTE: &[Rule<Unary, 1>] = &[
+pub(super) static ABSOLUTE: &[RewriteRule<Unary, 1>] = &[
     FOLD_ONE,
     rule("abs(-x) = abs(x)", |g, _, [a]| {
         let x = g.negative_term(a)?;

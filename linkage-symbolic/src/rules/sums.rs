@@ -1,11 +1,11 @@
 //! Rules of sums and differences.
 
 use super::functions::FOLD_TWO;
-use super::rule::{Assumes, Changes, Rule, rule};
+use super::rule::{Assumes, Changes, RewriteRule, rule};
 use crate::graph::{Node, NodeId, Store};
 use crate::operation::{Binary, Unary};
 
-pub(super) static SUM: &[Rule<Binary, 2>] = &[
+pub(super) static SUM: &[RewriteRule<Binary, 2>] = &[
     // -0 + 0 is 0.
     rule("0 + x = x", |g, _, [a, b]| g.is_zero(a).then_some(b)).changes(Changes::SignOfZero),
     rule("x + 0 = x", |g, _, [a, b]| g.is_zero(b).then_some(a)).changes(Changes::SignOfZero),
@@ -51,7 +51,7 @@ pub(super) static SUM: &[Rule<Binary, 2>] = &[
     FOLD_TWO,
 ];
 
-pub(super) static DIFFERENCE: &[Rule<Binary, 2>] = &[
+pub(super) static DIFFERENCE: &[RewriteRule<Binary, 2>] = &[
     rule("x - 0 = x", |g, _, [a, b]| g.is_zero(b).then_some(a)),
     // 0 - 0 is 0.
     rule("0 - x = -x", |g, _, [a, b]| g.is_zero(a).then(|| g.neg(b))).changes(Changes::SignOfZero),
@@ -108,7 +108,8 @@ pub(super) static DIFFERENCE: &[Rule<Binary, 2>] = &[
     })
     .changes(Changes::Roundings(-2))
     .assumes(Assumes::Range),
-    // A difference and its negative are one node and a sign, which the next sum or product absorbs. The older operand stands first.
+    // A difference and its negative are one node and a sign, which the next sum or product absorbs.
+    // The older operand stands first.
     rule("y - x = -(x - y)", |g, op, [a, b]| {
         (b < a).then(|| {
             let difference = g.intern(Node::Binary(op, b, a));
@@ -123,7 +124,7 @@ fn multiple(g: &mut Store, factor: f64, x: NodeId) -> NodeId {
     g.mul(factor, x)
 }
 
-/// Whether two terms are the squares of an angle's sine and cosine.
+/// Returns true if two terms are the squares of an angle's sine and cosine.
 fn is_unit(g: &Store, a: NodeId, b: NodeId) -> bool {
     let squared = |term| {
         let (x, y) = g.product(term)?;
@@ -147,7 +148,7 @@ fn minuend(g: &Store, difference: NodeId, y: NodeId) -> Option<NodeId> {
     }
 }
 
-/// What of two operands remains without `x`.
+/// Returns the other one of two operands.
 pub(super) fn other(p: NodeId, q: NodeId, x: NodeId) -> Option<NodeId> {
     match x {
         _ if x == p => Some(q),

@@ -64,7 +64,7 @@ fn each_operation_counts_in_its_class() {
             vec![
                 unary(Unary::Sqrt, 0),
                 binary(Binary::Hypot, 0, 1),
-                Instruction::Ternary(Ternary::Root, Value(0), Value(1), Value(1)),
+                Instruction::Ternary(Ternary::GuardedSqrt, Value(0), Value(1), Value(1)),
             ],
             Count {
                 sqrt: 3,
@@ -106,7 +106,11 @@ fn each_operation_counts_in_its_class() {
         ),
     ];
     for (operations, expected) in cases {
-        assert_eq!(Count::of(&program(&operations)), expected, "{operations:?}");
+        assert_eq!(
+            Count::of_program(&program(&operations)),
+            expected,
+            "{operations:?}"
+        );
     }
 }
 
@@ -126,7 +130,7 @@ fn equal_products_count_once() {
         add: 3,
         ..Count::default()
     };
-    assert_eq!(Count::of(&program(&operations)), expected);
+    assert_eq!(Count::of_program(&program(&operations)), expected);
 }
 
 #[test]

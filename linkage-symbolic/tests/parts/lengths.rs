@@ -1,7 +1,7 @@
 //! What is known of vectors: of which one a length is, and which ones have length 1.
 
+use linkage_symbolic::lookup::Map;
 use linkage_symbolic::program::{Binary, Unary};
-use linkage_symbolic::unordered::Map;
 use linkage_symbolic::{Ex, Graph, Node, Vector, Vn};
 
 use crate::{inputs, value};

@@ -1,17 +1,17 @@
 //! The parts of the engine one by one, each against numbers that were found in another way.
 
+mod common_factors;
 mod counts;
 mod cuts;
 mod derivatives;
 mod expressions;
 mod graphs;
 mod half_angles;
+mod late_roots;
 mod lengths;
-mod multiples;
 mod operations;
 mod polynomials;
 mod programs;
-mod roots_last;
 mod stages;
 mod vectors;
 

@@ -98,7 +98,7 @@ fn what_is_never_negative_is_so_of_all_numbers() {
 fn roots_end_at_the_dead_point() {
     let root = |q: f64, scale: f64| {
         let slack = Unary::Slack.apply([scale]);
-        Ternary::Root.apply([q, slack, 1.0])
+        Ternary::GuardedSqrt.apply([q, slack, 1.0])
     };
     assert_eq!([root(2.25, 1.0), root(1e-40, 1e9)], [1.5, 1e-20]);
     assert!(root(4.0, f64::NAN).is_nan());

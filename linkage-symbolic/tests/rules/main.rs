@@ -3,16 +3,16 @@
 //! The names are formulas: the left side is built, the right side expected. Then both are computed for random numbers, NaN,
 //! infinities, zeros of both signs, subnormal and huge ones among them.
 
+mod common_factors;
 mod exact;
 mod formula;
-mod multiples;
 mod numbers;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use linkage_random::Random;
 use linkage_symbolic::program::{Binary, Ternary, Unary};
-use linkage_symbolic::rules::{self, Assumes, Changes, Rule};
+use linkage_symbolic::rules::{self, Assumes, Changes, RewriteRule};
 use linkage_symbolic::{Graph, NodeId, evaluate};
 
 use exact::exact;
@@ -47,11 +47,11 @@ struct List {
 fn lists<Op: Copy + 'static, const ARITY: usize>(
     operations: &[Op],
     wrap: fn(Op) -> Operation,
-    rules: fn(Op) -> &'static [Rule<Op, ARITY>],
+    rules: fn(Op) -> &'static [RewriteRule<Op, ARITY>],
     special: bool,
 ) -> impl Iterator<Item = List> {
     operations.iter().map(move |&op| {
-        let entry = |rule: &'static Rule<Op, ARITY>| Entry {
+        let entry = |rule: &'static RewriteRule<Op, ARITY>| Entry {
             operation: wrap(op),
             name: rule.name,
             also: rule.also,

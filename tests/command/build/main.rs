@@ -7,7 +7,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-use linkage_cli::{Found, Source};
+use linkage_cli::{MechanismCall, Source};
 use linkage_compiler::check;
 use linkage_compiler::ir::CompiledMechanism;
 
@@ -58,7 +58,13 @@ fn main() {
     fs::write(out.join("mechanisms.rs"), text).expect("it can be written");
 }
 
-fn entry(ending: &str, path: &Path, number: usize, source: &Source, found: &Found) -> Entry {
+fn entry(
+    ending: &str,
+    path: &Path,
+    number: usize,
+    source: &Source,
+    found: &MechanismCall,
+) -> Entry {
     let checked = check(found.tokens.clone());
     let tokens: Vec<_> = found.tokens.clone().into_iter().collect();
     let first = tokens.first().expect("a token").span().byte_range().start;

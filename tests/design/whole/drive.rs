@@ -63,7 +63,7 @@ fn coupled_drives_run_through_the_turn() -> Result<(), DesignError> {
         let angles: Vec<[f64; 1]> = (0..3 + random.below(2))
             .map(|_| [random.between(-2.2, -1.4)])
             .collect();
-        let wish = Targets::of("phi75", angles).timing(Timing::InOrder);
+        let wish = Targets::new("phi75", angles).timing(Timing::InOrder);
         let design = Design::new(
             EyeNeedle::default(),
             EyeNeedle::assemble,

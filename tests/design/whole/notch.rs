@@ -93,7 +93,7 @@ fn a_notch_between_all_samples_is_seen() -> Result<(), DesignError> {
     // A search never returns it: what it wants is what the mechanism does, and nothing is in the way but the notch.
     let inputs = [0.5, 2.5, 3.5, 4.5];
     let wanted = inputs.map(|phi| [nominal.swing(phi).chi]);
-    let wish = Targets::of("chi", wanted).timing(Timing::Given(inputs.to_vec()));
+    let wish = Targets::new("chi", wanted).timing(Timing::Given(inputs.to_vec()));
     let design = Design::new(bar, Flip::assemble, Flip::assemblies, Flip::circuits)?
         .vary("lever", 68.8, 69.2)
         .want(wish.computed_by(FlipAssembly::swing_sweep_sets_into))

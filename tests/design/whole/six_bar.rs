@@ -59,7 +59,7 @@ fn six_bars_run_through_the_turn() -> Result<(), DesignError> {
         let angles: Vec<[f64; 1]> = (0..3 + random.below(3))
             .map(|_| [random.between(1.0, 2.8)])
             .collect();
-        let wish = Targets::of("chi", angles).timing(Timing::InOrder);
+        let wish = Targets::new("chi", angles).timing(Timing::InOrder);
         let design = Design::new(
             SixBar::default(),
             SixBar::assemble,

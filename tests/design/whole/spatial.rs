@@ -48,7 +48,7 @@ fn spatial_rockers_run_through_the_turn() -> Result<(), DesignError> {
         let angles: Vec<[f64; 1]> = (0..2 + random.below(3))
             .map(|_| [random.between(0.8, 2.6)])
             .collect();
-        let wish = Targets::of("psi", angles).timing(Timing::InOrder);
+        let wish = Targets::new("psi", angles).timing(Timing::InOrder);
         let design = Design::new(
             Skew::default(),
             Skew::assemble,

@@ -49,19 +49,19 @@ pub fn counterweight(
 #[cfg(feature = "alloc")]
 pub fn swing(rocker: impl Fn(f64) -> [f64; 2]) -> Result<f64, linkage::summary::SummaryError> {
     let turn = (0.0, core::f64::consts::TAU);
-    let course = linkage::summary::Course::of(turn, 360, rocker)?;
+    let course = linkage::summary::Curve::new(turn, 360, rocker)?;
     Ok(course.position().stroke())
 }
 
 /// Where the rocker's dwell within a band below its highest position begins, in radians of the shaft.
 #[cfg(feature = "alloc")]
 pub fn dwell(rocker: impl Fn(f64) -> [f64; 2], band: f64) -> Option<f64> {
-    use linkage::cyclogram::{Band, Event, Motion, Organ};
+    use linkage::cyclogram::{Band, Event, Member, Motion};
     let turn = (0.0, core::f64::consts::TAU);
-    let course = linkage::summary::Course::of(turn, 360, rocker).ok()?;
-    let organ = Organ::new("rocker", &course, &[Band::Top(band)]).ok()?;
+    let course = linkage::summary::Curve::new(turn, 360, rocker).ok()?;
+    let member = Member::new("rocker", &course, &[Band::Top(band)]).ok()?;
     let begins = |event: &&Event| event.begins == Motion::Dwell(0);
-    organ.events().iter().find(begins).map(|event| event.at)
+    member.events().iter().find(begins).map(|event| event.at)
 }
 
 /// How close two points come.
@@ -75,7 +75,7 @@ pub fn least_distance(
 ) -> Result<f64, linkage::summary::SummaryError> {
     let turn = (0.0, core::f64::consts::TAU);
     let pair = |x| points(x).map(|point| [point]).into();
-    Ok(linkage::clearance::Clearance::of(turn, 90, pair)?
+    Ok(linkage::clearance::Clearance::new(turn, 90, pair)?
         .least()
         .distance)
 }

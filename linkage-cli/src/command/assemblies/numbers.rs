@@ -1,15 +1,17 @@
-//! Numbers of assemblies: those of the list at the reference input, wherever else assemblies are listed.
+//! Numbers of assemblies: those of the list at the reference input, wherever else assemblies are
+//! listed.
 
 use linkage_runtime::{Circuits, Estimate};
 
 use crate::engine::Assembly;
 use crate::mechanism::Mechanism;
 
-/// How near an assembly is to itself, computed in two ways; a share of the size of the mechanism.
+/// Distance of an assembly computed in two ways from itself, at most; a share of the size of the
+/// mechanism.
 const SAME: f64 = 1e-6;
 
-/// For each assembly over the range, its number in the list at the reference input; the next ones for those that do not
-/// reach it.
+/// For each assembly over the range, its number in the list at the reference input; the next ones
+/// for those that do not reach it.
 pub(super) fn numbers(
     mechanism: &Mechanism,
     dimensions: &[f64],
@@ -30,12 +32,12 @@ pub(super) fn numbers(
             let there = (low..=high)
                 .contains(&at[0])
                 .then(|| branch.assembly.unknowns(&at))?;
-            let place = listed.iter().position(|own| {
-                let own = own.as_ref();
-                own.is_some_and(|own| is_same(own, &there))
+            let index = listed.iter().position(|states| {
+                let states = states.as_ref();
+                states.is_some_and(|states| is_same(states, &there))
             })?;
-            listed[place] = None;
-            Some(place + 1)
+            listed[index] = None;
+            Some(index + 1)
         })
         .collect();
     let numbered = found.into_iter().map(|number| {
@@ -47,10 +49,11 @@ pub(super) fn numbers(
     numbered.collect()
 }
 
-/// Whether all unknowns are in the same places.
+/// Returns true if all unknowns are in the same places.
 fn is_same(a: &[Estimate], b: &[Estimate]) -> bool {
-    let numbers = |own: &Estimate| own.numbers.iter().map(|x| x.abs()).fold(0.0, f64::max);
-    let lengths = a.iter().filter(|own| !own.angle);
+    let numbers =
+        |estimate: &Estimate| estimate.numbers.iter().map(|x| x.abs()).fold(0.0, f64::max);
+    let lengths = a.iter().filter(|a| !a.angle);
     let size = lengths.map(numbers).fold(0.0, f64::max);
     a.iter().zip(b).all(|(a, b)| {
         a.numbers

@@ -7,11 +7,12 @@ use std::mem::take;
 use linkage_runtime::report::CsvStyle;
 use serde_json::{Value, json};
 
-use super::super::course::Along;
+use super::super::running_input::Along;
 use crate::engine::Assembly;
 use crate::mechanism::Mechanism;
 
-/// How many numbers of a table in JSON are held, where column stands after column: those of 361 positions always.
+/// Numbers of a table in JSON that are held, where column follows column: those of 361 positions
+/// always.
 const HELD: usize = 1 << 18;
 
 /// A column with its name and unit.
@@ -44,7 +45,7 @@ impl<'a> Streamed<'a> {
     ) -> Self {
         let input = along.running.map(|(_, input)| (input.name, input.unit));
         let results = mechanism.headings[function].columns.iter();
-        let results = results.map(|own| (own.name, own.unit));
+        let results = results.map(|result| (result.name, result.unit));
         let columns = input.into_iter().chain(results).map(|(name, unit)| {
             let in_degrees = in_degrees && unit == "rad";
             Column {
@@ -112,7 +113,7 @@ impl<'a> Streamed<'a> {
         self.columns_in_json(out)?;
         let parameters = self.mechanism.parameters.iter().zip(dimensions);
         let parameters: Vec<Value> = parameters
-            .map(|(own, value)| json!({ "name": own.name, "unit": own.unit, "value": value }))
+            .map(|(parameter, value)| json!({ "name": parameter.name, "unit": parameter.unit, "value": value }))
             .collect();
         let [parameters, function, name] = [
             json!(parameters),
@@ -125,8 +126,8 @@ impl<'a> Streamed<'a> {
         )
     }
 
-    /// All columns. The rows are computed as often as needed: each time the next column is written meanwhile, and as many
-    /// after it as can be held.
+    /// All columns. The rows are computed as often as needed: each time the next column is written
+    /// meanwhile, and as many after it as can be held.
     fn columns_in_json(&mut self, out: &mut dyn Write) -> io::Result<()> {
         let count = self.columns.len();
         let rows = self.along.positions.count;
@@ -184,9 +185,9 @@ impl Column<'_> {
 
 /// Nothing before the first number, a comma before all others.
 fn take_first(separator: &mut &'static str) -> &'static str {
-    let own = take(separator);
+    let mark = take(separator);
     *separator = ",";
-    own
+    mark
 }
 
 /// A number with all digits; `null` if it is not finite.

@@ -5,7 +5,7 @@ use linkage_runtime::tolerance::{Components, Tolerances};
 
 use crate::failure::Failure;
 
-/// What tolerances do at one position.
+/// Effects of tolerances at one position.
 pub(super) struct Figures {
     /// The longest error that is possible.
     pub(super) worst: f64,
@@ -13,7 +13,7 @@ pub(super) struct Figures {
     pub(super) statistical: f64,
     /// The length of each parameter's effect.
     pub(super) parts: Vec<f64>,
-    /// All definitions, and what each parameter contributes.
+    /// All definitions, and the contribution of each parameter.
     pub(super) text: String,
 }
 
@@ -45,7 +45,8 @@ where
     }
 }
 
-/// Filled up with parameters that have neither a tolerance nor an effect: they change no figure, and stand last.
+/// Filled up with parameters that have neither a tolerance nor an effect: they change no figure,
+/// and stand last.
 fn filled<const N: usize, const K: usize>(
     parameters: &[Parameter],
     values: &[Vec<f64>],
@@ -70,7 +71,7 @@ where
     let effects = tolerances.effects(&sensitivities);
     let text = effects.to_string();
     let lines: Vec<&str> = text.lines().collect();
-    let own = lines.len() - (N - parameters.len());
+    let count = lines.len() - (N - parameters.len());
     Ok(Figures {
         worst: effects.worst_modulus(),
         statistical: effects.root_sum_square_modulus(),
@@ -78,6 +79,6 @@ where
             .iter()
             .map(|part| part.modulus)
             .collect(),
-        text: lines[..own].join("\n") + "\n",
+        text: lines[..count].join("\n") + "\n",
     })
 }

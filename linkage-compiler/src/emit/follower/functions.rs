@@ -1,14 +1,19 @@
 //! The functions of the assembly, where a follower stands.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
-use super::name as follower_name;
 use crate::emit::docs::doc;
 use crate::emit::evaluator::{self, Version};
 use crate::emit::load::Places;
 use crate::emit::outline::{Function, Outline, plain};
 use crate::emit::{assembly_data, attribute, literal, result_module};
+use crate::model::FOLLOWER;
+
+/// The name of the follower's type.
+pub(super) fn follower_name(outline: &Outline) -> Ident {
+    format_ident!("{}{FOLLOWER}", outline.name)
+}
 
 /// A function where the follower stands.
 pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::emit::assembly::Types;
+use crate::emit::array_types::Types;
 use crate::emit::outline::Outline;
 use crate::emit::{assembly_data, literal, winding};
 use crate::ir::CompiledMechanism;

@@ -23,7 +23,7 @@ pub(super) fn description(
     let loops = own.loops.iter().map(|n| literal::index(*n));
     let names = &own.unknowns;
     let unknowns = group.unknowns.iter().map(|placed| {
-        let Shown { name, unit, scale } = placed.shown(unit);
+        let Shown { name, unit, scale } = unit.shown(placed);
         let estimate = literal::float(placed.estimate);
         let scale = literal::float(scale);
         let angle = placed.angle;

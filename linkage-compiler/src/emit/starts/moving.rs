@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::array_fields::entries;
-use crate::emit::assembly::Types;
+use crate::emit::array_types::Types;
 use crate::emit::load::Places;
 use crate::emit::outline::{Function, Outline};
 use crate::emit::{assembly_data, attribute, blocks, literal};

@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use crate::emit::outline::{Function, Outline};
 use crate::emit::{assembly_data, attribute, literal};
 
-use super::{look_up, places};
+use super::look_up::{look_up, places};
 
 /// The type that looks up the states of a function; it refers to the assembly.
 pub(in crate::emit) fn states_name(outline: &Outline, function: &Function) -> Ident {

@@ -55,7 +55,7 @@ impl Builder {
         let rest = self.binary(Binary::Sub, rod2, square);
         let slack = self.unary(Unary::Slack, rod2);
         let one = self.push(Instruction::Constant(1.0));
-        let root = self.push(Instruction::Ternary(Ternary::Root, rest, slack, one));
+        let root = self.push(Instruction::Ternary(Ternary::GuardedSqrt, rest, slack, one));
         self.binary(Binary::Mul, mode, root)
     }
 
@@ -137,7 +137,7 @@ fn function(name: &str, arguments: Vec<usize>, program: Program, fields: Vec<Fie
         arguments,
         states: Vec::new(),
         called: Body {
-            count: Count::of(&program),
+            count: Count::of_program(&program),
             stages: split(&program),
             compares_sines: program.compares_sines(),
             program,

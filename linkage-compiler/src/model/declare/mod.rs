@@ -2,4 +2,5 @@
 
 pub(super) mod name_counts;
 pub(super) mod part_names;
+pub(super) mod passes;
 pub(super) mod struct_names;

@@ -6,7 +6,7 @@ use crate::model::symbols::frame_kind::FrameKind;
 use crate::model::types::Name;
 use crate::syntax::Item;
 
-/// How many names there are of each kind so far.
+/// Numbers of names of each kind so far.
 #[derive(Default)]
 pub(in crate::model) struct Counts {
     pub(in crate::model) constants: usize,
@@ -17,12 +17,13 @@ pub(in crate::model) struct Counts {
     pub(in crate::model) arguments: usize,
     /// Unknowns that are frames: derived quantities in front of all others.
     frames: usize,
-    /// What these consist of.
+    /// Unknowns that these frames consist of.
     pub(in crate::model) unknowns_of_frames: usize,
 }
 
 impl Counts {
-    /// Nothing counted yet; what is derived from unknown frames comes first.
+    /// Starts with the frames among the unknowns: the derived quantities that they become come
+    /// before all others.
     pub(in crate::model) fn new(items: &[Item]) -> Self {
         let frames = items.iter().filter_map(|item| match item {
             Item::Unknown(item) if item.is_frame() => Some(item),
@@ -38,7 +39,8 @@ impl Counts {
         }
     }
 
-    /// The name of the value that an item declares, if it does. Names of bodies and joints are of their own.
+    /// Returns the name of the value that an item declares. Bodies and joints have names of another
+    /// kind.
     pub(in crate::model) fn next_name<'i>(&mut self, item: &'i Item) -> Option<(&'i Ident, Name)> {
         Some(match item {
             Item::Const(item) => (&item.name, Name::Const(next(&mut self.constants))),
@@ -50,7 +52,7 @@ impl Counts {
             Item::Unknown(item) => (&item.name, Name::Unknown(next(&mut self.unknowns))),
             Item::Let(item) => (&item.name, Name::Let(next(&mut self.lets))),
             Item::Argument(item) => (&item.name, Name::Argument(next(&mut self.arguments))),
-            // What they declare follows behind all others.
+            // Names that parts declare come after all others.
             Item::Part(_) => return None,
             Item::Unit(_)
             | Item::Loop(_)

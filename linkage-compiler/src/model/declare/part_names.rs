@@ -12,7 +12,7 @@ use crate::model::symbols::sink::Sink;
 use crate::model::types::{Name, Type};
 use crate::syntax::PartItem;
 
-/// A part's name, and room for what is given to it among the derived quantities.
+/// Declares a part's name, and reserves derived quantities for the values that the part is given.
 pub(in crate::model) fn declare_part(
     names: &Names,
     parts: &mut Parts,
@@ -58,10 +58,12 @@ fn make_part_body(
         is_given.then(|| Name::Let(counts.lets - 1))
     };
     let arguments = mechanism.arguments.iter();
-    let arguments = arguments.map(|own| next_let(is_given(&own.name))).collect();
+    let arguments = arguments
+        .map(|argument| next_let(is_given(&argument.name)))
+        .collect();
     let parameters = mechanism.parameters.iter();
     let parameters = parameters
-        .map(|own| next_let(is_given(&own.name)))
+        .map(|parameter| next_let(is_given(&parameter.name)))
         .collect();
     let body = PartBody {
         first_origin: sink
@@ -82,7 +84,7 @@ fn make_part_body(
     body
 }
 
-/// All names of parts, once it is known how many names there are beside them.
+/// Declares all names of parts. All other names have been counted before.
 pub(in crate::model) fn declare_names_of_parts(
     names: &mut Names,
     parts: &mut Parts,
@@ -97,8 +99,8 @@ pub(in crate::model) fn declare_names_of_parts(
         counts.constants += mechanism.constants.len();
         body.first_unknown = counts.unknowns;
         counts.unknowns += mechanism.unknowns.len();
-        for own in &mut body.parameters {
-            own.get_or_insert_with(|| Name::Parameter(next(&mut counts.parameters)));
+        for parameter in &mut body.parameters {
+            parameter.get_or_insert_with(|| Name::Parameter(next(&mut counts.parameters)));
         }
         for (name, text, ty) in members(&body) {
             let PartScope {
@@ -122,45 +124,46 @@ pub(in crate::model) fn declare_names_of_parts(
     }
 }
 
-/// The names of a part: what they are in the mechanism around it, as they are written in its own, and their types.
+/// Returns the names of a part: the name in the mechanism around it, its text in the part's own
+/// mechanism, its type.
 fn members(body: &PartBody) -> Vec<(Name, String, Type)> {
     let mechanism = body.mechanism();
-    let mut all = Vec::new();
-    let mut add = |name, text: &str, ty: &Type| all.push((name, text.to_owned(), ty.clone()));
-    for (index, own) in mechanism.constants.iter().enumerate() {
+    let mut names = Vec::new();
+    let mut add = |name, text: &str, ty: &Type| names.push((name, text.to_owned(), ty.clone()));
+    for (index, constant) in mechanism.constants.iter().enumerate() {
         add(
             Name::Const(body.first_constant + index),
-            &own.name,
-            &own.value.ty,
+            &constant.name,
+            &constant.value.ty,
         );
     }
-    for (own, name) in mechanism.parameters.iter().zip(&body.parameters) {
+    for (parameter, name) in mechanism.parameters.iter().zip(&body.parameters) {
         if let Some(name) = name {
-            add(*name, &own.name, &own.ty);
+            add(*name, &parameter.name, &parameter.ty);
         }
     }
-    for (index, own) in mechanism.inputs.iter().enumerate() {
+    for (index, input) in mechanism.inputs.iter().enumerate() {
         add(
             Name::Let(body.input(index)),
-            &own.name,
-            &Type::Scalar(own.dimension),
+            &input.name,
+            &Type::Scalar(input.dimension),
         );
     }
-    for (own, name) in mechanism.arguments.iter().zip(&body.arguments) {
+    for (argument, name) in mechanism.arguments.iter().zip(&body.arguments) {
         if let Some(name) = name {
-            add(*name, &own.name, &Type::Scalar(own.dimension));
+            add(*name, &argument.name, &Type::Scalar(argument.dimension));
         }
     }
-    for (index, own) in mechanism.unknowns.iter().enumerate() {
+    for (index, unknown) in mechanism.unknowns.iter().enumerate() {
         add(
             Name::Unknown(body.first_unknown + index),
-            &own.name,
-            &own.ty,
+            &unknown.name,
+            &unknown.ty,
         );
     }
     let first = body.own_lets();
-    for (index, own) in mechanism.lets.iter().enumerate() {
-        add(Name::Let(first + index), &own.name, &own.value.ty);
+    for (index, item) in mechanism.lets.iter().enumerate() {
+        add(Name::Let(first + index), &item.name, &item.value.ty);
     }
-    all
+    names
 }

@@ -2,10 +2,9 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use crate::model::expression::frame_parts::{PARTS, PLANE_PARTS};
 use crate::model::types::{
-    BinaryOp, COMPONENTS, Expr, ExprKind, Knot, MechanicalQuantity, Mechanism, MotionLaw,
-    MotionLawKind, MotionWord, Pieces, Repeats, Type, Variable,
+    BinaryOp, COMPONENTS, Expr, ExprKind, FRAME_PARTS, Knot, MechanicalQuantity, Mechanism,
+    MotionLaw, MotionLawKind, MotionWord, PLANE_PARTS, Pieces, Repeats, Type, Variable,
 };
 use crate::syntax::Word;
 
@@ -30,14 +29,14 @@ impl<'a> Show<'a> {
     }
 
     fn course(&self, f: &mut Formatter, course: &'a MotionLaw) -> fmt::Result {
-        let knot = |own: &'a Knot| {
-            let (place, value) = (self.inner(&own.place), self.inner(&own.value));
-            let slope = own.slope.as_ref();
-            let slope = slope.map_or(String::new(), |own| format!(", {}", self.inner(own)));
-            let law = own
+        let knot = |knot: &'a Knot| {
+            let (place, value) = (self.inner(&knot.place), self.inner(&knot.value));
+            let slope = knot.slope.as_ref();
+            let slope = slope.map_or(String::new(), |slope| format!(", {}", self.inner(slope)));
+            let law = knot
                 .law
                 .map_or(String::new(), |law| format!(", {}", law.word()));
-            let jump = if own.may_jump { ", jump" } else { "" };
+            let jump = if knot.may_jump { ", jump" } else { "" };
             format!("({place}, {value}{slope}{law}{jump})")
         };
         let name = match course.kind {
@@ -103,7 +102,7 @@ impl Display for Show<'_> {
             ExprKind::Index(value, index) if value.ty.is_frame() => {
                 let parts = match value.ty {
                     Type::PlaneFrame => PLANE_PARTS,
-                    _ => PARTS,
+                    _ => FRAME_PARTS,
                 };
                 write!(f, "{}.{}", self.inner(value), parts[*index])
             }

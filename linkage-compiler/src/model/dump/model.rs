@@ -6,7 +6,8 @@ use super::expressions::{Show, separated};
 use super::mechanics::write_mechanics;
 use crate::model::types::{Mechanism, Type};
 
-/// One line for each item and quantity; every operation in parentheses, numbers in the mechanism's unit and radians.
+/// Prints one line for each item and quantity: every operation in parentheses, numbers in the
+/// mechanism's unit and radians.
 pub(crate) fn dump(mechanism: &Mechanism) -> String {
     let mut text = String::new();
     write_items(&mut text, mechanism)

@@ -40,7 +40,7 @@ pub(in crate::model) fn common_type(
     ty
 }
 
-/// What to do about two values that do not fit.
+/// Returns a help for two values that do not fit.
 pub(in crate::model) fn mismatch_help(
     names: &Names,
     units: &AssumedUnits,
@@ -68,9 +68,10 @@ pub(in crate::model) fn mismatch_help(
     }
     let components = [left, right].map(vector_components);
     if components[0] != components[1] {
-        let vector = match components.contains(&Some(3)) {
-            true => "(x, y, z)",
-            false => "(x, y)",
+        let vector = if components.contains(&Some(3)) {
+            "(x, y, z)"
+        } else {
+            "(x, y)"
         };
         return format!("write a vector `{vector}` on both sides, or take a component `.x`");
     }
@@ -87,7 +88,8 @@ pub(in crate::model) fn mismatch_help(
     "both must have the same dimension".to_owned()
 }
 
-/// Arrays and frames consist of values of different dimensions, so there is no arithmetic with them.
+/// Refuses arrays and frames. They consist of values of different dimensions, so there is no
+/// arithmetic with them.
 pub(in crate::model) fn refuse_compound(names: &Names, sink: &mut Sink, value: &Expr) -> bool {
     let help = match &value.ty {
         Type::Array(_) => "take one entry: `[0]`".to_owned(),

@@ -82,16 +82,16 @@ pub(in crate::model) fn arguments_alike(
     arguments: &mut [Expr],
     function: Function,
 ) -> Option<Type> {
-    let mut all: Vec<&mut Expr> = arguments.iter_mut().collect();
+    let mut values: Vec<&mut Expr> = arguments.iter_mut().collect();
     let ty = common_type(
         names,
         units,
         sink,
-        &mut all,
+        &mut values,
         &format!("the arguments of `{}`", function.word()),
     )
     .settled();
-    all.into_iter().for_each(|argument| argument.settle(&ty));
+    values.into_iter().for_each(|argument| argument.settle(&ty));
     (!ty.is_error()).then_some(ty)
 }
 

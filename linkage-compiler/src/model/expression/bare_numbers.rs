@@ -6,15 +6,18 @@ use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{Expr, Mechanism, Name, Type, angles};
 
-/// Reports references, ranges and estimates of angles that lack a unit. Whether an input or unknown is an angle is
-/// known from how it is used: it may be a number as well.
+/// Reports references, ranges and estimates of angles that lack a unit. An input or unknown is an
+/// angle if it is used as one: it can be a number as well.
 pub(in crate::model) fn refuse_bare_coordinates(
     names: &Names,
     sink: &mut Sink,
     mechanism: &Mechanism,
 ) {
     let values = values_of_coordinates(mechanism);
-    if values.iter().all(|own| own.value.bare_number().is_none()) {
+    if values
+        .iter()
+        .all(|coordinate| coordinate.value.bare_number().is_none())
+    {
         return;
     }
     let used = angles(mechanism);
@@ -26,7 +29,7 @@ pub(in crate::model) fn refuse_bare_coordinates(
     }
 }
 
-/// Whether a scalar is given in a unit of angles or used as an angle.
+/// Returns true if a scalar is given in a unit of angles or used as an angle.
 fn is_angle_name(names: &Names, name: Name, used: &BTreeSet<Name>) -> bool {
     let symbol = names.symbol(name);
     match symbol.map(|symbol| &symbol.ty) {
@@ -54,11 +57,11 @@ struct CoordinateValue<'m> {
 }
 
 fn values_of_coordinates(mechanism: &Mechanism) -> Vec<CoordinateValue<'_>> {
-    let mut all = Vec::new();
+    let mut list = Vec::new();
     for (index, input) in mechanism.inputs.iter().enumerate() {
         let mut add = |role, value| {
             let name = Name::Input(index);
-            all.push(CoordinateValue { name, role, value });
+            list.push(CoordinateValue { name, role, value });
         };
         add("reference", &input.reference);
         if let Some((low, high)) = &input.range {
@@ -67,12 +70,12 @@ fn values_of_coordinates(mechanism: &Mechanism) -> Vec<CoordinateValue<'_>> {
         }
     }
     let unknowns = mechanism.unknowns.iter().enumerate();
-    all.extend(unknowns.filter_map(|(index, unknown)| {
+    list.extend(unknowns.filter_map(|(index, unknown)| {
         Some(CoordinateValue {
             name: Name::Unknown(index),
             role: "estimate",
             value: unknown.estimate.as_ref()?,
         })
     }));
-    all
+    list
 }

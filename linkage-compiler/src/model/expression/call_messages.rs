@@ -1,4 +1,4 @@
-//! What is wrong with a call: the function, the number of its arguments, their order and types.
+//! Messages about calls: the function, the number of its arguments, their order and types.
 
 use proc_macro2::Ident;
 
@@ -62,7 +62,8 @@ pub(in crate::model) fn refuse_wrong_count(
     sink.error_with_help(span, fact, help);
 }
 
-/// Reports `polar(angle, length)`, `rotate(angle, vector)` and `turn(vector, angle, axis)`; `order` is the one to write.
+/// Reports `polar(angle, length)`, `rotate(angle, vector)` and `turn(vector, angle, axis)`. `order`
+/// is the right order.
 pub(in crate::model) fn refuse_swapped(
     sink: &mut Sink,
     function: Function,

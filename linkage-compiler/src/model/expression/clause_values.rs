@@ -65,11 +65,11 @@ pub(in crate::model) fn check_space(
     count: usize,
     word: &str,
 ) -> Expr {
-    let all = *sink.components.get_or_insert(count);
-    if all == count {
+    let expected = *sink.components.get_or_insert(count);
+    if expected == count {
         return value;
     }
-    let (all, help) = match all {
+    let (space, help) = match expected {
         2 => (
             "in the plane",
             "leave out the third component: `(v.x, v.y)`".to_owned(),
@@ -77,7 +77,7 @@ pub(in crate::model) fn check_space(
         _ => ("in space", lifting_help(names, &value)),
     };
     let fact = format!(
-        "`{word}` takes {}, but the bodies before it are {all}",
+        "`{word}` takes {}, but the bodies before it are {space}",
         value.ty
     );
     let span = sink.span(value.origin);

@@ -33,8 +33,14 @@ pub(in crate::model) fn make_vector(
         sink.error_with_help(span, fact, help);
         return error_expr(sink, span);
     }
-    let mut all: Vec<&mut Expr> = components.iter_mut().collect();
-    let ty = match common_type(names, units, sink, &mut all, "the components of a vector") {
+    let mut values: Vec<&mut Expr> = components.iter_mut().collect();
+    let ty = match common_type(
+        names,
+        units,
+        sink,
+        &mut values,
+        "the components of a vector",
+    ) {
         Type::Scalar(dimension) => Type::Vector(components.len(), dimension),
         Type::Zero(_) => Type::Zero(components.len()),
         _ => return error_expr(sink, span),

@@ -23,7 +23,7 @@ pub(in crate::model) fn fit_to_type(
     }
     if Type::common(&value.ty, wanted).is_some() {
         value.settle(wanted);
-        if wanted.dimension().is_some_and(|own| own.angle) {
+        if wanted.dimension().is_some_and(|dimension| dimension.angle) {
             refuse_bare_angle(sink, &value, what);
         }
         return value;

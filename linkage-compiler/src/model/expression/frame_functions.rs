@@ -3,22 +3,21 @@
 use super::agreement::refuse_compound;
 use super::argument_types::vector_argument;
 use super::call_messages::{refuse_argument_type, refuse_count_of_arguments};
-use super::frame_parts::type_of_part;
 use super::missing_units::suspect_unit;
 use super::operators::settle_alone;
 use crate::diagnostic::SourceSpan;
 use crate::model::symbols::assumed_units::AssumedUnits;
 use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
-use crate::model::types::{Dimension, Expr, Function, Type};
+use crate::model::types::{Dimension, Expr, Function, Type, type_of_part};
 use crate::syntax::Word;
 
-/// What stands behind the frame in `point_in` and `coordinates_in`.
+/// The second argument of `point_in` and `coordinates_in`, after the frame.
 #[derive(Clone, Copy)]
 pub(in crate::model) struct SecondArgument {
-    /// The beginning of the sentence that says what it must be.
+    /// The beginning of the sentence about its type.
     pub(in crate::model) rule: &'static str,
-    /// What it is called.
+    /// The name of the argument.
     pub(in crate::model) word: &'static str,
 }
 
@@ -49,7 +48,7 @@ pub(in crate::model) fn frame_type(
         [origin, x] => {
             if [&*origin, x]
                 .iter()
-                .any(|own| own.ty.components() == Some(3))
+                .any(|vector| vector.ty.components() == Some(3))
             {
                 refuse_count_of_arguments(sink, function, arguments.len(), span);
                 return None;
@@ -130,9 +129,10 @@ fn point_argument(
     }
     suspect_unit(units, sink, argument, &wanted);
     let fact = format!("{role} {wanted}, found {}", argument.ty);
-    let help = match dimension.is_number_or_angle() {
-        true => "give its components a unit, or multiply it by a length",
-        false => "divide by a length",
+    let help = if dimension.is_number_or_angle() {
+        "give its components a unit, or multiply it by a length"
+    } else {
+        "divide by a length"
     };
     let span = sink.span(argument.origin);
     sink.error_with_help(span, fact, help);

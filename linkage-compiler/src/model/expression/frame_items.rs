@@ -32,7 +32,7 @@ pub(in crate::model) fn refuse_frame_loop(
     }
 }
 
-/// Derivatives of a frame are asked for its parts.
+/// Refuses derivatives of a frame: its parts have derivatives.
 pub(in crate::model) fn refuse_frame_derivative(
     names: &Names,
     sink: &mut Sink,

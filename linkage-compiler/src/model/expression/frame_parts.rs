@@ -6,34 +6,12 @@ use super::nodes::{error_expr, make_expr};
 use crate::diagnostic::SourceSpan;
 use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
-use crate::model::types::{Dimension, Expr, ExprKind, Type};
-
-/// What a frame consists of, in this order.
-pub(crate) const PARTS: [&str; 4] = ["origin", "x", "y", "z"];
+use crate::model::types::{Expr, ExprKind, FRAME_PARTS, PLANE_PARTS, Type, type_of_part};
 
 pub(in crate::model) const PARTS_HELP: &str = "parts of a frame are `.origin`, `.x`, `.y` and `.z`";
 
-/// What a frame of the plane consists of, in this order.
-pub(crate) const PLANE_PARTS: [&str; 4] = ["origin", "x", "y", "angle"];
-
-/// Which of them is its angle, behind so many vectors: as a quantity it is these.
-pub(in crate::model) const ANGLE_PART: usize = 3;
-
-pub(crate) const VECTORS_OF_PLANE: usize = ANGLE_PART;
-
 pub(in crate::model) const PLANE_PARTS_HELP: &str =
     "parts of a frame of the plane are `.origin`, `.x`, `.y` and `.angle`";
-
-/// The type of a part of a frame.
-pub(in crate::model) fn type_of_part(frame: &Type, part: usize) -> Type {
-    match (frame, part) {
-        (Type::PlaneFrame, 0) => Type::Vector(2, Dimension::LENGTH),
-        (Type::PlaneFrame, 3) => Type::Scalar(Dimension::ANGLE),
-        (Type::PlaneFrame, _) => Type::Vector(2, Dimension::NUMBER),
-        (_, 0) => Type::Vector(3, Dimension::LENGTH),
-        _ => Type::Vector(3, Dimension::NUMBER),
-    }
-}
 
 /// `.origin`, `.x`, `.y`, and `.z` or `.angle` of a frame.
 pub(in crate::model) fn make_frame_part(
@@ -44,7 +22,7 @@ pub(in crate::model) fn make_frame_part(
 ) -> Expr {
     let (parts, help) = match frame.ty {
         Type::PlaneFrame => (PLANE_PARTS, PLANE_PARTS_HELP),
-        _ => (PARTS, PARTS_HELP),
+        _ => (FRAME_PARTS, PARTS_HELP),
     };
     match parts.iter().position(|part| field == part) {
         Some(index) => {
@@ -60,7 +38,7 @@ pub(in crate::model) fn make_frame_part(
     }
 }
 
-/// What to write for a frame where a vector is needed, its name filled in.
+/// Returns a help with the text to write for a frame where a vector is needed.
 pub(in crate::model) fn frame_parts_help(names: &Names, verb: &str, frame: &Expr) -> String {
     let name = match &frame.kind {
         ExprKind::Name(name) => names.symbol(*name).map(|symbol| symbol.text.as_str()),

@@ -65,9 +65,12 @@ pub(in crate::model) fn result_type(
                 vector_argument(names, sink, &mut arguments[1], function, Some(count))?;
             let spatial = function == Function::Cross && count == 3;
             let dimension = left.times(right).map(Dimension::of_arithmetic);
-            let ty = dimension.map(|dimension| match spatial {
-                true => Type::Vector(3, dimension),
-                false => Type::Scalar(dimension),
+            let ty = dimension.map(|dimension| {
+                if spatial {
+                    Type::Vector(3, dimension)
+                } else {
+                    Type::Scalar(dimension)
+                }
             });
             check_power_range(sink, ty, span)
         }

@@ -5,7 +5,8 @@ use crate::model::types;
 use crate::model::types::{BinaryOp, Dimension, Expr, Type};
 use crate::syntax::is_unit;
 
-/// What to say where a name has been taken for the unit that it hides: `0.2N*s/mm` beside `unknown s`.
+/// Returns a help if a name has been taken for the unit that it hides: `0.2N*s/mm` next to `unknown
+/// s`.
 pub(in crate::model) fn hidden_unit_help(names: &Names, value: &Expr) -> Option<String> {
     value.parts().find_map(|part| hides_unit(names, part))
 }

@@ -9,7 +9,7 @@ use crate::model::symbols::sink::Sink;
 use crate::model::symbols::site::{Context, refusal};
 use crate::model::types::{Name, Type};
 
-/// The symbol that a name may stand for here; reports it if there is none.
+/// Returns the name that a text means in this place; reports a text that means none.
 pub(in crate::model) fn look_up_name(
     scope: &Scope,
     sink: &mut Sink,

@@ -67,10 +67,10 @@ pub(in crate::model) fn find_joint(
     None
 }
 
-/// What to write for the joint that a body hangs on.
+/// Returns a help with the joint that a body is attached by.
 fn hanging_help(members: &MemberNames, body: usize) -> String {
-    let mut all = members.by_name.iter();
-    match all.find(|(_, (member, _))| *member == Member::Joint(body)) {
+    let mut names = members.by_name.iter();
+    match names.find(|(_, (member, _))| *member == Member::Joint(body)) {
         Some((name, _)) => format!("it hangs on the joint `{name}`"),
         None => {
             let kind = members.joints[body].word();

@@ -7,7 +7,8 @@ use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{Dimension, Expr, ExprKind, Name, Type};
 
-/// A vector of such a length may well be a direction, which is a vector of numbers: estimates of directions are rough.
+/// A vector of such a length can be a direction, which is a vector of numbers: estimates of
+/// directions are rough.
 const LENGTHS_OF_DIRECTIONS: RangeInclusive<f64> = 0.5..=2.0;
 
 /// Remembers of a declared value whether its unit may be missing, or whose.
@@ -37,7 +38,8 @@ pub(in crate::model) fn note_unitless(
     units.set_lacking(name, lacking);
 }
 
-/// Who may lack a unit, if one of two values is a number and the other made of lengths.
+/// Adds the names that may lack a unit, if one of two values is a number and the other one contains
+/// lengths.
 pub(in crate::model) fn suspect_unit(
     units: &AssumedUnits,
     sink: &mut Sink,
@@ -46,8 +48,8 @@ pub(in crate::model) fn suspect_unit(
 ) {
     let number = |ty: &Type| ty.dimension() == Some(Dimension::NUMBER);
     let length = |ty: &Type| {
-        let dimension = ty.dimension().filter(|own| own.is_geometric());
-        dimension.is_some_and(|own| own.half_lengths > 0)
+        let dimension = ty.dimension().filter(|dimension| dimension.is_geometric());
+        dimension.is_some_and(|dimension| dimension.half_lengths > 0)
     };
     if number(&left.ty) && length(right) {
         let lacking = units.lacking_unit(left);
@@ -55,7 +57,7 @@ pub(in crate::model) fn suspect_unit(
     }
 }
 
-/// See [`suspect`](Self::suspect), both ways.
+/// Calls [`suspect_unit`] both ways.
 pub(in crate::model) fn suspect_both_units(
     units: &AssumedUnits,
     sink: &mut Sink,
@@ -74,15 +76,18 @@ fn with_unit(value: &Expr, unit: &str) -> Option<String> {
     let ExprKind::Vector(components) = &value.kind else {
         return None;
     };
-    let zero = |own: &Expr| matches!(own.kind, ExprKind::Number(0.0));
-    let numbers = components.iter().map(|own| match zero(own) {
-        true => Some(0.0),
-        false => own.bare_number(),
+    let zero = |component: &Expr| matches!(component.kind, ExprKind::Number(0.0));
+    let numbers = components.iter().map(|component| {
+        if zero(component) {
+            Some(0.0)
+        } else {
+            component.bare_number()
+        }
     });
     let numbers: Vec<f64> = numbers.collect::<Option<_>>()?;
     let length = numbers
         .iter()
-        .fold(0.0, |length: f64, own| length.hypot(*own));
+        .fold(0.0, |length: f64, number| length.hypot(*number));
     if length == 0.0 || LENGTHS_OF_DIRECTIONS.contains(&length) {
         return None;
     }

@@ -2,16 +2,15 @@
 
 pub(super) mod agreement;
 pub(super) mod argument_types;
+pub(super) mod argument_use;
 pub(super) mod bare_numbers;
 pub(super) mod call_messages;
 pub(super) mod clause_values;
 pub(super) mod composite;
-pub(super) mod dispatch;
 pub(super) mod fitting;
 pub(super) mod frame_functions;
 pub(super) mod frame_items;
 pub(super) mod frame_parts;
-pub(super) mod function_call;
 pub(super) mod function_types;
 pub(super) mod hidden_unit;
 pub(super) mod literal;

@@ -17,7 +17,7 @@ pub(in crate::model) fn make_expr(
     }
 }
 
-/// What a reported mistake leaves.
+/// Returns the expression that replaces one with a reported mistake.
 pub(in crate::model) fn error_expr(sink: &mut Sink, span: SourceSpan) -> Expr {
     make_expr(sink, ExprKind::Error, Type::Error, span)
 }

@@ -138,7 +138,7 @@ pub(in crate::model) fn check_power_range(
     ty
 }
 
-/// Zero with nothing beside it that would give it a dimension.
+/// Makes zero a number where nothing gives it another dimension.
 pub(in crate::model) fn settle_alone(value: &mut Expr) {
     let ty = value.ty.settled();
     value.settle(&ty);

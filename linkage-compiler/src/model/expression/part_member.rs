@@ -11,7 +11,7 @@ use crate::model::symbols::sink::Sink;
 use crate::model::symbols::site::{Context, Site, refusal};
 use crate::model::types::{Expr, ExprKind, Name, Placed};
 
-/// `hook.tip`: a name of a part, seen from where the part stands.
+/// Resolves `hook.tip`: a name of a part, in the frame of the mechanism around it.
 pub(in crate::model) fn resolve_member(
     names: &Names,
     parts: &Parts,
@@ -39,20 +39,21 @@ pub(in crate::model) fn resolve_member(
     let (name, ty) = (symbol.name, symbol.ty.clone());
     let mut value = make_expr(sink, ExprKind::Name(name), ty, span);
     let around = parts.placed.iter();
-    let around = around.filter(|own| {
-        let rest = text.strip_prefix(own.path.as_str());
+    let around = around.filter(|part| {
+        let rest = text.strip_prefix(part.path.as_str());
         rest.is_some_and(|rest| rest.starts_with('.'))
     });
     let mut around: Vec<&Placed> = around.collect();
-    // From the innermost part outwards.
-    around.sort_by_key(|own| std::cmp::Reverse(own.path.len()));
-    for own in around {
-        value = own.frame().seen(value);
+    // The innermost part comes first.
+    around.sort_by_key(|part| std::cmp::Reverse(part.path.len()));
+    for part in around {
+        value = part.frame().seen(value);
     }
     value
 }
 
-/// What a part is made of, and where it stands, is known behind its item.
+/// Returns a message for a name of a part that is used before the part's item: its values and its
+/// location are unknown there.
 pub(in crate::model) fn order_refusal(
     parts: &Parts,
     symbol: &Symbol,
@@ -62,7 +63,7 @@ pub(in crate::model) fn order_refusal(
     let first = text.split('.').next().unwrap_or_default();
     let part = parts.scopes.iter().find(|part| part.name == first)?;
     let body = part.body.as_ref();
-    let placed = body.is_some_and(|own| own.is_placed || own.is_turned);
+    let placed = body.is_some_and(|body| body.is_placed || body.is_turned);
     let ordered = matches!(context.site, Site::LetOrLoop) && part.item > context.item;
     let fact = match symbol.name {
         _ if !ordered => return None,

@@ -1,4 +1,4 @@
-//! What is said of names of parts.
+//! Messages about names of parts.
 
 use proc_macro2::Ident;
 
@@ -38,34 +38,37 @@ pub(in crate::model) fn refuse_unknown_member(
     let text = member.to_string();
     let before = format!("{path}.");
     let symbols = names.symbols.iter();
-    let own = symbols.filter_map(|symbol| symbol.text.strip_prefix(&before));
-    let own: Vec<&str> = own.filter(|own| !own.contains('.')).collect();
+    let names = symbols.filter_map(|symbol| symbol.text.strip_prefix(&before));
+    let names: Vec<&str> = names.filter(|name| !name.contains('.')).collect();
     let mechanism = mechanism_name(parts, path);
     let fact = format!("the part `{path}`, a `{mechanism}`, has no `{text}`");
-    let help = match nearest(&text, own.iter().copied()) {
+    let help = match nearest(&text, names.iter().copied()) {
         _ if is_body_or_joint(parts, &format!("{path}.{text}")) => {
             "that is a body or a joint: ask for forces like `reaction(joint)`".to_owned()
         }
         Some(name) => format!("did you mean `{path}.{name}`?"),
-        None => format!("it has {}", list(&own)),
+        None => format!("it has {}", list(&names)),
     };
     sink.error_with_help(member.into(), fact, help);
 }
 
-/// Whether a body or joint of a part has this name.
+/// Returns true if a body or joint of a part has this name.
 fn is_body_or_joint(parts: &Parts, path: &str) -> bool {
     let (first, rest) = path.split_once('.').unwrap_or((path, ""));
     let part = parts.scopes.iter().find(|part| part.name == first);
     part.and_then(|part| part.body.as_ref())
         .is_some_and(|body| {
             let mechanism = body.mechanism();
-            let mut bodies = mechanism.bodies.iter().map(|own| &own.name);
-            let mut joints = mechanism.joints.iter().filter_map(|own| own.name.as_ref());
-            bodies.any(|own| own == rest) || joints.any(|own| own == rest)
+            let mut bodies = mechanism.bodies.iter().map(|body| &body.name);
+            let mut joints = mechanism
+                .joints
+                .iter()
+                .filter_map(|joint| joint.name.as_ref());
+            bodies.any(|name| name == rest) || joints.any(|name| name == rest)
         })
 }
 
-/// What a part is called as a mechanism.
+/// Returns the name of the mechanism that a part is.
 fn mechanism_name(parts: &Parts, path: &str) -> String {
     let (first, rest) = path.split_once('.').unwrap_or((path, ""));
     let part = parts.scopes.iter().find(|part| part.name == first);

@@ -1,11 +1,11 @@
-//! Vectors of the plane where vectors of space are meant, and the other way round: what to say.
+//! Messages about vectors of the plane where vectors of space are meant, and vice versa.
 
 use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{COMPONENTS, Expr, ExprKind, Function, Name, Type};
 use crate::syntax::Word;
 
-/// The one of two vectors that lies in the plane, if the other one lies in space.
+/// Returns the vector of the plane among two, if the other one is a vector of space.
 pub(in crate::model) fn plane_beside_space<'e>(
     left: &'e Expr,
     right: &'e Expr,
@@ -30,7 +30,7 @@ fn type_with_name(names: &Names, value: &Expr) -> String {
     }
 }
 
-/// Both types in words; with names where a plane vector meets a space vector.
+/// Returns both types as text, with names if a plane vector meets a space vector.
 pub(in crate::model) fn both_types(names: &Names, left: &Expr, right: &Expr) -> (String, String) {
     match plane_beside_space(left, right) {
         Some(_) => (type_with_name(names, left), type_with_name(names, right)),
@@ -38,19 +38,19 @@ pub(in crate::model) fn both_types(names: &Names, left: &Expr, right: &Expr) -> 
     }
 }
 
-/// How a plane vector is written in space.
+/// Returns a help with the text of a plane vector in space.
 pub(in crate::model) fn lifting_help(names: &Names, plane: &Expr) -> String {
     let text = |value: &Expr, otherwise: &str| {
         name_as_written(names, value).unwrap_or_else(|| otherwise.to_owned())
     };
     match &plane.kind {
         ExprKind::Name(name) => {
-            let own = text(plane, "p");
+            let written = text(plane, "p");
             let declared = match name {
                 Name::Let(_) => String::new(),
-                _ => format!(", or declare `{own}` as `(x, y, z)`"),
+                _ => format!(", or declare `{written}` as `(x, y, z)`"),
             };
-            format!("write `({own}.x, {own}.y, 0)`{declared}")
+            format!("write `({written}.x, {written}.y, 0)`{declared}")
         }
         ExprKind::Vector(components) => {
             let [x, y] = [(0, "x"), (1, "y")].map(|(k, axis)| text(&components[k], axis));
@@ -93,7 +93,7 @@ fn name_as_written(names: &Names, value: &Expr) -> Option<String> {
     }
 }
 
-/// Reports arguments of which one lies in the plane, the other in space.
+/// Reports arguments of which one is a vector of the plane, the other one of space.
 pub(in crate::model) fn check_one_space(
     names: &Names,
     sink: &mut Sink,
@@ -115,7 +115,7 @@ pub(in crate::model) fn check_one_space(
     None
 }
 
-/// What to write where a function takes another kind of vector, or a vector at all.
+/// Returns a help for a function that takes another kind of vector.
 pub(in crate::model) fn vector_help(
     names: &Names,
     function: Function,
@@ -142,7 +142,7 @@ pub(in crate::model) fn vector_help(
     help.to_owned()
 }
 
-/// What to write for a vector within the brackets of a vector.
+/// Returns a help for a vector within the parentheses of a vector.
 pub(in crate::model) fn nested_help(names: &Names, components: &[Expr]) -> String {
     if let [vector, third] = components
         && vector_components(vector) == Some(2)

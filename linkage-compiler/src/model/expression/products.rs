@@ -21,11 +21,12 @@ struct Measure {
     number: Option<(String, bool)>,
     /// Units and their powers.
     units: Vec<(String, i32)>,
-    /// Whether there is a unit that is not glued to the number.
+    /// True if there is a unit that is not glued to the number.
     loose: bool,
 }
 
-/// A product or quotient. A number and the units that it is multiplied with are one number, converted exactly.
+/// Resolves a product or quotient. A number and the units that it is multiplied with are one
+/// number, converted exactly.
 pub(in crate::model) fn resolve_product(
     operands: Operands,
     sink: &mut Sink,
@@ -90,9 +91,10 @@ fn make_measured(
         .collect();
     let converted = convert_product(text, &powers, units.length);
     let number = make_literal(sink, converted, "the number with its units", expr.span);
-    match negative {
-        true => make_negation(names, sink, number, expr.span),
-        false => number,
+    if negative {
+        make_negation(names, sink, number, expr.span)
+    } else {
+        number
     }
 }
 
@@ -115,9 +117,10 @@ pub(in crate::model) fn refuse_lonely_power(
                 "there is no operator for powers, but of units: `{text}` is {}",
                 symbol.kind()
             ),
-            match is_unit(&text) {
-                true => format!("the name hides the unit `{text}`: give it another one"),
-                false => format!("write `{text} * {text}` for a square"),
+            if is_unit(&text) {
+                format!("the name hides the unit `{text}`: give it another one")
+            } else {
+                format!("write `{text} * {text}` for a square")
             },
         ),
         None if is_unit(&text) => (

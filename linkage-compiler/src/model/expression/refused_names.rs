@@ -13,7 +13,7 @@ use crate::model::symbols::site::{Context, refusal, rule};
 use crate::model::types::is_function;
 use crate::syntax::{is_unit, units_within};
 
-/// `context` is where it stands; `None` where any name may stand.
+/// Reports an unknown name. `context` is its place; `None` if any name can be used there.
 pub(in crate::model) fn refuse_unknown_name(
     names: &Names,
     members: &MemberNames,
@@ -54,7 +54,7 @@ pub(in crate::model) fn refuse_unknown_name(
     sink.error_with_help(ident.into(), fact, help);
 }
 
-/// Reports a name that stands for something else, too; true if it does not.
+/// Reports a name that has another meaning already. Returns true if it has none.
 pub(in crate::model) fn check_new_name(
     names: &Names,
     parts: &Parts,
@@ -109,7 +109,8 @@ pub(in crate::model) fn check_type_parameter(sink: &mut Sink, ident: &Ident) {
     }
 }
 
-/// A result type is new: the name of a well-known type there is a misunderstanding, and would hide that type.
+/// Refuses a result type with the name of a well-known type: that is a misunderstanding, and would
+/// hide the type.
 pub(in crate::model) fn check_new_type(sink: &mut Sink, ident: &Ident) {
     const KNOWN: [&str; 15] = [
         "f64",

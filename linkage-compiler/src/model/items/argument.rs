@@ -1,18 +1,16 @@
 //! Arguments: loads and speeds that functions take at run time.
 
-use super::passes::Taken;
-use crate::model::expression::dispatch::resolve_expression;
+use crate::model::declare::passes::Taken;
+use crate::model::dispatch::resolve_expression;
 use crate::model::expression::frame_items::refuse_frame_item;
-use crate::model::expression::nodes::error_expr;
-use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
 use crate::model::symbols::site::{Context, Site};
-use crate::model::symbols::values::Values;
-use crate::model::types::{Argument, Dimension, Expr, Input, Name, Type};
+use crate::model::types::{Argument, Dimension, Input, Name, Type};
 use crate::syntax::NamedItem;
 
-/// All arguments in the order of their names; speeds and accelerations stand at their inputs.
+/// Resolves all arguments in the order of their names. Speeds and accelerations are declared at
+/// their inputs.
 pub(in crate::model) fn resolve_arguments(
     scope: &mut Scope,
     sink: &mut Sink,
@@ -77,25 +75,4 @@ fn resolve_argument(
         dimension,
         reference: Some(reference),
     }
-}
-
-/// Reports what must be known before functions are called and depends on an argument.
-pub(in crate::model) fn refuse_argument(
-    names: &Names,
-    values: &Values,
-    sink: &mut Sink,
-    value: &mut Expr,
-    what: &str,
-) {
-    let Some(argument) = values.argument_below(value) else {
-        return;
-    };
-    let name = Name::Argument(argument);
-    let symbol = names.symbol(name);
-    let text = symbol.map_or("", |symbol| symbol.text.as_str());
-    let fact = format!("{what} depends on the argument `{text}`");
-    let help = "nothing that moves depends on arguments: declare a `param` or an `input`";
-    let span = sink.span(value.origin);
-    sink.error_with_help(span, fact, help);
-    *value = error_expr(sink, span);
 }

@@ -1,7 +1,7 @@
 //! Inputs and unknowns.
 
+use crate::model::dispatch::resolve_expression;
 use crate::model::expression::agreement::common_type;
-use crate::model::expression::dispatch::resolve_expression;
 use crate::model::expression::frame_items::refuse_frame_item;
 use crate::model::expression::missing_units::note_unitless;
 use crate::model::symbols::scope::Scope;
@@ -29,20 +29,20 @@ pub(in crate::model) fn resolve_input(
         )
     });
     refuse_frame_item(sink, &mut reference, "an input is an angle or a length");
-    let mut all: Vec<&mut Expr> = vec![&mut reference];
+    let mut values: Vec<&mut Expr> = vec![&mut reference];
     if let Some((low, high)) = &mut range {
-        all.extend([low, high]);
+        values.extend([low, high]);
     }
     let ty = common_type(
         &scope.names,
         &scope.units,
         sink,
-        &mut all,
+        &mut values,
         "the reference and the range of an input",
     );
-    let bare_zero = all.iter().all(|value| matches!(value.ty, Type::Zero(_)));
+    let bare_zero = values.iter().all(|value| matches!(value.ty, Type::Zero(_)));
     let ty = scope.units.declared(Name::Input(index), &ty);
-    all.into_iter().for_each(|value| value.settle(&ty));
+    values.into_iter().for_each(|value| value.settle(&ty));
     let beside = range.as_ref().map(|_| "the range");
     note_unitless(
         &scope.names,

@@ -1,8 +1,8 @@
 //! Constants, derived quantities and loops.
 
-use super::argument::refuse_argument;
+use crate::model::dispatch::resolve_expression;
 use crate::model::expression::agreement::mismatch_help;
-use crate::model::expression::dispatch::resolve_expression;
+use crate::model::expression::argument_use::refuse_argument;
 use crate::model::expression::frame_items::refuse_frame_loop;
 use crate::model::expression::missing_units::{note_unitless, suspect_both_units};
 use crate::model::expression::plane_and_space::both_types;
@@ -22,9 +22,10 @@ pub(in crate::model) fn resolve_named(
 ) -> Expr {
     let value = resolve_expression(scope, sink, &item.value, context);
     note_unitless(&scope.names, &mut scope.units, sink, name, &value, None);
-    let ty = match scope.units.is_taken_for_length(name) {
-        true => scope.units.declared(name, &value.ty),
-        false => value.ty.clone(),
+    let ty = if scope.units.is_taken_for_length(name) {
+        scope.units.declared(name, &value.ty)
+    } else {
+        value.ty.clone()
     };
     scope.names.set_type(name, ty, false);
     value

@@ -6,7 +6,7 @@ use proc_macro2::Ident;
 
 use crate::diagnostic::text::{list, nearest};
 use crate::diagnostic::{OriginId, SourceSpan};
-use crate::model::expression::dispatch::{operands, resolve_expression};
+use crate::model::dispatch::{operands, resolve_expression};
 use crate::model::expression::operators::settle_alone;
 use crate::model::expression::refused_names::{
     check_new_type, check_reserved, check_type_parameter, report_duplicate,
@@ -23,7 +23,7 @@ use crate::syntax::{
     Expr, ExprKind, FunctionDef, Item, MechanismDef, QuantityDef, Word, documentation,
 };
 
-/// Names taken so far: where, and by what if not by the user's own word.
+/// Names in use: the span, and the owner of a name that the user did not write.
 type Taken = BTreeMap<String, (SourceSpan, Option<String>)>;
 
 pub(in crate::model) fn resolve_functions(
@@ -233,7 +233,7 @@ fn check_reserved_field(names: &Names, sink: &mut Sink, quantity: &QuantityDef) 
     }
 }
 
-/// What is differentiated, below all derivatives.
+/// Returns the expression below all derivatives.
 fn subject(value: &Expr) -> &Expr {
     match &value.kind {
         ExprKind::Call(function, arguments) => {

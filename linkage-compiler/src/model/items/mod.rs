@@ -5,7 +5,6 @@ pub(super) mod coordinates;
 pub(super) mod definitions;
 pub(super) mod evaluators;
 pub(super) mod parameter;
-pub(super) mod passes;
 pub(super) mod scalars;
 pub(super) mod struct_block;
 pub(super) mod unknown_frame;

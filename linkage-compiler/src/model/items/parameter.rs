@@ -2,8 +2,8 @@
 
 use super::scalars::add_scalars;
 use crate::diagnostic::SourceSpan;
+use crate::model::dispatch::resolve_expression;
 use crate::model::expression::composite::make_vector;
-use crate::model::expression::dispatch::resolve_expression;
 use crate::model::expression::frame_items::refuse_frame_item;
 use crate::model::expression::missing_units::note_unitless;
 use crate::model::symbols::scope::Scope;
@@ -68,7 +68,8 @@ pub(in crate::model) fn resolve_parameter(
     let wanted = Type::Scalar(ty.dimension().unwrap_or(Dimension::NUMBER));
     for tolerance in tolerances.iter_mut().flatten().filter(|_| !ty.is_error()) {
         tolerance.settle(&wanted);
-        // One tolerance for all components is one mistake, and one that lacks its unit with the value is told with it.
+        // One tolerance for all components is one mistake. One without a unit is reported with the
+        // value.
         if checked != Some(tolerance.origin) && !(unitless && is_bare(tolerance)) {
             check_tolerance(sink, tolerance, &wanted);
         }

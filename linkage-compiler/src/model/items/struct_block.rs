@@ -4,10 +4,10 @@ use super::argument::resolve_arguments;
 use super::coordinates::{resolve_input, resolve_unknown};
 use super::definitions::{resolve_loop, resolve_named};
 use super::parameter::resolve_parameter;
-use super::passes::{Coordinate, Definition, Passes};
 use super::scalars::add_scalars;
 use super::unknown_frame::{close_frames, resolve_unknown_frames};
 use crate::diagnostic::text::nearest;
+use crate::model::declare::passes::{Coordinate, Definition, Passes};
 use crate::model::library::Source;
 use crate::model::mechanics::items::resolve_mechanics;
 use crate::model::parts::embed::Embedding;
@@ -106,10 +106,11 @@ pub(in crate::model) fn resolve_items(
                 });
             }
             Definition::Loop(item) => {
-                let own = resolve_loop(scope, sink, item, context);
-                match item.redundant {
-                    true => mechanism.redundant.push(own),
-                    false => mechanism.loops.push(own),
+                let equation = resolve_loop(scope, sink, item, context);
+                if item.redundant {
+                    mechanism.redundant.push(equation)
+                } else {
+                    mechanism.loops.push(equation)
                 }
             }
             Definition::Part(item) => resolve_part(scope, sink, item, position, &mut mechanism),
@@ -131,7 +132,8 @@ pub(in crate::model) fn resolve_items(
     mechanism
 }
 
-/// What parts bring that does not depend on what they are given.
+/// Adds the constants, unknowns and parameters of parts. They do not depend on the values that
+/// parts are given.
 fn embed_coordinates(
     parts: &Parts,
     values: &mut Values,
@@ -139,15 +141,15 @@ fn embed_coordinates(
     mechanism: &mut Mechanism,
 ) {
     for part in 0..parts.scopes.len() {
-        let own = Embedding::new(&parts.scopes[part], &mechanism.lets, &[]);
-        let Some(embedding) = own else { continue };
+        let embedding = Embedding::new(&parts.scopes[part], &mechanism.lets, &[]);
+        let Some(embedding) = embedding else { continue };
         mechanism.constants.extend(embedding.constants());
         mechanism.unknowns.extend(embedding.unknowns());
-        for mut own in embedding.parameters() {
+        for mut parameter in embedding.parameters() {
             let index = mechanism.parameters.len();
-            own.first_scalar = add_scalars(values, &own.name, index, &own.ty);
-            check_field(parts, sink, &own.name, part, &mechanism.parameters);
-            mechanism.parameters.push(own);
+            parameter.first_scalar = add_scalars(values, &parameter.name, index, &parameter.ty);
+            check_field(parts, sink, &parameter.name, part, &mechanism.parameters);
+            mechanism.parameters.push(parameter);
         }
     }
 }

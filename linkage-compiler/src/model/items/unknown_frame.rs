@@ -1,20 +1,22 @@
-//! `unknown body = frame(origin, x, z);`: the place of a body as an unknown.
+//! `unknown body = frame(origin, x, z);`: the position and orientation of a body as an unknown.
 //!
-//! In space it becomes an unknown point and two unknown directions, with the loops that both have length 1 and are perpendicular; the third axis
-//! is their product. So no orientation is singular, none is found twice, as by quaternions, and points and directions keep their closed forms.
-//! In the plane it is an unknown point and an angle.
+//! In space it becomes an unknown point and two unknown directions, with the loops that both have
+//! length 1 and are perpendicular. The third axis is their product. No orientation is singular,
+//! none is found twice (as with quaternions), and points and directions keep their closed forms. In
+//! the plane it is an unknown point and an angle.
 
 use crate::diagnostic::OriginId;
-use crate::model::expression::dispatch::resolve_expression;
-use crate::model::expression::frame_parts::type_of_part;
+use crate::model::dispatch::resolve_expression;
 use crate::model::symbols::frame_kind::FrameKind;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
 use crate::model::symbols::site::{Context, Site};
-use crate::model::types::{Expr, ExprKind, Function, Let, Loop, Mechanism, Name, Type, Unknown};
+use crate::model::types::{
+    Expr, ExprKind, Function, Let, Loop, Mechanism, Name, Type, Unknown, type_of_part,
+};
 use crate::syntax::UnknownItem;
 
-/// An unknown frame as what it consists of.
+/// An unknown frame and the unknowns that it consists of.
 pub(in crate::model) struct FoundFrame {
     name: String,
     estimate: Option<Expr>,
@@ -26,7 +28,7 @@ pub(in crate::model) struct FoundFrame {
     origin: OriginId,
 }
 
-/// The derived quantities that unknown frames are, in front of all others, and the unknowns behind them.
+/// Resolves unknown frames: derived quantities before all others, and unknowns after all others.
 pub(in crate::model) fn resolve_unknown_frames(
     scope: &mut Scope,
     sink: &mut Sink,
@@ -63,8 +65,8 @@ pub(in crate::model) fn resolve_unknown_frames(
     frames
 }
 
-/// The loops of the axes, behind those that are written. Of the axes that one is derived along which the fewest points have a
-/// coordinate: loops without it are of a lower degree.
+/// Adds the loops of the axes after those of the user. The derived axis is the one along which the
+/// fewest points have a coordinate: loops without it have a lower degree.
 pub(in crate::model) fn close_frames(mechanism: &mut Mechanism, frames: Vec<FoundFrame>) {
     for mut found in frames {
         if let FrameKind::Space { derived } = found.kind {
@@ -104,7 +106,8 @@ impl FoundFrame {
         self.expr(kind, type_of_part(&self.kind.ty(), self.kind.parts()[k]))
     }
 
-    /// `frame(origin, x, y, z)`, axes that are known to be perpendicular and of length 1; `frame(origin, angle)` in the plane.
+    /// Returns `frame(origin, x, y, z)` with perpendicular axes of length 1, in the plane
+    /// `frame(origin, angle)`.
     fn value(&self) -> Expr {
         let parts = match self.kind {
             FrameKind::Plane => vec![self.unknown(0), self.unknown(1)],
@@ -113,7 +116,7 @@ impl FoundFrame {
                 let ty = first.ty.clone();
                 let product = vec![first.clone(), second.clone()];
                 let mut axes = [first, second, self.call(Function::Cross, product, ty)];
-                // They stand in the order of the axes behind the product.
+                // The order is that of the axes after the product.
                 axes.rotate_right((derived + 1) % 3);
                 std::iter::once(self.unknown(0)).chain(axes).collect()
             }
@@ -151,12 +154,13 @@ impl FoundFrame {
     }
 }
 
-/// How many points of loops and derived quantities have a coordinate along each axis of a frame, and how often the axis is asked for.
+/// Returns for each axis of a frame the number of points of loops and derived quantities with a
+/// coordinate along it, plus the number of uses of the axis.
 fn uses_of_axes(mechanism: &Mechanism, number: usize) -> [usize; 3] {
-    let is_frame = |own: &Expr| own.as_name() == Some(Name::Let(number));
+    let is_frame = |value: &Expr| value.as_name() == Some(Name::Let(number));
     let loops = mechanism.loops.iter();
-    let loops = loops.flat_map(|own| [&own.left, &own.right]);
-    let lets = mechanism.lets.iter().map(|own| &own.value);
+    let loops = loops.flat_map(|equation| [&equation.left, &equation.right]);
+    let lets = mechanism.lets.iter().map(|item| &item.value);
     let mut uses = [0; 3];
     for part in loops.chain(lets).flat_map(Expr::parts) {
         match &part.kind {
@@ -173,15 +177,15 @@ fn uses_of_axes(mechanism: &Mechanism, number: usize) -> [usize; 3] {
     uses
 }
 
-/// Whether a component of a vector is written as 0.
+/// Returns true if a component of a vector is written as 0.
 fn is_zero(mechanism: &Mechanism, vector: &Expr, component: usize) -> bool {
     match &vector.kind {
-        ExprKind::Vector(all) => matches!(all[component].kind, ExprKind::Number(0.0)),
+        ExprKind::Vector(components) => matches!(components[component].kind, ExprKind::Number(0.0)),
         ExprKind::Name(name @ (Name::Const(_) | Name::Let(_))) => {
             let value = mechanism.value_of(*name);
             value.is_some_and(|value| is_zero(mechanism, value, component))
         }
-        ExprKind::Negate(own) => is_zero(mechanism, own, component),
+        ExprKind::Negate(inner) => is_zero(mechanism, inner, component),
         // It may be anything.
         _ => false,
     }

@@ -1,19 +1,19 @@
-//! Bodies: what they hang on, how they turn, their masses.
+//! Bodies: the joints that they are attached by, their rotation, their masses.
 
 use super::clauses::{resolve_point, resolve_scalar};
 use super::inertia::resolve_inertia;
 use super::joints::resolve_joint;
 use crate::diagnostic::SourceSpan;
+use crate::model::dispatch::resolve_expression;
+use crate::model::expression::argument_use::refuse_argument;
 use crate::model::expression::clause_values::refuse_clause;
-use crate::model::expression::dispatch::resolve_expression;
-use crate::model::items::argument::refuse_argument;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
 use crate::model::symbols::site::Context;
 use crate::model::types::{Body, Dimension, Expr, Joint, Mechanism, Type};
 use crate::syntax::{self, BodyItem, JointKind};
 
-/// A body and the joint that it hangs on, both of the same number.
+/// Resolves a body and the joint that it is attached by. Both have the same number.
 pub(in crate::model) fn resolve_body(
     scope: &Scope,
     sink: &mut Sink,
@@ -53,7 +53,8 @@ pub(in crate::model) fn resolve_body(
     (body, joint)
 }
 
-/// About a point an inertia is that of the whole body, its masses included: two such ones contradict each other.
+/// Refuses a second inertia about a point. Each is that of the whole body, masses included, so two
+/// contradict each other.
 fn refuse_second_point(sink: &mut Sink, item: &BodyItem) {
     let mut points = item.inertias.iter().filter_map(|part| part.at.as_ref());
     if let (Some(_), Some(second)) = (points.next(), points.next()) {
@@ -66,7 +67,8 @@ fn refuse_second_point(sink: &mut Sink, item: &BodyItem) {
     }
 }
 
-/// In the plane an angle. In space a frame; the direction of a rod between balls; the angle about the joint's axis.
+/// Resolves the rotation of a body: in the plane an angle; in space a frame, the direction of a rod
+/// between balls, or the angle about the joint's axis.
 fn resolve_turns(scope: &Scope, sink: &mut Sink, expr: &syntax::Expr, kind: JointKind) -> Expr {
     let mut value = resolve_expression(scope, sink, expr, Context::MECHANICS);
     refuse_argument(
@@ -97,13 +99,14 @@ fn resolve_turns(scope: &Scope, sink: &mut Sink, expr: &syntax::Expr, kind: Join
             (value.ty == Type::Frame, "a frame", "turns frame(p, x, z)")
         }
     };
-    match fits {
-        true => value,
-        false => refuse_clause(&scope.names, sink, value, "turns", wanted, example),
+    if fits {
+        value
+    } else {
+        refuse_clause(&scope.names, sink, value, "turns", wanted, example)
     }
 }
 
-/// A body can leave out how it turns if it turns with the body that it hangs on.
+/// Reports a missing `turns`, unless the body turns with the body that it is attached to.
 fn check_turns(sink: &mut Sink, item: &BodyItem) {
     if !item.joint.kind.turns() {
         return;
@@ -130,7 +133,7 @@ pub(in crate::model) fn refuse_circles(sink: &mut Sink, mechanism: &Mechanism) {
         let Some(length) = chain.iter().position(|body| *body == start) else {
             continue;
         };
-        // The first body of the circle tells.
+        // The first body of the circle reports it.
         if chain[..length].iter().any(|body| *body < start) {
             continue;
         }

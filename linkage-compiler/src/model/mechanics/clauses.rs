@@ -1,8 +1,8 @@
 //! Values of clauses: scalars, points, vectors.
 
+use crate::model::dispatch::resolve_expression;
+use crate::model::expression::argument_use::refuse_argument;
 use crate::model::expression::clause_values::{check_scalar, check_vector};
-use crate::model::expression::dispatch::resolve_expression;
-use crate::model::items::argument::refuse_argument;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
 use crate::model::symbols::site::Context;

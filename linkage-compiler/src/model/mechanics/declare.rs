@@ -5,16 +5,17 @@ use std::ops::Range;
 use proc_macro2::Ident;
 
 use crate::diagnostic::SourceSpan;
+use crate::model::declare::passes::Mechanical;
 use crate::model::expression::refused_names::{check_reserved, report_duplicate};
-use crate::model::items::passes::Mechanical;
 use crate::model::parts::embed_bodies::MemberNumbers;
 use crate::model::symbols::member_names::{FRAME, Member, MemberNames};
 use crate::model::symbols::part_scopes::{PartScope, Parts};
 use crate::model::symbols::sink::Sink;
 use crate::syntax::{BodyItem, JointPart};
 
-/// Declares all bodies and joints: own bodies with the joints that they hang on, those of parts, own joints that close loops, those of
-/// parts. The answer is what the numbers of each part's are.
+/// Declares all bodies and joints: own bodies with the joints that they are attached by, those of
+/// parts, own joints that close loops, those of parts. Returns the numbers of each part's bodies
+/// and joints.
 pub(in crate::model) fn declare_members(
     parts: &Parts,
     members: &mut MemberNames,
@@ -27,12 +28,12 @@ pub(in crate::model) fn declare_members(
         declare_joint(members, sink, &item.joint);
     }
     members.bodies = bodies.len();
-    let mut all: Vec<MemberNumbers> = Vec::new();
+    let mut numbers_of_parts: Vec<MemberNumbers> = Vec::new();
     for part in 0..parts.scopes.len() {
         let first_body = members.bodies;
         let bodies = declare_bodies_of_part(parts, members, part, first_body);
         members.bodies += bodies;
-        all.push(MemberNumbers {
+        numbers_of_parts.push(MemberNumbers {
             first_body,
             bodies,
             first_closing: 0,
@@ -50,11 +51,11 @@ pub(in crate::model) fn declare_members(
             | Mechanical::Damper(_) => {}
         }
     }
-    for (part, numbers) in all.iter_mut().enumerate() {
+    for (part, numbers) in numbers_of_parts.iter_mut().enumerate() {
         numbers.first_closing = members.joints.len();
         declare_joints_of_part(parts, members, part, numbers.bodies..usize::MAX);
     }
-    all
+    numbers_of_parts
 }
 
 pub(in crate::model) fn declare_joint(
@@ -83,9 +84,9 @@ pub(in crate::model) fn declare_bodies_of_part(
         return 0;
     };
     let bodies = body.mechanism().bodies.iter().enumerate();
-    let bodies = bodies.map(|(index, own)| {
+    let bodies = bodies.map(|(index, body)| {
         let member = Member::Body(first + index);
-        (format!("{name}.{}", own.name), (member, *span))
+        (format!("{name}.{}", body.name), (member, *span))
     });
     let bodies: Vec<_> = bodies.collect();
     let count = bodies.len();
@@ -108,10 +109,10 @@ pub(in crate::model) fn declare_joints_of_part(
         if !among.contains(&index) {
             continue;
         }
-        if let Some(own) = &joint.name {
+        if let Some(joint_name) = &joint.name {
             let member = Member::Joint(members.joints.len());
             let members = &mut members.by_name;
-            members.insert(format!("{name}.{own}"), (member, *span));
+            members.insert(format!("{name}.{joint_name}"), (member, *span));
         }
         members.joints.push(joint.kind);
     }

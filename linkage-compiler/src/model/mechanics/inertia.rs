@@ -2,8 +2,8 @@
 
 use super::clauses::{resolve_point, resolve_scalar};
 use crate::diagnostic::SourceSpan;
+use crate::model::dispatch::resolve_expression;
 use crate::model::expression::clause_values::check_scalar;
-use crate::model::expression::dispatch::resolve_expression;
 use crate::model::expression::nodes::{error_expr, make_expr};
 use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::scope::Scope;
@@ -122,7 +122,7 @@ fn rows(expr: &syntax::Expr) -> Option<Vec<&[syntax::Expr]>> {
     rows.iter().map(row).collect()
 }
 
-/// Whether two expressions are written alike.
+/// Returns true if two expressions are written alike.
 fn same(left: &Expr, right: &Expr) -> bool {
     let operands = || left.operands().into_iter().zip(right.operands());
     let alike = match (&left.kind, &right.kind) {

@@ -6,13 +6,14 @@ use super::declare::declare_members;
 use super::joints::resolve_joint_item;
 use super::loads::{resolve_damper, resolve_force, resolve_spring, resolve_torque};
 use super::part_bodies::{embed_bodies, embed_mechanics};
-use crate::model::items::passes::Mechanical;
+use crate::model::declare::passes::Mechanical;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{Dimension, Expr, Mechanism};
 use crate::syntax::{BodyItem, GravityItem, PartItem};
 
-/// Everything about masses and forces. Bodies come first: they tell whether the mechanism is one of the plane or of space.
+/// Resolves all items about masses and forces. Bodies come first: they decide between plane and
+/// space.
 pub(in crate::model) fn resolve_mechanics(
     scope: &mut Scope,
     sink: &mut Sink,

@@ -28,7 +28,7 @@ pub(in crate::model) fn resolve_joint_item(
     joint
 }
 
-/// What bodies and joint items have in common.
+/// Resolves a joint of a body or of a joint item.
 pub(in crate::model) fn resolve_joint(
     scope: &Scope,
     sink: &mut Sink,
@@ -54,7 +54,8 @@ pub(in crate::model) fn resolve_joint(
     }
 }
 
-/// Whether there is such a joint in the plane or in space, and whether it needs a direction.
+/// Reports a joint that does not exist in the plane or in space, and a missing or needless
+/// direction.
 fn check_joint_kind(sink: &mut Sink, part: &JointPart, direction: Option<&Expr>) {
     let Some(components) = sink.components else {
         return;

@@ -2,7 +2,7 @@
 
 use super::clauses::{resolve_point, resolve_scalar, resolve_vector};
 use crate::diagnostic::SourceSpan;
-use crate::model::expression::dispatch::resolve_expression;
+use crate::model::dispatch::resolve_expression;
 use crate::model::expression::members::{find_body, find_joint};
 use crate::model::symbols::member_names::MemberNames;
 use crate::model::symbols::part_scopes::Parts;
@@ -12,7 +12,7 @@ use crate::model::symbols::site::Context;
 use crate::model::types::{Between, Body, Dimension, Element, ElementKind, Expr, Load, Type};
 use crate::syntax::{self, ElementItem, JointKind, LoadItem, Member, Word};
 
-/// What a value must be, and how one is written.
+/// The dimension of a value, and an example of one.
 #[derive(Clone, Copy)]
 struct Measure {
     dimension: Dimension,
@@ -96,7 +96,7 @@ fn find_two_bodies(
     [on.flatten(), from.flatten()]
 }
 
-/// Reports what would act between a body and itself.
+/// Reports a load between a body and itself.
 fn refuse_same_body(
     sink: &mut Sink,
     first: Option<Option<usize>>,
@@ -127,15 +127,16 @@ pub(in crate::model) fn resolve_spring(
     if turning == Some(true) && sink.diagnostics.len() == before {
         refuse_without_angle(sink, &between, bodies, item.span);
     }
-    let (stiffness, free_of) = match turning.unwrap_or_default() {
-        true => (
+    let (stiffness, free_of) = if turning.unwrap_or_default() {
+        (
             Measure::new(Dimension::MOMENT, "300N*mm"),
             Measure::new(Dimension::ANGLE, "20deg"),
-        ),
-        false => (
+        )
+    } else {
+        (
             Measure::new(Dimension::from_powers(-1, 1, 0), "2.5N/mm"),
             Measure::new(Dimension::LENGTH, "40mm"),
-        ),
+        )
     };
     let known = turning.is_some();
     let value = resolve_element_value(scope, sink, &item.value, known, stiffness, "spring");
@@ -151,7 +152,8 @@ pub(in crate::model) fn resolve_spring(
     }
 }
 
-/// In space the angle of a pin is known if a body hangs by it that turns with an angle; in the plane all angles are.
+/// Reports a spring in a pin of space without an angle. The angle is known if a body is attached by
+/// the pin and turns with an angle; in the plane all angles are known.
 fn refuse_without_angle(sink: &mut Sink, between: &Between, bodies: &[Body], span: SourceSpan) {
     let (Between::Joint(joint), Some(3)) = (between, sink.components) else {
         return;
@@ -173,9 +175,10 @@ pub(in crate::model) fn resolve_damper(
     item: &ElementItem,
 ) -> Element {
     let (between, turning) = resolve_between(scope, sink, item);
-    let damping = match turning.unwrap_or_default() {
-        true => Measure::new(Dimension::from_powers(1, 1, 1), "5N*mm*s"),
-        false => Measure::new(Dimension::from_powers(-1, 1, 1), "0.2N*s/mm"),
+    let damping = if turning.unwrap_or_default() {
+        Measure::new(Dimension::from_powers(1, 1, 1), "5N*mm*s")
+    } else {
+        Measure::new(Dimension::from_powers(-1, 1, 1), "0.2N*s/mm")
     };
     let value = resolve_element_value(
         scope,
@@ -207,13 +210,15 @@ fn resolve_element_value(
     measure: Measure,
     word: &str,
 ) -> Expr {
-    match joint_is_known {
-        true => resolve_scalar(scope, sink, value, measure.dimension, word, measure.example),
-        false => resolve_expression(scope, sink, value, Context::MECHANICS),
+    if joint_is_known {
+        resolve_scalar(scope, sink, value, measure.dimension, word, measure.example)
+    } else {
+        resolve_expression(scope, sink, value, Context::MECHANICS)
     }
 }
 
-/// Where a spring or damper is, and whether it acts on an angle, if that is known.
+/// Resolves the place of a spring or damper. The flag is true for an angle, `None` if the joint is
+/// unknown.
 fn resolve_between(scope: &Scope, sink: &mut Sink, item: &ElementItem) -> (Between, Option<bool>) {
     match &item.between {
         syntax::Between::Points(ends) => {

@@ -23,14 +23,14 @@ pub(in crate::model) fn embed_bodies(
         if let Some(on) = &item.on {
             numbers.on = find_body(parts, members, sink, on).flatten();
         }
-        let own = Embedding::new(&parts.scopes[part], &mechanism.lets, &parts.placed);
-        let Some(embedding) = own else { continue };
+        let embedding = Embedding::new(&parts.scopes[part], &mechanism.lets, &parts.placed);
+        let Some(embedding) = embedding else { continue };
         let bodies: Vec<_> = embedding.bodies(*numbers).collect();
         let joints: Vec<_> = embedding.joints(*numbers, true).collect();
         if let Some(joint) = joints.first() {
             let count = joint.at.ty.components().unwrap_or(2);
-            let all = *sink.components.get_or_insert(count);
-            if all != count {
+            let expected = *sink.components.get_or_insert(count);
+            if expected != count {
                 refuse_other_space(sink, item, count);
             }
         }
@@ -40,12 +40,12 @@ pub(in crate::model) fn embed_bodies(
 }
 
 fn refuse_other_space(sink: &mut Sink, item: &PartItem, count: usize) {
-    let (own, others) = match count {
+    let (here, others) = match count {
         3 => ("in space", "in the plane"),
         _ => ("in the plane", "in space"),
     };
     let fact = format!(
-        "the bodies of the part `{}` are {own}, those before it {others}",
+        "the bodies of the part `{}` are {here}, those before it {others}",
         item.name
     );
     let help = "forces are those of the plane or of space: write all points alike";
@@ -53,7 +53,8 @@ fn refuse_other_space(sink: &mut Sink, item: &PartItem, count: usize) {
     sink.error_with_help(span, fact, help);
 }
 
-/// Joints of parts that close loops, what acts on their bodies, and gravity if the mechanism itself says nothing of it.
+/// Adds joints of parts that close loops, loads on their bodies, and gravity if the mechanism
+/// itself has none.
 pub(in crate::model) fn embed_mechanics(
     parts: &Parts,
     sink: &mut Sink,
@@ -63,8 +64,8 @@ pub(in crate::model) fn embed_mechanics(
 ) {
     let said = mechanism.gravity.is_some();
     for ((part, item), numbers) in items.iter().enumerate().zip(numbers) {
-        let own = Embedding::new(&parts.scopes[part], &mechanism.lets, &parts.placed);
-        let Some(embedding) = own else { continue };
+        let embedding = Embedding::new(&parts.scopes[part], &mechanism.lets, &parts.placed);
+        let Some(embedding) = embedding else { continue };
         let gravity = embedding.gravity();
         let joints: Vec<_> = embedding.joints(*numbers, false).collect();
         let loads: Vec<_> = embedding.loads(*numbers).collect();
@@ -75,7 +76,7 @@ pub(in crate::model) fn embed_mechanics(
         match (&mechanism.gravity, gravity) {
             (_, None) => {}
             (None, gravity) => mechanism.gravity = gravity,
-            (Some(first), Some(own)) if !said && *first != own => {
+            (Some(first), Some(other)) if !said && *first != other => {
                 let fact = format!(
                     "the gravity of the part `{}` is not that of the parts before it",
                     item.name

@@ -14,7 +14,7 @@ use crate::model::symbols::sink::Sink;
 use crate::model::types::{BinaryOp, Dimension, Expr, ExprKind, Knot, MotionLawWord, Type};
 use crate::syntax::{self, Word};
 
-/// How far knots may be from a turn apart to be meant so: angles are rounded once or twice.
+/// The greatest rounding error of knots that are a turn apart: angles are rounded once or twice.
 pub(in crate::model) const TURN_ROUNDING: f64 = 4.0 * f64::EPSILON * TAU;
 
 /// The two arguments of a function.
@@ -48,7 +48,7 @@ pub(in crate::model) fn resolve_argument_and_knots(
     let knots = resolve_knots(operands, sink, word, list);
     let mut knots = knots.filter(|_| !argument.ty.is_error())?;
     let mut along: Vec<&mut Expr> = vec![&mut argument];
-    along.extend(knots.iter_mut().map(|own| &mut own.place));
+    along.extend(knots.iter_mut().map(|knot| &mut knot.place));
     let what = format!(
         "the argument of `{}` and the places of its knots",
         word.word()
@@ -61,7 +61,7 @@ pub(in crate::model) fn resolve_argument_and_knots(
         word,
         &what,
     )?;
-    let mut values: Vec<&mut Expr> = knots.iter_mut().map(|own| &mut own.value).collect();
+    let mut values: Vec<&mut Expr> = knots.iter_mut().map(|knot| &mut knot.value).collect();
     let what = format!("the values of `{}`", word.word());
     let value = common_scalar(
         &operands.scope.names,
@@ -75,7 +75,7 @@ pub(in crate::model) fn resolve_argument_and_knots(
         let before = sink.diagnostics.len();
         knots
             .iter()
-            .for_each(|own| refuse_bare_angle(sink, &own.place, "the place of a knot"));
+            .for_each(|knot| refuse_bare_angle(sink, &knot.place, "the place of a knot"));
         if sink.diagnostics.len() > before {
             return None;
         }
@@ -88,18 +88,18 @@ pub(in crate::model) fn common_scalar(
     names: &Names,
     units: &AssumedUnits,
     sink: &mut Sink,
-    all: &mut [&mut Expr],
+    values: &mut [&mut Expr],
     word: MotionLawWord,
     what: &str,
 ) -> Option<Type> {
-    let ty = common_type(names, units, sink, all, what).settled();
-    all.iter_mut().for_each(|own| own.settle(&ty));
+    let ty = common_type(names, units, sink, values, what).settled();
+    values.iter_mut().for_each(|value| value.settle(&ty));
     match ty {
         Type::Scalar(_) => Some(ty),
         Type::Error => None,
         _ => {
             let fact = format!("`{}` takes scalars, found {ty}", word.word());
-            let span = sink.span(all[0].origin);
+            let span = sink.span(values[0].origin);
             let help = "take a component `.x`; a vector has a course for each component";
             sink.error_with_help(span, fact, help);
             None
@@ -107,14 +107,14 @@ pub(in crate::model) fn common_scalar(
     }
 }
 
-/// Whether the last knot stands a turn behind the first one, whatever the dimensions are: both are numbers, or the last one is
-/// written as the first one and `360deg`.
+/// Returns true if the last knot is a turn after the first one for all dimensions: both are
+/// numbers, or the last one is written as the first one plus `360deg`.
 pub(in crate::model) fn spans_a_turn(knots: &[Knot]) -> bool {
     let (Some(first), Some(last)) = (knots.first(), knots.last()) else {
         return false;
     };
     let (first, last) = (&first.place, &last.place);
-    if !matches!(first.ty, Type::Scalar(own) if own.angle) {
+    if !matches!(first.ty, Type::Scalar(dimension) if dimension.angle) {
         return false;
     }
     let turn = |x: f64| (x - TAU).abs() <= TURN_ROUNDING;

@@ -6,7 +6,7 @@ use crate::model::symbols::sink::Sink;
 use crate::model::types::{Knot, Law, MotionLawWord, Repeating, SplineWord};
 use crate::syntax::{self, Word};
 
-/// What accepts a jump of speed or acceleration at a knot.
+/// The word that permits a jump of speed or acceleration at a knot.
 const JUMP: &str = "jump";
 
 pub(in crate::model) fn resolve_knots(
@@ -31,7 +31,7 @@ pub(in crate::model) fn resolve_knots(
     }
     let knots: Vec<Option<Knot>> = entries
         .iter()
-        .map(|own| resolve_knot(operands, sink, word, own))
+        .map(|entry| resolve_knot(operands, sink, word, entry))
         .collect();
     knots.into_iter().collect()
 }
@@ -53,20 +53,20 @@ fn resolve_knot(
         }
     };
     let (words, may_jump) = match &parts[2..] {
-        [before @ .., last] if named(last).is_some_and(|own| own == JUMP) => (before, true),
-        all => (all, false),
+        [before @ .., last] if named(last).is_some_and(|name| name == JUMP) => (before, true),
+        words => (words, false),
     };
     let place = operands.resolve(sink, &parts[0]);
     let value = operands.resolve(sink, &parts[1]);
-    let is_slope = |own: &syntax::Expr| {
-        let law = named(own).and_then(|own| Law::from_word(&own));
+    let is_slope = |operand: &syntax::Expr| {
+        let law = named(operand).and_then(|name| Law::from_word(&name));
         matches!(word, MotionLawWord::Spline) && law.is_none()
     };
     let mut slope = None;
     let law = match words {
         [] => None,
-        [own] if is_slope(own) => {
-            slope = Some(operands.resolve(sink, own));
+        [operand] if is_slope(operand) => {
+            slope = Some(operands.resolve(sink, operand));
             None
         }
         [law] => Some(read_law(sink, law)?),
@@ -77,8 +77,8 @@ fn resolve_knot(
             return None;
         }
     };
-    let all = [&place, &value].into_iter().chain(&slope);
-    if all.into_iter().any(|own| own.ty.is_error()) {
+    let values = [&place, &value].into_iter().chain(&slope);
+    if values.into_iter().any(|value| value.ty.is_error()) {
         return None;
     }
     let origin = sink.add_origin(entry.span);
@@ -126,7 +126,7 @@ fn read_word<W: Word>(
         Some(name) => format!("expected {wanted}, found `{name}`"),
         None => format!("expected {wanted}"),
     };
-    let help = match name.as_deref().and_then(|own| nearest(own, words())) {
+    let help = match name.as_deref().and_then(|name| nearest(name, words())) {
         Some(near) => format!("did you mean `{near}`?"),
         None => format!("{known} {}", words().collect::<Vec<_>>().join(" ")),
     };

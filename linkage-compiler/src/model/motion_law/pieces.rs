@@ -71,7 +71,7 @@ pub(in crate::model) fn resolve_piecewise(
     let word = MotionLawWord::Piecewise;
     let (arguments, repeating) = match arguments {
         [before @ .., last] if arguments.len() == 3 => (before, Some(read_repeating(sink, last)?)),
-        all => (all, None),
+        arguments => (arguments, None),
     };
     let [x, list] = expect_two_arguments(sink, word, arguments, span)?;
     let (argument, knots, ty) = resolve_argument_and_knots(operands, sink, word, x, list)?;

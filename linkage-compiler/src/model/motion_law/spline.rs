@@ -13,7 +13,7 @@ use crate::model::types::{
 };
 use crate::syntax;
 
-/// What is written behind the points.
+/// The words after the points.
 #[derive(Default)]
 struct SplineWords {
     ends: Option<Ends>,
@@ -43,10 +43,9 @@ pub(in crate::model) fn resolve_spline(
         &ty,
     )?;
     let turn = spans_a_turn(&knots);
-    let ends = words.ends.unwrap_or(match turn {
-        true => Ends::Periodic,
-        false => Ends::Natural,
-    });
+    let ends = words
+        .ends
+        .unwrap_or(if turn { Ends::Periodic } else { Ends::Natural });
     let repeats = match (ends, turn) {
         (Ends::Periodic, true) => Repeats::EachTurn,
         (Ends::Periodic, false) => Repeats::FromLastToFirst,
@@ -83,10 +82,10 @@ pub(in crate::model) fn resolve_spline(
     Some((course, ty))
 }
 
-fn read_spline_words(sink: &mut Sink, all: &[syntax::Expr]) -> Option<SplineWords> {
+fn read_spline_words(sink: &mut Sink, list: &[syntax::Expr]) -> Option<SplineWords> {
     let mut words = SplineWords::default();
-    for own in all {
-        let is_new = match read_spline_word(sink, own)? {
+    for word in list {
+        let is_new = match read_spline_word(sink, word)? {
             SplineWord::Ends(ends) => words.ends.replace(ends).is_none(),
             SplineWord::Degree(_) => !std::mem::replace(&mut words.is_quintic, true),
         };
@@ -94,16 +93,16 @@ fn read_spline_words(sink: &mut Sink, all: &[syntax::Expr]) -> Option<SplineWord
             let fact =
                 "behind the points of a spline is one word for its ends and one for its degree";
             let help = "leave this one out";
-            sink.error_with_help(own.span, fact, help);
+            sink.error_with_help(word.span, fact, help);
             return None;
         }
     }
     Some(words)
 }
 
-/// What the pieces are; slopes are given at all points or at none.
+/// Returns the kind of the pieces. Slopes are given at all points or at none.
 fn choose_pieces(sink: &mut Sink, knots: &[Knot], words: &SplineWords) -> Option<Pieces> {
-    let worded = knots.iter().find(|own| own.law.is_some());
+    let worded = knots.iter().find(|knot| knot.law.is_some());
     if let Some(knot) = worded {
         let span = sink.span(knot.origin);
         let fact = "a point of a spline has a place, a value and perhaps a slope, found a law";
@@ -111,30 +110,32 @@ fn choose_pieces(sink: &mut Sink, knots: &[Knot], words: &SplineWords) -> Option
         sink.error_with_help(span, fact, help);
         return None;
     }
-    let with = knots.iter().filter(|own| own.slope.is_some()).count();
+    let with = knots.iter().filter(|knot| knot.slope.is_some()).count();
     if with == 0 {
-        return Some(match words.is_quintic {
-            true => Pieces::Quintic,
-            false => Pieces::Cubic,
+        return Some(if words.is_quintic {
+            Pieces::Quintic
+        } else {
+            Pieces::Cubic
         });
     }
     let clamped = words.ends == Some(Ends::Clamped);
-    let fault = knots.iter().find(|own| own.slope.is_none() || clamped);
+    let fault = knots.iter().find(|knot| knot.slope.is_none() || clamped);
     if let Some(knot) = fault {
         let span = sink.span(knot.origin);
-        let (fact, help) = match clamped {
-            true => (
+        let (fact, help) = if clamped {
+            (
                 "the slopes at the ends of this spline are given, and `clamped` would give others"
                     .to_owned(),
                 "leave `clamped` out: behind its ends it goes on with the slopes given",
-            ),
-            false => (
+            )
+        } else {
+            (
                 format!(
                     "{with} of {} points of this spline have a slope, this one has none",
                     knots.len()
                 ),
                 "give all points a slope, or none: `(place, value, slope)`",
-            ),
+            )
         };
         sink.error_with_help(span, fact, help);
         return None;
@@ -152,18 +153,18 @@ fn fit_slopes(
 ) -> Option<()> {
     let place = knots[0].place.ty.dimension()?;
     let wanted = Type::Scalar(value.dimension()?.over(place)?);
-    for own in knots.iter_mut().filter_map(|own| own.slope.as_mut()) {
-        *own = fit_to_type(
+    for slope in knots.iter_mut().filter_map(|knot| knot.slope.as_mut()) {
+        *slope = fit_to_type(
             names,
             units,
             sink,
-            own.clone(),
+            slope.clone(),
             &wanted,
             "the slope at a point of this spline",
         );
     }
-    let slopes = knots.iter().filter_map(|own| own.slope.as_ref());
-    let sound = slopes.into_iter().all(|own| !own.ty.is_error());
+    let slopes = knots.iter().filter_map(|knot| knot.slope.as_ref());
+    let sound = slopes.into_iter().all(|slope| !slope.ty.is_error());
     sound.then_some(())
 }
 
@@ -171,8 +172,8 @@ fn fit_slopes(
 fn refuse_jumps(sink: &mut Sink, knots: &[Knot], ends: Ends, pieces: Pieces) -> Option<()> {
     let jumps = ends == Ends::Clamped && pieces == Pieces::Cubic;
     let last = knots.len() - 1;
-    let mut all = knots.iter().enumerate();
-    let refused = all.find(|(k, own)| own.may_jump && !(jumps && (*k == 0 || *k == last)));
+    let mut numbered = knots.iter().enumerate();
+    let refused = numbered.find(|(k, knot)| knot.may_jump && !(jumps && (*k == 0 || *k == last)));
     let Some((_, knot)) = refused else {
         return Some(());
     };

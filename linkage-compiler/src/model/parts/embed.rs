@@ -1,4 +1,4 @@
-//! Parts: what a mechanism within another consists of, under other names and in another frame.
+//! Content of a part, with the names and the frame of the mechanism around it.
 
 use crate::diagnostic::OriginId;
 use crate::model::symbols::part_frame::PartFrame;
@@ -7,11 +7,11 @@ use crate::model::types::{
     Constant, Expr, ExprKind, Let, Loop, MechanismPart, Name, Parameter, Placed, Unknown,
 };
 
-/// How a part's expressions are read in the mechanism around it.
+/// Translates expressions of a part for the mechanism around it.
 pub(in crate::model) struct Embedding<'p> {
     name: &'p str,
     pub(super) body: &'p PartBody,
-    /// What its inputs are: other names, where they are nothing else.
+    /// Its inputs here. An input that is given a plain name becomes that name.
     inputs: Vec<Name>,
     pub(super) frame: PartFrame,
 }
@@ -25,9 +25,11 @@ impl<'p> Embedding<'p> {
     ) -> Option<Self> {
         let body = part.body.as_ref()?;
         let inputs = (0..body.mechanism().inputs.len()).map(|input| {
-            let own = body.input(input);
-            let value = lets.get(own).and_then(|own| own.value.as_name());
-            value.unwrap_or(Name::Let(own))
+            let quantity = body.input(input);
+            let value = lets
+                .get(quantity)
+                .and_then(|quantity| quantity.value.as_name());
+            value.unwrap_or(Name::Let(quantity))
         });
         let mut placed = placed.iter().filter(|placed| placed.path == part.name);
         let frame = placed.next().map_or_else(PartFrame::default, Placed::frame);
@@ -40,18 +42,19 @@ impl<'p> Embedding<'p> {
     }
 
     /// A name of the part, with the part in front.
-    pub(super) fn text(&self, own: &str) -> String {
-        format!("{}.{own}", self.name)
+    pub(super) fn text(&self, name: &str) -> String {
+        format!("{}.{name}", self.name)
     }
 
-    pub(super) fn origin(&self, own: OriginId) -> OriginId {
-        own.in_part(self.body.first_origin)
+    pub(super) fn origin(&self, origin: OriginId) -> OriginId {
+        origin.in_part(self.body.first_origin)
     }
 
-    /// What a name of the part is; a mistake for an argument that is not given, which has been reported.
+    /// Returns the meaning of a name of the part here. An argument that is not given is a mistake,
+    /// which has been reported.
     fn meant(&self, name: Name) -> ExprKind {
         let body = self.body;
-        let own = match name {
+        let meaning = match name {
             Name::Const(index) => Some(Name::Const(body.first_constant + index)),
             Name::Parameter(index) => body.parameters[index],
             Name::Input(index) => Some(self.inputs[index]),
@@ -63,22 +66,22 @@ impl<'p> Embedding<'p> {
             },
             Name::Pi => Some(Name::Pi),
         };
-        own.map_or(ExprKind::Error, ExprKind::Name)
+        meaning.map_or(ExprKind::Error, ExprKind::Name)
     }
 
     /// An expression of the part in its own frame.
-    pub(in crate::model) fn expr(&self, own: &Expr) -> Expr {
-        let boxed = |own: &Expr| Box::new(self.expr(own));
-        let all = |own: &[Expr]| own.iter().map(|own| self.expr(own)).collect();
-        let kind = match &own.kind {
+    pub(in crate::model) fn expr(&self, expr: &Expr) -> Expr {
+        let boxed = |expr: &Expr| Box::new(self.expr(expr));
+        let translated = |list: &[Expr]| list.iter().map(|expr| self.expr(expr)).collect();
+        let kind = match &expr.kind {
             ExprKind::Name(name) => self.meant(*name),
-            ExprKind::Vector(components) => ExprKind::Vector(all(components)),
-            ExprKind::Component(own, index) => ExprKind::Component(boxed(own), *index),
-            ExprKind::Index(own, index) => ExprKind::Index(boxed(own), *index),
-            ExprKind::Negate(own) => ExprKind::Negate(boxed(own)),
+            ExprKind::Vector(components) => ExprKind::Vector(translated(components)),
+            ExprKind::Component(expr, index) => ExprKind::Component(boxed(expr), *index),
+            ExprKind::Index(expr, index) => ExprKind::Index(boxed(expr), *index),
+            ExprKind::Negate(expr) => ExprKind::Negate(boxed(expr)),
             ExprKind::Binary(operator, a, b) => ExprKind::Binary(*operator, boxed(a), boxed(b)),
-            ExprKind::Call(function, arguments) => ExprKind::Call(*function, all(arguments)),
-            ExprKind::MotionLaw(course) => ExprKind::MotionLaw(course.map(|own| self.expr(own), |own| self.origin(own))),
+            ExprKind::Call(function, arguments) => ExprKind::Call(*function, translated(arguments)),
+            ExprKind::MotionLaw(course) => ExprKind::MotionLaw(course.map(|expr| self.expr(expr), |expr| self.origin(expr))),
             ExprKind::Number(_)
             | ExprKind::Error
             // Functions do not come along with a part.
@@ -87,74 +90,77 @@ impl<'p> Embedding<'p> {
             | ExprKind::Sensitivity(..)
             | ExprKind::Margin
             | ExprKind::Picture(_)
-            | ExprKind::Mechanics(_) => own.kind.clone(),
+            | ExprKind::Mechanics(_) => expr.kind.clone(),
         };
         Expr {
             kind,
-            ty: own.ty.clone(),
-            origin: self.origin(own.origin),
+            ty: expr.ty.clone(),
+            origin: self.origin(expr.origin),
         }
     }
 
     pub(in crate::model) fn constants(&self) -> impl Iterator<Item = Constant> {
-        let own = self.body.mechanism().constants.iter();
-        own.map(|own| Constant {
-            name: self.text(&own.name),
-            value: self.expr(&own.value),
+        let constants = self.body.mechanism().constants.iter();
+        constants.map(|constant| Constant {
+            name: self.text(&constant.name),
+            value: self.expr(&constant.value),
         })
     }
 
     /// Those that are not given.
     pub(in crate::model) fn parameters(&self) -> Vec<Parameter> {
-        let all = self.body.mechanism().parameters.iter();
-        let open = all.zip(&self.body.parameters);
+        let parameters = self.body.mechanism().parameters.iter();
+        let open = parameters.zip(&self.body.parameters);
         let open = open.filter(|(_, name)| matches!(name, Some(Name::Parameter(_))));
-        let parameters = open.map(|(own, _)| Parameter {
-            name: self.text(&own.name),
-            origin: self.origin(own.origin),
-            // The part's own struct tells.
+        let parameters = open.map(|(parameter, _)| Parameter {
+            name: self.text(&parameter.name),
+            origin: self.origin(parameter.origin),
+            // The part's own struct reports it.
             may_be_unused: true,
-            nominal: self.expr(&own.nominal),
-            tolerances: own
+            nominal: self.expr(&parameter.nominal),
+            tolerances: parameter
                 .tolerances
                 .iter()
-                .map(|own| own.as_ref().map(|own| self.expr(own)))
+                .map(|tolerance| tolerance.as_ref().map(|value| self.expr(value)))
                 .collect(),
-            ..own.clone()
+            ..parameter.clone()
         });
         parameters.collect()
     }
 
     pub(in crate::model) fn unknowns(&self) -> impl Iterator<Item = Unknown> {
-        let own = self.body.mechanism().unknowns.iter();
-        own.map(|own| Unknown {
-            name: self.text(&own.name),
-            ty: own.ty.clone(),
-            estimate: own.estimate.as_ref().map(|own| self.expr(own)),
+        let unknowns = self.body.mechanism().unknowns.iter();
+        unknowns.map(|unknown| Unknown {
+            name: self.text(&unknown.name),
+            ty: unknown.ty.clone(),
+            estimate: unknown
+                .estimate
+                .as_ref()
+                .map(|estimate| self.expr(estimate)),
             of_part: true,
-            origin: self.origin(own.origin),
+            origin: self.origin(unknown.origin),
         })
     }
 
     pub(in crate::model) fn lets(&self) -> impl Iterator<Item = Let> {
-        let own = self.body.mechanism().lets.iter();
-        own.map(|own| Let {
-            name: self.text(&own.name),
-            value: self.expr(&own.value),
-            is_unknown_frame: own.is_unknown_frame,
+        let lets = self.body.mechanism().lets.iter();
+        lets.map(|item| Let {
+            name: self.text(&item.name),
+            value: self.expr(&item.value),
+            is_unknown_frame: item.is_unknown_frame,
         })
     }
 
     pub(in crate::model) fn loops(&self) -> impl Iterator<Item = Loop> {
-        let own = self.body.mechanism().loops.iter();
-        own.map(|own| Loop {
-            left: self.expr(&own.left),
-            right: self.expr(&own.right),
-            origin: self.origin(own.origin),
+        let equations = self.body.mechanism().loops.iter();
+        equations.map(|equation| Loop {
+            left: self.expr(&equation.left),
+            right: self.expr(&equation.right),
+            origin: self.origin(equation.origin),
         })
     }
 
-    /// What is known of it as a part.
+    /// Returns the facts about the part for later phases.
     pub(in crate::model) fn as_part(&self) -> MechanismPart {
         let mechanism = self.body.mechanism();
         MechanismPart {
@@ -169,14 +175,14 @@ impl<'p> Embedding<'p> {
         }
     }
 
-    /// The parts within it that have frames of their own; its loops stand behind so many others.
+    /// Returns the parts within it that have frames. Its loops come after `loops` others.
     pub(in crate::model) fn placed(&self, loops: usize) -> impl Iterator<Item = Placed> {
-        let own = self.body.mechanism().placed.iter();
-        own.map(move |own| Placed {
-            path: self.text(&own.path),
-            at: own.at.as_ref().map(|own| self.expr(own)),
-            turned: own.turned.as_ref().map(|own| self.expr(own)),
-            loops: loops + own.loops.start..loops + own.loops.end,
+        let placed = self.body.mechanism().placed.iter();
+        placed.map(move |part| Placed {
+            path: self.text(&part.path),
+            at: part.at.as_ref().map(|at| self.expr(at)),
+            turned: part.turned.as_ref().map(|angle| self.expr(angle)),
+            loops: loops + part.loops.start..loops + part.loops.end,
         })
     }
 }

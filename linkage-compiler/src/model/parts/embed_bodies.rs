@@ -1,9 +1,9 @@
-//! Bodies, joints and loads of a part, in the frame and with the numbers of the mechanism around it.
+//! Bodies, joints and loads of a part, in the frame and with the numbers of the mechanism around.
 
 use super::embed::Embedding;
 use crate::model::types::{Between, Body, Element, Expr, Inertia, Joint, Load};
 
-/// What numbers of bodies and joints of a part are in the mechanism around it.
+/// Numbers of bodies and joints of a part in the mechanism around it.
 #[derive(Clone, Copy)]
 pub(in crate::model) struct MemberNumbers {
     pub(in crate::model) first_body: usize,
@@ -13,37 +13,37 @@ pub(in crate::model) struct MemberNumbers {
     pub(in crate::model) on: Option<usize>,
 }
 
-/// Bodies and what acts on them, where the part stands.
+/// Bodies and loads, at the location of the part.
 impl Embedding<'_> {
-    fn vector(&self, own: &Expr) -> Expr {
-        self.frame.seen(self.expr(own))
+    fn vector(&self, value: &Expr) -> Expr {
+        self.frame.seen(self.expr(value))
     }
 
     /// A point at which something is; zero is the part's origin.
-    fn point(&self, own: &Expr) -> Expr {
-        self.frame.seen_point(self.expr(own))
+    fn point(&self, value: &Expr) -> Expr {
+        self.frame.seen_point(self.expr(value))
     }
 
     pub(in crate::model) fn gravity(&self) -> Option<Expr> {
-        let own = self.body.mechanism().gravity.as_ref();
-        own.map(|own| self.expr(own))
+        let gravity = self.body.mechanism().gravity.as_ref();
+        gravity.map(|gravity| self.expr(gravity))
     }
 
     pub(in crate::model) fn bodies(&self, members: MemberNumbers) -> impl Iterator<Item = Body> {
-        let own = self.body.mechanism().bodies.iter();
-        own.map(move |own| Body {
-            name: self.text(&own.name),
-            joint: members.joint(own.joint),
-            turns: own
+        let bodies = self.body.mechanism().bodies.iter();
+        bodies.map(move |body| Body {
+            name: self.text(&body.name),
+            joint: members.joint(body.joint),
+            turns: body
                 .turns
                 .as_ref()
-                .map(|own| self.frame.turning(self.expr(own))),
-            masses: own
+                .map(|turns| self.frame.turning(self.expr(turns))),
+            masses: body
                 .masses
                 .iter()
                 .map(|(mass, at)| (self.expr(mass), self.point(at)))
                 .collect(),
-            inertias: own
+            inertias: body
                 .inertias
                 .iter()
                 .map(|(inertia, at)| {
@@ -51,18 +51,18 @@ impl Embedding<'_> {
                     (self.inertia(inertia), at)
                 })
                 .collect(),
-            origin: self.origin(own.origin),
+            origin: self.origin(body.origin),
         })
     }
 
-    /// In the axes of the body, wherever the part stands.
-    fn inertia(&self, own: &Inertia) -> Inertia {
-        match own {
-            Inertia::Scalar(own) => Inertia::Scalar(self.expr(own)),
+    /// Returns an inertia in the axes of the body. It does not depend on the location of the part.
+    fn inertia(&self, inertia: &Inertia) -> Inertia {
+        match inertia {
+            Inertia::Scalar(inertia) => Inertia::Scalar(self.expr(inertia)),
             Inertia::Tensor(rows) => {
                 let rows = rows
                     .each_ref()
-                    .map(|row| row.each_ref().map(|own| self.expr(own)));
+                    .map(|row| row.each_ref().map(|entry| self.expr(entry)));
                 Inertia::Tensor(Box::new(rows))
             }
         }
@@ -74,26 +74,26 @@ impl Embedding<'_> {
         members: MemberNumbers,
         hanging: bool,
     ) -> impl Iterator<Item = Joint> {
-        let all = self.body.mechanism().joints.iter().enumerate();
-        let own = all.filter(move |(index, _)| (*index < members.bodies) == hanging);
-        own.map(move |(_, own)| Joint {
-            name: own.name.as_ref().map(|own| self.text(own)),
-            kind: own.kind,
-            body: members.first_body + own.body,
-            on: members.body(own.on),
-            at: self.point(&own.at),
-            direction: own.direction.as_ref().map(|own| self.vector(own)),
-            origin: self.origin(own.origin),
+        let joints = self.body.mechanism().joints.iter().enumerate();
+        let joints = joints.filter(move |(index, _)| (*index < members.bodies) == hanging);
+        joints.map(move |(_, joint)| Joint {
+            name: joint.name.as_ref().map(|name| self.text(name)),
+            kind: joint.kind,
+            body: members.first_body + joint.body,
+            on: members.body(joint.on),
+            at: self.point(&joint.at),
+            direction: joint.direction.as_ref().map(|vector| self.vector(vector)),
+            origin: self.origin(joint.origin),
         })
     }
 
     pub(in crate::model) fn loads(&self, members: MemberNumbers) -> impl Iterator<Item = Load> {
-        let own = self.body.mechanism().loads.iter();
-        own.map(move |own| Load {
-            value: self.vector(&own.value),
-            on: members.body(own.on),
-            from: members.body(own.from),
-            at: own.at.as_ref().map(|own| self.point(own)),
+        let loads = self.body.mechanism().loads.iter();
+        loads.map(move |load| Load {
+            value: self.vector(&load.value),
+            on: members.body(load.on),
+            from: members.body(load.from),
+            at: load.at.as_ref().map(|point| self.point(point)),
         })
     }
 
@@ -101,31 +101,31 @@ impl Embedding<'_> {
         &self,
         members: MemberNumbers,
     ) -> impl Iterator<Item = Element> {
-        let own = self.body.mechanism().elements.iter();
-        own.map(move |own| Element {
-            kind: own.kind,
-            value: self.expr(&own.value),
-            between: match &own.between {
+        let elements = self.body.mechanism().elements.iter();
+        elements.map(move |element| Element {
+            kind: element.kind,
+            value: self.expr(&element.value),
+            between: match &element.between {
                 Between::Points(ends) => Between::Points(
                     ends.each_ref()
                         .map(|(body, at)| (members.body(*body), self.point(at))),
                 ),
                 Between::Joint(joint) => Between::Joint(members.joint(*joint)),
             },
-            free: own.free.as_ref().map(|own| self.expr(own)),
-            origin: self.origin(own.origin),
+            free: element.free.as_ref().map(|free| self.expr(free)),
+            origin: self.origin(element.origin),
         })
     }
 }
 
 impl MemberNumbers {
-    fn body(self, own: Option<usize>) -> Option<usize> {
-        own.map_or(self.on, |own| Some(self.first_body + own))
+    fn body(self, body: Option<usize>) -> Option<usize> {
+        body.map_or(self.on, |body| Some(self.first_body + body))
     }
 
-    fn joint(self, own: usize) -> usize {
-        match own.checked_sub(self.bodies) {
-            None => self.first_body + own,
+    fn joint(self, joint: usize) -> usize {
+        match joint.checked_sub(self.bodies) {
+            None => self.first_body + joint,
             Some(closing) => self.first_closing + closing,
         }
     }

@@ -1,4 +1,4 @@
-//! What a part is given: expressions for its inputs, and where it stands.
+//! Items of parts: expressions for the inputs of a part, and its location.
 
 use super::embed::Embedding;
 use super::lets::add_let;
@@ -6,10 +6,10 @@ use super::location::place_part;
 use super::rates::{speed_and_acceleration, unfollowed_help};
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::{list, nearest};
-use crate::model::expression::dispatch::resolve_expression;
+use crate::model::dispatch::resolve_expression;
+use crate::model::expression::argument_use::refuse_argument;
 use crate::model::expression::fitting::fit_to_type;
 use crate::model::expression::nodes::error_expr;
-use crate::model::items::argument::refuse_argument;
 use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::part_scopes::{PartBody, Parts};
 use crate::model::symbols::scope::Scope;
@@ -19,7 +19,7 @@ use crate::model::symbols::values::Values;
 use crate::model::types::{Expr, Let, Mechanism, Name, Parameter, Placed, Type};
 use crate::syntax::{self, GivenPart, PartItem};
 
-/// A part's derived quantities and loops, behind what they are made of.
+/// Resolves a part. Its derived quantities and loops come after those that they depend on.
 pub(in crate::model) fn resolve_part(
     scope: &mut Scope,
     sink: &mut Sink,
@@ -32,12 +32,13 @@ pub(in crate::model) fn resolve_part(
         item: position,
     };
     let mut parts = scope.parts.scopes.iter();
-    let own = parts.position(|part| part.item == position);
-    let Some((own, body)) = own.and_then(|own| Some((own, scope.parts.scopes[own].body.clone()?)))
+    let part = parts.position(|part| part.item == position);
+    let Some((part, body)) =
+        part.and_then(|part| Some((part, scope.parts.scopes[part].body.clone()?)))
     else {
         let given = item.given.iter().map(|given| &given.value);
-        let all: Vec<&syntax::Expr> = given.chain(&item.at).chain(&item.turned).collect();
-        for value in all {
+        let values: Vec<&syntax::Expr> = given.chain(&item.at).chain(&item.turned).collect();
+        for value in values {
             resolve_expression(scope, sink, value, context);
         }
         return;
@@ -47,8 +48,8 @@ pub(in crate::model) fn resolve_part(
     for (index, input) in body.mechanism().inputs.iter().enumerate() {
         let what = format!("the input `{}` of the part `{}`", input.name, item.name);
         let value = match given(item, &input.name) {
-            Some(own) => {
-                let mut value = resolve_expression(scope, sink, &own.value, context);
+            Some(value) => {
+                let mut value = resolve_expression(scope, sink, &value.value, context);
                 refuse_argument(&scope.names, &scope.values, sink, &mut value, &what);
                 fit_to_type(
                     &scope.names,
@@ -59,13 +60,13 @@ pub(in crate::model) fn resolve_part(
                     &what,
                 )
             }
-            // It has been told that it is missing.
+            // The missing input has been reported.
             None => error_expr(sink, (&item.name).into()),
         };
         pass_rates_on(
             &mut scope.parts,
             &scope.values,
-            own,
+            part,
             index,
             &value,
             &mechanism.lets,
@@ -73,12 +74,12 @@ pub(in crate::model) fn resolve_part(
         add_let(&mut scope.values, mechanism, item, &input.name, value);
     }
     for argument in &body.mechanism().arguments {
-        if let Some(own) = given(item, &argument.name) {
+        if let Some(value) = given(item, &argument.name) {
             let what = format!(
                 "the argument `{}` of the part `{}`",
                 argument.name, item.name
             );
-            let value = resolve_expression(scope, sink, &own.value, context);
+            let value = resolve_expression(scope, sink, &value.value, context);
             let value = fit_to_type(
                 &scope.names,
                 &scope.units,
@@ -95,12 +96,12 @@ pub(in crate::model) fn resolve_part(
         ..context
     };
     for parameter in &body.mechanism().parameters {
-        if let Some(own) = given(item, &parameter.name) {
+        if let Some(value) = given(item, &parameter.name) {
             let what = format!(
                 "the parameter `{}` of the part `{}`",
                 parameter.name, item.name
             );
-            let value = resolve_expression(scope, sink, &own.value, of_parameters);
+            let value = resolve_expression(scope, sink, &value.value, of_parameters);
             let value = fit_to_type(
                 &scope.names,
                 &scope.units,
@@ -112,11 +113,11 @@ pub(in crate::model) fn resolve_part(
             add_let(&mut scope.values, mechanism, item, &parameter.name, value);
         }
     }
-    refuse_open_arguments(&scope.names, &scope.parts, sink, item, own);
+    refuse_open_arguments(&scope.names, &scope.parts, sink, item, part);
     place_part(scope, sink, item, &body, context, mechanism);
     debug_assert!(mechanism.lets.len() - first == body.own_lets() - body.first_let);
     let Some(embedding) = Embedding::new(
-        &scope.parts.scopes[own],
+        &scope.parts.scopes[part],
         &mechanism.lets,
         &scope.parts.placed,
     ) else {
@@ -128,32 +129,38 @@ pub(in crate::model) fn resolve_part(
     mechanism.loops.extend(embedding.loops());
     mechanism.parts.push(embedding.as_part());
     scope.parts.placed.extend(inner);
-    for own in lets {
-        scope.values.note_let(&own.value);
-        mechanism.lets.push(own);
+    for item in lets {
+        scope.values.note_let(&item.value);
+        mechanism.lets.push(item);
     }
 }
 
-/// Reports what is given twice, is no input, argument or parameter, or is missing.
+/// Reports a value that is given twice, one for an unknown name, and a missing one.
 fn check_given(sink: &mut Sink, item: &PartItem, body: &PartBody) {
     let mechanism = body.mechanism();
     let inputs: Vec<&str> = mechanism
         .inputs
         .iter()
-        .map(|own| own.name.as_str())
+        .map(|input| input.name.as_str())
         .collect();
-    let parameters = mechanism.parameters.iter().map(|own| own.name.as_str());
-    let arguments = mechanism.arguments.iter().map(|own| own.name.as_str());
+    let parameters = mechanism
+        .parameters
+        .iter()
+        .map(|parameter| parameter.name.as_str());
+    let arguments = mechanism
+        .arguments
+        .iter()
+        .map(|argument| argument.name.as_str());
     let others: Vec<&str> = parameters.chain(arguments).collect();
-    for (index, own) in item.given.iter().enumerate() {
-        let text = own.name.to_string();
+    for (index, value) in item.given.iter().enumerate() {
+        let text = value.name.to_string();
         if item.given[..index]
             .iter()
-            .any(|before| before.name == own.name)
+            .any(|before| before.name == value.name)
         {
             let fact = format!("`{text}` is given twice to the part `{}`", item.name);
             let help = "leave one of them out";
-            sink.error_with_help((&own.name).into(), fact, help);
+            sink.error_with_help((&value.name).into(), fact, help);
         } else if !inputs.contains(&text.as_str()) && !others.contains(&text.as_str()) {
             let known = inputs.iter().chain(&others).copied();
             let help = match nearest(&text, known) {
@@ -165,7 +172,7 @@ fn check_given(sink: &mut Sink, item: &PartItem, body: &PartBody) {
                 "`{text}` is no input, parameter or argument of `{}`",
                 mechanism.name
             );
-            sink.error_with_help((&own.name).into(), fact, help);
+            sink.error_with_help((&value.name).into(), fact, help);
         }
     }
     let open = inputs.iter().filter(|input| given(item, input).is_none());
@@ -184,7 +191,8 @@ fn check_given(sink: &mut Sink, item: &PartItem, body: &PartBody) {
     }
 }
 
-/// What moves an input of a part gives it speed and acceleration, by the chain rule.
+/// Passes speed and acceleration of an expression on to the input that it is given to, by the chain
+/// rule.
 fn pass_rates_on(
     parts: &mut Parts,
     values: &Values,
@@ -197,10 +205,10 @@ fn pass_rates_on(
     let Some(body) = &mut parts.scopes[part].body else {
         return;
     };
-    let own = &body.model.mechanism.inputs[input];
-    for (own, rate) in [own.speed, own.acceleration].into_iter().zip(rates) {
-        if let Some(own) = own {
-            body.rates[own] = Some(rate);
+    let input = &body.model.mechanism.inputs[input];
+    for (argument, rate) in [input.speed, input.acceleration].into_iter().zip(rates) {
+        if let Some(argument) = argument {
+            body.rates[argument] = Some(rate);
         }
     }
 }
@@ -217,7 +225,7 @@ fn refuse_open_arguments(
         return;
     };
     let mechanism = body.mechanism();
-    let values = mechanism.lets.iter().map(|own| &own.value);
+    let values = mechanism.lets.iter().map(|item| &item.value);
     let values = values.chain(mechanism.expressions_of_mechanics());
     let below = values.flat_map(Expr::parts).filter_map(Expr::as_name);
     let used: Vec<usize> = below
@@ -226,18 +234,19 @@ fn refuse_open_arguments(
             _ => None,
         })
         .collect();
-    let of = mechanism.name.clone();
-    let all = mechanism.arguments.iter().enumerate();
-    let open = all.filter(|(index, _)| body.arguments[*index].is_none() && used.contains(index));
-    let open = open.filter_map(|(index, own)| match &body.rates[index] {
+    let mechanism_name = mechanism.name.clone();
+    let arguments = mechanism.arguments.iter().enumerate();
+    let open =
+        arguments.filter(|(index, _)| body.arguments[*index].is_none() && used.contains(index));
+    let open = open.filter_map(|(index, argument)| match &body.rates[index] {
         Some(Ok(_)) => None,
-        Some(Err(why)) => Some((own.name.clone(), Some(why.clone()))),
-        None => Some((own.name.clone(), None)),
+        Some(Err(why)) => Some((argument.name.clone(), Some(why.clone()))),
+        None => Some((argument.name.clone(), None)),
     });
     let open: Vec<_> = open.collect();
     for (name, why) in open {
         let fact = format!(
-            "the argument `{name}` of `{of}` is left open in the part `{}`",
+            "the argument `{name}` of `{mechanism_name}` is left open in the part `{}`",
             item.name
         );
         let mut help =

@@ -6,7 +6,7 @@ use crate::model::symbols::part_scopes::PartBody;
 use crate::model::types::Leaf;
 
 impl PartBody {
-    /// The part itself, or those within it; its loops stand behind so many others.
+    /// Returns the part itself, or the parts within it. Its loops come after `loops` others.
     pub(in crate::model) fn leaves(&self, loops: usize) -> Vec<Leaf> {
         let mechanism = self.mechanism();
         let whole = Leaf {
@@ -14,16 +14,17 @@ impl PartBody {
             loops: 0..mechanism.loops.len(),
             unknowns: 0..mechanism.unknowns.len(),
         };
-        let own = match mechanism.parts.is_empty() {
-            true => vec![whole],
-            false => mechanism.leaves.clone(),
+        let leaves = if mechanism.parts.is_empty() {
+            vec![whole]
+        } else {
+            mechanism.leaves.clone()
         };
-        let behind = |own: Range<usize>, others: usize| own.start + others..own.end + others;
-        let own = own.into_iter().map(|own| Leaf {
-            lets: behind(own.lets, self.own_lets()),
-            loops: behind(own.loops, loops),
-            unknowns: behind(own.unknowns, self.first_unknown),
+        let behind = |range: Range<usize>, others: usize| range.start + others..range.end + others;
+        let leaves = leaves.into_iter().map(|leaf| Leaf {
+            lets: behind(leaf.lets, self.own_lets()),
+            loops: behind(leaf.loops, loops),
+            unknowns: behind(leaf.unknowns, self.first_unknown),
         });
-        own.collect()
+        leaves.collect()
     }
 }

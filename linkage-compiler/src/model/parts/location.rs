@@ -1,11 +1,11 @@
-//! Where parts stand, and what of them is read from outside.
+//! Locations of parts.
 
 use super::lets::add_let;
-use crate::model::expression::dispatch::resolve_expression;
+use crate::model::dispatch::resolve_expression;
+use crate::model::expression::argument_use::refuse_argument;
 use crate::model::expression::fitting::fit_to_type;
 use crate::model::expression::missing_units::suspect_unit;
 use crate::model::expression::nodes::error_expr;
-use crate::model::items::argument::refuse_argument;
 use crate::model::symbols::assumed_units::AssumedUnits;
 use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::part_scopes::PartBody;
@@ -15,7 +15,7 @@ use crate::model::symbols::site::Context;
 use crate::model::types::{Dimension, Expr, ExprKind, Mechanism, Name, Placed, Type};
 use crate::syntax::PartItem;
 
-/// Where the part stands.
+/// Resolves the location of the part.
 pub(in crate::model) fn place_part(
     scope: &mut Scope,
     sink: &mut Sink,
@@ -42,7 +42,7 @@ pub(in crate::model) fn place_part(
         mechanism,
         |scope, sink, value| check_rotation(&scope.names, &scope.units, sink, value, item),
     );
-    let in_space = |own: &Expr| own.ty.components() == Some(3) || own.ty == Type::Frame;
+    let in_space = |value: &Expr| value.ty.components() == Some(3) || value.ty == Type::Frame;
     if let (Some(at), Some(angle)) = (&at, &turned)
         && in_space(at)
     {
@@ -114,12 +114,12 @@ fn check_location(
             return error_expr(sink, span);
         }
     };
-    if let Some(own) = points.iter().find(|own| **own != count) {
+    if let Some(components) = points.iter().find(|components| **components != count) {
         let words = |count| if count == 3 { "space" } else { "the plane" };
         let fact = format!(
             "the part `{}` has vectors of {}, and stands at a place of {}",
             item.name,
-            words(*own),
+            words(*components),
             words(count)
         );
         let help = "place it by a point of its own kind, or write what is asked of it with `point_in`; that a plane cannot be \
@@ -149,12 +149,12 @@ fn check_rotation(
     )
 }
 
-/// How many components the points of a mechanism have: 2, 3, or both.
+/// Returns the numbers of components of the points of a mechanism: 2, 3, or both.
 fn components_of_points(mechanism: &Mechanism) -> Vec<usize> {
-    let lets = mechanism.lets.iter().map(|own| &own.value.ty);
-    let unknowns = mechanism.unknowns.iter().map(|own| &own.ty);
-    let parameters = mechanism.parameters.iter().map(|own| &own.ty);
-    let mut all: Vec<usize> = lets
+    let lets = mechanism.lets.iter().map(|item| &item.value.ty);
+    let unknowns = mechanism.unknowns.iter().map(|unknown| &unknown.ty);
+    let parameters = mechanism.parameters.iter().map(|parameter| &parameter.ty);
+    let mut counts: Vec<usize> = lets
         .chain(unknowns)
         .chain(parameters)
         .filter_map(|ty| match ty {
@@ -164,7 +164,7 @@ fn components_of_points(mechanism: &Mechanism) -> Vec<usize> {
             Type::Scalar(_) | Type::Array(_) | Type::Zero(_) | Type::Error => None,
         })
         .collect();
-    all.sort_unstable();
-    all.dedup();
-    all
+    counts.sort_unstable();
+    counts.dedup();
+    counts
 }

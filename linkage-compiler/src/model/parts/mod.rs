@@ -1,4 +1,4 @@
-//! Parts: what a mechanism within another consists of, and the expressions that it is given.
+//! Parts: content of a mechanism within another one, and the expressions that it is given.
 
 pub(super) mod embed;
 pub(super) mod embed_bodies;

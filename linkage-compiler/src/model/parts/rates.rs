@@ -1,4 +1,4 @@
-//! How what is given to an input of a part changes in time, by the speeds of the inputs around it.
+//! Speeds and accelerations of the values that inputs of a part are given.
 
 use super::slopes::{of_both, slopes};
 use crate::model::symbols::declared_names::Names;
@@ -6,30 +6,30 @@ use crate::model::symbols::part_scopes::Unfollowed;
 use crate::model::symbols::values::Values;
 use crate::model::types::{BinaryOp, Dimension, Expr, ExprKind, Let, MotionLaw, Name, Type};
 
-/// The derivative in time; `None` for what stands still.
+/// The derivative with respect to time; `None` for a value at rest.
 type Rate = Result<Option<Expr>, Unfollowed>;
 
-/// The speed and the acceleration of a number that `lets` stand before.
+/// Returns the speed and the acceleration of a value. `lets` has all derived quantities before it.
 pub(in crate::model) fn speed_and_acceleration(
     values: &Values,
     value: &Expr,
     lets: &[Let],
 ) -> [Result<Expr, Unfollowed>; 2] {
-    let still = |of: &Expr, order: i32| Expr {
+    let still = |value: &Expr, order: i32| Expr {
         kind: ExprKind::Number(0.0),
-        ty: changing(&of.ty, order),
-        origin: of.origin,
+        ty: changing(&value.ty, order),
+        origin: value.origin,
     };
     let speed = time_derivative(values, value, lets);
     let acceleration = speed.clone().and_then(|speed| match speed {
         Some(speed) => time_derivative(values, &speed, lets),
         None => Ok(None),
     });
-    let or_still = |rate: Rate, order| rate.map(|own| own.unwrap_or(still(value, order)));
+    let or_still = |rate: Rate, order| rate.map(|rate| rate.unwrap_or(still(value, order)));
     [or_still(speed, 1), or_still(acceleration, 2)]
 }
 
-/// What a message adds where a speed or an acceleration of a part does not follow.
+/// Returns the second half of a help for a speed or an acceleration of a part that does not follow.
 pub(in crate::model) fn unfollowed_help(names: &Names, why: Unfollowed) -> String {
     match why {
         Unfollowed::OfInput(input) => {
@@ -61,7 +61,7 @@ fn time_derivative(values: &Values, value: &Expr, lets: &[Let]) -> Rate {
         // Nothing that moves depends on arguments but these.
         ExprKind::Name(Name::Argument(speed)) => {
             let mut inputs = values.rates.iter();
-            let input = inputs.position(|own| own[0] == Some(*speed));
+            let input = inputs.position(|rates| rates[0] == Some(*speed));
             let input = input.ok_or(Unfollowed::Other)?;
             let [_, acceleration] = values.rates[input];
             ExprKind::Name(Name::Argument(
@@ -80,7 +80,7 @@ fn time_derivative(values: &Values, value: &Expr, lets: &[Let]) -> Rate {
                 time_derivative(values, a, lets)?,
                 time_derivative(values, b, lets)?,
             ];
-            let [a, b] = [a, b].map(|own| own.as_ref().clone());
+            let [a, b] = [a, b].map(|operand| operand.as_ref().clone());
             return Ok(match (op, rates) {
                 (_, [None, None]) => None,
                 (BinaryOp::Add, [None, Some(rate)]) => Some(rate),
@@ -111,7 +111,7 @@ fn time_derivative(values: &Values, value: &Expr, lets: &[Let]) -> Rate {
                 }
             });
         }
-        // Of what is made of parameters alone, like `sqrt(2)`, nothing moves.
+        // A value made of parameters alone, like `sqrt(2)`, is at rest.
         _ if is_still(value, lets) => return Ok(None),
         ExprKind::MotionLaw(course) => {
             let slope = slope_of_motion_law(course, value, lets).ok_or(Unfollowed::Other)?;
@@ -131,18 +131,18 @@ fn time_derivative(values: &Values, value: &Expr, lets: &[Let]) -> Rate {
     Ok(Some(made(kind)))
 }
 
-/// What changes with an argument, by its slope.
+/// Returns the rate of a function from its slope and the rate of its argument.
 fn by_chain_rule(values: &Values, slope: Expr, argument: &Expr, lets: &[Let]) -> Rate {
     let rate = time_derivative(values, argument, lets)?;
     Ok(rate.map(|rate| of_both(BinaryOp::Mul, slope, rate)))
 }
 
-/// The slope of a course whose knots stand still.
+/// Returns the slope of a course whose knots are at rest.
 fn slope_of_motion_law(course: &MotionLaw, value: &Expr, lets: &[Let]) -> Option<Expr> {
     let mut knots = course.operands().into_iter().skip(1);
     let slope = course
         .slope()
-        .filter(|_| knots.all(|own| is_still(own, lets)))?;
+        .filter(|_| knots.all(|value| is_still(value, lets)))?;
     let by = course.argument_type().dimension()?;
     let dimension = value.ty.dimension()?.over(by)?;
     Some(Expr {
@@ -172,7 +172,7 @@ fn summed(
     }
 }
 
-/// What changes of a number in time, so often.
+/// Returns the type of a derivative of this order with respect to time.
 fn changing(ty: &Type, order: i32) -> Type {
     let rate = |dimension: Dimension| Type::Scalar(dimension.rate(order));
     ty.dimension().map_or_else(|| ty.clone(), rate)

@@ -2,7 +2,8 @@
 
 use crate::model::types::{BinaryOp, Dimension, Expr, ExprKind, Function, Type};
 
-/// The derivatives of a function's value by its arguments; `None` for those that have none as expressions of the language.
+/// Returns the derivatives of a function's value with respect to its arguments; `None` if the
+/// language has no expression for them.
 pub(in crate::model) fn slopes(
     function: Function,
     arguments: &[Expr],
@@ -14,22 +15,22 @@ pub(in crate::model) fn slopes(
         ty: Type::NUMBER,
         origin: value.origin,
     };
-    let call = |function, of: &Expr, ty: Type| Expr {
-        kind: ExprKind::Call(function, vec![of.clone()]),
+    let call = |function, operand: &Expr, ty: Type| Expr {
+        kind: ExprKind::Call(function, vec![operand.clone()]),
         ty,
         origin: value.origin,
     };
-    let negative = |own: Expr| Expr {
-        ty: own.ty.clone(),
-        origin: own.origin,
-        kind: ExprKind::Negate(Box::new(own)),
+    let negative = |value: Expr| Expr {
+        ty: value.ty.clone(),
+        origin: value.origin,
+        kind: ExprKind::Negate(Box::new(value)),
     };
-    let square = |own: &Expr| of_both(Mul, own.clone(), own.clone());
+    let square = |value: &Expr| of_both(Mul, value.clone(), value.clone());
     let over = |a: Expr, b: Expr| of_both(Div, a, b);
     let [a, b] = [arguments.first()?, arguments.last()?];
     let are_numbers = arguments
         .iter()
-        .all(|own| matches!(own.ty, Type::Scalar(_)));
+        .all(|argument| matches!(argument.ty, Type::Scalar(_)));
     if !are_numbers {
         return None;
     }
@@ -55,7 +56,7 @@ pub(in crate::model) fn slopes(
             over(b.clone(), value.clone()),
         ],
         Function::Abs => vec![over(value.clone(), a.clone())],
-        // Of vectors; or whose slope no expression of the language is.
+        // Functions of vectors, and functions whose slope is no expression of the language.
         Function::Polar
         | Function::Dir
         | Function::Rotate
@@ -75,9 +76,10 @@ pub(in crate::model) fn slopes(
     })
 }
 
-/// A sum, product or quotient of scalars whose powers are those of some mechanism: none is beyond all use.
+/// Returns a sum, product or quotient of scalars. Their powers occur in some mechanism, so none is
+/// too large.
 pub(in crate::model) fn of_both(operator: BinaryOp, a: Expr, b: Expr) -> Expr {
-    let dimensions = [&a, &b].map(|own| own.ty.dimension().unwrap_or(Dimension::NUMBER));
+    let dimensions = [&a, &b].map(|operand| operand.ty.dimension().unwrap_or(Dimension::NUMBER));
     let [first, second] = dimensions;
     let dimension = match operator {
         BinaryOp::Add | BinaryOp::Sub => Some(first.or(second)),

@@ -1,4 +1,5 @@
-//! `d`, `velocity`, `acceleration`, `jerk`, `omega`, `alpha`, the screw of a frame, `sensitivity`, `margin`, `picture`: only in the functions of the `impl` block.
+//! `d`, `velocity`, `acceleration`, `jerk`, `omega`, `alpha`, `sensitivity`, `margin`: known only
+//! in the functions of the `impl` block.
 
 use super::input_derivative::{
     listed_inputs, make_derivative, make_unless_error, refuse_several_inputs, type_by_variable,
@@ -134,9 +135,10 @@ pub(in crate::model) fn resolve_input_derivative(
         refuse_wrong_count(sink, name, &[subject], arguments.len(), span);
         return error_expr(sink, span);
     };
-    let value = match word.turns() {
-        true => resolve_turning(operands, sink, name, quantity),
-        false => resolve_differentiable(operands, sink, quantity),
+    let value = if word.turns() {
+        resolve_turning(operands, sink, name, quantity)
+    } else {
+        resolve_differentiable(operands, sink, quantity)
     };
     // A mistake in the list of inputs has been reported.
     let Some(inputs) = inputs else {

@@ -80,9 +80,10 @@ pub(in crate::model) fn make_unless_error(
     ty: Type,
     span: SourceSpan,
 ) -> Expr {
-    match ty.is_error() {
-        true => error_expr(sink, span),
-        false => make_expr(sink, kind, ty, span),
+    if ty.is_error() {
+        error_expr(sink, span)
+    } else {
+        make_expr(sink, kind, ty, span)
     }
 }
 

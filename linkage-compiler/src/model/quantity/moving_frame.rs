@@ -1,14 +1,13 @@
 //! Frames whose motion functions ask for.
 
-use crate::model::expression::frame_parts::{ANGLE_PART, type_of_part};
 use crate::model::expression::nodes::{error_expr, make_expr};
 use crate::model::expression::operators::settle_alone;
 use crate::model::symbols::operands::Operands;
 use crate::model::symbols::sink::Sink;
-use crate::model::types::{Expr, ExprKind, Type};
+use crate::model::types::{ANGLE_PART, Expr, ExprKind, Type, type_of_part};
 use crate::syntax::{self};
 
-/// The frame of which the turning is asked for.
+/// Resolves the frame whose rotation is the quantity.
 pub(in crate::model) fn resolve_turning(
     operands: Operands,
     sink: &mut Sink,
@@ -25,7 +24,7 @@ pub(in crate::model) fn resolve_turning(
     value
 }
 
-/// A frame of which it is asked how it moves.
+/// Resolves the frame whose motion is the quantity.
 pub(in crate::model) fn resolve_moving_frame(
     operands: Operands,
     sink: &mut Sink,

@@ -1,4 +1,4 @@
-//! `picture()`: a quantity that stands alone.
+//! `picture()`: a quantity that cannot be part of an expression.
 
 use crate::diagnostic::SourceSpan;
 use crate::model::expression::nodes::{error_expr, make_expr};
@@ -23,7 +23,7 @@ pub(in crate::model) fn resolve_picture(
     }
     let links = links.iter().map(|link| resolve_link(operands, sink, link));
     let links: Vec<Option<Vec<Expr>>> = links.collect();
-    // How many points there are is found out later.
+    // The number of points is computed later.
     let ty = Type::Array(Vec::new());
     Some(match links.into_iter().collect() {
         Some(links) => make_expr(sink, ExprKind::Picture(links), ty, expr.span),
@@ -92,7 +92,7 @@ pub(in crate::model) fn check_one_picture(sink: &mut Sink, functions: &[Evaluato
     }
 }
 
-/// Whether an expression tells where something is: no quantity of motion, no load.
+/// Returns true for an expression of positions: no quantity of motion, no load.
 fn is_position(expr: &Expr) -> bool {
     expr.parts()
         .all(|part| !part.is_quantity() && !matches!(part.as_name(), Some(Name::Argument(_))))

@@ -1,17 +1,20 @@
-//! `screw_point`, `screw_direction`, `screw_pitch`: the axis about which a body turns and along which it shifts at one moment, as expressions of
-//! its angular velocity and the velocity of its origin, so that they are differentiated like anything else.
+//! `screw_point`, `screw_direction`, `screw_pitch`: the instantaneous screw axis of a body.
+//!
+//! They are expressions of the angular velocity of the body and the velocity of its origin, so they
+//! have derivatives like any other expression.
 
 use super::input_derivative::{listed_inputs, make_derivative, refuse_several_inputs};
 use super::moving_frame::resolve_moving_frame;
 use crate::diagnostic::SourceSpan;
 use crate::model::expression::call_messages::refuse_wrong_count;
-use crate::model::expression::frame_parts::{ANGLE_PART, type_of_part};
 use crate::model::expression::nodes::{error_expr, make_expr};
 use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::operands::Operands;
 use crate::model::symbols::sink::Sink;
 use crate::model::symbols::values::Values;
-use crate::model::types::{BinaryOp, Dimension, Expr, ExprKind, Function, MotionWord, Type};
+use crate::model::types::{
+    ANGLE_PART, BinaryOp, Dimension, Expr, ExprKind, Function, MotionWord, Type, type_of_part,
+};
 use crate::syntax::{self, Word};
 
 /// The part of a frame that is its origin.
@@ -73,7 +76,8 @@ pub(in crate::model) fn resolve_screw(
     }
 }
 
-/// With `w` for `omega(body)` and `v` for `velocity(body.origin)` the axis goes through `body.origin + cross(w, v) / dot(w, w)` along `w`.
+/// Returns a quantity of the screw. With `w` for `omega(body)` and `v` for `velocity(body.origin)`
+/// the axis goes through `body.origin + cross(w, v) / dot(w, w)` along `w`.
 fn make_screw(
     names: &Names,
     values: &Values,

@@ -1,4 +1,4 @@
-//! What one differentiates by: inputs, scalar parameters, components of vector parameters.
+//! Variables of derivatives: inputs, scalar parameters, components of vector parameters.
 
 use proc_macro2::Ident;
 
@@ -133,9 +133,10 @@ fn refuse_variable<T>(
         .map(|scalar| scalar.name.as_str())
         .collect();
     let variables = [&inputs[..], &parameters[..]].concat();
-    let help = match variables.is_empty() {
-        true => "declare an `input` or a `param`".to_owned(),
-        false => format!("variables are {}", list(&variables)),
+    let help = if variables.is_empty() {
+        "declare an `input` or a `param`".to_owned()
+    } else {
+        format!("variables are {}", list(&variables))
     };
     let fact = format!("derivative with respect to {what}");
     sink.error_with_help(span, fact, help);
@@ -151,8 +152,8 @@ fn scalars_of_parameter(
     ty: &Type,
     field: Option<&Ident>,
 ) -> Option<Vec<ScalarParameterId>> {
-    let all = values.scalar_parameters.iter().enumerate();
-    let mine = all.filter(|(_, scalar)| scalar.parameter == parameter);
+    let scalars = values.scalar_parameters.iter().enumerate();
+    let mine = scalars.filter(|(_, scalar)| scalar.parameter == parameter);
     let mine: Vec<_> = mine.map(|(index, _)| ScalarParameterId(index)).collect();
     let Some(field) = field else {
         return Some(mine);
@@ -194,7 +195,7 @@ pub(in crate::model) fn all_scalar_parameters(
     None
 }
 
-/// `[crank, pivot_d.x]`; a vector stands for its components.
+/// Resolves `[crank, pivot_d.x]`. A vector means all its components.
 pub(in crate::model) fn resolve_listed_parameters(
     operands: Operands,
     sink: &mut Sink,
@@ -258,9 +259,10 @@ fn resolve_listed_parameter(
             .scope
             .names
             .names_of(|name| matches!(name, Name::Parameter(_)));
-        let help = match parameters.is_empty() {
-            true => "declare a `param`".to_owned(),
-            false => format!("parameters are {}", list(&parameters)),
+        let help = if parameters.is_empty() {
+            "declare a `param`".to_owned()
+        } else {
+            format!("parameters are {}", list(&parameters))
         };
         sink.error_with_help(entry.span, fact, help);
         return None;

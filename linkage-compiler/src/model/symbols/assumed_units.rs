@@ -1,4 +1,4 @@
-//! Units of numbers: the length unit of the mechanism, and numbers without a unit that may lack one.
+//! Units of numbers: the length unit of the mechanism, and numbers without a unit.
 
 use std::collections::BTreeMap;
 
@@ -23,7 +23,8 @@ pub(in crate::model) struct Unitless {
 /// The units in which numbers are read.
 pub(in crate::model) struct AssumedUnits {
     pub(in crate::model) length: LengthUnit,
-    /// Names whose number without a unit is taken for a length, and unknowns that are taken for vectors.
+    /// Names whose number without a unit is taken for a length, and unknowns that are taken for
+    /// vectors.
     pub(in crate::model) zeros: Zeros,
     /// Names declared by numbers without a unit.
     pub(in crate::model) unitless: Vec<Unitless>,
@@ -66,24 +67,28 @@ impl AssumedUnits {
     /// Returns the names declared without a unit that a number would have its dimension from.
     pub(in crate::model) fn lacking_unit(&self, value: &Expr) -> Vec<Name> {
         let of_all = |values: &mut dyn Iterator<Item = &Expr>| {
-            let mut all: Vec<Name> = values.flat_map(|own| self.lacking_unit(own)).collect();
-            all.sort_unstable();
-            all.dedup();
-            all
+            let mut names: Vec<Name> = values
+                .flat_map(|operand| self.lacking_unit(operand))
+                .collect();
+            names.sort_unstable();
+            names.dedup();
+            names
         };
         match &value.kind {
             ExprKind::Name(name) => self.lacking.get(name).cloned().unwrap_or_default(),
-            ExprKind::Negate(own) | ExprKind::Component(own, _) => self.lacking_unit(own),
+            ExprKind::Negate(operand) | ExprKind::Component(operand, _) => {
+                self.lacking_unit(operand)
+            }
             ExprKind::Vector(components) => of_all(&mut components.iter()),
             ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) => {
                 of_all(&mut [&**a, &**b].into_iter())
             }
             ExprKind::Binary(BinaryOp::Mul, a, b) => {
-                let [a, b] = [a, b].map(|own| self.lacking_unit(own));
+                let [a, b] = [a, b].map(|operand| self.lacking_unit(operand));
                 match (a.is_empty(), b.is_empty()) {
                     (true, _) => b,
                     (_, true) => a,
-                    // A square; of different factors, nobody knows which is the length.
+                    // This is a square. Of different factors, any could be the length.
                     _ if a == b => a,
                     _ => Vec::new(),
                 }
@@ -91,7 +96,7 @@ impl AssumedUnits {
             ExprKind::Binary(BinaryOp::Div, a, _) => self.lacking_unit(a),
             ExprKind::Call(function, arguments) => {
                 let measured = function.measured_arguments().iter();
-                of_all(&mut measured.map(|place| &arguments[*place]))
+                of_all(&mut measured.map(|index| &arguments[*index]))
             }
             // A literal has no declaration, and the others are no numbers by a missing unit.
             _ => Vec::new(),

@@ -21,11 +21,12 @@ pub(in crate::model) struct Symbol {
 }
 
 impl Symbol {
-    /// The sort of its name in words.
+    /// Returns the kind of its name as text.
     pub(in crate::model) fn kind(&self) -> &'static str {
-        match self.is_unknown_frame {
-            true => "an unknown",
-            false => kind(self.name),
+        if self.is_unknown_frame {
+            "an unknown"
+        } else {
+            kind(self.name)
         }
     }
 }
@@ -71,7 +72,7 @@ impl Names {
     }
 }
 
-/// The sort of a name in words.
+/// Returns the kind of a name as text.
 pub(in crate::model) fn kind(name: Name) -> &'static str {
     match name {
         Name::Const(_) | Name::Pi => "a constant",

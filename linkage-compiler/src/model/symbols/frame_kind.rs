@@ -1,13 +1,12 @@
 //! Unknown frames in the plane and in space: the unknowns that they consist of.
 
-use crate::model::expression::frame_parts::{PARTS, PLANE_PARTS};
-use crate::model::types::Type;
+use crate::model::types::{FRAME_PARTS, PLANE_PARTS, Type};
 use crate::syntax::UnknownItem;
 
 /// The axis that is the product of the others if it makes no difference which one is.
 const USUALLY_DERIVED: usize = 1;
 
-/// Where a body is.
+/// The kind of an unknown frame.
 #[derive(Clone, Copy, PartialEq)]
 pub(in crate::model) enum FrameKind {
     Plane,
@@ -27,7 +26,7 @@ impl FrameKind {
         }
     }
 
-    /// How many unknowns it consists of.
+    /// Returns the number of unknowns that it consists of.
     pub(in crate::model) fn unknowns(self) -> usize {
         self.parts().len()
     }
@@ -50,7 +49,7 @@ impl FrameKind {
     pub(in crate::model) fn names(self) -> [&'static str; 4] {
         match self {
             FrameKind::Plane => PLANE_PARTS,
-            FrameKind::Space { .. } => PARTS,
+            FrameKind::Space { .. } => FRAME_PARTS,
         }
     }
 }

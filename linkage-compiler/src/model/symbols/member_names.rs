@@ -17,7 +17,8 @@ pub(in crate::model) enum Member {
 pub(in crate::model) struct MemberNames {
     pub(in crate::model) by_name: BTreeMap<String, (Member, SourceSpan)>,
     pub(in crate::model) bodies: usize,
-    /// Kinds of all joints: those that bodies hang on in the order of the bodies, then those that close loops.
+    /// Kinds of all joints: those that bodies are attached by in the order of the bodies, then
+    /// those that close loops.
     pub(in crate::model) joints: Vec<JointKind>,
 }
 

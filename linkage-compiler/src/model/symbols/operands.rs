@@ -11,7 +11,8 @@ pub(in crate::model) type Resolve = fn(&Scope, &mut Sink, &syntax::Expr, Context
 
 /// Resolves the operands of one expression.
 ///
-/// Functions that resolve a call or a quantity take it instead of calling the function that calls them.
+/// Functions that resolve a call or a quantity take it instead of calling the function that calls
+/// them.
 #[derive(Clone, Copy)]
 pub(in crate::model) struct Operands<'a> {
     pub(in crate::model) scope: &'a Scope,

@@ -1,4 +1,4 @@
-//! Parts: mechanisms within a mechanism, their names there and the expressions that are given to them.
+//! Parts: mechanisms within a mechanism, their names there and the expressions that they are given.
 
 use std::rc::Rc;
 
@@ -7,13 +7,13 @@ use crate::model::library::Model;
 use crate::model::types::{Expr, Mechanism, Name, Placed};
 use crate::syntax;
 
-/// One part: what its names are in the mechanism around it.
+/// One part: its names in the mechanism around it.
 pub(in crate::model) struct PartScope {
     pub(in crate::model) name: String,
     pub(in crate::model) span: SourceSpan,
     /// Position of its item in the struct block.
     pub(in crate::model) item: usize,
-    /// `None` after a mistake: nothing is said about what it consists of.
+    /// `None` after a mistake: its content is unknown.
     pub(in crate::model) body: Option<PartBody>,
 }
 
@@ -21,17 +21,20 @@ pub(in crate::model) struct PartScope {
 #[derive(Clone)]
 pub(in crate::model) struct PartBody {
     pub(in crate::model) model: Rc<Model>,
-    /// What is added to numbers of origins.
+    /// The offset of numbers of origins.
     pub(in crate::model) first_origin: u32,
     pub(in crate::model) first_constant: usize,
     pub(in crate::model) first_unknown: usize,
-    /// The first of the derived quantities that come with the part: inputs, arguments, parameters that are given, its place, its own ones.
+    /// The first of the derived quantities that come with the part: inputs, arguments, parameters
+    /// that are given, its location, its own ones.
     pub(in crate::model) first_let: usize,
-    /// What its parameters are: given ones are derived quantities. `None` until parameters are counted.
+    /// Its parameters in the mechanism around it. Parameters that are given are derived quantities.
+    /// `None` until parameters are counted.
     pub(in crate::model) parameters: Vec<Option<Name>>,
     /// The arguments that are given, as derived quantities.
     pub(in crate::model) arguments: Vec<Option<Name>>,
-    /// Speeds and accelerations that follow from those around, by argument; why not, where one does not follow.
+    /// Speeds and accelerations that follow from the inputs of the mechanism around it, by
+    /// argument; or the reason why one does not follow.
     pub(in crate::model) rates: Vec<Option<Result<Expr, Unfollowed>>>,
     pub(in crate::model) is_placed: bool,
     pub(in crate::model) is_turned: bool,
@@ -47,7 +50,7 @@ impl PartBody {
         self.first_let + input
     }
 
-    /// The first of its own derived quantities, behind those that are made for it.
+    /// Returns the first of its own derived quantities, after those that are made for it.
     pub(in crate::model) fn own_lets(&self) -> usize {
         let given = self.parameters.iter().chain(&self.arguments);
         let given = given
@@ -67,7 +70,8 @@ pub(in crate::model) struct Parts {
 }
 
 impl Parts {
-    /// Returns the name that an expression is, with the names of the parts in front: `phi`, `hook.tip`, `machine.hook.tip`.
+    /// Returns the name that an expression is, after the names of its parts: `phi`, `hook.tip`,
+    /// `machine.hook.tip`.
     pub(in crate::model) fn dotted(&self, expr: &syntax::Expr) -> Option<String> {
         match &expr.kind {
             syntax::ExprKind::Name(ident) => Some(ident.to_string()),
@@ -117,6 +121,7 @@ impl Parts {
 pub(in crate::model) enum Unfollowed {
     /// This input has none.
     OfInput(usize),
-    /// By an unknown, or a function that is not differentiated here. A limit of ours.
+    /// It depends on an unknown, or on a function that is not differentiated here. This is a
+    /// limitation.
     Other,
 }

@@ -1,4 +1,5 @@
-//! Everything that resolving an expression adds: messages, origins, and two facts about the mechanism.
+//! Results of resolving an expression besides the expression: messages, origins, and two facts
+//! about the mechanism.
 
 use std::fmt::Display;
 
@@ -22,7 +23,7 @@ impl Sink {
         self.diagnostics.error(span, message);
     }
 
-    /// Adds a message with a second line that says what to write.
+    /// Adds a message with a second line that contains the text to write.
     pub(in crate::model) fn error_with_help(
         &mut self,
         span: SourceSpan,
@@ -37,7 +38,7 @@ impl Sink {
         self.origins.add(span)
     }
 
-    /// Returns the text behind an origin.
+    /// Returns the source text of an origin.
     pub(in crate::model) fn span(&self, origin: OriginId) -> SourceSpan {
         self.origins.span(origin)
     }

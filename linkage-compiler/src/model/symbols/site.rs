@@ -1,10 +1,10 @@
-//! Where expressions stand, and which names they may use there.
+//! Places of expressions, and the names that can be used there.
 
 use super::declared_names::Symbol;
 use crate::model::types::Name;
 use crate::syntax::is_unit;
 
-/// Where an expression stands: which names it may use.
+/// The place of an expression, which decides about the names that it can use.
 #[derive(Clone, Copy)]
 pub(in crate::model) enum Site<'a> {
     Constant,
@@ -42,7 +42,7 @@ impl Context<'static> {
     };
 }
 
-/// What may be used in a place where not all names may.
+/// Returns the rule of a place in which not all names can be used.
 pub(in crate::model) fn rule(site: Site) -> Option<&'static str> {
     match site {
         Site::Constant => Some("a constant may use numbers, functions and constants only"),
@@ -65,7 +65,7 @@ pub(in crate::model) fn rule(site: Site) -> Option<&'static str> {
     }
 }
 
-/// Why a name cannot be used here, and what to do.
+/// Returns fact and help for a name that cannot be used here.
 pub(in crate::model) fn refusal(symbol: &Symbol, context: Context) -> Option<(String, String)> {
     let text = &symbol.text;
     let constant = matches!(symbol.name, Name::Const(_));
@@ -79,9 +79,10 @@ pub(in crate::model) fn refusal(symbol: &Symbol, context: Context) -> Option<(St
     if !allowed {
         return Some((
             format!("`{text}` is {}, which cannot be used here", symbol.kind()),
-            match is_unit(text) {
-                true => format!("{rule}; the name hides the unit `{text}`"),
-                false => rule.to_owned(),
+            if is_unit(text) {
+                format!("{rule}; the name hides the unit `{text}`")
+            } else {
+                rule.to_owned()
             },
         ));
     }
@@ -90,7 +91,7 @@ pub(in crate::model) fn refusal(symbol: &Symbol, context: Context) -> Option<(St
         // It is no definition but a coordinate.
         Site::LetOrLoop if symbol.is_unknown_frame => false,
         Site::LetOrLoop => matches!(symbol.name, Name::Let(_)),
-        // What they may use is resolved before them.
+        // The names that they can use are resolved before them.
         Site::Parameter
         | Site::Input
         | Site::Estimate

@@ -1,8 +1,8 @@
-//! Zeros without a unit, and unknowns without an estimate: what they are taken for.
+//! Zeros without a unit, and unknowns without an estimate: assumptions about their types.
 
 use crate::model::types::{Name, Type};
 
-/// What zeros are taken for.
+/// Assumptions about zeros.
 #[derive(Clone, Default)]
 pub(in crate::model) struct Zeros {
     /// Those that are lengths; the others are numbers.
@@ -20,10 +20,10 @@ impl Zeros {
         }
     }
 
-    /// The zero that stands for an estimate that is not given.
+    /// Returns the zero that replaces a missing estimate.
     pub(in crate::model) fn zero_of(&self, name: Name) -> Type {
         let mut vectors = self.vectors.iter();
-        let count = vectors.find_map(|(own, count)| (*own == name).then_some(*count));
+        let count = vectors.find_map(|(other_name, count)| (*other_name == name).then_some(*count));
         Type::Zero(count.unwrap_or(1))
     }
 
@@ -34,7 +34,7 @@ impl Zeros {
     /// With another choice for an unknown without an estimate.
     pub(in crate::model) fn with(&self, name: Name, components: usize, length: bool) -> Self {
         let mut other = self.clone();
-        other.vectors.retain(|(own, _)| *own != name);
+        other.vectors.retain(|(other_name, _)| *other_name != name);
         if components > 1 {
             other.vectors.push((name, components));
         }
@@ -42,7 +42,7 @@ impl Zeros {
             other.lengths.push(name);
         }
         if !length {
-            other.lengths.retain(|own| *own != name);
+            other.lengths.retain(|other_name| *other_name != name);
         }
         other
     }

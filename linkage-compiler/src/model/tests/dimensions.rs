@@ -1,9 +1,10 @@
-//! What may be added, multiplied and passed.
+//! Operands that can be added, multiplied and passed.
 
 use super::model;
 use crate::model::{Mechanism, dump};
 
-/// Names for the cases: lengths `l k`, angles `a b`, number `n`, plane vectors `p q`, numbers `u`, space vectors `s t`.
+/// Names for the cases: lengths `l k`, angles `a b`, number `n`, plane vectors `p q`, numbers `u`,
+/// space vectors `s t`.
 pub(super) const NAMES: &str = "unit mm; param l = 1mm; param k = 2mm; param a = 1deg; \
     input b = 1rad; param n = 2; param p = (1mm, 2mm); param q = (3mm, 4mm); param u = (1, 2); \
     param s = (1mm, 2mm, 3mm); param t = (1, 2, 3); unknown zero = 0; const c = 3mm;";
@@ -135,7 +136,7 @@ fn unknowns_without_an_estimate_fit_their_use() {
     let types: Vec<String> = mechanism
         .unknowns
         .iter()
-        .map(|own| own.ty.to_string())
+        .map(|unknown| unknown.ty.to_string())
         .collect();
     let expected = [
         "a number",

@@ -1,4 +1,4 @@
-//! What is said about mistakes in bodies, joints and loads.
+//! Messages about mistakes in bodies, joints and loads.
 
 mod loads;
 mod quantities;

@@ -241,9 +241,9 @@ fn parts() {
         ),
     ] {
         let (_, messages) = last_of(&format!("{BAR}{machine}"));
-        let [own] = &messages[..] else {
+        let [found] = &messages[..] else {
             panic!("{machine}: {messages:#?}");
         };
-        assert!(own.contains(message), "{machine}: {own}");
+        assert!(found.contains(message), "{machine}: {found}");
     }
 }

@@ -1,4 +1,4 @@
-//! From source text to the model.
+//! Tests of the way from source text to the model.
 
 mod bare;
 mod derivatives;
@@ -24,7 +24,7 @@ pub(super) fn model(source: &str) -> (Option<Mechanism>, Vec<String>) {
     let definition = parse(tokens, &mut diagnostics).pop();
     let library = Library::default();
     let model = definition.and_then(|definition| resolve(&definition, &library, &mut diagnostics));
-    let mechanism = model.map(|own| own.mechanism);
+    let mechanism = model.map(|model| model.mechanism);
     let messages: Vec<String> = diagnostics.texts();
     assert_eq!(mechanism.is_none(), !messages.is_empty(), "{messages:#?}");
     (mechanism, messages)
@@ -42,7 +42,7 @@ fn last_of(source: &str) -> (Option<Mechanism>, Vec<String>) {
         library.add(definition, model.clone());
         last = model;
     }
-    let mechanism = last.map(|own| own.mechanism.clone());
+    let mechanism = last.map(|model| model.mechanism.clone());
     (mechanism, diagnostics.texts())
 }
 

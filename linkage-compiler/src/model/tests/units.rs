@@ -8,7 +8,7 @@ fn resolved(items: &str) -> Mechanism {
     mechanism.unwrap_or_else(|| panic!("{messages:#?}"))
 }
 
-/// A derived quantity that is one number, and the words for what it is.
+/// A derived quantity that is one number, and the text of its type.
 fn number(unit: &str, text: &str) -> (f64, String) {
     let mechanism = resolved(&format!("unit {unit}; let a = {text};"));
     let value = &mechanism.lets[0].value;

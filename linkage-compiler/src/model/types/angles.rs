@@ -1,4 +1,4 @@
-//! Which coordinates are angles, by what is done with them.
+//! Coordinates that are angles, which follows from their uses.
 
 use std::collections::BTreeSet;
 
@@ -17,7 +17,7 @@ pub(in crate::model) fn angles(mechanism: &Mechanism) -> BTreeSet<Name> {
         open: Vec::new(),
     };
     angles.find_factors();
-    // An angle that is found late may stand beside names that were looked at before.
+    // An angle that is found late can occur next to names that were examined before.
     loop {
         let before = angles.found.len();
         angles.look_through();
@@ -29,7 +29,8 @@ pub(in crate::model) fn angles(mechanism: &Mechanism) -> BTreeSet<Name> {
 
 struct Angles<'m> {
     mechanism: &'m Mechanism,
-    /// Names of values that may multiply an angle: made of parameters and numbers without pi, which makes angles of numbers.
+    /// Names of values that can multiply an angle. They consist of parameters and numbers without
+    /// pi, which makes angles of numbers.
     factors: BTreeSet<Name>,
     found: BTreeSet<Name>,
     /// Values that are angles and have not been looked at.
@@ -40,9 +41,9 @@ impl<'m> Angles<'m> {
     fn find_factors(&mut self) {
         let mechanism = self.mechanism;
         let constants = mechanism.constants.iter().enumerate();
-        let constants = constants.map(|(index, own)| (Name::Const(index), &own.value));
+        let constants = constants.map(|(index, constant)| (Name::Const(index), &constant.value));
         let lets = mechanism.lets.iter().enumerate();
-        let lets = lets.map(|(index, own)| (Name::Let(index), &own.value));
+        let lets = lets.map(|(index, item)| (Name::Let(index), &item.value));
         for (name, value) in constants.chain(lets) {
             if self.is_factor(value) {
                 self.factors.insert(name);
@@ -52,17 +53,17 @@ impl<'m> Angles<'m> {
 
     fn look_through(&mut self) {
         let mechanism = self.mechanism;
-        for (index, own) in mechanism.lets.iter().enumerate() {
-            self.look_at(&own.value);
-            if self.is_angle(&own.value) {
+        for (index, item) in mechanism.lets.iter().enumerate() {
+            self.look_at(&item.value);
+            if self.is_angle(&item.value) {
                 self.found.insert(Name::Let(index));
-                self.angle(&own.value);
+                self.angle(&item.value);
             }
         }
-        for own in mechanism.loops.iter().chain(&mechanism.redundant) {
-            self.look_at(&own.left);
-            self.look_at(&own.right);
-            self.together(&[&own.left, &own.right]);
+        for equation in mechanism.loops.iter().chain(&mechanism.redundant) {
+            self.look_at(&equation.left);
+            self.look_at(&equation.right);
+            self.together(&[&equation.left, &equation.right]);
         }
         for value in mechanism.expressions_of_mechanics() {
             self.look_at(value);
@@ -78,7 +79,7 @@ impl<'m> Angles<'m> {
             function
                 .quantities
                 .iter()
-                .for_each(|own| self.look_at(&own.value));
+                .for_each(|item| self.look_at(&item.value));
         }
     }
 
@@ -89,26 +90,26 @@ impl<'m> Angles<'m> {
                     self.together(&arguments.iter().collect::<Vec<_>>());
                 }
                 ExprKind::Call(function, arguments) => {
-                    if let Some(place) = function.angle_argument() {
-                        self.angle(&arguments[place]);
+                    if let Some(index) = function.angle_argument() {
+                        self.angle(&arguments[index]);
                     }
                 }
                 ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) => self.together(&[a, b]),
                 ExprKind::MotionLaw(course) => {
-                    let places = course.knots.iter().map(|own| &own.place);
+                    let places = course.knots.iter().map(|knot| &knot.place);
                     let along: Vec<&Expr> =
                         std::iter::once(&*course.argument).chain(places).collect();
                     self.together(&along);
-                    let values: Vec<&Expr> = course.knots.iter().map(|own| &own.value).collect();
+                    let values: Vec<&Expr> = course.knots.iter().map(|knot| &knot.value).collect();
                     self.together(&values);
                 }
-                // The others do not tell what their operands are.
+                // The others tell nothing about their operands.
                 _ => {}
             }
         }
     }
 
-    /// What is added or equal: if one is an angle, all are.
+    /// Handles terms of a sum, and sides of an equation: if one is an angle, all are.
     fn together(&mut self, values: &[&'m Expr]) {
         if values.iter().any(|value| self.is_angle(value)) {
             values.iter().for_each(|value| self.angle(value));
@@ -121,7 +122,7 @@ impl<'m> Angles<'m> {
         while let Some(value) = self.open.pop() {
             match &value.kind {
                 ExprKind::Name(name) => self.mark(*name),
-                ExprKind::Negate(own) => self.open.push(own),
+                ExprKind::Negate(operand) => self.open.push(operand),
                 ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) => {
                     self.open.extend([&**a, &**b]);
                 }
@@ -150,15 +151,17 @@ impl<'m> Angles<'m> {
         }
         match &value.kind {
             ExprKind::Name(name) => self.found.contains(name),
-            ExprKind::Negate(own) => self.is_angle(own),
+            ExprKind::Negate(operand) => self.is_angle(operand),
             ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) => {
                 self.is_angle(a) || self.is_angle(b)
             }
-            _ => self.multiplied(value).is_some_and(|own| self.is_angle(own)),
+            _ => self
+                .multiplied(value)
+                .is_some_and(|operand| self.is_angle(operand)),
         }
     }
 
-    /// What a product or quotient is a multiple of, if the rest is a plain factor.
+    /// Returns the factor of a product or quotient that is not plain, if the rest is.
     fn multiplied<'e>(&self, value: &'e Expr) -> Option<&'e Expr> {
         match &value.kind {
             ExprKind::Binary(BinaryOp::Mul, a, b) if self.is_factor(a) => Some(b),

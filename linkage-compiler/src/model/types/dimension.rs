@@ -3,16 +3,19 @@
 /// Powers beyond this (in halves) are taken for a mistake; sums of two stay far from overflow.
 const LIMIT: i32 = 64;
 
-/// Powers of length, force and time of a quantity, in halves so that square roots stay exact (`2` is a length, `4` an
-/// area). A mass is force times time squared over length. Numbers and angles convert freely, so all powers of both are 0;
-/// `angle` only chooses words in messages, units in docs.
+/// Powers of length, force and time of a quantity, in halves so that square roots stay exact (`2`
+/// is a length, `4` an area).
+///
+/// A mass is force times time squared over length. Numbers and angles convert freely, so all powers
+/// of both are 0. `angle` only chooses words in messages, units in docs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Dimension {
     pub(crate) half_lengths: i32,
     pub(crate) half_forces: i32,
     pub(crate) half_times: i32,
-    /// How many kilograms the unit has in which it is given and printed; the rest of the powers is newtons, seconds and the
-    /// length unit. It does not count for whether two dimensions fit. See [`Dimension::internal_per_unit`].
+    /// Power of kilograms in the unit in which it is given and printed. The other powers are
+    /// newtons, seconds and the length unit. It does not matter for [`Dimension::fits`]. See
+    /// [`Dimension::internal_per_unit`].
     pub(crate) half_kilograms: i32,
     pub(crate) angle: bool,
 }
@@ -52,7 +55,7 @@ impl Dimension {
         ..Dimension::from_powers(1, 1, 2)
     };
 
-    /// Of whole powers of length, force and time.
+    /// Makes a dimension of whole powers of length, force and time.
     pub(in crate::model) const fn from_powers(lengths: i32, forces: i32, times: i32) -> Dimension {
         Dimension {
             half_lengths: 2 * lengths,
@@ -63,7 +66,7 @@ impl Dimension {
         }
     }
 
-    /// Whether the two may be added: numbers and angles are alike, and units do not matter.
+    /// Returns true if the two can be added: numbers and angles are alike, and units do not matter.
     pub(crate) fn fits(self, other: Dimension) -> bool {
         self.powers() == other.powers()
     }
@@ -77,12 +80,12 @@ impl Dimension {
         self.fits(Dimension::NUMBER)
     }
 
-    /// Whether it is about lengths and angles alone.
+    /// Returns true if it consists of lengths and angles alone.
     pub(in crate::model) fn is_geometric(self) -> bool {
         self.half_forces == 0 && self.half_times == 0
     }
 
-    /// Of a sum: an angle if one of the two is.
+    /// Returns the dimension of a sum: an angle if one of the two is.
     pub(in crate::model) fn or(self, other: Dimension) -> Dimension {
         Dimension {
             angle: self.angle || other.angle,
@@ -90,17 +93,17 @@ impl Dimension {
         }
     }
 
-    /// Of a product; `None` for powers beyond all use.
+    /// Returns the dimension of a product; `None` for powers that are too large.
     pub(in crate::model) fn times(self, other: Dimension) -> Option<Dimension> {
         self.combined(other, 1, self.angle != other.angle)
     }
 
-    /// Of a quotient, a derivative too.
+    /// Returns the dimension of a quotient, or of a derivative.
     pub(in crate::model) fn over(self, other: Dimension) -> Option<Dimension> {
         self.combined(other, -1, self.angle && !other.angle)
     }
 
-    /// Of a speed (`order` 1) or an acceleration (2).
+    /// Returns the dimension of a speed (`order` 1) or an acceleration (2).
     pub(in crate::model) fn rate(self, order: i32) -> Dimension {
         Dimension {
             half_times: self.half_times - 2 * order,
@@ -108,7 +111,8 @@ impl Dimension {
         }
     }
 
-    /// As what comes of arithmetic is printed: in kilograms only what is a mass times lengths, as a moment of inertia; else in newtons.
+    /// Returns the dimension as results of arithmetic are printed: in kilograms for a mass times
+    /// lengths, such as a moment of inertia, otherwise in newtons.
     pub(in crate::model) fn of_arithmetic(self) -> Dimension {
         let mass = self.half_kilograms;
         let is_mass = self.half_forces == mass && self.half_times == 2 * mass;
@@ -118,13 +122,13 @@ impl Dimension {
         }
     }
 
-    /// Of a whole power.
+    /// Returns the dimension of a whole power.
     pub(in crate::model) fn to_the(self, power: i32) -> Option<Dimension> {
         let factor = Some(power).filter(|power| power.abs() <= LIMIT)?;
         Dimension::NUMBER.combined(self, factor, self.angle && power == 1)
     }
 
-    /// Of a square root; `None` if that is not a half power.
+    /// Returns the dimension of a square root; `None` if that is not a half power.
     pub(in crate::model) fn root(self) -> Option<Dimension> {
         let halved = |halves: i32| (halves % 2 == 0).then_some(halves / 2);
         Some(Dimension {
@@ -136,10 +140,11 @@ impl Dimension {
         })
     }
 
-    /// All powers of `self` and `factor` times those of `other`. Only angles, and what is made of them and times, remember it.
+    /// Adds `factor` times the powers of `other`. Only angles, and products of angles and times,
+    /// remember `angle`.
     fn combined(self, other: Dimension, factor: i32, angle: bool) -> Option<Dimension> {
-        let power = |own: i32, other: i32| {
-            let power = own + factor * other;
+        let power = |halves: i32, other: i32| {
+            let power = halves + factor * other;
             (power.abs() <= LIMIT).then_some(power)
         };
         let half_lengths = power(self.half_lengths, other.half_lengths)?;

@@ -13,7 +13,7 @@ pub(crate) struct Expr {
     pub(crate) origin: OriginId,
 }
 
-/// Equal if they say the same, wherever they stand.
+/// Equal if they have the same meaning, in any place.
 impl PartialEq for Expr {
     fn eq(&self, other: &Self) -> bool {
         self.kind == other.kind
@@ -22,7 +22,8 @@ impl PartialEq for Expr {
 
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum ExprKind {
-    /// In the unit of its dimension: the mechanism's length unit, radians, newtons, seconds, kilograms.
+    /// A number in the unit of its dimension: the mechanism's length unit, radians, newtons,
+    /// seconds, kilograms.
     Number(f64),
     Name(Name),
     Vector(Vec<Expr>),
@@ -36,12 +37,13 @@ pub(crate) enum ExprKind {
     MotionLaw(MotionLaw),
     /// `d(q, x)`, `d(q, x, y)`.
     Derivative(Box<Expr>, Vec<Variable>),
-    /// `velocity` 1, `acceleration` 2, `jerk` 3: by the inputs of the function that asks.
+    /// `velocity` 1, `acceleration` 2, `jerk` 3: with respect to the inputs of the function.
     InputDerivative(Box<Expr>, u8),
-    /// By these scalar parameters, in this order.
+    /// Derivatives with respect to these scalar parameters, in this order.
     Sensitivity(Box<Expr>, Vec<ScalarParameterId>),
     Margin,
-    /// `picture([p, q], ...)`: what the mechanism looks like, with these links beside those of the loops.
+    /// `picture([p, q], ...)`: the picture of the mechanism, with these links in addition to those
+    /// of the loops.
     Picture(Vec<Vec<Expr>>),
     /// A quantity of the mechanics, for the speeds that the function lists.
     Mechanics(MechanicalQuantity),
@@ -63,13 +65,13 @@ pub(crate) struct MotionLaw {
     /// At least two.
     pub(crate) knots: Vec<Knot>,
     pub(crate) kind: MotionLawKind,
-    /// How the argument repeats.
+    /// The repetition of the argument.
     pub(crate) repeats: Repeats,
-    /// Which derivative by the argument it is.
+    /// The order of the derivative with respect to the argument.
     pub(crate) order: u8,
 }
 
-/// Where something is known.
+/// A point of a course.
 #[derive(Clone, Debug)]
 pub(crate) struct Knot {
     pub(crate) place: Expr,
@@ -78,57 +80,59 @@ pub(crate) struct Knot {
     pub(crate) slope: Option<Expr>,
     /// The law that leads to it.
     pub(crate) law: Option<Law>,
-    /// Whether speed and acceleration may jump here.
+    /// True if speed and acceleration can jump here.
     pub(crate) may_jump: bool,
     pub(crate) origin: OriginId,
 }
 
-/// Equal if they say the same, wherever they stand.
+/// Equal if they have the same meaning, in any place.
 impl PartialEq for Knot {
     fn eq(&self, other: &Self) -> bool {
-        let words = |own: &Self| (own.law, own.may_jump);
-        let numbers = |own: &Self| (own.place.clone(), own.value.clone(), own.slope.clone());
+        let words = |knot: &Self| (knot.law, knot.may_jump);
+        let numbers = |knot: &Self| (knot.place.clone(), knot.value.clone(), knot.slope.clone());
         numbers(self) == numbers(other) && words(self) == words(other)
     }
 }
 
-/// Equal if they say the same, wherever they stand.
+/// Equal if they have the same meaning, in any place.
 impl PartialEq for MotionLaw {
     fn eq(&self, other: &Self) -> bool {
-        let all = |own: &Self| (own.kind, own.repeats, own.order);
-        self.argument == other.argument && self.knots == other.knots && all(self) == all(other)
+        let words = |law: &Self| (law.kind, law.repeats, law.order);
+        self.argument == other.argument && self.knots == other.knots && words(self) == words(other)
     }
 }
 
-/// What bodies, joints and loads give.
+/// Quantities about bodies, joints and loads.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum MechanicalQuantity {
-    /// `reaction(joint)`: the force on the joint's body from the one that it hangs on.
+    /// `reaction(joint)`: the force on the joint's body from the body that it is attached to.
     Reaction(usize),
     /// `moment(joint)`: the moment on the body about the joint's point.
     Moment(usize),
-    /// `torque(input)`, `force(input)`: what drives that input.
+    /// `torque(input)`, `force(input)`: the drive of that input.
     Drive(usize),
     /// `power()`: of all drives.
     Power,
     KineticEnergy,
-    /// Of gravity and springs.
+    /// The energy of gravity and springs.
     PotentialEnergy,
     /// `shaking_force()`: the sum of the inertia forces.
     ShakingForce,
-    /// `shaking_moment()`, `shaking_moment(point)`: their moment about a fixed point, the origin if it is not named.
+    /// `shaking_moment()`, `shaking_moment(point)`: their moment about a fixed point, by default
+    /// the origin.
     ShakingMoment(Option<Box<Expr>>),
 }
 
 impl Expr {
-    /// The number, if it is written as one without a unit, perhaps with signs. Zero is the same in every unit.
+    /// Returns the number if it is written without a unit, perhaps with signs. Zero is the same in
+    /// every unit.
     pub(in crate::model) fn bare_number(&self) -> Option<f64> {
         match &self.kind {
             ExprKind::Number(number) => {
                 Some(*number).filter(|number| *number != 0.0 && self.ty == Type::NUMBER)
             }
             ExprKind::Negate(value) => value.bare_number().map(|number| -number),
-            // What is computed is a number on purpose.
+            // A computed number has no unit on purpose.
             _ => None,
         }
     }
@@ -151,7 +155,7 @@ impl Expr {
         }
     }
 
-    /// Gives zero the type that its surroundings ask for; a bare `0` beside a vector becomes a vector.
+    /// Gives zero the type of its surroundings; a bare `0` next to a vector becomes a vector.
     pub(in crate::model) fn settle(&mut self, wanted: &Type) {
         let Type::Zero(count) = self.ty else { return };
         let Some(wanted_count) = wanted.components() else {
@@ -180,7 +184,7 @@ impl Expr {
                 left.settle(wanted);
                 right.settle(wanted);
             }
-            // Only what is put together of zeros hands its type on to them.
+            // Only compositions of zeros pass their type on to them.
             _ => {}
         }
         self.ty = wanted.clone();
@@ -188,21 +192,21 @@ impl Expr {
 }
 
 impl MotionLaw {
-    /// Of what its argument and the places of its knots are.
+    /// Returns the type of its argument and of the places of its knots.
     pub(crate) fn argument_type(&self) -> Type {
         let angle = self
             .knots
             .iter()
-            .find(|own| matches!(own.place.ty, Type::Scalar(own) if own.angle));
-        angle.map_or(&*self.argument, |own| &own.place).ty.clone()
+            .find(|knot| matches!(knot.place.ty, Type::Scalar(knot) if knot.angle));
+        angle.map_or(&*self.argument, |knot| &knot.place).ty.clone()
     }
 
-    /// Of what its values are, were it not differentiated.
+    /// Returns the type of its values, without derivatives.
     pub(crate) fn value_type(&self) -> Type {
         let angle = self
             .knots
             .iter()
-            .find(|own| matches!(own.value.ty, Type::Scalar(own) if own.angle));
+            .find(|knot| matches!(knot.value.ty, Type::Scalar(knot) if knot.angle));
         angle.unwrap_or(&self.knots[0]).value.ty.clone()
     }
 
@@ -212,12 +216,12 @@ impl MotionLaw {
         expression: impl Fn(&Expr) -> Expr,
         origin: impl Fn(OriginId) -> OriginId,
     ) -> Self {
-        let knot = |own: &Knot| Knot {
-            place: expression(&own.place),
-            value: expression(&own.value),
-            slope: own.slope.as_ref().map(&expression),
-            origin: origin(own.origin),
-            ..own.clone()
+        let knot = |old: &Knot| Knot {
+            place: expression(&old.place),
+            value: expression(&old.value),
+            slope: old.slope.as_ref().map(&expression),
+            origin: origin(old.origin),
+            ..old.clone()
         };
         Self {
             argument: Box::new(expression(&self.argument)),
@@ -228,10 +232,12 @@ impl MotionLaw {
 
     /// The expressions that it is made of, as they are read.
     pub(crate) fn operands(&self) -> Vec<&Expr> {
-        let mut all = vec![&*self.argument];
+        let mut operands = vec![&*self.argument];
         let knots = self.knots.iter();
-        all.extend(knots.flat_map(|own| [&own.place, &own.value].into_iter().chain(&own.slope)));
-        all
+        operands.extend(
+            knots.flat_map(|knot| [&knot.place, &knot.value].into_iter().chain(&knot.slope)),
+        );
+        operands
     }
 
     /// Its derivative by its argument; `None` for more of them than a course has.

@@ -1,4 +1,5 @@
-//! What can be called in expressions: functions everywhere, quantities in the functions of the `impl` block.
+//! Words that can be called in expressions: functions everywhere, quantities in the functions of
+//! the `impl` block.
 
 use super::value_type::Type;
 use crate::syntax::{Word, vocabulary};
@@ -36,7 +37,7 @@ vocabulary! {
 }
 
 vocabulary! {
-    /// Functions that give a number along another one: their lists and words are read by themselves.
+    /// Functions that depend on a list of knots or on a word.
     pub(crate) enum MotionLawWord {
         Rise = "rise",
         Piecewise = "piecewise",
@@ -46,7 +47,7 @@ vocabulary! {
 }
 
 vocabulary! {
-    /// What functions of the `impl` block ask for, beside expressions.
+    /// Quantities of the functions of the `impl` block, besides expressions.
     pub(crate) enum QuantityWord {
         Motion(MotionWord),
         Mechanics(MechanicsWord),
@@ -111,7 +112,7 @@ impl Function {
         }
     }
 
-    /// Which of its arguments is an angle.
+    /// Returns the index of the argument that is an angle.
     pub(in crate::model) fn angle_argument(self) -> Option<usize> {
         match self {
             Function::Dir | Function::Sin | Function::Cos | Function::Tan => Some(0),
@@ -139,7 +140,7 @@ impl Function {
         }
     }
 
-    /// Which of its arguments the result has the dimension of, or a power of it.
+    /// Returns the arguments that the result has the dimension of, or a power of it.
     pub(in crate::model) fn measured_arguments(self) -> &'static [usize] {
         match self {
             Function::Polar
@@ -171,12 +172,13 @@ impl Function {
         }
     }
 
-    /// Whether some argument may be of this type although it has no arithmetic. Other functions refuse it.
+    /// Returns true if some argument can be of this type although it has no arithmetic. Other
+    /// functions refuse it.
     pub(in crate::model) fn takes(self, ty: &Type) -> bool {
         matches!(self, Function::PointIn | Function::CoordinatesIn) && ty.is_frame()
     }
 
-    /// Whether it can be called with so many arguments.
+    /// Returns true if it can be called with this number of arguments.
     pub(in crate::model) fn takes_count(self, count: usize) -> bool {
         // Without the z axis it is a frame of the plane.
         count == self.parameters().len() || (self == Function::Frame && count == 2)
@@ -184,7 +186,7 @@ impl Function {
 }
 
 impl MotionWord {
-    /// How often it differentiates by the inputs of the function that asks.
+    /// Returns the order of the derivative with respect to the inputs of the function.
     pub(in crate::model) fn order(self) -> Option<u8> {
         match self {
             MotionWord::Velocity | MotionWord::Omega => Some(1),
@@ -200,7 +202,7 @@ impl MotionWord {
         }
     }
 
-    /// Whether it is a derivative of its first argument.
+    /// Returns true for a derivative of the first argument.
     pub(in crate::model) fn differentiates(self) -> bool {
         match self {
             MotionWord::Derivative
@@ -217,7 +219,7 @@ impl MotionWord {
         }
     }
 
-    /// Whether it is about the turning of a frame.
+    /// Returns true for a quantity of the rotation of a frame.
     pub(in crate::model) fn turns(self) -> bool {
         matches!(self, MotionWord::Omega | MotionWord::Alpha)
     }
@@ -229,7 +231,7 @@ impl MotionWord {
 }
 
 impl MotionLawWord {
-    /// How it is written, in messages.
+    /// Returns the form of a call, for messages.
     pub(in crate::model) fn form(self) -> &'static str {
         match self {
             MotionLawWord::Rise => "rise(x, law)",
@@ -242,7 +244,7 @@ impl MotionLawWord {
     }
 }
 
-/// Whether it can be called.
+/// Returns true for a word that can be called.
 pub(in crate::model) fn is_function(name: &str) -> bool {
     Function::from_word(name).is_some()
         || MotionLawWord::from_word(name).is_some()

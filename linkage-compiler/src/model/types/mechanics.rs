@@ -8,10 +8,10 @@ use crate::syntax::{JointKind, vocabulary};
 #[derive(Clone, Debug)]
 pub(crate) struct Body {
     pub(crate) name: String,
-    /// What it hangs on; the joint's point is the body's origin.
+    /// The joint that it is attached by; the joint's point is the body's origin.
     pub(crate) joint: usize,
-    /// An angle; in space a frame, the vector along a slender rod, or the angle about the joint's axis. `None`: it turns as
-    /// the body that it hangs on.
+    /// An angle; in space a frame, the vector along a slender rod, or the angle about the joint's
+    /// axis. `None`: it turns with the body that it is attached to.
     pub(crate) turns: Option<Expr>,
     /// Masses and where they are.
     pub(crate) masses: Vec<(Expr, Expr)>,
@@ -42,7 +42,7 @@ pub(crate) struct Joint {
 }
 
 impl JointKind {
-    /// Whether its bodies turn against each other.
+    /// Returns true if its bodies turn relative to each other.
     pub(crate) fn turns(self) -> bool {
         match self {
             JointKind::Pin | JointKind::Ball | JointKind::Cylinder => true,
@@ -50,7 +50,7 @@ impl JointKind {
         }
     }
 
-    /// Whether its bodies slide along each other.
+    /// Returns true if its bodies slide along each other.
     pub(crate) fn slides(self) -> bool {
         match self {
             JointKind::Slide | JointKind::Cylinder => true,
@@ -80,7 +80,7 @@ pub(crate) struct Element {
 }
 
 vocabulary! {
-    /// What acts between two bodies by itself.
+    /// A passive element between two bodies.
     pub(crate) enum ElementKind {
         Spring = "spring",
         Damper = "damper",

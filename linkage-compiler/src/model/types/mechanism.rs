@@ -47,10 +47,11 @@ impl Mechanism {
     pub(crate) fn paths_of_parts(&self) -> Vec<(String, String)> {
         let parts = self.parts.iter();
         let paths = parts.flat_map(|part| {
-            let own = (part.name.clone(), part.mechanism.clone());
+            let first = (part.name.clone(), part.mechanism.clone());
             let inner = part.inner.iter();
-            let inner = inner.map(|(path, of)| (format!("{}.{path}", part.name), of.clone()));
-            std::iter::once(own).chain(inner)
+            let inner =
+                inner.map(|(path, mechanism)| (format!("{}.{path}", part.name), mechanism.clone()));
+            std::iter::once(first).chain(inner)
         });
         paths.collect()
     }
@@ -68,13 +69,14 @@ impl Mechanism {
         }
     }
 
-    /// Whether this one of the inputs and, behind them, arguments is a load: neither an input nor a speed or acceleration.
+    /// Returns true for an argument that is a load: neither an input nor a speed or acceleration.
+    /// Arguments are counted after the inputs.
     pub(crate) fn is_load(&self, index: usize) -> bool {
         let argument = index.checked_sub(self.inputs.len());
         argument.is_some_and(|argument| self.arguments[argument].reference.is_some())
     }
 
-    /// The name of an input or, behind the inputs, an argument.
+    /// Returns the name of an input or, with a number after the inputs, of an argument.
     pub(crate) fn input_name(&self, index: usize) -> &str {
         match index.checked_sub(self.inputs.len()) {
             None => &self.inputs[index].name,
@@ -82,15 +84,19 @@ impl Mechanism {
         }
     }
 
-    /// Where a point of a part that stands elsewhere is seen: which of the [`Mechanism::placed`], and the point there.
+    /// Returns the index in [`Mechanism::placed`] of the part whose point this is, and the point in
+    /// the frame of the part.
     pub(crate) fn standing<'e>(&self, expr: &'e Expr) -> Option<(usize, &'e Expr)> {
-        let is_length = expr.ty.dimension().is_some_and(|own| own.half_lengths == 2);
-        let all = self.placed.iter().enumerate().filter(|_| is_length);
-        let mut found = all.filter_map(|(index, own)| Some((index, own.point_behind(expr)?)));
+        let is_length = expr
+            .ty
+            .dimension()
+            .is_some_and(|dimension| dimension.half_lengths == 2);
+        let parts = self.placed.iter().enumerate().filter(|_| is_length);
+        let mut found = parts.filter_map(|(index, part)| Some((index, part.point_behind(expr)?)));
         found.next()
     }
 
-    /// The expression that a name stands for, if it has one.
+    /// Returns the expression of a name, if it has one.
     pub(crate) fn value_of(&self, name: Name) -> Option<&Expr> {
         match name {
             Name::Const(index) => Some(&self.constants[index].value),
@@ -117,9 +123,9 @@ pub(crate) struct Parameter {
     /// Its doc comment, line by line as written.
     pub(crate) documentation: String,
     pub(crate) ty: Type,
-    /// Where its name is declared.
+    /// The place of its declaration.
     pub(crate) origin: OriginId,
-    /// Whether the user says that it may be a field only.
+    /// True if the user accepts that it is only a field.
     pub(crate) may_be_unused: bool,
     /// The default: numbers, functions and constants only.
     pub(crate) nominal: Expr,
@@ -149,7 +155,7 @@ pub(crate) struct Input {
     pub(crate) origin: OriginId,
 }
 
-/// A number that functions take besides inputs: a load, a speed. Nothing that moves depends on it.
+/// A number that functions take besides inputs: a load, a speed. Positions do not depend on it.
 #[derive(Clone, Debug)]
 pub(crate) struct Argument {
     pub(crate) name: String,
@@ -165,7 +171,7 @@ pub(crate) struct Unknown {
     pub(crate) ty: Type,
     /// The start estimate, if there is one: numbers, constants and parameters only.
     pub(crate) estimate: Option<Expr>,
-    /// Whether it is one of a part: its estimate is then where the part alone has it.
+    /// True for an unknown of a part: its estimate is then the value in the part alone.
     pub(crate) of_part: bool,
     pub(crate) origin: OriginId,
 }
@@ -175,7 +181,7 @@ pub(crate) struct Let {
     pub(crate) name: String,
     /// Uses only names declared before it.
     pub(crate) value: Expr,
-    /// Whether it is an unknown frame, made of unknowns of its own.
+    /// True for an unknown frame, which consists of unknowns.
     pub(crate) is_unknown_frame: bool,
 }
 
@@ -187,7 +193,8 @@ pub(crate) struct Loop {
     pub(crate) origin: OriginId,
 }
 
-/// A mechanism within this one: what is its own stands among what is of its kind, under names that begin with its own.
+/// A mechanism within this one. Its items are among the items of the same kind, with names that
+/// begin with its own.
 #[derive(Clone, Debug)]
 pub(crate) struct MechanismPart {
     pub(crate) name: String,
@@ -195,7 +202,7 @@ pub(crate) struct MechanismPart {
     pub(crate) mechanism: String,
     /// The derived quantities that its inputs are here.
     pub(crate) inputs: Vec<usize>,
-    /// What its parameters are here: parameters, or derived quantities for those that are given.
+    /// Its parameters here: parameters, or derived quantities for those that are given.
     pub(crate) parameters: Vec<Name>,
     /// Its unknowns.
     pub(crate) unknowns: Range<usize>,
@@ -203,7 +210,7 @@ pub(crate) struct MechanismPart {
     pub(crate) inner: Vec<(String, String)>,
 }
 
-/// Where a part stands in the mechanism that it is a part of.
+/// The location of a part in the mechanism around it.
 #[derive(Clone, Debug)]
 pub(crate) struct Placed {
     /// The part's name, those of the parts around it in front.
@@ -216,7 +223,8 @@ pub(crate) struct Placed {
     pub(crate) loops: Range<usize>,
 }
 
-/// A part, or a part of a part, that has none itself: where its own derived quantities, loops and unknowns stand.
+/// A part without parts, or one within a part: the ranges of its own derived quantities, loops and
+/// unknowns.
 #[derive(Clone, Debug)]
 pub(crate) struct Leaf {
     pub(crate) lets: Range<usize>,
@@ -230,7 +238,8 @@ pub(crate) struct EvaluatorDef {
     /// Its doc comment, line by line as written.
     pub(crate) documentation: String,
     pub(crate) result: String,
-    /// Inputs in the order of the function's arguments. Numbers from [`Mechanism::inputs`]'s length on are arguments.
+    /// Inputs in the order of the function's arguments. Numbers after the last of
+    /// [`Mechanism::inputs`] are arguments.
     pub(crate) inputs: Vec<usize>,
     /// Origins of the arguments, same order.
     pub(crate) input_origins: Vec<OriginId>,
@@ -246,13 +255,14 @@ pub(crate) struct Quantity {
     pub(crate) value: Expr,
     /// The value as text.
     pub(crate) written: String,
-    /// What it is the derivative of, as text; the value itself if it is none.
+    /// The expression below its derivatives as text; the value itself if it is no derivative.
     pub(crate) subject: String,
     pub(crate) origin: OriginId,
 }
 
 impl Placed {
-    /// The point of the part that is seen here; the inverse of [`PartFrame::seen_point`].
+    /// Returns the point of the part that this expression is in the mechanism around it. The
+    /// inverse of `PartFrame::seen_point`.
     pub(crate) fn point_behind<'e>(&self, seen: &'e Expr) -> Option<&'e Expr> {
         let turned_back = |turned: &'e Expr| match (&self.turned, &turned.kind) {
             (None, _) => Some(turned),

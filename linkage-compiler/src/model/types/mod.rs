@@ -1,4 +1,5 @@
-//! The resolved mechanism: ids instead of names, checked dimensions, one length unit, angles in radians.
+//! The resolved mechanism: ids instead of names, checked dimensions, one length unit, angles in
+//! radians.
 //!
 //! No spans here: an [`OriginId`](crate::diagnostic::OriginId) leads back to the source text.
 
@@ -12,6 +13,7 @@ mod mechanics;
 mod mechanism;
 mod motion_law;
 mod name;
+mod parts_of_frame;
 mod traversal;
 mod type_names;
 mod usage;
@@ -35,6 +37,8 @@ pub(crate) use motion_law::{
     Ends, HIGHEST_SLOPE, Law, MotionLawKind, Pieces, Repeating, Repeats, SplineWord,
 };
 pub(crate) use name::{Name, ScalarParameterId, Variable};
+pub(in crate::model) use parts_of_frame::{ANGLE_PART, type_of_part};
+pub(crate) use parts_of_frame::{PARTS as FRAME_PARTS, PLANE_PARTS, VECTORS_OF_PLANE};
 pub(crate) use traversal::Derived;
 pub(in crate::model) use type_names::raised;
 pub(crate) use usage::AskedPicture;

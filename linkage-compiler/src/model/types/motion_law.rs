@@ -25,19 +25,19 @@ vocabulary! {
 }
 
 vocabulary! {
-    /// How a spline ends.
+    /// The ends of a spline.
     pub(crate) enum Ends {
-        /// It goes on as its last derivatives that are continuous say: a cubic one as a straight line.
+        /// Continues with its last continuous derivatives: a cubic spline as a straight line.
         Natural = "natural",
         /// Without slope; it goes on as a constant.
         Clamped = "clamped",
-        /// As it began.
+        /// Ends as it began.
         Periodic = "periodic",
     }
 }
 
 vocabulary! {
-    /// Of which degree the pieces of a spline are, if they are not cubic.
+    /// The degree of the pieces of a spline that are not cubic.
     pub(crate) enum Degree {
         /// Four derivatives are continuous.
         Quintic = "quintic",
@@ -45,7 +45,7 @@ vocabulary! {
 }
 
 vocabulary! {
-    /// What stands behind the points of a spline.
+    /// A word after the points of a spline.
     pub(crate) enum SplineWord {
         Ends(Ends),
         Degree(Degree),
@@ -53,14 +53,14 @@ vocabulary! {
 }
 
 vocabulary! {
-    /// How a course of laws goes on behind its last knot where the knots span no turn.
+    /// The continuation of a course of laws after its last knot, if the knots span no turn.
     pub(crate) enum Repeating {
-        /// As from the first one.
+        /// Continues as from the first knot.
         Periodic = "periodic",
     }
 }
 
-/// What the pieces of a spline are.
+/// The pieces of a spline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Pieces {
     /// Through points, with continuous curvature.
@@ -74,22 +74,22 @@ pub(crate) enum Pieces {
 /// The highest derivative of a course that is a course itself.
 pub(crate) const HIGHEST_SLOPE: u8 = 3;
 
-/// How it goes from knot to knot.
+/// The interpolation between knots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MotionLawKind {
-    /// `rise(x, law)`: one law from 0 to 1, which nobody asks to be smooth at its ends.
+    /// `rise(x, law)`: one law from 0 to 1, which need not be smooth at its ends.
     Rise,
-    /// By the law of the later knot; beyond the ends it stays where it is.
+    /// The law of the later knot; constant beyond the ends.
     Laws,
     Spline(Ends, Pieces),
 }
 
-/// After what the argument begins anew.
+/// The period after which the argument repeats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Repeats {
     Never,
     /// The knots span a turn.
     EachTurn,
-    /// From the last knot on it goes as from the first one.
+    /// The last knot is followed by the first one.
     FromLastToFirst,
 }

@@ -1,6 +1,6 @@
 //! Names as numbers: each kind of name is counted by itself, in the order of declaration.
 
-/// What a name stands for; each index counts its own kind in declaration order.
+/// A name; each index counts its own kind in the order of declaration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) enum Name {
     Const(usize),
@@ -13,11 +13,11 @@ pub(crate) enum Name {
     Pi,
 }
 
-/// Index into [`Mechanism::scalar_parameters`].
+/// Index into `Mechanism::scalar_parameters`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct ScalarParameterId(pub usize);
 
-/// What one can differentiate by.
+/// A variable of derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) enum Variable {
     Input(usize),

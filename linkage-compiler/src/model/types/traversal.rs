@@ -1,20 +1,20 @@
-//! What expressions are made of: the one place that knows it.
+//! Operands of expressions, for code that visits all of them.
 
 use super::expression::{BinaryOp, Expr, ExprKind, MechanicalQuantity};
 use super::name::{Name, ScalarParameterId, Variable};
 
-/// What a derivative is of, and by what.
+/// The operand of a derivative, and its variables.
 pub(crate) enum Derived<'e> {
-    /// By the inputs of the function that asks, so often.
+    /// With respect to the inputs of the function, this many times.
     ByInputs(&'e Expr, u8),
-    /// By each of these parameters.
+    /// With respect to each of these parameters.
     ByParameters(&'e Expr, &'e [ScalarParameterId]),
-    /// By these variables, one after the other.
+    /// With respect to these variables, one after the other.
     By(&'e Expr, &'e [Variable]),
 }
 
 impl Expr {
-    /// What it is the derivative of; nothing for what is none.
+    /// Returns the operand of a derivative; `None` for any other expression.
     pub(crate) fn derived(&self) -> Option<Derived<'_>> {
         match &self.kind {
             ExprKind::InputDerivative(inner, order) => Some(Derived::ByInputs(inner, *order)),
@@ -39,7 +39,7 @@ impl Expr {
     /// The expressions that it is made of directly.
     pub(crate) fn operands(&self) -> Vec<&Expr> {
         match &self.kind {
-            ExprKind::Vector(all) | ExprKind::Call(_, all) => all.iter().collect(),
+            ExprKind::Vector(operands) | ExprKind::Call(_, operands) => operands.iter().collect(),
             ExprKind::MotionLaw(course) => course.operands(),
             ExprKind::Component(a, _) | ExprKind::Index(a, _) | ExprKind::Negate(a) => vec![a],
             ExprKind::Binary(_, a, b) => vec![a, b],
@@ -64,7 +64,8 @@ impl Expr {
         })
     }
 
-    /// What a sum consists of, true for what it adds; empty for what is no sum.
+    /// Returns the terms of a sum, with true for those that it adds. Empty for any other
+    /// expression.
     pub(crate) fn summands(&self) -> Vec<(bool, &Expr)> {
         match &self.kind {
             ExprKind::Binary(BinaryOp::Add, a, b) => vec![(true, a), (true, b)],
@@ -75,7 +76,7 @@ impl Expr {
         }
     }
 
-    /// Whether it is known only in the functions of the `impl` block.
+    /// Returns true if it is known only in the functions of the `impl` block.
     pub(crate) fn is_quantity(&self) -> bool {
         match self.kind {
             ExprKind::Derivative(..)

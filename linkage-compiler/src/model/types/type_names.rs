@@ -53,9 +53,10 @@ impl Dimension {
 
     /// `force*length^-1`; `mass*length`, if it was given in kilograms and no power of time remains.
     fn product(self) -> String {
-        let masses = match self.half_times == 2 * self.half_forces {
-            true => self.half_kilograms.clamp(0, self.half_forces.max(0)),
-            false => 0,
+        let masses = if self.half_times == 2 * self.half_forces {
+            self.half_kilograms.clamp(0, self.half_forces.max(0))
+        } else {
+            0
         };
         let powers = [
             ("mass", masses),

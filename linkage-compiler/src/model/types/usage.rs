@@ -1,4 +1,4 @@
-//! What loops, bodies and functions are written with.
+//! Names that loops, bodies and functions contain.
 
 use super::expression::{Expr, ExprKind, MechanicalQuantity};
 use super::mechanics::{Between, Inertia};
@@ -14,7 +14,7 @@ pub(crate) struct Usage {
 }
 
 impl Mechanism {
-    /// What some of the loops are written with, whether it cancels out there or not.
+    /// Returns the names in some of the loops, even if they cancel out.
     pub(crate) fn usage(&self, loops: &[usize]) -> Usage {
         let mut usage = Usage {
             lets: vec![false; self.lets.len()],
@@ -34,7 +34,8 @@ impl Mechanism {
 }
 
 impl Mechanism {
-    /// Whether an expression is written with one of these unknowns, directly or through derived quantities.
+    /// Returns true if an expression contains one of these unknowns, directly or through derived
+    /// quantities.
     pub(crate) fn mentions(&self, expr: &Expr, unknowns: &[usize]) -> bool {
         let mut names = expr.parts().filter_map(Expr::as_name);
         names.any(|name| match name {
@@ -48,34 +49,34 @@ impl Mechanism {
 
     /// All that bodies, joints and loads are written with.
     pub(crate) fn expressions_of_mechanics(&self) -> Vec<&Expr> {
-        let mut all: Vec<&Expr> = self.gravity.iter().collect();
+        let mut values: Vec<&Expr> = self.gravity.iter().collect();
         for joint in &self.joints {
-            all.push(&joint.at);
-            all.extend(&joint.direction);
+            values.push(&joint.at);
+            values.extend(&joint.direction);
         }
         for body in &self.bodies {
-            all.extend(&body.turns);
-            all.extend(body.masses.iter().flat_map(|(mass, at)| [mass, at]));
+            values.extend(&body.turns);
+            values.extend(body.masses.iter().flat_map(|(mass, at)| [mass, at]));
             for (inertia, about) in &body.inertias {
                 match inertia {
-                    Inertia::Scalar(own) => all.push(own),
-                    Inertia::Tensor(rows) => all.extend(rows.iter().flatten()),
+                    Inertia::Scalar(value) => values.push(value),
+                    Inertia::Tensor(rows) => values.extend(rows.iter().flatten()),
                 }
-                all.extend(about);
+                values.extend(about);
             }
         }
         for load in &self.loads {
-            all.push(&load.value);
-            all.extend(&load.at);
+            values.push(&load.value);
+            values.extend(&load.at);
         }
         for element in &self.elements {
-            all.push(&element.value);
-            all.extend(&element.free);
+            values.push(&element.value);
+            values.extend(&element.free);
             if let Between::Points(ends) = &element.between {
-                all.extend(ends.iter().map(|(_, at)| at));
+                values.extend(ends.iter().map(|(_, at)| at));
             }
         }
-        all
+        values
     }
 }
 
@@ -95,32 +96,31 @@ impl Usage {
     }
 }
 
-/// The picture that a function asks for.
+/// The picture of a function.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AskedPicture<'m> {
-    /// Points that the user says to be links.
+    /// Points that the user joins to links.
     pub(crate) links: &'m [Vec<Expr>],
     pub(crate) origin: OriginId,
 }
 
 impl EvaluatorDef {
-    /// `None` if it asks for no picture.
+    /// Returns `None` for a function without a picture.
     pub(crate) fn asked_picture(&self) -> Option<AskedPicture<'_>> {
         self.quantities
             .iter()
-            .find_map(|own| match &own.value.kind {
+            .find_map(|quantity| match &quantity.value.kind {
                 ExprKind::Picture(links) => Some(AskedPicture {
                     links,
-                    origin: own.value.origin,
+                    origin: quantity.value.origin,
                 }),
                 _ => None,
             })
     }
 
-    /// Whether it asks for a reaction or moment of a joint.
-    /// Whether it asks for forces, or for a picture: what is known of bodies, too.
+    /// Returns true for a function with forces or with a picture, which depend on bodies.
     pub(crate) fn asks_of_bodies(&self) -> bool {
-        let values = self.quantities.iter().map(|own| &own.value);
+        let values = self.quantities.iter().map(|quantity| &quantity.value);
         values
             .flat_map(Expr::parts)
             .any(|part| matches!(part.kind, ExprKind::Mechanics(_) | ExprKind::Picture(_)))
@@ -147,7 +147,7 @@ fn has_reactions(value: &Expr) -> bool {
 }
 
 impl MechanicalQuantity {
-    /// Whether it is what a joint transmits.
+    /// Returns true for a quantity that a joint transmits.
     fn is_of_joints(&self) -> bool {
         match self {
             MechanicalQuantity::Reaction(_) | MechanicalQuantity::Moment(_) => true,

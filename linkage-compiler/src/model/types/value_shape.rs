@@ -1,16 +1,16 @@
-//! How many numbers a value has, and how they are put together.
+//! Numbers of a value, and their arrangement.
 
+use super::parts_of_frame::{PARTS, VECTORS_OF_PLANE};
 use super::value_type::Type;
-use crate::model::expression::frame_parts::{PARTS, VECTORS_OF_PLANE};
 
-/// What a value of a function's result looks like, without dimensions.
+/// The arrangement of a value of a function's result, without dimensions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// One number.
     Scalar,
     /// 2 or 3 components.
     Vector(usize),
-    /// So many entries of one shape.
+    /// A number of entries of one shape.
     Array(usize, Box<Shape>),
     /// Origin and axes x, y, z: four vectors of space.
     Frame,
@@ -33,7 +33,7 @@ impl Shape {
         }
     }
 
-    /// How many scalars it holds.
+    /// Returns the number of scalars.
     pub fn width(&self) -> usize {
         match self {
             Self::Scalar => 1,

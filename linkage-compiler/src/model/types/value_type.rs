@@ -9,9 +9,10 @@ pub(crate) enum Type {
     Vector(usize, Dimension),
     /// `velocity` with several inputs, `sensitivity`: entries that may differ in dimension.
     Array(Vec<Type>),
-    /// A point and three perpendicular directions in space; what it consists of is read as entries 0 (the origin) to 3.
+    /// A point and three perpendicular directions in space, as entries 0 (the origin) to 3.
     Frame,
-    /// A point and a direction in the plane; its parts are the origin, the axes and the angle of the first.
+    /// A point and a direction in the plane; its parts are the origin, the axes and the angle of
+    /// the first.
     PlaneFrame,
     /// The literal `0` (or a vector of such): fits every dimension. The count is 1 for a scalar.
     Zero(usize),
@@ -22,7 +23,7 @@ pub(crate) enum Type {
 impl Type {
     pub(in crate::model) const NUMBER: Type = Type::Scalar(Dimension::NUMBER);
 
-    /// Zero as a number: what it is where nothing says otherwise.
+    /// Returns zero as a number, and any other type as it is.
     pub(in crate::model) fn settled(&self) -> Type {
         match self {
             Type::Zero(1) => Type::NUMBER,

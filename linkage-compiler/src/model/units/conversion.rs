@@ -6,7 +6,7 @@ use super::decimal::Decimal;
 use crate::model::types::{Dimension, LengthUnit};
 use crate::syntax::{Scale, UnitOfMeasure, Word, find_unit, is_unit};
 
-/// How many digits of pi are multiplied: far more than a double's literal can tell apart.
+/// Digits of pi for multiplication: far more than a literal of a double can distinguish.
 const PI: &str = "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899\
                   8628034825342117067982148086513282306647";
 /// Its reciprocal.
@@ -15,7 +15,8 @@ const PER_PI: &str = "0.31830988618379067153776752674502872406891929148091289749
 /// Factors of one kind beyond this are taken for a mistake.
 const LIMIT: i32 = 64;
 
-/// A literal in the unit of its dimension: the mechanism's length unit, radians, newtons, seconds, kilograms.
+/// A literal in the unit of its dimension: the mechanism's length unit, radians, newtons, seconds,
+/// kilograms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::model) enum Literal {
     /// Zero without a unit fits every dimension.
@@ -95,7 +96,8 @@ struct Factor {
 }
 
 impl Factor {
-    /// From a product of units to the unit of its dimension; `None` for powers beyond all use.
+    /// Converts a product of units to the unit of its dimension; `None` for powers that are too
+    /// large.
     fn from_units(units: &[(&str, i32)], length: LengthUnit) -> Option<(Factor, Dimension)> {
         let mut factor = Factor::default();
         let mut dimension = Dimension::NUMBER;
@@ -113,9 +115,9 @@ impl Factor {
     fn include(&mut self, scale: Scale, power: i32) -> Option<()> {
         self.ten += scale.ten * i64::from(power);
         self.pi += scale.pi * power;
-        let (number, own) = scale.whole;
+        let (number, exponent) = scale.whole;
         if number > 1 {
-            *self.whole.entry(number).or_default() += own * power;
+            *self.whole.entry(number).or_default() += exponent * power;
         }
         let counts = self.whole.values().chain([&self.pi]);
         counts

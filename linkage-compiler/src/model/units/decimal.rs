@@ -7,7 +7,7 @@ pub(in crate::model) struct Decimal {
     exponent: i64,
 }
 
-/// Digits kept behind those of the dividend when a quotient does not end.
+/// Digits after those of the dividend if a quotient does not end.
 const GUARD_DIGITS: usize = 40;
 /// Beyond this every value overflows or vanishes; the sum of two cannot overflow.
 const EXPONENT_LIMIT: i64 = 1_000_000_000;
@@ -49,9 +49,9 @@ impl Decimal {
             }
         }
         let mut carry = 0;
-        for place in product.iter_mut().rev() {
-            let sum = *place + carry;
-            *place = sum % 10;
+        for digit in product.iter_mut().rev() {
+            let sum = *digit + carry;
+            *digit = sum % 10;
             carry = sum / 10;
         }
         let digits = product.into_iter().map(|digit| digit as u8).collect();

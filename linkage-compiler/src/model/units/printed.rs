@@ -4,7 +4,8 @@ use super::conversion::{Literal, convert_product};
 use crate::model::types::{Dimension, LengthUnit, raised};
 
 impl Dimension {
-    /// The unit of a quantity: `mm`, `N*mm`, `kg*mm^2`, `1/s`, `mm^(1/2)`, `rad`, nothing for a number.
+    /// Returns the unit of a quantity: `mm`, `N*mm`, `kg*mm^2`, `1/s`, `mm^(1/2)`, `rad`, an empty
+    /// text for a number.
     pub(crate) fn unit(self, length: LengthUnit) -> String {
         let kilograms = self.half_kilograms;
         let angle = if self.angle { 2 } else { 0 };
@@ -32,8 +33,8 @@ impl Dimension {
         }
     }
 
-    /// What one of the [unit](Dimension::unit) is for the program, which computes in newtons, seconds and the length unit: not 1
-    /// only if the unit has kilograms.
+    /// Returns the value of one [unit](Dimension::unit) in the program, which computes in newtons,
+    /// seconds and the length unit. It is not 1 only if the unit has kilograms.
     pub(crate) fn internal_per_unit(self, length: LengthUnit) -> f64 {
         // A kilogram is a newton second^2 for each metre.
         let whole = |power: i32| match convert_product("1", &[("m", power)], length) {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::{Add, Mul, Sub};
 
 use linkage_core::numeric::roots::Variable;
-use linkage_symbolic::{Ex, V2, agree};
+use linkage_symbolic::{Ex, V2, numerically_equal};
 
 /// Complex coefficients by the exponents of all variables.
 #[derive(Clone, Default)]
@@ -64,7 +64,7 @@ impl<'m> Laurent<'m> {
         let mut cleaned = self.map(|own| {
             own.map(|x| {
                 let zero = x.number(0.0);
-                if agree(x, zero) { zero } else { x }
+                if numerically_equal(x, zero) { zero } else { x }
             })
         });
         cleaned.0.retain(|_, own| !own.is_zero());

@@ -4,7 +4,7 @@
 //! the same the other way round, for each turn; a link's `V . V/2` by `arm x V`. The nine components of directions would say the same with several
 //! times the operations. What a row was written as proposes, and the values of its derivatives decide.
 
-use linkage_symbolic::{Ex, SymbolId, V3, Vector, agree, substitute};
+use linkage_symbolic::{Ex, SymbolId, V3, Vector, numerically_equal, substitute};
 
 use crate::algebra::{Bodies, Body, Carried, coordinates, directions};
 use crate::solve::Solver;
@@ -76,7 +76,7 @@ pub(super) fn same<'m>(proposed: V3<'m>, any: V3<'m>) -> bool {
         .0
         .iter()
         .zip(any.0)
-        .all(|(&own, any)| agree(own, any))
+        .all(|(&own, any)| numerically_equal(own, any))
 }
 
 /// What one of the bodies carries of a vector as it is.

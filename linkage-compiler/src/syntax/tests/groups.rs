@@ -1,4 +1,4 @@
-//! Invisible groups: what fragments of a `macro_rules` macro arrive in.
+//! Invisible groups, in which fragments of a `macro_rules` macro arrive.
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 

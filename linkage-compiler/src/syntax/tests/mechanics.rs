@@ -47,7 +47,7 @@ fn statics(phi12, press) -> Statics
     assert_eq!(text, expected);
 }
 
-/// Sources, and how the tree prints them; what it prints is read to the same tree.
+/// Sources, and the tree printed as text. The text is read to the same tree.
 #[test]
 fn items() {
     for (source, expected) in [

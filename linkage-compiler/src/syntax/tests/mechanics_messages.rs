@@ -2,7 +2,7 @@
 
 use super::messages::check;
 
-/// Items and what is said of them, before another item.
+/// Items with the messages about them, before another item.
 fn check_items(cases: &[(&str, &str)]) {
     for (item, expected) in cases {
         check(&format!("struct A {{ {item} let y = 1; }}"), &[expected]);

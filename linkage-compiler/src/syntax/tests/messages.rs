@@ -2,7 +2,7 @@
 
 use super::read;
 
-/// Source of the whole, what the messages say (facts and helps, in part).
+/// Source of the whole with its messages, facts and helps.
 pub(super) fn check(source: &str, expected: &[&str]) {
     let (_, messages) = read(source);
     assert_eq!(messages.len(), expected.len(), "{source}: {messages:#?}");

@@ -1,4 +1,4 @@
-//! Grammar: what is read, what is reported, what survives a mistake.
+//! Grammar, messages, and items that survive a mistake.
 
 mod groups;
 mod mechanics;

@@ -1,45 +1,45 @@
 //! Why an event cannot be set to an angle.
 
-use super::VALUES;
-use crate::words::rounded;
+use super::value::VALUES;
+use crate::format::rounded;
 use alloc::string::String;
 use core::fmt;
 
-/// Why an event cannot be set to an angle. `E` is what building an organ fails with.
+/// A reason why an event cannot be set to an angle. `E` is the error of building a member.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SettingError<E> {
-    /// No organ can be built with any value that was looked at.
+    /// No member can be built with any value that was looked at.
     Unbuilt {
         /// The range of the parameter.
         range: (f64, f64),
         /// Why there is none with the first value.
         error: E,
     },
-    /// The organs have no such event.
+    /// The members have no such event.
     NoEvent {
         /// The range of the parameter.
         range: (f64, f64),
-        /// The organ.
-        organ: String,
+        /// The member.
+        member: String,
     },
-    /// The organ has no sensitivities, or none to this parameter.
+    /// The member has no sensitivities, or none to this parameter.
     Parameter {
-        /// The organ.
-        organ: String,
+        /// The member.
+        member: String,
         /// The index of the parameter.
         parameter: usize,
-        /// How many parameters the sensitivities are by; `None` if there are none.
+        /// The number of parameters of the sensitivities; `None` if there are none.
         sensitivities: Option<usize>,
     },
     /// The event is nowhere at the wanted angle.
     Unreached {
-        /// The organ.
-        organ: String,
+        /// The member.
+        member: String,
         /// The wanted angle.
         wanted: f64,
-        /// The nearest angle that was found: at the values that are looked at, the ends of the range among them, and where the
-        /// angle turns back between them.
+        /// The nearest angle that was found: at the values that are looked at, the ends of the
+        /// range among them, and where the angle turns back between them.
         nearest: f64,
         /// At this value of the parameter.
         value: f64,
@@ -58,34 +58,34 @@ impl<E: fmt::Display> fmt::Display for SettingError<E> {
                 rounded(range.0),
                 rounded(range.1)
             ),
-            Self::NoEvent { range, organ } => write!(
+            Self::NoEvent { range, member } => write!(
                 f,
-                "`{organ}` has no event that is meant, with any of the {VALUES} values from {} to {} of the parameter that were \
+                "`{member}` has no event that is meant, with any of the {VALUES} values from {} to {} of the parameter that were \
                  looked at",
                 rounded(range.0),
                 rounded(range.1)
             ),
             Self::Parameter {
-                organ,
+                member,
                 parameter,
                 sensitivities: Some(count),
             } => write!(
                 f,
-                "`{organ}` has sensitivities to {count} parameters, and none with the index {parameter}"
+                "`{member}` has sensitivities to {count} parameters, and none with the index {parameter}"
             ),
-            Self::Parameter { organ, .. } => write!(
+            Self::Parameter { member, .. } => write!(
                 f,
-                "`{organ}` has no sensitivities, which lead to the wanted angle\nhelp: call `sensitivities` on the organ that is built"
+                "`{member}` has no sensitivities, which lead to the wanted angle\nhelp: call `sensitivities` on the organ that is built"
             ),
             Self::Unreached {
-                organ,
+                member,
                 wanted,
                 nearest,
                 value,
                 range,
             } => write!(
                 f,
-                "no event of `{organ}` that is meant is at {} deg: the nearest angle is {} deg, where the parameter is {} (from {} to \
+                "no event of `{member}` that is meant is at {} deg: the nearest angle is {} deg, where the parameter is {} (from {} to \
                  {})\nhelp: give a wider range, or change another parameter",
                 rounded(wanted.to_degrees()),
                 rounded(nearest.to_degrees()),

@@ -1,25 +1,28 @@
 //! The search for such values.
 
-use super::{Setting, SettingError, VALUES};
-use crate::cyclogram::{Event, Organ};
+use super::error::SettingError;
+use super::value::{Setting, VALUES};
+use crate::cyclogram::event::Event;
+use crate::cyclogram::member::Member;
 use alloc::string::String;
 use alloc::vec::Vec;
 
 /// Steps to a root: halvings alone leave nothing between two numbers after as many as these.
 const STEPS: usize = 64;
-/// A step that is less than so many roundoffs of the value changes nothing any more.
+/// Roundoffs of the value below which a step changes nothing any more.
 const ROUNDOFFS: f64 = 2.0;
-/// An event that is no farther from the wanted angle, in radians, is at it: its own angle has more digits unless it hardly passes its
-/// bound. What jumps is farther.
+/// Greatest distance from the wanted angle, in radians, of an event that is at it: the angle has
+/// more digits unless the curve hardly passes its bound. A jump is farther away.
 const REACHED: f64 = 1e-9;
-/// Roots of one event that are no farther apart than this part of the range are one: each is known to some roundoffs over the slope.
+/// Roots of one event that are no farther apart than this part of the range are one: each is known
+/// to some roundoffs over the slope.
 const SAME: f64 = 1e-9;
 
 /// One event with one value of the parameter.
 #[derive(Clone, Copy, Debug)]
-struct Place {
+struct EventAt {
     value: f64,
-    /// By how much its angle is more than the wanted one, from minus half to half a cycle.
+    /// The excess of its angle over the wanted one, from minus half to half a cycle.
     off: f64,
     /// Its angle.
     at: f64,
@@ -28,23 +31,23 @@ struct Place {
     event: usize,
 }
 
-pub(super) struct Search<B, W> {
+pub(super) struct SettingSearch<B, W> {
     pub(super) build: B,
     pub(super) event: W,
     pub(super) parameter: usize,
     pub(super) angle: f64,
     pub(super) range: (f64, f64),
-    /// Name and cycle of the organ, once it has been built.
-    pub(super) organ: Option<(String, f64)>,
+    /// Name and cycle of the member, once it has been built.
+    pub(super) member: Option<(String, f64)>,
 }
 
-impl<E, B: FnMut(f64) -> Result<Organ, E>, W: Fn(&Event) -> bool> Search<B, W> {
+impl<E, B: FnMut(f64) -> Result<Member, E>, W: Fn(&Event) -> bool> SettingSearch<B, W> {
     pub(super) fn run(mut self) -> Result<Vec<Setting>, SettingError<E>> {
-        let mut looks: Vec<Vec<Place>> = Vec::with_capacity(VALUES);
+        let mut looks: Vec<Vec<EventAt>> = Vec::with_capacity(VALUES);
         let mut first = None;
         for value in crate::summary::positions(self.range, VALUES) {
             match (self.build)(value) {
-                Ok(organ) => looks.push(self.places(value, &organ)?),
+                Ok(member) => looks.push(self.events_at(value, &member)?),
                 Err(error) => {
                     first = first.or(Some(error));
                     looks.push(Vec::new());
@@ -52,15 +55,15 @@ impl<E, B: FnMut(f64) -> Result<Organ, E>, W: Fn(&Event) -> bool> Search<B, W> {
             }
         }
         let range = self.range;
-        if let (None, Some(error)) = (&self.organ, first) {
+        if let (None, Some(error)) = (&self.member, first) {
             return Err(SettingError::Unbuilt { range, error });
         }
-        let (organ, _) = self.organ.clone().unwrap_or_default();
-        let mut nearest: Option<Place> = None;
-        let mut roots: Vec<Place> = Vec::new();
-        let mut take = |place: Place| {
-            if nearest.is_none_or(|own| place.off.abs() < own.off.abs()) {
-                nearest = Some(place);
+        let (member, _) = self.member.clone().unwrap_or_default();
+        let mut nearest: Option<EventAt> = None;
+        let mut roots: Vec<EventAt> = Vec::new();
+        let mut take = |event_at: EventAt| {
+            if nearest.is_none_or(|best| event_at.off.abs() < best.off.abs()) {
+                nearest = Some(event_at);
             }
         };
         for pair in looks.windows(2) {
@@ -86,9 +89,9 @@ impl<E, B: FnMut(f64) -> Result<Organ, E>, W: Fn(&Event) -> bool> Search<B, W> {
         let near = SAME * (range.1 - range.0).abs();
         roots.dedup_by(|a, b| (a.value - b.value).abs() <= near && a.event == b.event);
         match nearest {
-            None => Err(SettingError::NoEvent { range, organ }),
+            None => Err(SettingError::NoEvent { range, member }),
             Some(nearest) if roots.is_empty() => Err(SettingError::Unreached {
-                organ,
+                member,
                 wanted: self.angle,
                 nearest: nearest.at,
                 value: nearest.value,
@@ -96,65 +99,66 @@ impl<E, B: FnMut(f64) -> Result<Organ, E>, W: Fn(&Event) -> bool> Search<B, W> {
             }),
             Some(_) => Ok(roots
                 .into_iter()
-                .filter_map(|own| self.setting(own))
+                .filter_map(|root| self.setting(root))
                 .collect()),
         }
     }
 
-    fn setting(&mut self, place: Place) -> Option<Setting> {
-        let organ = (self.build)(place.value).ok()?;
+    fn setting(&mut self, event_at: EventAt) -> Option<Setting> {
+        let member = (self.build)(event_at.value).ok()?;
         Some(Setting {
-            value: place.value,
-            organ,
-            event: place.event,
+            value: event_at.value,
+            member,
+            event: event_at.event,
         })
     }
 
     /// The events that are meant, with a value of the parameter.
-    fn places(&mut self, value: f64, organ: &Organ) -> Result<Vec<Place>, SettingError<E>> {
-        let (low, high) = organ.range();
-        self.organ
-            .get_or_insert_with(|| (organ.name().into(), high - low));
-        let meant = organ.events().iter().enumerate();
+    fn events_at(&mut self, value: f64, member: &Member) -> Result<Vec<EventAt>, SettingError<E>> {
+        let (low, high) = member.range();
+        self.member
+            .get_or_insert_with(|| (member.name().into(), high - low));
+        let meant = member.events().iter().enumerate();
         let meant = meant.filter(|(_, event)| (self.event)(event));
-        let place = |(event, own): (usize, &Event)| {
-            let all = organ.sensitivity(event);
-            match all.and_then(|all| all.get(self.parameter)) {
-                Some(&slope) => Ok(Place {
+        let event_at = |(event, happening): (usize, &Event)| {
+            let sensitivities = member.sensitivity(event);
+            match sensitivities.and_then(|sensitivities| sensitivities.get(self.parameter)) {
+                Some(&slope) => Ok(EventAt {
                     value,
-                    off: organ.lead(event, self.angle),
-                    at: own.at,
+                    off: member.lead(event, self.angle),
+                    at: happening.at,
                     slope,
                     event,
                 }),
                 None => Err(SettingError::Parameter {
-                    organ: organ.name().into(),
+                    member: member.name().into(),
                     parameter: self.parameter,
-                    sensitivities: all.map(<[f64]>::len),
+                    sensitivities: sensitivities.map(<[f64]>::len),
                 }),
             }
         };
-        meant.map(place).collect()
+        meant.map(event_at).collect()
     }
 
     /// The same event with another value; `None` where there is none.
-    fn at(&mut self, value: f64, beside: Place) -> Option<Place> {
-        let organ = (self.build)(value).ok()?;
-        let places = self.places(value, &organ).ok()?;
-        let expected = Place {
+    fn with_value(&mut self, value: f64, beside: EventAt) -> Option<EventAt> {
+        let member = (self.build)(value).ok()?;
+        let events_at = self.events_at(value, &member).ok()?;
+        let expected = EventAt {
             value,
             off: beside.off + (value - beside.value) * beside.slope,
             ..beside
         };
-        places.into_iter().min_by(|a, b| {
+        events_at.into_iter().min_by(|a, b| {
             (a.off - expected.off)
                 .abs()
                 .total_cmp(&(b.off - expected.off).abs())
         })
     }
 
-    /// Between two values, where the angle turns back: its derivative changes its sign there. `None` where it does not.
-    fn turn(&mut self, mut low: Place, mut high: Place) -> Option<Place> {
+    /// Between two values, where the angle turns back: its derivative changes its sign there.
+    /// `None` where it does not.
+    fn turn(&mut self, mut low: EventAt, mut high: EventAt) -> Option<EventAt> {
         if low.slope * high.slope >= 0.0 || self.is_turned(low, high) {
             return None;
         }
@@ -163,7 +167,7 @@ impl<E, B: FnMut(f64) -> Result<Organ, E>, W: Fn(&Event) -> bool> Search<B, W> {
             if middle <= low.value || middle >= high.value {
                 break;
             }
-            let next = self.at(middle, low)?;
+            let next = self.with_value(middle, low)?;
             if next.slope * low.slope > 0.0 {
                 low = next;
             } else {
@@ -178,7 +182,7 @@ impl<E, B: FnMut(f64) -> Result<Organ, E>, W: Fn(&Event) -> bool> Search<B, W> {
     }
 
     /// The root between two values at which the event is on different sides of the wanted angle.
-    fn root(&mut self, mut low: Place, mut high: Place) -> Option<Place> {
+    fn root(&mut self, mut low: EventAt, mut high: EventAt) -> Option<EventAt> {
         if low.off * high.off > 0.0 || self.is_turned(low, high) {
             return None;
         }
@@ -200,7 +204,7 @@ impl<E, B: FnMut(f64) -> Result<Organ, E>, W: Fn(&Event) -> bool> Search<B, W> {
             if (value - best.value).abs() <= ROUNDOFFS * f64::EPSILON * size {
                 break;
             }
-            let next = self.at(value, best)?;
+            let next = self.with_value(value, best)?;
             // Steps that do not even halve what is left: the interval is halved between them.
             halve = !halve && next.off.abs() > 0.5 * best.off.abs();
             if next.off * low.off > 0.0 {
@@ -216,19 +220,20 @@ impl<E, B: FnMut(f64) -> Result<Organ, E>, W: Fn(&Event) -> bool> Search<B, W> {
         (best.off.abs() <= REACHED).then_some(best)
     }
 
-    /// Whether what changes its sign between two values is the way round the cycle, and not the event.
-    fn is_turned(&self, low: Place, high: Place) -> bool {
-        let cycle = self.organ.as_ref().map_or(0.0, |organ| organ.1);
+    /// Returns true if the sign changes at the seam of the cycle, and not at the event.
+    fn is_turned(&self, low: EventAt, high: EventAt) -> bool {
+        let cycle = self.member.as_ref().map_or(0.0, |member| member.1);
         (low.off - high.off).abs() > 0.5 * cycle
     }
 }
 
-/// Among the events with the next value, which one is the same as this one: that where its derivative leads.
-fn nearest_to(places: &[Place], own: Place) -> Option<Place> {
-    let away = |other: &Place| {
-        let slope = 0.5 * (own.slope + other.slope);
-        (own.off + slope * (other.value - own.value) - other.off).abs()
+/// Among the events with the next value, which one is the same as this one: that where its
+/// derivative leads.
+fn nearest_to(events_at: &[EventAt], before: EventAt) -> Option<EventAt> {
+    let away = |other: &EventAt| {
+        let slope = 0.5 * (before.slope + other.slope);
+        (before.off + slope * (other.value - before.value) - other.off).abs()
     };
-    let found = places.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
+    let found = events_at.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
     found.copied()
 }

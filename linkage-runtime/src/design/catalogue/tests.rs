@@ -31,7 +31,7 @@ impl Local for Optimum {
 }
 
 impl Sum {
-    fn at(&self, x: &[f64]) -> f64 {
+    fn sum_at(&self, x: &[f64]) -> f64 {
         let miss = |(row, target): &([f64; COUNT], f64)| {
             let sum: f64 = row.iter().zip(x).map(|(a, x)| a * x).sum();
             (sum - target) * (sum - target)
@@ -60,7 +60,7 @@ impl Sum {
                 break;
             }
         }
-        let sum = self.at(&x);
+        let sum = self.sum_at(&x);
         Optimum { x, sum }
     }
 }
@@ -102,7 +102,7 @@ fn the_best_of_all_combinations_is_found() {
         for number in 0..VALUES.pow(COUNT as u32) {
             let digit = |j: usize| number / VALUES.pow(j as u32) % VALUES;
             let x: Vec<f64> = (0..COUNT).map(|j| catalogues[j].1[digit(j)]).collect();
-            best = best.min(sum.at(&x));
+            best = best.min(sum.sum_at(&x));
         }
         let relaxed = sum.least(&limits, &[2.0; COUNT]);
         let descend = |limits: &Limits, near: &Optimum| {

@@ -3,7 +3,7 @@
 use alloc::boxed::Box;
 
 use super::{Motion, Piece, Place};
-use crate::summary::Course;
+use crate::summary;
 use linkage_core::numeric::vector::dot;
 
 type Jet<'a, A> = Box<dyn Fn(&A, f64) -> [f64; 3] + Send + Sync + 'a>;
@@ -69,9 +69,9 @@ impl<'a, A, const N: usize> Curve<'a, A, N> {
     pub(super) fn course<'s>(
         &'s self,
         motion: &'s Motion<'_, A>,
-    ) -> Option<Course<3, impl Fn(f64) -> [f64; 3] + 's>> {
+    ) -> Option<summary::Curve<3, impl Fn(f64) -> [f64; 3] + 's>> {
         let jet = |input: f64| self.jet(motion.assembly, input);
-        let course = Course::of(motion.range, motion.positions, jet).ok()?;
+        let course = summary::Curve::new(motion.range, motion.positions, jet).ok()?;
         (!course.has_gaps()).then_some(course)
     }
 

@@ -6,7 +6,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::{Candidate, Check, Chosen, Conditions, CycleWish, Motion, Piece, Verdict};
-use crate::words::rounded;
+use crate::format::rounded;
 
 /// The pieces that a figure is made of.
 #[derive(Clone, Debug, PartialEq)]

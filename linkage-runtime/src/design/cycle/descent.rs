@@ -16,6 +16,8 @@ const PRECISION: f64 = 1e-6;
 const SLOPE: f64 = 1e-5;
 /// A condition that is broken by less than this part of what it can change by in a first step holds.
 pub(super) const TOLERANCE: f64 = 1e-9;
+/// Rounding leaves this part of it.
+const ROUNDING: f64 = 1e-12;
 /// One that is broken by more than this part of it at the end is out of reach; what is between is what a search leaves that is ended early.
 const HOLDS: f64 = 1e-7;
 /// How often wishes may add conditions.
@@ -50,22 +52,26 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             .sizes(&start)
             .ok_or_else(|| problem.refused(&start))?;
         let scales = problem.scales(&start);
+        let exact = problem.exact_tolerance(&start, scales.as_ref());
+        let exact = exact.unwrap_or(TOLERANCE).clamp(ROUNDING, TOLERANCE);
         let search = Search {
             reach: start.reach.clone(),
             precision: PRECISION,
             slope: SLOPE,
-            tolerance: TOLERANCE,
+            tolerance: exact,
             rounds: self.steps,
         };
         let (mut steps, mut evaluations, mut converged) = (0, 0, false);
         let begun = start.x.clone();
-        let mut held = None;
+        let mut held = [None, None];
         for _ in 0..REFINEMENTS {
             // Further conditions make nothing of what held before.
-            let mut best = Best::new(&sizes, self.reference.as_ref());
+            let reference = self.reference.as_ref();
+            // One that holds only for the search may have a better value than all that hold for the verdict.
+            let mut bests = [HOLDS, exact].map(|holds| Best::new(&sizes, reference, holds));
             let groups = |x: &[f64]| {
                 let groups = problem.groups(&start, x, &sizes)?;
-                best.see(x, &groups);
+                bests.iter_mut().for_each(|best| best.see(x, &groups));
                 Some(groups)
             };
             let found = minimise(&start.x, &start.limits, &search, groups, self.stopped)
@@ -73,7 +79,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             steps += found.rounds;
             evaluations += found.evaluations;
             start.x = found.x;
-            held = best.x;
+            held = bests.map(|best| best.x);
             let refined = !(self.stopped)() && problem.refine(&mut start);
             converged = found.converged && !refined;
             sizes = problem
@@ -106,7 +112,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
                 None
             }
         };
-        for x in held.into_iter().chain([begun]) {
+        for x in held.into_iter().flatten().chain([begun]) {
             let at = Start { x, ..start.clone() };
             let value = claimed(&at);
             let gains = |least: f64| value < least - PRECISION * least.abs();
@@ -161,13 +167,13 @@ struct Best {
 }
 
 impl Best {
-    fn new(sizes: &Sizes, reference: Option<&Scales>) -> Self {
+    fn new(sizes: &Sizes, reference: Option<&Scales>, holds: f64) -> Self {
         let sizes = &sizes.conditions;
         let first: Vec<f64> = reference.into_iter().flatten().flatten().copied().collect();
         let tolerance = |(k, size): (usize, &f64)| {
             // Conditions that a search added have none there.
             let first = first.get(k).filter(|_| first.len() == sizes.len());
-            HOLDS * first.map_or(1.0, |first| (first / size).min(1.0))
+            holds * first.map_or(1.0, |first| (first / size).min(1.0))
         };
         Self {
             x: None,

@@ -11,8 +11,8 @@ use super::corners::{Corner, Corners};
 use super::interval::ranges;
 use super::steady::Claim;
 use super::{Candidate, Chosen, Conditions, Curve, CycleWish, Own, Piece, Place, Verdict};
+use crate::format::rounded;
 use crate::tolerance::Tolerances;
-use crate::words::rounded;
 use crate::{Dimensions, Parameter};
 
 /// A dwell: a quantity stays within a band over an interval of the input, of which the length is to be greatest or the band

@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 use super::figures::places;
 use super::{Figure, Motion, Piece, Pieces, Place};
 use crate::components::Components;
-use crate::summary::{Course, Kind};
+use crate::summary::{Curve, Kind};
 use crate::tolerance::{Tolerances, Uncertainties};
 use measure::{Measure, Measured};
 
@@ -182,7 +182,7 @@ impl<'a, A, const N: usize> ErrorOf<'a, A, N> {
                 let [first, second] = rates(assembly, input);
                 self.measure.jet(way, [&slopes, &first, &second])
             };
-            let course = Course::of(motion.range, motion.positions, jet).ok()?;
+            let course = Curve::new(motion.range, motion.positions, jet).ok()?;
             if course.has_gaps() {
                 return None;
             }

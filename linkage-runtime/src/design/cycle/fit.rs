@@ -14,7 +14,7 @@ use super::super::problem::order;
 use super::super::starts::unit;
 use super::super::wish::{Candidates, Free, Rows, Wish};
 use super::{Candidate, Chosen, Conditions, CycleWish, Own, Piece, Place};
-use crate::words::rounded;
+use crate::format::rounded;
 use crate::{Dimensions, Parameter};
 
 /// What [`Targets`](super::super::Targets), or another [`Wish`], ask for, beside figures of the whole cycle: a path with a margin that

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::words::rounded;
+use crate::format::rounded;
 
 /// A local optimum that holds all that must hold.
 #[derive(Clone, Debug, PartialEq)]

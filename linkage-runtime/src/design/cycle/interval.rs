@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::dwell::{Dwell, SPARE};
 use super::{Motion, Piece, Place};
-use crate::summary::{Course, Extreme, Kind, positions};
+use crate::summary::{Curve, Extreme, Kind};
 
 /// Evenly spaced positions of an interval from which its limits are searched: an interval is a part of a turn.
 const POSITIONS: usize = 24;
@@ -67,7 +67,7 @@ impl<A, const N: usize> Dwell<'_, A, N> {
     ) -> Option<[Vec<Piece<N>>; 2]> {
         let advance = self.advance(motion, assembly);
         let jet = |input: f64| self.jet(motion, assembly, input, advance);
-        let course = Course::of((from, from + length), POSITIONS, jet).ok()?;
+        let course = Curve::new((from, from + length), POSITIONS, jet).ok()?;
         if course.has_gaps() {
             return None;
         }
@@ -141,40 +141,12 @@ impl<A, const N: usize> Dwell<'_, A, N> {
             Some([from, to]) => {
                 let advance = self.advance(motion, motion.assembly);
                 let jet = |input: f64| self.jet(motion, motion.assembly, input, advance);
-                let course = Course::of((from, to), motion.positions, jet).ok()?;
+                let course = Curve::new((from, to), motion.positions, jet).ok()?;
                 course.longest_dwell(spared)?
             }
         };
         let interval = dwell.interval;
         Some([interval.from, interval.range, dwell.lowest, band])
-    }
-
-    /// The interval of a length in which the quantity changes least, of those that begin at the positions of the search.
-    pub(super) fn steadiest(&self, motion: &Motion<'_, A>, length: f64) -> Option<[f64; 4]> {
-        let change = |from: f64| {
-            let [highs, lows] = self.limits(motion, motion.assembly, [from, length])?;
-            let high = highs
-                .iter()
-                .map(|piece| piece.value)
-                .fold(f64::NEG_INFINITY, f64::max);
-            let low = lows
-                .iter()
-                .map(|piece| piece.value)
-                .fold(f64::INFINITY, f64::min);
-            Some([from, length, low, (high - low) / (1.0 - 2.0 * SPARE)])
-        };
-        let inside =
-            |from: &f64| motion.in_range(from + length).1 > 0.0 || from + length <= motion.range.1;
-        let beginnings: Vec<f64> = match self.between {
-            None => positions(motion.range, motion.positions)
-                .filter(inside)
-                .collect(),
-            // As long as its room it has one beginning.
-            Some([from, to]) if to - length <= from => vec![from],
-            Some([from, to]) => positions((from, to - length), motion.positions).collect(),
-        };
-        let changes = beginnings.into_iter().filter_map(change);
-        changes.min_by(|a, b| a[3].total_cmp(&b[3]))
     }
 }
 

@@ -3,11 +3,12 @@
 //! A search within wide bounds may lose its way where one within narrower bounds does not: it leaves the valley that it began in, or comes near
 //! to a place where the mechanism ceases to exist. So there are rungs from narrow bounds to the full ones, each twice as wide as the rung below,
 //! and on each rung a search begins with the first mechanism, and another one with the best result of the rungs below. If both do not
-//! converge, the bounds widen in four shorter steps, with the same two searches on each.
+//! converge, the bounds widen in eight even steps, with the same two searches on each, a third one from the best result
+//! so far and, where that does not converge, a fourth one with a short first step.
 //!
-//! The results of all rungs are kept. So the best one is never worse than the first mechanism, if that holds all conditions. The widths of
-//! rungs and steps do not depend on the full bounds: searches within wider bounds of the same shape have all rungs and steps of those
-//! within narrower ones.
+//! The results of all rungs are kept. So the best one is never worse than the first mechanism, if that holds all conditions. Widths of
+//! rungs and steps do not depend on the full bounds, and searches on a step do not depend on the width of its rung. So bounds that are as wide as
+//! a step have no search that wider ones of the same shape leave out, unless the search within the wider ones converges without steps.
 
 use alloc::vec::Vec;
 
@@ -19,11 +20,13 @@ use super::problem::Start;
 use crate::Dimensions;
 
 /// The width of the narrowest rung: of the parameter whose bounds are widest, as a part of its value.
-const NARROW: f64 = 0.05;
-/// Steps between two rungs.
-const STEPS: i32 = 4;
-/// Rungs below the narrowest one, with steps only.
-const BELOW: i32 = 3;
+const NARROW: f64 = 0.04;
+/// Steps between two rungs, evenly spaced.
+const STEPS: i32 = 8;
+/// Rungs below the narrowest one, with every second step only.
+const BELOW: i32 = 2;
+/// A search from an optimum within bounds that are a step narrower has little way to go: the first step is this part of the usual one.
+const SHORT: f64 = 0.1;
 /// The most rungs: bounds that are a million times as wide as narrow ones.
 const RUNGS: i32 = 20;
 /// The most steps of a rung where no search has any result.
@@ -132,7 +135,11 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         let parts = bounds.map(|((low, high), x)| (high - low) / x.abs());
         // A parameter that is zero has no size to compare with.
         let widest = parts.filter(|part| part.is_finite()).fold(0.0, f64::max);
-        let part = |step: i32| NARROW * 2_f64.powf(f64::from(step) / f64::from(STEPS)) / widest;
+        let part = |step: i32| {
+            let octaves = 2_f64.powi(step.div_euclid(STEPS));
+            let eighths = f64::from(step.rem_euclid(STEPS)) / f64::from(STEPS);
+            NARROW * octaves * (1.0 + eighths) / widest
+        };
         let narrower = (-BELOW * STEPS..RUNGS * STEPS).take_while(|step| part(*step) < 1.0 - SAME);
         let (mut rungs, mut steps) = (Vec::new(), Vec::new());
         for step in narrower.filter(|_| self.widening && widest > 0.0) {
@@ -151,55 +158,94 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
     }
 
     /// Searches within the bounds of a rung, and in steps to it where that is not enough.
+    ///
+    /// What these two searches find is kept after the steps, so that no step depends on how wide its rung is: a rung that ends at
+    /// a step has the same searches as that step.
     fn climb(&self, ladder: &mut Ladder, rung: &Rung) -> Result<(), DesignError> {
-        let (mut near, mut least) = (ladder.near(), ladder.least());
-        let climbed = ladder.has_climbed();
-        let direct = self.within(ladder, rung.part, ladder.origin.clone());
-        let mut enough = direct
-            .as_ref()
-            .is_ok_and(|result| result.converged && result.least <= least);
-        let error = ladder.keep(direct, rung.part);
-        if climbed {
-            let result = self.within(ladder, rung.part, near.clone());
-            enough |= result.as_ref().is_ok_and(|result| result.converged);
-            let _ = ladder.keep(result, rung.part);
+        let (near, least) = (ladder.near(), ladder.least());
+        let climbed = ladder.has_climbed().then_some(near.as_slice());
+        let tried = self.try_both(ladder, rung.part, climbed);
+        let converged = |k: usize| {
+            let found: Option<&Ended> = tried.get(k)?.as_ref().ok();
+            found.filter(|result| result.converged)
+        };
+        let enough =
+            converged(0).is_some_and(|direct| direct.least <= least) || converged(1).is_some();
+        let hopeless = tried.iter().all(Result::is_err);
+        let mut kept = Ok(());
+        if !enough {
+            for (k, &part) in rung.steps.iter().enumerate() {
+                let hopeless = k >= HOPELESS && hopeless && ladder.results.is_empty();
+                if hopeless || (self.stopped)() {
+                    break;
+                }
+                for result in self.try_both(ladder, part, climbed) {
+                    let _ = ladder.keep(result, part);
+                }
+                self.follow(ladder, part, &near);
+            }
         }
-        if enough {
-            return Ok(());
+        for (k, result) in tried.into_iter().enumerate() {
+            let result = ladder.keep(result, rung.part);
+            if k == 0 {
+                kept = result;
+            }
         }
-        for (k, &part) in rung.steps.iter().enumerate() {
-            let hopeless = k >= HOPELESS && ladder.results.is_empty();
-            if hopeless || (self.stopped)() {
-                break;
-            }
-            let direct = self.within(ladder, part, ladder.origin.clone());
-            if let Some(direct) = direct.as_ref().ok().filter(|direct| direct.converged)
-                && direct.least <= least
-            {
-                near = direct.at.x[..near.len()].to_vec();
-            }
-            let _ = ladder.keep(direct, part);
-            let result = self.within(ladder, part, near.clone());
-            // Only a search that converged is where the next one begins: others end anywhere.
-            if let Some(result) = result.as_ref().ok().filter(|result| result.converged)
-                && result.least <= least
-            {
-                near = result.at.x[..near.len()].to_vec();
-                least = result.least;
-            }
+        if !enough && !(self.stopped)() {
+            self.follow(ladder, rung.part, &near);
+        }
+        kept
+    }
+
+    /// Searches within a part of the bounds from the first mechanism, and from the best result of the rungs below.
+    fn try_both(
+        &self,
+        ladder: &Ladder,
+        part: f64,
+        near: Option<&[f64]>,
+    ) -> Vec<Result<Ended, DesignError>> {
+        let near = near.map(<[f64]>::to_vec);
+        let places = core::iter::once(ladder.origin.clone()).chain(near);
+        places
+            .map(|place| self.within(ladder, part, place))
+            .collect()
+    }
+
+    /// Searches within a part of the bounds from the best result of all, and with a shorter first step where that search does not converge.
+    ///
+    /// `near` is the best result of the rungs below, from which a search within this part was begun already.
+    fn follow(&self, ladder: &mut Ladder, part: f64, near: &[f64]) {
+        let best = ladder.near();
+        let mut converged = false;
+        if best != near {
+            let result = self.within(ladder, part, best.clone());
+            converged = result.as_ref().is_ok_and(|result| result.converged);
             let _ = ladder.keep(result, part);
         }
-        if ladder.has_climbed() && !(self.stopped)() {
-            let result = self.within(ladder, rung.part, ladder.near());
-            let _ = ladder.keep(result, rung.part);
+        if !converged && ladder.has_climbed() {
+            let start = self.start_within(ladder, part, best);
+            let result = start.and_then(|mut start| {
+                let parameters = start.reach.iter_mut().take(ladder.origin.len());
+                parameters.for_each(|reach| *reach *= SHORT);
+                self.descend(start)
+            });
+            let _ = ladder.keep(result, part);
         }
-        error
     }
 
     /// Searches within a part of the bounds from a place.
     fn within(&self, ladder: &Ladder, part: f64, place: Vec<f64>) -> Result<Ended, DesignError> {
+        self.descend(self.start_within(ladder, part, place)?)
+    }
+
+    fn start_within(
+        &self,
+        ladder: &Ladder,
+        part: f64,
+        place: Vec<f64>,
+    ) -> Result<Start, DesignError> {
         let limits = narrowed(&self.problem.limits, &ladder.origin, part);
-        self.descend(self.problem.start(&limits, place)?)
+        self.problem.start(&limits, place)
     }
 
     /// The first mechanism itself, if it holds all conditions.

@@ -1,11 +1,11 @@
-//! The verdict on a dwell: the band over its interval, from the course of the whole range.
+//! The verdict on a dwell: the band over its interval, from the turning points of the whole range.
 
 use alloc::vec::Vec;
 
 use super::corners::Corner;
 use super::dwell::{Dwell, SPARE};
 use super::interval::ranges;
-use super::{Candidate, Check, Chosen, Motion, Verdict};
+use super::{Candidate, Check, Chosen, Verdict};
 use crate::Dimensions;
 
 /// A band that is narrower than this part of the stroke is compared with it: values are rounded.
@@ -21,28 +21,6 @@ pub(super) enum Claim {
 }
 
 impl<A, const N: usize> Dwell<'_, A, N> {
-    /// The change of the quantity over an interval, and its stroke over the range; `None` where the mechanism does not assemble.
-    ///
-    /// The extremes are those of the course over the whole range, and the values at both ends of the interval.
-    fn change(&self, motion: &Motion<'_, A>, [from, length]: [f64; 2]) -> Option<[f64; 2]> {
-        let course = self.curve.course(motion)?;
-        let (low, high) = motion.range;
-        let advance = self.advance(motion, motion.assembly);
-        let value = |input: f64| self.jet(motion, motion.assembly, input, advance)[0];
-        let inside = |at: f64| {
-            let turns = if motion.closed { -2..=2 } else { 0..=0 };
-            let shifted = turns.map(move |turn| at + f64::from(turn) * (high - low));
-            shifted.filter(move |at| (from..=from + length).contains(at))
-        };
-        let points = course.position().points.iter();
-        let within = points.flat_map(|point| inside(point.at));
-        let values: Vec<f64> = within.chain([from, from + length]).map(value).collect();
-        let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-        let finite = values.iter().all(|value| value.is_finite());
-        finite.then(|| [most - least, course.position().stroke()])
-    }
-
     /// The verdict on an interval and a band, in the mechanism and at the corners of the tolerances.
     pub(super) fn verdict<M: Dimensions<N>>(
         &self,
@@ -52,8 +30,10 @@ impl<A, const N: usize> Dwell<'_, A, N> {
     ) -> Option<Verdict> {
         let [from, length, _, band]: [f64; 4] = chosen.own.try_into().ok()?;
         let motion = &candidate.motion;
-        let [change, stroke] = self.change(motion, [from, length])?;
-        let size = band.max(ROUNDED * stroke);
+        let turning = self.turning_points(motion)?;
+        let [lowest, highest] = self.extent(motion, &turning, [from, length]);
+        let change = Some(highest - lowest).filter(|change| change.is_finite())?;
+        let size = band.max(ROUNDED * turning.stroke);
         let within = |by: f64| Check {
             by,
             size: Some(size),

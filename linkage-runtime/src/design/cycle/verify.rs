@@ -19,6 +19,8 @@ const VERIFIED: f64 = 1e-6;
 const LARGEST: f64 = 1e-3;
 /// A claim that differs from the verdict by less than this part of both is confirmed, and returned to the last digit.
 const CONFIRMED: f64 = 1e-6;
+/// Of what a verdict allows, a search leaves at most this part.
+const WITHIN: f64 = 0.5;
 /// Values that differ by less than this part differ by rounding.
 const ROUNDING: f64 = 1e-12;
 /// The verdict looks for limits from this many times the intervals of the search.
@@ -70,8 +72,10 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
                 let changes = all.filter_map(|scales| scales[k].get(nth).copied());
                 changes.reduce(f64::min).unwrap_or(0.0)
             };
+            let exact = self.is_exact(start, k);
             let broken = |(nth, check): (usize, &Check)| {
                 let tolerance = match check.size {
+                    Some(size) if exact => VERIFIED * size,
                     Some(size) => {
                         (VERIFIED * size).max((TOLERANCE * change(nth)).min(LARGEST * size))
                     }
@@ -97,6 +101,26 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         let near = (goal - claimed).abs() <= CONFIRMED * goal.abs().max(claimed.abs());
         let confirmed = modest && near;
         Ok(if confirmed { claimed } else { goal })
+    }
+
+    /// Returns whether the conditions of a wish must hold in full: a goal with variables of its own has others that suit the mechanism where those
+    /// of a search break its conditions by what a search leaves. At corners of tolerances it has none.
+    fn is_exact(&self, start: &Start, k: usize) -> bool {
+        self.wishes[k].is_goal() && !start.own[k].is_empty() && start.added[k].is_empty()
+    }
+
+    /// A violation, measured by the change in a first step, that the verdict on a goal with variables of its own allows. It matters for a band
+    /// that is narrow beside the change in a first step: there a violation that is none for the search is one for the verdict.
+    pub(super) fn exact_tolerance(&self, start: &Start, scales: Option<&Scales>) -> Option<f64> {
+        let verdicts = self.tried(&start.x, |candidate| self.verdicts(start, candidate))?;
+        let least = |k: usize| {
+            let sizes = verdicts[k].conditions.iter().filter_map(|check| check.size);
+            let size = sizes.reduce(f64::min)?;
+            let change = scales?[k].iter().copied().reduce(f64::max)?;
+            Some(WITHIN * VERIFIED * size / change)
+        };
+        let wishes = (0..self.wishes.len()).filter(|&k| self.is_exact(start, k));
+        wishes.filter_map(least).reduce(f64::min)
     }
 
     fn verdicts(&self, start: &Start, candidate: &Candidate<'_, M, A>) -> Option<Vec<Verdict>> {

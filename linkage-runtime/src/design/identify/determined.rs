@@ -1,34 +1,36 @@
-//! Which combinations of parameters the readings determine, and how well.
+//! Combinations of parameters that the readings determine, with their errors.
 
 use alloc::vec::Vec;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::reading::Row;
+use super::reading::ReadingRow;
 
-/// What readings say of the parameters, each in terms of its range: near the estimate, to first order.
+/// The information of the readings about the parameters, each in terms of its range: near the
+/// estimate, to first order.
 #[derive(Clone, Debug)]
 pub(super) struct Determined {
-    /// Derivatives of the readings over their standard deviations, by the parameters over their ranges.
+    /// Derivatives of the readings over their standard deviations, by the parameters over their
+    /// ranges.
     pub(super) jacobian: DMatrix<f64>,
     /// Differences over standard deviations.
     pub(super) differences: DVector<f64>,
     left: DMatrix<f64>,
     /// Directions of the parameters, one in each row, best determined first.
     pub(super) directions: DMatrix<f64>,
-    /// What a step along each does to the readings.
+    /// The effect of a step along each on the readings.
     pub(super) singular: Vec<f64>,
-    /// How many of them are determined.
+    /// The number of determined combinations.
     pub(super) rank: usize,
     /// The sum of squares.
     pub(super) sum: f64,
     readings: usize,
-    /// Whether standard deviations are found from the scatter.
+    /// True if standard deviations are found from the scatter.
     estimated: bool,
 }
 
 impl Determined {
-    pub(super) fn new(rows: &[Row], ranges: &[f64], estimated: bool) -> Self {
+    pub(super) fn new(rows: &[ReadingRow], ranges: &[f64], estimated: bool) -> Self {
         let n = ranges.len();
         // At least as many rows as parameters: what no reading determines has a direction, too.
         let m = rows.len().max(n);
@@ -48,7 +50,7 @@ impl Determined {
         // Both were asked for.
         let empty = || DMatrix::zeros(0, 0);
         let (u, v) = (svd.u.unwrap_or_else(empty), svd.v_t.unwrap_or_else(empty));
-        let mut own = Self {
+        let mut determined = Self {
             left: DMatrix::from_fn(m, n, |i, k| u[(i, order[k])]),
             directions: DMatrix::from_fn(n, n, |k, j| v[(order[k], j)]),
             singular: order.iter().map(|&k| svd.singular_values[k]).collect(),
@@ -59,38 +61,43 @@ impl Determined {
             jacobian,
             differences,
         };
-        own.rank = own.singular.iter().filter(|&&s| s >= own.needed()).count();
-        own
+        determined.rank = determined
+            .singular
+            .iter()
+            .filter(|&&s| s >= determined.needed())
+            .count();
+        determined
     }
 
-    /// What is not determined changes the readings by less than this over its range: one standard deviation, as the
-    /// root of the sum of squares of all changes; never less than what rounding leaves of the largest one.
+    /// Returns the change of the readings below which a combination is not determined over its
+    /// range: one standard deviation, as the root of the sum of squares of all changes, but never
+    /// less than the rounding of the largest one.
     pub(super) fn needed(&self) -> f64 {
-        /// What rounding leaves of a derivative of 0, as part of the largest one.
+        /// The rounding of a derivative of 0, as part of the largest one.
         const ROUNDING: f64 = 1e-11;
         let largest = self.singular.first().copied().unwrap_or(0.0);
         (ROUNDING * largest).max(self.deviation())
     }
 
-    /// Whether a change that makes so much of a difference makes none but rounding.
+    /// Returns true for a change of the readings within rounding.
     pub(super) fn is_nothing(&self, change: f64) -> bool {
-        /// As above, with what a few hundred readings add up.
+        /// The same part for sums over a few hundred readings.
         const NOTHING: f64 = 1e-9;
         change <= NOTHING * self.singular.first().copied().unwrap_or(0.0)
     }
 
-    /// By how many the readings are more than the combinations that they determine.
+    /// Returns the number of readings less the number of determined combinations.
     pub(super) fn degrees_of_freedom(&self) -> usize {
         self.readings.saturating_sub(self.rank)
     }
 
-    /// Whether standard deviations are found from the scatter.
+    /// Returns true if standard deviations are found from the scatter.
     pub(super) fn is_estimated(&self) -> bool {
         self.estimated
     }
 
-    /// The standard deviation of a reading over that which was given: 1 unless it is found from the scatter; NaN if
-    /// there is none.
+    /// The standard deviation of a reading over that which was given: 1 unless it is found from the
+    /// scatter; NaN if there is none.
     pub(super) fn deviation(&self) -> f64 {
         match (self.estimated, self.degrees_of_freedom()) {
             (false, _) => 1.0,
@@ -99,7 +106,8 @@ impl Determined {
         }
     }
 
-    /// What is left of the differences is least when this is taken off the parameters.
+    /// Returns the step that leaves the least differences when it is subtracted from the
+    /// parameters.
     pub(super) fn step(&self) -> Vec<f64> {
         let n = self.singular.len();
         let mut step = alloc::vec![0.0; n];
@@ -112,22 +120,23 @@ impl Determined {
         step
     }
 
-    /// The covariance of parameters `i` and `j`, by what is determined.
+    /// Returns the covariance of parameters `i` and `j` within the determined combinations.
     pub(super) fn covariance(&self, i: usize, j: usize) -> f64 {
         let part =
             |k: usize| self.directions[(k, i)] * self.directions[(k, j)] / self.singular[k].powi(2);
         self.deviation().powi(2) * (0..self.rank).map(part).sum::<f64>()
     }
 
-    /// Whether the parameter is part of no combination that is not determined.
+    /// Returns true for a parameter that is part of no undetermined combination.
     pub(super) fn is_determined(&self, j: usize) -> bool {
-        /// A part of such a combination that is as small does nothing: a thousandth of the parameter's range.
+        /// A part of such a combination that is as small does nothing: a thousandth of the
+        /// parameter's range.
         const PART: f64 = 1e-3;
         let parts = (self.rank..self.singular.len()).map(|k| self.directions[(k, j)].powi(2));
         parts.sum::<f64>().sqrt() < PART
     }
 
-    /// The part of each reading in what it determines itself.
+    /// Returns the part of each reading in its own estimate.
     pub(super) fn leverage(&self, i: usize) -> f64 {
         (0..self.rank).map(|k| self.left[(i, k)].powi(2)).sum()
     }

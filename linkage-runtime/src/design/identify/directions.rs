@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use nalgebra::{DMatrix, DVector};
 
 use super::determined::Determined;
-use super::words::Named;
+use super::named::Named;
 
 /// A direction in which all may move, in terms of ranges, with its name if it has one.
 pub(super) struct Candidate {
@@ -14,7 +14,8 @@ pub(super) struct Candidate {
     pub(super) pattern: Option<&'static str>,
 }
 
-/// Single parameters, a common scale, rotation or shift, pairs, and what is left of the open directions.
+/// Returns single parameters, a common scale, rotation or shift, pairs, and the rest of the open
+/// directions.
 pub(super) fn candidates(named: &Named, found: &Determined, open: &[usize]) -> Vec<Candidate> {
     let n = named.values.len();
     let unit = |j: usize| DVector::from_fn(n, |i, _| if i == j { 1.0 } else { 0.0 });
@@ -34,7 +35,8 @@ pub(super) fn candidates(named: &Named, found: &Determined, open: &[usize]) -> V
     all
 }
 
-/// What a mechanism often may do as a whole, of three parameters at least: two have a simpler name.
+/// Returns common changes of the whole mechanism, of three parameters at least: two have a simpler
+/// name.
 fn patterns(named: &Named, found: &Determined) -> Vec<Candidate> {
     let n = named.values.len();
     let is_length = |j: usize| !matches!(named.parameters[j].unit, "" | "rad");
@@ -86,7 +88,8 @@ fn patterns(named: &Named, found: &Determined) -> Vec<Candidate> {
         .collect()
 }
 
-/// With the changes of angles that make the least difference: which of them turn with the rest is not known here.
+/// With the changes of angles that make the least difference: which of them turn with the rest is
+/// not known here.
 fn with_angles(named: &Named, found: &Determined, direction: DVector<f64>) -> DVector<f64> {
     let angles: Vec<usize> = (0..named.values.len())
         .filter(|&j| named.parameters[j].unit == "rad")
@@ -100,17 +103,18 @@ fn with_angles(named: &Named, found: &Determined, direction: DVector<f64>) -> DV
     let change = &found.jacobian * &direction;
     let svd = columns.svd(true, true);
     let rounding = found.needed().min(svd.singular_values.max());
-    let Ok(own) = svd.solve(&change, rounding * 1e-6) else {
+    let Ok(changes) = svd.solve(&change, rounding * 1e-6) else {
         return direction;
     };
     let mut all = direction;
-    for (&j, own) in angles.iter().zip(own.iter()) {
-        all[j] -= own;
+    for (&j, changes) in angles.iter().zip(changes.iter()) {
+        all[j] -= changes;
     }
     all
 }
 
-/// The direction of two parameters that changes readings least: the smaller singular vector of their columns.
+/// The direction of two parameters that changes readings least: the smaller singular vector of
+/// their columns.
 fn pair(found: &Determined, i: usize, j: usize) -> DVector<f64> {
     let (a, b) = (found.jacobian.column(i), found.jacobian.column(j));
     let [aa, bb] = [a.norm(), b.norm()];
@@ -118,13 +122,15 @@ fn pair(found: &Determined, i: usize, j: usize) -> DVector<f64> {
     if aa == 0.0 || bb == 0.0 {
         return direction;
     }
-    // Parallel columns: what one does the other takes back. Of columns that are not, this is no candidate.
+    // Parallel columns: what one does the other takes back. Of columns that are not, this is no
+    // candidate.
     let way = a.dot(&b).signum();
     (direction[i], direction[j]) = (1.0 / aa, -way / bb);
     direction
 }
 
-/// What is not determined, with as many zeros as can be: Gauss's elimination by the largest entries.
+/// Returns the undetermined directions with as many zeros as possible: Gauss's elimination by the
+/// largest entries.
 fn reduced(found: &Determined, open: &[usize]) -> Vec<DVector<f64>> {
     let n = found.singular.len();
     let mut rows: Vec<DVector<f64>> = open

@@ -3,12 +3,15 @@
 use alloc::vec::Vec;
 
 use super::determined::Determined;
-use super::reading::Row;
-use super::words::{Named, Undetermined};
+use super::named::Named;
+use super::reading::ReadingRow;
+use super::undetermined::Undetermined;
+use crate::data::Parameter;
+use crate::dimensions::Dimensions;
 use crate::tolerance::student;
-use crate::{Dimensions, Parameter};
 
-/// Readings are marked as outliers if one as far off is among as many good ones with this probability.
+/// Readings are marked as outliers if one as far off is among as many good ones with this
+/// probability.
 const OUTLIER: f64 = 0.05;
 
 /// A mechanism as readings say that it is.
@@ -19,19 +22,20 @@ pub struct Identified<M, const N: usize> {
     pub mechanism: M,
     /// The parameters that were to be found.
     pub parameters: Vec<Unknown>,
-    /// What the readings do not determine; empty if they determine everything.
+    /// The combinations that the readings do not determine; empty if they determine everything.
     pub undetermined: Vec<Undetermined>,
     /// All readings, in the order in which they were given, missing ones left out.
     pub residuals: Vec<Residual>,
     /// The sum of squares of differences over standard deviations.
     pub sum_of_squares: f64,
-    /// By how many the readings are more than what they determine.
+    /// The number of readings less the number of determined combinations.
     pub degrees_of_freedom: usize,
-    /// The standard deviation of readings: 1 if they were given; otherwise that of all, from their scatter, NaN if
-    /// there are no more readings than unknowns.
+    /// The standard deviation of readings: 1 if they were given; otherwise that of all, from their
+    /// scatter, NaN if there are no more readings than unknowns.
     pub deviation: f64,
-    /// Whether the sum of squares is least here: a step that would make it smaller is shorter than a thousandth of its standard error.
-    /// Otherwise, as where the mechanism falls apart beyond the estimate, there are no standard errors: they are NaN.
+    /// True if the sum of squares is least here: a step that would make it smaller is shorter than
+    /// a thousandth of its standard error. Otherwise, as where the mechanism falls apart beyond the
+    /// estimate, there are no standard errors: they are NaN.
     pub converged: bool,
     covariance: [[f64; N]; N],
 }
@@ -43,7 +47,7 @@ pub struct Unknown {
     pub name: &'static str,
     /// Its unit.
     pub unit: &'static str,
-    /// Where the fit began.
+    /// The value at the start of the fit.
     pub start: f64,
     /// The estimate.
     pub value: f64,
@@ -51,12 +55,12 @@ pub struct Unknown {
     pub standard_error: f64,
     /// Its place in `PARAMETERS`.
     pub index: usize,
-    /// Whether it is at one of its bounds: then the readings would have it beyond, and errors of all estimates are
-    /// those of a fit without the bound.
+    /// True at one of its bounds: then the readings would have it beyond, and errors of all
+    /// estimates are those of a fit without the bound.
     pub is_at_bound: bool,
 }
 
-/// A reading beside what the estimated mechanism gives.
+/// A reading with the value of the estimated mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Residual {
     /// The number that was read.
@@ -67,12 +71,13 @@ pub struct Residual {
     pub input: f64,
     /// The reading.
     pub reading: f64,
-    /// What the mechanism gives minus the reading.
+    /// The value of the mechanism minus the reading.
     pub difference: f64,
-    /// The difference over its own standard deviation, which is smaller than that of the reading, since the estimate
-    /// follows each reading a little; NaN if nothing but this reading determines something, or the fit has not converged.
+    /// The difference over its own standard deviation, which is smaller than that of the reading,
+    /// since the estimate follows each reading a little; NaN if nothing but this reading determines
+    /// something, or the fit has not converged.
     pub standardised: f64,
-    /// Whether it is farther off than the farthest of as many good readings is in 95 of 100 cases.
+    /// True if it is farther off than the farthest of as many good readings is in 95 of 100 cases.
     pub is_outlier: bool,
 }
 
@@ -80,13 +85,15 @@ impl<M, const N: usize> Identified<M, N> {
     /// The covariances of all parameters, those that were not to be found with zeros. For
     /// [`Uncertainties::covariance`](crate::tolerance::Uncertainties::covariance), if everything is determined.
     ///
-    /// What is not determined is left out: its covariances are infinite. They are NaN where [`converged`](Self::converged) is false.
+    /// Combinations that are not determined are left out: their covariances are infinite. They are
+    /// NaN where [`converged`](Self::converged) is false.
     #[must_use]
     pub const fn covariance(&self) -> &[[f64; N]; N] {
         &self.covariance
     }
 
-    /// The correlation coefficient of two parameters by their indices; NaN if one is exact or not determined.
+    /// The correlation coefficient of two parameters by their indices; NaN if one is exact or not
+    /// determined.
     ///
     /// # Panics
     ///
@@ -106,7 +113,7 @@ impl<M, const N: usize> Identified<M, N> {
 pub(super) fn identified<M, const N: usize>(
     mechanism: M,
     named: &Named,
-    rows: &[Row],
+    rows: &[ReadingRow],
     found: &Determined,
     undetermined: Vec<Undetermined>,
     converged: bool,
@@ -151,7 +158,7 @@ where
     }
 }
 
-fn residuals(rows: &[Row], found: &Determined, converged: bool) -> Vec<Residual> {
+fn residuals(rows: &[ReadingRow], found: &Determined, converged: bool) -> Vec<Residual> {
     /// A reading that keeps less of its own error than this determines something alone.
     const ALONE: f64 = 1e-9;
     let deviation = found.deviation();
@@ -164,7 +171,7 @@ fn residuals(rows: &[Row], found: &Determined, converged: bool) -> Vec<Residual>
         true => student::outside(outside, freedom - 1.0),
         false => student::outside(outside, f64::INFINITY),
     };
-    let residual = |(i, row): (usize, &Row)| {
+    let residual = |(i, row): (usize, &ReadingRow)| {
         let kept = 1.0 - found.leverage(i);
         let standardised = match converged && kept > ALONE {
             true => row.difference / (row.deviation * deviation * kept.sqrt()),

@@ -6,18 +6,19 @@ use core::fmt;
 
 use super::Identified;
 use super::identified::pairs;
-use crate::words::rounded;
+use crate::format::rounded;
 
-/// Correlations above this size are printed: the one parameter alone would be known more than twice as well.
+/// Correlations above this size are printed: the one parameter alone would be known more than twice
+/// as well.
 const STRONG: f64 = 0.9;
 
-/// Estimates with standard errors, what is not determined, strong correlations, outliers.
+/// Estimates with standard errors, undetermined combinations, strong correlations, outliers.
 impl<M, const N: usize> fmt::Display for Identified<M, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let width = self
             .parameters
             .iter()
-            .map(|own| own.name.len())
+            .map(|parameter| parameter.name.len())
             .max()
             .unwrap_or(0)
             .max(9);
@@ -26,23 +27,24 @@ impl<M, const N: usize> fmt::Display for Identified<M, N> {
             "{:<width$} {:>12} {:>12} {:>14}",
             "parameter", "start", "estimate", "standard error"
         )?;
-        for own in &self.parameters {
-            let [start, value] = [own.start, own.value].map(|x| format!("{}", rounded(x)));
-            let error = match own.standard_error {
+        for parameter in &self.parameters {
+            let [start, value] =
+                [parameter.start, parameter.value].map(|x| format!("{}", rounded(x)));
+            let error = match parameter.standard_error {
                 error if error.is_infinite() => String::from("not determined"),
                 _ if !self.converged => String::from("not converged"),
                 _ => format!(
                     "{:>14} {}",
-                    rounded(own.standard_error).to_string(),
-                    own.unit
+                    rounded(parameter.standard_error).to_string(),
+                    parameter.unit
                 ),
             };
-            let bound = if own.is_at_bound {
+            let bound = if parameter.is_at_bound {
                 ", at its bound"
             } else {
                 ""
             };
-            let name = own.name;
+            let name = parameter.name;
             writeln!(
                 f,
                 "{name:<width$} {start:>12} {value:>12} {}{bound}",
@@ -63,8 +65,8 @@ impl<M, const N: usize> fmt::Display for Identified<M, N> {
                  begin elsewhere, or look for a reading that the mechanism cannot have"
             )?;
         }
-        for own in &self.undetermined {
-            writeln!(f, "not determined: {own}")?;
+        for combination in &self.undetermined {
+            writeln!(f, "not determined: {combination}")?;
         }
         for (a, b, correlation) in
             pairs(self).filter(|(.., correlation)| correlation.abs() > STRONG)
@@ -75,15 +77,15 @@ impl<M, const N: usize> fmt::Display for Identified<M, N> {
                 a.name, b.name
             )?;
         }
-        for own in self.outliers() {
+        for outlier in self.outliers() {
             writeln!(
                 f,
                 "outlier: {} at {} is {} {} off, {:.1} standard deviations",
-                own.number,
-                rounded(own.input),
-                rounded(own.difference),
-                own.unit,
-                own.standardised
+                outlier.number,
+                rounded(outlier.input),
+                rounded(outlier.difference),
+                outlier.unit,
+                outlier.standardised
             )?;
         }
         Ok(())

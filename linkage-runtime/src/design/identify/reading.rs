@@ -1,4 +1,4 @@
-//! What was measured, or could be: quantities of a generated function at inputs.
+//! Readings that exist or are possible: quantities of a generated function at inputs.
 
 use alloc::boxed::Box;
 use alloc::string::{String, ToString};
@@ -7,26 +7,28 @@ use alloc::vec::Vec;
 use core::f64::consts::TAU;
 use core::marker::PhantomData;
 
+use crate::data::Parameter;
 use crate::design::DesignError;
 use crate::design::columns::{Number, Numbers};
-use crate::{Dimensions, Heading, Parameter, Table};
+use crate::dimensions::Dimensions;
+use crate::table::{Heading, Table};
 
-/// A quantity at positions of the input, with readings or without: `Measured::of("tracer", values)` was measured,
-/// `Measured::offer("psi")` could be.
+/// A quantity at positions of the input, with readings or without: `Measured::new("tracer",
+/// values)` was measured, `Measured::offer("psi")` could be.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
     quantity: String,
-    /// By position; `None` if nothing was read.
+    /// Readings by position; `None` if nothing was read.
     values: Option<Vec<Vec<f64>>>,
     inputs: Vec<f64>,
-    /// By position, or one row for all.
+    /// Standard deviations by position, or one row for all.
     deviations: Vec<Vec<f64>>,
 }
 
 impl Measured {
     /// Readings of all numbers of a quantity at each position; NaN where one is missing.
     #[must_use]
-    pub fn of<const K: usize>(quantity: &str, values: impl IntoIterator<Item = [f64; K]>) -> Self {
+    pub fn new<const K: usize>(quantity: &str, values: impl IntoIterator<Item = [f64; K]>) -> Self {
         Self {
             values: Some(values.into_iter().map(|row| row.to_vec()).collect()),
             ..Self::offer(quantity)
@@ -46,21 +48,23 @@ impl Measured {
 
     /// The inputs, one for each position, which are taken to be exact.
     #[must_use]
-    pub fn at(mut self, inputs: impl IntoIterator<Item = f64>) -> Self {
+    pub fn at_inputs(mut self, inputs: impl IntoIterator<Item = f64>) -> Self {
         self.inputs = inputs.into_iter().collect();
         self
     }
 
-    /// The standard deviation of each number of the quantity, the same at all positions, in its unit.
+    /// The standard deviation of each number of the quantity, the same at all positions, in its
+    /// unit.
     ///
-    /// Without deviations all readings are taken to be as good as each other, and how good is found from their scatter.
+    /// Without deviations all readings are taken to be as good as each other, and how good is found
+    /// from their scatter.
     #[must_use]
     pub fn deviations<const K: usize>(mut self, deviations: [f64; K]) -> Self {
         self.deviations = vec![deviations.to_vec()];
         self
     }
 
-    /// As [`deviations`](Self::deviations), for each position.
+    /// Sets standard deviations as [`deviations`](Self::deviations) does, for each position.
     #[must_use]
     pub fn deviations_each<const K: usize>(
         mut self,
@@ -70,8 +74,8 @@ impl Measured {
         self
     }
 
-    /// The quantity and its sensitivities are in the columns of this function, a `_sweep_sets_into` method such as
-    /// `FourBarAssembly::path_sweep_sets_into`.
+    /// The quantity and its sensitivities are in the columns of this function, a `_sweep_sets_into`
+    /// method such as `FourBarAssembly::path_sweep_sets_into`.
     #[must_use]
     pub fn computed_by<M, A, C, F, const N: usize>(self, function: F) -> Readings<M, A, C, F, N>
     where
@@ -96,12 +100,12 @@ pub struct Readings<M, A, C, F, const N: usize> {
 
 /// One number at one position.
 #[derive(Clone, Debug)]
-pub(super) struct Row {
+pub(super) struct ReadingRow {
     pub(super) number: &'static str,
     pub(super) unit: &'static str,
     pub(super) input_name: &'static str,
     pub(super) input: f64,
-    /// What was read; NaN if nothing was.
+    /// The reading, NaN if there is none.
     pub(super) reading: f64,
     /// The value minus the reading, without whole turns of an angle.
     pub(super) difference: f64,
@@ -110,17 +114,17 @@ pub(super) struct Row {
     pub(super) slopes: Vec<f64>,
 }
 
-/// What rows come from.
+/// A source of rows.
 pub(super) trait Source<M, A> {
     fn check(&self, parameters: &[Parameter], unknown: &[usize]) -> Vec<DesignError>;
-    /// Whether standard deviations are given.
+    /// Returns true if standard deviations are given.
     fn has_deviations(&self) -> bool;
     fn quantity(&self) -> &str;
-    /// What else the function has with derivatives by all unknown parameters, at the same inputs, as if each number had a standard deviation
-    /// of 1.
-    fn beside(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<Row>;
+    /// Returns the other numbers of the function with derivatives with respect to all unknown
+    /// parameters, at the same inputs, as if each number had a standard deviation of 1.
+    fn beside(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<ReadingRow>;
     /// All rows of a mechanism, missing readings left out.
-    fn rows(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<Row>;
+    fn rows(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<ReadingRow>;
 }
 
 impl<M, A, C, F, const N: usize> Source<M, A> for Readings<M, A, C, F, N>
@@ -130,40 +134,40 @@ where
     C: Table + Default,
 {
     fn check(&self, parameters: &[Parameter], unknown: &[usize]) -> Vec<DesignError> {
-        let own = &self.measured;
-        let names = [own.quantity.clone()];
+        let measured = &self.measured;
+        let names = [measured.quantity.clone()];
         let mut errors = Vec::new();
         let count = |what, expected, found| DesignError::Count {
             what,
-            wish: own.quantity.clone(),
+            wish: measured.quantity.clone(),
             expected,
             found,
         };
-        if own.inputs.is_empty() {
+        if measured.inputs.is_empty() {
             errors.push(DesignError::Nothing {
                 what: "no inputs; name them with `at`",
-                wish: own.quantity.clone(),
+                wish: measured.quantity.clone(),
             });
         }
-        if let Some(&number) = own.inputs.iter().find(|input| !input.is_finite()) {
-            let wish = own.quantity.clone();
+        if let Some(&number) = measured.inputs.iter().find(|input| !input.is_finite()) {
+            let wish = measured.quantity.clone();
             errors.push(DesignError::NotFinite { wish, number });
         }
-        if let Some(values) = &own.values
-            && values.len() != own.inputs.len()
+        if let Some(values) = &measured.values
+            && values.len() != measured.inputs.len()
         {
-            errors.push(count("inputs", values.len(), own.inputs.len()));
+            errors.push(count("inputs", values.len(), measured.inputs.len()));
         }
-        if own.deviations.len() > 1 && own.deviations.len() != own.inputs.len() {
+        if measured.deviations.len() > 1 && measured.deviations.len() != measured.inputs.len() {
             errors.push(count(
                 "rows of deviations",
-                own.inputs.len(),
-                own.deviations.len(),
+                measured.inputs.len(),
+                measured.deviations.len(),
             ));
         }
         let is_wrong = |deviation: &&f64| !(**deviation > 0.0 && deviation.is_finite());
-        if let Some(&deviation) = own.deviations.iter().flatten().find(is_wrong) {
-            let quantity = own.quantity.clone();
+        if let Some(&deviation) = measured.deviations.iter().flatten().find(is_wrong) {
+            let quantity = measured.quantity.clone();
             errors.push(DesignError::Deviation {
                 quantity,
                 deviation,
@@ -173,7 +177,7 @@ where
         match Numbers::find(columns.heading(), &names, false, parameters, unknown) {
             Err(more) => errors.extend(more),
             Ok(numbers) => {
-                let rows = own.values.iter().flatten().chain(&own.deviations);
+                let rows = measured.values.iter().flatten().chain(&measured.deviations);
                 if let Some(row) = rows.into_iter().find(|row| row.len() != numbers.len()) {
                     errors.push(count("numbers at a position", numbers.len(), row.len()));
                 }
@@ -190,7 +194,7 @@ where
         &self.measured.quantity
     }
 
-    fn rows(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<Row> {
+    fn rows(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<ReadingRow> {
         let columns = self.columns(assembly, mechanism);
         let quantity = core::slice::from_ref(&self.measured.quantity);
         let numbers = Numbers::all(columns.heading(), quantity);
@@ -199,7 +203,7 @@ where
         rows.flatten().collect()
     }
 
-    fn beside(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<Row> {
+    fn beside(&self, assembly: &A, mechanism: &M, unknown: &[usize]) -> Vec<ReadingRow> {
         let columns = self.columns(assembly, mechanism);
         let numbers = Numbers::beside(columns.heading(), &self.measured.quantity, unknown);
         let rows = numbers
@@ -231,23 +235,27 @@ where
         number: &Number,
         read: Option<usize>,
         unknown: &[usize],
-    ) -> Vec<Row> {
-        let own = &self.measured;
+    ) -> Vec<ReadingRow> {
+        let measured = &self.measured;
         let Heading {
             columns: all,
             arguments,
             ..
         } = columns.heading();
         let heading = &all[number.value];
-        // Parameters that the list of sensitivities leaves out are no unknowns: the check has seen to it.
+        // Parameters that the list of sensitivities leaves out are no unknowns: the check has seen
+        // to it.
         let places = unknown.iter().filter_map(|index| {
-            let own = number.sensitivities.iter().find(|(own, _)| own == index);
-            own.map(|&(_, column)| column)
+            let sensitivity = number
+                .sensitivities
+                .iter()
+                .find(|(sensitivity, _)| sensitivity == index);
+            sensitivity.map(|&(_, column)| column)
         });
         let places: Vec<usize> = places.collect();
         let mut rows = Vec::new();
-        for (position, &input) in own.inputs.iter().enumerate() {
-            let values = read.and_then(|k| Some((k, own.values.as_ref()?)));
+        for (position, &input) in measured.inputs.iter().enumerate() {
+            let values = read.and_then(|k| Some((k, measured.values.as_ref()?)));
             let reading = values.map(|(k, values)| values[position][k]);
             if reading.is_some_and(f64::is_nan) {
                 continue;
@@ -260,9 +268,12 @@ where
             } else {
                 0.0
             };
-            let deviations = own.deviations.get(position).or(own.deviations.first());
+            let deviations = measured
+                .deviations
+                .get(position)
+                .or(measured.deviations.first());
             let deviation = read.and_then(|k| Some(deviations?[k]));
-            rows.push(Row {
+            rows.push(ReadingRow {
                 number: heading.name,
                 unit: heading.unit,
                 input_name: arguments.first().copied().unwrap_or("input"),

@@ -1,16 +1,18 @@
-//! Whether an estimate is where the sum of squares is least.
+//! Checks that an estimate is where the sum of squares is least.
 //!
-//! A descent also ends where the mechanism falls apart: beside a flat triangle no step leads on, derivatives grow without
-//! limit, and standard errors from them are as small as one likes. So an estimate is looked at without the descent.
+//! A descent also ends where the mechanism falls apart: at a flat triangle no step leads on,
+//! derivatives grow without limit, and standard errors from them become arbitrarily small.
+//! Therefore an estimate is checked without the descent.
 
 use alloc::vec::Vec;
 
 use nalgebra::DMatrix;
 
-use super::Identification;
 use super::determined::Determined;
-use crate::Dimensions;
+use super::setup::Identification;
+use super::{fit, rows};
 use crate::design::limits::Limits;
+use crate::dimensions::Dimensions;
 
 /// An estimate is settled that is off by less than this part of its standard errors.
 const SETTLED: f64 = 1e-3;
@@ -23,45 +25,41 @@ struct Step {
     length: f64,
 }
 
-impl<M, A, const N: usize> Identification<'_, M, A, N>
-where
-    M: Dimensions<N> + Copy,
-{
-    /// Whether no step within the bounds makes the sum of squares smaller; such steps are made before it is denied.
-    pub(super) fn settle(
-        &self,
-        limits: &Limits,
-        x: &mut Vec<f64>,
-        ranges: &[f64],
-        unknown: &[usize],
-        found: &mut Determined,
-    ) -> bool {
-        for _ in 0..super::POLISH {
-            let Step { step, length } = found.within(limits, x);
-            if found.is_settled(length) {
-                return true;
-            }
-            let next: Vec<f64> = (0..x.len()).map(|j| x[j] - ranges[j] * step[j]).collect();
-            if !limits.hold(&next) {
-                return false;
-            }
-            let rows = self.rows(&next, unknown);
-            let finite = |x: &f64| x.is_finite();
-            if !rows
-                .iter()
-                .all(|row| finite(&row.difference) && row.slopes.iter().all(finite))
-            {
-                return false;
-            }
-            let there = Determined::new(&rows, ranges, self.estimates_deviations());
-            if there.rank != found.rank || there.sum > found.sum {
-                return false;
-            }
-            (*x, *found) = (next, there);
+/// Returns true if no step within the bounds makes the sum of squares smaller. Such steps are made
+/// before it returns false.
+pub(super) fn settle<M: Dimensions<N> + Copy, A, const N: usize>(
+    identification: &Identification<'_, M, A, N>,
+    limits: &Limits,
+    x: &mut Vec<f64>,
+    ranges: &[f64],
+    unknown: &[usize],
+    found: &mut Determined,
+) -> bool {
+    for _ in 0..fit::POLISH {
+        let Step { step, length } = found.within(limits, x);
+        if found.is_settled(length) {
+            return true;
         }
-        let Step { length, .. } = found.within(limits, x);
-        found.is_settled(length)
+        let next: Vec<f64> = (0..x.len()).map(|j| x[j] - ranges[j] * step[j]).collect();
+        if !limits.hold(&next) {
+            return false;
+        }
+        let rows = rows::rows(identification, &next, unknown);
+        let finite = |x: &f64| x.is_finite();
+        if !rows
+            .iter()
+            .all(|row| finite(&row.difference) && row.slopes.iter().all(finite))
+        {
+            return false;
+        }
+        let there = Determined::new(&rows, ranges, rows::estimates_deviations(identification));
+        if there.rank != found.rank || there.sum > found.sum {
+            return false;
+        }
+        (*x, *found) = (next, there);
     }
+    let Step { length, .. } = found.within(limits, x);
+    found.is_settled(length)
 }
 
 impl Determined {
@@ -69,7 +67,8 @@ impl Determined {
         length <= SETTLED * self.deviation() || self.is_nothing(length)
     }
 
-    /// The step of all parameters but those that are at a bound with the sum of squares falling beyond it.
+    /// The step of all parameters but those that are at a bound with the sum of squares falling
+    /// beyond it.
     fn within(&self, limits: &Limits, x: &[f64]) -> Step {
         let n = x.len();
         let slope = |j: usize| self.jacobian.column(j).dot(&self.differences);
@@ -83,8 +82,8 @@ impl Determined {
             return Step { step, length: 0.0 };
         }
         let rows = self.jacobian.nrows();
-        let own = DMatrix::from_fn(rows, free.len(), |i, k| self.jacobian[(i, free[k])]);
-        let svd = own.svd(true, true);
+        let columns = DMatrix::from_fn(rows, free.len(), |i, k| self.jacobian[(i, free[k])]);
+        let svd = columns.svd(true, true);
         let (Some(left), Some(directions)) = (svd.u, svd.v_t) else {
             return Step {
                 step,

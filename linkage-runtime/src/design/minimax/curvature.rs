@@ -3,30 +3,34 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::{Groups, Key, Row};
+use super::rows::{Groups, Key, Row};
 use linkage_core::numeric::vector::dot;
 
-/// A positive definite approximation of the second derivatives of the rows, each times its weight, in reaches.
+/// A positive definite approximation of the second derivatives of the rows, each times its weight,
+/// in reaches.
 ///
 /// Of a sum of squares the part of Gauss and Newton is known, and only the rest is gathered.
 ///
-/// Updated by Broyden, Fletcher, Goldfarb and Shanno with Powell's damping: M. J. D. Powell, "A fast algorithm for nonlinearly constrained
-/// optimization calculations", Lecture Notes in Mathematics 630 (1978).
+/// Updated by Broyden, Fletcher, Goldfarb and Shanno with Powell's damping: M. J. D. Powell, "A
+/// fast algorithm for nonlinearly constrained optimization calculations", Lecture Notes in
+/// Mathematics 630 (1978).
 #[derive(Clone, Debug)]
 pub(super) struct Curvature {
     reach: Vec<f64>,
-    /// What is gathered.
+    /// The gathered part.
     matrix: Vec<f64>,
-    /// What is known where the search is.
+    /// The known part at the current place.
     known: Vec<f64>,
     begun: bool,
 }
 
-/// Of a first estimate, so much is taken: too much curvature makes steps short, too little is bounded by the box.
+/// Share of a first estimate that is used: too much curvature makes steps short, too little is
+/// bounded by the box.
 const FIRST: f64 = 0.1;
 /// Powell's: an update leaves at least this part of the curvature along the step.
 const LEAST: f64 = 0.2;
-/// Rows whose places differ by more than this are not the same, in radians or in the unit of the input.
+/// Rows whose places differ by more than this are not the same, in radians or in the unit of the
+/// input.
 const NEAR: f64 = 0.2;
 
 impl Curvature {
@@ -39,7 +43,7 @@ impl Curvature {
         }
     }
 
-    pub(super) fn at(&self, i: usize, j: usize) -> f64 {
+    pub(super) fn entry(&self, i: usize, j: usize) -> f64 {
         let place = i * self.reach.len() + j;
         self.matrix[place] + self.known[place]
     }

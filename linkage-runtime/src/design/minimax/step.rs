@@ -6,27 +6,27 @@ use alloc::vec::Vec;
 use super::super::limits::Limits;
 use super::super::quadratic::{Face, Quadratic};
 use super::curvature::Curvature;
-use super::{Groups, Row, cost};
+use super::rows::{Groups, Row, cost};
 
-/// Within what a step is, and what violations cost.
+/// The region of a step, and the price of violations.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Aim<'a> {
     pub(super) limits: &'a Limits,
     pub(super) reach: &'a [f64],
-    /// How many times the reach a variable may go.
+    /// The bound of a variable, in reaches.
     pub(super) radius: f64,
     pub(super) price: f64,
 }
 
-/// A step and what it promises.
+/// A step and its promised gain.
 #[derive(Clone, Debug)]
 pub(super) struct Plan {
     pub(super) d: Vec<f64>,
-    /// What objective, violations and curvature come to.
+    /// The sum of objective, violations and curvature.
     pub(super) merit: f64,
     /// The worst violation that remains.
     pub(super) excess: f64,
-    /// What all that remain cost at a price of 1.
+    /// The cost of all remaining violations at a price of 1.
     pub(super) missed: f64,
     /// The most that a variable goes, in reaches.
     pub(super) length: f64,
@@ -34,16 +34,18 @@ pub(super) struct Plan {
     pub(super) multipliers: Vec<Vec<f64>>,
 }
 
-/// The box counts as this part of what the objective changes by in it: what has no effect stays where it is.
+/// The box counts as this part of the change of the objective in it: variables without effect stay
+/// where they are.
 const BOX: f64 = 1e-6;
-/// The objective counts with this part of its change as curvature, or the program would not be strictly convex. It is still greater where it
-/// is greater, so that its least place is the same.
+/// The objective counts with this part of its change as curvature, or the program would not be
+/// strictly convex. It is still greater where it is greater, so that its least place is the same.
 const BENT: f64 = 0.1;
 
-/// The best step, or without a curvature the shortest one that leads back to the conditions. `None` if rounding leaves no solution.
+/// The best step, or without a curvature the shortest one that leads back to the conditions. `None`
+/// if rounding leaves no solution.
 ///
-/// The quadratic program has the variables of the step in reaches, then for each group how much its largest row may be: the objective's less
-/// its value now, and violations.
+/// The quadratic program has the variables of the step in reaches, then for each group how much its
+/// largest row may be: the objective's less its value now, and violations.
 pub(super) fn step(
     x: &[f64],
     here: &Groups,
@@ -76,11 +78,12 @@ pub(super) fn step(
     })
 }
 
-/// By how much objective and violations together fall at most within the first box, to first order: zero where the first-order conditions hold,
-/// those of Karush, Kuhn and Tucker. `None` if rounding leaves no answer.
+/// Returns the largest decrease of objective and violations together within the first box, to first
+/// order: zero where the first-order conditions hold, those of Karush, Kuhn and Tucker. `None` if
+/// rounding leaves no answer.
 ///
-/// Source of the measure: Y. Yuan, "Conditions for convergence of trust region algorithms for nonsmooth optimization", Mathematical Programming 31
-/// (1985).
+/// Source of the measure: Y. Yuan, "Conditions for convergence of trust region algorithms for
+/// nonsmooth optimization", Mathematical Programming 31 (1985).
 pub(super) fn fall(x: &[f64], here: &Groups, aim: &Aim<'_>) -> Option<f64> {
     let flat = Curvature::new(aim.reach);
     let first = Aim {
@@ -98,7 +101,7 @@ impl Aim<'_> {
     }
 }
 
-/// What is to be least: matrix, of which the lower triangle counts, and gradient.
+/// The minimised function: matrix, of which the lower triangle counts, and gradient.
 fn costs(
     n: usize,
     here: &Groups,
@@ -114,7 +117,7 @@ fn costs(
     for i in 0..n {
         for j in 0..=i {
             gram[i * all + j] = match curvature {
-                Some(curvature) => curvature.at(i, j),
+                Some(curvature) => curvature.entry(i, j),
                 None => f64::from(i == j),
             };
         }
@@ -131,7 +134,7 @@ fn costs(
     (gram, gradient)
 }
 
-/// Within what it is: the box and the limits, then from the place that is returned all rows.
+/// The faces of the region: the box and the limits, then from the returned index on all rows.
 fn faces(x: &[f64], here: &Groups, aim: &Aim<'_>) -> (Vec<Face>, usize) {
     let n = x.len();
     let one = |j: usize, a: f64, slack: f64, equality: bool| Face {

@@ -4,7 +4,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::super::limits::{Limits, Linear};
-use super::{Found, Groups, Key, Row, Search, minimise};
+use super::{Groups, Key, Minimum, Row, Search, minimise};
 
 fn row(nth: usize, value: f64, slopes: &[f64]) -> Row {
     Row {
@@ -32,7 +32,7 @@ fn within(n: usize, bound: f64) -> Limits {
     }
 }
 
-fn solved(start: &[f64], limits: &Limits, groups: impl Fn(&[f64]) -> Groups) -> Found {
+fn solved(start: &[f64], limits: &Limits, groups: impl Fn(&[f64]) -> Groups) -> Minimum {
     let n = start.len();
     minimise(start, limits, &search(n), |x| Some(groups(x)), || false)
         .expect("a value at the start")

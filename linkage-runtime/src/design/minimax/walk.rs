@@ -1,24 +1,27 @@
-//! A search on its way: steps within a box, what violations cost, and whether it is at an optimum.
+//! A search in progress: steps within a box, the price of violations, and the test for an optimum.
 
 use alloc::vec::Vec;
 
 use super::super::limits::Limits;
 use super::curvature::Curvature;
+use super::rows::{Groups, Search};
 use super::step::{Aim, Plan, fall, step};
-use super::{Groups, Search};
 
-/// A step that gains less than this part of its promise is taken back; the smallest part that keeps searches from stalling.
+/// A step that gains less than this part of its promise is taken back; the smallest part that keeps
+/// searches from stalling.
 const TAKEN: f64 = 1e-4;
-/// Gains below the first part of the promise make the box smaller, above the second one larger (Fletcher's).
+/// Gains below the first part of the promise make the box smaller, above the second one larger
+/// (Fletcher's).
 const POOR: f64 = 0.25;
 const GOOD: f64 = 0.75;
-/// Where little is promised within a box shorter than this, it may be for the box alone.
+/// Little promise within a box shorter than this may be due to the box alone.
 const SHORT: f64 = 0.01;
 /// A box of this part of the first one is nothing but rounding.
 const STUCK: f64 = 1e-12;
-/// A variable is at a bound if it is nearer than this part of its first step: the programs are solved to some hundred roundoffs.
+/// A variable is at a bound if it is nearer than this part of its first step: the programs are
+/// solved to some hundred roundoffs.
 const BESIDE: f64 = 1e-11;
-/// What rounding leaves of a merit: some hundred roundoffs.
+/// The rounding of a merit: some hundred roundoffs.
 const ROUNDING: f64 = 1e-14;
 /// A price above this leaves nothing of the objective in double precision.
 const HIGHEST: f64 = 1e9;
@@ -43,12 +46,12 @@ pub(super) struct Walk<'w, E> {
     radius: f64,
     price: f64,
     pub(super) evaluations: usize,
-    /// Whether no step was taken since the curvature was begun.
+    /// True if no step was taken since the curvature was begun.
     fresh: bool,
 }
 
 impl<'w, E: FnMut(&[f64]) -> Option<Groups>> Walk<'w, E> {
-    /// From a place, with what there is.
+    /// Begins at a place, with its groups.
     pub(super) fn new(
         (start, here): (&[f64], Groups),
         limits: &'w Limits,
@@ -80,7 +83,7 @@ impl<'w, E: FnMut(&[f64]) -> Option<Groups>> Walk<'w, E> {
         }
     }
 
-    /// A step, or what is needed for one.
+    /// Makes a step, or prepares one.
     pub(super) fn round(&mut self) -> Option<End> {
         let aim = self.aim();
         let Some(plan) = step(&self.x, &self.here, Some(&self.curvature), &aim) else {
@@ -111,10 +114,12 @@ impl<'w, E: FnMut(&[f64]) -> Option<Groups>> Walk<'w, E> {
         None
     }
 
-    /// Whether a violation costs too little: a step removes less than half of what can be removed of all violations within the box.
+    /// Returns true if a violation costs too little: a step removes less than half of the removable
+    /// part of all violations within the box.
     ///
-    /// A price that is raised only then stays as low as can be, and the objective is seen beside it: R. H. Byrd, J. Nocedal, R. A. Waltz,
-    /// "Steering exact penalty methods for nonlinear programming", Optimization Methods and Software 23 (2008).
+    /// A price that is raised only then stays as low as can be, and the objective is seen beside
+    /// it: R. H. Byrd, J. Nocedal, R. A. Waltz, "Steering exact penalty methods for nonlinear
+    /// programming", Optimization Methods and Software 23 (2008).
     fn is_cheap(&self, plan: &Plan) -> bool {
         let Some(back) = back(&self.x, &self.here, &self.aim()) else {
             return false;
@@ -124,7 +129,8 @@ impl<'w, E: FnMut(&[f64]) -> Option<Groups>> Walk<'w, E> {
         self.price < HIGHEST && most > self.search.tolerance && removed < 0.5 * most
     }
 
-    /// Goes straight back to the conditions, of which too little is violated for a price to show it; whether that removes most of it.
+    /// Goes straight back to the conditions, of which too little is violated for a price to show
+    /// it; whether that removes most of it.
     fn leads_back(&mut self) -> bool {
         let Some(plan) = back(&self.x, &self.here, &self.aim()) else {
             return false;
@@ -140,7 +146,8 @@ impl<'w, E: FnMut(&[f64]) -> Option<Groups>> Walk<'w, E> {
         led
     }
 
-    /// Where little is promised but slopes promise more, curvature or box are wrong: they begin anew, unless they just did.
+    /// Restarts curvature and box, which are wrong where little is promised but slopes promise
+    /// more, unless they were just restarted.
     fn begin_anew(&mut self) -> Option<End> {
         if self.fresh {
             return Some(End::Stuck);
@@ -206,7 +213,7 @@ fn back(x: &[f64], groups: &Groups, aim: &Aim<'_>) -> Option<Plan> {
     step(x, groups, None, &Aim { price, ..*aim })
 }
 
-/// The place after a step. What a step leaves of the way to a bound by rounding is none.
+/// Returns the place after a step. The rest of the distance to a bound within rounding is none.
 fn moved(x: &[f64], d: &[f64], limits: &Limits, reach: &[f64]) -> Vec<f64> {
     let mut moved: Vec<f64> = x.iter().zip(d).map(|(x, d)| x + d).collect();
     for (j, x) in moved.iter_mut().enumerate() {

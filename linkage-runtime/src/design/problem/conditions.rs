@@ -1,44 +1,36 @@
-//! Which conditions do not hold, by how much, and which are in the way.
+//! Conditions that do not hold, with the size of the violation, and conditions in the way.
 
 use alloc::string::String;
 use alloc::vec::Vec;
 
 use super::super::normal::Normal;
+use super::super::violation::Violation;
 use super::Problem;
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
-/// A condition that is violated by less than this part of its size holds: the last step met it to second order.
+/// A condition that is violated by less than this part of its size holds: the last step met it to
+/// second order.
 const HOLDS: f64 = 1e-9;
 
 /// One that has less to spare than this part of it is in the way: descents end that near to it.
 const ACTIVE: f64 = 1e-6;
 
-/// What the bounds' widths do to a condition counts as its size up to this many times the size of its own numbers. So no condition
-/// holds that is violated by more than a millionth of these.
+/// The effect of the bounds' widths on a condition counts as its size up to this many times the
+/// size of its own numbers. So no condition holds that is violated by more than a millionth of
+/// these.
 const MOST: f64 = 1e3;
 
 /// A row of a condition in a mechanism.
-struct Row {
+struct ConditionRow {
     /// The number of its wish.
     wish: usize,
     value: f64,
-    /// What its value is compared with.
+    /// The size with which its value is compared.
     size: f64,
 }
 
-/// A condition that does not hold.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Violation {
-    /// The number of its wish.
-    pub(crate) wish: usize,
-    /// By how much it is violated.
-    pub(crate) by: f64,
-    /// The same as a part of its size.
-    pub(crate) part: f64,
-}
-
 impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
-    /// Whether all conditions hold.
+    /// Returns true if all conditions hold.
     pub(crate) fn meets(&self, at: &Normal) -> bool {
         self.violations(at).is_empty()
     }
@@ -49,7 +41,7 @@ impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
         // A value that is no number holds nothing.
         let broken = rows.filter(|row| row.value.is_nan() || row.value < -HOLDS * row.size);
         let mut found: Vec<Violation> = Vec::new();
-        for Row { wish, value, size } in broken {
+        for ConditionRow { wish, value, size } in broken {
             let (by, part) = (-value, -value / size);
             match found.last_mut().filter(|last| last.wish == wish) {
                 Some(last) if last.part >= part => {}
@@ -70,16 +62,16 @@ impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
     }
 
     /// The rows of all conditions.
-    fn conditions(&self, at: &Normal) -> impl Iterator<Item = Row> {
+    fn conditions(&self, at: &Normal) -> impl Iterator<Item = ConditionRow> {
         let widths = self.widths();
         let wishes = self.wishes.iter().enumerate();
         let conditions = wishes.filter(|(_, wish)| wish.is_condition());
         let owners = conditions.flat_map(|(k, wish)| (0..wish.rows()).map(move |_| k));
         let rows = owners.zip(&at.conditions).zip(&self.sizes);
-        rows.map(move |((wish, (value, slopes)), own)| {
+        rows.map(move |((wish, (value, slopes)), size_of_row)| {
             let change: f64 = slopes.iter().zip(&widths).map(|(s, w)| (s * w).abs()).sum();
-            let (value, size) = (*value, change.min(MOST * own));
-            Row { wish, value, size }
+            let (value, size) = (*value, change.min(MOST * size_of_row));
+            ConditionRow { wish, value, size }
         })
     }
 }

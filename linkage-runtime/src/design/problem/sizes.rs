@@ -1,21 +1,22 @@
 //! The size of each condition, from its own numbers.
 //!
-//! Near a place where a number ceases to exist, such as the height of a flat triangle, its derivatives grow without limit.
-//! Whatever is compared with them is small. The number itself stays as large as it is elsewhere.
+//! Near a place where a number ceases to exist, such as the height of a flat triangle, its
+//! derivatives grow without limit. Whatever is compared with them is small. The number itself stays
+//! as large as it is elsewhere.
 
 use alloc::vec;
 use alloc::vec::Vec;
 
 use super::super::starts;
 use super::{Evaluator, Problem};
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 
 /// Starts at which conditions are looked at.
 const PLACES: usize = 32;
 
 impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
-    /// With the size of each row of a condition: the mean of its absolute values in the declared mechanism and at the first
-    /// starts, where it has a value.
+    /// With the size of each row of a condition: the mean of its absolute values in the declared
+    /// mechanism and at the first starts, where it has a value.
     pub(crate) fn measured(mut self, assemblies: &[A], seed: u64) -> Self {
         self.sizes = self.means(assemblies, seed);
         self

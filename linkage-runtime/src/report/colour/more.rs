@@ -1,25 +1,28 @@
-//! Colours of links behind the listed ones: hues of equal lightness and strength, so that none is more than another.
+//! Colours of links behind the listed ones: hues of equal lightness and strength, so that none is
+//! more than another.
 
 use std::borrow::Cow;
 use std::format;
 use std::string::String;
 
-/// The first hue, in degrees, and the step to the next one: the first four lie between the listed hues, each later round of four eight degrees
-/// beside the one before.
+/// The first hue, in degrees, and the step to the next one: the first four lie between the listed
+/// hues, each later round of four eight degrees beside the one before.
 const FIRST: f64 = 20.0;
 const STEP: f64 = 92.0;
 /// A round of hues, after which the lightness changes, and the lightnesses that there are.
 const ROUND: usize = 4;
 const LEVELS: usize = 3;
 
-/// Lightness and strength of the first round, and by how much the next one is lighter; Oklab's lightness is 0 for black and 1 for white.
+/// Lightness and strength of the first round, and by how much the next one is lighter; Oklab's
+/// lightness is 0 for black and 1 for white.
 struct Tone {
     lightness: f64,
     chroma: f64,
     step: f64,
 }
 
-// About as light and as strong as the listed colours; later rounds go where there is room, towards the ground's other side.
+// About as light and as strong as the listed colours; later rounds go where there is room, towards
+// the ground's other side.
 const PAPER: [Tone; 2] = [tone(0.86, 0.062, -0.075), tone(0.43, 0.062, 0.075)];
 // A little darker, or lighter on dark ground, than the listed ones, which have hues beside theirs.
 const PAGE: [Tone; 2] = [tone(0.66, 0.09, -0.075), tone(0.64, 0.09, 0.075)];
@@ -72,7 +75,8 @@ impl Body {
     }
 }
 
-/// From Oklab, in which equal steps look equal, to the numbers of a screen; Ottosson, "A perceptual color space for image processing", 2020.
+/// Converts Oklab, in which equal steps look equal, to the numbers of a screen; Ottosson, "A
+/// perceptual color space for image processing", 2020.
 fn hex(lightness: f64, a: f64, b: f64) -> String {
     let l = (lightness + 0.396_337_777_4 * a + 0.215_803_757_3 * b).powi(3);
     let m = (lightness - 0.105_561_345_8 * a - 0.063_854_172_8 * b).powi(3);
@@ -109,7 +113,7 @@ mod tests {
         [1, 3, 5].map(|at| i32::from_str_radix(&hex[at..at + 2], 16).unwrap())
     }
 
-    /// Of eighteen parts no two have a colour that could be mistaken for another one beside it, on any ground.
+    /// No two of eighteen parts have colours that could be mistaken for each other, on any ground.
     #[test]
     fn colours_can_be_told_apart() {
         let listed = super::super::LINK_COLOURS.map(|(light, dark)| (light.into(), dark.into()));

@@ -1,11 +1,13 @@
-//! Whether designs can be compared.
+//! Contradictions between the designs of a comparison.
 
 use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::{Compared, Comparison};
-use crate::report::letters::control;
-use crate::report::{Mistake, ReportError};
+use crate::report::Mistake;
+use crate::report::error::ReportError;
+use crate::report::glyphs::control;
+use crate::report::{check, plots};
 
 impl Comparison<'_> {
     pub(super) fn check(&self) -> Result<(), ReportError> {
@@ -33,9 +35,9 @@ impl Comparison<'_> {
         design: &Compared<'_>,
         mistakes: &mut Vec<Mistake>,
     ) -> Result<(), ReportError> {
-        match design.report.check() {
-            Err(ReportError::Mistakes(own)) => {
-                mistakes.extend(own);
+        match check::check(design.report) {
+            Err(ReportError::Mistakes(found)) => {
+                mistakes.extend(found);
                 return Ok(());
             }
             other => other?,
@@ -60,15 +62,15 @@ impl Comparison<'_> {
             });
         }
         for column in self.columns() {
-            let Some((_, unit, _)) = design.report.series(&column) else {
+            let Some((_, unit, _)) = plots::find_series(design.report, &column) else {
                 mistakes.push(Mistake::Unknown {
                     kind: "column",
                     name: column,
-                    known: design.report.known(),
+                    known: plots::known_columns(design.report),
                 });
                 continue;
             };
-            let firsts = first.report.series(&column).map(|(_, unit, _)| unit);
+            let firsts = plots::find_series(first.report, &column).map(|(_, unit, _)| unit);
             mistakes.extend(other_unit(column, design, unit, firsts));
         }
         let all = self.figures();
@@ -105,11 +107,11 @@ impl Comparison<'_> {
 fn other_unit(
     name: String,
     design: &Compared<'_>,
-    own: String,
+    unit: String,
     first: Option<String>,
 ) -> Option<Mistake> {
-    let first = first.filter(|first| *first != own)?;
-    let (design, units) = (design.name.clone(), [own, first]);
+    let first = first.filter(|first| *first != unit)?;
+    let (design, units) = (design.name.clone(), [unit, first]);
     Some(Mistake::OtherUnit {
         name,
         design,
@@ -141,10 +143,10 @@ mod tests {
             .design(Compared::new("a", &b).figure("force", 1.0, "kN"))
             .curves(["psi"])
             .front([Aim::least("dwell")]);
-        let told = comparison.html().unwrap_err().to_string();
-        let told: Vec<&str> = told.lines().collect();
+        let message = comparison.html().unwrap_err().to_string();
+        let message: Vec<&str> = message.lines().collect();
         assert_eq!(
-            told,
+            message,
             [
                 "no column `psi`; there is nothing",
                 "two designs are called `a`; give one of them another name",
@@ -159,7 +161,8 @@ mod tests {
         assert_eq!(nothing, "a comparison without a design; add some");
     }
 
-    /// Words end neither the page's script nor its title, and a design without a picture is no obstacle.
+    /// Words end neither the page's script nor its title, and a design without a picture is no
+    /// obstacle.
     #[test]
     fn words_are_no_markup() {
         let report = report(3);

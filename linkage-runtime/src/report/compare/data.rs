@@ -1,4 +1,4 @@
-//! What the page of a comparison has.
+//! The data of the page of a comparison.
 
 use serde_json::{Value, json};
 use std::string::{String, ToString};
@@ -7,16 +7,18 @@ use std::vec::Vec;
 use super::front::front;
 use super::picture::Drawn;
 use super::{Compared, Comparison};
-use crate::Meaning;
+use crate::report::{plots, positioned_picture};
+use linkage_core::Meaning;
 
-/// A page has no more positions of each design: two for each degree of a turn that a drawing of some hundred pixels
-/// shows would be no better.
+/// A page has no more positions of each design: two for each degree of a turn that a drawing of
+/// some hundred pixels shows would be no better.
 const MOST: usize = 361;
-/// Curves are rounded to this part of their range, or a little less: finer than a screen shows them.
+/// Curves are rounded to this part of their range, or a little less: finer than a screen shows
+/// them.
 const STEPS: f64 = 100_000.0;
 
 impl Comparison<'_> {
-    /// Everything as JSON; what is not finite is `null`.
+    /// Returns everything as JSON. A number that is not finite is `null`.
     pub(super) fn value(&self) -> Value {
         let rows = self.rows();
         let first = self.designs.first().map(|design| design.report);
@@ -48,10 +50,10 @@ impl Comparison<'_> {
             "about": self.about,
             "input": input,
             "extent": extent,
-            "unit": first.and_then(|report| report.shown()).map(|shown| shown.unit),
+            "unit": first.and_then(positioned_picture::find_picture).map(|shown| shown.unit),
             "designs": designs.collect::<Vec<_>>(),
             "curves": self.columns().iter().filter_map(|name| {
-                let (_, unit, _) = first?.series(name)?;
+                let (_, unit, _) = first.and_then(|report| plots::find_series(report, name))?;
                 // Where the unit stands behind the name, it is not said twice.
                 let bare = name.split(" [").next().unwrap_or(name);
                 Some(json!({ "name": bare, "unit": unit }))
@@ -115,9 +117,9 @@ impl Comparison<'_> {
             .iter()
             .flat_map(|design| &design.report.dimensions)
         {
-            let own = (dimension.parameter.name, dimension.parameter.unit);
-            if !all.contains(&own) {
-                all.push(own);
+            let column = (dimension.parameter.name, dimension.parameter.unit);
+            if !all.contains(&column) {
+                all.push(column);
             }
         }
         let row = |&(name, unit): &(&str, &str)| {
@@ -125,9 +127,12 @@ impl Comparison<'_> {
                 .designs
                 .iter()
                 .map(|design| {
-                    let mut own = design.report.dimensions.iter();
-                    own.find(|own| own.parameter.name == name && own.parameter.unit == unit)
-                        .map(|own| own.value)
+                    let mut dimensions = design.report.dimensions.iter();
+                    dimensions
+                        .find(|dimension| {
+                            dimension.parameter.name == name && dimension.parameter.unit == unit
+                        })
+                        .map(|dimension| dimension.value)
                 })
                 .collect();
             let differ = values.iter().any(|value| *value != values[0]);
@@ -161,11 +166,12 @@ impl Comparison<'_> {
 
 fn figure(design: &Compared<'_>, name: &str) -> Option<f64> {
     let mut all = design.all_figures().into_iter();
-    all.find(|(own, ..)| own == name).map(|(_, value, _)| value)
+    all.find(|(figure, ..)| figure == name)
+        .map(|(_, value, _)| value)
 }
 
 fn curve(design: &Compared<'_>, name: &str, rows: &[usize]) -> Option<Vec<f64>> {
-    let (_, _, values) = design.report.series(name)?;
+    let (_, _, values) = plots::find_series(design.report, name)?;
     let finite = || values.iter().copied().filter(|x| x.is_finite());
     let range = finite().fold(f64::NEG_INFINITY, f64::max) - finite().fold(f64::INFINITY, f64::min);
     // A constant has all its digits.

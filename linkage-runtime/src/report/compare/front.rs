@@ -1,20 +1,21 @@
-//! Which designs are best.
+//! The Pareto front of designs.
 
 use std::vec::Vec;
 
-/// The designs that no other one beats: none is as good in all wishes and better in one. `values` are those of each
-/// design, the smaller the better; a design with a number that is not finite is none of the best.
+/// The designs that no other one beats: none is as good in all wishes and better in one. `values`
+/// are those of each design, the smaller the better; a design with a number that is not finite is
+/// none of the best.
 pub(super) fn front(values: &[Vec<f64>]) -> Vec<bool> {
     let beats = |a: &[f64], b: &[f64]| {
         let pairs = || a.iter().zip(b);
         pairs().all(|(a, b)| a <= b) && pairs().any(|(a, b)| a < b)
     };
-    let is_whole = |own: &[f64]| own.iter().all(|x| x.is_finite());
-    let best = |own: &Vec<f64>| {
-        is_whole(own)
+    let is_whole = |figures: &[f64]| figures.iter().all(|x| x.is_finite());
+    let best = |figures: &Vec<f64>| {
+        is_whole(figures)
             && !values
                 .iter()
-                .any(|other| is_whole(other) && beats(other, own))
+                .any(|other| is_whole(other) && beats(other, figures))
     };
     values.iter().map(best).collect()
 }

@@ -4,24 +4,25 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::vec::Vec;
 
-use crate::report::Report;
+use crate::report::builder::Report;
 use crate::report::drawing::View;
-use crate::report::shown::Shown;
-use crate::{GuideOn, PointKind};
+use crate::report::positioned_picture;
+use crate::report::positioned_picture::PositionedPicture;
+use linkage_core::{GuideOn, PointKind};
 
-/// How many steps the whole of a drawing has: finer than a screen shows them.
+/// The number of steps across a drawing, finer than a screen shows them.
 const STEPS: f64 = 10_000.0;
 
 /// Places in the plane of the page, over the rows that are shown.
 pub(super) struct Drawn<'a> {
-    shown: Shown<'a>,
+    shown: PositionedPicture<'a>,
     report: &'a Report,
     view: View,
 }
 
 impl<'a> Drawn<'a> {
     pub(super) fn new(report: &'a Report) -> Option<Self> {
-        let shown = report.shown()?;
+        let shown = positioned_picture::find_picture(report)?;
         let view = View::new(shown.picture.dimension);
         Some(Self {
             shown,
@@ -30,7 +31,7 @@ impl<'a> Drawn<'a> {
         })
     }
 
-    /// The lowest and highest place of what is drawn, each way, over these rows.
+    /// Returns the limits of all drawn points over these rows, in both directions.
     pub(super) fn extent(&self, rows: &[usize]) -> [[f64; 2]; 2] {
         let mut extent = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
         let mut hold = |place: [f64; 2]| {
@@ -39,14 +40,15 @@ impl<'a> Drawn<'a> {
             }
         };
         for point in self.points() {
-            rows.iter().for_each(|&row| hold(self.place(point, row)));
+            rows.iter()
+                .for_each(|&row| hold(self.on_screen(point, row)));
         }
         self.rails(rows).into_iter().flatten().for_each(hold);
         extent
     }
 
-    /// Points with their places, links, guides of the frame and paths; indices are those of the points here. Places are
-    /// rounded to a step of the drawing.
+    /// Points with their places, links, guides of the frame and paths; indices are those of the
+    /// points here. Places are rounded to a step of the drawing.
     pub(super) fn value(&self, rows: &[usize], size: f64) -> Value {
         let step = 10f64.powf((size / STEPS).log10().floor());
         // By a whole number, which decimals are read back from as they were.
@@ -63,7 +65,7 @@ impl<'a> Drawn<'a> {
         let coordinate = |point: usize, k: usize| -> Value {
             let all: Vec<f64> = rows
                 .iter()
-                .map(|&row| rounded(self.place(point, row)[k]))
+                .map(|&row| rounded(self.on_screen(point, row)[k]))
                 .collect();
             match all.iter().all(|x| *x == all[0]) {
                 true => json!(all[0]),
@@ -90,7 +92,7 @@ impl<'a> Drawn<'a> {
             .rails(rows)
             .into_iter()
             .map(|ends| ends.map(|place| place.map(rounded)));
-        let traces = self.report.traced(self.shown.picture);
+        let traces = positioned_picture::traced_points(self.report, self.shown.picture);
         json!({
             "points": all.collect::<Vec<_>>(),
             "links": links.collect::<Vec<_>>(),
@@ -99,7 +101,7 @@ impl<'a> Drawn<'a> {
         })
     }
 
-    /// What links join and paths follow.
+    /// Returns the points that links join and paths follow.
     fn points(&self) -> Vec<usize> {
         let picture = self.shown.picture;
         let of_links = picture
@@ -107,7 +109,7 @@ impl<'a> Drawn<'a> {
             .iter()
             .flat_map(|link| link.points.iter().copied());
         let sliders = picture.guides.iter().map(|guide| guide.slider);
-        let traced = self.report.traced(picture);
+        let traced = positioned_picture::traced_points(self.report, picture);
         let mut all: Vec<usize> = of_links.chain(sliders).chain(traced).collect();
         all.sort_unstable();
         all.dedup();
@@ -121,7 +123,7 @@ impl<'a> Drawn<'a> {
         let ends = fixed.filter_map(|guide| {
             let row = *rows.iter().find(|&&row| self.shown.is_assembled(row))?;
             let (from, way) = (
-                self.shown.place(guide.origin, row),
+                self.shown.point_at(guide.origin, row),
                 self.shown.way(guide.direction, row),
             );
             let at = |t: f64| {
@@ -133,7 +135,7 @@ impl<'a> Drawn<'a> {
         ends.collect()
     }
 
-    fn place(&self, point: usize, row: usize) -> [f64; 2] {
-        self.view.project(self.shown.place(point, row))
+    fn on_screen(&self, point: usize, row: usize) -> [f64; 2] {
+        self.view.project(self.shown.point_at(point, row))
     }
 }

@@ -1,4 +1,4 @@
-//! How numbers and cells of CSV are written.
+//! Format of numbers and cells of CSV.
 
 use std::borrow::Cow;
 use std::format;
@@ -6,9 +6,11 @@ use std::string::{String, ToString};
 
 use crate::report::Mistake;
 
-/// How tables are written as CSV: what stands between columns and in numbers, how many digits, angles in radians or degrees.
+/// The format of tables as CSV: separator, decimal mark, number of digits, angles in radians or
+/// degrees.
 ///
-/// Without a change: commas, points, the digits that it takes to read numbers back exactly, radians.
+/// Without a change: commas, points, the digits that it takes to read numbers back exactly,
+/// radians.
 ///
 /// ```
 /// use linkage_runtime::report::CsvStyle;
@@ -37,7 +39,7 @@ impl Default for CsvStyle {
 }
 
 impl CsvStyle {
-    /// What stands between columns: `;`, a tabulator. It may be nothing that numbers have.
+    /// Sets the separator of columns: `;`, a tabulator. It may contain nothing that numbers have.
     #[must_use]
     pub fn separator(mut self, separator: &str) -> Self {
         self.separator = separator.to_string();
@@ -51,25 +53,26 @@ impl CsvStyle {
         self
     }
 
-    /// So many significant digits, one at least.
+    /// Sets the number of significant digits, one at least.
     #[must_use]
     pub fn digits(mut self, digits: usize) -> Self {
         self.digits = Some(digits);
         self
     }
 
-    /// Whether angles are in degrees. Their rates stay in radians.
+    /// Turns angles in degrees on or off. Their rates stay in radians.
     #[must_use]
     pub fn degrees(mut self, degrees: bool) -> Self {
         self.degrees = degrees;
         self
     }
 
-    /// What is wrong with it: cells that could not be told apart.
+    /// Returns the mistake of a style whose cells are ambiguous.
     #[must_use]
     pub fn mistake(&self) -> Option<Mistake> {
         let (separator, decimal) = (&self.separator, self.decimal);
-        let in_numbers = |own: char| own.is_ascii_alphanumeric() || "+-\"\r\n".contains(own);
+        let in_numbers =
+            |letter: char| letter.is_ascii_alphanumeric() || "+-\"\r\n".contains(letter);
         let wrong = separator.is_empty()
             || separator.contains(decimal)
             || separator.contains(in_numbers)
@@ -121,7 +124,7 @@ impl CsvStyle {
         }
     }
 
-    /// The unit in which numbers of a unit are shown, and what they are multiplied by.
+    /// Returns the unit in which numbers of a unit are shown, and the conversion.
     pub(in crate::report) fn shown<'a>(&self, unit: &'a str) -> (&'a str, fn(f64) -> f64) {
         match unit {
             "rad" if self.degrees => ("deg", f64::to_degrees),
@@ -139,7 +142,8 @@ fn shortest(x: f64) -> String {
     }
 }
 
-/// A number with so many significant digits, with an exponent where it is very small or larger than the digits say.
+/// A number with so many significant digits, with an exponent where it is very small or larger than
+/// the digits say.
 fn significant(x: f64, digits: usize) -> String {
     let behind = digits.max(1) - 1;
     let rounded = format!("{x:.behind$e}");
@@ -212,9 +216,9 @@ mod tests {
             let mistake = style(separator, decimal).mistake();
             assert!(mistake.is_some(), "{separator:?} {decimal:?}");
         }
-        let told = style(",", ',').mistake().unwrap().to_string();
+        let message = style(",", ',').mistake().unwrap().to_string();
         assert_eq!(
-            told,
+            message,
             "columns with \",\" between them and numbers with ',' for the decimal point cannot be told apart when they are read; \
              take \";\" and ',', or \",\" and '.'"
         );

@@ -3,8 +3,8 @@
 use std::format;
 use std::string::String;
 
-use super::word;
-use crate::cyclogram::{Cyclogram, Motion, Organ};
+use super::text::word;
+use crate::cyclogram::{Cyclogram, Member, Motion};
 use crate::report::colour::Colour;
 use crate::report::plot::ticks::Scale;
 use crate::report::svg::{Element, Svg};
@@ -14,14 +14,14 @@ const TOP: f64 = 18.0;
 const RIGHT: f64 = 28.0;
 /// Height of the stroke in a row.
 const STROKE: f64 = 44.0;
-/// From row to row: the stroke, and the angles below it.
+/// Height of a row: the stroke, and the angles below it.
 const ROW: f64 = STROKE + 34.0;
 /// Average width of a character of 12 pixels, rather too wide: fonts differ.
 const CHARACTER: f64 = 7.2;
 /// Angles at the line, `123.45`, need so much room.
 const ANGLE: f64 = 46.0;
 
-/// Where things stand.
+/// Positions in the diagram.
 struct Places {
     left: f64,
     scale: Scale,
@@ -34,8 +34,8 @@ impl Places {
     }
 }
 
-pub(super) fn drawn(cyclogram: &Cyclogram, hues: &[usize]) -> String {
-    let organs = cyclogram.organs();
+pub(in crate::report) fn drawn(cyclogram: &Cyclogram, hues: &[usize]) -> String {
+    let organs = cyclogram.members();
     let (low, high) = cyclogram.range();
     let names = organs.iter().map(|organ| organ.name().chars().count());
     let places = Places {
@@ -90,7 +90,7 @@ fn grid(svg: &mut Svg, places: &Places, range: (f64, f64)) {
     );
 }
 
-fn row(svg: &mut Svg, places: &Places, organ: &Organ, hue: usize, top: f64) {
+fn row(svg: &mut Svg, places: &Places, organ: &Member, hue: usize, top: f64) {
     let name = Element::text([places.left - 12.0, top + 0.5 * STROKE + 4.0], 13.0);
     svg.words(
         name.anchor("end").class("name").fill(Colour::Ink),
@@ -132,7 +132,7 @@ fn row(svg: &mut Svg, places: &Places, organ: &Organ, hue: usize, top: f64) {
 
 /// An interval as it is drawn, angles with levels: in two pieces if it goes across the seam.
 fn pieces(
-    organ: &Organ,
+    organ: &Member,
     from: f64,
     range: f64,
     [a, b]: [f64; 2],
@@ -150,7 +150,7 @@ fn pieces(
     [Some(first), over.then_some(second)].into_iter().flatten()
 }
 
-/// One piece of an interval: its bar if it is a dwell, its line, and what it is.
+/// Draws one piece of an interval: its bar if it is a dwell, its line, and its motion.
 fn stretch(
     svg: &mut Svg,
     [[left, right], levels]: [[f64; 2]; 2],

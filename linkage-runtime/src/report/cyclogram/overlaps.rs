@@ -1,62 +1,56 @@
-//! What two organs do at once.
+//! Simultaneous motions of two organs.
 
 use serde_json::{Value, json};
 use std::string::String;
 use std::vec::Vec;
 
-use super::{CsvStyle, ReportError, band, checked, index, word};
+use super::text::{band, checked, index, word};
 use crate::cyclogram::{Cyclogram, Overlap, Overlaps};
+use crate::report::csv::CsvStyle;
+use crate::report::error::ReportError;
 use crate::report::units::titled;
 
-impl Cyclogram {
-    /// The [overlaps](Self::overlaps) as CSV: which organ, what it does, in which band; the same of the other one; from
-    /// which angle to which, for how long.
-    ///
-    /// # Errors
-    ///
-    /// [`ReportError::Mistakes`] if the style cannot tell cells apart.
-    pub fn overlaps_csv(&self, style: &CsvStyle) -> Result<String, ReportError> {
-        checked(style)?;
-        let (unit, shown) = style.shown("rad");
-        let words = [
-            "organ",
-            "motion",
-            "band",
-            "other organ",
-            "its motion",
-            "its band",
-        ];
-        let words = words.map(String::from);
-        let angles = ["from", "to", "range"].map(|name| titled(name, unit));
-        let titles = words.iter().chain(&angles);
-        let mut text = style.line(titles.map(|title| style.word(title)));
-        for overlap in self.overlaps().all() {
-            let bands = [0, 1].map(|k| band(&self.organs[overlap.organs[k]], overlap.motions[k]));
-            let words = [0, 1].map(|k| {
-                let organ = &self.organs[overlap.organs[k]];
-                [organ.name(), word(overlap.motions[k]), &bands[k]].map(|word| style.word(word))
-            });
-            let interval = &overlap.interval;
-            let numbers = [interval.from, interval.to, interval.range];
-            let numbers = numbers.map(|x| style.number(shown(x)).into());
-            text.push_str(&style.line(words.into_iter().flatten().chain(numbers)));
-        }
-        Ok(text)
+/// Returns the overlaps of all members as CSV.
+pub(super) fn overlaps_csv(cyclogram: &Cyclogram, style: &CsvStyle) -> Result<String, ReportError> {
+    checked(style)?;
+    let (unit, shown) = style.shown("rad");
+    let words = [
+        "organ",
+        "motion",
+        "band",
+        "other organ",
+        "its motion",
+        "its band",
+    ];
+    let words = words.map(String::from);
+    let angles = ["from", "to", "range"].map(|name| titled(name, unit));
+    let titles = words.iter().chain(&angles);
+    let mut text = style.line(titles.map(|title| style.word(title)));
+    for overlap in cyclogram.overlaps().all() {
+        let bands =
+            [0, 1].map(|k| band(&cyclogram.members[overlap.members[k]], overlap.motions[k]));
+        let words = [0, 1].map(|k| {
+            let organ = &cyclogram.members[overlap.members[k]];
+            [organ.name(), word(overlap.motions[k]), &bands[k]].map(|word| style.word(word))
+        });
+        let interval = &overlap.interval;
+        let numbers = [interval.from, interval.to, interval.range];
+        let numbers = numbers.map(|x| style.number(shown(x)).into());
+        text.push_str(&style.line(words.into_iter().flatten().chain(numbers)));
     }
+    Ok(text)
 }
 
-impl Overlaps<'_> {
-    pub(super) fn value(&self) -> Vec<Value> {
-        let overlap = |own: &Overlap| {
-            json!({
-                "organs": own.organs,
-                "motions": own.motions.map(word),
-                "bands": own.motions.map(index),
-                "from": own.interval.from,
-                "to": own.interval.to,
-                "range": own.interval.range,
-            })
-        };
-        self.all().iter().map(overlap).collect()
-    }
+pub(super) fn value(overlaps: &Overlaps<'_>) -> Vec<Value> {
+    let overlap = |overlap: &Overlap| {
+        json!({
+            "organs": overlap.members,
+            "motions": overlap.motions.map(word),
+            "bands": overlap.motions.map(index),
+            "from": overlap.interval.from,
+            "to": overlap.interval.to,
+            "range": overlap.interval.range,
+        })
+    };
+    overlaps.all().iter().map(overlap).collect()
 }

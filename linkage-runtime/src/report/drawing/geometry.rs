@@ -2,7 +2,7 @@
 
 use std::vec::Vec;
 
-/// Twice the area, in square millimetres, of three points that are on one line but for rounding.
+/// Twice the area, in square millimetres, of three points that are on one line except for rounding.
 const STRAIGHT: f64 = 1e-9;
 
 /// The point at a distance along a direction.
@@ -16,7 +16,8 @@ pub(super) fn moved(at: [f64; 2], direction: [f64; 2], along: f64, left: f64) ->
     [at[0] + along * c + left * s, at[1] + along * s - left * c]
 }
 
-/// The corners of the smallest convex polygon around points, in order. Points on one line give its two ends.
+/// The corners of the smallest convex polygon around points, in order. Points on one line give its
+/// two ends.
 pub(super) fn hull(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut sorted = Vec::from(points);
     sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
@@ -32,7 +33,8 @@ pub(super) fn hull(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     lower
 }
 
-/// The corners of the hull as places in the list of points: those of a body stay the same while it moves in the plane.
+/// The corners of the hull as places in the list of points: those of a body stay the same while it
+/// moves in the plane.
 pub(super) fn hull_places(points: &[[f64; 2]]) -> Vec<usize> {
     let corners = hull(points).into_iter();
     let places = corners.filter_map(|corner| points.iter().position(|point| *point == corner));
@@ -67,6 +69,12 @@ pub(super) fn distance(point: [f64; 2], [a, b]: [[f64; 2]; 2]) -> f64 {
     };
     let part = part.clamp(0.0, 1.0);
     (point[0] - a[0] - part * dx).hypot(point[1] - a[1] - part * dy)
+}
+
+/// The same angle between minus and plus half a turn.
+pub(super) fn wrapped(angle: f64) -> f64 {
+    let turn = core::f64::consts::TAU;
+    angle - turn * (angle / turn).round()
 }
 
 #[cfg(test)]

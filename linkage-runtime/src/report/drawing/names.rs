@@ -1,135 +1,136 @@
-//! Names of points: each where nothing is below it, beside its point if there is room, otherwise at the end of a thin line. The page
-//! places them by the same rule.
+//! Names of points: each where nothing is below it, beside its point if there is room, otherwise at
+//! the end of a thin line. The page places them by the same rule.
 
 use core::f64::consts::{FRAC_PI_4, TAU};
 
 use std::vec::Vec;
 
-use super::Drawing;
-use super::legend;
-use super::parts::JOINT;
+use super::options::Drawing;
 use super::room::{Area, Taken};
 use super::sheet::Sheet;
-use crate::PointKind;
+use super::sizes::{JOINT, LETTER_SIZE, LETTER_WIDTH};
+use super::{caption, cover, legend_layout};
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
+use linkage_core::PointKind;
 
-/// Size of the letters and average width of one.
-const SIZE: f64 = 3.2;
-const LETTER: f64 = 1.95;
-/// Between a name and what it keeps clear of, and between a joint and its name.
+/// Distance between a name and other shapes, and between a joint and its name.
 const CLEAR: f64 = 0.5;
 const APART: f64 = 0.8;
 /// Up to here a name seems to belong to its point without a line.
 const BESIDE: f64 = 2.2;
-/// How far away a name may be.
+/// Distances of names from their points.
 const RINGS: [f64; 11] = [0.0, 1.1, 2.2, 5.3, 8.8, 12.8, 17.6, 23.5, 30.0, 38.0, 48.0];
 /// Ways from the point, evenly spread; names are to the upper right unless something is there.
 const WAYS: usize = 16;
 const FIRST_WAY: f64 = -FRAC_PI_4;
-/// What the next way costs in millimetres of distance, and what a line to a name costs if it crosses a joint or another line.
+/// The price of the next direction in millimetres of distance, and the price of a line to a name
+/// that crosses a joint or another line.
 const TURNED: f64 = 0.27;
 const CROSSING: f64 = 8.0;
 /// Around all words.
 const EDGE: f64 = 1.0;
 
-/// Where a name may be.
-struct Place {
+/// A candidate area for a name.
+struct Placement {
     area: Area,
-    /// From the rim of its joint to the name, if that is farther away.
+    /// The line from the rim of its joint to the name, if that is farther away.
     leader: Option<[[f64; 2]; 2]>,
     price: f64,
 }
 
-/// What names have been placed beside so far.
+/// The shapes and the names that have been placed so far.
 struct Scene {
     taken: Vec<Taken>,
     names: Vec<Area>,
     leaders: Vec<Taken>,
     joints: Vec<[f64; 2]>,
-    /// What words and title leave of the sheet.
+    /// The part of the sheet between caption and title.
     limits: Area,
 }
 
-impl Drawing<'_> {
-    /// Width of the longest name on paper.
-    pub(super) fn names_width(&self) -> f64 {
-        let points = self.shown.picture.points.iter().filter(|_| self.names);
-        let letters = points.map(|point| point.name.chars().count());
-        LETTER * letters.max().unwrap_or(0) as f64
-    }
-
-    pub(super) fn point_names(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
-        let points = self.shown.picture.points.iter().enumerate();
-        let points = points.filter(|(_, point)| point.kind != PointKind::Construction);
-        let points = points.filter_map(|(index, point)| Some((sheet.point(index, row)?, point)));
-        let points: Vec<_> = points.collect();
-        let mut scene = Scene {
-            taken: self.taken(sheet, row),
-            names: Vec::new(),
-            leaders: Vec::new(),
-            joints: points.iter().map(|(at, _)| *at).collect(),
-            limits: self.limits(sheet),
-        };
-        for (at, point) in points {
-            let half = [0.5 * LETTER * point.name.chars().count() as f64, 0.5 * SIZE];
-            let place = scene.best(at, half);
-            scene.names.push(place.area);
-            if let Some([from, to]) = place.leader {
-                scene.leaders.push(Taken::new(&[from, to], 0.0));
-                let line = Element::line(from, to).class("leader");
-                svg.add(line.stroke(Colour::Muted, 0.2));
-            }
-            let [left, top, right, bottom] = place.area;
-            // Letters stand on a line a good third of their size below the middle.
-            let middle = [0.5 * (left + right), 0.5 * (top + bottom) + 0.35 * SIZE];
-            let words = Element::text(middle, SIZE).anchor("middle").class("name");
-            // Legible over ghosts.
-            let words = words
-                .stroke(Colour::Paper, 0.9)
-                .set("paint-order", "stroke");
-            svg.words(
-                words.fill(Colour::Ink).set("stroke-linejoin", "round"),
-                point.name,
-            );
+pub(super) fn point_names(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
+    let points = drawing.shown.picture.points.iter().enumerate();
+    let points = points.filter(|(_, point)| point.kind != PointKind::Construction);
+    let points = points.filter_map(|(index, point)| Some((sheet.point(index, row)?, point)));
+    let points: Vec<_> = points.collect();
+    let mut scene = Scene {
+        taken: cover::covered(drawing, sheet, row),
+        names: Vec::new(),
+        leaders: Vec::new(),
+        joints: points.iter().map(|(at, _)| *at).collect(),
+        limits: limits(drawing, sheet),
+    };
+    for (at, point) in points {
+        let half = [
+            0.5 * LETTER_WIDTH * point.name.chars().count() as f64,
+            0.5 * LETTER_SIZE,
+        ];
+        let placement = scene.best(at, half);
+        scene.names.push(placement.area);
+        if let Some([from, to]) = placement.leader {
+            scene.leaders.push(Taken::new(&[from, to], 0.0));
+            let line = Element::line(from, to).class("leader");
+            svg.add(line.stroke(Colour::Muted, 0.2));
         }
+        let [left, top, right, bottom] = placement.area;
+        // Letters stand on a line a good third of their size below the middle.
+        let middle = [
+            0.5 * (left + right),
+            0.5 * (top + bottom) + 0.35 * LETTER_SIZE,
+        ];
+        let words = Element::text(middle, LETTER_SIZE)
+            .anchor("middle")
+            .class("name");
+        // Legible over ghosts.
+        let words = words
+            .stroke(Colour::Paper, 0.9)
+            .set("paint-order", "stroke");
+        svg.words(
+            words.fill(Colour::Ink).set("stroke-linejoin", "round"),
+            point.name,
+        );
     }
+}
 
-    fn limits(&self, sheet: &Sheet<'_>) -> Area {
-        let [width, height] = sheet.size;
-        [
-            EDGE,
-            self.head() + legend::height(self, width) + EDGE,
-            width - EDGE,
-            height - super::caption::FOOT - EDGE,
-        ]
-    }
+fn limits(drawing: &Drawing<'_>, sheet: &Sheet<'_>) -> Area {
+    let [width, height] = sheet.size;
+    [
+        EDGE,
+        caption::title_end(drawing) + legend_layout::height(drawing, width) + EDGE,
+        width - EDGE,
+        height - super::caption::FOOT - EDGE,
+    ]
 }
 
 impl Scene {
     /// The cheapest of the places that are free; if none is, the one with the most room.
-    fn best(&self, at: [f64; 2], half: [f64; 2]) -> Place {
-        let mut best: Option<Place> = None;
-        let mut widest: Option<(f64, Place)> = None;
+    fn best(&self, at: [f64; 2], half: [f64; 2]) -> Placement {
+        let mut best: Option<Placement> = None;
+        let mut widest: Option<(f64, Placement)> = None;
         for ring in RINGS {
             if best.as_ref().is_some_and(|best| best.price <= ring) {
                 break;
             }
             for way in 0..WAYS {
-                let place = self.candidate(at, half, ring, way);
-                let room = self.room(&place);
-                if room >= CLEAR && best.as_ref().is_none_or(|best| place.price < best.price) {
-                    best = Some(place);
+                let placement = self.candidate(at, half, ring, way);
+                let room = self.room(&placement);
+                if room >= CLEAR
+                    && best
+                        .as_ref()
+                        .is_none_or(|best| placement.price < best.price)
+                {
+                    best = Some(placement);
                 } else if widest.as_ref().is_none_or(|(most, _)| room > *most) {
-                    widest = Some((room, place));
+                    widest = Some((room, placement));
                 }
             }
         }
-        best.or(widest.map(|(_, place)| place))
+        best.or(widest.map(|(_, placement)| placement))
             .unwrap_or_else(|| self.candidate(at, half, 0.0, 0))
     }
 
-    fn candidate(&self, at: [f64; 2], half: [f64; 2], ring: f64, way: usize) -> Place {
+    fn candidate(&self, at: [f64; 2], half: [f64; 2], ring: f64, way: usize) -> Placement {
         // To both sides in turn, so that earlier ways are nearer to the first.
         let side = if way.is_multiple_of(2) { -1.0 } else { 1.0 };
         let steps = side * way.div_ceil(2) as f64;
@@ -140,16 +141,16 @@ impl Scene {
         let leader = (ring > BESIDE).then(|| leader(at, area));
         let price =
             ring + TURNED * way as f64 + leader.map_or(0.0, |line| self.crossings(at, line));
-        Place {
+        Placement {
             area,
             leader,
             price,
         }
     }
 
-    /// How far a name is from everything; negative beyond the edges of the sheet.
-    fn room(&self, place: &Place) -> f64 {
-        let Place { area, leader, .. } = place;
+    /// Returns the distance of a name from everything else, negative beyond the edges of the sheet.
+    fn room(&self, placement: &Placement) -> f64 {
+        let Placement { area, leader, .. } = placement;
         let inside = [
             area[0] - self.limits[0],
             area[1] - self.limits[1],
@@ -161,7 +162,10 @@ impl Scene {
         let inside = if inside < 0.0 { inside } else { f64::INFINITY };
         let shapes = self.taken.iter().chain(&self.leaders);
         let shapes = shapes.map(|shape| shape.room(*area));
-        let names = self.names.iter().map(|name| Taken::of(*name).room(*area));
+        let names = self
+            .names
+            .iter()
+            .map(|name| Taken::from_area(*name).room(*area));
         let line = leader.map(|[from, to]| Taken::new(&[from, to], 0.0));
         let through = line
             .iter()
@@ -169,15 +173,15 @@ impl Scene {
         shapes.chain(names).chain(through).fold(inside, f64::min)
     }
 
-    fn crossings(&self, own: [f64; 2], line: [[f64; 2]; 2]) -> f64 {
-        let others = self.joints.iter().filter(|at| **at != own);
+    fn crossings(&self, joint: [f64; 2], line: [[f64; 2]; 2]) -> f64 {
+        let others = self.joints.iter().filter(|at| **at != joint);
         let joints = others.filter(|at| super::geometry::distance(**at, line) < JOINT);
         let lines = self.leaders.iter().filter(|other| other.crosses(line));
         CROSSING * (joints.count() + lines.count()) as f64
     }
 }
 
-/// How far along a way the middle of a box is when the box is so far from where the way begins.
+/// Returns the distance along a direction at which the middle of a box is this far from its start.
 fn away(apart: f64, [wide, high]: [f64; 2], way: [f64; 2]) -> f64 {
     let [c, s] = way.map(f64::abs);
     // Beside, above or below, otherwise with a corner.
@@ -191,7 +195,7 @@ fn away(apart: f64, [wide, high]: [f64; 2], way: [f64; 2]) -> f64 {
     middle + (middle * middle - wide * wide - high * high + apart * apart).sqrt()
 }
 
-/// From the rim of a joint to the nearest place of a box.
+/// Returns the line from the rim of a joint to the nearest place of a box.
 fn leader(at: [f64; 2], [left, top, right, bottom]: Area) -> [[f64; 2]; 2] {
     let end = [at[0].clamp(left, right), at[1].clamp(top, bottom)];
     let length = (end[0] - at[0]).hypot(end[1] - at[1]);

@@ -1,4 +1,4 @@
-//! What is taken on paper: boxes of words against convex shapes with a width.
+//! Free room on paper: boxes of words against convex shapes with a width.
 
 use std::vec::Vec;
 
@@ -7,7 +7,8 @@ use super::geometry::distance;
 /// Left, top, right, bottom.
 pub(super) type Area = [f64; 4];
 
-/// A shape through places, with half the width of its stroke: one place is a circle, two are a bar, more a convex polygon.
+/// A shape through places, with half the width of its stroke: one place is a circle, two are a bar,
+/// more a convex polygon.
 #[derive(Clone, Debug)]
 pub(super) struct Taken {
     places: Vec<[f64; 2]>,
@@ -20,12 +21,12 @@ impl Taken {
         Self { places, half }
     }
 
-    pub(super) fn of([left, top, right, bottom]: Area) -> Self {
+    pub(super) fn from_area([left, top, right, bottom]: Area) -> Self {
         let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
         Self::new(&corners, 0.0)
     }
 
-    /// How far a box is from the shape; negative or zero where it covers it.
+    /// Returns the distance of a box from the shape, negative or zero where the box covers it.
     pub(super) fn room(&self, area: Area) -> f64 {
         let middle = [0.5 * (area[0] + area[2]), 0.5 * (area[1] + area[3])];
         if self.places.len() > 2 && is_within(middle, &self.places) {
@@ -37,7 +38,7 @@ impl Taken {
         distances.fold(f64::INFINITY, f64::min) - self.half
     }
 
-    /// Whether a stretch crosses the shape, which is a stretch itself.
+    /// Returns true if a stretch crosses the shape, which is a stretch itself.
     pub(super) fn crosses(&self, [a, b]: [[f64; 2]; 2]) -> bool {
         let [c, d] = [self.places[0], self.places[self.places.len() - 1]];
         let side = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| {
@@ -66,7 +67,7 @@ fn from_place([left, top, right, bottom]: Area, [x, y]: [f64; 2]) -> f64 {
     aside.hypot((top - y).max(y - bottom).max(0.0))
 }
 
-/// By Liang and Barsky: what is left of the stretch between the sides of the box.
+/// Clips the stretch to the box, after Liang and Barsky.
 fn passes_through([left, top, right, bottom]: Area, a: [f64; 2], b: [f64; 2]) -> bool {
     let (mut from, mut to) = (0.0f64, 1.0f64);
     for (k, low, high) in [(0, left, right), (1, top, bottom)] {
@@ -106,7 +107,7 @@ mod tests {
         // A box that lies wholly within.
         let around = [[-9.0, -9.0], [9.0, -9.0], [0.0, 20.0]];
         assert_eq!(Taken::new(&around, 0.25).room(area), -0.25);
-        assert_eq!(Taken::of([5.0, 0.0, 6.0, 1.0]).room(area), 1.0);
+        assert_eq!(Taken::from_area([5.0, 0.0, 6.0, 1.0]).room(area), 1.0);
     }
 
     #[test]

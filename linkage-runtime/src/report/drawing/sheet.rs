@@ -1,75 +1,34 @@
-//! From the mechanism to the paper.
+//! The map from the mechanism to the paper.
 
 use std::vec::Vec;
 
-use super::Drawing;
 use super::geometry::along;
-use super::legend;
-use super::wheels::Wheels;
-use crate::PointKind;
-use crate::report::shown::Shown;
+use super::legend_layout;
+use super::options::Drawing;
+use super::pitch_circles::PitchCircles;
+use super::sizes::LETTER_WIDTH;
+use super::view::View;
+use crate::report::positioned_picture::PositionedPicture;
+use linkage_core::PointKind;
 
-/// Around the mechanism, in millimetres: place for symbols; to the left and right also for names up to a length.
+/// Around the mechanism, in millimetres: place for symbols; to the left and right also for names up
+/// to a length.
 const MARGIN: f64 = 13.0;
 const LONGEST: f64 = 34.0;
 /// Above and below: title and caption.
 const HEAD: f64 = 11.0;
 const FOOT: f64 = 12.0;
-/// The least width, for the caption, and what a letter of the title adds.
+/// The least width, for the caption, and the width of a letter of the title.
 const NARROWEST: f64 = 110.0;
 const LETTER: f64 = 2.8;
 /// The mechanism is not drawn larger than this without being asked for.
 const LARGEST: [f64; 2] = [160.0, 180.0];
-/// How far guides go on beyond the slider, on paper.
-pub(super) const BEYOND: f64 = 8.0;
-/// A direction that is shorter on paper points at the reader but for rounding.
+/// A direction that is shorter on paper points at the reader except for rounding.
 const VISIBLE: f64 = 1e-6;
-
-/// Two directions of space that are the paper's right and up.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::report) struct View {
-    right: [f64; 3],
-    up: [f64; 3],
-    in_space: bool,
-}
-
-impl View {
-    pub(in crate::report) fn new(dimension: usize) -> Self {
-        let plane = Self {
-            right: [1.0, 0.0, 0.0],
-            up: [0.0, 1.0, 0.0],
-            in_space: dimension == 3,
-        };
-        plane.from((-60f64).to_radians(), 25f64.to_radians())
-    }
-
-    pub(super) fn from(self, azimuth: f64, elevation: f64) -> Self {
-        if !self.in_space {
-            return self;
-        }
-        let ((sa, ca), (se, ce)) = (azimuth.sin_cos(), elevation.sin_cos());
-        Self {
-            right: [-sa, ca, 0.0],
-            up: [-se * ca, -se * sa, ce],
-            ..self
-        }
-    }
-
-    pub(in crate::report) fn project(&self, v: [f64; 3]) -> [f64; 2] {
-        let product = |a: [f64; 3]| a[0] * v[0] + a[1] * v[1] + a[2] * v[2];
-        [product(self.right), product(self.up)]
-    }
-
-    /// How near to the reader something is.
-    fn nearness(&self, v: [f64; 3]) -> f64 {
-        let ([a, b, c], [d, e, f]) = (self.right, self.up);
-        (b * f - c * e) * v[0] + (c * d - a * f) * v[1] + (a * e - b * d) * v[2]
-    }
-}
 
 /// The paper, in millimetres, and where the mechanism is on it.
 pub(super) struct Sheet<'a> {
-    shown: Shown<'a>,
+    shown: PositionedPicture<'a>,
     view: View,
     /// Millimetres on paper for a unit of the mechanism.
     pub(super) factor: f64,
@@ -77,7 +36,7 @@ pub(super) struct Sheet<'a> {
     pub(super) scale: f64,
     pub(super) size: [f64; 2],
     corner: [f64; 2],
-    /// What is left free at the left, to centre a narrow drawing.
+    /// The free width at the left that centres a narrow drawing.
     shift: f64,
     /// Above the mechanism.
     top: f64,
@@ -95,9 +54,9 @@ impl<'a> Sheet<'a> {
         });
         let factor = scale * unit;
         let title = 12.0 + LETTER * drawing.report.title.chars().count() as f64;
-        let beside = 2.0 * (MARGIN + drawing.names_width().min(LONGEST));
+        let beside = 2.0 * (MARGIN + names_width(drawing).min(LONGEST));
         let width = (wide * factor + beside).max(NARROWEST).max(title);
-        let top = MARGIN + HEAD + legend::height(drawing, width);
+        let top = MARGIN + HEAD + legend_layout::height(drawing, width);
         Self {
             shown,
             view,
@@ -112,7 +71,7 @@ impl<'a> Sheet<'a> {
 
     /// A point on paper; `None` where it is not finite.
     pub(super) fn point(&self, index: usize, row: usize) -> Option<[f64; 2]> {
-        self.place(self.shown.place(index, row))
+        self.on_paper(self.shown.point_at(index, row))
     }
 
     /// A point and the point that lies by `distance` along a direction from it.
@@ -124,10 +83,10 @@ impl<'a> Sheet<'a> {
         row: usize,
     ) -> Option<[f64; 2]> {
         let (origin, direction) = (
-            self.shown.place(origin, row),
+            self.shown.point_at(origin, row),
             self.shown.way(direction, row),
         );
-        self.place(along(origin, direction, distance))
+        self.on_paper(along(origin, direction, distance))
     }
 
     /// A direction on paper, of length one; `None` if it points at the reader.
@@ -139,7 +98,7 @@ impl<'a> Sheet<'a> {
 
     /// The end of a step from a point.
     pub(super) fn beside(&self, point: usize, step: [f64; 3], row: usize) -> Option<[f64; 2]> {
-        self.place(along(self.shown.place(point, row), step, 1.0))
+        self.on_paper(along(self.shown.point_at(point, row), step, 1.0))
     }
 
     /// A step on paper.
@@ -160,10 +119,10 @@ impl<'a> Sheet<'a> {
     }
 
     pub(super) fn nearness(&self, index: usize, row: usize) -> f64 {
-        self.view.nearness(self.shown.place(index, row))
+        self.view.nearness(self.shown.point_at(index, row))
     }
 
-    fn place(&self, v: [f64; 3]) -> Option<[f64; 2]> {
+    fn on_paper(&self, v: [f64; 3]) -> Option<[f64; 2]> {
         let [x, y] = self.view.project(v);
         let (x, y) = (
             (x - self.corner[0]) * self.factor,
@@ -173,8 +132,8 @@ impl<'a> Sheet<'a> {
     }
 }
 
-/// The ends of everything that moves or stands, to the right and up, over the whole range: the drawing of any position
-/// has the same frame.
+/// The ends of everything that moves or stands, to the right and up, over the whole range: the
+/// drawing of any position has the same frame.
 fn limits(drawing: &Drawing<'_>, view: &View) -> [[f64; 2]; 2] {
     let shown = &drawing.shown;
     let mut limits = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
@@ -188,26 +147,30 @@ fn limits(drawing: &Drawing<'_>, view: &View) -> [[f64; 2]; 2] {
     let guides = shown.picture.guides.iter();
     let rails: Vec<_> = guides.map(|guide| (guide, shown.rail(guide))).collect();
     let gears = shown.picture.gears.iter();
-    let gears = gears.filter_map(|gear| Some((gear, Wheels::of(shown, gear)?)));
+    let gears = gears.filter_map(|gear| Some((gear, PitchCircles::new(shown, gear)?)));
     let gears: Vec<_> = gears.collect();
     for row in 0..shown.rows() {
         for (index, point) in shown.picture.points.iter().enumerate() {
             if point.kind != PointKind::Construction {
-                take(shown.place(index, row));
+                take(shown.point_at(index, row));
             }
         }
         for vector in &drawing.vectors {
-            take(along(shown.place(vector.point, row), vector.step(row), 1.0));
+            take(along(
+                shown.point_at(vector.point, row),
+                vector.step(row),
+                1.0,
+            ));
         }
         for (gear, wheels) in &gears {
             for (centre, radius) in gear.centres.iter().zip(wheels.radii) {
-                let [x, y, z] = shown.place(*centre, row);
+                let [x, y, z] = shown.point_at(*centre, row);
                 take([x - radius, y - radius, z]);
                 take([x + radius, y + radius, z]);
             }
         }
         for (guide, rail) in &rails {
-            let origin = shown.place(guide.origin, row);
+            let origin = shown.point_at(guide.origin, row);
             let way = shown.way(guide.direction, row);
             for end in *rail {
                 take(along(origin, way, end));
@@ -248,4 +211,16 @@ fn round_scale(limit: f64) -> f64 {
         .into_iter()
         .find(|s| *s <= limit)
         .unwrap_or_else(|| of(1.0))
+}
+
+/// Width of the longest name on paper.
+fn names_width(drawing: &Drawing<'_>) -> f64 {
+    let points = drawing
+        .shown
+        .picture
+        .points
+        .iter()
+        .filter(|_| drawing.names);
+    let letters = points.map(|point| point.name.chars().count());
+    LETTER_WIDTH * letters.max().unwrap_or(0) as f64
 }

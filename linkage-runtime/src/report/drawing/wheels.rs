@@ -4,115 +4,74 @@ use std::format;
 use std::string::String;
 use std::vec::Vec;
 
-use super::Drawing;
-use super::arrows::wrapped;
 use super::geometry::moved;
+use super::options::Drawing;
+use super::pitch_circles::PitchCircles;
 use super::sheet::Sheet;
-use crate::Gear;
+use crate::format::rounded;
 use crate::report::colour::Colour;
-use crate::report::shown::Shown;
 use crate::report::svg::{Element, Svg};
-use crate::words::rounded;
 
-/// The radii of a belt's wheels together, as a share of the distance of their centres.
-const BELT: f64 = 0.6;
-
-/// From where wheels touch to the middle of their ratio, which stands in the larger one.
+/// Distance from the contact of wheels to the middle of their ratio, which is in the larger one.
 const ASIDE: f64 = 8.5;
 
-/// Two wheels, in units of the mechanism.
-pub(in crate::report) struct Wheels {
-    pub(in crate::report) radii: [f64; 2],
-    /// By how much the second turns when the first turns once.
-    pub(in crate::report) ratio: f64,
-}
-
-impl Wheels {
-    /// `None` where one of the links never turns, or nothing is finite.
-    pub(in crate::report) fn of(shown: &Shown<'_>, gear: &Gear) -> Option<Self> {
-        let angle = |wheel: usize, row: usize| {
-            let from = shown.place(gear.centres[wheel], row);
-            let to = shown.place(gear.ends[wheel], row);
-            (to[1] - from[1]).atan2(to[0] - from[0])
+pub(super) fn wheels(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
+    let picture = drawing.shown.picture;
+    for gear in picture.gears.iter().filter(|_| picture.dimension == 2) {
+        let centres = gear.centres.map(|centre| sheet.point(centre, row));
+        let ([Some(a), Some(b)], Some(wheels)) = (centres, PitchCircles::new(&drawing.shown, gear))
+        else {
+            continue;
         };
-        // Best in the sense of least squares; steps are far less than half a turn.
-        let (mut product, mut square) = (0.0, 0.0);
-        for row in 1..shown.rows() {
-            let [a, b] = [0, 1].map(|wheel| wrapped(angle(wheel, row) - angle(wheel, row - 1)));
-            if a.is_finite() && b.is_finite() {
-                product += a * b;
-                square += a * a;
+        let radii = wheels.radii.map(|radius| radius * sheet.factor);
+        svg.group(Element::new("g").class("gear"), |svg| {
+            for (centre, radius) in [a, b].into_iter().zip(radii) {
+                let wheel = Element::circle(centre, radius).class("wheel");
+                let wheel = wheel.fill(Colour::Gap).number("fill-opacity", 0.5);
+                // The sign of a pitch circle.
+                svg.add(
+                    wheel
+                        .stroke(Colour::Muted, 0.35)
+                        .set("stroke-dasharray", "4 1 0.8 1"),
+                );
             }
-        }
-        let ratio = product / square;
-        let row = (0..shown.rows()).find(|row| shown.is_assembled(*row))?;
-        let [from, to] = gear.centres.map(|centre| shown.place(centre, row));
-        let apart = (to[0] - from[0]).hypot(to[1] - from[1]);
-        let share = ratio.abs() / (1.0 + ratio.abs());
-        let both = if ratio < 0.0 { apart } else { BELT * apart };
-        let is_sound = ratio.is_finite() && ratio != 0.0 && apart > 0.0;
-        is_sound.then_some(Self {
-            radii: [share * both, (1.0 - share) * both],
-            ratio,
-        })
+            if wheels.ratio > 0.0 {
+                belt(svg, [a, b], radii);
+            }
+        });
+    }
+    for (at, words) in ratios(drawing, sheet, row) {
+        let text = Element::text(at, 3.0).anchor("middle").class("ratio");
+        let text = text.stroke(Colour::Paper, 0.9).set("paint-order", "stroke");
+        svg.words(text.fill(Colour::Muted), &words);
     }
 }
 
-impl Drawing<'_> {
-    pub(super) fn wheels(&self, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
-        let picture = self.shown.picture;
-        for gear in picture.gears.iter().filter(|_| picture.dimension == 2) {
-            let centres = gear.centres.map(|centre| sheet.point(centre, row));
-            let ([Some(a), Some(b)], Some(wheels)) = (centres, Wheels::of(&self.shown, gear))
-            else {
-                continue;
-            };
-            let radii = wheels.radii.map(|radius| radius * sheet.factor);
-            svg.group(Element::new("g").class("gear"), |svg| {
-                for (centre, radius) in [a, b].into_iter().zip(radii) {
-                    let wheel = Element::circle(centre, radius).class("wheel");
-                    let wheel = wheel.fill(Colour::Gap).number("fill-opacity", 0.5);
-                    // The sign of a pitch circle.
-                    svg.add(
-                        wheel
-                            .stroke(Colour::Muted, 0.35)
-                            .set("stroke-dasharray", "4 1 0.8 1"),
-                    );
-                }
-                if wheels.ratio > 0.0 {
-                    belt(svg, [a, b], radii);
-                }
-            });
-        }
-        for (at, words) in self.ratios(sheet, row) {
-            let text = Element::text(at, 3.0).anchor("middle").class("ratio");
-            let text = text.stroke(Colour::Paper, 0.9).set("paint-order", "stroke");
-            svg.words(text.fill(Colour::Muted), &words);
-        }
-    }
-
-    /// The ratios of gears, each where its wheels touch.
-    pub(super) fn ratios(&self, sheet: &Sheet<'_>, row: usize) -> Vec<([f64; 2], String)> {
-        let picture = self.shown.picture;
-        let gears = picture.gears.iter().filter(|_| picture.dimension == 2);
-        let ratios = gears.filter_map(|gear| {
-            let [a, b] = gear.centres.map(|centre| sheet.point(centre, row));
-            let (a, b) = (a?, b?);
-            let wheels = Wheels::of(&self.shown, gear)?;
-            let radii = wheels.radii.map(|radius| radius * sheet.factor);
-            let apart = (b[0] - a[0]).hypot(b[1] - a[1]);
-            let way = [0, 1].map(|k| (b[k] - a[k]) / apart);
-            // Between the wheels of a belt there is room.
-            let aside = match wheels.ratio > 0.0 {
-                true => 0.0,
-                false => ASIDE * (radii[1] - radii[0]).signum(),
-            };
-            let touch = radii[0] + 0.5 * (apart - radii[0] - radii[1]);
-            let at = moved(a, way, touch + aside, -1.0);
-            Some((at, format!("1 : {}", rounded(wheels.ratio))))
-        });
-        ratios.collect()
-    }
+/// The ratios of gears, each where its wheels touch.
+pub(super) fn ratios(
+    drawing: &Drawing<'_>,
+    sheet: &Sheet<'_>,
+    row: usize,
+) -> Vec<([f64; 2], String)> {
+    let picture = drawing.shown.picture;
+    let gears = picture.gears.iter().filter(|_| picture.dimension == 2);
+    let ratios = gears.filter_map(|gear| {
+        let [a, b] = gear.centres.map(|centre| sheet.point(centre, row));
+        let (a, b) = (a?, b?);
+        let wheels = PitchCircles::new(&drawing.shown, gear)?;
+        let radii = wheels.radii.map(|radius| radius * sheet.factor);
+        let apart = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let way = [0, 1].map(|k| (b[k] - a[k]) / apart);
+        // Between the wheels of a belt there is room.
+        let aside = match wheels.ratio > 0.0 {
+            true => 0.0,
+            false => ASIDE * (radii[1] - radii[0]).signum(),
+        };
+        let touch = radii[0] + 0.5 * (apart - radii[0] - radii[1]);
+        let at = moved(a, way, touch + aside, -1.0);
+        Some((at, format!("1 : {}", rounded(wheels.ratio))))
+    });
+    ratios.collect()
 }
 
 /// The two outer tangents of circles.

@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 use std::hash::DefaultHasher;
 use std::vec::Vec;
 
-use crate::report::Report;
+use crate::report::builder::Report;
 
-/// Which columns of tables stand in the JSON. Whatever has the same numbers refers to one of them.
+/// Columns of tables whose numbers are in the JSON. Equal series refer to one of them.
 pub(super) struct Series<'a> {
     report: &'a Report,
     /// The rows that are there; `None` for all.
@@ -19,7 +19,7 @@ pub(super) struct Series<'a> {
 
 impl<'a> Series<'a> {
     /// The first column with its numbers has them, others refer to it.
-    pub(super) fn of(report: &'a Report, rows: Option<&'a [usize]>) -> Self {
+    pub(super) fn new(report: &'a Report, rows: Option<&'a [usize]>) -> Self {
         let mut series = Self {
             report,
             rows,
@@ -78,7 +78,8 @@ fn hash(values: &[f64]) -> u64 {
     hasher.finish()
 }
 
-/// What tells numbers apart as JSON does: a zero has its sign, and all that is not finite is `null`.
+/// The bits that differ in JSON: a zero has its sign, and every number that is not finite is
+/// `null`.
 fn bits(values: &[f64]) -> impl Iterator<Item = u64> {
     let known = |x: &f64| if x.is_finite() { *x } else { f64::NAN };
     values.iter().map(move |x| known(x).to_bits())

@@ -1,47 +1,42 @@
-//! What a picture shows beside links and points: how joints move, gears, what inputs move.
+//! Joints, gears and driven links of a picture.
 
 use serde_json::{Value, json};
 use std::vec::Vec;
 
-use crate::report::drawing::Wheels;
-use crate::report::shown::Shown;
-use crate::{DriveOn, JointShape};
+use crate::report::drawing::PitchCircles;
+use crate::report::joint_signs::sign;
+use crate::report::positioned_picture::PositionedPicture;
+use linkage_core::DriveOn;
 
 /// Adds it to the picture.
-pub(super) fn add(picture: &mut Value, shown: &Shown<'_>) {
+pub(super) fn add(picture: &mut Value, shown: &PositionedPicture<'_>) {
     picture["joints"] = joints(shown);
     picture["gears"] = gears(shown);
     picture["drives"] = drives(shown);
 }
 
-fn joints(shown: &Shown<'_>) -> Value {
+fn joints(shown: &PositionedPicture<'_>) -> Value {
     let joints = shown.picture.joints.iter();
     let joint = |joint: &crate::PictureJoint| {
         json!({
             "point": joint.point,
-            "shape": match joint.shape {
-                JointShape::Pin => "pin",
-                JointShape::Slide => "slide",
-                JointShape::Ball => "ball",
-                JointShape::Universal => "universal",
-                JointShape::Cylindrical => "cylindrical",
-            },
+            "shape": sign(joint.shape).name,
         })
     };
     joints.map(joint).collect::<Vec<_>>().into()
 }
 
 /// Those whose wheels have a size.
-fn gears(shown: &Shown<'_>) -> Value {
+fn gears(shown: &PositionedPicture<'_>) -> Value {
     let gears = shown.picture.gears.iter();
     let gears = gears.filter_map(|gear| {
-        let wheels = Wheels::of(shown, gear)?;
+        let wheels = PitchCircles::new(shown, gear)?;
         Some(json!({ "centres": gear.centres, "radii": wheels.radii, "ratio": wheels.ratio }))
     });
     gears.collect::<Vec<_>>().into()
 }
 
-fn drives(shown: &Shown<'_>) -> Value {
+fn drives(shown: &PositionedPicture<'_>) -> Value {
     let drives = shown.picture.drives.iter().map(|drive| match drive.on {
         DriveOn::Turn(points) => json!({ "turn": points }),
         DriveOn::Slide(guide) => json!({ "slide": guide }),

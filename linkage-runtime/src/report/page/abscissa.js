@@ -1,4 +1,4 @@
-// What the plots are against: the input, or a quantity.
+// The abscissa of the plots: the input, or a quantity.
 
 const abscissa = { column: null };
 
@@ -11,7 +11,7 @@ function abscissaTitle() {
   return titled(name, plotUnit(unit));
 }
 
-// As they are shown; null where there is none.
+// Values of the abscissa as they are shown; null where there is none.
 function abscissaValues() {
   const { values, unit } = abscissa.column ?? input;
   return values.map((value) => plotValue(value, unit));

@@ -1,4 +1,5 @@
-// Axes of a panel: grid, numbers, frame and titles. While dimensions change, what stays where it is is left alone.
+// Axes of a panel: grid, numbers, frame and titles. While dimensions change, unchanged nodes are
+// left alone.
 
 function makeAxes(panel) {
   const [across, up, frame] = ["across", "up", "around"].map(() => shape("g"));

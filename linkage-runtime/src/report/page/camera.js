@@ -1,4 +1,4 @@
-// From the mechanism's places to places on the screen: to scale, without perspective.
+// The map from places of the mechanism to places on the screen: to scale, without perspective.
 
 const VIEWS = {
   "3-D": [-0.9, 0.45],
@@ -15,7 +15,7 @@ const camera = {
   zoom: 1,
   // Pixels by which the picture is moved.
   pan: [0, 0],
-  // Of the eye about z and above the x-y plane.
+  // Angles of the eye about z and above the x-y plane.
   turn: picture?.view ?? VIEWS["3-D"],
   listeners: [],
 };
@@ -76,7 +76,7 @@ function zoomBy(factor, [x, y] = [camera.width / 2, camera.height / 2]) {
   const zoom = Math.min(200, Math.max(0.2, camera.zoom * factor));
   const change = zoom / camera.zoom;
   const from = [x - camera.width / 2, y - camera.height / 2];
-  // What is under the pointer stays there.
+  // The place under the pointer stays there.
   camera.pan = camera.pan.map((pan, i) => from[i] - change * (from[i] - pan));
   camera.zoom = zoom;
   announceCamera();

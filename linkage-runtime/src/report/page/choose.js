@@ -1,4 +1,4 @@
-// Which columns are plotted.
+// The choice of plotted columns.
 
 const MEANINGS = {
   value: "values",
@@ -9,7 +9,7 @@ const MEANINGS = {
   picture: "points of the picture",
 };
 
-// Curves at the start: enough to see what there is, few enough to tell them apart.
+// Curves at the start: enough to get an impression, few enough to be distinguished.
 const FIRST_VALUES = 3;
 const FIRST_RATES = 6;
 
@@ -25,7 +25,8 @@ function firstChoice() {
   return some.length > 0 ? some : firstOf("picture", isTraced, FIRST_VALUES);
 }
 
-// The first columns of a meaning with numbers in them. What several tables have is shown once, with its bands if it has some.
+// The first columns of a meaning with numbers in them. A column of several tables is shown once,
+// with its bands if it has some.
 function firstOf(meaning, fits, most) {
   const some = columns.filter((column) => column.meaning === meaning && finite(column) && fits(column));
   const named = Map.groupBy(some, (column) => column.name);
@@ -44,7 +45,7 @@ function finite(column) {
   return column.values.some((value) => value !== null);
 }
 
-// Whether a column belongs to a traced point, as `p.x` and `shape[p].x` belong to `p`.
+// Returns true for a column of a traced point, as `p.x` and `shape[p].x` are of `p`.
 function isTraced(column) {
   const traced = (picture?.traces ?? []).map((index) => picture.points[index].name);
   return traced.some((name) => column.name.startsWith(`${name}.`) || column.name.includes(`[${name}]`));

@@ -1,6 +1,6 @@
-// What a panel shows: curves of one unit with their colours, bands and limits.
+// Contents of a panel: curves of one unit with their colours, bands and limits.
 
-// As static plots have them.
+// The same colours and dashes as in static plots.
 const DASHES = [null, "7 4", "2 3", "9 3 2 3"];
 
 // Tolerances are small beside motions: bands may be drawn wider than they are.
@@ -33,7 +33,8 @@ function plotted({ values: numbers, unit }) {
   return numbers.map((value) => plotValue(value, unit));
 }
 
-// Whether curves of one unit lie so far from each other that on one axis each would look like a straight line.
+// Returns true if curves of one unit are so far from each other that on one axis each would look
+// like a straight line.
 function areFarApart() {
   const height = (curves) => {
     const [low, high] = spread(curves, () => true);
@@ -97,7 +98,7 @@ function spread(curves, counts) {
   return [low, high];
 }
 
-// Shares of an axis beyond what it shows: just air, and room for the labels of extremes.
+// Shares of an axis beyond its limits: air, and room for the labels of extremes.
 const AIR = 0.04;
 const ROOM = 0.15;
 
@@ -107,7 +108,8 @@ function withMargin([low, high], share = AIR) {
   return [low - margin, high + margin];
 }
 
-// Whether limits differ in earnest: a constant with roundoff, as on a straight guide, is a straight line and no noise.
+// Returns true if limits differ by more than roundoff: a constant with roundoff, as on a straight
+// guide, is a straight line and no noise.
 function isMoreThanRoundoff([low, high]) {
   return high - low > 1e-12 * largestOf([low, high]);
 }

@@ -1,4 +1,5 @@
-// The cyclogram: what each organ does at which angle of the shaft, with a line where the machine stands.
+// The cyclogram: motions of all organs over the angle of the shaft, with a line at the current
+// position.
 
 const CYCLE = { row: 42, stroke: 26, top: 10, bottom: 36, right: 16, letter: 7, angle: 40 };
 
@@ -90,7 +91,7 @@ function moveShaft(row) {
   set(cycle.shaft, { "data-angle": withinCycle(input.values[row]) });
 }
 
-// The row whose angle of the shaft is nearest to what is under the pointer.
+// The row whose angle of the shaft is nearest to the pointer.
 function goToShaft(event) {
   setPlaying(false);
   const { from, to } = report.cyclogram;

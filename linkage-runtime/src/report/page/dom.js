@@ -27,7 +27,7 @@ function shape(name, attributes, ...children) {
   return node;
 }
 
-// The words of a node, which has nothing else; and its children. What is there already stays untouched.
+// The words of a node, which has nothing else, and its children. Equal content stays untouched.
 function write(node, text) {
   if (node.firstChild === null) node.append(text);
   else if (node.firstChild.data !== text) node.firstChild.data = text;
@@ -46,7 +46,7 @@ function pixel(value) {
 
 // The same as words, many of them: whole numbers are printed several times as fast as others.
 const HUNDREDTHS = Array.from({ length: 100 }, (_, n) => String(n / 100).slice(1));
-// As bits of whole numbers reach.
+// The range of bits of whole numbers.
 const MOST_WHOLE = 2 ** 31;
 
 function pixelText(value) {

@@ -1,4 +1,4 @@
-// The data as files, made from what the page holds.
+// The data of the page as files.
 
 function quoted(field) {
   return /[",\r\n]/.test(field) ? `"${field.replaceAll('"', '""')}"` : field;
@@ -26,7 +26,7 @@ function download(name, blob) {
   setTimeout(() => URL.revokeObjectURL(address), 10000);
 }
 
-// The report as it came, and names of files; a page that computes has others for what was changed.
+// The original report, and names of files. A page that computes has others for changed data.
 const saved = { json: () => source, name: (name) => name };
 
 function downloadButton(name, make) {

@@ -1,4 +1,4 @@
-// The drawing of the mechanism: its layers, and what changes with position and view.
+// The drawing of the mechanism: its layers, and the nodes that change with position and view.
 
 const drawing = {
   // Parts that are drawn the farthest first, and points, which are always on top.
@@ -9,7 +9,7 @@ const drawing = {
   // Nodes by the points' indices.
   points: new Map(),
   layers: {},
-  // What lies over the drawing: buttons, and the scale with the directions of the axes.
+  // Nodes over the drawing: buttons, and the scale with the directions of the axes.
   tools: [],
   marks: [],
 };

@@ -21,7 +21,7 @@ function copyExactly(event) {
   event.preventDefault();
 }
 
-// What is selected with all digits; null if no whole number is in it.
+// The selection with all digits; null if no whole number is in it.
 function exactOf(selection, range) {
   const home = range.commonAncestorContainer;
   const single = home.nodeType === Node.TEXT_NODE ? home.parentElement.closest("[data-exact]") : null;
@@ -33,7 +33,7 @@ function exactOf(selection, range) {
   const numbers = part.querySelectorAll("[data-exact]");
   if (numbers.length === 0) return null;
   for (const number of numbers) number.textContent = number.dataset.exact;
-  // Only what is laid out knows its lines and columns.
+  // Only nodes that are laid out know their lines and columns.
   document.body.append(part);
   const copied = { text: part.innerText, html: part.innerHTML };
   part.remove();

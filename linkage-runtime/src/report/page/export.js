@@ -3,7 +3,7 @@
 const STYLES = ["stroke-width", "stroke-dasharray", "stroke-linejoin", "stroke-linecap", "font-size", "font-weight", "text-anchor", "paint-order"];
 const COLOURS = ["fill", "stroke"];
 const SHAPES = new Set(["path", "circle", "rect", "text", "line", "polyline", "polygon", "tspan"]);
-// What only the page needs.
+// Nodes that only the page needs.
 const OF_THE_PAGE = /^(class|style|tabindex|role|aria-.*|data-[xyz])$/;
 
 // Pixels of a picture for one of the page.
@@ -44,7 +44,7 @@ function setStyles(node, style) {
   }
 }
 
-// A copy that looks the same anywhere, or null of what is not seen.
+// A copy that looks the same anywhere, or null for a node that is not seen.
 function standing(node) {
   if (node.nodeType === Node.TEXT_NODE) return document.createTextNode(node.data);
   const style = getComputedStyle(node);

@@ -14,7 +14,7 @@ function extremesChoice() {
   return element("label", { class: "aside" }, box, " Extremes");
 }
 
-// Rows of the lowest and the highest value among those that are seen; none of what is constant.
+// Rows of the lowest and the highest value among the visible ones; none for a constant.
 function extremeRows({ ys }, xs) {
   const seen = seenRows();
   const rows = [null, null];
@@ -62,7 +62,8 @@ function placeMark({ node, title, circle, label, what }, { scales, unit }, { col
   hold(node, place ? [title, circle, label] : [title, circle]);
 }
 
-// Where a label is inside of the frame and on no other one, above or below its place; null if nowhere.
+// The place of a label inside of the frame and on no other one, above or below its point; null if
+// there is none.
 function labelPlace({ left, wide, tall }, [x, y], length, which, labels) {
   const from = Math.min(left + wide - length - 2, Math.max(left + 2, x - length / 2));
   const [above, below] = [y - 6, y + LABEL.line + 2];

@@ -1,5 +1,5 @@
-// The report is written anew while its page is open: the page asks for the newest version and shows that. A script is what a page may load
-// that was opened as a file.
+// The report is rewritten while its page is open: the page looks for the newest version and shows
+// that. A script is all that a page may load that was opened as a file.
 
 const ASK_EVERY = 500;
 

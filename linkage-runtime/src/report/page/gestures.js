@@ -12,7 +12,7 @@ function startGestures() {
   for (const end of ["pointerup", "pointercancel"]) view.addEventListener(end, released);
   view.addEventListener("pointermove", (event) => event.pointerType === "mouse" && pointOut(event.buttons ? null : onDrawing(event)));
   view.addEventListener("pointerleave", () => pointOut(null));
-  // A finger on what moves does not scroll the page.
+  // A finger on a moving part does not scroll the page.
   view.addEventListener("touchmove", (event) => grip.places !== null && event.cancelable && event.preventDefault(), { passive: false });
   startStack();
   view.addEventListener("wheel", wheeled, { passive: false });

@@ -22,7 +22,7 @@ function pathOf(index) {
   return places;
 }
 
-// Whether a point goes anywhere.
+// Returns true for a point that moves.
 function isMoving(index) {
   const known = [];
   eachRow((row) => {

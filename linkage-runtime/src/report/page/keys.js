@@ -2,7 +2,7 @@
 
 const STEPS = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
 
-// Whether the key means something else where it was pressed.
+// Returns true if the key has another meaning where it was pressed.
 function keyBelongsToField(event) {
   const target = event.target;
   if (target.tagName === "SELECT" || (target.matches("[type=search], [type=number], [type=range]") && target.id !== "position")) return true;

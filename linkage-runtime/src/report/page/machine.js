@@ -7,7 +7,7 @@ function partsWith(kind, index) {
   return machine.parts.flatMap((part, own) => (part[kind].includes(index) ? [own] : []));
 }
 
-// What several parts have is shown as long as one of them is.
+// A node of several parts is shown as long as one of them is.
 function isHidden([kind, index]) {
   const parts = partsWith(kind, index);
   return parts.length > 0 && parts.every((own) => machine.hidden.has(own));
@@ -16,12 +16,13 @@ function isHidden([kind, index]) {
 // Colours that are listed; links without parts begin again behind the last one.
 const LINK_COLOURS = 6;
 
-// The number of the colour of a link or guide: that of its part, behind all parts what the machine itself adds; without parts each has its own.
+// The number of the colour of a link or guide: that of its part, after all parts that of the
+// machine itself; without parts each has its own.
 function hueOf(kind, index, own) {
   return machine.parts.length === 0 ? own % LINK_COLOURS : partsWith(kind, index)[0] ?? machine.parts.length;
 }
 
-// What is drawn, with what it belongs to.
+// The nodes of the drawing, with their owners.
 function ownedBy(part, ...owners) {
   return Object.assign(part, { owners, away: false });
 }
@@ -30,7 +31,7 @@ function ownersOfDrive({ turn, slide }) {
   return turn ? ["points", turn[1]] : ["guides", slide];
 }
 
-// While somebody stands on a link, nothing is seen of what inputs move against the frame.
+// While the reader is on a link, the motions of inputs against the frame are not seen.
 function findAway() {
   for (const part of [...drawing.bodies, ...drawing.tops, ...drawing.signs]) {
     part.away = part.owners.some(isHidden) || (isStanding() && part.drive === true);
@@ -47,8 +48,9 @@ function togglePart(index) {
   hideCurves();
 }
 
-// Which part a column is of: that whose name its quantity bears, as `hook.tip.y` and `shape[hook.tip].y` do, otherwise that whose name its function
-// bears, `hook` or `hook_way`. Of several the longest name counts; -1 where there is none.
+// The part of a column: the one whose name its quantity has, as in `hook.tip.y` and
+// `shape[hook.tip].y`, otherwise the one whose name its function has, `hook` or `hook_way`. The
+// longest of several names counts; -1 where there is none.
 function partOfColumn({ name, of, meaning, table }) {
   const [, shown] = (meaning === "picture" && /\[(?:along )?(.*)\]/.exec(name)) || [];
   const quantity = shown ?? of ?? name;

@@ -1,11 +1,12 @@
-// The cyclogram in words: the events of all organs in their order, and what two organs do at once.
+// The cyclogram as text: the events of all organs in their order, and simultaneous motions of two
+// organs.
 
 function motionWords({ bands, unit }, { motion, band }) {
   const space = unit === "" ? "" : " ";
   return motion === "dwell" ? `dwell (${bands[band]}${space}${unit})` : motion;
 }
 
-// What an event ends and what it begins.
+// The end and the beginning at an event.
 function changeAt({ events, intervals }, event) {
   return [intervals[(event + events.length - 1) % events.length], intervals[event]];
 }
@@ -33,12 +34,12 @@ function cycleTable() {
   return grid("cyclogram", ["organ", "ends", "begins", `at ${input.name}`, ...(hasShifts() ? ["\u00b1 deg"] : []), "deg", "after"], rows);
 }
 
-// What an organ does, below its name: places must not be out of sight on a phone.
+// The motion of an organ, below its name: places must not be out of sight on a phone.
 function deed(organ, done) {
   return element("span", { class: "deed" }, organWords(organ), element("small", {}, motionWords(organ, done)));
 }
 
-// Where two organs both dwell, both advance or both return.
+// Intervals in which two organs both dwell, both advance or both return.
 function overlapTable() {
   const { organs, overlaps } = report.cyclogram;
   const rows = overlaps.map(({ organs: indices, motions, bands, from, to, range }) => {

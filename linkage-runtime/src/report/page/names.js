@@ -1,14 +1,14 @@
 // Names of points: each where nothing is below it, beside its point if there is room, otherwise at the end of a thin line.
 
 const NAMES = {
-  // Pixels between a name and what it keeps clear of, and between a joint and its name.
+  // Pixels between a name and other shapes, and between a joint and its name.
   clear: 2,
   apart: 3,
   // A name that comes back to its point needs more room than one that stays there: it would jump to and fro.
   spare: 5,
   // Up to here a name seems to belong to its point without a line.
   beside: 8,
-  // From the edge of the drawing.
+  // Distance from the edge of the drawing.
   edge: 4,
 };
 // Ways from the point in steps of 22.5 degrees, and how far away a name may be.
@@ -16,7 +16,7 @@ const WAYS = 16;
 const RINGS = [0, 4, 8, 20, 33, 48, 66, 88, 114, 144, 180, 222, 270];
 // To the upper right, unless something is there.
 const FIRST_WAY = -Math.PI / 4;
-// What a line to a name costs in pixels of its length if it crosses a joint or another line.
+// The price of a line to a name in pixels of its length if it crosses a joint or another line.
 const CROSSING = 30;
 
 const ways = Array.from({ length: WAYS }, (_, n) => {
@@ -41,7 +41,7 @@ function sizeOfName(name) {
   return name.size;
 }
 
-// How far along a way the middle of a box is when the box is so far from where the way begins.
+// The distance along a direction at which the middle of a box is this far from the start.
 function awayFor(apart, [wide, high], direction) {
   const [c, s] = direction.map(Math.abs);
   // Beside, above or below, otherwise with a corner.
@@ -61,7 +61,7 @@ function candidate(at, radius, half, way, ring) {
   };
 }
 
-// From the rim of the joint to the box.
+// The line from the rim of the joint to the box.
 function leaderOf(at, radius, { box, ring }) {
   if (RINGS[ring] <= NAMES.beside) return null;
   const end = [Math.min(box[2], Math.max(box[0], at[0])), Math.min(box[3], Math.max(box[1], at[1]))];
@@ -69,7 +69,7 @@ function leaderOf(at, radius, { box, ring }) {
   return [[0, 1].map((i) => at[i] + (radius * (end[i] - at[i])) / length), end];
 }
 
-// Whether nothing is below the words, and no line through other words leads to them.
+// Returns true if nothing is below the words, and no line to them crosses other words.
 function isFree(place, scene, clear) {
   const { box } = place;
   const [width, height] = [camera.width - NAMES.edge, camera.height - NAMES.edge];
@@ -112,7 +112,7 @@ function chosenPlace(name, at, radius, scene) {
   let best = stays ? before : null;
   let least = Infinity;
   for (let ring = 0; ring < RINGS.length && RINGS[ring] < least; ring += 1) {
-    // As far away as it is, it may as well stay.
+    // A name as far away as this may as well stay.
     if (stays && ring >= before.ring) break;
     for (const way of ways) {
       const place = at0(way, ring);

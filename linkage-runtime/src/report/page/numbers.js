@@ -9,9 +9,9 @@ function rounded(value, significant) {
   return value === null ? null : Number(value.toPrecision(significant));
 }
 
-// What tables and legends show: a micrometre of a metre. Files and copies have all digits.
+// Digits of tables and legends: a micrometre of a metre. Files and copies have all digits.
 const SIGNIFICANT = 6;
-// Whole numbers below are shown as they are: counts, and what was written in the program.
+// Whole numbers below this are shown with all digits: counts, and numbers from the program.
 const LARGEST_WHOLE = 1e9;
 
 function short(value) {

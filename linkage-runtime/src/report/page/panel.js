@@ -8,7 +8,7 @@ const panelLeft = { width: 60 };
 function measureLabels(panels) {
   const labels = panels.flatMap((panel) => panelTicks(panel).map((tick) => digits(tick).length));
   const width = 30 + PANEL.letter * Math.max(4, ...labels);
-  // What is under the pointer stays there while the parts change.
+  // The place under the pointer stays there while the parts change.
   panelLeft.width = zoom.x === null ? width : Math.max(width, panelLeft.width);
 }
 
@@ -31,7 +31,7 @@ function panelScales(panel, width) {
   return { xs, first, last, low, high, left, wide, tall, x, y, value, height };
 }
 
-// The nodes of a panel; what numbers make of them is put there by `fillPanel`.
+// The nodes of a panel. `fillPanel` fills them with numbers.
 function drawPanel(panel, width) {
   const view = shape("svg", {
     class: "plot", width, height: PANEL.height, viewBox: `0 0 ${width} ${PANEL.height}`, role: "img", tabindex: 0,

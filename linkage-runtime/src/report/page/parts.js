@@ -1,7 +1,7 @@
-// What the drawing consists of. Each part is a node and a function that puts it where the mechanism
-// stands and says how near to the eye it is; null if it cannot be drawn there.
+// Parts of the drawing. Each part is a node and a function that puts it where the mechanism is, and
+// returns its nearness to the eye; null if it cannot be drawn there.
 
-// What a part covers on the screen, it leaves in `covers`: names of points keep clear of that.
+// A part leaves its area on the screen in `covers`: names of points keep clear of that.
 
 // Half the widths of the outlines that the style has.
 const BAR_HALF = 5.5;
@@ -65,7 +65,8 @@ function framePart(guide) {
   };
 }
 
-// From left to right, so that the hatching is below, and by half a block aside. A frame that turns keeps its side.
+// Turns ends from left to right, so that the hatching is below, and moves them aside by half a
+// block. A frame that turns keeps its side.
 function besideBlock(ends) {
   const [from, to] = isStanding() || ends[0][0] <= ends[1][0] ? ends : [ends[1], ends[0]];
   const length = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1;
@@ -73,7 +74,7 @@ function besideBlock(ends) {
   return [[from[0] + x, from[1] + y], [to[0] + x, to[1] + y]];
 }
 
-// Both ends on the screen, some pixels beyond what the slider reaches.
+// Both ends on the screen, some pixels beyond the range of the slider.
 function guideEnds(guide, row, [low, high], beyond) {
   const [origin, direction] = guidePlaces(guide, row);
   if (origin === null || direction === null || !(high >= low)) return null;

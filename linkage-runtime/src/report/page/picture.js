@@ -44,7 +44,8 @@ function eachRow(visit) {
   for (let row = 0; row < rowCount; row += 1) visit(row);
 }
 
-// How far sliders get along their guides: lowest and highest distance from the origin, until places change.
+// The ranges of sliders along their guides: lowest and highest distance from the origin, until
+// places change.
 const reaches = new Map();
 
 function reachOf(guide) {
@@ -69,7 +70,8 @@ function guidePlaces(guide, row) {
   return [pointAt(guide.origin, row), directionAt(guide.direction, row), pointAt(guide.slider, row)];
 }
 
-// The box around all places of what is drawn, as its middle and half its sides, and how far points get from the middle.
+// The box around all places of the drawing, as its middle and half its sides, and the largest
+// distance of points from the middle.
 function extent() {
   const low = Array(picture.dimension).fill(Infinity);
   const high = Array(picture.dimension).fill(-Infinity);
@@ -100,7 +102,7 @@ function extent() {
   return { middle, half, radius: reachFrom(middle) || 1 };
 }
 
-// Guides of a frame that moves sweep more than what slides on them.
+// Guides of a frame that moves sweep more than their sliders.
 function guidesAround(low, high) {
   for (const guide of picture.guides.filter(({ on }) => on === "frame")) {
     eachRow((row) => {

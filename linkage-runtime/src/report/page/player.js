@@ -21,7 +21,7 @@ function truePeriod() {
   return trueSpeed() === null ? null : Math.abs(span() / trueSpeed());
 }
 
-// Whether the machine runs through the rows from the last to the first.
+// True if the machine runs through the rows from the last to the first.
 function runsBackward() {
   return (report.speed?.omega ?? 0) * span() < 0;
 }
@@ -72,7 +72,7 @@ function setBackward(backward) {
   set(button, { "aria-label": `Direction: ${word.toLowerCase()}`, title: "Direction of play" });
 }
 
-// What a listed speed is in the machine's time.
+// A listed speed in the machine's time.
 function speedText(period) {
   const real = truePeriod();
   const whole = input.periodic ? "cycle" : "range";

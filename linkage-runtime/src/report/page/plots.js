@@ -1,4 +1,4 @@
-// The panels below each other, their legends with values, and what pointers do in them.
+// The panels below each other, their legends with values, and the actions of pointers in them.
 
 const plots = { panels: [], width: 0, apart: false };
 

@@ -6,11 +6,11 @@ function pointPart(point, index) {
   const radius = point.kind === "joint" && onlySlides(index) ? RADII.dot : RADII[point.kind];
   const mark = shape("circle", { class: "mark", r: radius });
   const signs = jointSigns(index);
-  // Larger than what is seen: fingers are wide.
+  // Larger than the visible mark: fingers are wide.
   const target = shape("circle", { class: "target", r: 15 });
   const name = nameParts(point);
   const node = shape("g", {
-    class: `point ${point.kind}${radius === RADII.dot ? " dot" : ""}${isBall(index) ? " filled" : ""}`,
+    class: `point ${point.kind}${radius === RADII.dot ? " dot" : ""}${isFilled(index) ? " filled" : ""}`,
     "data-point": point.name,
     tabindex: 0,
     role: "button",
@@ -29,7 +29,7 @@ function pointPart(point, index) {
 function movePoint(part, { mark, target, ground, signs, radius }, row) {
   const { node, index } = part;
   const place = pointAt(index, row);
-  // In the mechanism's unit and with all digits: what is seen is rounded to pixels.
+  // The place in the mechanism's unit and with all digits; the visible one is rounded to pixels.
   ["x", "y", "z"].forEach((name, i) => set(node, { ["data-" + name]: place === null ? null : place[i] ?? null }));
   if (place === null) return null;
   const [cx, cy, nearness] = project(place);

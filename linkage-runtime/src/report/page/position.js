@@ -1,4 +1,4 @@
-// Where the mechanism stands: one row, and everyone who wants to know when it changes.
+// The position of the mechanism: one row, and the listeners to its changes.
 
 const position = { row: 0, listeners: [] };
 

@@ -8,7 +8,8 @@ function startPrint() {
 }
 
 function openFolds() {
-  // A second word before the first print has ended must not forget what the reader had closed.
+  // A second command before the first print has ended must not forget the elements that the reader
+  // had closed.
   closeFolds();
   printed.opened = [...byId("tables").querySelectorAll("details:not([open])")];
   for (const closed of printed.opened) closed.open = true;

@@ -1,4 +1,4 @@
-// What is taken on the screen: boxes of words against convex shapes with a width.
+// Free room on the screen: boxes of words against convex shapes with a width.
 
 // A shape through places, with half the width of its stroke: one place is a circle, two are a bar, more a polygon.
 function taken(places, half) {
@@ -13,13 +13,13 @@ function boxesMeet(a, b) {
   return a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
 }
 
-// Whether a box, as left, top, right, bottom, comes nearer to a shape than `clear`.
+// Returns true if a box, as left, top, right, bottom, is nearer to a shape than `clear`.
 function isCovered(box, shape, clear) {
   const wide = [box[0] - clear, box[1] - clear, box[2] + clear, box[3] + clear];
   return boxesMeet(wide, shape.box) && distanceToBox(shape.places, box) < shape.half + clear;
 }
 
-// Of a convex polygon, a stretch or a place from a box; 0 where they meet.
+// The distance of a convex polygon, a stretch or a place from a box; 0 where they meet.
 function distanceToBox(places, box) {
   if (places.length > 2 && isWithin([(box[0] + box[2]) / 2, (box[1] + box[3]) / 2], places)) return 0;
   let least = Infinity;
@@ -36,7 +36,7 @@ function stretchToBox(a, b, box) {
   return Math.min(placeToBox(a, box), placeToBox(b, box), ...corners.map((corner) => placeToStretch(corner, a, b)));
 }
 
-// By Liang and Barsky: what is left of the stretch between the sides of the box.
+// Clips the stretch to the box, after Liang and Barsky.
 function passesThrough(a, b, [left, top, right, bottom]) {
   let [from, to] = [0, 1];
   for (const [step, low, high] of [[b[0] - a[0], left - a[0], right - a[0]], [b[1] - a[1], top - a[1], bottom - a[1]]]) {

@@ -1,13 +1,14 @@
-// Signs beside links and points, as drawings on paper have them: gears, arrows at what inputs move, joints in space.
+// Signs next to links and points, as drawings on paper have them: gears, arrows at driven links,
+// joints in space.
 
 // Radius of the arrow about a driven pivot; where on its circle it begins and ends, seen from the link; its pieces.
 const DRIVE = { radius: 25, from: 0.35, to: 1.75, pieces: 12, push: 19, beside: 17 };
 const HEAD = { length: 9, half: 3.6 };
-// Half the length and half the height of sleeves; the radius of a socket; half the arms of a cross.
-const SLEEVE = { pin: [11, 5], cylindrical: [19, 5] };
-const SOCKET = 8.5;
-const CROSS = 15;
-// From where wheels touch to the middle of their ratio, which stands in the larger one, and half its width.
+// Half the length and half the height of bars; the radius of a ring.
+const BARS = { sleeve: [11, 5], "long sleeve": [19, 5], line: [15, 0] };
+const RING = 8.5;
+// Distance from the contact of wheels to the middle of their ratio, which is in the larger one, and
+// half its width.
 const RATIO = { aside: 32, half: 24 };
 
 function signParts() {
@@ -39,7 +40,7 @@ function gearPart({ centres, radii, ratio }) {
   };
 }
 
-// By how much the second wheel turns when the first turns once.
+// The turns of the second wheel for one turn of the first.
 function ratioPart({ centres, radii, ratio }) {
   const node = shape("text", { class: "ratio", "text-anchor": "middle" }, `1 : ${short(ratio)}`);
   return {
@@ -128,7 +129,8 @@ function driveLine(guide, row) {
   return [-1, 1].map((end) => [x + end * DRIVE.push * c + DRIVE.beside * s, y + end * DRIVE.push * s - DRIVE.beside * c]);
 }
 
-// By how much something changes to the next row, or from the one before; rows of a falling input tell the other way.
+// The change of a value to the next row, or from the one before. Rows of a falling input have the
+// other sign.
 function growth(row, value, wrapped) {
   const [from, to] = row + 1 < rowCount ? [row, row + 1] : [Math.max(0, row - 1), row];
   const [before, after] = [value(from), value(to)];
@@ -136,44 +138,47 @@ function growth(row, value, wrapped) {
   return wrapped(after - before) * (span() < 0 ? -1 : 1);
 }
 
-// What is around the mark of a joint in space; nothing in the plane, where all joints are pins and blocks.
+// The signs around the mark of a joint in space; none in the plane, where all joints are pins and
+// blocks.
 function jointSigns(index) {
   const joints = isSpatial() ? picture.joints.filter((joint) => joint.point === index) : [];
-  return joints.filter((joint) => joint.shape !== "slide").map((joint) => jointSign(joint));
+  return joints.filter((joint) => JOINT_SIGNS[joint.shape].drawn).map((joint) => jointSign(joint));
 }
 
 function jointSign(joint) {
-  const sleeve = shape("path", { class: joint.shape === "universal" ? "cross" : "sleeve" });
-  const socket = shape("circle", { class: "socket", r: SOCKET });
-  const round = joint.shape === "ball" || joint.shape === "universal";
-  const node = shape("g", { class: joint.shape, "data-joint": joint.shape }, ...(round ? [socket] : []), ...(joint.shape === "ball" ? [] : [sleeve]));
+  const { ring, directions, bar } = JOINT_SIGNS[joint.shape];
+  const bars = shape("path", { class: bar === "line" ? "cross" : "sleeve" });
+  const socket = shape("circle", { class: "socket", r: RING });
+  const node = shape("g", { class: joint.shape, "data-joint": joint.shape }, ...(ring ? [socket] : []), ...(directions === "none" ? [] : [bars]));
   const update = (at, row) => {
     set(socket, { cx: pixel(at[0]), cy: pixel(at[1]) });
     const ways = waysOf(joint, row).map(projectDirection);
-    const [half, thick] = SLEEVE[joint.shape] ?? [CROSS, 0];
+    const [half, thick] = BARS[bar];
     const shapes = ways.map((way) => block(at, way, half, thick));
-    set(sleeve, { d: shapes.map((corners) => `${lineThrough(corners)}Z`).join("") });
-    const around = round ? [taken([at.slice(0, 2)], SOCKET + 1)] : [];
+    set(bars, { d: shapes.map((corners) => `${lineThrough(corners)}Z`).join("") });
+    const around = ring ? [taken([at.slice(0, 2)], RING + 1)] : [];
     return [...around, ...shapes.map((corners) => taken(corners, 1))];
   };
   return { node, update };
 }
 
-// The axes that a sign shows: one of a pin, both of a universal joint, the line of what slides along it.
+// The directions of the bars of a sign.
 function waysOf({ point, shape: kind }, row) {
-  if (kind === "ball") return [];
+  const { directions } = JOINT_SIGNS[kind];
+  if (directions === "none") return [];
   const axes = picture.axes.filter((axis) => axis.point === point).map((axis) => directionAt(axis.direction, row));
   const lines = picture.guides.filter((guide) => guide.slider === point).map((guide) => directionAt(guide.direction, row));
-  const found = (kind === "cylindrical" ? [...lines, ...axes] : axes).filter((way) => way !== null);
-  return kind === "universal" ? found : found.slice(0, 1);
+  const found = (directions === "guide" ? [...lines, ...axes] : axes).filter((way) => way !== null);
+  return directions === "first axis" || directions === "guide" ? found.slice(0, 1) : directions === "all axes" ? found : [];
 }
 
-// Whether something slides in a point, and nothing turns.
+// Returns true if all joints in a point slide and none turns.
 function onlySlides(index) {
   const joints = picture.joints.filter((joint) => joint.point === index);
-  return joints.length > 0 && joints.every((joint) => joint.shape === "slide");
+  return joints.length > 0 && joints.every((joint) => !JOINT_SIGNS[joint.shape].turns);
 }
 
-function isBall(index) {
-  return isSpatial() && picture.joints.some((joint) => joint.point === index && joint.shape === "ball");
+// Returns true for a filled mark of a point, as a ball in its socket.
+function isFilled(index) {
+  return isSpatial() && picture.joints.some((joint) => joint.point === index && JOINT_SIGNS[joint.shape].filled);
 }

@@ -13,7 +13,7 @@ function pointsNear(place) {
   return near.filter((part) => part.away <= MEANT).sort((a, b) => a.away - b.away);
 }
 
-// The nearest point and what lies on it.
+// The nearest point and those on the same place.
 function stackAt(place) {
   const near = pointsNear(place);
   return near.filter((part) => distance(part.joint.places[0], near[0].joint.places[0]) <= STACKED);

@@ -30,7 +30,7 @@ function placeInReport(index, row) {
   return placeOf(picture.points[index], row);
 }
 
-// What can be stood on: links, and what slides on a guide of the frame.
+// Bodies to stand on: links, and sliders on guides of the frame.
 function bodiesToStandOn() {
   const blocks = picture.guides.map((guide) => (guide.on === "frame" ? blockToStandOn(guide) : null));
   return [...picture.links.map(linkToStandOn), ...blocks].filter((body) => body !== null);
@@ -105,7 +105,7 @@ function seenPlace(place, row) {
   return step.map((component, i) => stand.home.origin[i] + component);
 }
 
-// By how many degrees of the screen the frame seems turned, in the plane.
+// The apparent turn of the frame in the plane, in degrees of the screen.
 function seenTurn(row) {
   const seen = seenDirection([1, 0], row);
   return seen === null ? 0 : (-180 / Math.PI) * Math.atan2(seen[1], seen[0]);

@@ -1,9 +1,10 @@
 // Everything begins here.
 
-// So many gaps are told one by one; plots show all of them.
+// The number of gaps that are listed; plots show all of them.
 const GAPS_TOLD = 4;
 
-// What is wrong with the values: where there are none, and where the mechanism may go on in another assembly.
+// Remarks about the values: gaps, and change points where the mechanism may go on in another
+// assembly.
 function sayGaps() {
   const told = [gapWords(report.gaps ?? []), report.changePoints ?? null].filter((words) => words !== null);
   byId("gaps").hidden = told.length === 0;
@@ -36,7 +37,7 @@ function start() {
   if (report.live) startLive();
   announcePosition();
   document.body.dataset.ready = "true";
-  // Who wants less motion starts it.
+  // A reader who wants less motion starts it.
   if (picture && rowCount > 1 && !matchMedia("(prefers-reduced-motion: reduce)").matches) setPlaying(true);
 }
 

@@ -36,7 +36,7 @@ function groundSign() {
     shape("path", { class: "base", d: `M${-wide - 4} ${high}L${wide + 4} ${high}` }));
 }
 
-// What that covers.
+// The corners of its area.
 function groundCorners([x, y]) {
   return [[x - 19, y], [x + 19, y], [x + 19, y + 22], [x - 19, y + 22]];
 }

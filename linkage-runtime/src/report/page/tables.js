@@ -62,7 +62,7 @@ function speedFacts() {
 function summaryTable(figures) {
   const rows = figures.map(({ quantity, what, value, unit, at, stands }) =>
     [quantity, stands ? `${what} (as in the report)` : what, placeButton(at), withDegrees(value, unit), unit]);
-  // Places before values: on a phone they are what must not be out of sight.
+  // Places before values: on a phone they must not be out of sight.
   return grid("summary", ["quantity", "what", `at ${input.name}`, "value", "unit"], rows);
 }
 
@@ -93,7 +93,7 @@ function accuracyGrid() {
   return grid("accuracy", ["quantity", "worst case \u00b1", "statistical \u00b1", "unit", `at ${input.name}`], rows);
 }
 
-// Who contributes to the worst case. What is closed is made anew when it is opened.
+// The contributors to the worst case. Closed rows are rebuilt when they are opened.
 const contributions = { folds: [] };
 
 function contributionsFold(index) {
@@ -134,7 +134,7 @@ function structureTables({ mobility, groups, functions, prepare }) {
   ];
 }
 
-// As the structure prints them.
+// The same text as in print.
 const OPERATIONS = ["add", "mul", "div", "sqrt", "sin_cos", "atan2", "other"];
 
 function costOf(operations) {

@@ -15,7 +15,7 @@ function showAll() {
   makePanels();
 }
 
-// Whether a row is within the part of the abscissa that is seen.
+// Returns true for a row within the visible part of the abscissa.
 function seenRows() {
   if (zoom.x === null) return () => true;
   const xs = abscissaValues();
@@ -31,14 +31,14 @@ function showPart(first, last) {
   makePanels();
 }
 
-// What is at `about` stays there.
+// The place at `about` stays there.
 function scalePart(factor, about) {
   const [first, last] = zoom.x ?? wholeAbscissa();
   if (factor < 1) zoom.y.clear();
   showPart(about + (first - about) / factor, about + (last - about) / factor);
 }
 
-// Where keys and buttons zoom: at the position if it is seen.
+// The place where keys and buttons zoom: the position if it is visible.
 function zoomCentre() {
   const [first, last] = zoom.x ?? wholeAbscissa();
   const here = abscissaValues()[position.row];
@@ -76,7 +76,7 @@ function placeIn(view, event) {
   return [event.clientX - left, event.clientY - top];
 }
 
-// Shift and drag: what is in the rectangle fills the panel.
+// Shift and drag: the rectangle fills the panel.
 function startRectangle(event, panel, view) {
   const from = placeIn(view, event);
   const mark = shape("rect", { class: "part" });

@@ -4,7 +4,7 @@ use std::format;
 use std::string::String;
 use std::vec::Vec;
 
-use super::Quantity;
+use super::curve::Quantity;
 use super::ticks::Scale;
 
 /// Scale and title of an axis.
@@ -27,7 +27,7 @@ impl Axis {
         Self { scale, title }
     }
 
-    /// An axis for all these numbers, with the names of what it shows.
+    /// Returns an axis for all these numbers, titled with the names of the curves.
     pub(super) fn ordinate(
         names: &[&str],
         unit: &str,

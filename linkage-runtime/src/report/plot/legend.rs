@@ -3,9 +3,9 @@
 use std::string::String;
 
 use super::super::colour::Colour;
-use super::super::hues::Style;
+use super::super::palette::Style;
 use super::super::svg::{Element, Svg};
-use super::panel::{dashed, shade};
+use super::stroke::{dashed, shade};
 use crate::report::BandKind;
 
 const LINE: f64 = 19.0;
@@ -16,7 +16,7 @@ const CHARACTER: f64 = 7.2;
 /// A line of the legend.
 pub(super) struct Entry<'a> {
     pub(super) name: &'a str,
-    /// Of its curve.
+    /// The style of its curve.
     pub(super) style: Style,
     pub(super) width: f64,
     /// `None` for the curve itself.

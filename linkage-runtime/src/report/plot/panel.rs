@@ -3,13 +3,12 @@
 use std::vec::Vec;
 
 use super::super::colour::Colour;
-use super::super::hues::Style;
 use super::super::svg::{Element, Svg};
 use super::axes::Axis;
-use super::gaps::{Rows, hatching, pieces};
+use super::curve::{Band, Curve};
 use super::legend::Entry;
-use super::{Band, Curve};
-use crate::report::BandKind;
+use super::missing::{Rows, hatching, pieces};
+use super::stroke::{dashed, shade};
 
 /// Left end of panels: the place for numbers and title.
 pub(super) const LEFT: f64 = 86.0;
@@ -23,7 +22,7 @@ pub(super) struct Panel<'a> {
     pub(super) gaps: Vec<Rows>,
 }
 
-/// Where a panel stands.
+/// The area of a panel.
 #[derive(Clone, Copy)]
 pub(super) struct Frame {
     pub(super) left: f64,
@@ -32,7 +31,7 @@ pub(super) struct Frame {
     pub(super) bottom: f64,
 }
 
-/// From numbers to places in a frame.
+/// The map from numbers to places in a frame.
 struct Places<'a> {
     frame: Frame,
     x: &'a Axis,
@@ -55,7 +54,8 @@ impl Panel<'_> {
         first.section == curve.section && first.quantity.unit == curve.quantity.unit
     }
 
-    /// What is not clear from the title alone: curves if there are several, and bands.
+    /// Returns the entries that the title does not make clear: curves if there are several, and
+    /// bands.
     pub(super) fn legend(&self) -> Vec<Entry<'_>> {
         let mut entries = Vec::new();
         let several = self.curves.len() > 1 || !self.curves[0].bands.is_empty();
@@ -226,33 +226,5 @@ impl Places<'_> {
             let across = title([0.5 * (left + right), bottom + 41.0]).class("axis");
             svg.words(across, &self.x.title);
         }
-    }
-}
-
-impl Curve {
-    fn style(&self, index: usize) -> Style {
-        self.style.unwrap_or(Style::numbered(index))
-    }
-
-    const fn width(&self) -> f64 {
-        if self.thin { 1.0 } else { 1.8 }
-    }
-}
-
-/// The line of a curve.
-pub(super) fn dashed(line: Element, style: Style) -> Element {
-    match style.dash {
-        0 => line,
-        1 => line.set("stroke-dasharray", "9 4"),
-        2 => line.set("stroke-dasharray", "2.5 3"),
-        _ => line.set("stroke-dasharray", "10 3 2.5 3"),
-    }
-}
-
-/// How opaque a band is.
-pub(super) const fn shade(kind: BandKind) -> f64 {
-    match kind {
-        BandKind::WorstCase => 0.18,
-        BandKind::Statistical => 0.32,
     }
 }

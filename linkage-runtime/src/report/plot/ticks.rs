@@ -24,13 +24,15 @@ const BESIDE: f64 = 1e-6;
 /// Numbers smaller than this are zero: steps between them could not be computed.
 const NOTHING: f64 = 1e-280;
 
-/// Differences of numbers, as a share of their size, that are roundoff: shown large they would be noise.
+/// Differences of numbers, as a share of their size, that are roundoff: shown large they would be
+/// noise.
 const NOISE: f64 = 1e-12;
 
-/// A number is whole if it is off by less than this share of it, which is rounding of powers of ten.
+/// A number is whole if it is off by less than this share of it, which is rounding of powers of
+/// ten.
 const WHOLE: f64 = 1e-6;
 
-/// By this share a step may be too short, so that rounding does not take the next longer one.
+/// A step may be too short by this share, so that rounding does not take the next longer one.
 const ENOUGH: f64 = 1e-9;
 
 impl Scale {
@@ -39,7 +41,7 @@ impl Scale {
         Self::stepped(low, high, round_step((high - low) / count as f64))
     }
 
-    /// As [`within`](Self::within), with steps that divide a turn.
+    /// Returns a scale as [`within`](Self::within), with steps that divide a turn.
     pub(in crate::report) fn degrees(low: f64, high: f64, count: usize) -> Self {
         let least = (high - low) / count as f64;
         let step = DEGREES.into_iter().find(|step| *step >= least);
@@ -55,7 +57,8 @@ impl Scale {
         Self::within(low, high, count)
     }
 
-    /// As [`about`](Self::about), with steps that divide a turn if it is much of one.
+    /// Returns a scale as [`about`](Self::about), with steps that divide a turn if the range is
+    /// much of one.
     pub(in crate::report) fn about_degrees(low: f64, high: f64, count: usize) -> Self {
         let (low, high) = with_air(low, high);
         match high - low > 120.0 {
@@ -95,7 +98,7 @@ impl Scale {
         }
     }
 
-    /// Where a number lies between the ends, 0 to 1.
+    /// Returns the position of a number between the ends, 0 to 1.
     pub(in crate::report) fn part(&self, x: f64) -> f64 {
         (x - self.low) / (self.high - self.low)
     }

@@ -6,24 +6,25 @@ use std::vec::Vec;
 
 use super::{Element, Mark, Svg};
 
-/// Numbers that move are told to so many parts of a unit, a hundredth of a millimetre on paper: every position is written
-/// out, and finer steps are not seen.
+/// Numbers that move are rounded to so many parts of a unit, a hundredth of a millimetre on paper:
+/// every position is written out, and finer steps are not seen.
 const PARTS: f64 = 100.0;
 
 impl Svg {
-    /// The first of these drawings, in which all that differs runs through the others, back to the first, and again, in so
-    /// many seconds. `None` if they do not consist of the same things, or differ in more than numbers.
+    /// The first of these drawings, in which all that differs runs through the others, back to the
+    /// first, and again, in so many seconds. `None` if they do not consist of the same things, or
+    /// differ in more than numbers.
     pub(in crate::report) fn film(frames: Vec<Self>, seconds: f64) -> Option<String> {
         let first = frames.first()?;
         if frames
             .iter()
-            .any(|own| own.marks.len() != first.marks.len())
+            .any(|frame| frame.marks.len() != first.marks.len())
         {
             return None;
         }
         let mut text = first.head();
         for (place, mark) in first.marks.iter().enumerate() {
-            let run = frames.iter().map(|own| own.marks[place].element(mark));
+            let run = frames.iter().map(|frame| frame.marks[place].element(mark));
             let run: Vec<Option<&Element>> = run.collect::<Option<_>>()?;
             let moves = match run.into_iter().collect::<Option<Vec<_>>>() {
                 Some(run) => moves(&run, seconds)?,
@@ -37,19 +38,22 @@ impl Svg {
 }
 
 impl Mark {
-    /// The element of a mark that is of the same kind as another, `Some(None)` if this kind has none.
+    /// The element of a mark that is of the same kind as another, `Some(None)` if this kind has
+    /// none.
     fn element(&self, like: &Self) -> Option<Option<&Element>> {
         match (self, like) {
-            (Self::Alone(own), Self::Alone(_)) | (Self::Begin(own), Self::Begin(_)) => {
-                Some(Some(own))
+            (Self::Alone(element), Self::Alone(_)) | (Self::Begin(element), Self::Begin(_)) => {
+                Some(Some(element))
             }
-            (Self::Words(own, words), Self::Words(_, other)) if words == other => Some(Some(own)),
+            (Self::Words(element, words), Self::Words(_, other)) if words == other => {
+                Some(Some(element))
+            }
             (Self::End(tag), Self::End(other)) if tag == other => Some(None),
             _ => None,
         }
     }
 
-    /// As it is written with what moves it.
+    /// Writes the piece with the elements that animate it.
     fn moved(&self, moves: &str) -> String {
         match self {
             Self::Alone(element) if moves.is_empty() => format!("{}/>\n", element.start()),
@@ -64,13 +68,14 @@ impl Mark {
     }
 }
 
-/// What moves an element: nothing for attributes that stay. `None` if the elements are not alike.
+/// Returns the animations of an element, none for attributes that stay. `None` if the elements are
+/// not alike.
 fn moves(run: &[&Element], seconds: f64) -> Option<String> {
     let first = run.first()?;
-    let alike = |own: &&Element| {
-        let names = own.attributes.iter().map(|(name, _)| name);
-        own.tag == first.tag
-            && own.classes == first.classes
+    let alike = |element: &&Element| {
+        let names = element.attributes.iter().map(|(name, _)| name);
+        element.tag == first.tag
+            && element.classes == first.classes
             && names.eq(first.attributes.iter().map(|(name, _)| name))
     };
     if !run.iter().all(alike) {
@@ -78,8 +83,8 @@ fn moves(run: &[&Element], seconds: f64) -> Option<String> {
     }
     let mut moves = String::new();
     for (place, (name, value)) in first.attributes.iter().enumerate() {
-        let run = run.iter().map(|own| own.attributes[place].1.as_str());
-        if run.clone().all(|own| own == value) {
+        let run = run.iter().map(|run| run.attributes[place].1.as_str());
+        if run.clone().all(|run| run == value) {
             continue;
         }
         let values: Vec<String> = run
@@ -88,7 +93,7 @@ fn moves(run: &[&Element], seconds: f64) -> Option<String> {
             .collect::<Option<_>>()?;
         // Between lists of different lengths there is no way.
         let count = |values: &String| values.split([' ', ',']).count();
-        if values.iter().any(|own| count(own) != count(&values[0])) {
+        if values.iter().any(|value| count(value) != count(&values[0])) {
             return None;
         }
         moves.push_str(&format!(

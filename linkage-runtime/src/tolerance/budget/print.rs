@@ -5,10 +5,11 @@ use alloc::string::String;
 use core::fmt;
 
 use super::Budget;
-use crate::words::rounded;
+use crate::format::rounded;
 
-/// A table for each component: quantity, value, standard uncertainty, distribution, degrees of freedom, sensitivity
-/// coefficient, contribution and share; then the combined uncertainty and what is correlated.
+/// A table for each component: quantity, value, standard uncertainty, distribution, degrees of
+/// freedom, sensitivity coefficient, contribution and share; then the combined uncertainty and the
+/// correlations.
 impl<const N: usize, const K: usize> fmt::Display for Budget<N, K> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for k in 0..K {

@@ -1,20 +1,21 @@
-//! Samples beside the linear analysis.
+//! Comparison of samples with the linear analysis.
 
 use core::fmt;
 
 use super::Samples;
 use super::samples::Estimate;
 use crate::components::norm;
+use crate::format::rounded;
 use crate::tolerance::Effects;
-use crate::words::rounded;
 
-/// One number of a study beside what the linear analysis says of it.
+/// One number of a study next to the result of the linear analysis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Agreement {
     /// The value of the mechanism with nominal dimensions.
     pub nominal: f64,
     /// The mean of the samples minus the nominal value, with its 95 % interval: an effect of second
-    /// order, 0 in the linear analysis, where every zone lies symmetrically about its nominal value.
+    /// order, 0 in the linear analysis, where every zone is symmetrically about its nominal
+    /// value.
     pub shift: Estimate,
     /// The standard deviation of the samples, with its 95 % interval.
     pub sampled: Estimate,
@@ -24,7 +25,7 @@ pub struct Agreement {
     pub farthest: f64,
     /// The worst case by the linear analysis.
     pub worst_case: f64,
-    /// How many samples could not be assembled.
+    /// The number of samples that could not be assembled.
     pub missing: usize,
 }
 
@@ -46,7 +47,7 @@ impl Agreement {
 }
 
 impl<const N: usize, const K: usize> Samples<N, K> {
-    /// The samples beside the linear analysis, number by number. `effects` are those of the same
+    /// The samples and the linear analysis, number by number. `effects` are those of the same
     /// quantities by the same tolerances, `nominal` the values of the nominal mechanism.
     #[must_use]
     pub fn agreement(&self, effects: &Effects<N, K>, nominal: [f64; K]) -> [Agreement; K] {

@@ -1,4 +1,4 @@
-//! How mechanisms are drawn.
+//! Random draws of mechanisms.
 
 use alloc::vec::Vec;
 use core::array;
@@ -6,7 +6,7 @@ use core::array;
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{Rng, SeedableRng};
 
-use crate::Dimensions;
+use crate::dimensions::Dimensions;
 use crate::tolerance::Distribution;
 use crate::tolerance::correlation::Square;
 
@@ -17,7 +17,8 @@ pub(super) struct Draw<const N: usize> {
     pub(super) middles: [f64; N],
     pub(super) tolerances: [f64; N],
     pub(super) distributions: [Distribution; N],
-    /// The root of the matrix of correlations: all that are correlated are normal. `None` if nothing is.
+    /// The root of the matrix of correlations: all that are correlated are normal. `None` if
+    /// nothing is.
     pub(super) root: Option<Square<N>>,
 }
 
@@ -26,11 +27,13 @@ impl<const N: usize> Draw<N> {
     pub(super) fn block<M: Dimensions<N>>(&self, index: usize, length: usize) -> Vec<M> {
         let mut random = stream(self.seed, index as u64);
         let mut mechanism = || {
-            let own: [f64; N] = array::from_fn(|i| drawn(self.distributions[i], &mut random));
+            let independent: [f64; N] =
+                array::from_fn(|i| drawn(self.distributions[i], &mut random));
             let deviations: [f64; N] = match &self.root {
-                None => own,
-                // Normal distributions have one standard deviation for a tolerance of 1, and so has what the root mixes.
-                Some(root) => array::from_fn(|i| (0..N).map(|j| root[i][j] * own[j]).sum()),
+                None => independent,
+                // Normal distributions have one standard deviation for a tolerance of 1, and so has
+                // what the root mixes.
+                Some(root) => array::from_fn(|i| (0..N).map(|j| root[i][j] * independent[j]).sum()),
             };
             let value =
                 |i: usize| self.nominal[i] + (self.middles[i] + self.tolerances[i] * deviations[i]);

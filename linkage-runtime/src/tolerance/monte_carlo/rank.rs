@@ -1,10 +1,10 @@
-//! Which order statistics enclose a quantile.
+//! Order statistics that enclose a quantile.
 
-/// Ranks, from 1, of two of `count` ordered samples that enclose the quantile of `part` with at least
-/// this confidence; 0 and `count + 1` where there are too few samples.
+/// Ranks, from 1, of two of `count` ordered samples that enclose the quantile of `part` with at
+/// least this confidence; 0 and `count + 1` where there are too few samples.
 ///
-/// The number of samples below the quantile is binomial. The quantile is below the sample of rank `r`
-/// if fewer than `r` samples are below it.
+/// The number of samples below the quantile is binomial. The quantile is below the sample of rank
+/// `r` if fewer than `r` samples are below it.
 pub(super) fn ranks(count: usize, part: f64, confidence: f64) -> [usize; 2] {
     let outside = 0.5 * (1.0 - confidence);
     let weights = Weights::new(count, part);
@@ -36,7 +36,8 @@ struct Weights {
 }
 
 impl Weights {
-    /// By the ratio of neighbours, from the most probable number to both sides, normalised at the end.
+    /// Computes the probabilities by the ratio of neighbours, from the most probable number to both
+    /// sides, normalised at the end.
     fn new(count: usize, part: f64) -> Self {
         const NEGLIGIBLE: f64 = 1e-18;
         let odds = part / (1.0 - part);

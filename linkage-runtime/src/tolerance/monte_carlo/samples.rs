@@ -1,4 +1,4 @@
-//! What samples say.
+//! Statistics of samples.
 
 use alloc::vec::Vec;
 use core::{array, fmt};
@@ -6,9 +6,9 @@ use core::{array, fmt};
 use rayon::slice::ParallelSliceMut;
 
 use super::rank::ranks;
+use crate::format::rounded;
 use crate::tolerance::Distribution;
 use crate::tolerance::distribution::normal;
-use crate::words::rounded;
 
 /// The results of a study: `K` numbers for each mechanism.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,9 +33,9 @@ pub struct Estimate {
 /// A number over all mechanisms that could be assembled. Intervals are of 95 % confidence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Statistics {
-    /// How many mechanisms could be assembled.
+    /// The number of mechanisms that could be assembled.
     pub count: usize,
-    /// How many could not: their value is NaN.
+    /// The number of mechanisms that could not be assembled, whose value is NaN.
     pub missing: usize,
     /// The mean.
     pub mean: Estimate,
@@ -77,7 +77,7 @@ impl<const N: usize, const K: usize> Samples<N, K> {
         &self.distributions
     }
 
-    /// How many mechanisms have no value in any of the numbers: they could not be assembled.
+    /// The number of mechanisms without a value in any of the numbers: they could not be assembled.
     #[must_use]
     pub fn missing(&self) -> usize {
         let count = self.columns.first().map_or(0, Vec::len);
@@ -120,12 +120,12 @@ impl<const N: usize, const K: usize> Samples<N, K> {
         }
     }
 
-    /// The value below which this part of the mechanisms lies, 0.95 for the 95th percentile, with an
-    /// interval of this confidence.
+    /// The value below which this part of the mechanisms is, 0.95 for the 95th percentile, with
+    /// an interval of this confidence.
     ///
-    /// The ends of the interval are order statistics, chosen by the binomial distribution, and valid
-    /// for any distribution of the values. An end is infinite where there are too few samples for it.
-    /// NaN if no mechanism could be assembled or an argument is not between 0 and 1.
+    /// The ends of the interval are order statistics, chosen by the binomial distribution, and
+    /// valid for any distribution of the values. An end is infinite where there are too few samples
+    /// for it. NaN if no mechanism could be assembled or an argument is not between 0 and 1.
     #[must_use]
     pub fn percentile(&self, k: usize, part: f64, confidence: f64) -> Estimate {
         let sorted = &self.sorted[k];
@@ -137,11 +137,11 @@ impl<const N: usize, const K: usize> Samples<N, K> {
                 high: f64::NAN,
             };
         }
-        let place = part * (sorted.len() - 1) as f64;
-        let (below, above) = (place.floor() as usize, place.ceil() as usize);
-        let rest = place - place.floor();
+        let rank = part * (sorted.len() - 1) as f64;
+        let (below, above) = (rank.floor() as usize, rank.ceil() as usize);
+        let rest = rank - rank.floor();
         let [low, high] = ranks(sorted.len(), part, confidence);
-        // Ranks count from 1; 0 and one more than there are samples stand for no limit.
+        // Ranks count from 1; 0 and one more than there are samples mean no limit.
         let limit = |rank: usize, beyond: f64| {
             let index = rank.checked_sub(1);
             index
@@ -156,7 +156,7 @@ impl<const N: usize, const K: usize> Samples<N, K> {
         }
     }
 
-    /// The part of all mechanisms, also of those that could not be assembled, whose number `k` lies
+    /// The part of all mechanisms, also of those that could not be assembled, whose number `k` is
     /// between two limits, with the score interval of this confidence.
     #[must_use]
     pub fn part_within(&self, k: usize, low: f64, high: f64, confidence: f64) -> Estimate {
@@ -182,7 +182,7 @@ impl<const N: usize, const K: usize> Samples<N, K> {
     }
 }
 
-/// As in `17.5 (17.4 to 17.6)`.
+/// A text such as `17.5 (17.4 to 17.6)`.
 impl fmt::Display for Estimate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [value, low, high] = [self.value, self.low, self.high].map(rounded);

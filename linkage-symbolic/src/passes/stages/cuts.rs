@@ -1,18 +1,22 @@
-//! Where stages end: what the loops and their memory cost together is least.
+//! The ends of stages, for the least cost of loops and memory together.
 
 use crate::program::{Instruction, Program};
 
-/// Operations that a stage may have without cost, about what a processor looks ahead for two positions.
+/// Operations that a stage may have without cost, about the window of a processor for two
+/// positions.
 const SIZE: usize = 64;
 
-/// What a store or a load of what another stage needs or has made costs, and what a loop costs, in operations.
+/// Costs in operations: of a store or a load of a value that stages pass on, and of a loop.
 const ACCESS: usize = 1;
 const LOOP: usize = 8;
 
-/// The ends of the stages, the cheapest that there are. What is free stands first in `program`.
+/// Returns the ends of the cheapest stages. Free instructions are first in `program`.
 pub(super) fn ends(program: &Program, last_uses: &[usize]) -> Vec<usize> {
     let count = program.instructions.len();
-    let free = program.instructions.iter().take_while(|own| own.is_free());
+    let free = program
+        .instructions
+        .iter()
+        .take_while(|instruction| instruction.is_free());
     let free = free.count();
     // The least cost of stages up to each instruction, and where the last of them starts.
     let mut best: Vec<(usize, usize)> = vec![(0, 0)];
@@ -48,22 +52,22 @@ pub(super) fn ends(program: &Program, last_uses: &[usize]) -> Vec<usize> {
     ends
 }
 
-/// What a stage that ends before `end` has to do, while its begin moves to the front.
+/// The cost of a stage that ends before `end`, while its begin moves to the front.
 struct Last<'a> {
     last_uses: &'a [usize],
     end: usize,
-    /// Of the program.
+    /// All operations of the program.
     operations: Vec<Operation>,
     size: usize,
-    /// For which end each value was last found among what a stage uses.
+    /// The end for which each value was last found among the used values of a stage.
     used: Vec<usize>,
-    /// How many values it needs of stages before.
+    /// The number of values from stages before.
     taken: usize,
-    /// How many of its values later stages need.
+    /// The number of its values that later stages need.
     kept: usize,
 }
 
-/// What an instruction is to stages.
+/// An instruction, as stages count it.
 struct Operation {
     size: usize,
     /// Operands that are not free.
@@ -118,7 +122,7 @@ impl<'a> Last<'a> {
     }
 }
 
-/// Whether a cut before `place` would separate a result from what computes it.
+/// Returns true if a cut before `place` would separate the two results of an instruction.
 fn splits_pair(program: &Program, place: usize) -> bool {
     matches!(
         program.instructions.get(place),

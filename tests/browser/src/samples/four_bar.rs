@@ -280,7 +280,9 @@ pub fn four_bar(title: &str, mechanism: FourBar) -> Report {
         .table(&view)
         .speed(TAU * 10.0, 0.0)
         .trace("tracer")
-        .summary([SummaryRow::new("psi", "reference", mechanism.motion(1.0)[2], "rad").at(1.0)])
+        .summary([
+            SummaryRow::new("psi", "reference", mechanism.motion(1.0)[2], "rad").at_input(1.0),
+        ])
         .fact("made by", "a test with <b>letters</b> & signs </script>")
 }
 

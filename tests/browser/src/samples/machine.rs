@@ -1,8 +1,8 @@
 //! A machine of three parts on one shaft, two of which turn on one pivot.
 
-use linkage_runtime::cyclogram::{Band, Cyclogram, Organ};
+use linkage_runtime::cyclogram::{Band, Cyclogram, Member};
 use linkage_runtime::report::Report;
-use linkage_runtime::summary::Course;
+use linkage_runtime::summary::Curve;
 use linkage_runtime::{
     Drive, DriveOn, Guide, GuideOn, GuideShape, Heading, Input, Meaning, Picture, PictureColumns,
     PictureLink, PicturePart, PicturePoint, PointKind,
@@ -173,13 +173,13 @@ pub fn lift(shaft: f64) -> [f64; 3] {
 #[must_use]
 pub fn machine() -> Report {
     let positions = INPUT.positions(121);
-    let hook = Course::of((0.0, TAU), 120, lift).expect("a cycle");
-    let press = Course::of((0.0, TAU), 120, |shaft| lift(shaft - BEHIND + FRAC_PI_2));
+    let hook = Curve::new((0.0, TAU), 120, lift).expect("a cycle");
+    let press = Curve::new((0.0, TAU), 120, |shaft| lift(shaft - BEHIND + FRAC_PI_2));
     let press = press.expect("a cycle");
     let bands = [Band::Top(3.0), Band::Bottom(4.0)];
-    let hook = Organ::new("hook.needle", &hook, &bands).expect("two dwells");
-    let press = Organ::new("press", &press, &bands).expect("two dwells");
-    let cyclogram = Cyclogram::of([press.unit("mm"), hook.unit("mm")]).expect("one shaft");
+    let hook = Member::new("hook.needle", &hook, &bands).expect("two dwells");
+    let press = Member::new("press", &press, &bands).expect("two dwells");
+    let cyclogram = Cyclogram::new([press.unit("mm"), hook.unit("mm")]).expect("one shaft");
     Report::new("Machine", &INPUT, &positions)
         .about("Hook needle, eye needle and press on one shaft.")
         .table(&Sheet::new(&VIEW, &positions, row))

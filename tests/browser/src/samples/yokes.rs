@@ -1,9 +1,9 @@
 //! A machine without loops that computes on its page: two slider cranks on one shaft, with programs written by hand.
 
-use linkage_runtime::cyclogram::{Band, Cyclogram, Organ};
+use linkage_runtime::cyclogram::{Band, Cyclogram, Member};
 use linkage_runtime::javascript::Programs;
 use linkage_runtime::report::Report;
-use linkage_runtime::summary::Course;
+use linkage_runtime::summary::Curve;
 use linkage_runtime::{Column, Heading, Input, Meaning, Parameter};
 use std::f64::consts::TAU;
 
@@ -77,17 +77,17 @@ const PROGRAMS: Programs = Programs {
 /// If there is no cyclogram.
 #[must_use]
 pub fn yokes_cyclogram([crank, rod, lead]: [f64; 3]) -> Cyclogram {
-    let organ = |name: &str, lead: f64, sign: f64, bands: &[Band]| {
-        let course = Course::of((0.0, TAU), 120, |x| {
+    let member = |name: &str, lead: f64, sign: f64, bands: &[Band]| {
+        let course = Curve::new((0.0, TAU), 120, |x| {
             lift([crank, rod], x + lead).map(|y| sign * y)
         });
-        Organ::new(name, &course.expect("a cycle"), bands).expect("an organ")
+        Member::new(name, &course.expect("a cycle"), bands).expect("an organ")
     };
-    let sinker = Course::of((0.0, TAU), 120, |x: f64| [x.sin(), x.cos()]).expect("a cycle");
-    let sinker = Organ::new("sinker", &sinker, &[]).expect("an organ");
-    let hook = organ("hook", 0.0, 1.0, &[Band::Top(3.0), Band::Bottom(4.0)]);
-    let press = organ("press", lead, -1.0, &[Band::Between(-140.0, -120.0)]);
-    Cyclogram::of([hook, press, sinker]).expect("one shaft")
+    let sinker = Curve::new((0.0, TAU), 120, |x: f64| [x.sin(), x.cos()]).expect("a cycle");
+    let sinker = Member::new("sinker", &sinker, &[]).expect("an organ");
+    let hook = member("hook", 0.0, 1.0, &[Band::Top(3.0), Band::Bottom(4.0)]);
+    let press = member("press", lead, -1.0, &[Band::Between(-140.0, -120.0)]);
+    Cyclogram::new([hook, press, sinker]).expect("one shaft")
 }
 
 fn lift([crank, rod]: [f64; 2], angle: f64) -> [f64; 2] {

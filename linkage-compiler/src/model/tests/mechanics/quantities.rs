@@ -1,4 +1,4 @@
-//! Mistakes in what functions ask about forces.
+//! Messages about mistakes in quantities of forces.
 
 use super::super::{check, model};
 use super::PLANE;

@@ -1,7 +1,7 @@
 //! The unknowns of loops of the plane as joints and bodies.
 
 use crate::algebra::partial;
-use linkage_symbolic::{Ex, SymbolId, V2, Vector, agree};
+use linkage_symbolic::{Ex, SymbolId, V2, Vector, numerically_equal};
 
 use crate::solve::Solver;
 use crate::structure::Core;
@@ -130,7 +130,9 @@ fn shares_of<'m>(solver: &Solver<'_, 'm>, column: &Column<'m>) -> Option<(Ex<'m>
         v if same(v, nothing) => Some(zero),
         v if same(v, first) => Some(one),
         v if same(-v, first) => Some(-one),
-        v if agree(v[0] * first[1], v[1] * first[0]) => Some(v.dot(first) / first.square()),
+        v if numerically_equal(v[0] * first[1], v[1] * first[0]) => {
+            Some(v.dot(first) / first.square())
+        }
         _ => None,
     });
     let shares = shares.collect::<Option<Shares>>()?;
@@ -138,7 +140,7 @@ fn shares_of<'m>(solver: &Solver<'_, 'm>, column: &Column<'m>) -> Option<(Ex<'m>
 }
 
 fn same(v: V2<'_>, w: V2<'_>) -> bool {
-    agree(v[0], w[0]) && agree(v[1], w[1])
+    numerically_equal(v[0], w[0]) && numerically_equal(v[1], w[1])
 }
 
 /// Two lengths that are in the same loops are no guides: together they are a point that is free.
@@ -150,7 +152,7 @@ fn is_half_of_point(core: &[Core], shares: &[Option<(Ex<'_>, Shares<'_>)>], own:
         let mut pairs = places
             .clone()
             .flat_map(|j| places.clone().map(move |k| (j, k)));
-        pairs.all(|(j, k)| agree(a[j] * b[k], a[k] * b[j]))
+        pairs.all(|(j, k)| numerically_equal(a[j] * b[k], a[k] * b[j]))
     };
     let mut others = (0..core.len()).filter(|&other| other != own && is_length(other));
     is_length(own)

@@ -6,7 +6,7 @@
 
 use crate::solve::iterated::largest;
 use crate::solve::iterated::largest::parts;
-use linkage_symbolic::{Ex, V2, Vector, agree};
+use linkage_symbolic::{Ex, V2, Vector, numerically_equal};
 
 use crate::solve::Solver;
 
@@ -82,7 +82,11 @@ where
         let shares = sums.iter().map(|sum| {
             let products = sum.iter().zip(joint).map(|(&a, &b)| a * b);
             let share = products.fold(zero, |sum, x| sum + x);
-            if agree(share, zero) { zero } else { share }
+            if numerically_equal(share, zero) {
+                zero
+            } else {
+                share
+            }
         });
         let mut shares: Vec<Ex> = shares.collect();
         let pivot = shares.iter().position(|share| !share.is_zero())?;

@@ -18,7 +18,7 @@ function frontPlot(first, second) {
     const drawing = axes(width, SIDE, [wish(x, xUnit), xUnit, ends(x.values)], [yUnit, ends(y.values)]);
     const whole = [...data.designs.keys()].filter((index) => x.values[index] !== null && y.values[index] !== null);
     const at = (index) => [drawing.toX(x.values[index]), drawing.toY(y.values[index])];
-    // Of three wishes the best are a surface, and no line.
+    // The best of three wishes are a surface, and no line.
     const along = whole.filter((index) => best[index]).sort((a, b) => x.values[a] - x.values[b]);
     const way = data.front.aims.length === 2 ? [shape("path", { class: "best", d: lineThrough(along.map(at)) })] : [];
     const points = whole.map((index) => point(index, at(index), `${x.name} ${short(x.values[index])} ${xUnit}, ${y.name} ${short(y.values[index])} ${yUnit}`, width));

@@ -2,7 +2,7 @@
 
 const HEIGHT = 190;
 const ROOM = { left: 58, right: 12, top: 6, bottom: 34 };
-// As a part of the height or width: what lies at the edge is seen whole.
+// Margins as a part of the height or width, so that points at the edge are seen whole.
 const AIR = 0.05;
 
 function ends(values) {
@@ -13,7 +13,8 @@ function ends(values) {
   return [low - air, high + air];
 }
 
-// Axes for two quantities in a box so wide, each with its title, unit and ends: screen places of numbers, and what stays still.
+// Axes for two quantities in a box of this width, each with its title, unit and ends: screen places
+// of numbers, and the fixed nodes.
 function axes(width, height, [xTitle, xUnit, xs], [yUnit, ys]) {
   const [w, h] = [Math.max(1, width - ROOM.left - ROOM.right), height - ROOM.top - ROOM.bottom];
   const toX = (x) => ROOM.left + (w * (x - xs[0])) / (xs[1] - xs[0]);

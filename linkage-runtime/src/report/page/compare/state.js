@@ -1,4 +1,4 @@
-// What is compared, which designs are shown, and where the mechanisms stand.
+// The compared designs, the choice of those that are shown, and their position.
 
 const data = JSON.parse(byId("comparison").textContent);
 const CURVES = 7;
@@ -25,7 +25,7 @@ function stand(row) {
   changed();
 }
 
-// In the order of the page, so that the first one stays what others are compared with.
+// In the order of the page, so that the others are still compared with the first one.
 function shown() {
   return [...state.shown].sort((a, b) => a - b);
 }

@@ -1,15 +1,16 @@
-// Figures and dimensions, a column for each design that is shown; the first of them is what others are compared with.
+// Figures and dimensions, a column for each design that is shown. The others are compared with the
+// first one.
 
 function part(value, first) {
   if (value === null || first === null || value === first) return [];
   const change = (100 * (value - first)) / Math.abs(first);
-  // Of nothing there is no part.
+  // Zero has no parts.
   if (!Number.isFinite(change)) return [];
   const words = Math.abs(change) < 0.005 ? "0" : rounded(change, 3).toString();
   return [element("small", {}, `${change > 0 ? "+" : ""}${words} %`)];
 }
 
-// What is less than this part of the largest of its row is the rounding of nothing.
+// A number below this part of the largest of its row is the rounding of zero.
 const NOTHING = 1e-13;
 
 function settled(values) {
@@ -32,7 +33,7 @@ function table(caption, rows) {
   return element("div", { class: "scroll" }, element("table", {}, title, element("thead", {}, element("tr", {}, element("th", {}, ""), ...head)), element("tbody", {}, ...body)));
 }
 
-// What the curves are at this position.
+// Values of the curves at this position.
 function here() {
   return data.curves.map(({ name, unit }, number) => ({ name, unit, values: data.designs.map((design) => design.curves[number][state.row]) }));
 }

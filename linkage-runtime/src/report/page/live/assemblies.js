@@ -5,7 +5,8 @@ const MOST_MODES = 6;
 // Two assemblies of one mechanism differ by more than this in the numbers of their states.
 const SAME_STATE = 1e-4;
 
-// Of the first programs, as everywhere where modes are: all assemblies that close with these dimensions, the modes of the report first.
+// Assemblies of the first programs, as everywhere where modes are: all that close with these
+// dimensions, the modes of the report first.
 function assembliesNow() {
   const [unit] = engine.programs;
   const values = valuesOf(unit, live.dimensions);
@@ -51,13 +52,14 @@ function assemblyText({ modes, states }, all) {
 function assemblyChoice() {
   const select = element("select", { id: "assembly", "aria-label": "Assembly" });
   select.addEventListener("change", () => choose(choices.all[Number(select.value)]));
-  // Which ones there are is asked when somebody wants to choose.
+  // The list is computed when somebody wants to choose.
   for (const event of ["pointerdown", "focus"]) select.addEventListener(event, () => searchAssemblies(select));
   fillAssemblies(select, [assemblyNow()]);
   return element("label", { class: "choices" }, "Assembly ", select);
 }
 
-// What the list has, for which assemblies it was searched (null where it was not), and how many choices were made.
+// The content of the list, the dimensions for which it was searched (null where it was not), and
+// the number of choices.
 const choices = { all: [], of: null, made: 0 };
 
 // A press brings the focus, too: one search is enough.

@@ -1,6 +1,6 @@
 // Sliders and numbers for dimensions and other inputs, and the buttons beside them.
 
-// What a slider reaches on both sides: a part of the dimension, for angles so many radians.
+// The range of a slider on both sides: a part of the dimension, for angles so many radians.
 const REACH = { part: 0.5, angle: Math.PI / 2 };
 
 const controls = { rows: new Map() };
@@ -117,7 +117,7 @@ function showControls() {
     // Rounding takes longer than all the rest.
     if (row.exact !== valueNow(name)) Object.assign(row, { exact: valueNow(name), value: row.shown(valueNow(name)) });
     const { value } = row;
-    // What is typed stays as it is written.
+    // Typed text stays as it is written.
     const stays = document.activeElement === field ? field.value !== "" && Number(field.value) === value : field.value === String(value);
     if (!stays) field.value = value;
     if (value < Number(slider.min)) slider.min = value;

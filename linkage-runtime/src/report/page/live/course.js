@@ -21,7 +21,7 @@ function courseOf(quantity) {
   return value === null || rate === null ? null : courseThrough(value, rate);
 }
 
-// Of a number and its derivative; null over a range without width.
+// The course of a number and its derivative; null over a range without width.
 function courseThrough(value, rate) {
   const [low, high] = [input.values[0], input.values.at(-1)];
   const width = high - low;
@@ -65,7 +65,7 @@ function noiseOf(numbers, rates, width) {
   return ROUNDING * (sizes[sizes.length >> 1] ?? 0);
 }
 
-// Where the quantity turns, within the range: `sign` is 1 where it is highest.
+// Turning points of the quantity within the range: `sign` is 1 where it is highest.
 function limitsOf(course, all, noise) {
   const limits = [];
   // The last row of a cycle is its first one.
@@ -99,7 +99,8 @@ function lastWhere(holds, from, to) {
   return from;
 }
 
-// How the input of a cycle is divided between both strokes; null unless there is one highest and one lowest place, to which the quantity returns.
+// The shares of both strokes in the input of a cycle; null unless there is one highest and one
+// lowest place, to which the quantity returns.
 function timesOf(course) {
   const [highs, lows] = [1, -1].map((sign) => course.limits.filter((limit) => limit.sign === sign));
   if (!course.isCycle || course.advance !== 0 || course.hasGaps || highs.length !== 1 || lows.length !== 1) return null;

@@ -1,10 +1,11 @@
 // The cyclogram with the present dimensions. Where an organ's limits and the bounds of its bands are is looked for between rows with the programs: turns
 // are roots of the derivative, bounds those of the quantity, both halved until only its rounding is left.
 
-// A column is what an organ was made of if it has the value of each of its events, up to this part of its stroke.
+// A column is the source of an organ if it has the value of each of its events, up to this part of
+// its stroke.
 const SAME_VALUE = 1e-9;
 
-// The report's cyclogram, and for each of its organs what its quantity may be.
+// The report's cyclogram, and the possible quantities of each of its organs.
 const organs = { declared: report.cyclogram, sources: [] };
 
 live.starts.push(() => {
@@ -41,7 +42,8 @@ function cyclogramNow() {
   return { ...organs.declared, organs: all, order: order.map((moment, k) => ({ ...moment, after: after(k), follows: follows(k) })), overlaps: overlapsNow(all) };
 }
 
-// As it is now; without events and with the reason in `why` where it has no cycle. One whose quantity is not known `stands` as in the report.
+// The current organ; without events and with the reason in `why` where it has no cycle. One whose
+// quantity is not known `stands` as in the report.
 function organNow(organ, [source, ...others]) {
   if (source === undefined) return { ...organ, stands: "no table that is computed here has its quantity and the derivative of that" };
   const course = courseThrough(...[source.value, source.rate].map((index) => sourceNow(source, index)));
@@ -79,7 +81,8 @@ function mistakeOfBands(bounds, bands, lowest, highest) {
   return null;
 }
 
-// Where the quantity turns or passes a level, in order, from the first row over a whole cycle.
+// The places where the quantity turns or passes a level, in order, from the first row over a whole
+// cycle.
 function marksOf(course, heights, levels) {
   const rows = course.numbers.slice(0, -1).map((value, row) => ({ u: input.values[row], value, turns: false }));
   const turns = course.limits.map(({ u }, k) => ({ u, value: heights[k], turns: true }));
@@ -97,7 +100,7 @@ function marksOf(course, heights, levels) {
   return marks;
 }
 
-// What is done between marks, and the events where that changes.
+// Motions between marks, and the events where they change.
 function motionsOf(marks, bounds) {
   const motion = ({ value: a }, { value: b }) => {
     const middle = a + (b - a) / 2;

@@ -1,4 +1,5 @@
-// What follows from the tables: true velocities and accelerations, bands, the table of accuracy, gaps.
+// Data derived from the tables: true velocities and accelerations, bands, the table of accuracy,
+// gaps.
 
 function columnOf(table, fits) {
   return report.tables.find((own) => own.function === table)?.columns.find(fits);
@@ -43,12 +44,12 @@ function effectsOn(table, quantity) {
   return effects.get(key);
 }
 
-// What a sensitivity is one of: the quantity, otherwise its own name without the dimension.
+// The quantity of a sensitivity, otherwise its own name without the dimension.
 function quantityOf(column) {
   return column.of ?? column.name.replace(/\[[^\]]*\]([^[]*)$/, "$1");
 }
 
-// How the effects of a row add up; NaN where one is missing.
+// The sum of the effects of a row; NaN where one is missing.
 const SUMS = {
   "worst case": (own, row) => own.reduce((sum, effect) => sum + Math.abs(effectAt(effect, row)), 0),
   statistical: (own, row) => Math.sqrt(own.reduce((sum, effect) => sum + effectAt(effect, row) ** 2, 0)),
@@ -68,7 +69,7 @@ function fillBands() {
   }
 }
 
-// Where the error of a quantity is largest.
+// The row with the largest error of a quantity.
 function accuracyNow(before) {
   const has = ({ columns: all }) => all.some((column) => column.meaning === "sensitivity" && quantityOf(column) === before.quantity);
   const own = effectsOn(report.tables.find(has).function, before.quantity);

@@ -70,13 +70,13 @@ function endSign(stops, k) {
   return Math.sign(stops[k].value - beside.value);
 }
 
-// As far as the quantity stays in the band that the limit closes.
+// The interval in which the quantity stays in the band that the limit closes.
 function aroundLimit(course, stops, { u, value, sign }, band) {
   const bounds = sign > 0 ? [value - band, value] : [value, value + band];
   return [-1, 1].map((way) => leaves(course, stops, u, way, bounds));
 }
 
-// Where the quantity leaves the bounds on the way from `u`.
+// The place where the quantity leaves the bounds in one direction from `u`.
 function leaves(course, stops, u, way, [low, high]) {
   const slack = SLACK * Math.max(Math.abs(low), Math.abs(high));
   const isIn = (value) => value >= low - slack && value <= high + slack;
@@ -133,13 +133,10 @@ function throughBand(course, stops, { first, last }, band) {
     const value = course.at(start);
     return leaves(course, stops, start, 1, rises ? [value, value + band] : [value - band, value]);
   };
-  let [a, b] = [stops[Math.max(0, first - 1)].u, stops[Math.min(stops.length - 1, first + 1)].u];
-  for (let k = 0; k < SECTIONS; k += 1) {
-    const [left, right] = [a + GOLDEN * (b - a), b - GOLDEN * (b - a)];
-    if (endFrom(left) - left > endFrom(right) - right) b = right;
-    else a = left;
-  }
-  return [a, endFrom(a)];
+  const length = (start) => endFrom(start) - start;
+  const [low, high] = [stops[Math.max(0, first - 1)].u, stops[Math.min(stops.length - 1, first + 1)].u];
+  const [start] = goldenSections(low, high, (a, b) => length(a) > length(b));
+  return [start, endFrom(start)];
 }
 
 function dwellOf(course, stops, [from, to]) {

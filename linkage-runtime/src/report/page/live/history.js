@@ -1,6 +1,6 @@
-// Undo and redo: what dimensions, arguments and the assembly were.
+// Undo and redo: earlier dimensions, arguments and assemblies.
 
-// So many steps are kept.
+// The number of steps that are kept.
 const MOST_STEPS = 100;
 
 const past = { steps: [], next: [], last: null };
@@ -44,7 +44,7 @@ function redo() {
   goBack(past.next, past.steps);
 }
 
-// As the report has it.
+// The state of the report.
 function resetAll() {
   backToReport();
   tell(change(new Map()));

@@ -1,4 +1,4 @@
-// What was changed, as the address of the page says it and as people copy it.
+// The changes in the address of the page, and as text to copy.
 
 // No dimension is called so: names have no spaces.
 const MODES = "assembly modes";
@@ -34,7 +34,8 @@ function addressNow() {
   return location.href;
 }
 
-// The report with what an address says; names that there are not, what is no number, and assemblies that do not close are told.
+// Applies an address to the report. Unknown names, invalid numbers, and assemblies that do not
+// close are reported.
 function readLink(hash) {
   const parts = hash.slice(1).split("&").filter((part) => part !== "");
   const wrong = [];
@@ -94,7 +95,7 @@ function notUnderstood(wrong) {
   return `The address says what this mechanism does not have: ${wrong.join(", ")}`;
 }
 
-// As Rust: the fields that differ from the declaration.
+// The changes as Rust: the fields that differ from the declaration.
 function asRust() {
   const { name, dimensions } = engine.programs[0];
   const fields = new Map();
@@ -128,7 +129,7 @@ function changedFromDeclaration() {
   return own.map(({ name }) => name);
 }
 
-// As the command's `--set` takes it.
+// The changes as options `--set` of the command.
 function asText() {
   return changedOnes().map(([name, value]) => `${name}=${value}${unitOfName(name)}`).join("\n");
 }

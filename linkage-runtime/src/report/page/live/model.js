@@ -1,4 +1,5 @@
-// The mechanism with other dimensions: what the tables of the report are then. The engine computes, this puts it where everything else reads it.
+// The tables of the report for other dimensions. The engine computes, and this puts the numbers
+// where everything else reads them.
 
 const live = {
   // Dimensions by name: of the report, and as they are now.
@@ -6,7 +7,7 @@ const live = {
   dimensions: new Map(report.dimensions.map(({ name, value }) => [name, value])),
   // Arguments beside the input, by name.
   given: new Map(Object.entries(report.live.given)),
-  // Of the first programs: as they are now, and of the report.
+  // Modes of the first programs: the current ones, and those of the report.
   modes: report.live.modes,
   firstModes: report.live.modes,
   // 0 for the report's solution of groups without a closed form; another number for each choice of another one.
@@ -23,7 +24,7 @@ const live = {
   changePoints: null,
   numbers: new Map(allNumbers().map((numbers) => [numbers, [...numbers]])),
   listeners: [],
-  // What begins with the numbers of the report, of what not every page has.
+  // Functions that begin with the numbers of the report, of parts that not every page has.
   starts: [],
 };
 
@@ -36,7 +37,7 @@ function onChange(listener) {
   live.listeners.push(listener);
 }
 
-// Of a dimension or an argument: as it is now, and in the report.
+// A dimension or an argument: its current value, and that of the report.
 function valueNow(name) {
   return live.dimensions.get(name) ?? live.given.get(name);
 }
@@ -59,7 +60,8 @@ function isChanged() {
   return changedOnes().length > 0 || areOtherModes() || live.choice !== 0;
 }
 
-// Numbers are changed where they stand: each column needs its own. What the picture shows are the columns of its table.
+// Numbers are changed in place: each column needs its own. The picture shows the columns of its
+// table.
 function ownNumbers() {
   for (const { columns } of report.tables) {
     for (const column of columns) column.values = [...column.values];
@@ -75,7 +77,8 @@ function ownNumbers() {
   });
 }
 
-// Which function of which programs gives a table, and where its arguments come from. `why` says what is missing.
+// The function and the programs that give a table, and the sources of its arguments. `why` has the
+// reason if something is missing.
 function bind(table) {
   for (const [number, unit] of engine.programs.entries()) {
     const fn = unit.functions.find((own) => own.name === table.function && namesAreThose(own.columns, table.columns));
@@ -92,12 +95,13 @@ function namesAreThose(own, others) {
   return own.length === others.length && own.every(({ name }, k) => name === others[k].name);
 }
 
-// The numbers of a mechanism's dimensions; what the report does not have is as declared.
+// The numbers of a mechanism's dimensions; dimensions that the report does not have are as
+// declared.
 function valuesOf(unit, dimensions) {
   return unit.dimensions.map(({ name, value }) => dimensions.get(name) ?? value);
 }
 
-// Assemblies with these dimensions; throws what the engine throws.
+// Assemblies with these dimensions; throws the errors of the engine.
 function assembledWith(dimensions, before) {
   return engine.programs.map((unit, number) => {
     const values = valuesOf(unit, dimensions);
@@ -140,7 +144,7 @@ function take(dimensions, assemblies) {
   live.assemblies = assemblies;
 }
 
-// Where each design begins that an address says: it is the same whatever was shown before.
+// The start of each design of an address: it is the same whatever was shown before.
 function backToReport() {
   live.given = new Map(live.stands);
   live.modes = live.firstModes;

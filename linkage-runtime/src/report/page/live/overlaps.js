@@ -1,4 +1,4 @@
-// What two organs do at once with the present dimensions.
+// Simultaneous motions of two organs with the present dimensions.
 
 function overlapsNow(all) {
   return all.flatMap((first, one) => all.slice(one + 1).flatMap((second, k) => {
@@ -16,7 +16,7 @@ function commonOf(a, b) {
   return [-width, 0, width].flatMap((turn) => {
     const from = Math.max(a.from, b.from + turn);
     const to = Math.min(a.from + a.range, b.from + b.range + turn);
-    // What begins at the end of the range begins the next cycle.
+    // A motion that begins at the end of the range begins the next cycle.
     return to > from ? [{ from: from >= high ? from - width : Math.max(from, low), to: to > high ? to - width : to, range: to - from }] : [];
   });
 }

@@ -1,6 +1,7 @@
 // Pivots and lengths of bars, pulled in the drawing: which dimension they are is asked of the programs.
 
-// Dimensions are changed by this part of the largest one to see what they move; what moves as far counts as the dimension itself within the second.
+// Dimensions are changed by this part of the largest one to see their effect; a point that moves as
+// far counts as the dimension itself within the second.
 const TRIAL = 1e-6;
 const LIKE = 1e-4;
 
@@ -45,7 +46,8 @@ function motions(row) {
   return all.filter((own) => own !== null);
 }
 
-// What pulling at a pivot changes: dimensions that move it along one axis each, as far as they grow.
+// The dimensions that pulling at a pivot changes: those that move it along one axis each, in the
+// sense of their growth.
 function pivotChange(index, row) {
   const found = [];
   for (const { name, places } of motions(row)) {
@@ -58,7 +60,7 @@ function pivotChange(index, row) {
   return (moved) => new Map(found.map(({ name, axis, sign, from }) => [name, from + sign * moved[axis]]));
 }
 
-// What pulling at a bar changes: the one dimension that is its length.
+// The dimension that pulling at a bar changes: the one that is its length.
 function lengthChange(link, row) {
   const [a, b] = link.points;
   const growth = ({ places, here }) => {
@@ -72,7 +74,7 @@ function lengthChange(link, row) {
   const from = live.dimensions.get(name);
   const along = minus(here[b], here[a]);
   const length = Math.hypot(...along);
-  // From the middle of the bar outwards on both sides.
+  // Outwards from the middle of the bar on both sides.
   return (moved, pressed) => {
     const middle = here[a].map((x, k) => (x + here[b][k]) / 2);
     const side = dot(minus(pressed, middle), along) < 0 ? -1 : 1;

@@ -1,12 +1,10 @@
 // Change points in the range of the input: rows have values on both sides, and the mechanism may go on in another assembly.
 
 // The criterion of the compiler for a slack that only touches zero, at samples of a degree or two and at dips between them.
-const DEAD = 2e-12;
-const END = 1e-9;
-const AT_END = 1e-6;
+const DEAD = CORE.DEAD;
+const END = CORE.END;
+const AT_END = CORE.AT_END;
 const SAMPLES = 256;
-const DIP_SHARE = 0.618;
-const DIP_SECTIONS = 50;
 
 // A sentence for each group that has some; null where there is none.
 function changePointWords() {
@@ -21,7 +19,7 @@ function changePointWords() {
   return told.length === 0 ? null : told.join(" ");
 }
 
-// Where a slack touches zero in the rows' range.
+// The places in the rows' range where a slack touches zero.
 function touches(number, group) {
   const own = live.assemblies[number];
   const out = new Float64Array(own.unit.groups.length);
@@ -39,18 +37,10 @@ function touches(number, group) {
   const places = all.flatMap((here, k) => {
     const [before, after] = [all[Math.max(k - 1, 0)], all[Math.min(k + 1, SAMPLES)]];
     if (!(before >= here && after >= here && before + after > 2 * here && here > -dead)) return [];
-    const place = lowest(slack, at(k - 1), at(k + 1));
+    const [from, to] = goldenSections(at(k - 1), at(k + 1), (a, b) => slack(a) <= slack(b));
+    const place = (from + to) / 2;
     if (!(Math.abs(slack(Math.min(Math.max(place, low + inside), high - inside))) < dead)) return [];
     return [[low, high].find((end) => Math.abs(place - end) < AT_END * (high - low)) ?? place];
   });
   return places.filter((place, k) => k === 0 || place - places[k - 1] > (high - low) / SAMPLES);
-}
-
-function lowest(depth, low, high) {
-  for (let k = 0; k < DIP_SECTIONS; k += 1) {
-    const [left, right] = [high - DIP_SHARE * (high - low), low + DIP_SHARE * (high - low)];
-    if (depth(left) <= depth(right)) high = right;
-    else low = left;
-  }
-  return (low + high) / 2;
 }

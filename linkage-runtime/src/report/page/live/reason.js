@@ -3,9 +3,9 @@
 // Lengths are tried with this part of the largest one more. A length is only blamed if as much as is said of it closes the group.
 const BLAMED_STEP = 1e-6;
 const BLAMED_MORE = 1.001;
-// So many lengths are named.
+// The number of lengths that are named.
 const MOST_BLAMED = 2;
-// What hardly moves the gap is not what is wrong.
+// A length that hardly moves the gap is not the cause.
 const LEAST_SLOPE = 0.2;
 
 // Null where no group is known to be the reason, as at a dead point where only rates have no value.
@@ -55,7 +55,8 @@ function groupWords({ kind, unknowns, loops }) {
   return `the ${kind} group of ${unknowns.join(", ")} (loop ${loops.join(", ")})`;
 }
 
-// Lengths by whose change the group would just close, what was changed before all others, then the smallest changes.
+// Lengths with whose change the group would just close: changed ones before all others, then the
+// smallest changes.
 function lengthsToBlame(own, group, x, miss) {
   const { unit } = own;
   const { dimensions, unit: measure } = unit.groups[group];
@@ -80,7 +81,8 @@ function lengthsToBlame(own, group, x, miss) {
   return (changed.length > 0 ? changed : found).sort((a, b) => Math.abs(a.by) - Math.abs(b.by)).slice(0, MOST_BLAMED);
 }
 
-// By how much groups miss closing with other dimensions, whether these close at the reference or not; nothing is followed.
+// Closure errors of groups with other dimensions, whether these close at the reference or not;
+// nothing is followed.
 function gapsWith(own, dimensions, x) {
   const other = { ...own, dimensions, prepared: new Float64Array(own.unit.slots) };
   own.unit.prepare(other, other.prepared);

@@ -1,16 +1,17 @@
-// What a page saves whose mechanism was changed: its own data, in files that say so.
+// The saved data of a changed mechanism, in files that name the changes.
 
 function startSaving() {
   saved.json = () => (isChanged() ? JSON.stringify(dataNow()) : source);
   saved.name = (name) => (isChanged() && !staysAsItWas(name) ? name.replace(/(\.[^.]+)$/, "_changed$1") : name);
 }
 
-// Of a table that nothing computes here the report's numbers are saved.
+// Tables that nothing computes here are saved with the report's numbers.
 function staysAsItWas(file) {
   return live.tables.some(({ table, why }) => why !== null && file === `${table.function}.csv`);
 }
 
-// As `data.json`, without references between columns; `changed` has what is not as in the report, `stands` is true where nothing computes.
+// The same data as in `data.json`, without references between columns; `changed` has the
+// differences from the report, `stands` is true where nothing computes.
 function dataNow() {
   // These words are the page's own.
   const { reason, changePoints, ...data } = report;

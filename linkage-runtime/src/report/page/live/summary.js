@@ -36,15 +36,23 @@ function extremeOf(own, sign, fold) {
   });
   if (best === null) return null;
   let at = input.values[best];
-  let [low, high] = [input.values[Math.max(0, best - 1)], input.values[Math.min(rowCount - 1, best + 1)]];
-  for (let k = 0; k < SECTIONS; k += 1) {
-    const [a, b] = [low + GOLDEN * (high - low), high - GOLDEN * (high - low)];
+  const [low, high] = [input.values[Math.max(0, best - 1)], input.values[Math.min(rowCount - 1, best + 1)]];
+  goldenSections(low, high, (a, b) => {
     const [left, right] = [height(own.at(a)), height(own.at(b))];
     for (const [x, value] of [[a, left], [b, right]]) if (value > most) [at, most] = [x, value];
-    if (left > right || Number.isNaN(right)) high = b;
+    return left > right || Number.isNaN(right);
+  });
+  return { at, value: sign * most };
+}
+
+// The interval that golden sections end at; `isLeft` decides which of two places is nearer to the extreme.
+function goldenSections(low, high, isLeft) {
+  for (let k = 0; k < SECTIONS; k += 1) {
+    const [a, b] = [low + GOLDEN * (high - low), high - GOLDEN * (high - low)];
+    if (isLeft(a, b)) high = b;
     else low = a;
   }
-  return { at, value: sign * most };
+  return [low, high];
 }
 
 // Extremes with the present dimensions: strokes and true velocities need those that other rows have, too.

@@ -1,0 +1,84 @@
+//! Centres and windings of continuous angles.
+
+use linkage_runtime::AssemblyMode;
+use linkage_runtime::support::{InitialState, pairs, wind_one};
+
+use super::numbers::{Numbers, States};
+use super::operations::{by_build, by_machine};
+use super::revolutions::Revolutions;
+use crate::mechanism::Mechanism;
+
+/// A mechanism in some modes, whose angles are to be followed.
+#[derive(Clone, Copy)]
+pub(super) struct Winding<'a> {
+    pub(super) mechanism: &'a Mechanism,
+    pub(super) dimensions: &'a [f64],
+    pub(super) modes: &'a [AssemblyMode],
+    pub(super) starts: &'a [InitialState],
+}
+
+impl Winding<'_> {
+    /// The revolutions of the first `count` angles, from the reference or, where it does not
+    /// assemble there, from `at`; or the name of the first one that cannot be followed.
+    pub(super) fn wind(self, count: usize, at: &[f64]) -> Result<Revolutions, &'static str> {
+        let reference = self.mechanism.reference();
+        match self.wind_from(count, &reference) {
+            Err(_) if at != reference => self.wind_from(count, at),
+            result => result,
+        }
+    }
+
+    fn wind_from(self, count: usize, start: &[f64]) -> Result<Revolutions, &'static str> {
+        let unit = &self.mechanism.unit;
+        let mut revolutions = Revolutions::at_estimates(self.mechanism);
+        let bearings = by_build(&unit.bearings, |source| {
+            self.numbers(&revolutions, &[], start, &[]).load(source)
+        });
+        let bearings = pairs(&bearings);
+        let mut phases = &bearings[..];
+        for (index, angle) in self.mechanism.angles.iter().enumerate().take(count) {
+            let (angle_phases, rest) = phases.split_at(angle.phases.len());
+            phases = rest;
+            let prepared = self.prepare(&revolutions);
+            let direction = |x: &Vec<f64>| {
+                let states = States {
+                    mechanism: self.mechanism,
+                    starts: self.starts,
+                    inputs: x,
+                };
+                let states = states.by_build();
+                let numbers = self.numbers(&revolutions, &prepared, x, &states);
+                let all = by_build(&unit.directions, |source| numbers.load(source));
+                [all[2 * index], all[2 * index + 1]]
+            };
+            let found = wind_one(angle, angle_phases, &start.to_vec(), direction);
+            let (centre, windings) = found.ok_or(angle.unknown)?;
+            revolutions.centres[index] = centre;
+            revolutions.windings[index] = windings;
+        }
+        Ok(revolutions)
+    }
+
+    /// All prepared slots.
+    pub(super) fn prepare(self, revolutions: &Revolutions) -> Vec<f64> {
+        let numbers = self.numbers(revolutions, &[], &[], &[]);
+        by_machine(&self.mechanism.unit.prepare, |source| numbers.load(source))
+    }
+
+    fn numbers<'b>(
+        &'b self,
+        revolutions: &'b Revolutions,
+        prepared: &'b [f64],
+        inputs: &'b [f64],
+        states: &'b [Vec<f64>],
+    ) -> Numbers<'b> {
+        Numbers {
+            dimensions: self.dimensions,
+            modes: self.modes,
+            revolutions,
+            prepared,
+            inputs,
+            states,
+        }
+    }
+}

@@ -1,0 +1,240 @@
+//! What is computed of the declared dimensions alone and has no finite value for them: `sqrt(crank - rocker)`.
+
+use crate::algebra::nominal;
+use crate::algebra::translate;
+use std::collections::BTreeSet;
+
+use linkage_symbolic::Graph;
+
+use crate::algebra::{Algebra, Nominal};
+use crate::diagnostic::{OriginId, Reporter};
+use crate::model::{BinaryOp, Expr, ExprKind, Mechanism, Name};
+use crate::syntax::Word;
+
+use crate::message_format::MessageFormat;
+
+/// Reports the innermost expressions of parameters and numbers that are not finite: as errors those that leave a loop without a
+/// solution, else as warnings, since other dimensions may be meant to be given, or an infinity to be compared with.
+pub(crate) fn check_values(mechanism: &Mechanism, nominal: &Nominal, reporter: &mut Reporter) {
+    // A graph of its own: nodes made in another order would change how sums of the mechanism are written.
+    let graph = Graph::new();
+    let mut algebra = Algebra::new(mechanism, &graph);
+    translate::translate_lets(&mut algebra);
+    let mut check = Check::new(algebra, nominal, &[]);
+    let all: Vec<usize> = (0..mechanism.loops.len()).collect();
+    let used = mechanism.usage(&all).lets;
+    for (index, own) in mechanism.lets.iter().enumerate() {
+        check.fixed[index] = check.is_fixed(&own.value);
+        let place = match used[index] {
+            true => Place::InLoop,
+            false => Place::Elsewhere,
+        };
+        check.look_at(&own.value, place);
+    }
+    for own in &mechanism.loops {
+        check.look_at(&own.left, Place::Term);
+        check.look_at(&own.right, Place::Term);
+    }
+    let quantities = mechanism.evaluators.iter().flat_map(|own| &own.quantities);
+    let values = quantities.map(|own| &own.value);
+    for value in values.chain(mechanism.expressions_of_mechanics()) {
+        check.look_at(value, Place::Elsewhere);
+    }
+    for found in std::mem::take(&mut check.found) {
+        let fact = check.fact(&found);
+        let help = match check.parameters_below(found.expr).is_empty() {
+            true => "look for a division by zero, or a root or an arc function out of its range",
+            false => "change these dimensions, or what is computed with them",
+        };
+        match found.fatal {
+            true => reporter.error_with_help(found.expr.origin, fact, help),
+            false => reporter.warning_with_help(found.expr.origin, fact, help),
+        }
+    }
+}
+
+/// The innermost expression of some loops that has no finite value at given inputs, in words: of dimensions and inputs, not of unknowns.
+pub(crate) fn without_value(
+    mechanism: &Mechanism,
+    nominal: &Nominal,
+    inputs: &[f64],
+    loops: &[usize],
+) -> Option<(OriginId, String)> {
+    let graph = Graph::new();
+    let mut algebra = Algebra::new(mechanism, &graph);
+    translate::translate_lets(&mut algebra);
+    let mut check = Check::new(algebra, nominal, inputs);
+    let used = mechanism.usage(loops).lets;
+    for (index, own) in mechanism.lets.iter().enumerate() {
+        check.fixed[index] = check.is_fixed(&own.value);
+        if used[index] {
+            check.look_at(&own.value, Place::InLoop);
+        }
+    }
+    for &own in loops {
+        check.look_at(&mechanism.loops[own].left, Place::Term);
+        check.look_at(&mechanism.loops[own].right, Place::Term);
+    }
+    let found = std::mem::take(&mut check.found).into_iter().next()?;
+    Some((found.expr.origin, check.fact(&found)))
+}
+
+/// Where an expression stands.
+#[derive(Clone, Copy, PartialEq)]
+enum Place {
+    /// A loop is a sum of it and others.
+    Term,
+    /// A loop contains it: NaN goes through all that is computed with it, an infinity may be the larger of two numbers.
+    InLoop,
+    Elsewhere,
+}
+
+struct Found<'m> {
+    expr: &'m Expr,
+    fatal: bool,
+}
+
+struct Check<'a, 'm> {
+    mechanism: &'m Mechanism,
+    nominal: &'a Nominal,
+    /// Where inputs are looked at, too; empty where they are not.
+    inputs: &'a [f64],
+    algebra: Algebra<'m>,
+    /// By derived quantity: whether it depends on dimensions alone.
+    fixed: Vec<bool>,
+    found: Vec<Found<'m>>,
+}
+
+impl<'a, 'm> Check<'a, 'm> {
+    fn new(algebra: Algebra<'m>, nominal: &'a Nominal, inputs: &'a [f64]) -> Self {
+        let mechanism = algebra.mechanism;
+        Self {
+            mechanism,
+            nominal,
+            inputs,
+            algebra,
+            fixed: vec![false; mechanism.lets.len()],
+            found: Vec::new(),
+        }
+    }
+
+    fn is_fixed(&self, expr: &Expr) -> bool {
+        expr.parts().all(|part| match part.as_name() {
+            Some(Name::Let(index)) => self.fixed[index],
+            Some(Name::Input(_)) => !self.inputs.is_empty(),
+            Some(Name::Unknown(_) | Name::Argument(_)) => false,
+            Some(Name::Const(_) | Name::Parameter(_) | Name::Pi) => true,
+            None => !part.is_quantity() && !part.ty.is_frame(),
+        })
+    }
+
+    /// Searches the largest parts that are fixed.
+    fn look_at(&mut self, expr: &'m Expr, place: Place) {
+        let mut open = vec![(expr, place)];
+        while let Some((expr, place)) = open.pop() {
+            if self.is_fixed(expr) {
+                self.blame(expr, place);
+                continue;
+            }
+            let below = match (&expr.kind, place) {
+                (ExprKind::Vector(_), _) => place,
+                (_, Place::Term) if expr.summands().is_empty() => Place::InLoop,
+                _ => place,
+            };
+            open.extend(expr.operands().into_iter().map(|own| (own, below)));
+        }
+    }
+
+    /// Finds the innermost parts that are not finite.
+    fn blame(&mut self, expr: &'m Expr, place: Place) {
+        let mut open = vec![expr];
+        while let Some(expr) = open.pop() {
+            // A name is told where it is declared.
+            let told = matches!(expr.kind, ExprKind::Name(_) | ExprKind::Number(_));
+            if told || self.is_finite(expr) {
+                continue;
+            }
+            let operands = expr.operands();
+            let before = open.len();
+            open.extend(operands.into_iter().filter(|own| !self.is_finite(own)));
+            if open.len() == before {
+                let fatal = match place {
+                    Place::Term => true,
+                    Place::InLoop => self.value(expr).iter().any(|x| x.is_nan()),
+                    Place::Elsewhere => false,
+                };
+                self.found.push(Found { expr, fatal });
+            }
+        }
+    }
+
+    fn is_finite(&mut self, expr: &Expr) -> bool {
+        self.value(expr).iter().all(|x| x.is_finite())
+    }
+
+    fn value(&mut self, expr: &Expr) -> Vec<f64> {
+        let scale = translate::internal_per_unit(&self.algebra, &expr.ty);
+        let values = nominal::evaluated(
+            &mut self.algebra,
+            expr,
+            &self.nominal.parameters,
+            self.inputs,
+        );
+        // Zero has no sign for a reader.
+        values
+            .into_iter()
+            .map(|value| value / scale + 0.0)
+            .collect()
+    }
+
+    /// `` `sqrt` of -50mm is not a finite number, for `crank = 50mm`, `rocker = 100mm` ``
+    fn fact(&mut self, Found { expr, .. }: &Found<'m>) -> String {
+        let words = MessageFormat::new(self.mechanism);
+        let operands = expr.operands().into_iter();
+        let operands: Vec<String> = operands
+            .map(|own| words.value(&own.ty, &self.value(own)))
+            .collect();
+        let what = match &expr.kind {
+            ExprKind::Call(function, _) => {
+                format!("`{}` of {}", function.word(), operands.join(" and "))
+            }
+            ExprKind::Binary(BinaryOp::Div, ..) => operands.join(" divided by "),
+            ExprKind::Binary(BinaryOp::Mul, ..) => operands.join(" times "),
+            // Sums are too large.
+            _ => "this".to_owned(),
+        };
+        let below = self.parameters_below(expr);
+        let parameters: Vec<String> = below
+            .into_iter()
+            .map(|index| {
+                let own = &self.mechanism.parameters[index];
+                let values = &self.nominal.parameters[own.first_scalar.0..];
+                let values = &values[..own.tolerances.len()];
+                format!("`{} = {}`", own.name, words.value(&own.ty, values))
+            })
+            .collect();
+        let of = match parameters.is_empty() {
+            true => String::new(),
+            false => format!(", for {}", parameters.join(", ")),
+        };
+        format!("{what} is not a finite number{of}")
+    }
+
+    /// The parameters that a value is computed from, through derived quantities, too.
+    fn parameters_below(&self, expr: &'m Expr) -> BTreeSet<usize> {
+        let mut found = BTreeSet::new();
+        let mut seen = BTreeSet::new();
+        let mut open = vec![expr];
+        while let Some(expr) = open.pop() {
+            for name in expr.parts().filter_map(Expr::as_name) {
+                if let Name::Parameter(index) = name {
+                    found.insert(index);
+                }
+                if seen.insert(name) {
+                    open.extend(self.mechanism.value_of(name));
+                }
+            }
+        }
+        found
+    }
+}

@@ -1,0 +1,178 @@
+//! The mechanism on numbers: one program for all groups, run by the interpreter at compile time.
+
+use linkage_symbolic::lookup::Map;
+
+use linkage_core::{Enclosure, Scalar};
+use linkage_symbolic::interpret::{run, run_by, run_steps};
+use linkage_symbolic::program::{Program, Source, Value};
+use linkage_symbolic::{Ex, SymbolId, evaluate, evaluate_given};
+
+use crate::algebra::{Algebra, Bound, Nominal};
+use crate::ir::{Closing, ContinuousAngle, Coupled, Generated, Start};
+use crate::solve::Formulation;
+
+/// The programs with their data.
+#[derive(Clone, Debug)]
+pub(crate) struct Machine {
+    pub(crate) closing: Closing,
+    parameters: Vec<f64>,
+    pub(crate) modes: Vec<f64>,
+    pub(crate) centres: Map<usize, f64>,
+    pub(crate) windings: Map<(usize, usize), f64>,
+    /// What is prepared of each coupled group: nothing until it is closed.
+    pub(crate) starts: Vec<Option<Start>>,
+}
+
+/// The state of a group near some inputs, then the least determinant that is certified.
+fn state(start: &Start, group: &Coupled, inputs: &[f64]) -> Vec<f64> {
+    let mut numbers = vec![0.0; group.size];
+    let own: Vec<f64> = group.inputs.iter().map(|&input| inputs[input]).collect();
+    let floor = match start {
+        Start::Table(table) => table.state(own[0], &mut numbers),
+        Start::Grid(grid) => grid.state(&own, &mut numbers),
+    };
+    numbers.push(floor);
+    numbers
+}
+
+impl Machine {
+    pub(crate) fn new(closing: Closing, formulation: &Formulation, nominal: &Nominal) -> Self {
+        Self {
+            parameters: nominal.parameters.clone(),
+            modes: vec![1.0; formulation.modes()],
+            centres: Map::new(),
+            windings: Map::new(),
+            starts: vec![None; closing.coupled.len()],
+            closing,
+        }
+    }
+
+    /// The cosines among the outputs of angles that functions ask for and no group uses.
+    pub(crate) fn outputs_of(
+        &self,
+        algebra: &Algebra,
+        asked: &[ContinuousAngle],
+    ) -> Vec<(usize, usize)> {
+        let outputs = self.closing.groups.iter().flat_map(|own| &own.unknowns);
+        outputs
+            .filter(|(unknown, _)| asked.iter().any(|angle| angle.unknown == *unknown))
+            .filter_map(|&(unknown, output)| match algebra.names.bound[unknown] {
+                Bound::Angle(angle) => Some((angle, output)),
+                Bound::Lengths(_) => None,
+            })
+            .filter(|(angle, _)| {
+                self.closing
+                    .valued
+                    .iter()
+                    .all(|(valued, _)| valued != angle)
+            })
+            .collect()
+    }
+
+    /// The values of the instructions `from..to` at given inputs; `values` holds those before.
+    pub(crate) fn advance(&self, values: &mut Vec<f64>, from: usize, to: usize, inputs: &[f64]) {
+        let states = self.states(inputs);
+        run_steps(&self.closing.program, from, to, values, |source| {
+            self.load(source, inputs, &states)
+        });
+    }
+
+    /// Runs a program of coupled group `number` at given inputs; `state` is what that group starts from.
+    pub(crate) fn run_coupled(
+        &self,
+        number: usize,
+        program: &Program,
+        inputs: &[f64],
+        state: &[f64],
+    ) -> Vec<f64> {
+        let mut states = self.states(inputs);
+        states[number] = state.to_vec();
+        run(program, |source| self.load(source, inputs, &states))
+    }
+
+    /// The same over a box of states.
+    pub(crate) fn run_over(
+        &self,
+        number: usize,
+        program: &Program,
+        inputs: &[f64],
+        state: &[Enclosure],
+    ) -> Vec<Enclosure> {
+        let states = self.states(inputs);
+        let load = |source| match source {
+            Source::State(group, component) if group == number => state
+                .get(component)
+                .copied()
+                .unwrap_or(Enclosure::from_f64(f64::NAN)),
+            _ => Enclosure::from_f64(self.load(source, inputs, &states)),
+        };
+        run_by::<Generated<Enclosure, false>>(program, load)
+    }
+
+    /// What is prepared of all coupled groups near some inputs.
+    pub(crate) fn states(&self, inputs: &[f64]) -> Vec<Vec<f64>> {
+        let starts = self.starts.iter().zip(&self.closing.coupled);
+        starts
+            .map(|(start, group)| {
+                start
+                    .as_ref()
+                    .map_or_else(Vec::new, |start| state(start, group, inputs))
+            })
+            .collect()
+    }
+
+    fn load(&self, source: Source, inputs: &[f64], states: &[Vec<f64>]) -> f64 {
+        match source {
+            Source::Parameter(index) => self.parameters[index],
+            Source::Input(index) => inputs.get(index).copied().unwrap_or(f64::NAN),
+            Source::Mode(index) => self.modes[index],
+            Source::Centre(angle) => self.centres.get(&angle).copied().unwrap_or(f64::NAN),
+            Source::Winding(angle, input) => {
+                self.windings.get(&(angle, input)).copied().unwrap_or(0.0)
+            }
+            Source::State(group, component) => {
+                states[group].get(component).copied().unwrap_or(f64::NAN)
+            }
+            Source::Limit => <f64 as Scalar>::CORRECTION_LIMIT,
+            Source::Prepared(_) | Source::Carried(_) => f64::NAN,
+        }
+    }
+
+    /// Expressions at given inputs.
+    pub(crate) fn evaluate(&self, all: &[Ex], inputs: &[f64]) -> Vec<f64> {
+        let states = self.states(inputs);
+        evaluate(all, |source| self.load(source, inputs, &states))
+    }
+
+    /// Expressions at given inputs with given unknowns, whether or not these close the loops.
+    pub(crate) fn evaluate_open(
+        &self,
+        all: &[Ex],
+        inputs: &[f64],
+        unknowns: &Map<SymbolId, f64>,
+    ) -> Vec<f64> {
+        let states = self.states(inputs);
+        let load = |source| self.load(source, inputs, &states);
+        evaluate_given(all, load, |symbol| unknowns.get(&symbol).copied())
+    }
+
+    /// The same mechanism, in the same assembly, with other dimensions.
+    pub(crate) fn with_dimensions(&self, parameters: Vec<f64>) -> Self {
+        Self {
+            parameters,
+            ..self.clone()
+        }
+    }
+
+    /// All values at given inputs.
+    pub(crate) fn run(&self, values: &mut Vec<f64>, inputs: &[f64]) {
+        values.clear();
+        self.advance(values, 0, self.closing.program.instructions.len(), inputs);
+    }
+
+    /// An output's value.
+    pub(crate) fn output(&self, values: &[f64], output: usize) -> f64 {
+        let Value(place) = self.closing.program.outputs[output];
+        values[place]
+    }
+}

@@ -1,0 +1,71 @@
+//! Coupled groups on numbers, as what follows them sees them.
+
+use linkage_core::Enclosure;
+use linkage_core::numeric::continuation::{Correction, Residuals, Step};
+use linkage_symbolic::program::Program;
+
+use crate::ir::Coupled;
+
+use super::interpreter::Machine;
+
+/// A coupled group on numbers.
+pub(crate) struct Numbers<'a> {
+    machine: &'a Machine,
+    number: usize,
+    inputs: Vec<f64>,
+}
+
+impl<'a> Numbers<'a> {
+    /// A coupled group at these inputs of the mechanism, and those of them that are its own.
+    pub(crate) fn new(machine: &'a Machine, number: usize, inputs: &[f64]) -> (Self, Vec<f64>) {
+        let own = &machine.closing.coupled[number].inputs;
+        let own = own.iter().map(|&input| inputs[input]).collect();
+        let inputs = inputs.to_vec();
+        let numbers = Self {
+            machine,
+            number,
+            inputs,
+        };
+        (numbers, own)
+    }
+
+    fn group(&self) -> &Coupled {
+        &self.machine.closing.coupled[self.number]
+    }
+
+    /// All inputs of the mechanism; the group's own are `x`.
+    fn at(&mut self, x: &[f64]) {
+        let machine = self.machine;
+        let own = &machine.closing.coupled[self.number].inputs;
+        for (&input, &value) in own.iter().zip(x) {
+            self.inputs[input] = value;
+        }
+    }
+
+    pub(crate) fn run(&self, program: &Program, state: &[f64]) -> Vec<f64> {
+        self.machine
+            .run_coupled(self.number, program, &self.inputs, state)
+    }
+}
+
+impl Correction for Numbers<'_> {
+    fn correct(&mut self, x: &[f64], state: &mut [f64]) -> Step {
+        self.at(x);
+        let outputs = self.run(&self.group().correct, state);
+        let (next, rest) = outputs.split_at(state.len());
+        state.copy_from_slice(next);
+        Step {
+            size: rest[0].sqrt(),
+            determinant: rest[1],
+        }
+    }
+}
+
+impl Residuals for Numbers<'_> {
+    fn residuals(&mut self, x: &[f64], state: &[Enclosure]) -> Vec<Enclosure> {
+        self.at(x);
+        let program = &self.group().residuals;
+        self.machine
+            .run_over(self.number, program, &self.inputs, state)
+    }
+}

@@ -1,0 +1,117 @@
+//! Items that only generated code calls.
+
+mod assembly_data;
+mod close;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+mod continuation;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+mod coupled;
+mod dispatch;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+mod follower;
+#[cfg(feature = "nalgebra")]
+mod named;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod revolutions;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+mod settle;
+#[cfg(feature = "alloc")]
+mod sweep;
+
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use crate::circuits::{
+    Bounds, Chosen, Levels, NoPrograms, Searched, SurveyedUnknown, circuits,
+};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use crate::range_check::{Ranged, check_range};
+#[cfg(feature = "alloc")]
+pub use alloc::{boxed::Box, vec::Vec};
+pub use assembly_data::AssemblyData;
+#[cfg(feature = "alloc")]
+pub use close::{assemblies, one};
+pub use close::{close, explained, finite};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use continuation::{DimensionPath, follow_path};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use coupled::{
+    Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledLoop, CoupledPrograms,
+    CoupledSolution, CoupledUnknown, InitialState, Wanted, Which, initial_states,
+    initial_states_of, list_solutions, nearest_solution, no_initial_states, pairs, placed,
+    prepared, prepared_over, put_state, stepped,
+};
+pub use dispatch::{Dispatch, as_in_sweeps, dispatch, inlined};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use follower::{Corrected, Standing, Stop, follow, put_corrected};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use linkage_core::numeric::continuation::Terms;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use linkage_core::numeric::continuation::{Correction, Range, Residuals, Step};
+#[cfg(feature = "alloc")]
+pub use linkage_core::numeric::roots::{Term, Variable};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use linkage_core::range_check::Slack;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use linkage_core::{Enclosure, Level};
+#[cfg(feature = "nalgebra")]
+pub use named::{Named, named};
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use revolutions::{Along, Angle, Revolutions, revolutions, wind, wind_one};
+#[cfg(feature = "alloc")]
+pub use sweep::{
+    Arguments, Block, Inputs, Kernel, Sets, fill, fill_or_call, fill_slices, in_row, next_vectors,
+    rows,
+};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use sweep::{Extended, Followed, Moving, States, fill_followed};
+#[cfg(feature = "rayon")]
+pub use sweep::{fill_followed_parallel, fill_parallel};
+
+/// Its content if feature `alloc` is on, else nothing: generated code cannot see the features.
+#[cfg(feature = "alloc")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_alloc {
+    ($($item:tt)*) => { $($item)* };
+}
+
+/// Its content if feature `alloc` is on, else nothing: generated code cannot see the features.
+#[cfg(not(feature = "alloc"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_alloc {
+    ($($item:tt)*) => {};
+}
+
+/// Its content if feature `report` or `design` is on, which read columns by their names, else
+/// nothing: unused items need not be compiled.
+#[cfg(any(feature = "report", feature = "design"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_report {
+    ($($item:tt)*) => { $($item)* };
+}
+
+/// Its content if feature `report` or `design` is on, which read columns by their names, else
+/// nothing: unused items need not be compiled.
+#[cfg(not(any(feature = "report", feature = "design")))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_report {
+    ($($item:tt)*) => {};
+}
+
+/// Its content if feature `rayon` is on, else nothing.
+#[cfg(feature = "rayon")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_rayon {
+    ($($item:tt)*) => { $($item)* };
+}
+
+/// Its content if feature `rayon` is on, else nothing.
+#[cfg(not(feature = "rayon"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_rayon {
+    ($($item:tt)*) => {};
+}

@@ -1,0 +1,148 @@
+//! Sources of the arguments of a sweep.
+
+use linkage_core::Scalar;
+
+/// Rows of `I` arguments.
+pub trait Arguments<T, const I: usize> {
+    /// The number of rows.
+    ///
+    /// # Panics
+    ///
+    /// Panics if they are not complete.
+    fn check(&self) -> usize;
+
+    /// Fills the first `rows` of a block from `start`, argument by argument, `V` at a time: there
+    /// may be more, but no fewer. Rows after the last repeat the last. With `FUSED` only on
+    /// machines with fused multiply-add.
+    fn block<const FUSED: bool, const V: usize, const B: usize>(
+        &self,
+        start: usize,
+        rows: usize,
+        block: &mut [[T; B]; I],
+    );
+}
+
+/// One slice for each input or argument. A slice with a single element has that value in all rows.
+#[derive(Clone, Copy, Debug)]
+pub struct Inputs<'a, T, const I: usize> {
+    /// The function, for the panic.
+    pub title: &'static str,
+    /// Names of the inputs, for the panic.
+    pub names: [&'static str; I],
+    /// The slices.
+    pub slices: [&'a [T]; I],
+}
+
+impl<T: Scalar, const I: usize> Arguments<T, I> for Inputs<'_, T, I> {
+    fn check(&self) -> usize {
+        let Self {
+            title,
+            names,
+            slices,
+        } = self;
+        // The first slice with other than one element determines the number of rows.
+        let lengths = slices.iter().map(|slice| slice.len());
+        let (first, len) = lengths
+            .enumerate()
+            .find(|(_, len)| *len != 1)
+            .unwrap_or((0, usize::from(I > 0)));
+        for (name, slice) in names.iter().zip(slices) {
+            assert!(
+                slice.len() == len || slice.len() == 1,
+                "{title}: `{}` has {len} elements, `{name}` has {}",
+                names[first],
+                slice.len()
+            );
+        }
+        len
+    }
+
+    #[inline(always)]
+    fn block<const FUSED: bool, const V: usize, const B: usize>(
+        &self,
+        start: usize,
+        rows: usize,
+        block: &mut [[T; B]; I],
+    ) {
+        // A loop over references: closures over arrays are not always inlined.
+        for (column, slice) in block.iter_mut().zip(&self.slices) {
+            match slice.get(start..).and_then(|rest| rest.first_chunk()) {
+                Some(values) => *column = *values,
+                None => last_rows(&mut column[..rows.min(B)], slice, start),
+            }
+        }
+    }
+}
+
+/// The last rows, fewer than a block: rare, and so in a function of its own.
+#[inline(never)]
+fn last_rows<T: Copy>(column: &mut [T], slice: &[T], start: usize) {
+    if let [value] = slice {
+        return column.fill(*value);
+    }
+    match slice.get(start..start + column.len()) {
+        Some(values) => column.copy_from_slice(values),
+        None => repeat_last(column, slice, start),
+    }
+}
+
+fn repeat_last<T: Copy>(column: &mut [T], slice: &[T], start: usize) {
+    for (lane, value) in column.iter_mut().enumerate() {
+        *value = slice[(start + lane).min(slice.len() - 1)];
+    }
+}
+
+/// Many mechanisms: the dimensions of each, and one slice for each input with an element for each
+/// mechanism, or a single element for all. A row is the scalars of the dimensions, then the inputs.
+#[derive(Clone, Copy, Debug)]
+pub struct Sets<'a, M, T, F, const N: usize> {
+    /// The function, for the panic.
+    pub title: &'static str,
+    /// Names of the inputs, for the panic.
+    pub names: [&'static str; N],
+    /// The mechanisms.
+    pub sets: &'a [M],
+    /// The inputs.
+    pub slices: [&'a [T]; N],
+    /// A mechanism and its inputs as a row.
+    pub row: F,
+}
+
+impl<M, T, F, const N: usize, const I: usize> Arguments<T, I> for Sets<'_, M, T, F, N>
+where
+    T: Scalar,
+    F: Fn(&M, [T; N]) -> [T; I],
+{
+    fn check(&self) -> usize {
+        let len = self.sets.len();
+        for (name, slice) in self.names.iter().zip(self.slices) {
+            assert!(
+                slice.len() == len || slice.len() == 1,
+                "{}: there are {len} mechanisms, but `{name}` has {} elements; give it {len} or 1",
+                self.title,
+                slice.len()
+            );
+        }
+        len
+    }
+
+    #[inline(always)]
+    fn block<const FUSED: bool, const V: usize, const B: usize>(
+        &self,
+        start: usize,
+        rows: usize,
+        block: &mut [[T; B]; I],
+    ) {
+        for lane in 0..rows.min(B) {
+            let index = (start + lane).min(self.sets.len() - 1);
+            let mut inputs = [T::from_f64(0.0); N];
+            for (input, slice) in inputs.iter_mut().zip(&self.slices) {
+                *input = slice[index.min(slice.len() - 1)];
+            }
+            let row = (self.row)(&self.sets[index], inputs);
+            for (column, value) in block.iter_mut().zip(row) {
+                column[lane] = value;
+            }
+        }
+    }
+}
