@@ -13,7 +13,8 @@ pub(super) fn length(vector: Complex) -> f64 {
     Scalar::hypot(vector.re, vector.im)
 }
 
-/// Returns the components of a vector along another one and across to its left, times the length of that one.
+/// Returns the components of a vector along another one and across to its left, times the length of
+/// that one.
 pub(super) fn relative(to: Complex, vector: Complex) -> Complex {
     to.conjugate() * vector
 }
