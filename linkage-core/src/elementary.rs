@@ -1,5 +1,5 @@
-//! Own elementary functions without branch or call, and but for the sines of single calls without a table, so that loops
-//! over them become vector code.
+//! Elementary functions without branch or call, so that loops over them become vector code. Only
+//! the sines of single calls use a table.
 //!
 //! `FUSED` says that the surrounding machine code has a fused multiply-add: a constant, since
 //! `cfg!(target_feature)` does not see the features of a single function.

@@ -1,10 +1,12 @@
-//! What the compiler of `linkage` and the code that it generates have in common: scalars with their elementary functions, numeric searches
-//! and tables on plain `f64`, and the words that both say.
+//! Common ground of the compiler of `linkage` and the code that it generates: scalars with their
+//! elementary functions, numeric searches and tables on plain `f64`, and texts of messages.
 //!
-//! Users reach what is theirs through the facade, the rest may change with every version. It stands in a crate of its own so that the
-//! compiler, which runs on the machine that builds, needs nothing else of the runtime.
+//! Users reach what is theirs through the facade, the rest may change with every version. It stands
+//! in a crate of its own so that the compiler, which runs on the machine that builds, needs nothing
+//! else of the runtime.
 //!
-//! Features: `std` or `libm` (where the elementary functions come from), `alloc` (part of `std`), `simba` (`Lanes`), `num-dual` (`Dual`).
+//! Features: `std` or `libm` (where the elementary functions come from), `alloc` (part of `std`),
+//! `simba` (`Lanes`), `num-dual` (`Dual`).
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 

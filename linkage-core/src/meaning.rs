@@ -1,6 +1,6 @@
-//! What the numbers of a result mean.
+//! The meanings of the numbers of a result.
 
-/// What a number is.
+/// The meaning of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Meaning {
     /// A quantity as it is.

@@ -1,11 +1,11 @@
-//! What a mechanism looks like: which points its links join.
+//! The picture of a mechanism: the points that its links join.
 
 /// The skeleton of a mechanism, as the quantity `picture()` shows it: the constant `PICTURE` of a
 /// mechanism one of whose functions asks for it.
 ///
-/// The quantity is an array of vectors: first the points, in the order of [`points`](Self::points), in the mechanism's
-/// length unit, then unit vectors, in the order of [`directions`](Self::directions). All indices here are indices into
-/// these two lists.
+/// The quantity is an array of vectors: first the points, in the order of [`points`](Self::points),
+/// in the mechanism's length unit, then unit vectors, in the order of
+/// [`directions`](Self::directions). All indices here are indices into these two lists.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Picture {
     /// 2 in the plane, 3 in space: the number of components.
@@ -16,7 +16,7 @@ pub struct Picture {
     pub directions: &'static [&'static str],
     /// The moving links, each with at least two points.
     pub links: &'static [PictureLink],
-    /// Where something slides.
+    /// Guides of sliding joints.
     pub guides: &'static [Guide],
     /// In space: the axes about which something turns.
     pub axes: &'static [Axis],
@@ -24,11 +24,12 @@ pub struct Picture {
     pub joints: &'static [PictureJoint],
     /// Wheels whose angles belong together.
     pub gears: &'static [Gear],
-    /// What inputs move.
+    /// Members that inputs drive.
     pub drives: &'static [Drive],
     /// Loops that are not drawn, by number from 1: it is not known where in space they lie.
     pub undrawn: &'static [usize],
-    /// The parts of a machine, mechanisms within the one that is drawn: what of all this each of them has. Empty without parts.
+    /// The parts of a machine, mechanisms within the drawn one: the share of each of them in the
+    /// picture. Empty without parts.
     pub parts: &'static [PicturePart],
 }
 
@@ -37,7 +38,7 @@ pub struct Picture {
 pub struct PicturePoint {
     /// The name in the program; a point without a name is called after the links that it joins.
     pub name: &'static str,
-    /// What becomes of it.
+    /// The kind of the point.
     pub kind: PointKind,
 }
 
@@ -50,7 +51,7 @@ pub enum PointKind {
     Joint,
     /// It belongs to one link, as the tip of a needle does.
     Tip,
-    /// It moves, but no link that is told by the program carries it.
+    /// A moving point that no known link carries.
     Loose,
     /// It only says where a guide is, and is not drawn.
     Construction,
@@ -65,7 +66,7 @@ pub struct PictureLink {
     pub points: &'static [usize],
 }
 
-/// A straight guide and what slides along it.
+/// A straight guide and the member that slides along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Guide {
     /// A name: that of the sliding length, the body or the joint.
@@ -76,13 +77,13 @@ pub struct Guide {
     pub direction: usize,
     /// The point that slides: always on the line.
     pub slider: usize,
-    /// What the guide is part of.
+    /// The carrier of the guide.
     pub on: GuideOn,
-    /// What it looks like.
+    /// The shape of the guide.
     pub shape: GuideShape,
 }
 
-/// What a guide looks like.
+/// The shape of a guide.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum GuideShape {
     /// A slot or a rail with a block.
@@ -91,7 +92,7 @@ pub enum GuideShape {
     Cylinder,
 }
 
-/// What carries a guide.
+/// The carrier of a guide.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum GuideOn {
     /// The frame: it does not move.
@@ -102,10 +103,11 @@ pub enum GuideOn {
     Itself,
 }
 
-/// What a part has of a picture, by indices. What the machine itself adds belongs to no part.
+/// The share of a part in a picture, by indices. Additions of the machine itself belong to no part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PicturePart {
-    /// Its name in the program; names of what it has begin with it: `hook.tip` is the tip of `hook`.
+    /// Its name in the program, with which the names of its contents begin: `hook.tip` is the tip
+    /// of `hook`.
     pub name: &'static str,
     /// Points. One in which parts meet belongs to all of them.
     pub points: &'static [usize],
@@ -115,12 +117,12 @@ pub struct PicturePart {
     pub guides: &'static [usize],
 }
 
-/// Where links meet.
+/// A joint where links meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PictureJoint {
     /// The point.
     pub point: usize,
-    /// How the links move against each other.
+    /// The relative motion of the links.
     pub shape: JointShape,
 }
 
@@ -135,16 +137,16 @@ pub struct Gear {
     pub ends: [usize; 2],
 }
 
-/// What an input moves.
+/// A member that an input drives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Drive {
     /// Index among the inputs.
     pub input: usize,
-    /// What it moves.
+    /// The driven member.
     pub on: DriveOn,
 }
 
-/// What a drive moves.
+/// The member that a drive moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DriveOn {
     /// It turns a link about the first point; the second one belongs to the link.
@@ -153,7 +155,7 @@ pub enum DriveOn {
     Slide(usize),
 }
 
-/// How links move against each other in a joint.
+/// The relative motion of links in a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum JointShape {
     /// They turn about one axis; in the plane, about the point.

@@ -1,22 +1,24 @@
-//! The criteria and the words of the check of a range: one place for the compiler, which checks the default dimensions, and for assembled
-//! mechanisms, which check others.
+//! The criteria and the words of the check of a range: one place for the compiler, which checks the
+//! default dimensions, and for assembled mechanisms, which check others.
 
 mod checked;
+mod message;
 mod numbers;
-mod words;
 
 pub use checked::{Driven, Unchecked, checked};
 
-pub use numbers::{length_as_written, place, rounded_inwards, rounded_to, significant};
-pub use words::{
+pub use message::{
     Comes, PASSES_HELP, Reaches, listed, loop_list, not_finite, passes, with_apostrophes,
 };
+pub use numbers::{length_as_written, place, rounded_inwards, rounded_to, significant};
 
-/// Samples for each turn of an input angle, or for a whole range of lengths. A search for dips finds what is between two of them.
+/// Samples for each turn of an input angle, or for a whole range of lengths. A search for dips
+/// covers the gaps between two of them.
 pub const SAMPLES: f64 = 180.0;
 
-/// A slack this small inside a range is a dead point: beyond it the mechanism may run on in its mirror image, even where
-/// the slack only touches zero (a parallelogram stretched out). The search takes -1e-12 for rounding.
+/// A slack this small inside a range is a dead point: beyond it the mechanism may run on in its
+/// mirror image, even where the slack only touches zero (a parallelogram stretched out). The search
+/// takes -1e-12 for rounding.
 pub const DEAD: f64 = 2e-12;
 
 /// The share of a range at its ends where a dead point is allowed: a range may end at one.
@@ -25,7 +27,8 @@ pub const END: f64 = 1e-9;
 /// A slack that is negative by less is 0, apart from rounding.
 pub const ROUNDING: f64 = 1e-12;
 
-/// Where a slack touches zero as a square does, [`DEAD`] is reached so far from there, in radians: what is finer is not known.
+/// The distance, in radians, at which [`DEAD`] is reached where a slack touches zero as a square
+/// does: the limit of resolution.
 pub const FOUND: f64 = 2e-6;
 
 /// A dead point that is nearer to an end of its range than this share of it is at the end.
@@ -46,15 +49,16 @@ pub fn samples(length: f64, angle: bool) -> usize {
     samples as usize
 }
 
-/// What the slack of a group is: positive where the group can be assembled, zero at a dead point.
+/// The kind of slack of a group: positive where the group can be assembled, zero at a dead point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Slack {
     /// A number of about 1, of a group with two assemblies.
     Number,
     /// To be compared with its largest value, of a group with two assemblies.
     Relative,
-    /// To be compared with its largest value. It changes its sign at a dead point of a group with one assembly.
+    /// To be compared with its largest value. It changes its sign at a dead point of a group with
+    /// one assembly.
     Signed,
-    /// Not computed: what is prepared of the group ends before a dead point.
+    /// No slack: the prepared states of the group end before a dead point.
     Prepared,
 }

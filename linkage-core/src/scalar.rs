@@ -28,8 +28,8 @@ use crate::certificate::{self, ROUNDINGS};
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Whether this build may use fused multiply-add instructions everywhere. Sweeps may use them where the machine turns
-/// out to have them.
+/// True if this build may use fused multiply-add instructions everywhere. Sweeps may use them where
+/// the machine turns out to have them.
 pub const FUSED: bool = cfg!(all(
     feature = "std",
     any(target_feature = "fma", target_arch = "aarch64")
@@ -67,25 +67,29 @@ pub trait Scalar:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// How many numbers are held side by side; 1 for a plain number.
+    /// The count of numbers side by side; 1 for a plain number.
     const LANES: usize;
 
-    /// Whether loops over this type can become vector code: sweeps are then compiled for several instruction sets.
+    /// True if loops over this type can become vector code: sweeps are then compiled for several
+    /// instruction sets.
     const VECTORISES: bool = false;
 
-    /// What a discriminant may be negative by for its terms' rounding, as a part of them: eight times the distance from 1 to the next number.
+    /// The largest negative discriminant due to the rounding of its terms, as a part of them: eight
+    /// times the distance from 1 to the next number.
     const SLACK: f64 = ROUNDINGS * f64::EPSILON;
 
-    /// The largest Newton correction, in radians or scaled lengths, of a prepared solution of a coupled group that is trusted: far
-    /// above what a table is wrong by, far below the distance of another assembly.
+    /// The largest Newton correction, in radians or scaled lengths, of a prepared solution of a
+    /// coupled group that is trusted: far above the error of a table, far below the distance of
+    /// another assembly.
     const CORRECTION_LIMIT: f64 = certificate::CORRECTION_LIMIT;
 
-    /// The largest last correction of a solution that is followed from position to position. Newton's method squares it and multiplies by
-    /// how curved the equations are: up to ten thousand, what is left in an `f64` is rounding.
+    /// The largest last correction of a solution that is followed from position to position.
+    /// Newton's method squares it and multiplies by the curvature of the equations. Up to a
+    /// curvature of ten thousand, the rest in an `f64` is rounding.
     const LAST_CORRECTION: f64 = certificate::LAST_CORRECTION;
 
-    /// Whether a prepared solution, a plain `f64`, needs several Newton steps: for derivatives and digits that it does not
-    /// have.
+    /// True if a prepared solution, a plain `f64`, needs several Newton steps: for derivatives and
+    /// digits that it does not have.
     const REFINES: bool = true;
 
     /// A constant, the same in every lane, with derivative zero.
@@ -112,50 +116,55 @@ pub trait Scalar:
     fn acos(self) -> Self;
     /// Arc tangent, from -pi/2 to pi/2.
     fn atan(self) -> Self;
-    /// Sine and cosine of an angle; NaN for an infinite one, and for one so large that its sine would be noise (`f64`:
-    /// from 2^30 radians on, `f32`: from 2^20).
+    /// Sine and cosine of an angle; NaN for an infinite one, and for one so large that its sine
+    /// would be noise (`f64`: from 2^30 radians on, `f32`: from 2^20).
     fn sin_cos(self) -> (Self, Self);
     /// Angle of the vector (`x`, `self`) from the x axis, from -pi to pi.
     fn atan2(self, x: Self) -> Self;
 
-    /// `self * factor + term`. With `FUSED` it is rounded once if the type can do that in one instruction, else twice.
+    /// `self * factor + term`. With `FUSED` it is rounded once if the type can do that in one
+    /// instruction, else twice.
     ///
-    /// Only code that is compiled for machines with fused multiply-add instructions may say `FUSED`; elsewhere it is
-    /// correct but slow.
+    /// Only code that is compiled for machines with fused multiply-add instructions may say
+    /// `FUSED`; elsewhere it is correct but slow.
     #[inline(always)]
     fn mul_add<const FUSED: bool>(self, factor: Self, term: Self) -> Self {
         self * factor + term
     }
 
-    /// As [`sin_cos`](Self::sin_cos), for the machines that [`mul_add`](Self::mul_add) speaks of.
+    /// Returns the result of [`sin_cos`](Self::sin_cos), for the machines that
+    /// [`mul_add`](Self::mul_add) names.
     #[inline(always)]
     fn sin_cos_with<const FUSED: bool>(self) -> (Self, Self) {
         self.sin_cos()
     }
 
-    /// As [`sin_cos_with`](Self::sin_cos_with), to the last bit. With `ROWS` it stands in a loop over many positions that
-    /// becomes vector code, which has other instructions at hand.
+    /// Returns the result of [`sin_cos_with`](Self::sin_cos_with), to the last bit. `ROWS` is for a
+    /// loop over many positions that becomes vector code, which has other instructions.
     #[inline(always)]
     fn sin_cos_in_rows<const FUSED: bool, const ROWS: bool>(self) -> (Self, Self) {
         self.sin_cos_with::<FUSED>()
     }
 
-    /// As [`sin_cos_in_rows`](Self::sin_cos_in_rows), but in the way that is shortest for one position or, with `ROWS`, for many, which
-    /// may round another way: where nothing hangs on the sine of an angle being that of the same angle elsewhere to the last bit.
+    /// Returns sine and cosine as [`sin_cos_in_rows`](Self::sin_cos_in_rows) does, but by the
+    /// shortest method for one position or, with `ROWS`, for many, which may round differently. For
+    /// callers that do not need equal bits for equal angles elsewhere.
     #[inline(always)]
     fn sin_cos_shortest<const FUSED: bool, const ROWS: bool>(self) -> (Self, Self) {
         self.sin_cos_in_rows::<FUSED, ROWS>()
     }
 
-    /// `self / divisor`, NaN where that is infinite: a rate at a dead point or a change point, where the root of a discriminant is 0. For the
-    /// machines that [`mul_add`](Self::mul_add) speaks of.
+    /// `self / divisor`, NaN where that is infinite: a rate at a dead point or a change point,
+    /// where the root of a discriminant is 0. For the machines that [`mul_add`](Self::mul_add)
+    /// speaks of.
     #[inline(always)]
     fn quotient_with<const FUSED: bool>(self, divisor: Self) -> Self {
         let quotient = self / divisor;
         quotient.mul_add::<FUSED>(Self::from_f64(0.0), quotient)
     }
 
-    /// As [`atan2`](Self::atan2), for the machines that [`mul_add`](Self::mul_add) speaks of.
+    /// Returns the result of [`atan2`](Self::atan2), for the machines that
+    /// [`mul_add`](Self::mul_add) names.
     #[inline(always)]
     fn atan2_with<const FUSED: bool>(self, x: Self) -> Self {
         self.atan2(x)
@@ -167,8 +176,8 @@ pub trait Scalar:
     /// when `|self|` is between 1e-150 and 1e150 (`f32`: 1e-18 and 1e18).
     fn inverse_scale(self) -> Self;
 
-    /// By how much rounding may turn negative what was computed from terms of the size `self`: [`SLACK`](Self::SLACK) times its absolute
-    /// value, derivative zero; NaN for what is infinite.
+    /// Returns the bound of a negative rounding error in a sum of terms of the size `self`:
+    /// [`SLACK`](Self::SLACK) times its absolute value, derivative zero; NaN for infinite terms.
     #[inline(always)]
     fn slack(self) -> Self {
         Self::from_lanes(|lane| {
@@ -177,11 +186,13 @@ pub trait Scalar:
         })
     }
 
-    /// Square root of a discriminant `self`, with a fused multiply-add on the way if `FUSED`: where that is an instruction.
+    /// Square root of a discriminant `self`, with a fused multiply-add on the way if `FUSED`: where
+    /// that is an instruction.
     ///
-    /// It is 0 for a value that is negative by no more than `slack` times `size`, so that a position at a dead point has a value, and NaN
-    /// below that. `slack` is [that](Self::slack) of a length or an area, `size` a factor, neither of them negative; where one is NaN, so is
-    /// the root.
+    /// It is 0 for a value that is negative by no more than `slack` times `size`, so that a
+    /// position at a dead point has a value, and NaN below that. `slack` is [that](Self::slack) of
+    /// a length or an area, `size` a factor, neither of them negative; where one is NaN, so is the
+    /// root.
     fn root_with<const FUSED: bool>(self, slack: Self, size: Self) -> Self;
 
     /// The angle of the vector (`x`, `y`) that lies nearest to `guide`, turns counted.
@@ -189,13 +200,15 @@ pub trait Scalar:
     /// Accurate to about a unit in the last place for up to a million turns (`f32`: 2000).
     fn angle_near(y: Self, x: Self, guide: Self) -> Self;
 
-    /// As [`angle_near`](Self::angle_near), for the machines that [`mul_add`](Self::mul_add) speaks of.
+    /// Returns the result of [`angle_near`](Self::angle_near), for the machines that
+    /// [`mul_add`](Self::mul_add) names.
     #[inline(always)]
     fn angle_near_with<const FUSED: bool>(y: Self, x: Self, guide: Self) -> Self {
         Self::angle_near(y, x, guide)
     }
 
-    /// The nearest whole number, of two the even one: a constant, derivative zero. Right up to 2^51 (`f32`: 2^22).
+    /// The nearest whole number, of two the even one: a constant, derivative zero. Right up to 2^51
+    /// (`f32`: 2^22).
     #[inline(always)]
     fn whole(self) -> Self {
         // Added and taken away again, it leaves whole numbers.

@@ -1,4 +1,4 @@
-//! What the search for circuits is told: the range of an input, and group by group which assemblies there are.
+//! Input of the search for circuits: the range of an input, and the assemblies of each group.
 
 /// The range of an input whose assemblies are looked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -7,16 +7,17 @@ pub struct Cycle {
     pub low: f64,
     /// Upper end of the range.
     pub high: f64,
-    /// Whether the input is an angle in radians. Over a full turn, assemblies that continue each other from one turn to the
-    /// next belong to one circuit.
+    /// True if the input is an angle in radians. Over a full turn, assemblies that continue each
+    /// other from one turn to the next belong to one circuit.
     pub angle: bool,
-    /// At how many inputs the assemblies of coupled groups are listed, both ends included. A circuit that exists between two
-    /// neighbouring inputs only is not found.
+    /// At how many inputs the assemblies of coupled groups are listed, both ends included. A
+    /// circuit that exists between two neighbouring inputs only is not found.
     pub samples: usize,
 }
 
 impl Cycle {
-    /// A range of an angle that differs from a full turn by less, in radians, is one: users write 360 degrees.
+    /// A range of an angle that differs from a full turn by less, in radians, is one: users write
+    /// 360 degrees.
     pub const TURN: f64 = 1e-9;
 
     /// The length of the range if it is a full turn.
@@ -29,7 +30,7 @@ impl Cycle {
     }
 }
 
-/// What assemblies of a group there are.
+/// The assemblies of a group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Level {
     /// One.

@@ -1,10 +1,10 @@
 //! Counterweights that make the shaking force of a cycle small, and with it the shaking moment if
-//! that is required.
+//! that is asked for.
 //!
 //! Unit masses at chosen points of the links add fixed *effects* `E` to the shaking force `f` of
 //! each position, so that masses `z` leave `f + E z`. [`Balance`] finds the masses with the least
-//! mean square ([`Balance::mean_square`]) or the least peak ([`Balance::peak`]) of its length.
-//! [`StaticMoment`] and [`Counterweight`] are the parts to build from them.
+//! mean square ([`Balance::mean_square`]) or the least peak ([`Balance::peak`]) of its length;
+//! [`StaticMoment`] and [`Counterweight`] are means to realise them.
 
 mod basis;
 mod counterweight;
@@ -77,7 +77,7 @@ impl<const N: usize> Balance<N> {
         nothing.and(forces, effects, 1.0)
     }
 
-    /// A second quantity of the same masses, such as moments next to forces: it counts after
+    /// A second quantity of the same masses, such as moments beside forces: it counts after
     /// division by `length`. With a length of 200 mm, a moment of 200 N mm is as bad as a force of
     /// 1 N. Its positions may be others.
     ///
@@ -120,8 +120,8 @@ impl<const N: usize> Balance<N> {
 
     /// The masses with the least peak: the length that is not exceeded at any position.
     ///
-    /// An interior point method. The peak is as a rule within 1e-9 of the least possible one, and
-    /// `bound` is a proven lower limit.
+    /// An interior point method. Its result is as a rule within 1e-9 of the least possible peak,
+    /// and `bound` tells how near it is.
     ///
     /// # Errors
     ///
@@ -137,7 +137,7 @@ impl<const N: usize> Balance<N> {
         self.solution(values, |after| bound.clamp(0.0, after.peak))
     }
 
-    /// Remaining forces, with the lower bound of their peak.
+    /// Builds the solution for masses, with the bound that belongs to it.
     fn solution(
         &self,
         values: [f64; N],
@@ -156,7 +156,7 @@ impl<const N: usize> Balance<N> {
         })
     }
 
-    /// Root mean square and peak that masses leave: of several quantities together, as they are
+    /// Root mean square and peak with these masses: of several quantities together, as they are
     /// minimised.
     #[must_use]
     pub fn figures(&self, values: &[f64; N]) -> Figures {
@@ -167,8 +167,8 @@ impl<const N: usize> Balance<N> {
         figures.fold(Figures::default(), Figures::and)
     }
 
-    /// Root mean square and peak that masses leave of each quantity, in its own unit: forces first,
-    /// then the added quantities.
+    /// Root mean square and peak with these masses for each quantity, in its own unit: forces
+    /// first, then the added ones.
     #[must_use]
     pub fn figures_of_each(&self, values: &[f64; N]) -> Vec<Figures> {
         let groups = self.groups.iter();

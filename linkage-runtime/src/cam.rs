@@ -13,11 +13,11 @@
 //! (Norton, Cam Design and Manufacturing Handbook; VDI 2142) follow from it.
 
 mod check;
-mod complex;
 mod contact;
 mod error;
 mod follower;
 mod outline;
+mod plane;
 mod plate;
 mod search;
 mod turn;

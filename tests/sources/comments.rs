@@ -39,7 +39,7 @@ const KNOWN: [(&str, Most); 9] = [
     ("linkage-c", most(0.0, 0.0, 0, 0)),
     ("linkage-cli", most(14.1, 19.9, 8, 22)),
     ("linkage-compiler", most(17.1, 23.8, 50, 413)),
-    ("linkage-core", most(8.7, 20.0, 15, 157)),
+    ("linkage-core", most(0.5, 0.5, 0, 0)),
     ("linkage-js", most(0.0, 0.0, 0, 0)),
     ("linkage-macros", most(0.0, 0.0, 1, 0)),
     ("linkage-runtime", most(10.0, 22.9, 68, 602)),

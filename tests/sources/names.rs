@@ -34,7 +34,7 @@ const KNOWN: [(&str, [usize; 4]); 9] = [
     ("linkage-c", [0, 0, 0, 0]),
     ("linkage-cli", [2, 5, 3, 290]),
     ("linkage-compiler", [63, 52, 30, 2304]),
-    ("linkage-core", [13, 8, 4, 91]),
+    ("linkage-core", [0, 0, 0, 0]),
     ("linkage-js", [0, 0, 0, 0]),
     ("linkage-macros", [0, 0, 0, 0]),
     ("linkage-runtime", [34, 50, 49, 857]),

@@ -4,8 +4,8 @@
 use crate::assembly::estimates;
 use crate::assembly::followed;
 use crate::assembly::unfollowed;
+use linkage_core::numeric::choose_assembly::{Ambiguity, choose_assembly, may_be_meant};
 use linkage_core::numeric::continuation::{Refusal, meeting_states, states};
-use linkage_core::numeric::nearest::{Ambiguity, may_be_meant, nearest};
 use linkage_core::numeric::roots::{self, Term, Unlisted};
 
 use crate::message_format::loop_list;
@@ -60,7 +60,7 @@ pub(super) fn close_coupled<'m>(
         .collect::<Vec<_>>()
         .join(", ");
     let distances = candidates.iter().map(|one| one.position.distance);
-    let chosen = nearest(distances, Ambiguity::AS_WRITTEN);
+    let chosen = choose_assembly(distances, Ambiguity::AS_WRITTEN);
     let distance = chosen.map_or(f64::INFINITY, |own| candidates[own.index].position.distance);
     let others_meet = !meeting.is_empty();
     let mut meeting = meeting.into_iter();

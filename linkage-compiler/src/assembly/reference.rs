@@ -4,7 +4,7 @@ use crate::assembly::estimates;
 use crate::assembly::listing;
 use crate::assembly::parts;
 use crate::assembly::refusal;
-use linkage_core::numeric::nearest::{Ambiguity, nearest};
+use linkage_core::numeric::choose_assembly::{Ambiguity, choose_assembly};
 
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::diagnostic::Reporter;
@@ -104,7 +104,7 @@ fn close<'m>(
             .into(),
     };
     let distances = candidates.iter().map(|one| one.position.distance);
-    let nearest = nearest(distances, Ambiguity::AS_WRITTEN).expect("there is a candidate");
+    let nearest = choose_assembly(distances, Ambiguity::AS_WRITTEN).expect("there is a candidate");
     let chosen = &candidates[nearest.index];
     let (gap, margin, sign) = (chosen.gap, chosen.margin, chosen.sign);
     if solved.mode.is_some() {

@@ -4,13 +4,14 @@
 //! force along the guide) that is no unknown here. Gears tie the turns of several bodies, by
 //! couples that are unknowns of their own.
 
+use linkage_core::numeric::rank::combination;
 use linkage_symbolic::{Ex, Vector};
 
 use crate::algebra::{Algebra, derivatives::partial};
 use crate::forces::context::Mechanics;
 use crate::forces::joint_motion::{JointMotion, Motions, Tie};
+use crate::forces::motion;
 use crate::forces::speeds::By;
-use crate::forces::{elimination, motion};
 use crate::model::{Rotation, Variable};
 
 /// Rates of turns that differ by less are equal. They are ratios of gears, numbers near 1 that
@@ -67,7 +68,7 @@ fn ties<'m>(
             continue;
         };
         let known: Vec<&[f64]> = basis.iter().map(|(_, rates)| &rates[..]).collect();
-        let Some(shares) = elimination::combination(&known, &rates, RATIO) else {
+        let Some(shares) = combination(&known, &rates, RATIO) else {
             basis.push((way.body, rates));
             continue;
         };

@@ -13,7 +13,6 @@
 //! | file | content |
 //! |---|---|
 //! | `tree` | the tree of bodies |
-//! | `elimination` | Gauss elimination on plain numbers |
 //! | `geometry` | origins, angles, axes as expressions, and the motions that joints allow |
 //! | `positions` | the positions at which numbers are checked |
 //! | `joint_motion`, `speeds`, `wrench`, `body_loads`, `loop_values`, `system` | types |
@@ -42,7 +41,6 @@ mod check;
 mod context;
 mod cut_joints;
 mod drives;
-mod elimination;
 mod ends;
 mod equations;
 mod equilibrium;

@@ -1,9 +1,9 @@
 //! A numerical check that equations which are solved together determine their unknowns. Matching
 //! sees only which unknowns an equation contains.
 
+use linkage_core::numeric::rank::is_singular;
 use linkage_symbolic::Ex;
 
-use crate::forces::elimination;
 use crate::forces::positions::Positions;
 use crate::forces::system::System;
 
@@ -22,6 +22,6 @@ pub(super) fn repeats(system: &System, block: &[usize], positions: &Positions) -
     !numbers.is_empty()
         && numbers.into_iter().all(|numbers| {
             let rows = numbers.chunks(unknowns.len()).map(<[f64]>::to_vec);
-            elimination::is_singular(rows.collect(), INDEPENDENT)
+            is_singular(rows.collect(), INDEPENDENT)
         })
 }

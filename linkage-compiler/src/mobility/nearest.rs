@@ -6,7 +6,7 @@
 
 use crate::mobility::motion;
 use crate::mobility::rows;
-use linkage_core::numeric::least::{self, CLOSED, Equations, least};
+use linkage_core::numeric::least_squares::{self, CLOSED, Equations, minimise};
 use linkage_symbolic::Graph;
 
 use crate::mobility::loops::Loops;
@@ -31,7 +31,7 @@ pub(crate) struct Nearest {
 pub(crate) fn nearest(position: &Position<'_, '_>) -> Option<Nearest> {
     let graph = Graph::new();
     let mut loops = Loops::new(position.mechanism, &graph);
-    let (there, rows) = least(&mut loops, position.clone())?;
+    let (there, rows) = minimise(&mut loops, position.clone())?;
     let most = largest(&rows.missed);
     (most > CLOSED).then(|| Nearest {
         missing: missing(&there, &rows, &loops),
@@ -100,7 +100,7 @@ impl<'w, 'm> Equations<Position<'w, 'm>> for Loops<'_> {
     }
 }
 
-impl least::Rows for LoopRows {
+impl least_squares::Rows for LoopRows {
     fn missed(&self) -> &[f64] {
         &self.missed
     }

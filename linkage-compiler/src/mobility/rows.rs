@@ -1,6 +1,6 @@
 //! Derivatives of the loops at a position, by differences.
 
-use linkage_core::numeric::least::STEP;
+use linkage_core::numeric::least_squares::STEP;
 
 use crate::mobility::loops::Loops;
 use crate::mobility::position::{LoopRows, Position};

@@ -1,6 +1,7 @@
 //! True if two links are written to turn together: where one of them turns as it is written to,
 //! nothing closing the loops, the other one turns with it.
 
+use linkage_core::numeric::vector::dot;
 use linkage_symbolic::{Ex, Vn};
 
 use crate::picture::marks::Spot;
@@ -139,8 +140,4 @@ fn sum(a: &Track, b: &Track) -> Track {
 
 fn minus(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(x, y)| x - y).collect()
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }

@@ -9,7 +9,8 @@ use crate::model::Dimension;
 use crate::structure::analysis::Analysis;
 use crate::structure::equations;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
-use crate::structure::simultaneous::{SimultaneousLoops, independent};
+use crate::structure::simultaneous::{ACROSS, SimultaneousLoops};
+use linkage_core::numeric::rank::are_independent;
 
 /// Positions besides the reference, as shares of a small motion to both sides.
 const POSITIONS: [f64; 5] = [0.0, 0.5, 1.0, -0.5, -1.0];
@@ -289,5 +290,5 @@ fn remain_regular(
         let rows = column.iter().zip(&stays).filter(|(_, stays)| **stays);
         rows.map(|(x, _)| *x).collect()
     });
-    independent(&columns.collect::<Vec<Vec<f64>>>())
+    are_independent(&columns.collect::<Vec<Vec<f64>>>(), ACROSS)
 }

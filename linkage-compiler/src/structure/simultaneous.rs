@@ -1,6 +1,7 @@
 //! All loops on numbers, closed together: equations may be more than unknowns.
 
 use linkage_core::numeric::cholesky;
+use linkage_core::numeric::vector::dot;
 use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, SymbolId, substitute};
 
@@ -27,7 +28,7 @@ const DAMPING: f64 = 1e-14;
 
 /// A column of which less than this share points across those before it is a combination of them:
 /// far above the error of differences, and the limit of a dead point.
-const ACROSS: f64 = 1e-6;
+pub(crate) const ACROSS: f64 = 1e-6;
 
 /// Loops on numbers.
 pub(crate) struct SimultaneousLoops<'a, 'm> {
@@ -99,33 +100,6 @@ fn largest<'x>(numbers: impl IntoIterator<Item = &'x f64>) -> f64 {
     numbers.fold(0.0, |a, x| if x > a || x.is_nan() { x } else { a })
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// True if no column is a combination of those before it.
-pub(crate) fn independent(columns: &[Vec<f64>]) -> bool {
-    let mut units: Vec<Vec<f64>> = Vec::new();
-    for column in columns {
-        let mut across = column.clone();
-        for unit in &units {
-            let along = dot(&across, unit);
-            across
-                .iter_mut()
-                .zip(unit)
-                .for_each(|(x, u)| *x -= along * u);
-        }
-        let length = dot(&across, &across).sqrt();
-        // A column of zeros, or one that is no number, is none either.
-        let across_enough = length > ACROSS * dot(column, column).sqrt();
-        if !across_enough {
-            return false;
-        }
-        units.push(across.into_iter().map(|x| x / length).collect());
-    }
-    true
-}
-
 /// The numbers with which `columns` come nearest to `right`, by the normal equations.
 fn least_squares(columns: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
     let trace: f64 = columns.iter().map(|column| dot(column, column)).sum();
@@ -138,5 +112,5 @@ fn least_squares(columns: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
         row
     });
     let right: Vec<f64> = columns.iter().map(|column| dot(column, right)).collect();
-    cholesky::solve(lower.collect(), &right)
+    cholesky::solve(&lower.collect::<Vec<_>>(), &right)
 }

@@ -36,7 +36,7 @@ const ARC: [f64; 20] = [
     1.3230652873041794e-05,
 ];
 
-/// As [`ARC`], for `f32`.
+/// The coefficients of [`ARC`] for `f32`.
 const ARC_SINGLE: [f32; 9] = [
     -0.333333,
     0.1999853,
@@ -49,7 +49,7 @@ const ARC_SINGLE: [f32; 9] = [
     -0.0017868582,
 ];
 
-/// The polynomial [`ARC`], its terms side by side but for the largest.
+/// The polynomial [`ARC`] with its terms side by side, except the largest one.
 #[inline(always)]
 fn arc<const FUSED: bool>(z: f64) -> f64 {
     let z2 = z * z;
@@ -89,7 +89,8 @@ macro_rules! atan2 {
             const RIGHT: $float = core::$float::consts::FRAC_PI_2;
 
             let (width, height) = (x.abs(), y.abs());
-            // Which is larger, in integers: a comparison would become a branch, at the latest where two angles are computed together.
+            // Which is larger, in integers: a comparison would become a branch, at the latest where
+            // two angles are computed together.
             let difference = width.to_bits().wrapping_sub(height.to_bits());
             let steep_sign = difference & SIGN;
             let steep = (difference.cast_signed() >> ($bits::BITS - 1)).cast_unsigned();

@@ -1,7 +1,8 @@
-//! The smaller and the larger of two numbers that are not negative. The smaller of NaN and a number is the number.
+//! The smaller and the larger of two numbers that are not negative. The smaller of NaN and a number
+//! is the number.
 //!
-//! ARM processors before version 8 have no instruction for it, and what `core` has becomes calls of a library there. The bits of
-//! such numbers are in their order.
+//! ARM processors before version 8 have no instruction for it, and what `core` has becomes calls of
+//! a library there. The bits of such numbers are in their order.
 
 macro_rules! ends {
     ($module:ident, $least:ident, $most:ident, $float:ident) => {

@@ -1,6 +1,6 @@
 //! Product and sum with one rounding or two.
 
-/// Whether `FUSED` code rounds once: `core` alone has no fused multiply-add.
+/// Returns whether `FUSED` code rounds once: `core` alone has no fused multiply-add.
 pub(super) const fn one_rounding<const FUSED: bool>() -> bool {
     FUSED && cfg!(feature = "std")
 }

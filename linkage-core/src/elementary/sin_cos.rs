@@ -9,35 +9,11 @@
 //! roundoffs (2^-53) up to the limit of 2^30.
 
 mod directions;
+mod kernel;
 mod rows;
 
 use super::multiply::{double as mul_add, one_rounding};
-
-/// Adding this number rounds to an integer, which the low bits then hold.
-const ROUND: f64 = 6_755_399_441_055_744.0;
-/// From this angle on a sine is noise: 2^30.
-const LIMIT: f64 = 1_073_741_824.0;
-/// Multiplied by this number, [`LIMIT`] and above become infinite.
-const TO_INFINITY: f64 = f64::from_bits(0x7E10_0000_0000_0000);
-
-/// `(sin x - x) / x^3` by powers of `x^2`, up to a quarter of pi.
-const SINE: [f64; 6] = [
-    -0.166_666_666_666_666_3,
-    0.008_333_333_333_322_116,
-    -0.000_198_412_698_295_881_27,
-    2.755_731_362_087_826_5e-6,
-    -2.505_074_768_075_582_6e-8,
-    1.589_622_525_371_158_2e-10,
-];
-/// `(cos x - 1 + x^2/2) / x^4`
-const COSINE: [f64; 6] = [
-    0.041_666_666_666_666_595,
-    -0.001_388_888_888_887_305_4,
-    2.480_158_728_885_015_2e-5,
-    -2.755_731_417_883_65e-7,
-    2.087_570_077_787_380_4e-9,
-    -1.135_853_312_522_515_9e-11,
-];
+use kernel::{COSINE, ROUND, SINE, exchanged, polynomial, unless_large};
 
 /// Sine and cosine of an angle in radians; NaN for one of 2^30 and above in size. The sine of -0
 /// is 0.
@@ -53,8 +29,8 @@ pub(crate) fn sin_cos<const FUSED: bool, const ROWS: bool>(x: f64) -> (f64, f64)
     }
 }
 
-/// As [`sin_cos`], but in fewer operations and rounded in their way, where multiply-adds are fused: by a table for one position, in one word
-/// for rows.
+/// Returns sine and cosine in fewer operations than [`sin_cos`] where multiply-adds are fused, with
+/// other roundings: by a table for one position, in one word for rows.
 #[inline(always)]
 pub(crate) fn sin_cos_shortest<const FUSED: bool, const ROWS: bool>(x: f64) -> (f64, f64) {
     match (one_rounding::<FUSED>(), ROWS) {
@@ -62,13 +38,6 @@ pub(crate) fn sin_cos_shortest<const FUSED: bool, const ROWS: bool>(x: f64) -> (
         (true, false) => directions::sin_cos(x),
         (false, _) => sin_cos::<FUSED, ROWS>(x),
     }
-}
-
-/// `value`, NaN for an angle `x` of 2^30 and above in size.
-#[inline(always)]
-fn unless_large<const FUSED: bool>(x: f64, value: f64) -> f64 {
-    // Plus zero, or infinity times zero.
-    mul_add::<FUSED>(x * TO_INFINITY, 0.0, value)
 }
 
 /// `x` less `n` right angles, in two words.
@@ -111,20 +80,10 @@ fn reduced<const FUSED: bool>(high: f64, low: f64) -> [[f64; 2]; 2] {
     [[high, s], [base, c]]
 }
 
-/// A polynomial with pairs of terms side by side.
-#[inline(always)]
-fn polynomial<const FUSED: bool>(z: f64, z2: f64, c: [f64; 6]) -> f64 {
-    let ends = mul_add::<FUSED>(
-        mul_add::<FUSED>(c[5], z, c[4]),
-        z2,
-        mul_add::<FUSED>(c[3], z, c[2]),
-    );
-    mul_add::<FUSED>(ends, z2, mul_add::<FUSED>(c[1], z, c[0]))
-}
-
-/// The pair turned by `n` right angles, of which `n` has the low bits: products with 1, -1 and 0, which are exact. All
-/// that depends on `n` is ready before the sines are, and of a single number nothing goes from the registers of integers to those of
-/// floats behind them. (A choice would become a branch in some places.)
+/// The pair turned by `n` right angles, of which `n` has the low bits: products with 1, -1 and 0,
+/// which are exact. All that depends on `n` is ready before the sines are, and of a single number
+/// nothing goes from the registers of integers to those of floats behind them. (A choice would
+/// become a branch in some places.)
 #[inline(always)]
 fn turned<const FUSED: bool>(pair: [[f64; 2]; 2], n: u64) -> (f64, f64) {
     const ONE: u64 = 1.0_f64.to_bits();
@@ -142,23 +101,10 @@ fn turned<const FUSED: bool>(pair: [[f64; 2]; 2], n: u64) -> (f64, f64) {
     (turned(even, odd), turned(odd, even))
 }
 
-/// As [`turned`], to the last bit, by the bits of the sines: 13 operations instead of 21, all of them on vectors.
+/// Returns the result of [`turned`], to the last bit, by the bits of the sines: 13 operations
+/// instead of 21, all of them on vectors.
 #[inline(always)]
 fn swapped(pair: [[f64; 2]; 2], n: u64) -> (f64, f64) {
     let [[high, s], [base, c]] = pair;
     exchanged([high + s, base + c], n)
-}
-
-/// The pair exchanged and negated as `n` right angles do.
-#[inline(always)]
-fn exchanged(pair: [f64; 2], n: u64) -> (f64, f64) {
-    let [sine, cosine] = pair.map(f64::to_bits);
-    let odd = (n & 1).wrapping_neg();
-    let differing = (sine ^ cosine) & odd;
-    let sign_of_sine = n >> 1 << 63;
-    let sign_of_cosine = (n ^ n >> 1) << 63;
-    (
-        f64::from_bits(sine ^ differing ^ sign_of_sine),
-        f64::from_bits(cosine ^ differing ^ sign_of_cosine),
-    )
 }

@@ -2,8 +2,8 @@
 //!
 //! All of it is in `f32`: for twice the lanes, and for processors that have no other numbers.
 //!
-//! Largest errors, in units in the last place, of all numbers up to the limit of 2^20: 0.78 up to 1e5 and 0.93 beyond with
-//! fused multiply-add, 0.83 without.
+//! Largest errors, in units in the last place, of all numbers up to the limit of 2^20: 0.78 up to
+//! 1e5 and 0.93 beyond with fused multiply-add, 0.83 without.
 
 use super::multiply::{one_rounding, single as mul_add};
 use core::f32::consts::FRAC_2_PI;
@@ -47,8 +47,8 @@ fn reduce<const FUSED: bool>(x: f32) -> ([f32; 2], u32) {
     ([high, low], shifted.to_bits())
 }
 
-/// As [`reduce`], without fused multiply-add: by a multiple of 1024 right angles and by at most 513 more, so that products
-/// with words of 14 bits are exact.
+/// Reduces as [`reduce`] does, without fused multiply-add: by a multiple of 1024 right angles and
+/// by at most 513 more, so that products with words of 14 bits are exact.
 #[inline(always)]
 fn reduce_in_parts(x: f32) -> ([f32; 2], u32) {
     const ROUND_TO_1024: f32 = 1024.0 * ROUND;
@@ -60,7 +60,8 @@ fn reduce_in_parts(x: f32) -> ([f32; 2], u32) {
     let most = (x * FRAC_2_PI + ROUND_TO_1024) - ROUND_TO_1024;
     let rest = x - most * FIRST;
     let product = most * SECOND;
-    // From what is left: the quotient of a large angle is rounded so coarsely that more than half a right angle would remain.
+    // From what is left: the quotient of a large angle is rounded so coarsely that more than half a
+    // right angle would remain.
     let shifted = (rest - product) * FRAC_2_PI + ROUND;
     let few = shifted - ROUND;
 

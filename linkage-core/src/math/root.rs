@@ -1,5 +1,5 @@
-//! Square roots without the standard library: by an instruction where stable Rust tells that the target has it. `core` offers none,
-//! and those of `libm` are calls, in software on most targets.
+//! Square roots without the standard library: by an instruction where stable Rust tells that the
+//! target has it. `core` offers none, and those of `libm` are calls, in software on most targets.
 
 #[cfg(all(target_arch = "aarch64", target_feature = "neon"))]
 pub(super) use aarch64::{double, single};
@@ -11,14 +11,16 @@ pub(super) use {arm::single, libm::sqrt as double};
 )))]
 pub(super) use {libm::sqrt as double, libm::sqrtf as single};
 
-/// Every ARM target with floating-point registers in its calling convention has the root of an `f32`; that of an `f64` not all.
+/// Every ARM target with floating-point registers in its calling convention has the root of an
+/// `f32`; that of an `f64` not all.
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
 mod arm {
     #[inline(always)]
     #[allow(unsafe_code, reason = "instructions")]
     pub(in crate::math) fn single(x: f32) -> f32 {
         let mut bits = x.to_bits();
-        // In general registers: for others the compiler wants double precision, which a Cortex-M4 lacks. The callers need bits anyway.
+        // In general registers: for others the compiler wants double precision, which a Cortex-M4
+        // lacks. The callers need bits anyway.
         // SAFETY: the instructions work on these two registers alone.
         unsafe {
             core::arch::asm!(

@@ -1,13 +1,15 @@
-//! Groups of equations without a closed form: their solution is prepared as a table over the input, followed from one
-//! known solution, and corrected by Newton steps where it is used.
+//! Groups of equations without a closed form: their solution is prepared as a table over the input,
+//! followed from one known solution, and corrected by Newton steps where it is used.
 //!
-//! The *state* of a group is a few numbers, all about 1: cosine and sine of its angles, its lengths scaled. A table gives
-//! the state at any input with an error of 1e-9 or less, so that a single Newton step brings it to rounding. It also
-//! gives the *floor*, half of the smallest determinant near that input: a step that is small while the determinant is not
-//! below the floor cannot have ended on another solution.
+//! The *state* of a group is a few numbers, all about 1: cosine and sine of its angles, its lengths
+//! scaled. A table gives the state at any input with an error of 1e-9 or less, so that a single
+//! Newton step brings it to rounding. It also gives the *floor*, half of the smallest determinant
+//! near that input: a step that is small while the determinant is not below the floor cannot have
+//! ended on another solution.
 //!
-//! With several inputs, or none, the states are prepared on a [`Grid`]. Over two inputs it has polynomials and one step is made, as from a table;
-//! over others it has slopes, and four steps are made.
+//! With several inputs, or none, the states are prepared on a [`Grid`]. Over two inputs it has
+//! polynomials and one step is made, as from a table; over others it has slopes, and four steps are
+//! made.
 
 mod cell;
 mod estimate;
@@ -22,7 +24,7 @@ mod shared;
 mod states;
 mod straight;
 mod table;
-mod turning;
+mod turning_point;
 mod walk;
 
 pub use crate::certificate::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE};
@@ -34,10 +36,10 @@ pub use states::{meeting_states, states};
 pub use straight::dead_point;
 pub use table::Table;
 
-use crate::Enclosure;
+use crate::scalar::Enclosure;
 use alloc::vec::Vec;
 
-/// A group of equations: what brings a state nearer to the solution.
+/// A group of equations with a correction that brings a state nearer to the solution.
 pub trait Correction {
     /// One Newton step at the inputs `x`, in place. Where there is none the step's size is NaN.
     fn correct(&mut self, x: &[f64], state: &mut [f64]) -> Step;
@@ -51,8 +53,9 @@ impl<F: FnMut(&[f64], &mut [f64]) -> Step> Correction for F {
 
 /// A group of which a solution can be proven.
 pub trait Residuals: Correction {
-    /// What its equations miss by over a box of states, at the inputs `x`: as many as its unknowns have numbers, less one for each unit vector.
-    /// Of a group of which nothing is proven, nothing.
+    /// Returns the errors of the equations over a box of states, at the inputs `x`: as many as the
+    /// unknowns have numbers, less one for each unit vector. Returns none for a group without a
+    /// proof.
     fn residuals(&mut self, _x: &[f64], _state: &[Enclosure]) -> Vec<Enclosure> {
         Vec::new()
     }
@@ -74,11 +77,11 @@ pub struct Range {
     pub low: f64,
     /// The other end; below the first one it is the lower.
     pub high: f64,
-    /// Whether the input is an angle in radians of which everything repeats after a turn.
+    /// True if the input is an angle in radians of which everything repeats after a turn.
     pub turn: bool,
 }
 
-/// How a table ends.
+/// The end of a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum End {
     /// It does not: the state repeats after a turn.
@@ -87,7 +90,7 @@ pub enum End {
     Range(f64),
     /// At a turning point, where this solution meets another one and both end.
     TurningPoint(f64),
-    /// Where the solution cannot be followed any further: another one is too near.
+    /// A place beyond which the solution cannot be followed: another one is too near.
     Lost(f64),
 }
 

@@ -3,7 +3,8 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// The inverse of a matrix by rows, by elimination with the largest pivots; nothing where one is 0 or not finite.
+/// The inverse of a matrix by rows, by elimination with the largest pivots; nothing where one is 0
+/// or not finite.
 pub fn inverse(mut matrix: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
     let count = matrix.len();
     for (k, row) in matrix.iter_mut().enumerate() {
@@ -20,7 +21,7 @@ pub fn inverse(mut matrix: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
             return None;
         }
         matrix[column].iter_mut().for_each(|x| *x *= factor);
-        let own = matrix[column].clone();
+        let pivot_row = matrix[column].clone();
         for (_, row) in matrix
             .iter_mut()
             .enumerate()
@@ -28,8 +29,8 @@ pub fn inverse(mut matrix: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
         {
             let factor = row[column];
             row.iter_mut()
-                .zip(&own)
-                .for_each(|(x, own)| *x -= factor * own);
+                .zip(&pivot_row)
+                .for_each(|(x, pivot)| *x -= factor * pivot);
         }
     }
     Some(
@@ -53,7 +54,7 @@ mod tests {
         ];
         let inverse = inverse(matrix.clone()).expect("it is regular");
         for (i, row) in matrix.iter().enumerate() {
-            let products = |j: usize| row.iter().zip(&inverse).map(move |(x, own)| x * own[j]);
+            let products = |j: usize| row.iter().zip(&inverse).map(move |(x, row)| x * row[j]);
             let product: Vec<f64> = (0..3).map(|j| products(j).sum()).collect();
             let off = product.iter().enumerate();
             let off = off.map(|(j, x)| (x - if i == j { 1.0 } else { 0.0 }).abs());

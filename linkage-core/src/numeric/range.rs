@@ -1,16 +1,16 @@
-//! Where in the range of an input a mechanism stops working.
+//! Boundaries of the range of an input in which a mechanism works.
 //!
 //! A *margin* is a function of the input that is positive where the mechanism works and continuous
 //! there, and negative or NaN where it does not. A margin that touches zero and rises again counts
-//! as working: rounding below zero is allowed for, down to -1e-12, so the margin should be scaled to
-//! about 1.
+//! as working: rounding below zero is allowed for, down to -1e-12, so the margin should be scaled
+//! to about 1.
 
-use super::minimum::{Point, descend};
+use super::golden_section::{Point, descend};
 
 /// A margin down to here is rounding.
 const ROUNDING: f64 = -1e-12;
 
-/// How precisely a boundary is located, relative to the size of the numbers in the range.
+/// The precision of a boundary, relative to the size of the numbers in the range.
 const PRECISION: f64 = 1e-12;
 
 /// A boundary between input values where the mechanism works and input values where it does not.
@@ -22,7 +22,7 @@ pub struct Failure {
     pub margin: f64,
     /// The sampling interval in which the boundary lies, counted from the lower end.
     pub index: usize,
-    /// Whether it fails above `at` (and works below); otherwise the other way round.
+    /// True if it fails above `at` (and works below); otherwise the other way round.
     pub above: bool,
 }
 
@@ -53,13 +53,13 @@ pub fn first_failure(
     let grid = Grid::new(lo, hi, start, samples);
     let margin = &mut margin;
 
-    let mut middle = Point::at(grid.at(0), margin);
+    let mut middle = Point::evaluate(grid.at(0), margin);
     if fails(middle) {
         return Some(start_of_work(&grid, middle, margin));
     }
     let mut before = middle;
     for index in 1..=grid.intervals() {
-        let next = Point::at(grid.at(index), margin);
+        let next = Point::evaluate(grid.at(index), margin);
         if fails(next) {
             return Some(boundary(&grid, middle, next, margin));
         }
@@ -94,13 +94,13 @@ pub fn minimum(lo: f64, hi: f64, samples: usize, mut margin: impl FnMut(f64) -> 
     let margin = &mut margin;
     let undefined = |point: Point| point.margin.is_nan();
 
-    let mut middle = Point::at(grid.at(0), margin);
+    let mut middle = Point::evaluate(grid.at(0), margin);
     let (mut before, mut best) = (middle, middle);
     for index in 1..=grid.intervals() {
         if undefined(best) {
             return (best.x, best.margin);
         }
-        let next = Point::at(grid.at(index), margin);
+        let next = Point::evaluate(grid.at(index), margin);
         best = best.lower(next);
         if dips(before, middle, next) {
             best = best.lower(descend(before, next, margin, undefined));
@@ -113,8 +113,8 @@ pub fn minimum(lo: f64, hi: f64, samples: usize, mut margin: impl FnMut(f64) -> 
     (best.x, best.margin)
 }
 
-/// Whether the middle of three neighbouring samples is a local minimum. At the lower end the first
-/// two are the same sample, which then counts if the margin rises from it.
+/// Returns whether the middle of three neighbouring samples is a local minimum. At the lower end
+/// the first two are the same sample, which then counts if the margin rises from it.
 fn dips(before: Point, middle: Point, next: Point) -> bool {
     let (fall, rise) = (before.margin - middle.margin, next.margin - middle.margin);
     fall >= 0.0 && rise >= 0.0 && fall + rise > 0.0
@@ -128,7 +128,7 @@ fn fails(point: Point) -> bool {
 fn start_of_work(grid: &Grid, first: Point, margin: &mut impl FnMut(f64) -> f64) -> Failure {
     let mut last = first;
     for index in 1..=grid.intervals() {
-        let next = Point::at(grid.at(index), margin);
+        let next = Point::evaluate(grid.at(index), margin);
         if !fails(next) {
             return boundary(grid, next, last, margin);
         }

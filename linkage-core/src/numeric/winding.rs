@@ -1,8 +1,9 @@
-//! How an angle turns while an input runs through its range.
+//! Turns of an angle while an input runs through its range.
 
 mod uniform;
 
-use crate::{Scalar, certificate};
+use crate::certificate;
+use crate::scalar::Scalar;
 use core::f64::consts::{PI, TAU};
 pub use uniform::uniform;
 use uniform::whole;
@@ -13,7 +14,8 @@ const COMFORT: f64 = certificate::COMFORTABLE_STRAY * PI;
 /// Remainders must stay below this.
 const LIMIT: f64 = certificate::MOST_STRAY * PI;
 
-/// A sum of middles of several inputs that is larger would leave the angle at the start too little of its half turn.
+/// A sum of middles of several inputs that is larger would leave the angle at the start too little
+/// of its half turn.
 const MOST_MIDDLE: f64 = certificate::MOST_MIDDLE * PI;
 
 /// Longer walks are not begun: thousands of turns of the fastest candidate.
@@ -102,11 +104,11 @@ pub fn follow(
 
 /// The centre of an angle that follows several inputs.
 ///
-/// Along input `i` alone, `angle = c_i + k_i x_i + remainder`, the remainder lying evenly about zero;
-/// `m_i = c_i + k_i x_i - angle` at the start is how far the middle of the motion along `i` is from
-/// the angle there. Motions along several inputs add up, and so do their middles:
-/// `c = angle + sum m_i - sum k_i x_i`, all at the start. Where the sum is so large that the angle at
-/// the start would be a turn off, their mean takes its place.
+/// Along input `i` alone, `angle = c_i + k_i x_i + remainder`, the remainder lying evenly about
+/// zero; `m_i = c_i + k_i x_i - angle` at the start is how far the middle of the motion along `i`
+/// is from the angle there. Motions along several inputs add up, and so do their middles:
+/// `c = angle + sum m_i - sum k_i x_i`, all at the start. Where the sum is so large that the angle
+/// at the start would be a turn off, their mean takes its place.
 #[derive(Clone, Copy, Debug)]
 pub struct Centre {
     angle: f64,
@@ -116,7 +118,7 @@ pub struct Centre {
 }
 
 impl Centre {
-    /// Of an angle with this value at the start.
+    /// Starts at an angle of this value.
     pub fn new(angle: f64) -> Self {
         Self {
             angle,
@@ -147,7 +149,8 @@ impl Centre {
 /// Candidate rates that are compared in one walk.
 const TOGETHER: usize = 8;
 
-/// First step of a walk: a part of the range, short enough that the fastest candidate turns by a quarter radian.
+/// First step of a walk: a part of the range, short enough that the fastest candidate turns by a
+/// quarter radian.
 fn step(range: f64, fastest: f64) -> f64 {
     const FEWEST: f64 = 256.0;
     const MOST: f64 = 65536.0;
@@ -157,7 +160,7 @@ fn step(range: f64, fastest: f64) -> f64 {
         .max(range / MOST)
 }
 
-/// How far an angle strays from a line of a given rate.
+/// The largest distance of an angle from a line of a given rate.
 #[derive(Clone, Copy)]
 struct Stray {
     rate: f64,
@@ -200,7 +203,8 @@ impl Stray {
         if other_is_better { other } else { self }
     }
 
-    /// Whether the line repeats with every turn of the input, and so serves beyond the range too.
+    /// Returns whether the line repeats with every turn of the input, and so serves beyond the
+    /// range too.
     fn is_whole(&self) -> bool {
         self.rate % 1.0 == 0.0
     }

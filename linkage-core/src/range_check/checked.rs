@@ -6,7 +6,7 @@ use core::fmt;
 /// An input, as the check sees it.
 #[derive(Clone, Copy, Debug)]
 pub struct Driven {
-    /// Whether it is an angle.
+    /// True if it is an angle.
     pub angle: bool,
     /// Its reference.
     pub reference: f64,
@@ -23,8 +23,8 @@ pub enum Unchecked {
     NoRange,
 }
 
-/// The number of the input that is checked, and its range: the only one that is declared, or a turn about the reference of the only input.
-/// `prepared`: whether a group is prepared over ranges only.
+/// The number of the input that is checked, and its range: the only one that is declared, or a turn
+/// about the reference of the only input. `prepared`: whether a group is prepared over ranges only.
 ///
 /// # Errors
 ///
@@ -36,18 +36,18 @@ pub fn checked(
     let mut count = 0;
     let mut declared = None;
     let mut only = None;
-    for (index, own) in inputs.into_iter().enumerate() {
+    for (index, input) in inputs.into_iter().enumerate() {
         count += 1;
-        only = Some(own);
-        if let Some(range) = own.range {
+        only = Some(input);
+        if let Some(range) = input.range {
             if declared.is_some() {
                 return Err(Unchecked::SeveralRanges);
             }
             declared = Some((index, range));
         }
     }
-    let turn = only.filter(|own| count == 1 && own.angle && !prepared);
-    let turn = turn.map(|own| (0, (own.reference - PI, own.reference + PI)));
+    let turn = only.filter(|input| count == 1 && input.angle && !prepared);
+    let turn = turn.map(|input| (0, (input.reference - PI, input.reference + PI)));
     declared.or(turn).ok_or(Unchecked::NoRange)
 }
 

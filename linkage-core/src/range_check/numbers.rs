@@ -4,7 +4,8 @@ use alloc::borrow::ToOwned;
 use alloc::format;
 use alloc::string::String;
 
-/// Ends of a range that are proposed are this share of it inside the dead point, rounded to a power of ten.
+/// Ends of a range that are proposed are this share of it inside the dead point, rounded to a power
+/// of ten.
 const INSIDE: f64 = 1e-4;
 
 /// A position of an input: `30deg` for an angle, `12mm` for a length.
@@ -36,8 +37,8 @@ fn length(x: f64, unit: &str) -> String {
     format!("{}{unit}", significant(x))
 }
 
-/// A length as a person has written it, probably: in this unit, or in the other one of inches and millimetres if it is a short number there and
-/// none here.
+/// A length as a person has written it, probably: in this unit, or in the other one of inches and
+/// millimetres if it is a short number there and none here.
 ///
 /// ```
 /// use linkage_core::range_check::length_as_written;
@@ -47,12 +48,12 @@ fn length(x: f64, unit: &str) -> String {
 /// ```
 #[must_use]
 pub fn length_as_written(x: f64, unit: &str) -> (f64, &str) {
-    let metres = |name: &str| UNITS.iter().find(|own| own.0 == name).map(|own| own.1);
+    let metres = |name: &str| UNITS.iter().find(|unit| unit.0 == name).map(|unit| unit.1);
     let other = if unit == "inch" { "mm" } else { "inch" };
-    let (Some(own), Some(of_other)) = (metres(unit), metres(other)) else {
+    let (Some(of_unit), Some(of_other)) = (metres(unit), metres(other)) else {
         return (x, unit);
     };
-    match rounded(x * (own / of_other), SHORT) {
+    match rounded(x * (of_unit / of_other), SHORT) {
         Some(there) if rounded(x, MOST_PRINTED).is_none() => (there, other),
         _ => (x, unit),
     }
@@ -65,8 +66,8 @@ fn rounded(x: f64, digits: usize) -> Option<f64> {
     ((rounded - x).abs() <= 1e-13 * x.abs()).then_some(rounded)
 }
 
-/// The ends of a stretch that works, moved to round numbers inside of it, and the step of these numbers. An end that is that of the range
-/// stays.
+/// The ends of a stretch that works, moved to round numbers inside of it, and the step of these
+/// numbers. An end that is that of the range stays.
 #[must_use]
 pub fn rounded_inwards(
     reach: [f64; 2],
@@ -123,7 +124,7 @@ pub fn significant(x: f64) -> String {
     }
 }
 
-/// The exponent of the first digit in powers of ten; 0 for what is no finite number.
+/// Returns the exponent of the first digit in powers of ten; 0 for numbers that are not finite.
 fn exponent(x: f64) -> i32 {
     let text = format!("{x:e}");
     let exponent = text.rsplit('e').next();

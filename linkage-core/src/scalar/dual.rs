@@ -102,7 +102,7 @@ impl<D: DualNum<Primitive = f64> + Copy> Scalar for Dual<D> {
     /// At the dead point itself the value is 0 and the derivatives are not finite.
     #[inline(always)]
     fn root_with<const FUSED: bool>(self, slack: Self, size: Self) -> Self {
-        let [q, slack, size] = [self, slack, size].map(|own| own.0.re());
+        let [q, slack, size] = [self, slack, size].map(|number| number.0.re());
         let root = q.root_with::<FUSED>(slack, size);
         if root > 0.0 {
             Self(self.0.sqrt())

@@ -6,12 +6,13 @@ mod operators;
 use super::Scalar;
 use bounds::Bounds;
 
-/// A function of one variable over an interval, as a [`Scalar`]: between which numbers all its values are, all its slopes, and
-/// the value in the middle of the interval.
+/// A function of one variable over an interval, as a [`Scalar`]: bounds of all its values, bounds
+/// of all its slopes, and the value in the middle of the interval.
 ///
-/// All bounds are rounded outwards, so that they hold for the function itself and not only for what is computed of it. They
-/// are the tighter, by the square, the shorter the interval is: values are those of interval arithmetic and of the mean value
-/// theorem at once (R. E. Moore, *Interval Analysis*, 1966). Where nothing can be said, bounds are NaN.
+/// All bounds are rounded outwards, so that they hold for the function itself and not only for what
+/// is computed of it. They are the tighter, by the square, the shorter the interval is: values are
+/// those of interval arithmetic and of the mean value theorem at once (R. E. Moore, *Interval
+/// Analysis*, 1966). Where nothing can be said, bounds are NaN.
 ///
 /// ```
 /// use linkage_core::{Enclosure, Scalar};
@@ -59,7 +60,8 @@ impl Enclosure {
         [self.range.low, self.range.high]
     }
 
-    /// A number below all derivatives by the variable and one above them; NaN where nothing is known.
+    /// A number below all derivatives by the variable and one above them; NaN where nothing is
+    /// known.
     #[must_use]
     pub fn slopes(self) -> [f64; 2] {
         [self.slope.low, self.slope.high]
@@ -81,8 +83,8 @@ impl Enclosure {
         }
     }
 
-    /// A value of these parts, within what the mean value theorem says.
-    fn of(range: Bounds, middle: Bounds, slope: Bounds, half: f64) -> Self {
+    /// Returns a value of these parts, within the bounds of the mean value theorem.
+    fn from_parts(range: Bounds, middle: Bounds, slope: Bounds, half: f64) -> Self {
         let aside = Bounds::between(-half, half);
         let mean = match slope.low.is_finite() && slope.high.is_finite() {
             true => middle + slope * aside,
@@ -102,7 +104,7 @@ impl Enclosure {
         function: impl Fn(Bounds) -> Bounds,
         derivative: impl Fn(Bounds) -> Bounds,
     ) -> Self {
-        Self::of(
+        Self::from_parts(
             function(self.range),
             function(self.middle),
             derivative(self.range) * self.slope,
@@ -186,7 +188,7 @@ impl Scalar for Enclosure {
     fn atan2(self, x: Self) -> Self {
         let y = self;
         let square = x.range.square() + y.range.square();
-        Self::of(
+        Self::from_parts(
             y.range.atan2(x.range),
             y.middle.atan2(x.middle),
             (x.range * y.slope - y.range * x.slope) / square,
@@ -203,7 +205,8 @@ impl Scalar for Enclosure {
         }
     }
 
-    /// What is negative counts as 0: whoever asks for bounds of what depends on a root looks after its discriminant, too.
+    /// Clamps negative numbers to 0. Callers that need bounds of an expression with a root must
+    /// check its discriminant themselves.
     #[inline(never)]
     fn root_with<const FUSED: bool>(self, _slack: Self, _size: Self) -> Self {
         let positive = |range: Bounds| Bounds::between(range.low.max(0.0), range.high);
@@ -217,7 +220,7 @@ impl Scalar for Enclosure {
     #[inline(never)]
     fn angle_near(y: Self, x: Self, guide: Self) -> Self {
         // Seen from the middle of the box no vector of it is near half a turn.
-        let [cx, cy] = [x, y].map(|own| own.range.centre());
+        let [cx, cy] = [x, y].map(|value| value.range.centre());
         let base = Bounds::exactly(Scalar::angle_near(cy, cx, guide.range.centre()));
         let [fx, fy] = [cx, cy].map(Bounds::exactly);
         let angle = |x: Bounds, y: Bounds| {
@@ -227,7 +230,7 @@ impl Scalar for Enclosure {
         };
         let square = x.range.square() + y.range.square();
         let half = x.half.max(y.half).max(guide.half);
-        let all = Self::of(
+        let all = Self::from_parts(
             angle(x.range, y.range),
             angle(x.middle, y.middle),
             (x.range * y.slope - y.range * x.slope) / square,
@@ -248,7 +251,7 @@ impl Scalar for Enclosure {
         }
     }
 
-    /// Where either may be chosen, nothing is known of the slope.
+    /// Returns unknown slopes where either may be chosen.
     fn select(s: Self, a: Self, b: Self) -> Self {
         if s.range.low >= 0.0 {
             return a;
@@ -275,7 +278,7 @@ impl Scalar for Enclosure {
         if other.range.high <= self.range.low {
             return other;
         }
-        Self::of(
+        Self::from_parts(
             self.range.least(other.range),
             self.middle.least(other.middle),
             self.slope.or(other.slope),
@@ -291,7 +294,7 @@ impl Scalar for Enclosure {
     fn hypot(self, other: Self) -> Self {
         let length = |a: Bounds, b: Bounds| (a.square() + b.square()).sqrt();
         let range = length(self.range, other.range);
-        Self::of(
+        Self::from_parts(
             range,
             length(self.middle, other.middle),
             (self.range * self.slope + other.range * other.slope) / range,

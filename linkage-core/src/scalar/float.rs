@@ -37,8 +37,9 @@ impl Float for f32 {
     const TURN_LOW: f32 = 1.935_307_2e-3;
 }
 
-// Choices are integer operations, or a minimum or maximum, which are instructions of their own: two other choices on one
-// comparison of floats become a branch, and comparisons of neighbouring numbers are made one, so that they share it.
+// Choices are integer operations, or a minimum or maximum, which are instructions of their own: two
+// other choices on one comparison of floats become a branch, and comparisons of neighbouring
+// numbers are made one, so that they share it.
 macro_rules! scalar {
     ($float:ident, $bits:ident, $functions:ident) => {
         impl Scalar for $float {
@@ -138,9 +139,11 @@ macro_rules! scalar {
             #[inline(always)]
             fn root_with<const FUSED: bool>(self, slack: Self, size: Self) -> Self {
                 let reserve = elementary::$functions::mul_add::<FUSED>(slack, size, self);
-                // The root waits for a maximum only, one instruction, not for the test: -0 becomes 0. NaN has no reserve.
+                // The root waits for a maximum only, one instruction, not for the test: -0 becomes
+                // 0. NaN has no reserve.
                 let root = math::$functions::sqrt(select_unpredictable(self > 0.0, self, 0.0));
-                // What is chosen is a constant: a root within a choice may be passed by with a branch, or divisors wait for each other.
+                // What is chosen is a constant: a root within a choice may be passed by with a
+                // branch, or divisors wait for each other.
                 let nan = select_unpredictable(reserve >= 0.0, 0.0, <$float>::NAN);
                 <$float>::from_bits(root.to_bits() | nan.to_bits())
             }
@@ -164,7 +167,8 @@ macro_rules! scalar {
 
             #[inline(always)]
             fn select(s: Self, a: Self, b: Self) -> Self {
-                // The sign bit, but not that of -0. A choice by masks is seen through and may become a branch around a load.
+                // The sign bit, but not that of -0. A choice by masks is seen through and may
+                // become a branch around a load.
                 let negative = s.to_bits() & s.to_bits().wrapping_sub(1);
                 let [a, b] = [a, b].map(<$float>::to_bits);
                 let chosen = select_unpredictable(negative.cast_signed() < 0, b, a);
@@ -176,7 +180,8 @@ macro_rules! scalar {
 
             #[inline(always)]
             fn unless_negative(s: Self, a: Self) -> Self {
-                // A choice beside 0 stays in the registers of floats: `a` would have to leave and enter them again.
+                // A choice beside 0 stays in the registers of floats: `a` would have to leave and
+                // enter them again.
                 let nan = select_unpredictable(s >= 0.0, 0.0, <$float>::NAN);
                 <$float>::from_bits(a.to_bits() | nan.to_bits())
             }

@@ -1,4 +1,4 @@
-//! Operators of the adapters: each works on what the newtype holds.
+//! Operators of the adapters: each works on the number in the newtype.
 
 /// Implements the operators and their assigning forms for a newtype `$name<$inner>`.
 macro_rules! operators {

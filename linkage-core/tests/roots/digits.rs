@@ -15,10 +15,10 @@ fn nearly_movable(random: &mut Random, off: f64) -> (Triad, [[Complex; 2]; 2]) {
     let (mut triad, [_, platform]) = Triad::random("RRR", random);
     let (shift, first, aside) = (point(random), direction(random), direction(random));
     triad.pivots = triad.points.map(|place| place * platform + shift);
-    triad.pivots[2] = triad.pivots[2] + aside.scaled(off);
+    triad.pivots[2] += aside.scaled(off);
     // The change of length by itself: subtracted from the length it would keep few digits.
     let closing = first.scaled(LENGTH) - aside.scaled(off);
-    triad.legs = [LENGTH, LENGTH, closing.abs()].map(|length| Leg::Turning { length });
+    triad.legs = [LENGTH, LENGTH, closing.size()].map(|length| Leg::Turning { length });
     let mirrored = aside * aside * first.conjugate();
     (triad, [[first, platform], [mirrored, platform]])
 }

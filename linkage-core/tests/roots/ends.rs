@@ -11,7 +11,7 @@ fn product(factors: &[(Complex, usize)]) -> Vec<Complex> {
         for _ in 0..power {
             let mut next = vec![complex(0.0, 0.0); product.len() + 1];
             for (k, &own) in product.iter().enumerate() {
-                next[k + 1] = next[k + 1] + own;
+                next[k + 1] += own;
                 next[k] = next[k] - own * root;
             }
             product = next;
@@ -56,7 +56,7 @@ fn paths_that_meet_in_twos_threes_and_sixes_end_where_they_meet() {
 #[test]
 fn many_that_meet_off_the_real_line_do_not_hide_what_is_real() {
     let inner = complex(-0.3, 0.1);
-    let outer = inner.scaled(1.0 / (inner.abs() * inner.abs()));
+    let outer = inner.scaled(1.0 / (inner.size() * inner.size()));
     let ends = [unit(0.4), unit(2.5)];
     let all = [(inner, 5), (outer, 5), (ends[0], 1), (ends[1], 1)];
     let listing = listed(Variable::Unit, &product(&all));

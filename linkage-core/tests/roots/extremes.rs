@@ -17,9 +17,9 @@ fn disproportionate(random: &mut Random, powers: f64) -> (Triad, [Complex; 2]) {
     let points = [complex(0.0, 0.0), place(), place()];
     let (origin, ways) = (place(), [place(), place(), place()]);
     let platform = direction(random);
-    let legs = ways.map(|way| Leg::Turning { length: way.abs() });
+    let legs = ways.map(|way| Leg::Turning { length: way.size() });
     let pivots = [0, 1, 2].map(|k| origin + points[k] * platform - ways[k]);
-    let first = ways[0].scaled(1.0 / ways[0].abs());
+    let first = ways[0].scaled(1.0 / ways[0].size());
     let triad = Triad {
         legs,
         pivots,

@@ -32,7 +32,7 @@ impl Twins {
             shared + second[0] * z,
             shared + second[1] * z,
         ];
-        let lengths = std::array::from_fn(|k: usize| (ends[k] - pivots[k]).abs());
+        let lengths = std::array::from_fn(|k: usize| (ends[k] - pivots[k]).size());
         let x = (start - pivots[0]).scaled(1.0 / lengths[0]);
         let twins = Self {
             pivots,
@@ -75,7 +75,7 @@ impl Twins {
         let start = shared.minus(&y.scaled(self.first[1]));
         let side = third.minus(&shared);
         let [a, b] = self.second;
-        let quotient = (b * a.conjugate()).scaled(1.0 / (a.abs() * a.abs()));
+        let quotient = (b * a.conjugate()).scaled(1.0 / (a.size() * a.size()));
         let ends = [
             start.clone(),
             start.plus(&y.scaled(self.first[0])),
@@ -89,7 +89,7 @@ impl Twins {
                 leg.square(&variables).minus(&constant(real(square)))
             })
             .collect();
-        let square = a.abs() * a.abs();
+        let square = a.size() * a.size();
         equations.push(side.square(&variables).minus(&constant(real(square))));
         Equations::new(&variables, &equations)
     }

@@ -3,61 +3,15 @@
 
 use linkage_core::numeric::roots::{Listing, System, Term, Unlisted, Variable, solve};
 use std::collections::BTreeMap;
-use std::ops::{Add, Mul, Sub};
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Complex {
-    pub(crate) re: f64,
-    pub(crate) im: f64,
-}
+pub(crate) use linkage_core::numeric::complex::Complex;
 
 pub(crate) const fn complex(re: f64, im: f64) -> Complex {
-    Complex { re, im }
+    Complex::new(re, im)
 }
 
 pub(crate) fn unit(angle: f64) -> Complex {
-    complex(angle.cos(), angle.sin())
-}
-
-impl Complex {
-    pub(crate) fn conjugate(self) -> Self {
-        complex(self.re, -self.im)
-    }
-
-    pub(crate) fn abs(self) -> f64 {
-        self.re.hypot(self.im)
-    }
-
-    pub(crate) fn scaled(self, factor: f64) -> Self {
-        complex(self.re * factor, self.im * factor)
-    }
-}
-
-impl Add for Complex {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        complex(self.re + other.re, self.im + other.im)
-    }
-}
-
-impl Sub for Complex {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        complex(self.re - other.re, self.im - other.im)
-    }
-}
-
-impl Mul for Complex {
-    type Output = Self;
-
-    fn mul(self, other: Self) -> Self {
-        complex(
-            self.re * other.re - self.im * other.im,
-            self.re * other.im + self.im * other.re,
-        )
-    }
+    Complex::polar(angle)
 }
 
 /// A sum of products of powers of the variables.
@@ -88,7 +42,7 @@ impl Laurent {
                 .terms
                 .entry(exponents.clone())
                 .or_insert(complex(0.0, 0.0));
-            *known = *known + *value;
+            *known += *value;
         }
         sum
     }

@@ -15,7 +15,7 @@ fn at_a_turning_point(random: &mut Random) -> (Triad, [Complex; 2]) {
     let (origin, platform, pole) = (point(random), direction(random), point(random));
     let joints = points.map(|place| origin + place * platform);
     let pivots = joints.map(|joint| joint + (pole - joint).scaled(random.between(0.4, 1.5)));
-    let lengths = [0, 1, 2].map(|k| (joints[k] - pivots[k]).abs());
+    let lengths = [0, 1, 2].map(|k| (joints[k] - pivots[k]).size());
     let first = (joints[0] - pivots[0]).scaled(1.0 / lengths[0]);
     let triad = Triad {
         legs: lengths.map(|length| Leg::Turning { length }),

@@ -24,7 +24,7 @@ fn a_point_may_be_at_the_origin() {
     let variables = [Variable::Point, Variable::Conjugate];
     let place = Laurent::variable(0, 2);
     let circle = |centre: Complex| {
-        let radius = complex(centre.abs() * centre.abs(), 0.0);
+        let radius = complex(centre.size() * centre.size(), 0.0);
         let way = place.minus(&Laurent::constant(centre, 2));
         way.square(&variables).minus(&Laurent::constant(radius, 2))
     };
@@ -76,7 +76,7 @@ fn eight_variables() {
         let mut value = pose[j] * a;
         if j > 0 {
             sum = sum.plus(&Laurent::variable(j - 1, 8).scaled(b.scaled(0.4)));
-            value = value + pose[j - 1] * b.scaled(0.4);
+            value += pose[j - 1] * b.scaled(0.4);
         }
         let shift = complex(0.0, value.im);
         let sum = sum.minus(&Laurent::constant(shift, 8));

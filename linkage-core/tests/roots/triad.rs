@@ -43,10 +43,10 @@ impl Triad {
         let mut first = zero;
         for (k, kind) in kinds.chars().enumerate() {
             let leg = origin + points[k] * platform - pivots[k];
-            let toward = leg.scaled(1.0 / leg.abs());
+            let toward = leg.scaled(1.0 / leg.size());
             let coordinate;
             (triad.legs[k], coordinate) = match kind {
-                'R' => (Leg::Turning { length: leg.abs() }, toward),
+                'R' => (Leg::Turning { length: leg.size() }, toward),
                 'F' => {
                     let slide = random.between(-1.0, 1.0);
                     let along = direction(random);
@@ -55,7 +55,7 @@ impl Triad {
                 }
                 _ => {
                     let along = (toward * platform.conjugate()).scaled(-1.0);
-                    (Leg::PlatformSlide { along }, complex(leg.abs(), 0.0))
+                    (Leg::PlatformSlide { along }, complex(leg.size(), 0.0))
                 }
             };
             if k == 0 {
@@ -135,7 +135,7 @@ impl Triad {
         Some(places.map(|place| {
             let leg = place - locus.centre;
             match locus.along {
-                None => leg.abs() - locus.radius,
+                None => leg.size() - locus.radius,
                 Some(along) => (leg * along.conjugate()).im * sign,
             }
         }))
@@ -175,7 +175,7 @@ fn intersections(a: Locus, b: Locus) -> Option<[Complex; 2]> {
     match (a.along, b.along) {
         (None, None) => {
             let axis = b.centre - a.centre;
-            let distance = axis.abs();
+            let distance = axis.size();
             let direction = axis.scaled(1.0 / distance);
             let foot = (distance * distance + a.radius * a.radius - b.radius * b.radius)
                 / (2.0 * distance);
@@ -186,7 +186,7 @@ fn intersections(a: Locus, b: Locus) -> Option<[Complex; 2]> {
         (Some(along), None) => {
             let foot = (b.centre - a.centre) * along.conjugate();
             let place = a.centre + along.scaled(foot.re);
-            let height = (place - b.centre).abs();
+            let height = (place - b.centre).size();
             let half = (b.radius * b.radius - height * height).sqrt();
             let ends = [place + along.scaled(half), place - along.scaled(half)];
             (!half.is_nan()).then_some(ends)

@@ -21,8 +21,8 @@ pub(super) struct Basis<const N: usize> {
 const DEPENDENT: f64 = 1e-12;
 
 impl<const N: usize> Basis<N> {
-    /// Modified Gram-Schmidt process with every projection made twice: the columns are
-    /// perpendicular to rounding.
+    /// Orthogonalises by the modified process of Gram and Schmidt, with every projection made
+    /// twice: then the columns are perpendicular to rounding.
     pub(super) fn new(rows: &[ForceRow<N>]) -> Result<Self, BalanceError> {
         let mut columns: Vec<[[f64; 3]; N]> = rows.iter().map(|row| row.effects).collect();
         let mut triangle = [[0.0; N]; N];
@@ -60,7 +60,7 @@ impl<const N: usize> Basis<N> {
         &self.columns
     }
 
-    /// The coordinates that take most away from the forces, and the remaining forces, which are
+    /// The coordinates that take most away from the forces, and what remains of these:
     /// perpendicular to all columns.
     pub(super) fn project(&self, rows: &[ForceRow<N>]) -> ([f64; N], Vec<[f64; 3]>) {
         let mut rest: Vec<[f64; 3]> = rows.iter().map(|row| row.force).collect();

@@ -60,8 +60,8 @@ impl Counterweight {
     }
 }
 
-/// Mass times position on a link, in the axes of the link from its origin. A counterweight on a
-/// link with a fixed pivot changes the shaking force by this product alone, whatever its mass.
+/// Mass times place on a link, in the axes of the link from its origin: the effect of a
+/// counterweight on the shaking force if its link has a fixed pivot, whatever its mass.
 ///
 /// ```
 /// use linkage_runtime::balancing::StaticMoment;

@@ -1,4 +1,4 @@
-//! A reason why a balance cannot be computed.
+//! Errors of the numbers of a balance.
 
 use core::fmt;
 
@@ -8,12 +8,12 @@ use core::fmt;
 pub enum BalanceError {
     /// There is nothing to balance.
     Nothing {
-        /// Name of the missing numbers.
+        /// The missing part.
         what: &'static str,
     },
     /// There are not as many rows of effects as forces.
     Count {
-        /// The quantity, counted from 0: the forces, then the added quantities.
+        /// The quantity, counted from 0: the forces, then the added ones.
         group: usize,
         /// The number of forces.
         forces: usize,
@@ -22,7 +22,7 @@ pub enum BalanceError {
     },
     /// A force or an effect is NaN or infinite.
     NotFinite {
-        /// The quantity, counted from 0: the forces, then the added quantities.
+        /// The quantity, counted from 0: the forces, then the added ones.
         group: usize,
         /// The position, counted from 0.
         position: usize,
@@ -50,11 +50,11 @@ pub enum BalanceError {
     OutOfRange,
     /// A number that no counterweight can be made of.
     Counterweight {
-        /// Name of the number.
+        /// The name of the quantity.
         what: &'static str,
         /// The number.
         value: f64,
-        /// The range that is required.
+        /// The condition for the value.
         expected: &'static str,
     },
 }

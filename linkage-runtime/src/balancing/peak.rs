@@ -5,7 +5,6 @@
 //! converged: with vectors `u_i` for which `sum Q_i^T u_i = 0`, any `y` has
 //! `sum u_i . f_i = sum u_i . (f_i + Q_i y) <= sum |u_i| * peak`.
 
-mod cholesky;
 mod step;
 
 use alloc::vec;
@@ -13,11 +12,11 @@ use alloc::vec::Vec;
 
 use super::rows::{ForceRow, add, dot, larger};
 use crate::components::norm;
-use cholesky::Cholesky;
 use linkage_core::math::double::sqrt;
-use step::State;
+use linkage_core::numeric::cholesky::Cholesky;
+use step::{LEAST_PIVOT, State};
 
-/// A point, and a lower bound of all points.
+/// A point, and a lower bound of the peak of all points.
 pub(super) struct PeakSolution<const N: usize> {
     pub(super) coordinates: [f64; N],
     pub(super) bound: f64,
@@ -95,7 +94,7 @@ impl<const N: usize> Problem<N> {
         lengths.fold(0.0, larger)
     }
 
-    /// The bound that the multipliers prove, with `u_i` the remaining forces times their
+    /// Returns the bound that the multipliers prove: with `u_i` the forces that remain times their
     /// multipliers, less their part along the columns.
     fn bound(&self, point: &[f64; N], multipliers: &[f64]) -> f64 {
         let weighted = self.rows.iter().zip(multipliers);
@@ -125,7 +124,7 @@ impl<const N: usize> Problem<N> {
                 }
             }
         }
-        let shares = Cholesky::new(matrix).solve(along);
+        let shares = Cholesky::with_least_pivot(matrix, LEAST_PIVOT).solve(along);
         for ((row, u), weight) in self.rows.iter().zip(u).zip(weights) {
             add(u, *weight, &row.change(&shares));
         }

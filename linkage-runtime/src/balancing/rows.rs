@@ -1,4 +1,4 @@
-//! The conditions: a force at each position, and the effects of the masses on it.
+//! The conditions: at each position a force, and the effects of the masses.
 
 use alloc::vec::Vec;
 
@@ -31,7 +31,7 @@ impl<const N: usize> ForceRow<N> {
         sum
     }
 
-    /// The effects of the masses on the force.
+    /// Returns the effect of masses on the force.
     pub(super) fn change(&self, values: &[f64; N]) -> [f64; 3] {
         let mut sum = [0.0; 3];
         for (effect, value) in self.effects.iter().zip(values) {
@@ -95,7 +95,7 @@ where
     Ok(forces.iter().zip(effects).map(row).collect())
 }
 
-/// The forces that masses leave of a group.
+/// Returns root mean square and peak of a group with these masses.
 pub(super) fn figures<const N: usize>(rows: &[ForceRow<N>], values: &[f64; N]) -> Figures {
     let lengths: Vec<f64> = rows.iter().map(|row| norm(&row.with(values))).collect();
     Figures {
@@ -104,7 +104,7 @@ pub(super) fn figures<const N: usize>(rows: &[ForceRow<N>], values: &[f64; N]) -
     }
 }
 
-/// The rounding error of the remaining forces and of sums over them.
+/// Returns a bound of the rounding error of the forces with masses, and of sums over them.
 pub(super) fn rounding<const N: usize>(rows: &[ForceRow<N>], values: &[f64; N]) -> f64 {
     let terms = |row: &ForceRow<N>| {
         let effects = row.effects.iter().zip(values);

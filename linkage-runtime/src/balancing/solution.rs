@@ -1,4 +1,4 @@
-//! Results of balancing.
+//! The results of balancing.
 
 use core::fmt;
 
@@ -42,8 +42,8 @@ pub struct Solution<const N: usize> {
     pub before: Figures,
     /// With them.
     pub after: Figures,
-    /// A lower bound of the minimised figure over all masses: for [`peak`](super::Balance::peak)
-    /// the peak, proven independently of the search; for
+    /// The lower bound of the minimised figure for any masses: by [`peak`](super::Balance::peak)
+    /// the peak, proven independently of the search; by
     /// [`mean_square`](super::Balance::mean_square) the root mean square, which is that of `after`.
     pub bound: f64,
 }

@@ -1,8 +1,9 @@
 //! The contact of a follower with its cam.
 
-use super::complex::{Complex, I};
 use super::follower::Follower;
+use super::plane::{direction, length, relative};
 use linkage_core::Scalar;
+use linkage_core::numeric::complex::{Complex, I};
 
 /// The contact of the follower with the cam at one angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,7 +45,7 @@ pub(super) struct Figures {
 
 /// The contact at an angle of the cam, with the follower's motion `jet` there.
 pub(super) fn contact(follower: &Follower, jet: [f64; 4], angle: f64) -> Contact {
-    let back = Complex::direction(-angle);
+    let back = direction(-angle);
     let radius = follower.radius();
     let Figures { pressure, bend } = figures(follower, jet);
     let Some(centre) = follower.centre(jet) else {
@@ -52,8 +53,8 @@ pub(super) fn contact(follower: &Follower, jet: [f64; 4], angle: f64) -> Contact
         let height = face(follower) + s;
         return Contact {
             angle,
-            pitch: (back * Complex(0.0, height)).point(),
-            profile: (back * Complex(first, height)).point(),
+            pitch: (back * Complex::new(0.0, height)).into(),
+            profile: (back * Complex::new(first, height)).into(),
             pressure_angle: 0.0,
             pitch_curvature: 1.0 / bend.value,
             radius: bend.value,
@@ -62,12 +63,12 @@ pub(super) fn contact(follower: &Follower, jet: [f64; 4], angle: f64) -> Contact
     };
     let [z, speed, ..] = centre.jet;
     let along = speed - I * z;
-    let length = along.length();
+    let length = length(along);
     let normal = (1.0 / length) * (I * along);
     Contact {
         angle,
-        pitch: (back * z).point(),
-        profile: (back * (z - radius * normal)).point(),
+        pitch: (back * z).into(),
+        profile: (back * (z - radius * normal)).into(),
         pressure_angle: pressure.value,
         pitch_curvature: bend.value,
         radius: 1.0 / bend.value - radius,
@@ -103,21 +104,21 @@ pub(super) fn figures(follower: &Follower, jet: [f64; 4]) -> Figures {
     let first = speed - I * z;
     let second = acceleration - 2.0 * (I * speed) - z;
     let third = jerk - 3.0 * (I * acceleration) - 3.0 * speed + I * z;
-    let square = first.seen(first).0;
-    let length = first.length();
+    let square = relative(first, first).re;
+    let length = length(first);
     let cube = square * length;
-    let Complex(stretch, bend) = first.seen(second);
-    let normal = centre.way.seen(I * first);
+    let [stretch, bend] = relative(first, second).into();
+    let normal = relative(centre.way, I * first);
     // The normal turns in the frame by one less than on the cam.
     let turning = 1.0 + bend / square;
     Figures {
         pressure: Rate {
-            value: Scalar::atan2(normal.1, normal.0),
+            value: Scalar::atan2(normal.im, normal.re),
             slope: turning - centre.turning,
         },
         bend: Rate {
             value: -bend / cube,
-            slope: (3.0 * bend * stretch / square - first.seen(third).1) / cube,
+            slope: (3.0 * bend * stretch / square - relative(first, third).im) / cube,
         },
     }
 }

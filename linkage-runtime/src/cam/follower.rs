@@ -4,8 +4,9 @@ use core::f64::consts::PI;
 
 use linkage_core::math::double::sqrt;
 
-use super::complex::{Complex, I};
+use super::plane::direction;
 use linkage_core::Scalar;
+use linkage_core::numeric::complex::{Complex, I};
 
 /// A follower of a cam. A roller of radius 0 is a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,7 +64,12 @@ impl Follower {
         match *self {
             Self::Roller { base, offset, .. } => {
                 let height = sqrt((base - offset) * (base + offset)) + s;
-                let jet = [Complex(offset, height), first * I, second * I, third * I];
+                let jet = [
+                    Complex::new(offset, height),
+                    first * I,
+                    second * I,
+                    third * I,
+                ];
                 Some(Centre {
                     jet,
                     way: I,
@@ -75,16 +81,16 @@ impl Follower {
             } => {
                 let cosine = (pivot * pivot + arm * arm - base * base) / (2.0 * pivot * arm);
                 let begin = Scalar::acos(cosine);
-                let direction = Complex::direction(PI - (begin + s));
+                let direction = direction(PI - (begin + s));
                 let arm = arm * direction;
                 // Each derivative of the arm is a factor times it; the arm turns against the angle.
                 let factors = [
-                    Complex(0.0, -first),
-                    Complex(-first * first, -second),
-                    Complex(-3.0 * first * second, first * first * first - third),
+                    Complex::new(0.0, -first),
+                    Complex::new(-first * first, -second),
+                    Complex::new(-3.0 * first * second, first * first * first - third),
                 ];
                 let [speed, acceleration, jerk] = factors.map(|factor| factor * arm);
-                let jet = [Complex(pivot, 0.0) + arm, speed, acceleration, jerk];
+                let jet = [Complex::new(pivot, 0.0) + arm, speed, acceleration, jerk];
                 Some(Centre {
                     jet,
                     way: -(I * direction),

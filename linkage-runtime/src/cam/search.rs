@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
 
-use linkage_core::numeric::summit::highest;
+use linkage_core::numeric::maximise::maximise;
 
 use super::contact::{Figures, Rate};
 use super::turn::{HALVINGS, POSITIONS, angles};
@@ -55,7 +55,7 @@ pub(super) fn peak(
     figure: impl Fn(f64) -> f64,
 ) -> Stationary {
     let value = |angle: f64| figure_of(figures(angle)).value;
-    let searched = highest([0.0, TAU], POSITIONS + 1, |angle| figure(value(angle)));
+    let searched = maximise([0.0, TAU], POSITIONS + 1, |angle| figure(value(angle)));
     let searched = searched.map_or(0.0, |summit| summit.at);
     let first = Stationary {
         angle: searched,

@@ -1,11 +1,12 @@
 //! All solutions of a coupled group over a slab, strand by strand.
 
-use super::curve::{Node, SolutionCurve, dot};
+use super::curve::{Node, SolutionCurve};
 use super::slab::Slab;
 use super::trace::Strand;
 use crate::error::AssemblyError;
 use crate::support::{CoupledGroup, CoupledPrograms, list_solutions};
 use alloc::vec::Vec;
+use linkage_core::numeric::vector::dot;
 
 /// Newton steps for all curves of a slab.
 const CORRECTIONS: usize = 1_000_000;

@@ -7,6 +7,7 @@ use alloc::vec::Vec;
 use linkage_core::math;
 use linkage_core::numeric::continuation::Correction;
 use linkage_core::numeric::roots::Variable;
+use linkage_core::numeric::vector::dot;
 
 /// The derivative by the parameter is a difference over this. Its error is divided by the
 /// determinant, so it is short.
@@ -226,8 +227,4 @@ impl SolutionCurve<'_> {
         }
         state
     }
-}
-
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -5,7 +5,7 @@ use super::parts::parts;
 use super::slab::Slab;
 use alloc::vec::Vec;
 use linkage_core::Enclosure;
-use linkage_core::numeric::minimum::{Point, descend};
+use linkage_core::numeric::golden_section::{Point, descend};
 
 /// A slack that is negative by less, compared with the largest, is rounding: two turning points
 /// that close are one place that the assembly passes.
@@ -53,7 +53,9 @@ pub(super) fn stretches(slab: &Slab, samples: usize, group_slack: &Slack<'_>) ->
     };
     let last = samples.max(2);
     let at = |index: usize| 2.0 * (index as f64 / last as f64) - 1.0;
-    let mut points: Vec<Point> = (0..=last).map(|k| Point::at(at(k), &mut slack)).collect();
+    let mut points: Vec<Point> = (0..=last)
+        .map(|k| Point::evaluate(at(k), &mut slack))
+        .collect();
     if !group_slack.served {
         trim(&mut points);
     }
@@ -65,7 +67,7 @@ pub(super) fn stretches(slab: &Slab, samples: usize, group_slack: &Slack<'_>) ->
         let parts = parts(&over, group_slack.single, ROUNDING * size);
         // Ends within the slab: where signs change there is one between two of them.
         let between = parts.ends.into_iter().filter(|u| u.abs() < 1.0);
-        points.extend(between.map(|u| Point::at(u, &mut slack)));
+        points.extend(between.map(|u| Point::evaluate(u, &mut slack)));
         points.sort_by(|a, b| a.x.total_cmp(&b.x));
         parts.shown
     });
@@ -163,7 +165,7 @@ fn border(
         if (good.x - bad.x).abs() <= WIDTH {
             break;
         }
-        let point = Point::at(middle, slack);
+        let point = Point::evaluate(middle, slack);
         let better = if good.margin > 0.0 {
             point.margin > 0.0
         } else {

@@ -1,9 +1,11 @@
 //! One connected piece of a curve, from end to end of its slab or round.
 
-use super::curve::{Node, SolutionCurve, dot};
+use super::curve::{Node, SolutionCurve};
 use alloc::collections::VecDeque;
 use alloc::vec::Vec;
 use linkage_core::math;
+use linkage_core::numeric::golden_section::RATIO;
+use linkage_core::numeric::vector::dot;
 
 /// Lengths of steps: the first, the largest, and one that is no step any more.
 const FIRST: f64 = 0.01;
@@ -168,10 +170,9 @@ impl SolutionCurve<'_> {
         sign: f64,
         [mut low, mut high]: [f64; 2],
     ) -> Option<(f64, Node)> {
-        const GOLDEN: f64 = 0.618_033_988_749_894_9;
         const STEPS: usize = 30;
         for _ in 0..STEPS {
-            let lengths = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
+            let lengths = [high - RATIO * (high - low), low + RATIO * (high - low)];
             let [left, right] = [
                 self.step_along(node, lengths[0])?,
                 self.step_along(node, lengths[1])?,

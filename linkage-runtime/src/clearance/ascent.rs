@@ -9,6 +9,7 @@ use super::PhaseError;
 use super::probe::Line;
 use alloc::vec;
 use alloc::vec::Vec;
+use linkage_core::numeric::vector::dot;
 
 /// All minima at some phases.
 #[derive(Clone, Debug)]
@@ -230,10 +231,6 @@ fn solved(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
         solution[columns[step]] = (row[size] - known) / row[columns[step]];
     }
     solution
-}
-
-fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
 #[cfg(test)]

@@ -6,8 +6,9 @@
 //! parameters. A free position satisfies `dq/ds = 0`. Second derivatives are those of `q` less the
 //! part of the free positions: `q_xy - q_xf (q_ff)^-1 q_fy`.
 
-use super::shape::{Feature, Jet, Pair, difference, dot, edge};
+use super::shape::{Feature, Jet, Pair, difference, edge};
 use crate::components::norm;
+use linkage_core::numeric::vector::dot;
 
 /// The distance of two parts at one angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,7 +81,7 @@ impl<const K: usize> Case<K> {
                 };
                 // From `t`: the gap stays across the first edge, wherever rounding put the place on
                 // the second one.
-                let left = core::array::from_fn(|k| base[0][k] - t * w[0][k]);
+                let left: [f64; K] = core::array::from_fn(|k| base[0][k] - t * w[0][k]);
                 [-dot(&left, &u[0]) / uu, t]
             }
         };

@@ -1,8 +1,9 @@
 //! A place of the cycle where two shapes are nearest to each other.
 
 use super::case::{Case, Variation};
-use super::shape::{between, difference, dot};
+use super::shape::{between, difference};
 use crate::components::Components;
+use linkage_core::numeric::vector::dot;
 
 /// A place of the cycle with a local minimum of the distance of two shapes.
 #[derive(Clone, Copy, Debug, PartialEq)]

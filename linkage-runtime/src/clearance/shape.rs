@@ -50,10 +50,6 @@ pub(super) fn between<const K: usize>(ends: [&[f64; K]; 2], foot: f64) -> [f64; 
     core::array::from_fn(|k| ends[0][k] + foot * (ends[1][k] - ends[0][k]))
 }
 
-pub(super) fn dot<const K: usize>(a: &[f64; K], b: &[f64; K]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
 pub(super) fn difference<const K: usize>(a: &[f64; K], b: &[f64; K]) -> [f64; K] {
     core::array::from_fn(|k| a[k] - b[k])
 }

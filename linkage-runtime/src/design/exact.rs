@@ -3,9 +3,7 @@
 mod ball;
 mod burmester;
 mod certificate;
-mod complex;
 mod dense;
-mod double;
 mod dyad;
 mod error;
 mod five_points;
@@ -15,6 +13,7 @@ mod long;
 mod nine_points;
 mod path;
 mod polynomial;
+mod real;
 mod solutions;
 mod task;
 #[cfg(test)]
@@ -24,20 +23,20 @@ mod verify;
 pub use burmester::{CentreCurve, CentrePoint, Dyad, Dyads, Pivots};
 pub use error::Unsolved;
 pub use five_points::{FivePoints, five_points};
-pub use four_bar::{FourBar, Passage, Turning, Visit};
-pub use function::{FunctionFourBar, Functions, Pair, Start};
+pub use four_bar::{FourBar, GrashofType, Passage, Visit};
+pub use function::{FunctionFourBar, Functions, GivenStart, Pair};
 pub use nine_points::{
     NinePoints, PathFourBar, TRIPLES, Triple, nine_points, nine_points_reporting,
 };
 pub use solutions::{Equations, Number, Solution, Solutions, Trace, solutions, solutions_traced};
 
-use complex::Complex;
+use linkage_core::numeric::complex::Complex;
 
-/// Ways from general constants, or stored ones, to the given ones: angles without pattern. All solutions are found by the first one but for
-/// accidents; what several find together is as sure.
+/// Arcs from general constants, or stored ones, to the given ones: angles without pattern. The
+/// first arc finds all solutions except by accident; agreement of several arcs confirms them.
 const ARCS: [f64; 3] = [2.1937, -1.3291, 0.8713];
 
-/// Where a body is in the plane: the place of the origin of its frame, and its angle (rad).
+/// The pose of a body in the plane: the place of the origin of its frame, and its angle (rad).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pose {
     /// Place of the origin of the body's frame.
@@ -53,13 +52,13 @@ impl Pose {
         Self { point, angle }
     }
 
-    /// Where a point of the body is.
+    /// Returns the place of a point of the body.
     #[must_use]
     pub fn place(&self, point: [f64; 2]) -> [f64; 2] {
         (Complex::from(self.point) + Complex::polar(self.angle) * point.into()).into()
     }
 
-    /// Which point of the body is there.
+    /// Returns the point of the body that is at a place.
     #[must_use]
     pub fn point_at(&self, place: [f64; 2]) -> [f64; 2] {
         let way = Complex::from(place) - self.point.into();

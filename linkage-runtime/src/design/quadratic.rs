@@ -7,6 +7,8 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
+use linkage_core::numeric::cholesky::{factor, forward};
+use linkage_core::numeric::vector::dot;
 
 /// A half space `normal . d + slack >= 0`, or with `equality` the plane itself.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,7 +65,7 @@ impl Quadratic {
         }
         self.d.clear();
         self.d.extend(gradient.iter().map(|g| -g));
-        forward(&self.factor, self.n, &mut self.d);
+        forward(&self.factor, &mut self.d);
         backward(&self.factor, self.n, &mut self.d);
         self.active.clear();
         self.multipliers.clear();
@@ -90,25 +92,10 @@ impl Quadratic {
     }
 
     fn factorise(&mut self, gram: &[f64]) -> bool {
-        let n = self.n;
         self.factor.clear();
         self.factor.extend_from_slice(gram);
-        let l = &mut self.factor;
-        for i in 0..n {
-            for j in 0..=i {
-                let (row, other) = (i * n, j * n);
-                let inner: f64 = (0..j).map(|k| l[row + k] * l[other + k]).sum();
-                let rest = l[row + j] - inner;
-                if i > j {
-                    l[row + j] = rest / l[other + j];
-                } else if rest > 0.0 && rest.is_finite() {
-                    l[row + j] = rest.sqrt();
-                } else {
-                    return false;
-                }
-            }
-        }
-        true
+        let positive = |_, rest: f64| (rest > 0.0 && rest.is_finite()).then_some(rest);
+        factor(&mut self.factor, self.n, positive).is_some()
     }
 
     /// The face that is violated most, in the measure of `G`'s diagonal, which has no units.
@@ -152,7 +139,7 @@ impl Quadratic {
         for &(j, a) in &face.normal {
             image[j] = sign * a;
         }
-        forward(&self.factor, self.n, &mut image);
+        forward(&self.factor, &mut image);
         let size = dot(&image, &image);
         let mut multiplier = 0.0;
         loop {
@@ -265,20 +252,6 @@ impl Quadratic {
             self.basis.push(rest.iter().map(|x| x / length).collect());
         }
         self.images = images;
-    }
-}
-
-/// The scalar product.
-pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// Solves `L x = right` in place.
-fn forward(l: &[f64], n: usize, x: &mut [f64]) {
-    for i in 0..n {
-        let row = &l[i * n..i * n + i];
-        let inner = dot(row, &x[..i]);
-        x[i] = (x[i] - inner) / l[i * n + i];
     }
 }
 

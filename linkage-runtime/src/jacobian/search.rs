@@ -16,14 +16,14 @@ const GROWN: f64 = 100.0;
 /// beyond their end.
 const SHORTLY: f64 = 1.0 / 64.0;
 
-/// A kind of singular position (C. Gosselin, J. Angeles, "Singularity analysis of closed-loop
+/// The kind of a singular position (C. Gosselin, J. Angeles, "Singularity analysis of closed-loop
 /// kinematic chains", IEEE Trans. Robotics Automation 6, 1990).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SingularityKind {
     /// The determinant of the results by the inputs is zero: inputs move, and the results stand
     /// still in some direction. The drives carry any load there.
     First,
-    /// It is infinite: the results can move although the inputs do not move, and the drives hold no
+    /// It is infinite: the results can move although the inputs stand still, and the drives hold no
     /// load in some direction. A dead point of the mechanism that is driven by these inputs.
     Second,
     /// Beyond are no positions although the determinant stays finite and heads for no pole: the end
@@ -34,7 +34,7 @@ pub enum SingularityKind {
 /// A singular position on a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Singularity {
-    /// Position on the path, to the last digit of the determinant.
+    /// The position on the path, to the last digit that the determinant determines.
     pub at: f64,
     /// In which way.
     pub kind: SingularityKind,
@@ -42,15 +42,14 @@ pub struct Singularity {
 
 /// The singular positions that a path passes, in order, and where its positions begin and end.
 ///
-/// `jacobian` gives the derivatives at a position of the path, not finite if there is none. Between
-/// `steps + 1` evenly spaced positions, changes of the determinant's sign, and borders to places
-/// where it is not finite, are enclosed by halving. A double change between two neighbouring
-/// positions is not found, nor is a position that is touched and not passed.
+/// `jacobian` gives the derivatives at a place of the path, not finite where there is no position.
+/// Between `steps + 1` places at equal distances changes of the determinant's sign, and borders to
+/// where it is not finite, are enclosed by halving. What happens twice between two neighbouring
+/// places is not seen, nor is a position that is touched and not passed.
 ///
-/// The preparation of a coupled group ends shortly before a dead point. This counts as a position
-/// of the second kind, at the border, if the determinant grows towards it like one over the root of
-/// a distance that is less than a 64th of a step beyond the border: smaller steps make the test
-/// stricter.
+/// What is prepared of a coupled group ends shortly before a dead point. That is told as one of the
+/// second kind, at the border, if the determinant grows towards it like one over the root of a
+/// distance that is less than a 64th of a step beyond the border: smaller steps ask for more.
 ///
 /// ```
 /// use linkage_runtime::jacobian::{Jacobian, SingularityKind, singularities};

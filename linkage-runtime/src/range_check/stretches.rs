@@ -2,7 +2,7 @@
 //! shows.
 
 use alloc::vec::Vec;
-use linkage_core::numeric::minimum::{Point, descend};
+use linkage_core::numeric::golden_section::{Point, descend};
 use linkage_core::range_check::{DEAD, END, ROUNDING};
 
 /// Halvings until the end of a stretch is known to the last digit.

@@ -1,7 +1,7 @@
 //! The smallest value of a figure without derivatives.
 
 use super::SummaryError;
-use linkage_core::numeric::summit::highest;
+use linkage_core::numeric::maximise::maximise;
 
 /// The smallest value of a figure over a range.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,7 +46,7 @@ pub fn minimise(
     if positions < 2 {
         return Err(SummaryError::Positions { positions });
     }
-    let found = highest([from, to], positions, |x| -figure(x));
+    let found = maximise([from, to], positions, |x| -figure(x));
     let summit = found.ok_or(SummaryError::NotAssembled { positions })?;
     Ok(Minimum {
         at: summit.at,

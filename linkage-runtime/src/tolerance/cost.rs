@@ -5,41 +5,16 @@
 //! solved, the tightest ones at the solution are added, and so on until nothing is violated.
 
 mod barrier;
+mod problem;
 
 use alloc::vec::Vec;
+pub(super) use problem::{Cheapest, Term};
+use problem::{Condition, length, norm};
 
-/// Greatest number of additions of conditions.
+/// The number of times that conditions are added.
 const ROUNDS: usize = 60;
 /// A condition that is violated by less holds.
 const HOLDS: f64 = 1e-9;
-
-/// The cost `cost / u^exponent` of a value.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Term {
-    pub(super) cost: f64,
-    pub(super) exponent: f64,
-}
-
-impl Term {
-    pub(super) fn at(&self, value: f64) -> f64 {
-        self.cost / value.powf(self.exponent)
-    }
-
-    /// The minimum of `cost / u^exponent + weight u`.
-    fn lowest(&self, weight: f64) -> f64 {
-        (self.exponent * self.cost / weight).powf(1.0 / (self.exponent + 1.0))
-    }
-}
-
-/// Cheap values; a factor near 1 is still needed so that they hold all conditions.
-pub(super) struct Cheapest {
-    pub(super) values: Vec<f64>,
-    /// No values that hold all conditions cost less.
-    pub(super) bound: f64,
-}
-
-/// A vector for each value, with which it enters a sum.
-type Condition = Vec<[f64; 3]>;
 
 /// `start` holds all conditions; `tightest` gives the conditions that are tightest at some values,
 /// one for each position.
@@ -126,7 +101,11 @@ fn closed(terms: &[Term], row: &[f64]) -> Cheapest {
     };
     let values = values(price);
     // The dual function at this price; both agree up to rounding.
-    let total: f64 = terms.iter().zip(&values).map(|(term, &u)| term.at(u)).sum();
+    let total: f64 = terms
+        .iter()
+        .zip(&values)
+        .map(|(term, &u)| term.evaluate(u))
+        .sum();
     let used: f64 = values.iter().zip(row).map(|(u, a)| u * a).sum();
     Cheapest {
         values,
@@ -134,30 +113,12 @@ fn closed(terms: &[Term], row: &[f64]) -> Cheapest {
     }
 }
 
-fn norm(v: &[f64; 3]) -> f64 {
-    crate::components::norm(v)
-}
-
-/// The vector that a condition limits.
-fn vector(condition: &Condition, values: &[f64]) -> [f64; 3] {
-    let mut sum = [0.0; 3];
-    for (row, value) in condition.iter().zip(values) {
-        for (total, x) in sum.iter_mut().zip(row) {
-            *total += value * x;
-        }
-    }
-    sum
-}
-
-fn length(condition: &Condition, values: &[f64]) -> f64 {
-    norm(&vector(condition, values))
-}
-
 #[cfg(test)]
 mod tests {
     use super::{Term, closed};
 
-    /// With one condition the bound is the cost itself, with one exponent and with two.
+    /// Nothing is cheaper than what one condition allows: the bound is the cost itself, with one
+    /// exponent and with two.
     #[test]
     fn one_condition_is_solved_to_its_bound() {
         for exponents in [[1.0, 1.0], [1.0, 2.0]] {
@@ -167,7 +128,7 @@ mod tests {
             let row = [0.5, 2.0];
             let found = closed(&terms, &row);
             let used = found.values[0] * row[0] + found.values[1] * row[1];
-            let cost = terms[0].at(found.values[0]) + terms[1].at(found.values[1]);
+            let cost = terms[0].evaluate(found.values[0]) + terms[1].evaluate(found.values[1]);
             assert!((used - 1.0).abs() < 1e-12, "{used}");
             assert!(
                 (found.bound - cost).abs() < 1e-12 * cost,

@@ -4,8 +4,7 @@ use alloc::vec::Vec;
 use core::ops::Range;
 
 use super::ToleranceError;
-use linkage_core::numeric::summit;
-use linkage_core::numeric::summit::Summit;
+use linkage_core::numeric::maximise::{self, Maximum};
 
 /// The largest value of a figure over a cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,8 +51,8 @@ pub fn largest(
             what: "less than two positions",
         });
     }
-    let summit = summit::highest([low, range.end], positions, figure);
-    summit.map(extreme).ok_or(ToleranceError::NotAssembled)
+    let maximum = maximise::maximise([low, range.end], positions, figure);
+    maximum.map(extreme).ok_or(ToleranceError::NotAssembled)
 }
 
 /// The largest value of a figure over given positions, without refinement: for recorded cycles.
@@ -71,14 +70,14 @@ pub fn largest_at(
             what: "no positions",
         });
     }
-    let summit = summit::highest_of(positions, &values);
-    summit.map(extreme).ok_or(ToleranceError::NotAssembled)
+    let maximum = maximise::highest_of(positions, &values);
+    maximum.map(extreme).ok_or(ToleranceError::NotAssembled)
 }
 
-fn extreme(summit: Summit) -> Extreme {
+fn extreme(maximum: Maximum) -> Extreme {
     Extreme {
-        at: summit.at,
-        value: summit.value,
-        missing: summit.missing,
+        at: maximum.at,
+        value: maximum.value,
+        missing: maximum.missing,
     }
 }

@@ -2,7 +2,8 @@
 
 use core::fmt;
 
-/// Distributions of a dimension within its tolerance `t`, symmetric about the middle of its zone.
+/// The distribution of a dimension within its tolerance `t`, symmetrically about the middle of its
+/// zone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Distribution {
     /// Normal with a standard deviation of `t / 3`: 0.27 % lie outside of the tolerance.
@@ -11,8 +12,8 @@ pub enum Distribution {
     Uniform,
     /// Triangular between the limits, most frequent in the middle.
     Triangular,
-    /// The sine of a uniformly distributed angle: most frequent at the limits. It is the
-    /// distribution of an eccentricity or a runout that is mounted at any angle.
+    /// The sine of an angle that may be any: most frequent at the limits. An eccentricity or a
+    /// runout of a part that is mounted at random has this distribution.
     Arcsine,
 }
 
@@ -39,7 +40,7 @@ impl Distribution {
         }
     }
 
-    /// The value, for a tolerance of 1, below which this part of all dimensions is; by inversion,
+    /// The value, for a tolerance of 1, below which this part of all dimensions lies; by inversion,
     /// so that each dimension takes one random number.
     #[must_use]
     pub fn quantile(self, probability: f64) -> f64 {
@@ -54,7 +55,7 @@ impl Distribution {
     }
 }
 
-/// A name such as `uniform`.
+/// Writes a name such as `uniform`.
 impl fmt::Display for Distribution {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {

@@ -7,6 +7,7 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
+use linkage_core::numeric::vector::dot;
 
 /// Directions that differ by less, as sine of the angle, count as one.
 const PARALLEL: f64 = 1e-12;
@@ -152,10 +153,6 @@ fn unit(v: &[f64; 3]) -> [f64; 3] {
     } else {
         [0.0; 3]
     }
-}
-
-pub(super) fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {

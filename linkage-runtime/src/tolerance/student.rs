@@ -2,7 +2,7 @@
 
 use super::distribution::normal;
 
-/// Degrees of freedom from which on the series about the normal distribution is good to the last
+/// The degrees of freedom beyond which the series about the normal distribution is good to the last
 /// digits, up to confidences of 0.999999: a term is at least a hundred times as small as the one
 /// before it.
 const MANY: f64 = 3000.0;
@@ -46,7 +46,7 @@ fn expansion(z: f64, degrees: f64) -> f64 {
     z * (1.0 + v * (first + v * (second + v * (third + v * (fourth + v * fifth)))))
 }
 
-/// Newton's method, and bisection where it leaves what is known.
+/// Solves by Newton's method, and by bisection where a step leaves the known interval.
 fn newton(start: f64, outside: f64, degrees: f64) -> f64 {
     let (mut low, mut high) = (0.0, f64::INFINITY);
     let mut t = start;

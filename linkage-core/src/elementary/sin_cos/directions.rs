@@ -1,16 +1,19 @@
-//! Sine and cosine by a table of directions, with fused multiply-add: fewer operations than polynomials over a quarter of pi. It is for what
-//! is computed one by one, since a vector would gather four numbers for each lane.
+//! Sine and cosine by a table of directions, with fused multiply-add: fewer operations than
+//! polynomials over a quarter of pi. Only single positions use it, since a vector would gather four
+//! numbers for each lane.
 //!
-//! The angle is `n` steps of pi/64 and a remainder `high + low` of at most half a step, whose pair comes from short polynomials. The
-//! direction of `n` stands in the table, in two words, and is turned by the remainder.
+//! The angle is `n` steps of pi/64 and a remainder `high + low` of at most half a step, whose pair
+//! comes from short polynomials. The direction of `n` stands in the table, in two words, and is
+//! turned by the remainder.
 //!
-//! Largest errors found against 512 bits: 0.78 units in the last place up to 1e5, 0.51 roundoffs (2^-53) up to the limit of 2^30.
+//! Largest errors found against 512 bits: 0.78 units in the last place up to 1e5, 0.51 roundoffs
+//! (2^-53) up to the limit of 2^30.
 
 mod table;
 
 use self::table::{DIRECTIONS, NOWHERE, TABLE};
 use super::super::multiply::double as mul_add;
-use super::{LIMIT, ROUND};
+use super::kernel::{LIMIT, ROUND};
 use core::hint::select_unpredictable;
 
 /// Steps in a radian.

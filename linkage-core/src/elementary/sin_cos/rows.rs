@@ -1,11 +1,13 @@
-//! Sine and cosine for vectors, with fused multiply-add: what a polynomial is of has one word, which takes 11 operations of 44 less. No
-//! mechanism's error changes by it, since all that is computed of a sine is rounded as much.
+//! Sine and cosine for vectors, with fused multiply-add: the argument of the polynomials has one
+//! word, which saves 11 of 44 operations. No mechanism's error changes, since all results of a sine
+//! are rounded as much.
 //!
-//! Largest errors found against 512 bits: 1.54 units in the last place up to 1e5, but next to multiples of a right angle, where the error is
-//! that of the remainder; 1.4 roundoffs (2^-53) up to the limit of 2^30.
+//! Largest errors found against 512 bits: 1.54 units in the last place up to 1e5, but next to
+//! multiples of a right angle, where the error is that of the remainder; 1.4 roundoffs (2^-53) up
+//! to the limit of 2^30.
 
 use super::super::multiply::double as mul_add;
-use super::{COSINE, ROUND, SINE, exchanged, polynomial, unless_large};
+use super::kernel::{COSINE, ROUND, SINE, exchanged, polynomial, unless_large};
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
 /// Sine and cosine of an angle in radians; NaN for one of 2^30 and above in size.

@@ -5,6 +5,9 @@ use super::polynomial::{NODES, TERMS, evaluate, fit};
 use alloc::vec;
 use alloc::vec::Vec;
 
+/// Beyond this place of a cell there is no state: half a cell outside the table.
+pub(super) const OUTSIDE: f64 = 2.0;
+
 /// The error of a table between its nodes, at most: one Newton step leaves rounding.
 const ERROR: f64 = 1e-9;
 
@@ -14,7 +17,8 @@ const TAIL: f64 = 1e-7;
 /// Two neighbouring cells differ by no more where they meet.
 const JOINT: f64 = 1e-8;
 
-/// A second Newton step may be this much larger than a third one, which is nothing but rounding, and this large anyway.
+/// A second Newton step may be this much larger than a third one, which is nothing but rounding,
+/// and this large anyway.
 const NOISE: (f64, f64) = (4.0, 4e-15);
 
 /// The determinant must not vary more than this within a cell.
@@ -107,7 +111,7 @@ impl Cell {
     }
 }
 
-/// Where the first guess for a new cell comes from.
+/// The source of the first guess for a new cell.
 #[derive(Clone, Copy)]
 pub(super) enum Guess<'a> {
     /// A solution at a place inside it or on its border.
@@ -116,7 +120,8 @@ pub(super) enum Guess<'a> {
     Cell(&'a Cell),
 }
 
-/// Makes the cell of a given centre and length, if the solution can be followed through it and it is accurate.
+/// Makes the cell of a given centre and length, if the solution can be followed through it and it
+/// is accurate.
 pub(super) fn attempt(
     follower: &mut Follower<'_>,
     frame: &Frame,
@@ -226,7 +231,7 @@ fn check(
     (second <= NOISE.0 * noise + NOISE.1 * size).then_some(())
 }
 
-/// Whether a cell continues its neighbour.
+/// Returns whether a cell continues its neighbour.
 fn meets(neighbour: &Cell, cell: &Cell, width: usize) -> Option<()> {
     let side = if cell.centre > neighbour.centre {
         1.0

@@ -1,4 +1,4 @@
-//! From an estimate to the solution that is meant by it.
+//! Continuation from an estimate to the solution that it means.
 
 #[cfg(test)]
 mod tests;
@@ -9,51 +9,60 @@ use crate::math::double;
 use crate::numeric::roots::Variable;
 use alloc::vec::Vec;
 
-/// The longest step, in radians or on the scale of the state: far less than the distance of another solution.
+/// The longest step, in radians or on the scale of the state: far less than the distance of another
+/// solution.
 const LONGEST: f64 = 0.1;
 
-/// What the next correction may differ from the one that was foreseen, as a part of the correction: where Newton's method is certain to find
-/// the nearest solution, a full step leaves a quarter.
+/// The largest difference between the next correction and the predicted one, as a part of the
+/// correction. Where Newton's method is certain to find the nearest solution, a full step leaves a
+/// quarter.
 const FORESEEN: f64 = 0.25;
 
 /// A step that is a smaller part of a correction leads nowhere.
 const SHORTEST: f64 = 1e-6;
 
-/// Corrections, at most: an estimate that is off by a radian in every unknown takes less than a hundred.
+/// Corrections, at most: an estimate that is off by a radian in every unknown takes less than a
+/// hundred.
 const CORRECTIONS: usize = 1000;
 
 /// Corrections of this size leave nothing but rounding.
 const SETTLED: f64 = 1e-9;
 
-/// What is not proven to be isolated is singular, or one of many: a state that is off by this leads back to it, but for a thousandth, or not.
+/// A state that is not proven to be isolated is singular, or one of many. Moved aside by this, it
+/// returns with an error of a thousandth, or it does not.
 const ASIDE: f64 = 1e-6;
 const BACK: f64 = 1e-3 * ASIDE;
 const STEPS_BACK: usize = 4;
 
-/// Where an estimate leads to no solution.
+/// The failure of an estimate that leads to no solution.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Astray {
     /// The equations, or a correction, have no value at the estimate.
     NoValue,
     /// The way ends at a dead point.
     DeadPoint {
-        /// The part of what the equations miss by at the estimate that is left there: 1 if it is the estimate.
+        /// The part of the closure error of the estimate that is left there: 1 if the estimate
+        /// itself is the dead point.
         left: f64,
         /// The state where the way ends.
         at: Vec<f64>,
     },
-    /// It leads to a solution beside which there are others: these states, both of which solve the equations.
+    /// It leads to a solution beside which there are others: these states, both of which solve the
+    /// equations.
     Movable([Vec<f64>; 2]),
-    /// It leads to a state that is not proven to be the only solution near it: a dead point, or too near to one.
+    /// It leads to a state that is not proven to be the only solution near it: a dead point, or too
+    /// near to one.
     Singular(Vec<f64>),
 }
 
-/// Follows a state from where the unknowns are estimated to a solution at the inputs `x`.
+/// Follows a state from the estimated unknowns to a solution at the inputs `x`.
 ///
-/// At the estimate the equations miss by something, as if the links had other lengths. All of that is taken back in the same ratio, in steps
-/// that are short enough to stay on the way: after each step the next correction must be the one before, less the step, but for a quarter,
-/// and the determinant must keep its sign. So what is found is the assembly that the estimate becomes while its links
-/// grow to their lengths, or nothing. It is proven to be a solution, and the only one in a box about it.
+/// The equations have a closure error at the estimate, as if the links had other lengths. All of
+/// its components are reduced in the same ratio, in steps that are short enough to stay on the
+/// path. After each step the next correction must be within 25 % of the predicted one, and the
+/// determinant must keep its sign. The result is the assembly that the estimate becomes while its
+/// links grow to their lengths, or nothing. It is proven to be a solution, and the only one in a
+/// box about it.
 ///
 /// # Errors
 ///
@@ -64,12 +73,12 @@ pub fn from_estimate(
     x: &[f64],
     estimate: &[f64],
 ) -> Result<Vec<f64>, Astray> {
-    let mut way = Way {
+    let mut path = EstimatePath {
         correction,
         variables,
         x,
     };
-    let mut here = way.at(estimate.to_vec());
+    let mut here = path.evaluate(estimate.to_vec());
     let sign = here.step.determinant.signum();
     let mut left = 1.0;
     if !here.step.size.is_finite() || here.step.determinant == 0.0 {
@@ -78,14 +87,14 @@ pub fn from_estimate(
     for _ in 0..CORRECTIONS {
         if here.step.size <= SETTLED {
             let state = here.corrected;
-            return match isolation(way.correction, variables, x, &state) {
+            return match isolation(path.correction, variables, x, &state) {
                 Some(_) => Ok(state),
-                None => Err(way.not_isolated(state)),
+                None => Err(path.not_isolated(state)),
             };
         }
         let mut part = (LONGEST / here.step.size).min(1.0);
         let next = loop {
-            let next = way.at(here.turned(variables, part));
+            let next = path.evaluate(here.turned(variables, part));
             if next.step.determinant * sign > 0.0 && here.foresees(&next, part) {
                 break Some(next);
             }
@@ -104,26 +113,26 @@ pub fn from_estimate(
     })
 }
 
-struct Way<'w> {
+struct EstimatePath<'w> {
     correction: &'w mut dyn Residuals,
     variables: &'w [Variable],
     x: &'w [f64],
 }
 
-/// A place on the way, and the correction there.
-struct Place {
+/// A index on the way, and the correction there.
+struct StateOnPath {
     state: Vec<f64>,
     corrected: Vec<f64>,
-    /// By unknown.
+    /// The correction of each unknown.
     correction: Vec<f64>,
     step: Step,
 }
 
-impl Way<'_> {
-    fn at(&mut self, state: Vec<f64>) -> Place {
+impl EstimatePath<'_> {
+    fn evaluate(&mut self, state: Vec<f64>) -> StateOnPath {
         let mut corrected = state.clone();
         let step = self.correction.correct(self.x, &mut corrected);
-        Place {
+        StateOnPath {
             correction: difference(self.variables, &state, &corrected),
             state,
             corrected,
@@ -131,7 +140,7 @@ impl Way<'_> {
         }
     }
 
-    /// What a state is that solves the equations and is not proven to be alone.
+    /// Classifies a state that solves the equations and is not proven to be isolated.
     fn not_isolated(&mut self, state: Vec<f64>) -> Astray {
         let count = self.variables.len();
         // No direction in which a mechanism moves is at right angles to all of these but by chance.
@@ -154,17 +163,17 @@ impl Way<'_> {
     }
 }
 
-impl Place {
+impl StateOnPath {
     /// The state after a part of the correction.
     fn turned(&self, variables: &[Variable], part: f64) -> Vec<f64> {
-        let way: Vec<f64> = self.correction.iter().map(|own| part * own).collect();
+        let way: Vec<f64> = self.correction.iter().map(|x| part * x).collect();
         turned(variables, &self.state, &way)
     }
 
-    /// Whether the correction at the next place is what is left of the one here.
+    /// Returns whether the correction at the next state is the rest of the one here.
     fn foresees(&self, next: &Self, part: f64) -> bool {
         let pairs = self.correction.iter().zip(&next.correction);
-        let off = pairs.map(|(own, next)| next - (1.0 - part) * own);
+        let off = pairs.map(|(here, next)| next - (1.0 - part) * here);
         let off = double::sqrt(off.map(|x| x * x).sum());
         let size = double::sqrt(self.correction.iter().map(|x| x * x).sum());
         off <= (FORESEEN * size).max(SETTLED)
@@ -175,42 +184,42 @@ impl Place {
 #[must_use]
 pub fn turned(variables: &[Variable], state: &[f64], way: &[f64]) -> Vec<f64> {
     let mut turned = state.to_vec();
-    let mut place = 0;
+    let mut index = 0;
     for (variable, way) in variables.iter().zip(way) {
         match variable {
             Variable::Unit => {
-                let [cos, sin] = [state[place], state[place + 1]];
+                let [cos, sin] = [state[index], state[index + 1]];
                 // Half of the angle by its tangent: no length changes.
                 let half = 0.5 * way;
                 let (real, turn) = (1.0 - half * half, 2.0 * half);
                 let scale = 1.0 / (1.0 + half * half);
-                turned[place] = scale * (cos * real - sin * turn);
-                turned[place + 1] = scale * (cos * turn + sin * real);
-                place += 2;
+                turned[index] = scale * (cos * real - sin * turn);
+                turned[index + 1] = scale * (cos * turn + sin * real);
+                index += 2;
             }
             _ => {
-                turned[place] += way;
-                place += 1;
+                turned[index] += way;
+                index += 1;
             }
         }
     }
     turned
 }
 
-/// From one state to another, by unknown.
+/// Returns the difference between two states for each unknown.
 fn difference(variables: &[Variable], from: &[f64], to: &[f64]) -> Vec<f64> {
-    let mut place = 0;
-    let all = variables.iter().map(|variable| match variable {
+    let mut index = 0;
+    let differences = variables.iter().map(|variable| match variable {
         Variable::Unit => {
-            let [cos, sin] = [from[place], from[place + 1]];
-            let way = [to[place] - cos, to[place + 1] - sin];
-            place += 2;
+            let [cos, sin] = [from[index], from[index + 1]];
+            let way = [to[index] - cos, to[index + 1] - sin];
+            index += 2;
             cos * way[1] - sin * way[0]
         }
         _ => {
-            place += 1;
-            to[place - 1] - from[place - 1]
+            index += 1;
+            to[index - 1] - from[index - 1]
         }
     });
-    all.collect()
+    differences.collect()
 }

@@ -2,18 +2,19 @@
 
 use super::{Correction, Step};
 
-/// Steps of this size leave nothing but rounding: half of their square, times what equations bend over what they slope, is less than the rounding that
-/// is inherent in such equations.
+/// Steps of this size leave nothing but rounding: half of their square, times the ratio of second
+/// to first derivatives of the equations, is less than the rounding that is inherent in such
+/// equations.
 pub(super) const SETTLED: f64 = 1e-8;
 
-/// Steps of this size leave about a hundredth of what polynomials may be off, [`SETTLED`].
+/// Steps of this size leave about a hundredth of the error allowed for polynomials, [`SETTLED`].
 const ABOUT: f64 = 1e-5;
 
 /// A first correction must not be larger: radians, or lengths on the scale of the state.
 const FAR: f64 = 0.25;
 
-/// Each correction must be smaller than the one before by this factor, as it is where Newton's method is certain to
-/// converge to the nearest solution.
+/// Each correction must be smaller than the one before by this factor, as it is where Newton's
+/// method is certain to converge to the nearest solution.
 const CONTRACTION: f64 = 0.2;
 
 /// Corrections that make up one position, at most.
@@ -28,7 +29,8 @@ pub(super) struct Follower<'a> {
 }
 
 impl<'a> Follower<'a> {
-    /// Begins at `x` with a state that solves the equations about, and improves it. `None` if it does not.
+    /// Begins at `x` with a state that solves the equations about, and improves it. `None` if it
+    /// does not.
     pub(super) fn new(
         correction: &'a mut dyn Correction,
         x: &[f64],
@@ -45,20 +47,21 @@ impl<'a> Follower<'a> {
         (small && follower.settle(x, state).is_some()).then_some(follower)
     }
 
-    /// One correction; `None` if it is not finite, the determinant has the wrong sign, or too many have been made.
+    /// One correction; `None` if it is not finite, the determinant has the wrong sign, or too many
+    /// have been made.
     pub(super) fn correct(&mut self, x: &[f64], state: &mut [f64]) -> Option<Step> {
         self.left = self.left.checked_sub(1)?;
         let step = self.correction.correct(x, state);
         (step.size.is_finite() && step.determinant * self.sign > 0.0).then_some(step)
     }
 
-    /// Corrects a state until it solves the equations; returns the determinant. `None` if that does not happen quickly and
-    /// evenly.
+    /// Corrects a state until it solves the equations; returns the determinant. `None` if that does
+    /// not happen quickly and evenly.
     pub(super) fn settle(&mut self, x: &[f64], state: &mut [f64]) -> Option<f64> {
         self.settle_within(x, state, STEPS, CONTRACTION)
     }
 
-    /// The same until what is left is less than polynomials may be off.
+    /// Corrects until the rest is less than the error allowed for polynomials.
     pub(super) fn settle_about(&mut self, x: &[f64], state: &mut [f64]) -> Option<f64> {
         self.settle_to(ABOUT, x, state, STEPS, CONTRACTION)
     }
@@ -96,12 +99,12 @@ impl<'a> Follower<'a> {
         None
     }
 
-    /// How many corrections may still be made.
+    /// Returns the number of corrections that may still be made.
     pub(super) fn left(&self) -> usize {
         self.left
     }
 
-    /// Whether no more corrections may be made.
+    /// Returns whether no more corrections may be made.
     pub(super) fn exhausted(&self) -> bool {
         self.left == 0
     }

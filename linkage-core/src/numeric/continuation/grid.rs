@@ -2,17 +2,19 @@
 
 mod border;
 mod cells;
+mod counts;
 mod divide;
+mod feasibility;
 mod fit;
 mod layout;
+mod left_out;
 mod lookup;
 mod node;
-mod outlook;
+mod path;
 mod served;
 mod slopes;
 mod terms;
 mod walk;
-mod way;
 
 use super::cell::Frame;
 use super::follow::Follower;
@@ -29,12 +31,13 @@ use fit::Fit;
 use node::Node;
 use walk::Solution;
 
+pub use left_out::LeftOut;
 pub use lookup::GridLookup;
-pub(super) use lookup::OUTSIDE;
+pub(super) use terms::OUTSIDE;
 pub use terms::Terms;
 
-/// Corrections that building a grid of slopes may take: less than a second. A grid of all cells takes half of them; with polynomials it takes three
-/// times as many.
+/// Corrections that building a grid of slopes may take: less than a second. A grid of all cells
+/// takes half of them; with polynomials it takes three times as many.
 const CORRECTIONS: usize = 2_000_000;
 
 /// Inputs, at most: a cell has two corners for each of them.
@@ -42,9 +45,11 @@ const INPUTS: usize = 8;
 
 /// The state of a group over the ranges of any number of inputs. Cheap to clone.
 ///
-/// The ranges are divided into cells. For each the state at its centre is known, and how it changes with the inputs: over two of them by
-/// polynomials, from which one Newton step reaches the solution everywhere in the cell, else by its slopes, from which four do. The states are followed from the given one, cell
-/// to cell. Where the solution cannot be reached, beyond the mechanism's reach for instance, there is none.
+/// The ranges are divided into cells. For each the state at its centre is known, and how it changes
+/// with the inputs: over two of them by polynomials, from which one Newton step reaches the
+/// solution everywhere in the cell, else by its slopes, from which four do. The states are followed
+/// from the given one, cell to cell. Where the solution cannot be reached, beyond the mechanism's
+/// reach for instance, there is none.
 #[derive(Clone, PartialEq)]
 pub struct Grid {
     pub(super) axes: Vec<Scale>,
@@ -56,18 +61,9 @@ pub struct Grid {
     left_out: Option<LeftOut>,
 }
 
-/// Where a grid serves less than it should.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LeftOut {
-    /// The share of the ranges.
-    pub share: f64,
-    /// The inputs at one of the positions.
-    pub at: Vec<f64>,
-}
-
 impl Grid {
-    /// Follows the solution `state` at the inputs `at` through all ranges. An input whose range is empty stays where it is. With one input, or
-    /// more than two, there are no polynomials.
+    /// Follows the solution `state` at the inputs `at` through all ranges. An input whose range is
+    /// empty stays where it is. With one input, or more than two, there are no polynomials.
     ///
     /// # Errors
     ///
@@ -86,8 +82,9 @@ impl Grid {
         Self::followed(correction, at, state, ranges, (terms, false))
     }
 
-    /// The same for ranges that must be served: where a look at a few places says that much of them would be left out, all of it is, in a
-    /// part of the time; and cells of which a look says that they are too large are not tried.
+    /// The same for ranges that must be served: where a look at a few places says that much of them
+    /// would be left out, all of it is, in a part of the time; and cells of which a look says that
+    /// they are too large are not tried.
     ///
     /// # Errors
     ///
@@ -162,7 +159,7 @@ impl Grid {
         })
     }
 
-    /// How many cells it has.
+    /// Returns the number of cells.
     #[must_use]
     pub fn cells(&self) -> usize {
         self.nodes.len()
@@ -174,40 +171,45 @@ impl Grid {
         self.nodes.iter().flatten().count()
     }
 
-    /// The share of the ranges in which it serves: of the places on the borders of cells, those that evaluators reach.
+    /// The share of the ranges in which it serves: of the places on the borders of cells, those
+    /// that evaluators reach.
     #[must_use]
     pub fn served(&self) -> f64 {
         self.served
     }
 
-    /// What is not served although the solution exists, or may exist, away from its boundary: more of the ranges than may be.
+    /// Returns the part that is not served although the solution exists, or may exist, away from
+    /// its boundary, if it is more of the ranges than allowed.
     #[must_use]
     pub fn left_out(&self) -> Option<&LeftOut> {
         self.left_out.as_ref()
     }
 
-    /// How many numbers the state has.
+    /// Returns the number of state numbers.
     #[must_use]
     pub fn width(&self) -> usize {
         self.width
     }
 
-    /// How many inputs there are.
+    /// Returns the number of inputs.
     #[must_use]
     pub fn inputs(&self) -> usize {
         self.axes.len()
     }
 
-    /// Writes the state near `x` from which steps are made, NaN where there is none, and returns the floor.
+    /// Writes the state near `x` from which steps are made, NaN where there is none, and returns
+    /// the floor.
     ///
     /// # Panics
     ///
-    /// If `x` or `state` has another length than [`inputs`](Self::inputs) or [`width`](Self::width).
+    /// If `x` or `state` has another length than [`inputs`](Self::inputs) or
+    /// [`width`](Self::width).
     pub fn state(&self, x: &[f64], state: &mut [f64]) -> f64 {
         self.look_up::<false>(x, state)
     }
 
-    /// The same, to the last bit what [`GridLookup::at_with`] gives. With `FUSED` only on machines with fused multiply-add.
+    /// Returns the result of [`GridLookup::at_with`], to the last bit. `FUSED` is for machines with
+    /// fused multiply-add only.
     ///
     /// # Panics
     ///
@@ -230,8 +232,9 @@ impl Grid {
         }
     }
 
-    /// Whether evaluators give the solution at `x`: of one step, that it is tiny and the determinant above the floor; of four, that each is a quarter
-    /// of the one before and the last one tiny.
+    /// Returns whether evaluators give the solution at `x`: of one step, that it is tiny and the
+    /// determinant above the floor; of four, that each is a quarter of the one before and the last
+    /// one tiny.
     ///
     /// # Panics
     ///
@@ -240,14 +243,6 @@ impl Grid {
         let mut state = vec![0.0; self.width];
         let floor = self.state(x, &mut state);
         served::serves(correction, self.terms, x, &mut state, floor)
-    }
-
-    /// For generated code: the numbers of inputs and of state numbers are fixed. `None` if they are not `I` and `S`.
-    #[must_use]
-    pub fn lookup<const I: usize, const S: usize, const T: usize>(
-        &self,
-    ) -> Option<GridLookup<I, S, T>> {
-        GridLookup::new(self)
     }
 }
 

@@ -1,25 +1,28 @@
 //! Proof that a state is a solution and that there is no other one beside it.
 
 use super::Residuals;
-use crate::Enclosure;
 use crate::numeric::inverse::inverse;
 use crate::numeric::roots::Variable;
+use crate::scalar::Enclosure;
 use alloc::vec::Vec;
 
-/// The box in which a solution is alone: half its side is tried from the largest to the smallest one.
+/// The box in which a solution is alone: half its side is tried from the largest to the smallest
+/// one.
 const LARGEST: f64 = 1e-2;
-/// Where the equations know no more of a solution than this, it is a multiple one for numbers of 16 digits.
+/// The accuracy of a solution below which it counts as a multiple one for numbers of 16 digits.
 const SMALLEST: f64 = 1e-10;
 const SMALLER: f64 = 0.1;
 
-/// Rounding errors of a sum of products, for each of them; twice what they can be.
+/// The rounding error of each product in a sum; twice the largest possible one.
 const ROUNDING: f64 = f64::EPSILON;
 
-/// Half the side of a box about a state in which exactly one solution is, if that can be proven: the largest of some.
+/// Half the side of a box about a state in which exactly one solution is, if that can be proven:
+/// the largest of some.
 ///
-/// Over the box, `state - C F(state) + (1 - C F')(box - state)` contains all solutions in it, where `F'` bounds all derivatives there and `C` is
-/// any matrix, best the inverse of one of them. If it is inside the box there is a solution, and no second one (R. Krawczyk, *Newton-Algorithmen
-/// zur Bestimmung von Nullstellen mit Fehlerschranken*, 1969).
+/// Over the box, `state - C F(state) + (1 - C F')(box - state)` contains all solutions in it, where
+/// `F'` bounds all derivatives there and `C` is any matrix, best the inverse of one of them. If it
+/// is inside the box there is a solution, and no second one (R. Krawczyk, *Newton-Algorithmen zur
+/// Bestimmung von Nullstellen mit Fehlerschranken*, 1969).
 pub(super) fn isolation(
     residuals: &mut dyn Residuals,
     variables: &[Variable],
@@ -86,11 +89,14 @@ impl Equations<'_> {
         all
     }
 
-    /// How far from 0 the equations are in the state, at most; nothing if they are not as many as its numbers.
+    /// Returns bounds of the errors of the equations in the state; none if they are not as many as
+    /// its numbers.
     fn missed(&mut self) -> Option<Vec<f64>> {
         let state = self.state.iter().map(|&x| Enclosure::between(x, x));
         let values = self.values(&state.collect::<Vec<_>>()).into_iter();
-        let missed: Vec<f64> = values.map(|own| Ball::around(own.range()).size()).collect();
+        let missed: Vec<f64> = values
+            .map(|value| Ball::around(value.range()).size())
+            .collect();
         let is_known = missed.len() == self.state.len() && missed.iter().all(|x| x.is_finite());
         is_known.then_some(missed)
     }
@@ -107,12 +113,12 @@ impl Equations<'_> {
             let mut state = beside.clone();
             state[column] = Enclosure::over(low, high);
             let values = self.values(&state).into_iter();
-            values.map(|own| Ball::around(own.slopes())).collect()
+            values.map(|value| Ball::around(value.slopes())).collect()
         });
         columns.collect()
     }
 
-    /// Whether exactly one solution is in a box.
+    /// Returns whether exactly one solution is in a box.
     fn holds_one(&mut self, missed: &[f64], half: f64) -> bool {
         let slopes = self.slopes(half);
         let count = missed.len();
@@ -128,9 +134,9 @@ impl Equations<'_> {
             let left = slopes.iter().enumerate().map(|(column, slopes)| {
                 let start = if row == column { 1.0 } else { 0.0 };
                 let parts = || weights.iter().zip(slopes);
-                let centre: f64 = parts().fold(start, |left, (w, own)| left - w * own.centre);
-                let sizes: f64 = parts().map(|(w, own)| w.abs() * own.size()).sum();
-                let aside: f64 = parts().map(|(w, own)| w.abs() * own.radius).sum();
+                let centre: f64 = parts().fold(start, |left, (w, slope)| left - w * slope.centre);
+                let sizes: f64 = parts().map(|(w, slope)| w.abs() * slope.size()).sum();
+                let aside: f64 = parts().map(|(w, slope)| w.abs() * slope.radius).sum();
                 centre.abs() + aside + most * (start + sizes)
             });
             let left: f64 = left.sum();
@@ -146,7 +152,8 @@ mod tests {
     use crate::numeric::continuation::{Correction, Step};
     use alloc::vec;
 
-    /// Two links of length 1 from `(0, 0)` and `(d, 0)` meet: the direction of the first, and how far up they meet.
+    /// Two links of length 1 from `(0, 0)` and `(d, 0)` meet: the direction of the first, and how
+    /// far up they meet.
     struct Triangle;
 
     impl Correction for Triangle {

@@ -5,18 +5,19 @@ use super::scale::Scale;
 use super::table::Table;
 use alloc::vec::Vec;
 
-/// From an input to a place, -1/2 at the lower end of the range and 1/2 at the upper one, and to a slot.
+/// The map of an input to a place, -1/2 at the lower end of the range and 1/2 at the upper one, and
+/// to a slot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
     /// The input in the middle of the range.
     pub middle: f64,
-    /// How long the range is.
+    /// The length of the range.
     pub length: f64,
     /// Places for each unit of the input.
     pub rate: f64,
     /// The same where the range repeats, else 0: the place less its nearest integer is taken.
     pub turns: f64,
-    /// How many slots there are.
+    /// Returns the number of slots.
     pub slots: usize,
 }
 
@@ -35,7 +36,7 @@ impl Axis {
 /// A table as [`Table::state`] reads it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableLayout<'a> {
-    /// Of its input.
+    /// The axis of the input.
     pub axis: Axis,
     /// For each slot the number of its cell.
     pub index: &'a [u16],
@@ -43,8 +44,8 @@ pub struct TableLayout<'a> {
     pub cells: Vec<CellLayout<'a>>,
 }
 
-/// A cell of a table. The state is a polynomial in `t = (place - centre) * inverse`, and there is none for `|t|` above
-/// [`OUTSIDE`](Self::OUTSIDE).
+/// A cell of a table. The state is a polynomial in `t = (place - centre) * inverse`, and there is
+/// none for `|t|` above [`OUTSIDE`](Self::OUTSIDE).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CellLayout<'a> {
     /// The place of its centre.
@@ -59,7 +60,7 @@ pub struct CellLayout<'a> {
 
 impl CellLayout<'_> {
     /// Beyond this there is no state: half a cell outside the table.
-    pub const OUTSIDE: f64 = super::lookup::OUTSIDE;
+    pub const OUTSIDE: f64 = super::cell::OUTSIDE;
 }
 
 impl Table {
@@ -83,19 +84,21 @@ impl Table {
 /// A grid as [`Grid::state`] reads it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GridLayout<'a> {
-    /// Of its inputs.
+    /// The axes of the inputs.
     pub axes: Vec<Axis>,
     /// Cell by cell, the last input changing fastest; `None` where the solution cannot be reached.
     pub nodes: Vec<Option<NodeLayout<'a>>>,
-    /// What is known in a cell.
+    /// The data of a cell.
     pub terms: Terms,
 }
 
-/// A cell of a grid. There is no state farther from its centre, in cells along any input, than [`OUTSIDE`](Self::OUTSIDE).
+/// A cell of a grid. There is no state farther from its centre, in cells along any input, than
+/// [`OUTSIDE`](Self::OUTSIDE).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NodeLayout<'a> {
-    /// Term by term, the numbers of the state side by side. Of degree 1 the state at the centre and its slopes, input by input; of
-    /// polynomials, over two inputs, power by power of the second one, and for each of these power by power of the first.
+    /// Term by term, the numbers of the state side by side. Of degree 1 the state at the centre and
+    /// its slopes, input by input; of polynomials, over two inputs, power by power of the second
+    /// one, and for each of these power by power of the first.
     pub coefficients: &'a [f64],
     /// Half of the smallest determinant, with its sign.
     pub floor: f64,

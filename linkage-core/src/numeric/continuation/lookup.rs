@@ -2,7 +2,7 @@
 
 mod block;
 
-use super::cell::{Cell, Frame};
+use super::cell::{Cell, Frame, OUTSIDE};
 use super::polynomial::{TERMS, by_pairs};
 use super::scale::{Scale, guard};
 use super::shared::Shared;
@@ -10,14 +10,11 @@ use super::table::Table;
 use crate::scalar::FUSED;
 use core::fmt;
 
-/// Beyond this place of a cell there is no state: half a cell outside the table.
-pub(super) const OUTSIDE: f64 = 2.0;
-
 /// A [`Table`] of `S` state numbers. Cheap to clone.
 #[derive(Clone, PartialEq)]
 pub struct Lookup<const S: usize> {
     scale: Scale,
-    /// As long as the scale has slots; every element is the number of a cell.
+    /// A number of a cell for each slot of the scale.
     index: Shared<[u16]>,
     cells: Shared<[Fixed<S>]>,
 }
@@ -51,8 +48,16 @@ fn polynomials<const FUSED: bool, const S: usize>(c: &[[f64; S]; TERMS], t: f64)
     state
 }
 
+impl Table {
+    /// For generated code: the number of state numbers is fixed. `None` if it is not `S`.
+    #[must_use]
+    pub fn lookup<const S: usize>(&self) -> Option<Lookup<S>> {
+        Lookup::new(self)
+    }
+}
+
 impl<const S: usize> Lookup<S> {
-    pub(super) fn new(table: &Table) -> Option<Self> {
+    fn new(table: &Table) -> Option<Self> {
         if table.width() != S {
             return None;
         }
@@ -95,8 +100,9 @@ impl<const S: usize> Lookup<S> {
         }
     }
 
-    /// The state at `x`, with an error of 1e-9 or less inside the range, and the floor. Far outside the floor is NaN, and with it every
-    /// result: steps from the state compare their determinant with it. The state does not wait for that.
+    /// The state at `x`, with an error of 1e-9 or less inside the range, and the floor. Far outside
+    /// the floor is NaN, and with it every result: steps from the state compare their determinant
+    /// with it. The state does not wait for that.
     #[must_use]
     #[inline(always)]
     pub fn at(&self, x: f64) -> ([f64; S], f64) {
@@ -121,12 +127,13 @@ impl<const S: usize> Lookup<S> {
     }
 }
 
-/// Of the index and the cells of a table, the cell that serves a slot.
+/// Returns the cell that serves a slot, from the index and the cells of a table.
 #[allow(unsafe_code, reason = "a bounds check would be a branch")]
 #[inline(always)]
 fn cell<'a, const S: usize>(index: &[u16], cells: &'a [Fixed<S>], slot: usize) -> &'a Fixed<S> {
-    // SAFETY: the index has as many elements as the scale has slots, at least one, and `Scale::find` gives a slot whatever the input is;
-    // its elements are numbers of cells, and nothing changes either after `Table::from_pieces`.
+    // SAFETY: the index has as many elements as the scale has slots, at least one, and
+    // `Scale::find` gives a slot whatever the input is; its elements are numbers of cells, and
+    // nothing changes either after `Table::from_pieces`.
     unsafe {
         let number = *index.get_unchecked(slot);
         cells.get_unchecked(usize::from(number))

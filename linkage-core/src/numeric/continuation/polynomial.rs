@@ -1,11 +1,11 @@
 //! Polynomials through eight nodes, for several numbers at once.
 
-use crate::Scalar;
+use crate::scalar::Scalar;
 
 /// Coefficients of a polynomial.
 pub(super) const TERMS: usize = 8;
 
-/// Where it is interpolated: the zeros of the Chebyshev polynomial of degree 8.
+/// The nodes of the interpolation: the zeros of the Chebyshev polynomial of degree 8.
 pub(super) const NODES: [f64; TERMS] = [
     -0.980_785_280_403_230_4,
     -0.831_469_612_302_545_2,
@@ -17,7 +17,7 @@ pub(super) const NODES: [f64; TERMS] = [
     0.980_785_280_403_230_4,
 ];
 
-/// `FIT[power][node]`: what the value at a node adds to a coefficient.
+/// `FIT[power][node]`: the weight of the value at a node for a coefficient.
 const FIT: [[f64; TERMS]; TERMS] = fit_matrix();
 
 /// The coefficient of the last power is this times that of the last Chebyshev polynomial.
@@ -68,8 +68,8 @@ const fn fit_matrix() -> [[f64; TERMS]; TERMS] {
     fit
 }
 
-/// Turns the values of `width` numbers at the nodes into coefficients, power by power. Returns the largest coefficient of
-/// the last Chebyshev polynomial, a measure of what is missing.
+/// Turns the values of `width` numbers at the nodes into coefficients, power by power. Returns the
+/// largest coefficient of the last Chebyshev polynomial, a measure of the error.
 pub(super) fn fit(values: &[f64], coefficients: &mut [f64], width: usize) -> f64 {
     for (row, weights) in coefficients.chunks_exact_mut(width).zip(&FIT) {
         row.fill(0.0);
@@ -84,7 +84,8 @@ pub(super) fn fit(values: &[f64], coefficients: &mut [f64], width: usize) -> f64
         .fold(0.0, |most: f64, last| most.max(last.abs() / LAST))
 }
 
-/// The value of one polynomial at `t`, pairs of powers side by side: generated code waits for fewer operations than one after the other.
+/// The value of one polynomial at `t`, pairs of powers side by side: generated code waits for fewer
+/// operations than one after the other.
 #[inline(always)]
 pub(super) fn by_pairs<const FUSED: bool>(coefficient: impl Fn(usize) -> f64, t: f64) -> f64 {
     let t2 = t * t;

@@ -1,4 +1,4 @@
-//! From inputs to places in a range and slots of an index: no branch, no call, no panic.
+//! The map of inputs to places in a range and slots of an index: no branch, no call, no panic.
 
 use super::cell::Frame;
 use core::hint::select_unpredictable;
@@ -12,7 +12,7 @@ const POINT: f64 = 6_755_399_441_055_744.0 / (1_u64 << FRACTION) as f64;
 /// Adding and subtracting this number rounds to an integer.
 const ROUND: f64 = 6_755_399_441_055_744.0;
 
-/// From inputs to places in the range and slots of the index.
+/// A map of inputs to places in the range and slots of the index.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Scale {
     pub(super) frame: Frame,
@@ -47,7 +47,8 @@ impl Scale {
         let from_middle = x - self.frame.middle;
         let turns = (from_middle * self.turns + ROUND) - ROUND;
         let place = from_middle * self.rate - turns;
-        // A maximum and a minimum are instructions; a choice between integers may become a branch. NaN becomes 0.
+        // A maximum and a minimum are instructions; a choice between integers may become a branch.
+        // NaN becomes 0.
         let slot = place * self.slots + 0.5 * self.slots;
         let slot = select_unpredictable(slot > 0.0, slot, 0.0);
         let slot = select_unpredictable(slot < self.last, slot, self.last);
@@ -55,13 +56,14 @@ impl Scale {
         (place, (fixed >> FRACTION) as usize)
     }
 
-    /// How many slots there are.
+    /// Returns the number of slots.
     #[inline(always)]
     pub(super) fn slots(&self) -> usize {
         self.count
     }
 
-    /// The slot of an input, and how far from its centre the input is, in slots: from -1/2 to 1/2 inside the range.
+    /// The slot of an input, and how far from its centre the input is, in slots: from -1/2 to 1/2
+    /// inside the range.
     #[inline(always)]
     pub(super) fn cell(&self, x: f64) -> (usize, f64) {
         let (place, slot) = self.find(x);
@@ -79,7 +81,7 @@ impl Scale {
         self.frame.length / self.slots
     }
 
-    /// How many borders the slots have: as many as slots where the range repeats.
+    /// Returns the number of borders of slots: as many as slots where the range repeats.
     pub(super) fn corners(&self) -> usize {
         if self.repeats() {
             self.slots()
@@ -105,7 +107,8 @@ impl Scale {
     }
 }
 
-/// Zero up to this distance, NaN beyond it and for NaN: arithmetic, since a choice may become a branch.
+/// Zero up to this distance, NaN beyond it and for NaN: arithmetic, since a choice may become a
+/// branch.
 #[inline(always)]
 pub(super) fn guard(distance: f64, most: f64) -> f64 {
     // All bits set if the sign is.

@@ -1,4 +1,4 @@
-//! From listed solutions of polynomials to states of a group.
+//! The states of a group that belong to listed solutions of polynomials.
 
 use super::Correction;
 use crate::numeric::roots::{Listing, Variable};

@@ -10,15 +10,16 @@ const FIRST: f64 = 0.125;
 /// Steps that are a smaller share of the way are not tried.
 const SHORTEST: f64 = 1e-9;
 
-/// Beside a dead point, as near as the shortest steps lead, the determinant is a ten thousandth of what it was; where it is more, something
-/// else ends.
+/// Beside a dead point, as near as the shortest steps lead, the determinant is a ten thousandth of
+/// its first value; where it is more, the path has not ended at a dead point.
 const VANISHED: f64 = 0.01;
 
 /// Corrections on a way, at most: a way to a dead point takes some hundred.
 const CORRECTIONS: usize = 4000;
 
-/// Follows the solution `state` at the inputs `from` straight to the inputs `to`. Returns the share of the way at which a dead
-/// point is met, where the solution ends; `None` if there is none on the way, or if that is not found out quickly.
+/// Follows the solution `state` at the inputs `from` straight to the inputs `to`. Returns the share
+/// of the way at which a dead point is met, where the solution ends; `None` if there is none on the
+/// way, or if that is not found out quickly.
 pub fn dead_point(
     correction: &mut dyn Correction,
     from: &[f64],

@@ -1,8 +1,7 @@
 //! A prepared table of states over the range of one input.
 
-use super::cell::{Cell, Frame};
+use super::cell::{Cell, Frame, OUTSIDE};
 use super::follow::Follower;
-use super::lookup::{Lookup, OUTSIDE};
 use super::polynomial::by_pairs;
 use super::scale::{Scale, guard};
 use super::shared::Shared;
@@ -25,15 +24,17 @@ const CLOSURE: f64 = 1e-8;
 /// Places in a turn, as shares of it, where the state must solve the equations one turn later, too.
 const REPEATS: [f64; 4] = [0.137, 0.382, 0.618, 0.871];
 
-/// The state of a group over the range of one input, for any number of state numbers. Cheap to clone.
+/// The state of a group over the range of one input, for any number of state numbers. Cheap to
+/// clone.
 ///
-/// It consists of cells, each with polynomials of degree 7. The cells are as short as the solution needs them: where it
-/// bends sharply, and towards a turning point, they become shorter. While the table is built the solution is followed
-/// from the given one, in steps that are small enough to stay on it, and the sign of the determinant must not change.
+/// It consists of cells, each with polynomials of degree 7. The cells are as short as the solution
+/// needs them: where it bends sharply, and towards a turning point, they become shorter. While the
+/// table is built the solution is followed from the given one, in steps that are small enough to
+/// stay on it, and the sign of the determinant must not change.
 #[derive(Clone, PartialEq)]
 pub struct Table {
     pub(super) scale: Scale,
-    /// Which cell is where, in parts of the range as long as the shortest cell.
+    /// The cell of each part of the range, as long as the shortest cell.
     pub(super) index: Shared<[u16]>,
     pub(super) cells: Shared<[Cell]>,
     width: usize,
@@ -43,9 +44,10 @@ pub struct Table {
 impl Table {
     /// Follows the solution `state` at the input `at` through the range.
     ///
-    /// Where a full turn is asked for and the state returns after it, the table serves every input. Outside another range
-    /// it reaches as far as the state can be extrapolated. With `partial` the table may end inside the range; it then
-    /// reaches to some 1e-5 of the range before a turning point. Otherwise that is refused.
+    /// Where a full turn is asked for and the state returns after it, the table serves every input.
+    /// Outside another range it reaches as far as the state can be extrapolated. With `partial` the
+    /// table may end inside the range; it then reaches to some 1e-5 of the range before a turning
+    /// point. Otherwise that is refused.
     ///
     /// # Errors
     ///
@@ -84,19 +86,19 @@ impl Table {
         Self::open(&mut follower, at, &state, low, high, range.turn, partial)
     }
 
-    /// How the table ends, below and above.
+    /// The lower and the upper end of the table.
     #[must_use]
     pub fn ends(&self) -> [End; 2] {
         self.ends
     }
 
-    /// How many cells it has.
+    /// Returns the number of cells.
     #[must_use]
     pub fn cells(&self) -> usize {
         self.cells.len()
     }
 
-    /// How many numbers the state has.
+    /// Returns the number of state numbers.
     #[must_use]
     pub fn width(&self) -> usize {
         self.width
@@ -129,7 +131,9 @@ impl Table {
         cell.floor + guard
     }
 
-    /// As [`state`](Self::state), to the last bit what [`Lookup::at_with`] gives. With `FUSED` only on machines with fused multiply-add.
+    /// Writes as [`state`](Self::state) does, to the last bit the result of
+    /// [`Lookup::at_with`](super::Lookup::at_with). `FUSED` is for machines with fused multiply-add
+    /// only.
     ///
     /// # Panics
     ///
@@ -145,12 +149,6 @@ impl Table {
             *number = by_pairs::<FUSED>(|power| c[power * width + index], t);
         }
         cell.floor + guard(t, OUTSIDE)
-    }
-
-    /// For generated code: the number of state numbers is fixed. `None` if it is not `S`.
-    #[must_use]
-    pub fn lookup<const S: usize>(&self) -> Option<Lookup<S>> {
-        Lookup::new(self)
     }
 
     /// Over a range of one point.
@@ -196,7 +194,7 @@ impl Table {
         Ok(repeats.then_some(table))
     }
 
-    /// Whether the states of the first turn solve the equations one turn later.
+    /// Returns whether the states of the first turn solve the equations one turn later.
     fn repeats(&self, follower: &mut Follower<'_>) -> bool {
         let mut state = vec![0.0; self.width];
         REPEATS.iter().all(|share| {

@@ -1,8 +1,8 @@
-//! From cell to cell through the range.
+//! The walk from cell to cell through the range.
 
 use super::cell::{Cell, Frame, Guess, attempt};
 use super::follow::Follower;
-use super::{End, Refusal, turning};
+use super::{End, Refusal, turning_point};
 use alloc::vec::Vec;
 
 /// The range in units: the shortest cells are this many to the range.
@@ -62,7 +62,8 @@ impl Walk<'_, '_> {
         Err(Refusal::NotConverging { at: x })
     }
 
-    /// Cells from `piece` on upwards or downwards (`side` 1 or -1), nearest first, as far as they go.
+    /// Cells from `piece` on upwards or downwards (`side` 1 or -1), nearest first, as far as they
+    /// go.
     pub(super) fn run(&mut self, piece: &Piece, side: f64) -> (Vec<Piece>, End) {
         let mut pieces: Vec<Piece> = Vec::new();
         loop {
@@ -118,6 +119,6 @@ impl Walk<'_, '_> {
 
     fn turning(&mut self, last: &Cell, side: f64) -> Option<f64> {
         let reach = REACH / f64::from(FULL);
-        turning::locate(self.follower, &self.frame, last, self.width, side, reach)
+        turning_point::locate(self.follower, &self.frame, last, self.width, side, reach)
     }
 }

@@ -1,19 +1,24 @@
-//! Whether a multiple solution is one of a continuum.
+//! The test whether a multiple solution is one of a continuum.
 
-use super::complex::{Complex, ZERO, rough_root};
 use super::homotopy::Homotopy;
-use super::matrix::{Matrix, Vector, solve};
-use super::place::Place;
+use super::projective::ProjectivePoint;
+use super::rough_root::rough_root;
+use crate::numeric::complex::{Complex, ZERO};
+use crate::numeric::complex_matrix::{Matrix, Vector, solve};
 
-/// Equations that some way off a solution are missed by less than this share of their terms hold there too: some hundred roundings, since
-/// those of which six solutions meet are missed by no more than `1e-11`.
+/// Equations that some way off a solution are missed by less than this share of their terms hold
+/// there too: some hundred roundings, since those of which six solutions meet are missed by no more
+/// than `1e-11`.
 const HOLDS: f64 = 1e-13;
 /// Pivots below this are those of a singular matrix.
 const SINGULAR: f64 = 1e-6;
 
-/// Whether solutions go on beside a multiple one: along the direction in which the matrix is
-/// singular, the equations hold to rounding errors not only here but also some way off.
-pub(super) fn is_continuum<const N: usize>(homotopy: &mut Homotopy<N>, place: &Place<N>) -> bool {
+/// Returns whether solutions go on beside a multiple one: along the direction in which the matrix
+/// is singular, the equations hold to rounding errors not only here but also some way off.
+pub(super) fn is_continuum<const N: usize>(
+    homotopy: &mut Homotopy<N>,
+    place: &ProjectivePoint<N>,
+) -> bool {
     homotopy.turn(place.flipped);
     let Some(along) = weakest_component(homotopy, &place.x) else {
         return true;
@@ -38,8 +43,9 @@ fn weakest_component<const N: usize>(homotopy: &mut Homotopy<N>, x: &Vector<N>) 
     (sizes(best) > SINGULAR * SINGULAR).then_some(best)
 }
 
-/// By how much the equations miss, in a fixed combination of them and as a share of their terms, at the nearest point with
-/// the coordinate `along` moved by `offset`. `None` if there is no such point.
+/// Returns the error of the equations, in a fixed combination of them and as a share of their
+/// terms, at the nearest point with the coordinate `along` moved by `offset`. `None` if there is no
+/// such point.
 fn slack<const N: usize>(
     homotopy: &mut Homotopy<N>,
     x: &Vector<N>,
@@ -72,8 +78,9 @@ fn slack<const N: usize>(
     Some(rough_root(slack.square() / terms))
 }
 
-/// The square of the largest change of an equation with a coordinate as a whole: about that of its terms. Where all coordinates are small, far out,
-/// equations are missed by little wherever that is.
+/// The square of the largest change of an equation with a coordinate as a whole: about that of its
+/// terms. Where all coordinates are small, far out, equations are missed by little wherever that
+/// is.
 fn largest_term<const N: usize>(matrix: &Matrix<N>, x: &Vector<N>) -> f64 {
     let row = |row: &Vector<N>| {
         let terms = row.iter().zip(x).map(|(slope, x)| (*slope * *x).square());

@@ -1,12 +1,13 @@
 //! The equations between the start system (`t` = 1) and the given one (`t` = 0).
 
-use super::HIGHEST_DEGREE;
-use super::complex::{Complex, ONE, ZERO};
-use super::matrix::{Matrix, Vector};
-use super::place::Place;
+use super::evaluation::Evaluation;
 use super::polynomial::Polynomial;
+use super::projective::ProjectivePoint;
 use super::quadratic::Quadratics;
-use super::start::{self, Univariate};
+use super::start_system::{self, Univariate};
+use super::system::HIGHEST_DEGREE;
+use crate::numeric::complex::{Complex, ONE, ZERO};
+use crate::numeric::complex_matrix::{Matrix, Vector};
 use alloc::vec::Vec;
 
 /// `(1 - t) * target + t * start`, in coordinates of which each is a variable or its inverse.
@@ -43,14 +44,6 @@ struct Powers {
     slopes: [Complex; HIGHEST_DEGREE + 1],
 }
 
-/// Values and derivatives at a point.
-pub(super) struct Evaluation<const N: usize> {
-    pub(super) values: Vector<N>,
-    pub(super) matrix: Matrix<N>,
-    /// Derivatives with respect to `t`.
-    pub(super) drift: Vector<N>,
-}
-
 impl<const N: usize> Homotopy<N> {
     pub(super) fn new(target: &[Polynomial], attempt: usize) -> Self {
         let narrow = |wide: &[u8]| core::array::from_fn(|j| wide[j]);
@@ -72,8 +65,8 @@ impl<const N: usize> Homotopy<N> {
         };
         powers.values[0] = ONE;
         powers.slopes[1] = ONE;
-        let factors = start::factors(target, attempt);
-        let constants = start::constants(attempt);
+        let factors = start_system::factors(target, attempt);
+        let constants = start_system::constants(attempt);
         let quadratics = Quadratics::new(target, &factors, &constants);
         Self {
             quadratics,
@@ -89,12 +82,12 @@ impl<const N: usize> Homotopy<N> {
     /// The solutions at `t` = 1; no coordinate is an inverse there.
     pub(super) fn starts(&mut self) -> Vec<Vector<N>> {
         self.turn([false; N]);
-        start::solutions(&self.factors)
+        start_system::solutions(&self.factors)
     }
 
-    pub(super) fn place(&self, x: Vector<N>) -> Place<N> {
+    pub(super) fn place(&self, x: Vector<N>) -> ProjectivePoint<N> {
         let flipped = self.flipped;
-        Place { x, flipped }
+        ProjectivePoint { x, flipped }
     }
 
     /// Changes to other coordinates.
@@ -169,7 +162,7 @@ impl<const N: usize> Homotopy<N> {
         let mut matrix = [[ZERO; N]; N];
         for ((equation, value), row) in self.equations.iter().zip(&mut values).zip(&mut matrix) {
             for term in &equation.terms {
-                let power = |j: usize| self.powers[j].at(term.exponents[j]);
+                let power = |j: usize| self.powers[j].evaluate(term.exponents[j]);
                 *value += product(term.factor, &term.exponents, power, ONE, row);
             }
         }
@@ -184,7 +177,7 @@ impl<const N: usize> Homotopy<N> {
             let row = &mut matrix[i];
             *row = row.map(|slope| slope.scaled(1.0 - t));
             let degrees = &self.equations[i].degrees;
-            let factor = |j: usize| self.factors[i][j].at(x[j]);
+            let factor = |j: usize| self.factors[i][j].evaluate(x[j]);
             let start = product(self.constants[i], degrees, factor, ONE.scaled(t), row);
             drift[i] = start - values[i];
             values[i] += drift[i].scaled(t);
@@ -231,7 +224,7 @@ fn product<const N: usize>(
 impl Powers {
     /// A power and its derivative.
     #[inline(always)]
-    fn at(&self, exponent: u8) -> (Complex, Complex) {
+    fn evaluate(&self, exponent: u8) -> (Complex, Complex) {
         let exponent = (exponent as usize).min(HIGHEST_DEGREE);
         (self.values[exponent], self.slopes[exponent])
     }
@@ -250,7 +243,7 @@ impl Powers {
 impl Univariate {
     /// Value and derivative.
     #[inline(always)]
-    fn at(&self, x: Complex) -> (Complex, Complex) {
+    fn evaluate(&self, x: Complex) -> (Complex, Complex) {
         let degree = self.degree as usize;
         let (mut value, mut slope) = (ZERO, ZERO);
         for &coefficient in self.coefficients.iter().take(degree + 1).rev() {

@@ -1,7 +1,8 @@
 //! The given equations as polynomials with exponents from zero up.
 
-use super::complex::{Complex, rough_root};
-use super::{HIGHEST_DEGREE, MOST_VARIABLES, System, Unlisted, Variable};
+use super::rough_root::rough_root;
+use super::system::{HIGHEST_DEGREE, MOST_VARIABLES, System, Unlisted, Variable};
+use crate::numeric::complex::Complex;
 use alloc::vec::Vec;
 
 /// Terms smaller than this, compared with the largest of their equation, are rounding errors of

@@ -1,45 +1,45 @@
-//! Paths that numbers of 16 digits do not lead to a certain end are followed on in numbers of about 32.
+//! Continuation with about 32 digits, for paths whose ends 16 digits do not determine.
 //!
-//! The coefficients have no more than 16 digits, whatever they are computed with. So an end counts only if it hangs on none of their last
-//! places: it must stay where it is, far from all others, when every coefficient is changed by a rounding. Ends that coefficients do not
-//! tell, such as those of paths that meet at infinity but for rounding, stay as uncertain as they were.
+//! The coefficients have no more than 16 digits, in any computation. So an end counts only if it
+//! does not depend on their last places: it must stay where it is, far from all others, when every
+//! coefficient is changed by a rounding. Ends that the coefficients do not determine, such as those
+//! of paths that meet at infinity to rounding, stay uncertain.
 
-mod double;
-mod equations;
+mod path_tracker;
 #[cfg(test)]
 mod tests;
-mod walk;
-mod wide;
+mod wide_equations;
 
-use super::Variable;
-use super::complex::rough_root;
-use super::ends::{End, Root};
+use super::endgame::{PathEnd, Root};
 use super::homotopy::Homotopy;
-use super::path::Trace;
-use super::place::Place;
+use super::path_trace::Trace;
 use super::polynomial::Polynomial;
+use super::projective::ProjectivePoint;
+use super::rough_root::rough_root;
+use super::system::Variable;
 use alloc::vec::Vec;
-use equations::Equations;
-use walk::Reached;
+use path_tracker::Reached;
+use wide_equations::Equations;
 
-/// An end that roundings of coefficients move by more than this part of its distance from others is not certain.
+/// An end that roundings of coefficients move by more than this part of its distance from others is
+/// not certain.
 const STEADY: f64 = 0.1;
 /// Distances below this are roundings of places.
 const ROUNDING: f64 = 1e-15;
-/// How far a solution reaches, as a part of its distance from others.
+/// The reach of a solution, as a part of its distance from others.
 const REACH: f64 = 0.3;
 const LONGEST_REACH: f64 = 0.1;
-/// What is nearer than this to its reflection may be real; far out, as a part of the inverse.
+/// A point nearer than this to its reflection may be real; far out, as a part of the inverse.
 const NEARLY_REAL: f64 = 0.1;
 
 /// The end of a path, and how far it is moved by roundings of coefficients.
-struct Found<const N: usize> {
+struct ReachedEnd<const N: usize> {
     path: usize,
-    place: Place<N>,
+    place: ProjectivePoint<N>,
     moved: f64,
 }
 
-/// Paths of a listing, and what they are followed on with.
+/// Paths of a listing, with all that is needed to follow them on.
 struct Pursuit<'a, const N: usize> {
     homotopy: &'a mut Homotopy<N>,
     variables: &'a [Variable],
@@ -47,8 +47,9 @@ struct Pursuit<'a, const N: usize> {
     equations: Equations<N>,
 }
 
-/// Follows the paths without a certain end on: first those that are lost, then those that are blurred. Where ends become known, paths that
-/// seemed to lead to infinity are asked, too: the same numbers have said so.
+/// Follows the paths without a certain end on: first those that are lost, then those that are
+/// blurred. Where ends become known, paths that seemed to lead to infinity are asked, too: the same
+/// numbers have said so.
 pub(super) fn pursue<const N: usize>(
     homotopy: &mut Homotopy<N>,
     variables: &[Variable],
@@ -56,8 +57,8 @@ pub(super) fn pursue<const N: usize>(
     attempt: usize,
     traces: &mut [Trace<N>],
 ) {
-    let lost = paths(traces, |end| matches!(end, End::Lost));
-    let blurred = paths(traces, |end| matches!(end, End::Blurred));
+    let lost = paths(traces, |end| matches!(end, PathEnd::Lost));
+    let blurred = paths(traces, |end| matches!(end, PathEnd::Blurred));
     if lost.is_empty() && blurred.is_empty() {
         return;
     }
@@ -71,45 +72,48 @@ pub(super) fn pursue<const N: usize>(
         return;
     }
     if pursuit.become_known(&blurred) || !lost.is_empty() {
-        for path in paths(pursuit.traces, |end| matches!(end, End::Outside)) {
+        for path in paths(pursuit.traces, |end| matches!(end, PathEnd::Outside)) {
             pursuit.become_known(&[path]);
         }
     }
 }
 
 /// The paths with such an end.
-fn paths<const N: usize>(traces: &[Trace<N>], such: impl Fn(&End<N>) -> bool) -> Vec<usize> {
-    let all = traces.iter().enumerate();
-    let such = all.filter(|(_, own)| such(&own.end));
+fn paths<const N: usize>(traces: &[Trace<N>], such: impl Fn(&PathEnd<N>) -> bool) -> Vec<usize> {
+    let such = traces
+        .iter()
+        .enumerate()
+        .filter(|(_, trace)| such(&trace.end));
     such.map(|(path, _)| path).collect()
 }
 
 impl<const N: usize> Pursuit<'_, N> {
-    /// Whether the ends of all these paths become known. Otherwise none does: a single one that is uncertain spoils the number of solutions, and
-    /// one that is lost the listing, so that no others are followed.
+    /// Returns whether the ends of all these paths become known. Otherwise none does: a single one
+    /// that is uncertain spoils the number of solutions, and one that is lost the listing, so that
+    /// no others are followed.
     fn become_known(&mut self, paths: &[usize]) -> bool {
         let mut found = Vec::with_capacity(paths.len());
         for &path in paths {
             let here = match self.reached(path) {
                 Some(Reached::End(place, moved)) => {
-                    found.push(Found { path, place, moved });
+                    found.push(ReachedEnd { path, place, moved });
                     continue;
                 }
                 Some(Reached::Here(place)) => Some(place),
                 None => None,
             };
             self.reconsider(path, here.as_ref());
-            if matches!(self.traces[path].end, End::Lost) {
+            if matches!(self.traces[path].end, PathEnd::Lost) {
                 return false;
             }
         }
-        let roots = found.iter().map(|own| own.root(self.traces, &found));
+        let roots = found.iter().map(|end| end.root(self.traces, &found));
         let roots = roots.collect::<Option<Vec<Root<N>>>>();
         let roots = roots.filter(|roots| roots.len() == paths.len());
-        for (index, own) in found.iter().enumerate() {
+        for (index, end) in found.iter().enumerate() {
             match &roots {
-                Some(roots) => self.traces[own.path].end = End::Regular(roots[index]),
-                None => self.reconsider(own.path, Some(&own.place)),
+                Some(roots) => self.traces[end.path].end = PathEnd::Regular(roots[index]),
+                None => self.reconsider(end.path, Some(&end.place)),
             }
         }
         roots.is_some()
@@ -117,14 +121,14 @@ impl<const N: usize> Pursuit<'_, N> {
 
     fn reached(&mut self, path: usize) -> Option<Reached<N>> {
         let (t, place) = self.traces[path].mark.as_ref()?;
-        walk::follow(self.homotopy, &mut self.equations, *t, place)
+        path_tracker::follow(self.homotopy, &mut self.equations, *t, place)
     }
 
-    /// A way around an end stays away from what is real, but a path that turns off within it may not, nor one that seemed to lead to infinity:
-    /// it is lost if it has come near.
-    fn reconsider(&mut self, path: usize, place: Option<&Place<N>>) {
+    /// A circle around an end stays away from real points, but a path that turns off within it may
+    /// not, nor one that seemed to lead to infinity: it is lost if it has come near.
+    fn reconsider(&mut self, path: usize, place: Option<&ProjectivePoint<N>>) {
         let end = &mut self.traces[path].end;
-        let may_be_real = |place: &Place<N>| {
+        let may_be_real = |place: &ProjectivePoint<N>| {
             let gaps = place.gaps(self.variables);
             // Of two numbers far out both inverses are near 0.
             let size = |j: usize| match place.is_outer(j, self.variables) {
@@ -134,23 +138,23 @@ impl<const N: usize> Pursuit<'_, N> {
             (0..N).all(|j| gaps[j] < NEARLY_REAL * size(j))
         };
         let doubtful = match end {
-            End::Blurred => place.is_none_or(may_be_real),
-            End::Outside => place.is_some_and(may_be_real),
-            End::Regular(_) | End::Multiple(_) | End::Lost => false,
+            PathEnd::Blurred => place.is_none_or(may_be_real),
+            PathEnd::Outside => place.is_some_and(may_be_real),
+            PathEnd::Regular(_) | PathEnd::Multiple(_) | PathEnd::Lost => false,
         };
         if doubtful {
-            *end = End::Lost;
+            *end = PathEnd::Lost;
         }
     }
 }
 
-impl<const N: usize> Found<N> {
+impl<const N: usize> ReachedEnd<N> {
     /// The isolated solution, unless it may be one of the others.
     fn root(&self, traces: &[Trace<N>], found: &[Self]) -> Option<Root<N>> {
         let known = traces.iter().filter_map(|trace| match &trace.end {
-            End::Regular(root) => Some(&root.place),
-            End::Multiple(place) => Some(place),
-            End::Outside | End::Blurred | End::Lost => None,
+            PathEnd::Regular(root) => Some(&root.place),
+            PathEnd::Multiple(place) => Some(place),
+            PathEnd::Outside | PathEnd::Blurred | PathEnd::Lost => None,
         });
         let others = found.iter().filter(|other| other.path != self.path);
         let all = known.chain(others.map(|other| &other.place));

@@ -1,11 +1,11 @@
-//! Two equations of at most the second degree in each of two variables, which is what triads
-//! come to: all coefficients are kept, those of both equations side by side, so that evaluation is
-//! a fixed sequence of operations on pairs of numbers.
+//! Two equations of at most the second degree in each of two variables, the form of triads. All
+//! coefficients are kept, those of both equations side by side, so that evaluation is a fixed
+//! sequence of operations on pairs of numbers.
 
-use super::complex::Complex;
-use super::homotopy::Evaluation;
+use super::evaluation::Evaluation;
 use super::polynomial::Polynomial;
-use super::start::Univariate;
+use super::start_system::Univariate;
+use crate::numeric::complex::Complex;
 use core::ops::{Add, Mul};
 
 /// A complex number for each of the two equations.
@@ -19,7 +19,7 @@ struct Pair {
 type Quadratic = [Pair; 3];
 
 pub(super) struct Quadratics {
-    /// By the exponents of the first and of the second variable.
+    /// Coefficients by the exponents of the first and of the second variable.
     target: [Quadratic; 3],
     /// The factors of the start system, by variable.
     factors: [Quadratic; 2],

@@ -1,11 +1,12 @@
 //! The real solutions: those that are their own reflections.
 
-use super::complex::Complex;
-use super::ends::{Root, polish};
+use super::endgame::{Root, polish};
 use super::homotopy::Homotopy;
-use super::matrix::Vector;
-use super::place::Place;
-use super::{MEETING, Variable};
+use super::projective::ProjectivePoint;
+use super::system::Variable;
+use crate::numeric::choose_assembly::MEETING;
+use crate::numeric::complex::Complex;
+use crate::numeric::complex_matrix::Vector;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
@@ -56,7 +57,7 @@ fn partner<const N: usize>(
     (distance < reach * reach).then_some(index)
 }
 
-/// The exactly real values next to a solution that is real but for rounding errors.
+/// Returns the exactly real values next to a solution that is real to rounding.
 fn polished<const N: usize>(
     homotopy: &mut Homotopy<N>,
     variables: &[Variable],
@@ -70,16 +71,17 @@ fn polished<const N: usize>(
     (place.distance(&root.place) < root.reach * root.reach).then(|| place.values())
 }
 
-/// About where real solutions meet: multiple ones that are no farther from their reflections than both may be off.
+/// About where real solutions meet: multiple ones that are no farther from their reflections than
+/// both may be off.
 pub(super) fn meeting<const N: usize>(
     variables: &[Variable],
-    multiple: &[Place<N>],
+    multiple: &[ProjectivePoint<N>],
 ) -> Vec<Vec<[f64; 2]>> {
-    let may_be_real = |place: &&Place<N>| {
+    let may_be_real = |place: &&ProjectivePoint<N>| {
         let image = place.reflection(variables);
         image.distance(place) <= (2.0 * MEETING) * (2.0 * MEETING)
     };
-    let real = |place: &Place<N>| {
+    let real = |place: &ProjectivePoint<N>| {
         let mut place = alike(variables, place);
         place.x = made_real(variables, &place.x);
         place.values().into_iter().map(parts).collect()
@@ -88,7 +90,7 @@ pub(super) fn meeting<const N: usize>(
 }
 
 /// The same place, a point and its conjugate both by their values or both by the inverses.
-fn alike<const N: usize>(variables: &[Variable], place: &Place<N>) -> Place<N> {
+fn alike<const N: usize>(variables: &[Variable], place: &ProjectivePoint<N>) -> ProjectivePoint<N> {
     let mut place = *place;
     for (j, variable) in variables.iter().enumerate() {
         if *variable == Variable::Conjugate && place.flipped[j] != place.flipped[j - 1] {

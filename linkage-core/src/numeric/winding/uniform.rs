@@ -1,15 +1,18 @@
-//! Turns of an angle whose closed form says what it stays near to: no need to follow it.
+//! Turns of an angle whose closed form gives its mean rate, so that it need not be followed.
 
-use crate::Scalar;
+use crate::scalar::Scalar;
 use core::f64::consts::TAU;
 
-/// The vectors beside the longest one turn their sum from its direction by at most `0.45 pi`, where their lengths add up to no more than this part of its length, the
-/// sine of that. With the quarter turn of the angle itself it strays by `0.95 pi` then, as in [`follow`](super::follow).
+/// The vectors beside the longest one turn their sum from its direction by at most `0.45 pi`, where
+/// their lengths add up to no more than this part of its length, the sine of that. With the quarter
+/// turn of the angle itself it strays by `0.95 pi` then, as in [`follow`](super::follow).
 const MOST_BESIDE: f64 = 0.987_688_340_595_137_8;
 
-/// Centre and turns of an angle that keeps within a quarter turn of the sum of vectors, by one that is longer than all others together: the angle
-/// turns with it, for all inputs for which it exists. `vectors` are those at inputs of 0, `turns` says how many turns each of them makes for a turn
-/// of each input, or `None` for one that turns with something else, too; the angle is `here` at the inputs `start`.
+/// Centre and turns of an angle that keeps within a quarter turn of the sum of vectors, by one that
+/// is longer than all others together: the angle turns with it, for all inputs for which it exists.
+/// `vectors` are those at inputs of 0, `turns` says how many turns each of them makes for a turn of
+/// each input, or `None` for one that turns with something else, too; the angle is `here` at the
+/// inputs `start`.
 ///
 /// `None` if no vector decides.
 ///
@@ -31,10 +34,10 @@ pub fn uniform<X: AsRef<[f64]> + Clone>(
     here: f64,
 ) -> Option<(f64, X)> {
     let length = |[x, y]: [f64; 2]| Scalar::hypot(x, y);
-    let all: f64 = vectors.iter().map(|own| length(*own)).sum();
+    let sum: f64 = vectors.iter().map(|vector| length(*vector)).sum();
     let mut phases = vectors.iter().zip(turns);
-    let decides = |own: f64| own > 0.0 && all - own <= MOST_BESIDE * own;
-    let (&[x, y], turns) = phases.find(|(own, _)| decides(length(**own)))?;
+    let decides = |length: f64| length > 0.0 && sum - length <= MOST_BESIDE * length;
+    let (&[x, y], turns) = phases.find(|(vector, _)| decides(length(**vector)))?;
     let turns = turns.clone()?;
     let pairs = turns.as_ref().iter().zip(start.as_ref());
     let turned: f64 = pairs.map(|(turns, x)| turns * x).sum();

@@ -8,7 +8,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// Elementary functions are wrong by less than this many units in the last place.
 const ULPS: usize = 4;
 
-/// How far from an extreme of the sine, in turns, a bound is taken for being beyond it.
+/// The distance from an extreme of the sine, in turns, within which a bound counts as beyond it.
 const BESIDE: f64 = 1e-9;
 
 /// Between a low and a high number; NaN where nothing is known.
@@ -71,12 +71,12 @@ impl Bounds {
         0.5 * self.low + 0.5 * self.high
     }
 
-    /// What is in one or the other.
+    /// Returns the union.
     pub(super) fn or(self, other: Self) -> Self {
         Self::around([self.low, self.high, other.low, other.high])
     }
 
-    /// What is in both; `self` where nothing is known of the other.
+    /// Returns the intersection; `self` where the other is unknown.
     pub(super) fn and(self, other: Self) -> Self {
         if !other.is_known() {
             return self;
@@ -125,7 +125,7 @@ impl Bounds {
         }
     }
 
-    /// By a function that rises.
+    /// Applies a rising function.
     pub(super) fn by(self, rising: impl Fn(f64) -> f64) -> Self {
         Self::between(rising(self.low), rising(self.high)).widened()
     }
@@ -138,8 +138,8 @@ impl Bounds {
     }
 
     /// Sine or cosine, which has its greatest value at `summit` and once in every turn from there.
-    fn wave(self, summit: f64, own: impl Fn((f64, f64)) -> f64) -> Self {
-        let [low, high] = [self.low, self.high].map(|x| own(Scalar::sin_cos(x)));
+    fn wave(self, summit: f64, component: impl Fn((f64, f64)) -> f64) -> Self {
+        let [low, high] = [self.low, self.high].map(|x| component(Scalar::sin_cos(x)));
         // Whether a whole number of turns from there is within the bounds, or beside them.
         let meets = |place: f64| {
             let turns = [self.low, self.high].map(|x| (x - place) / TAU);

@@ -22,7 +22,7 @@ impl Add for Enclosure {
 
     #[inline(never)]
     fn add(self, other: Self) -> Self {
-        Self::of(
+        Self::from_parts(
             self.range + other.range,
             self.middle + other.middle,
             self.slope + other.slope,
@@ -45,7 +45,7 @@ impl Mul for Enclosure {
 
     #[inline(never)]
     fn mul(self, other: Self) -> Self {
-        Self::of(
+        Self::from_parts(
             self.range * other.range,
             self.middle * other.middle,
             self.slope * other.range + self.range * other.slope,
@@ -60,7 +60,7 @@ impl Div for Enclosure {
     #[inline(never)]
     fn div(self, other: Self) -> Self {
         let quotient = self.range / other.range;
-        Self::of(
+        Self::from_parts(
             quotient,
             self.middle / other.middle,
             (self.slope - quotient * other.slope) / other.range,

@@ -3,10 +3,13 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::cholesky::Cholesky;
 use crate::balancing::rows::{ForceRow, dot};
+use linkage_core::numeric::cholesky::Cholesky;
 
-/// The part of the distance to zero that a slack or a multiplier may move.
+/// The least part of its diagonal that a pivot counts as, where rounding has taken it away.
+pub(super) const LEAST_PIVOT: f64 = 1e-15;
+
+/// The largest part of the distance to zero in one step of a slack or a multiplier.
 const BOUNDARY: f64 = 0.99;
 
 /// A point, `tau`, and for each position a slack, `tau - |f_i + Q_i y|^2` in the end, and a
@@ -98,7 +101,7 @@ impl<const N: usize> Step<N> {
 /// the squares count from their weighted mean.
 struct System<const N: usize> {
     gradients: Vec<[f64; N]>,
-    /// The amount by which a slack is too small.
+    /// The errors of the slacks.
     lacks: Vec<f64>,
     /// Multiplier over slack, and their sum.
     weights: Vec<f64>,
@@ -144,7 +147,7 @@ impl<const N: usize> System<N> {
             weights,
             weight,
             mean,
-            matrix: Cholesky::new(matrix),
+            matrix: Cholesky::with_least_pivot(matrix, LEAST_PIVOT),
         }
     }
 

@@ -2,9 +2,9 @@
 
 use alloc::boxed::Box;
 
-use super::super::quadratic::dot;
 use super::{Motion, Piece, Place};
 use crate::summary;
+use linkage_core::numeric::vector::dot;
 
 type Jet<'a, A> = Box<dyn Fn(&A, f64) -> [f64; 3] + Send + Sync + 'a>;
 type Slopes<'a, A, const N: usize> = Box<dyn Fn(&A, f64) -> [f64; N] + Send + Sync + 'a>;

@@ -1,40 +1,13 @@
 //! Discs of complex numbers: arithmetic that holds all results, whatever the rounding.
 //!
-//! Rounding is to the nearest number; its errors are bounded by twice what they can be, and so are those of the radii.
+//! Rounding is to the nearest number; its errors are bounded by twice what they can be, and so are
+//! those of the radii.
 
-use super::complex::{Complex, Ring, ZERO};
-use super::double::Double;
 use super::long::Long;
+use super::real::Real;
 use core::ops::{Add, Mul, Neg, Sub};
-
-/// What the middles of discs consist of.
-pub(super) trait Real: Ring {
-    /// A plain number, exactly; it is finite.
-    fn of(number: f64) -> Self;
-
-    /// A bound of the absolute value.
-    fn bound(self) -> f64;
-
-    /// By how much a complex sum of this size is wrong at most; products by four times that.
-    fn rounding(size: f64) -> f64;
-}
-
-impl Real for f64 {
-    #[inline(always)]
-    fn of(number: f64) -> Self {
-        number
-    }
-
-    #[inline(always)]
-    fn bound(self) -> f64 {
-        self.abs()
-    }
-
-    #[inline(always)]
-    fn rounding(size: f64) -> f64 {
-        f64::EPSILON * size
-    }
-}
+use linkage_core::numeric::complex::{Complex, ZERO};
+use linkage_core::numeric::double_double::DoubleDouble;
 
 /// All numbers that are not further from the middle than the radius.
 #[derive(Clone, Copy, Debug)]
@@ -82,12 +55,12 @@ impl Ball {
     pub(super) const ZERO: Self = Self::exact(ZERO);
 
     /// A number of more digits.
-    pub(super) fn of(number: Complex<Double>) -> Self {
+    pub(super) fn from_wide(number: Complex<DoubleDouble>) -> Self {
         let rest = number.re.low.abs() + number.im.low.abs();
         Self::new(number.narrow(), rest * AMPLE)
     }
 
-    /// Whether no number is in both.
+    /// Returns whether no number is in both.
     pub(super) fn is_apart_from(self, other: Self) -> bool {
         let way = self.middle - other.middle;
         // A distance of two rounded numbers, which is wrong by less than this part of it.
@@ -112,12 +85,12 @@ impl Ball {
 impl Ball<Long> {
     /// With the digits of plain numbers.
     pub(super) fn narrow(self) -> Ball {
-        let middle = self.middle.rounded();
-        let rest = taxi(self.middle - middle.long());
+        let middle = self.middle.map(Long::narrow);
+        let rest = taxi(self.middle - middle.map(Long::exact));
         Ball::new(middle, (self.radius + rest) * AMPLE)
     }
 
-    /// Whether no number is in both.
+    /// Returns whether no number is in both.
     pub(super) fn is_far_from(self, other: Self) -> bool {
         let way = Ball::exact(self.middle - other.middle).narrow();
         way.is_apart_from(Ball::new(ZERO, (self.radius + other.radius) * AMPLE))
@@ -128,12 +101,15 @@ impl<R: Real> From<Complex> for Ball<R> {
     fn from(number: Complex) -> Self {
         let finite = number.re.is_finite() && number.im.is_finite();
         let radius = if finite { 0.0 } else { f64::NAN };
-        Self::new(Complex::new(R::of(number.re), R::of(number.im)), radius)
+        Self::new(
+            Complex::new(R::exact(number.re), R::exact(number.im)),
+            radius,
+        )
     }
 }
 
-impl From<Complex<Double>> for Ball<Long> {
-    fn from(number: Complex<Double>) -> Self {
+impl From<Complex<DoubleDouble>> for Ball<Long> {
+    fn from(number: Complex<DoubleDouble>) -> Self {
         Self::exact(Complex::new(number.re.into(), number.im.into()))
     }
 }
@@ -154,15 +130,15 @@ fn taxi<R: Real>(number: Complex<R>) -> f64 {
 pub(super) struct Bound(pub(super) f64);
 
 impl Bound {
-    pub(super) fn of(number: Complex<Double>) -> Self {
+    pub(super) fn from_wide(number: Complex<DoubleDouble>) -> Self {
         Self(taxi(number.narrow()) * AMPLE)
     }
 
-    /// The value of a polynomial whose terms have these bounds, when it has been computed with `Double`: fewer than a hundred
-    /// operations, each wrong by a few parts in 2^106.
-    pub(super) fn around(self, value: Complex<Double>) -> Ball {
+    /// The value of a polynomial whose terms have these bounds, when it has been computed with
+    /// `DoubleDouble`: fewer than a hundred operations, each wrong by a few parts in 2^106.
+    pub(super) fn around(self, value: Complex<DoubleDouble>) -> Ball {
         const WRONG: f64 = 1.0 / (1_u128 << 96) as f64;
-        Ball::of(value).widened(self.0 * WRONG)
+        Ball::from_wide(value).widened(self.0 * WRONG)
     }
 }
 

@@ -7,11 +7,11 @@ mod three;
 
 pub use curve::{CentreCurve, CentrePoint};
 
-use super::complex::Complex;
 use super::dyad::{self, Link};
 use super::task::Shift;
 use super::{FourBar, Pose};
 use alloc::vec::Vec;
+use linkage_core::numeric::complex::Complex;
 
 /// A joint of the frame and a joint of the body that keep their distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,21 +31,21 @@ impl Pivots {
     }
 }
 
-/// What can lead a body through poses.
+/// The guides that can lead a body through poses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Dyad {
     /// A link with two revolute joints.
     Link(Pivots),
-    /// A point of the body on a straight line of the frame: a slider of the frame with a revolute joint. It is a link whose
-    /// fixed joint is at infinity.
+    /// A point of the body on a straight line of the frame: a slider of the frame with a revolute
+    /// joint. It is a link whose fixed joint is at infinity.
     PointOnLine {
         /// The point, in the body's frame.
         moving: [f64; 2],
         /// Angle of the line, rad; it goes through the places of the point.
         angle: f64,
     },
-    /// A straight line of the body through a point of the frame: a revolute joint of the frame with a slider. It is a link
-    /// whose moving joint is at infinity.
+    /// A straight line of the body through a point of the frame: a revolute joint of the frame with
+    /// a slider. It is a link whose moving joint is at infinity.
     LineThroughPoint {
         /// The point of the frame.
         fixed: [f64; 2],
@@ -59,16 +59,17 @@ pub enum Dyad {
 pub struct Dyads {
     /// The real ones, in ascending order of the fixed joint.
     pub real: Vec<Dyad>,
-    /// How many are complex: no mechanisms.
+    /// The number of complex ones: no mechanisms.
     pub complex: usize,
-    /// How many are too close to others, or to infinity, to say whether they are real, or do not lead the body through all poses
-    /// with the joints that rounding leaves.
+    /// The number of those that are too close to others, or to infinity, to decide whether they are
+    /// real, or do not lead the body through all poses with rounded joints.
     pub undecided: usize,
-    /// Whether the count is shown: four links, each shown to exist (Krawczyk's test with discs, rounding included), to be
-    /// real or complex, and to differ from the others. There are no more than four, if finitely many. It is not shown if
-    /// one of them is a slider, or undecided.
+    /// True if the count is shown: four links, each shown to exist (Krawczyk's test with discs,
+    /// rounding included), to be real or complex, and to differ from the others. There are no more
+    /// than four, if finitely many. It is not shown if one of them is a slider, or undecided.
     pub certified: bool,
-    /// Bound of the errors of `fixed` and `moving` that comes with the certificate, in units of the poses.
+    /// Bound of the errors of `fixed` and `moving` that comes with the certificate, in units of the
+    /// poses.
     pub error: f64,
 }
 
@@ -113,7 +114,7 @@ pub(super) struct Moves<const N: usize> {
 }
 
 impl<const N: usize> Moves<N> {
-    /// Of as many poses as moves after the first one.
+    /// Collects as many moves as poses after the first one.
     fn new(first: &Pose, others: [&Pose; N]) -> Self {
         let shifts = others.map(|pose| Shift::between(first.point, pose.point));
         let sizes = shifts.iter().map(|shift| shift.narrow());

@@ -1,24 +1,27 @@
 //! Proof that a system of equations has one solution near a point, and that it is real or is not.
 //!
-//! Krawczyk's operator on discs: with `A` about the inverse of the Jacobian at the point, `x - A f(x)` takes the product of
-//! the discs into itself and contracts it, rounding included. Then (Banach) it has one fixed point there, a solution of
-//! `f`. Data that are not exact are discs, too: what is shown then holds for all of them.
+//! Krawczyk's operator on discs: with `A` about the inverse of the Jacobian at the point,
+//! `x - A f(x)` takes the product of the discs into itself and contracts it, rounding included.
+//! Then (Banach) it has one fixed point there, a solution of `f`. Data that are not exact are
+//! discs, too: what is shown then holds for all of them.
 //!
-//! A real solution is its own mirror image: a variable is the conjugate of its partner, which is itself if it stands for a real
-//! number.
+//! A real solution is its own mirror image: a variable is the conjugate of its partner, which is
+//! itself if it stands for a real number.
 
 mod long;
 
-use super::ball::{Ball, Real};
-use super::complex::Complex;
-use super::dense;
-use super::double::Double;
+use super::ball::Ball;
 use super::long::Long;
+use super::real::Real;
+use linkage_core::numeric::complex::{Complex, Ring};
+use linkage_core::numeric::complex_matrix;
+use linkage_core::numeric::double_double::DoubleDouble;
 pub(super) use long::certify_long;
 
-/// As many equations as unknowns.
+/// A system of as many equations as unknowns.
 pub(super) trait System<const N: usize> {
-    /// The variable that is the conjugate of this one in a real solution: they come in pairs, if nothing else is said.
+    /// The variable that is the conjugate of this one in a real solution: they come in pairs, if
+    /// nothing else is said.
     fn partner(i: usize) -> usize {
         i ^ 1
     }
@@ -29,7 +32,8 @@ pub(super) trait System<const N: usize> {
     /// The Jacobian at all points of the discs.
     fn matrix(&self, discs: &[Ball; N]) -> [[Ball; N]; N];
 
-    /// Values and Jacobian with 77 digits, of equations whose data are exact: others are not known any better.
+    /// Values and Jacobian with 77 digits, of equations whose data are exact: others are not known
+    /// any better.
     fn long(&self, _discs: &[Ball<Long>; N]) -> Option<Evaluated<N>> {
         None
     }
@@ -38,26 +42,28 @@ pub(super) trait System<const N: usize> {
 /// Values and, by rows, derivatives.
 pub(super) type Evaluated<const N: usize> = ([Ball<Long>; N], [[Ball<Long>; N]; N]);
 
-/// With more digits than the solutions are told: next to singular points the values need them.
-pub(super) type Point<const N: usize> = [Complex<Double>; N];
+/// A point with more digits than the solutions have: next to singular points the values need them.
+pub(super) type Point<const N: usize> = [Complex<DoubleDouble>; N];
 
-/// Discs around a solution; it is the only one in them, or in smaller ones that plain numbers do not tell from a point.
+/// Discs around a solution; it is the only one in them, or in smaller ones that plain numbers do
+/// not tell from a point.
 #[derive(Clone, Debug)]
 pub(super) struct Certificate<const N: usize> {
     pub(super) discs: [Ball; N],
-    /// Whether the solution is real; nothing if it cannot be told.
+    /// True for a real solution, false for a complex one; nothing if undecided.
     pub(super) real: Option<bool>,
 }
 
 impl<const N: usize> Certificate<N> {
-    /// Whether the solutions of both are two.
+    /// Returns whether the solutions of both are two.
     pub(super) fn is_apart_from(&self, other: &Self) -> bool {
         let mut pairs = self.discs.iter().zip(&other.discs);
         pairs.any(|(a, b)| a.is_apart_from(*b))
     }
 }
 
-/// Discs are widened so often; what is not shown then is too close to a singular point.
+/// The number of times that discs are widened; a solution without a proof by then is too close to a
+/// singular point.
 const ATTEMPTS: usize = 4;
 
 /// Looks for discs around `point` in which `system` has one solution.
@@ -65,38 +71,71 @@ pub(super) fn certify<const N: usize, S: System<N>>(
     point: &Point<N>,
     system: &S,
 ) -> Option<Certificate<N>> {
-    let discs = one_solution(point, system)?;
-    let mirrored = mirrored::<N, S, f64>(&discs);
-    let mut images = discs.iter().zip(mirrored);
-    if images.any(|(disc, image)| disc.is_apart_from(image)) {
-        let real = Some(false);
-        return Some(Certificate { discs, real });
+    let half = Complex::from(0.5).wide();
+    let apart = |disc: Ball, image| disc.is_apart_from(image);
+    let (discs, real) =
+        decided::<N, S, _, _>(point, half, apart, |point| one_solution(point, system))?;
+    Some(Certificate { discs, real })
+}
+
+/// Discs around a solution, and whether it is real; nothing if undecided.
+type Decided<const N: usize, R> = ([Ball<R>; N], Option<bool>);
+
+/// Decides whether the solution near `point` is real. `apart` tests that two discs are, and
+/// `one_solution` gives discs with one solution.
+fn decided<const N: usize, S: System<N>, P: Ring, R: Real>(
+    point: &[Complex<P>; N],
+    half: Complex<P>,
+    apart: impl Fn(Ball<R>, Ball<R>) -> bool,
+    one_solution: impl Fn(&[Complex<P>; N]) -> Option<[Ball<R>; N]>,
+) -> Option<Decided<N, R>> {
+    let discs = one_solution(point)?;
+    let images = core::array::from_fn::<_, N, _>(|i| discs[S::partner(i)].conjugate());
+    if discs
+        .iter()
+        .zip(images)
+        .any(|(&disc, image)| apart(disc, image))
+    {
+        return Some((discs, Some(false)));
     }
     // Discs that are their own mirror image hold the mirror image of their only solution.
-    let half = Complex::new(0.5, 0.0).wide();
     let middle = core::array::from_fn(|i| (point[i] + point[S::partner(i)].conjugate()) * half);
-    Some(match one_solution(&middle, system) {
-        Some(discs) => Certificate {
-            discs,
-            real: Some(true),
-        },
-        None => Certificate { discs, real: None },
+    Some(match one_solution(&middle) {
+        Some(discs) => (discs, Some(true)),
+        None => (discs, None),
     })
 }
 
-fn mirrored<const N: usize, S: System<N>, R: Real>(discs: &[Ball<R>; N]) -> [Ball<R>; N] {
-    core::array::from_fn(|i| discs[S::partner(i)].conjugate())
+/// Refines a solution by Newton's steps with residuals of twice the digits. The error is the last
+/// point, where the matrix is singular.
+pub(super) fn refined<const N: usize>(
+    start: &[Complex; N],
+    steps: usize,
+    values: impl Fn(&Point<N>) -> [Complex; N],
+    matrix: impl Fn(&[Complex; N]) -> complex_matrix::Matrix<N>,
+) -> Result<Point<N>, Point<N>> {
+    let mut point = start.map(Complex::wide);
+    for _ in 0..steps {
+        let mut right = [values(&point).map(|value| -value)];
+        let mut matrix = matrix(&point.map(Complex::narrow));
+        if complex_matrix::solve_scaled(&mut matrix, &mut right) == 0.0 {
+            return Err(point);
+        }
+        point = core::array::from_fn(|i| point[i] + right[0][i].wide());
+    }
+    Ok(point)
 }
 
 fn one_solution<const N: usize, S: System<N>>(point: &Point<N>, system: &S) -> Option<[Ball; N]> {
-    let there = point.map(Ball::of);
+    let there = point.map(Ball::from_wide);
     let matrix = system.matrix(&there);
-    let inverse = dense::inverse(&matrix.map(|row| row.map(|element| element.middle)))?;
+    let inverse = complex_matrix::inverse(&matrix.map(|row| row.map(|element| element.middle)))?;
     let shift = times(&inverse, &system.values(point)).map(Ball::size);
     contracted::<N, S, f64>(&there, &inverse, &shift, |discs| Some(system.matrix(discs)))
 }
 
-/// Discs around `there` that the map `x - inverse f(x)` takes into themselves; `shift` bounds `inverse f` at their middle.
+/// Discs around `there` that the map `x - inverse f(x)` takes into themselves; `shift` bounds
+/// `inverse f` at their middle.
 fn contracted<const N: usize, S: System<N>, R: Real>(
     there: &[Ball<R>; N],
     inverse: &[[Complex<R>; N]],

@@ -1,13 +1,14 @@
 //! The equation of a link between two revolute joints, in isotropic coordinates.
 //!
-//! A point of the plane is a complex number and its conjugate, which are variables of their own (a hat says conjugate).
-//! In pose `j` the body is shifted by `d` and turned by the unit vector `t`, `u` for its hat, against pose 0. The joint
-//! of the body at `x` in pose 0 then is at `d + t x`; it stays at the distance from the fixed joint `a` that it has in
-//! pose 0 (Wampler, Morgan and Sommese, Journal of Mechanical Design 114, 1992):
+//! A point of the plane is a complex number and its conjugate, which are variables of their own (a
+//! hat says conjugate). In pose `j` the body is shifted by `d` and turned by the unit vector `t`,
+//! `u` for its hat, against pose 0. The joint of the body at `x` in pose 0 then is at `d + t x`; it
+//! stays at the distance from the fixed joint `a` that it has in pose 0 (Wampler, Morgan and
+//! Sommese, Journal of Mechanical Design 114, 1992):
 //!
 //! `(d + t x - a) (d^ + u x^ - a^) = (x - a) (x^ - a^)`
 
-use super::complex::Ring;
+use linkage_core::numeric::complex::Ring;
 
 /// `x`, `x^`, `a`, `a^`.
 pub(super) type Dyad<T> = [T; 4];
@@ -18,9 +19,9 @@ pub(super) type Pair<T> = [T; 2];
 pub(super) struct Link<T> {
     pub(super) value: T,
     pub(super) by_dyad: [T; 4],
-    /// By `t` and `u`.
+    /// Derivatives with respect to `t` and `u`.
     pub(super) by_turn: Pair<T>,
-    /// By `d` and `d^`.
+    /// Derivatives with respect to `d` and `d^`.
     pub(super) by_shift: Pair<T>,
 }
 

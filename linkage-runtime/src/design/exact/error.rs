@@ -12,21 +12,24 @@ pub enum Unsolved {
         /// Index of the condition.
         index: usize,
     },
-    /// Two conditions are one: there is one condition less than dimensions, and infinitely many mechanisms meet them.
+    /// Two conditions are one: there is one condition less than dimensions, and infinitely many
+    /// mechanisms meet them.
     Equal {
         /// Indices of the conditions.
         indices: [usize; 2],
     },
-    /// The conditions depend on each other, so that infinitely many mechanisms meet them, or rounding decides how many.
+    /// The conditions depend on each other, so that infinitely many mechanisms meet them, or
+    /// rounding decides how many.
     Dependent {
         /// The smallest singular value of their equations as a part of the largest one.
         rank: f64,
         /// Below which we take them for dependent.
         least: f64,
     },
-    /// So many points are on a circle that it would be a part of the coupler curve: infinitely many four-bars pass them, or none.
+    /// Too many points are on a circle, which then would be a part of the coupler curve: infinitely
+    /// many four-bars pass them, or none.
     OnCircle {
-        /// How many points are on it.
+        /// The number of points on it.
         count: usize,
         /// Its centre.
         centre: [f64; 2],
@@ -35,16 +38,17 @@ pub enum Unsolved {
         /// The largest distance of these points from it.
         off: f64,
     },
-    /// So many points are on a line that it would be a part of the coupler curve, which has none.
+    /// Too many points are on a line, which then would be a part of the coupler curve, which has
+    /// none.
     OnLine {
-        /// How many points are on it.
+        /// The number of points on it.
         count: usize,
         /// The largest distance of these points from it.
         off: f64,
     },
-    /// What is asked for is at infinity, as the pole of poses that are only shifted against each other.
+    /// The result is at infinity, as the pole of poses that are only shifted against each other.
     AtInfinity,
-    /// Whoever was told of the progress asked to stop.
+    /// The receiver of the progress stopped the search.
     Stopped {
         /// Paths that had been followed.
         done: usize,
@@ -55,7 +59,7 @@ pub enum Unsolved {
     Singular,
     /// More solutions than we follow.
     TooMany {
-        /// So many are followed.
+        /// The number that is followed.
         most: usize,
     },
     /// Equations whose solutions cannot be listed.

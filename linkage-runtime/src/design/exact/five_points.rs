@@ -1,11 +1,10 @@
-//! Five points of a path, the joints of the frame given: at most 36 four-bars (Morgan and Wampler, Journal of Mechanical
-//! Design 112, 1990), by the homotopy that finds the positions of coupled groups.
+//! Five points of a path, the joints of the frame given: at most 36 four-bars (Morgan and Wampler,
+//! Journal of Mechanical Design 112, 1990), by the homotopy that finds the positions of coupled
+//! groups.
 
 use super::Pose;
 use super::ball::{Ball, Bound};
 use super::certificate::{self, Certificate, Evaluated, Point, System};
-use super::complex::{Complex, ONE, Ring, ZERO};
-use super::dense;
 use super::dyad;
 use super::error::{self, Unsolved};
 use super::four_bar::FourBar;
@@ -14,22 +13,24 @@ use super::task::{self, Shift};
 use super::verify;
 use crate::numeric::roots::{self, Term, Variable};
 use alloc::vec::Vec;
+use linkage_core::numeric::complex::{Complex, ONE, Ring, ZERO};
 
 /// The four-bars through five points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FivePoints {
-    /// The real ones, with the pose of the coupler at each point. The coupler's frame has its origin at the point of the
-    /// path, and angle 0 at the first point.
+    /// The real ones, with the pose of the coupler at each point. The coupler's frame has its
+    /// origin at the point of the path, and angle 0 at the first point.
     pub four_bars: Vec<(FourBar, [Pose; 5])>,
-    /// How many are complex.
+    /// The number of complex ones.
     pub complex: usize,
-    /// How many are multiple, too close to others to say whether they are real, or do not close with the joints that rounding leaves.
+    /// The number of those that are multiple, too close to others to decide whether they are real,
+    /// or do not close with rounded joints.
     pub undecided: usize,
-    /// Number of paths of the homotopy, each of which has been followed to its end without doubt. That they meet all
-    /// solutions is certain with probability one: the start system is random.
+    /// Number of paths of the homotopy, each of which has been followed to its end without doubt.
+    /// That they meet all solutions is certain with probability one: the start system is random.
     pub paths: usize,
-    /// Bound of the errors of the joints, from Krawczyk's test (rounding included), which shows that each four-bar listed
-    /// exists, is real, and differs from the others.
+    /// Bound of the errors of the joints, from Krawczyk's test (rounding included), which shows
+    /// that each four-bar listed exists, is real, and differs from the others.
     pub error: f64,
 }
 
@@ -51,8 +52,12 @@ const STEPS: usize = 5;
 impl System<ALL> for Task {
     fn values(&self, point: &Point<ALL>) -> [Ball; ALL] {
         let (values, _) = self.system(point, [ZERO, ONE].map(Complex::wide), |shift| shift.wide());
-        let bounds = |shift: &Shift| shift.wide().map(Bound::of);
-        let (sizes, _) = self.system(&point.map(Bound::of), [Bound(0.0), Bound(1.0)], bounds);
+        let bounds = |shift: &Shift| shift.wide().map(Bound::from_wide);
+        let (sizes, _) = self.system(
+            &point.map(Bound::from_wide),
+            [Bound(0.0), Bound(1.0)],
+            bounds,
+        );
         core::array::from_fn(|i| sizes[i].around(values[i]))
     }
 
@@ -75,12 +80,13 @@ struct Task {
     fixed: [Shift; 2],
 }
 
-/// All four-bars with these joints of the frame whose coupler has a point that passes the five points.
+/// All four-bars with these joints of the frame whose coupler has a point that passes the five
+/// points.
 ///
 /// # Errors
 ///
-/// `NotFinite`, also for a joint (index 5 and 6); `Equal`; `Unlisted` if the homotopy has paths without a certain end, as for
-/// points with a symmetry.
+/// `NotFinite`, also for a joint (index 5 and 6); `Equal`; `Unlisted` if the homotopy has paths
+/// without a certain end, as for points with a symmetry.
 pub fn five_points(points: &[[f64; 2]; 5], fixed: [[f64; 2]; 2]) -> Result<FivePoints, Unsolved> {
     let [first, others @ ..] = *points;
     let all: Vec<[f64; 2]> = points.iter().chain(&fixed).copied().collect();
@@ -124,15 +130,23 @@ impl Task {
             paths: listing.paths,
             error: 0.0,
         };
-        for (i, own) in certificates.iter().enumerate() {
+        for (i, certificate) in certificates.iter().enumerate() {
             let before = certificates[..i].iter().flatten();
-            let own = own.as_ref().filter(|own| own.real == Some(true));
-            let own = own.filter(|own| before.clone().all(|other| own.is_apart_from(other)));
-            let four_bar = own.map(|own| (own, self.four_bar(&own.discs.map(|disc| disc.middle))));
-            // Shown to exist; that it is the one that is returned its own joints show.
+            let certificate = certificate
+                .as_ref()
+                .filter(|certificate| certificate.real == Some(true));
+            let certificate = certificate
+                .filter(|certificate| before.clone().all(|other| certificate.is_apart_from(other)));
+            let four_bar = certificate.map(|certificate| {
+                (
+                    certificate,
+                    self.four_bar(&certificate.discs.map(|disc| disc.middle)),
+                )
+            });
+            // Shown to exist; that it is the one that is returned its certificate joints show.
             match four_bar.filter(|(_, (four_bar, poses))| verify::closes(four_bar, poses)) {
-                Some((own, four_bar)) => {
-                    let joints = own.discs[..4].iter().map(|disc| disc.radius);
+                Some((certificate, four_bar)) => {
+                    let joints = certificate.discs[..4].iter().map(|disc| disc.radius);
                     found.error =
                         joints.fold(found.error, |most, radius| most.max(radius * self.unit));
                     found.four_bars.push(four_bar);
@@ -153,12 +167,12 @@ impl Task {
                 let d = shift.narrow();
                 let far = d - a;
                 let mut add = |coefficient: Complex, joint: Option<usize>, turn: i8| {
-                    let mut own = [0; 8];
+                    let mut monomial = [0; 8];
                     if let Some(hat) = joint {
-                        own[2 * side + hat] = 1;
+                        monomial[2 * side + hat] = 1;
                     }
-                    own[4 + j] = turn;
-                    exponents.push(own);
+                    monomial[4 + j] = turn;
+                    exponents.push(monomial);
                     coefficients.push(coefficient.into());
                 };
                 add(far.conjugate(), Some(0), 1);
@@ -172,7 +186,8 @@ impl Task {
         (exponents, coefficients)
     }
 
-    /// Values and Jacobian of both links at each point, and of the product of each turn and its inverse, in any numbers.
+    /// Values and Jacobian of both links at each point, and of the product of each turn and its
+    /// inverse, in any numbers.
     fn system<T: Ring>(
         &self,
         all: &[T; ALL],
@@ -213,19 +228,14 @@ impl Task {
 
     /// Newton's steps with residuals of twice the digits.
     fn refined(&self, start: [Complex; ALL]) -> Point<ALL> {
-        let mut all = start.map(Complex::wide);
-        for _ in 0..STEPS {
+        let values = |all: &_| {
             let (values, _) =
-                self.system(&all, [ZERO, ONE].map(Complex::wide), |shift| shift.wide());
-            let plain = |shift: &Shift| shift.wide().map(Complex::narrow);
-            let (_, mut matrix) = self.system(&all.map(Complex::narrow), [ZERO, ONE], plain);
-            let mut right = [values.map(|value| -value.narrow())];
-            if dense::solve(&mut matrix, &mut right) == 0.0 {
-                break;
-            }
-            all = core::array::from_fn(|i| all[i] + right[0][i].wide());
-        }
-        all
+                self.system(all, [ZERO, ONE].map(Complex::wide), |shift| shift.wide());
+            values.map(Complex::narrow)
+        };
+        let plain = |shift: &Shift| shift.wide().map(Complex::narrow);
+        let matrix = |all: &_| self.system(all, [ZERO, ONE], plain).1;
+        certificate::refined(&start, STEPS, values, matrix).unwrap_or_else(|last| last)
     }
 
     fn four_bar(&self, all: &[Complex; ALL]) -> (FourBar, [Pose; 5]) {

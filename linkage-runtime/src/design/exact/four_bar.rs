@@ -1,10 +1,12 @@
-//! Four-bars that syntheses find, and how they pass what was asked: by which circuit and branch, and in which order.
+//! Four-bars that syntheses find, and their passage of the given poses or points: circuit, branch
+//! and order.
 
 use super::Pose;
 use alloc::vec::Vec;
 use core::f64::consts::{PI, TAU};
 
-/// A four-bar linkage: two fixed joints, and two joints of the coupler, which is the body that is moved.
+/// A four-bar linkage: two fixed joints, and two joints of the coupler, which is the body that is
+/// moved.
 ///
 /// Link 0 joins `fixed[0]` and `moving[0]`, link 1 the other two.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,9 +17,9 @@ pub struct FourBar {
     pub moving: [[f64; 2]; 2],
 }
 
-/// Which links of a four-bar turn fully (Grashof's condition).
+/// The links of a four-bar that turn fully (Grashof's condition).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Turning {
+pub enum GrashofType {
     /// This link (0 or 1) turns fully, the other one of the frame rocks.
     Crank(usize),
     /// Both links of the frame turn fully.
@@ -28,27 +30,28 @@ pub enum Turning {
     TripleRocker,
 }
 
-/// Where a four-bar is in a pose.
+/// The configuration of a four-bar in a pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Visit {
-    /// Which of the sets of positions that can be reached without taking joints apart, 0 or 1; always 0 for
-    /// [`Turning::TripleRocker`].
+    /// The set of positions that can be reached without taking joints apart, 0 or 1; always 0 for
+    /// [`GrashofType::TripleRocker`].
     pub circuit: usize,
     /// For either link as the driving one: on which side of its dead points, 0 or 1.
     pub branch: [usize; 2],
 }
 
-/// How a four-bar goes through poses.
+/// The passage of a four-bar through poses.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Passage {
     /// Circuit and branches at each pose.
     pub visits: Vec<Visit>,
-    /// Whether all are on one circuit, and a turn in one of both directions meets them in their order.
+    /// True if all are on one circuit, and a turn in one of both directions meets them in their
+    /// order.
     pub in_order: bool,
 }
 
 impl Passage {
-    /// Whether the poses can be reached from each other without taking joints apart.
+    /// Returns whether the poses can be reached from each other without taking joints apart.
     #[must_use]
     pub fn one_circuit(&self) -> bool {
         let mut circuits = self.visits.iter().map(|visit| visit.circuit);
@@ -56,7 +59,7 @@ impl Passage {
         circuits.all(|circuit| Some(circuit) == first)
     }
 
-    /// Whether the link (0 or 1) drives through all poses without meeting a dead point.
+    /// Returns whether the link (0 or 1) drives through all poses without meeting a dead point.
     #[must_use]
     pub fn one_branch(&self, link: usize) -> bool {
         let mut branches = self.visits.iter().map(|visit| visit.branch[link]);
@@ -73,19 +76,19 @@ impl FourBar {
         [frame, left, coupler, right]
     }
 
-    /// Which links turn fully. What is about to change is told as rounding has it.
+    /// Returns the links that turn fully. Rounding decides next to a change point.
     #[must_use]
-    pub fn turning(&self, pose: &Pose) -> Turning {
+    pub fn turning(&self, pose: &Pose) -> GrashofType {
         match self.shortest(pose) {
-            None => Turning::TripleRocker,
-            Some(0) => Turning::Crank(0),
-            Some(1) => Turning::DoubleRocker,
-            Some(2) => Turning::Crank(1),
-            Some(_) => Turning::DoubleCrank,
+            None => GrashofType::TripleRocker,
+            Some(0) => GrashofType::Crank(0),
+            Some(1) => GrashofType::DoubleRocker,
+            Some(2) => GrashofType::Crank(1),
+            Some(_) => GrashofType::DoubleCrank,
         }
     }
 
-    /// How the coupler goes through poses, each of which it must be able to take.
+    /// Returns the passage of the coupler through poses, each of which it must be able to take.
     #[must_use]
     pub fn passage(&self, poses: &[Pose]) -> Passage {
         let Some(first) = poses.first() else {
@@ -136,7 +139,8 @@ impl FourBar {
         grashof.then_some(shortest)
     }
 
-    /// A number that grows along the circuit: the angle of link 0, forth on one branch and back on the other one.
+    /// A number that grows along the circuit: the angle of link 0, forth on one branch and back on
+    /// the other one.
     fn place_of_triple_rocker(&self, pose: &Pose, forth: bool) -> f64 {
         let [link, .., frame] = self.sides(pose);
         let [frame_length, left, coupler, right] = self.lengths(pose);
@@ -154,7 +158,7 @@ impl FourBar {
     }
 }
 
-/// Whether numbers modulo a turn ascend, or descend, once around.
+/// Returns whether numbers modulo a turn ascend, or descend, once around.
 fn is_in_order(places: &[f64]) -> bool {
     let turns = places.iter().map(|place| place.rem_euclid(TAU));
     let turns: Vec<f64> = turns.collect();

@@ -1,6 +1,7 @@
 //! Function generation: four-bars whose links of the frame turn together by given angles.
 //!
-//! With the frame of length 1 from (0, 0) to (1, 0), Freudenstein's equation (Transactions of the ASME 77, 1955) is
+//! With the frame of length 1 from (0, 0) to (1, 0), Freudenstein's equation (Transactions of the
+//! ASME 77, 1955) is
 //!
 //! `cos(i - o) = K1 cos(o) - K2 cos(i) + K3`, `K1 = 1 / crank`, `K2 = 1 / rocker`,
 //! `K3 = (1 + crank^2 + rocker^2 - coupler^2) / (2 crank rocker)`
@@ -12,11 +13,11 @@ mod verified;
 
 use super::Pose;
 use super::burmester::{Dyads, Pivots};
-use super::complex::Complex;
 use super::error::{self, Unsolved};
 use super::four_bar::{FourBar, Passage};
 use alloc::vec::Vec;
 use core::f64::consts::{FRAC_PI_2, PI};
+use linkage_core::numeric::complex::Complex;
 use nalgebra::{Matrix3, Matrix4, SVD};
 use ratios::{ratios, row};
 
@@ -49,19 +50,19 @@ pub struct FunctionFourBar {
 pub struct Functions {
     /// The real ones.
     pub four_bars: Vec<FunctionFourBar>,
-    /// How many are complex, or have an imaginary length.
+    /// The number of those that are complex, or have an imaginary length.
     pub complex: usize,
-    /// How many are at infinity (their frame is nothing beside the links), too close to others to say what they are, or do not
-    /// close at all pairs with the lengths that rounding leaves.
+    /// The number of those at infinity (their frame vanishes beside the links), too close to others
+    /// to decide, or not closed at all pairs with rounded lengths.
     pub undecided: usize,
-    /// Whether the count is shown: as of [`Dyads`] for five pairs; for fewer, roots of a linear or quadratic equation that
-    /// are clear of rounding.
+    /// True if the count is shown: as of [`Dyads`] for five pairs; for fewer, roots of a linear or
+    /// quadratic equation that are clear of rounding.
     pub certified: bool,
 }
 
-/// Which start of an angle is given, the other one is free.
+/// The given start of an angle; the other one is free.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Start {
+pub enum GivenStart {
     /// Angle of the crank at input 0, rad.
     Input(f64),
     /// Angle of the rocker at output 0, rad.
@@ -81,7 +82,8 @@ impl Pair {
     }
 }
 
-/// Both joints of the frame are at 0 as seen from the crank: a link whose joints are not so near is another one.
+/// Both joints of the frame are at 0 as seen from the crank: a link whose joints are not so near is
+/// another one.
 const FRAME: f64 = 1e-6;
 
 /// Below this part of the largest singular value or coefficient, rounding decides.
@@ -107,7 +109,7 @@ impl Functions {
         let solved = svd.solve(&right, 0.0).ok().filter(|_| rank > LEAST);
         let k = solved.ok_or(Unsolved::Dependent { rank, least: LEAST })?;
         let found = FunctionFourBar::of_ratios([k[0], k[1], k[2]], [input_start, output_start]);
-        Ok(Self::of([found].into_iter().collect(), pairs, true))
+        Ok(Self::new([found].into_iter().collect(), pairs, true))
     }
 
     /// Four pairs, one start given: at most two four-bars.
@@ -115,11 +117,11 @@ impl Functions {
     /// # Errors
     ///
     /// `NotFinite`; `Equal` pairs; `Dependent` pairs.
-    pub fn of_four(pairs: &[Pair; 4], start: Start) -> Result<Self, Unsolved> {
+    pub fn of_four(pairs: &[Pair; 4], start: GivenStart) -> Result<Self, Unsolved> {
         checked(pairs)?;
         match start {
-            Start::Input(start) => Self::with_input_start(pairs, start),
-            Start::Output(start) => {
+            GivenStart::Input(start) => Self::with_input_start(pairs, start),
+            GivenStart::Output(start) => {
                 let mut found = Self::with_input_start(&pairs.map(Pair::mirrored), PI - start)?;
                 for four_bar in &mut found.four_bars {
                     *four_bar = four_bar.mirrored();
@@ -131,8 +133,8 @@ impl Functions {
 
     /// Five pairs, both starts free: at most three four-bars.
     ///
-    /// Seen from the crank, the rocker takes five poses; the coupler is a link that leads it through them (Burmester). The
-    /// frame is another such link, so that three are left.
+    /// Seen from the crank, the rocker takes five poses; the coupler is a link that leads it
+    /// through them (Burmester). The frame is another such link, so that three are left.
     ///
     /// # Errors
     ///
@@ -210,10 +212,10 @@ impl Functions {
             let ratios = ratios(&at(turn))?;
             FunctionFourBar::of_ratios(ratios, [start, turn])
         });
-        Ok(Self::of(found.into_iter().collect(), pairs, clear))
+        Ok(Self::new(found.into_iter().collect(), pairs, clear))
     }
 
-    fn of(found: Vec<Option<FunctionFourBar>>, pairs: &[Pair], certified: bool) -> Self {
+    fn new(found: Vec<Option<FunctionFourBar>>, pairs: &[Pair], certified: bool) -> Self {
         let count = found.len();
         let four_bars: Vec<_> = found.into_iter().flatten().collect();
         let found = Self {
@@ -227,7 +229,8 @@ impl Functions {
 }
 
 impl FunctionFourBar {
-    /// The coupler as a body: its frame has its origin at the crank pin and its x axis towards the rocker pin.
+    /// The coupler as a body: its frame has its origin at the crank pin and its x axis towards the
+    /// rocker pin.
     #[must_use]
     pub fn four_bar(&self) -> FourBar {
         FourBar {
@@ -236,7 +239,8 @@ impl FunctionFourBar {
         }
     }
 
-    /// Where the coupler is at a pair of turns, and by how much the distance of both pins differs from its length.
+    /// Returns the pose of the coupler at a pair of turns, and the difference between the distance
+    /// of both pins and its length.
     #[must_use]
     pub fn pose(&self, pair: &Pair) -> (Pose, f64) {
         let crank = Complex::polar(self.input_start + pair.input).scaled(self.crank);
@@ -246,14 +250,14 @@ impl FunctionFourBar {
         (pose, coupler.size() - self.coupler)
     }
 
-    /// How the four-bar goes through the pairs: circuits, branches, order.
+    /// Returns the passage of the four-bar through the pairs: circuits, branches, order.
     #[must_use]
     pub fn passage(&self, pairs: &[Pair]) -> Passage {
         let poses: Vec<Pose> = pairs.iter().map(|pair| self.pose(pair).0).collect();
         self.four_bar().passage(&poses)
     }
 
-    /// From Freudenstein's ratios; `None` if a length is imaginary or infinite.
+    /// Builds a four-bar from Freudenstein's ratios; `None` if a length is imaginary or infinite.
     fn of_ratios([k1, k2, k3]: [f64; 3], [input, output]: [f64; 2]) -> Option<Self> {
         let (crank, rocker) = (1.0 / k1, 1.0 / k2);
         let square = 1.0 + crank * crank + rocker * rocker - 2.0 * crank * rocker * k3;
@@ -279,7 +283,8 @@ impl FunctionFourBar {
         }
     }
 
-    /// With the links of the frame exchanged, seen in a mirror: the frame is from (0, 0) to (1, 0) again.
+    /// With the links of the frame exchanged, seen in a mirror: the frame is from (0, 0) to (1, 0)
+    /// again.
     fn mirrored(self) -> Self {
         Self {
             crank: self.rocker,

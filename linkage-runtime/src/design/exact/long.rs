@@ -1,8 +1,10 @@
-//! Numbers of 77 digits: for the few solutions that plain and double-double numbers do not tell from singular ones.
+//! Numbers of 77 digits: for the few solutions that plain and double-double numbers do not tell
+//! from singular ones.
 
-use super::ball::Real;
-use super::double::Double;
+use super::real::Real;
 use core::ops::{Add, Mul, Neg, Sub};
+use linkage_core::numeric::complex::Complex;
+use linkage_core::numeric::double_double::DoubleDouble;
 
 /// Words of the digits.
 const WORDS: usize = 4;
@@ -14,12 +16,12 @@ const DIGITS: i32 = 256;
 
 /// A whole number of 256 bits times a power of two.
 ///
-/// An operation cuts off what has no place, less than two units of the last bit. Exponents far beyond those of all plain numbers
-/// stay where they end.
+/// An operation cuts off what has no place, less than two units of the last bit. Exponents far
+/// beyond those of all plain numbers stay where they end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Long {
     negative: bool,
-    /// Of the last bit.
+    /// The exponent of the last bit.
     exponent: i32,
     /// The lowest word first. The highest bit is 1, but that of 0.
     digits: [u64; WORDS],
@@ -61,7 +63,7 @@ impl Long {
         (self.exponent, [d, c, b, a]) < (other.exponent, [h, g, f, e])
     }
 
-    /// As a plain number.
+    /// Returns the nearest plain number.
     pub(super) fn narrow(self) -> f64 {
         let first = self.digits[WORDS - 1] as f64;
         let exponent = self.exponent.saturating_add(DIGITS - BITS as i32);
@@ -78,10 +80,10 @@ impl Long {
             exponent: -DIGITS,
             ..self
         };
-        let mut inverse = Self::of(1.0 / from_half_to_one.narrow());
+        let mut inverse = Self::exact(1.0 / from_half_to_one.narrow());
         // 53 digits, 106, 212, all.
         for _ in 0..3 {
-            inverse = inverse * (Self::of(2.0) - from_half_to_one * inverse);
+            inverse = inverse * (Self::exact(2.0) - from_half_to_one * inverse);
         }
         let raised = (-DIGITS).saturating_sub(self.exponent);
         Self {
@@ -96,8 +98,14 @@ fn power(exponent: i32) -> f64 {
     f64::from_bits(((1023 + exponent) as u64) << 52)
 }
 
+/// Returns the inverse of a complex number, not of 0.
+pub(super) fn inverse(number: Complex<Long>) -> Complex<Long> {
+    let square = (number.re * number.re + number.im * number.im).inverse();
+    number.conjugate().scaled(square)
+}
+
 impl Real for Long {
-    fn of(number: f64) -> Self {
+    fn exact(number: f64) -> Self {
         let bits = number.abs().to_bits();
         let (exponent, fraction) = ((bits >> 52) as i32, bits & ((1 << 52) - 1));
         let mut words = [0; WIDE];
@@ -115,16 +123,16 @@ impl Real for Long {
     }
 
     fn rounding(size: f64) -> f64 {
-        // 2^-240: operations of complex numbers are a few of real ones, each wrong by less than 2^-253. Plain numbers may be too
-        // small for such a part.
+        // 2^-240: operations of complex numbers are a few of real ones, each wrong by less than
+        // 2^-253. Plain numbers may be too small for such a part.
         const WRONG: f64 = 1.0 / ((1_u128 << 120) as f64 * (1_u128 << 120) as f64);
         size * WRONG + f64::MIN_POSITIVE
     }
 }
 
-impl From<Double> for Long {
-    fn from(number: Double) -> Self {
-        Self::of(number.high) + Self::of(number.low)
+impl From<DoubleDouble> for Long {
+    fn from(number: DoubleDouble) -> Self {
+        Self::exact(number.high) + Self::exact(number.low)
     }
 }
 

@@ -1,17 +1,18 @@
 //! Following a solution while its equations are changed.
 //!
-//! As the project's other homotopies do: every step predicts by the polynomial through the last points and their tangents
-//! and corrects by two Newton steps; their lengths rule the length of the next step.
+//! As the project's other homotopies do: every step predicts by the polynomial through the last
+//! points and their tangents and corrects by two Newton steps; their lengths rule the length of the
+//! next step.
 
-use super::complex::{Complex, ZERO};
+use linkage_core::numeric::complex::{Complex, ZERO};
 
 /// Equations that change with a parameter `t`, from 1 to 0.
 pub(super) trait Moving<const N: usize> {
-    /// What the equations depend on.
+    /// The data of the equations.
     type Data;
 
-    /// What they depend on at `t`, and how it changes there.
-    fn at(&self, t: f64) -> Self::Data;
+    /// Returns the data at `t`, with their derivatives there.
+    fn evaluate(&self, t: f64) -> Self::Data;
 
     /// A Newton step.
     fn newton(&self, place: &[Complex; N], data: &Self::Data) -> Step<N>;
@@ -22,18 +23,19 @@ pub(super) struct Step<const N: usize> {
     pub(super) to: [Complex; N],
     /// Derivative by the parameter of the path, before the step.
     pub(super) tangent: [Complex; N],
-    /// Whether the equations were singular.
+    /// True if the equations were singular.
     pub(super) singular: bool,
 }
 
-/// How carefully paths are followed.
+/// The limits of corrections along a path.
 #[derive(Clone, Copy)]
 pub(super) struct Pace {
     /// First correction that steps aim at.
     correction: f64,
     /// Second correction as a part of the first one that they aim at.
     contraction: f64,
-    /// Second corrections that are rounding, of which nothing is learned: more of it where equations are nearly singular.
+    /// Second corrections that are rounding, of which nothing is learned: more of it where
+    /// equations are nearly singular.
     noise: f64,
 }
 
@@ -64,23 +66,24 @@ const FIRST_STEP: f64 = 0.01;
 const MOST_STEPS: usize = 4000;
 /// Steps in `t` below this are nothing: the path sticks.
 const SHORT: f64 = 1e-11;
-/// A step is at least and at most this part of the one before: where it was refused, and where it was made.
+/// A step is at least and at most this part of the one before: where it was refused, and where it
+/// was made.
 const SHORTER: [f64; 2] = [0.1, 0.6];
 const LONGER: [f64; 2] = [0.2, 3.0];
-/// By how much corrections may be longer than what is aimed at.
+/// The largest allowed ratio of a correction to its target.
 const TOO_MUCH: f64 = 4.0;
 /// Lengths below this part of the points' are measured as if they were of it.
 const SMALL: f64 = 0.1;
-/// Steps are shorter than what would be just good enough.
+/// The ratio of a step to the longest sufficient one.
 const CAREFUL: f64 = 0.7;
 
-/// Where a path that cannot be followed any further has come to.
+/// The last point of a path that cannot be followed any further.
 pub(super) struct Stuck<const N: usize> {
     pub(super) t: f64,
     pub(super) place: [Complex; N],
 }
 
-/// Where the path from `start` at `t` ends; an error if it sticks or takes too many steps.
+/// Returns the end of the path from `start` at `t`; an error if it sticks or takes too many steps.
 pub(super) fn follow<const N: usize, M: Moving<N>>(
     moving: &M,
     pace: Pace,
@@ -104,7 +107,7 @@ struct Path<'a, const N: usize, M> {
 
 impl<'a, const N: usize, M: Moving<N>> Path<'a, N, M> {
     fn new(moving: &'a M, pace: Pace, t: f64, start: [Complex; N]) -> Self {
-        let data = moving.at(t);
+        let data = moving.evaluate(t);
         let mut place = start;
         // Stored solutions have few digits.
         for _ in 0..4 {
@@ -127,7 +130,7 @@ impl<'a, const N: usize, M: Moving<N>> Path<'a, N, M> {
         &self.knots.knots[0]
     }
 
-    /// Whether the end is reached.
+    /// Returns whether the end is reached.
     fn run(&mut self) -> bool {
         let mut step = FIRST_STEP;
         for _ in 0..MOST_STEPS {
@@ -185,10 +188,11 @@ impl<const N: usize> Knots<N> {
         place
     }
 
-    /// The point at `t`, if the prediction is good enough, and how good it is: 1 is what is aimed at.
+    /// Returns the point at `t`, if the prediction is good enough, and the ratio of its error to
+    /// the target.
     fn corrected<M: Moving<N>>(&self, moving: &M, pace: Pace, t: f64) -> (Option<Knot<N>>, f64) {
         let guess = self.predict(t);
-        let data = moving.at(t);
+        let data = moving.evaluate(t);
         let first = moving.newton(&guess, &data);
         let length = distance(&guess, &first.to);
         let excess = length / pace.correction;

@@ -1,13 +1,14 @@
 //! All roots of a polynomial of low degree.
 
-use super::complex::{Complex, ONE, ZERO};
 use alloc::vec::Vec;
+use linkage_core::numeric::complex::{Complex, ONE, ZERO};
 
-/// Roots converge by squares (Ehrlich and Aberth); this is far more than simple roots need, and what double ones are worth.
+/// The number of steps. Roots converge by squares (Ehrlich and Aberth): this is far more than
+/// simple roots need, and useful digits of double ones need no more.
 const STEPS: usize = 60;
 
-/// The roots, from the coefficients (the constant first). Leading coefficients that are nothing beside the others are
-/// left out: their roots are at infinity.
+/// The roots, from the coefficients (the constant first). Leading coefficients that are nothing
+/// beside the others are left out: their roots are at infinity.
 pub(super) fn roots(coefficients: &[Complex]) -> Vec<Complex> {
     let size = |coefficient: &Complex| coefficient.size();
     let largest = coefficients.iter().map(size).fold(0.0, f64::max);
@@ -64,7 +65,7 @@ pub(super) fn add_product<const N: usize>(
     for (i, &a) in a.iter().enumerate() {
         for (j, &b) in b.iter().enumerate() {
             for (k, &c) in c.iter().enumerate() {
-                sum[i + j + k] = sum[i + j + k] + sign * a * b * c;
+                sum[i + j + k] += sign * a * b * c;
             }
         }
     }

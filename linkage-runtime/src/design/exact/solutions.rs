@@ -3,41 +3,35 @@
 mod family;
 mod monodromy;
 mod number;
+mod polynomial_equations;
 #[cfg(test)]
 mod tests;
 mod trace;
 
 pub use number::Number;
+pub use polynomial_equations::Equations;
 pub use trace::Trace;
 
 use super::ARCS;
 use super::certificate::Certificate;
-use super::complex::Complex;
 use super::error::Unsolved;
 use alloc::vec::Vec;
 use family::Member;
+use linkage_core::numeric::complex::Complex;
 use monodromy::{Fibre, Random};
 
-/// As many polynomial equations as unknowns, with real coefficients.
-///
-/// The equations of a group of links whose assemblies are asked for, as `loop` has them: distances as their squares, directions
-/// as their components, with equations for their lengths.
-pub trait Equations<const N: usize>: Sync {
-    /// By how much the equations are missed at `x`: all 0 at a solution. Coefficients are exact; fractions that binary numbers do
-    /// not have are avoided by multiplying an equation. Unknowns and values should be about 1.
-    fn values<T: Number>(&self, x: &[T; N]) -> [T; N];
-}
-
-/// The solutions of equations, and what is known of their number.
+/// The solutions of equations, and the evidence of their number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solutions<const N: usize> {
     /// The real ones, in ascending order of the first unknown, then of the next ones.
     pub real: Vec<Solution<N>>,
-    /// How many are complex.
+    /// The number of complex ones.
     pub complex: usize,
-    /// Solutions that almost all constants in place of the 0 give: each isolated solution is the end of one of their paths.
+    /// Solutions that almost all constants in place of the 0 give: each isolated solution is the
+    /// end of one of their paths.
     pub general: usize,
-    /// Paths without a certified end of their own, which end at infinity, in multiple solutions, or next to those.
+    /// Paths without a certified end of their own, which end at infinity, in multiple solutions, or
+    /// next to those.
     pub undecided: usize,
     /// Loops of the constants that have brought no further solution after the last one that did.
     pub idle: usize,
@@ -55,17 +49,18 @@ pub struct Solution<const N: usize> {
 }
 
 impl<const N: usize> Solutions<N> {
-    /// Whether there are no others, as far as numbers can tell: each path has a certified end of its own, and the trace test was
-    /// made and passed.
+    /// Returns whether there are no others, as far as numbers can tell: each path has a certified
+    /// end of its own, and the trace test was made and passed.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         self.undecided == 0 && self.trace.is_some_and(|trace| trace.passed())
     }
 }
 
-/// All solutions of polynomial equations: from a random complex place, which solves them with other constants, by loops of the
-/// constants (monodromy), then along the way to the given ones. Each is shown to be one, to differ from the others and to be real
-/// or not by Krawczyk's test. That none is missing is not shown: see [`solutions_traced`].
+/// All solutions of polynomial equations: from a random complex place, which solves them with other
+/// constants, by loops of the constants (monodromy), then along the way to the given ones. Each is
+/// shown to be one, to differ from the others and to be real or not by Krawczyk's test. That none
+/// is missing is not shown: see [`solutions_traced`].
 ///
 /// The same equations always give the same listing, whatever the number of threads.
 ///
@@ -76,9 +71,10 @@ pub fn solutions<const N: usize>(equations: &impl Equations<N>) -> Result<Soluti
     found(equations, None)
 }
 
-/// As [`solutions`], with the trace test, along equation `row`: its constant is what the curve has as a coordinate that the test
-/// sums up. The degree of that curve, which takes most of the time, may depend on the choice. Where the test leaves a point open
-/// along that equation, it is made along the next ones, four at most: `trace` names the equation.
+/// Solves as [`solutions`] does, with the trace test along equation `row`: its constant is the
+/// coordinate of the curve that the test sums up. The degree of that curve, which takes most of the
+/// time, may depend on the choice. Where the test leaves a point open along that equation, it is
+/// made along the next ones, four at most: `trace` names the equation.
 ///
 /// # Errors
 ///
@@ -106,7 +102,10 @@ fn found<E: Equations<N>, const N: usize>(
         .map(|row| Trace::test_rows(&mut general, row, &mut random))
         .transpose()?;
     let found = ends(&general, given);
-    let mut real: Vec<Solution<N>> = found.iter().filter_map(Solution::of).collect();
+    let mut real: Vec<Solution<N>> = found
+        .iter()
+        .filter_map(Solution::from_certificate)
+        .collect();
     real.sort_by(|a, b| {
         let order = a.values.partial_cmp(&b.values);
         order.unwrap_or(core::cmp::Ordering::Equal)
@@ -141,8 +140,8 @@ fn ends<'a, E: Equations<N>, const N: usize>(
 }
 
 impl<const N: usize> Solution<N> {
-    /// If it is real.
-    fn of(certificate: &Certificate<N>) -> Option<Self> {
+    /// Returns a real solution.
+    fn from_certificate(certificate: &Certificate<N>) -> Option<Self> {
         (certificate.real == Some(true)).then(|| Self {
             values: certificate.discs.map(|disc| disc.middle.re),
             error: certificate

@@ -1,17 +1,18 @@
-//! Conditions as shifts and turns against the first of them, of size about 1, and what their rounding leaves open.
+//! Conditions as shifts and turns against the first of them, of size about 1, with the bounds of
+//! their rounding.
 
 use super::ball::Ball;
-use super::complex::Complex;
-use super::double::Double;
 use super::dyad::Pair;
+use linkage_core::numeric::complex::Complex;
+use linkage_core::numeric::double_double::DoubleDouble;
 
 /// A shift with all digits that the points have.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Shift([Double; 2]);
+pub(super) struct Shift([DoubleDouble; 2]);
 
 impl Shift {
     pub(super) fn between(from: [f64; 2], to: [f64; 2]) -> Self {
-        Self([0, 1].map(|i| Double::difference(to[i], from[i])))
+        Self([0, 1].map(|i| DoubleDouble::difference(to[i], from[i])))
     }
 
     /// Times a power of two, which is exact.
@@ -24,7 +25,7 @@ impl Shift {
     }
 
     /// With its conjugate.
-    pub(super) fn wide(self) -> Pair<Complex<Double>> {
+    pub(super) fn wide(self) -> Pair<Complex<DoubleDouble>> {
         let [x, y] = self.0;
         [Complex::new(x, y), Complex::new(x, -y)]
     }
@@ -37,7 +38,8 @@ impl Shift {
     }
 }
 
-/// A power of two near the size of the shifts: with it as the unit of length they are about 1, and nothing is rounded.
+/// A power of two near the size of the shifts: with it as the unit of length they are about 1, and
+/// nothing is rounded.
 pub(super) fn unit(shifts: impl Iterator<Item = Complex>) -> f64 {
     let largest = shifts.map(Complex::size).fold(0.0, f64::max);
     largest.log2().round().exp2()

@@ -8,8 +8,8 @@ mod verified;
 use super::Pose;
 use linkage_random::Random;
 
-/// The coupler of a four-bar at an angle of its crank: the pin, and its direction on one side of the line from the pin to the other joint
-/// of the frame.
+/// The coupler of a four-bar at an angle of its crank: the pin, and its direction on one side of
+/// the line from the pin to the other joint of the frame.
 pub(super) fn coupler_at(
     fixed: [[f64; 2]; 2],
     [crank, coupler, rocker]: [f64; 3],

@@ -1,4 +1,5 @@
-//! The verification of results: loops are closed with the dimensions that are returned, whatever they were found by.
+//! The verification of results: loops are closed with the dimensions that are returned, whatever
+//! they were found by.
 
 use alloc::vec::Vec;
 
@@ -7,7 +8,7 @@ use super::{Dyad, FourBar, Pivots, Pose};
 /// Numbers that differ by less than this part of the size of their coordinates are equal.
 const EQUAL: f64 = 1e-9;
 
-/// Whether the joints of a link keep their distance in all poses.
+/// Returns whether the joints of a link keep their distance in all poses.
 pub(super) fn keeps_length(link: &Pivots, poses: &[Pose]) -> bool {
     let lengths = poses.iter().map(|pose| link.length(pose));
     let places = poses
@@ -16,13 +17,13 @@ pub(super) fn keeps_length(link: &Pivots, poses: &[Pose]) -> bool {
     are_equal(lengths, places.chain([link.fixed, link.moving]))
 }
 
-/// Whether both links keep their lengths in all poses.
+/// Returns whether both links keep their lengths in all poses.
 pub(super) fn closes(four_bar: &FourBar, poses: &[Pose]) -> bool {
     let mut joints = four_bar.fixed.into_iter().zip(four_bar.moving);
     joints.all(|(fixed, moving)| keeps_length(&Pivots { fixed, moving }, poses))
 }
 
-/// Whether a dyad leads a body through all poses.
+/// Returns whether a dyad leads a body through all poses.
 pub(super) fn leads(dyad: &Dyad, poses: &[Pose]) -> bool {
     // The distances of points from a line through the origin at this angle.
     let off = |angle: f64, points: Vec<[f64; 2]>| {
@@ -43,7 +44,7 @@ pub(super) fn leads(dyad: &Dyad, poses: &[Pose]) -> bool {
     }
 }
 
-/// Whether a distance is zero beside these lengths.
+/// Returns whether a distance is zero beside these lengths.
 pub(super) fn is_nothing(distance: f64, lengths: &[f64]) -> bool {
     let size = lengths.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     distance.abs() <= EQUAL * size

@@ -3,8 +3,8 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::super::quadratic::dot;
 use super::rows::{Groups, Key, Row};
+use linkage_core::numeric::vector::dot;
 
 /// A positive definite approximation of the second derivatives of the rows, each times its weight,
 /// in reaches.

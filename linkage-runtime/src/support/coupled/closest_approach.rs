@@ -8,7 +8,7 @@ use alloc::vec::Vec;
 use linkage_core::math;
 use linkage_core::numeric::cholesky;
 use linkage_core::numeric::continuation::turned;
-use linkage_core::numeric::least::{CLOSED, Equations, Rows, STEP, least};
+use linkage_core::numeric::least_squares::{CLOSED, Equations, Rows, STEP, minimise};
 
 /// Share of the largest gap below which a loop counts as closed.
 const LITTLE: f64 = 1e-3;
@@ -37,7 +37,7 @@ pub(super) fn closest_approach(
     let mut loops = Loops { group, programs, x };
     let found = loops
         .rigid(estimate)
-        .and_then(|from| least(&mut loops, from));
+        .and_then(|from| minimise(&mut loops, from));
     found.map_or(ClosestApproach::Unknown, |(_, rows)| {
         farthest_first(group, &rows.missed)
     })
@@ -213,8 +213,8 @@ fn products(rows: &[Vec<f64>], vector: &[f64]) -> Vec<f64> {
 
 /// The shortest vector with these products with the rows; nothing if these are not independent.
 fn across(rows: &[Vec<f64>], along: &[f64]) -> Option<Vec<f64>> {
-    let matrix = rows.iter().map(|row| products(rows, row)).collect();
-    let weights = cholesky::solve(matrix, along)?;
+    let matrix: Vec<Vec<f64>> = rows.iter().map(|row| products(rows, row)).collect();
+    let weights = cholesky::solve(&matrix, along)?;
     let width = rows.first().map_or(0, Vec::len);
     let mut sum = vec![0.0; width];
     for (row, weight) in rows.iter().zip(weights) {

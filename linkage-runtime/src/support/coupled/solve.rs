@@ -8,8 +8,8 @@ use super::solution::{CoupledSolution, placed, solution};
 use crate::error::{AssemblyError, CoupledCause};
 use alloc::vec;
 use alloc::vec::Vec;
+use linkage_core::numeric::choose_assembly::{Ambiguity, choose_assembly, may_be_meant};
 use linkage_core::numeric::continuation::{meeting_states, states};
-use linkage_core::numeric::nearest::{Ambiguity, may_be_meant, nearest};
 use linkage_core::numeric::roots::{Listing, System, Unlisted, solve};
 
 fn listed(group: &CoupledGroup, coefficients: &[[f64; 2]]) -> Result<Listing, AssemblyError> {
@@ -87,7 +87,7 @@ pub fn nearest_solution(
     }
     let mut solutions = listed?;
     let distances = solutions.iter().map(|one| one.distance);
-    let chosen = nearest(distances, Ambiguity::AT_RUN_TIME);
+    let chosen = choose_assembly(distances, Ambiguity::AT_RUN_TIME);
     if chosen.is_some_and(|chosen| chosen.ambiguous) {
         let assemblies = solutions.iter().map(|one| placed(group, &one.values));
         return Err(group.error(CoupledCause::Ambiguous {

@@ -8,14 +8,15 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::{Cheapest, Condition, Term, length, vector};
+use super::problem::{Cheapest, Condition, Term, length, vector};
 use linkage_core::numeric::cholesky;
+use linkage_core::numeric::vector::dot;
 
 /// Newton steps for each `mu`, and values of `mu`.
 const STEPS: usize = 60;
 const REDUCTIONS: usize = 9;
 const REDUCTION: f64 = 0.1;
-/// The last step at a value of `mu`, by its gain in units of `mu`.
+/// The gain of the last step at a value of `mu`, in units of `mu`.
 const CENTRED: f64 = 1e-9;
 /// Below this gain, in units of `mu`, the merit's own rounding hides how much it falls: any finite
 /// merit is taken.
@@ -70,7 +71,7 @@ impl Problem {
         Self {
             terms: terms
                 .map(|(term, &scale)| Term {
-                    cost: term.at(scale),
+                    cost: term.evaluate(scale),
                     ..*term
                 })
                 .collect(),
@@ -82,7 +83,7 @@ impl Problem {
         self.terms
             .iter()
             .zip(point)
-            .map(|(term, &x)| term.at(x))
+            .map(|(term, &x)| term.evaluate(x))
             .sum()
     }
 
@@ -104,7 +105,7 @@ impl Problem {
         for _ in 0..STEPS {
             let (gradient, hessian) = self.derivatives(point, mu);
             let downhill: Vec<f64> = gradient.iter().map(|g| -g).collect();
-            let Some(step) = cholesky::solve(hessian, &downhill) else {
+            let Some(step) = cholesky::solve(&hessian, &downhill) else {
                 return;
             };
             let decrement: f64 = -step.iter().zip(&gradient).map(|(s, g)| s * g).sum::<f64>();
@@ -144,7 +145,7 @@ impl Problem {
         let n = point.len();
         let (mut gradient, mut hessian) = (vec![0.0; n], vec![vec![0.0; n]; n]);
         for (i, (term, &x)) in self.terms.iter().zip(point).enumerate() {
-            let rate = term.exponent * term.at(x) / x;
+            let rate = term.exponent * term.evaluate(x) / x;
             gradient[i] = -rate;
             hessian[i][i] = rate * (term.exponent + 1.0) / x;
         }
@@ -184,12 +185,8 @@ impl Problem {
         let pairs = self.terms.iter().zip(&prices);
         let lowest = pairs.map(|(term, &price)| {
             let x = term.lowest(price);
-            term.at(x) + price * x
+            term.evaluate(x) + price * x
         });
         (lowest.sum::<f64>() - total).max(0.0)
     }
-}
-
-fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    super::super::modulus::dot(a, b)
 }

@@ -4,13 +4,13 @@
 pub(super) const DIRECTIONS: usize = 128;
 /// The row behind them, of NaN.
 pub(super) const NOWHERE: usize = DIRECTIONS;
-/// Of an eighth of a turn, both ends included.
+/// Directions of an eighth of a turn, both ends included.
 const EIGHTH: usize = DIRECTIONS / 8 + 1;
 
-/// Cosine and what it lacks, sine and what it lacks.
+/// Cosine and its rounding error, sine and its rounding error.
 type Direction = [f64; 4];
 
-/// From the first axis on, and [`NOWHERE`]; 4 KB.
+/// Directions of a whole turn from the first axis on, then [`NOWHERE`]; 4 KB.
 pub(super) static TABLE: [Direction; DIRECTIONS + 1] = turn();
 
 /// All directions by those of an eighth.

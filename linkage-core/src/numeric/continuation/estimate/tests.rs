@@ -1,8 +1,8 @@
 use super::*;
-use crate::Enclosure;
 use crate::numeric::continuation::Correction;
+use crate::scalar::Enclosure;
 
-/// A correction, and what is missed over boxes.
+/// A correction, and errors over boxes.
 struct Group<C, R>(C, R);
 
 impl<C: FnMut(&[f64], &mut [f64]) -> Step, R> Correction for Group<C, R> {
@@ -25,7 +25,8 @@ fn number(x: f64) -> Enclosure {
     Enclosure::between(x, x)
 }
 
-/// Two links of length 1 from `(0, 0)` and `(d, 0)` meet: the angle of the first, and how far up they meet.
+/// Two links of length 1 from `(0, 0)` and `(d, 0)` meet: the angle of the first, and how far up
+/// they meet.
 fn triangle(x: &[f64], state: &mut [f64]) -> Step {
     let d = x[0];
     let length = (state[0] * state[0] + state[1] * state[1]).sqrt();
@@ -46,7 +47,7 @@ fn triangle(x: &[f64], state: &mut [f64]) -> Step {
     }
 }
 
-/// What it misses by.
+/// Returns the closure error.
 fn missed(x: &[f64], state: &[Enclosure]) -> Vec<Enclosure> {
     let [cos, sin, height] = [state[0], state[1], state[2]];
     let away = cos - number(x[0]);
@@ -79,7 +80,8 @@ fn links_that_do_not_reach_each_other_end_at_a_dead_point() {
     let Astray::DeadPoint { left, at } = astray else {
         panic!("{astray:?}")
     };
-    // At the estimate both links end at one place for d = 2 cos 1, and the dead point is met at d = 2.
+    // At the estimate both links end at one place for d = 2 cos 1, and the dead point is met at d =
+    // 2.
     let missed = |d: f64| 1.0 + d * d - 2.0 * d * 1.0_f64.cos() - 1.0;
     let ends = (missed(2.1) - (2.1_f64 * 2.1 - 2.0 * 2.1)) / missed(2.1);
     assert!((1.0 - left - ends).abs() < 0.02, "{left} {ends}");
@@ -108,7 +110,8 @@ fn what_is_not_proven_is_no_solution() {
 
 #[test]
 fn a_solution_on_a_curve_of_solutions_is_refused_with_another_one() {
-    // x^2 + y^2 = 1 twice, a little apart: the correction goes to the circle and stays where it meets it.
+    // x^2 + y^2 = 1 twice, a little apart: the correction goes to the circle and stays where it
+    // meets it.
     let circle = |_: &[f64], state: &mut [f64]| {
         let square = state[0] * state[0] + state[1] * state[1];
         let share = 0.5 * (1.0 - square) / square;

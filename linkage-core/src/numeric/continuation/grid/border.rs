@@ -1,4 +1,4 @@
-//! Whether neighbouring cells are on one solution.
+//! The test that neighbouring cells are on one solution.
 
 use super::layout::{Layout, Places};
 use alloc::vec;
@@ -7,9 +7,9 @@ use alloc::vec::Vec;
 /// Two cells that agree this well at a place are on one solution.
 const AGREEMENT: f64 = 1e-6;
 
-/// What a cell knows of a place on its border.
+/// The state at a place on the border of a cell.
 #[derive(Clone, Debug)]
-pub(super) enum Place {
+pub(super) enum BorderState {
     /// The solution there, which evaluators reach.
     Served(Vec<f64>),
     /// The solution there, which they do not reach.
@@ -20,7 +20,7 @@ pub(super) enum Place {
     Unknown,
 }
 
-impl Place {
+impl BorderState {
     fn state(&self) -> Option<&[f64]> {
         match self {
             Self::Served(state) | Self::Missed(state) => Some(state),
@@ -29,24 +29,25 @@ impl Place {
     }
 }
 
-/// How a cell continues its neighbours.
+/// The joint between a cell and its neighbours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Joint {
     /// With the same solution.
     Same,
-    /// Somewhere on a face the solution exists for one of the cells only, as around a cusp: they may hold different assemblies.
+    /// Somewhere on a face the solution exists for one of the cells only, as around a cusp: they
+    /// may hold different assemblies.
     Unclear,
     /// With another solution.
     Other,
 }
 
-/// What is known of the borders of all cells.
+/// The states on the borders of all cells.
 pub(super) struct Border<'a> {
     pub(super) places: &'a Places,
     /// The solution at the corners of the filled cells.
     corners: Vec<Option<Vec<f64>>>,
     /// The places of the filled cells.
-    filled: Vec<Vec<Place>>,
+    filled: Vec<Vec<BorderState>>,
 }
 
 impl<'a> Border<'a> {
@@ -58,8 +59,14 @@ impl<'a> Border<'a> {
         }
     }
 
-    /// How a cell continues all others at its corners, and every neighbour on the whole face between them: the worst counts.
-    pub(super) fn joint(&self, layout: &Layout<'_>, cell: &[usize], places: &[Place]) -> Joint {
+    /// Returns the joint of a cell with all others at its corners, and with every neighbour on the
+    /// whole face between them. The worst one counts.
+    pub(super) fn joint(
+        &self,
+        layout: &Layout<'_>,
+        cell: &[usize],
+        places: &[BorderState],
+    ) -> Joint {
         let at_corners = self.served_corners(places).map(|(corner, state)| {
             let other = &self.corners[layout.corner(cell, &self.places.offsets[corner])];
             other
@@ -77,8 +84,8 @@ impl<'a> Border<'a> {
         at_corners.chain(on_faces).max().unwrap_or(Joint::Same)
     }
 
-    /// Keeps what a filled cell knows.
-    pub(super) fn keep(&mut self, layout: &Layout<'_>, cell: &[usize], places: Vec<Place>) {
+    /// Stores the states of a filled cell.
+    pub(super) fn keep(&mut self, layout: &Layout<'_>, cell: &[usize], places: Vec<BorderState>) {
         for (corner, state) in self.served_corners(&places) {
             let number = layout.corner(cell, &self.places.offsets[corner]);
             self.corners[number].get_or_insert_with(|| state.clone());
@@ -86,8 +93,15 @@ impl<'a> Border<'a> {
         self.filled[layout.number(cell)] = places;
     }
 
-    /// How two cells join on the face that is the upper or lower one of the first; nothing is known of a cell that is not filled.
-    fn across(&self, axis: usize, up: bool, places: &[Place], other: &[Place]) -> Joint {
+    /// Returns the joint of two cells on the upper or lower face of the first. A cell that is not
+    /// filled joins with any other.
+    fn across(
+        &self,
+        axis: usize,
+        up: bool,
+        places: &[BorderState],
+        other: &[BorderState],
+    ) -> Joint {
         if other.is_empty() {
             return Joint::Same;
         }
@@ -108,17 +122,17 @@ impl<'a> Border<'a> {
 
     fn served_corners<'p>(
         &self,
-        places: &'p [Place],
+        places: &'p [BorderState],
     ) -> impl Iterator<Item = (usize, &'p Vec<f64>)> + use<'p> {
         let places = places.iter().take(self.places.corners).enumerate();
         places.filter_map(|(corner, place)| match place {
-            Place::Served(state) => Some((corner, state)),
+            BorderState::Served(state) => Some((corner, state)),
             _ => None,
         })
     }
 }
 
-/// Whether two states are of one solution.
+/// Returns whether two states are of one solution.
 pub(super) fn agree(one: &[f64], other: &[f64]) -> bool {
     let mut pairs = one.iter().zip(other);
     pairs.all(|(a, b)| (a - b).abs() <= AGREEMENT)

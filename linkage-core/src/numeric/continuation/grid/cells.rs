@@ -1,4 +1,4 @@
-//! What a walk finds out about the cells of a grid.
+//! The cells of a grid after a walk.
 
 use super::layout::Layout;
 use super::node::Node;
@@ -10,24 +10,26 @@ const BESIDE: usize = 2;
 /// A cell after a walk.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Cell {
-    pub(super) found: Found,
+    pub(super) found: CellState,
     /// At how many places on its border evaluators reach the solution,
     pub(super) served: usize,
     /// at how many they do not, although it exists,
     pub(super) missed: usize,
     /// and at how many it does not exist.
     pub(super) absent: usize,
-    /// Whether the determinant nearly vanishes in it: a boundary is near, although it may lie between all places.
+    /// True if the determinant nearly vanishes in it: a boundary is near, although it may lie
+    /// between all places.
     pub(super) vanishing: bool,
     /// A place where it is missed, as offsets from the centre in cells.
     pub(super) example: Option<Vec<f64>>,
-    /// How much the state bends along it, input by input; nothing if its centre was not reached.
+    /// The second differences of the state along the cell, input by input; empty if its centre was
+    /// not reached.
     pub(super) bends: Vec<f64>,
 }
 
-/// How far the walk came with a cell.
+/// The state of a cell after a walk.
 #[derive(Clone, Debug, Default)]
-pub(super) enum Found {
+pub(super) enum CellState {
     /// No cell beside it was filled.
     #[default]
     Unseen,
@@ -46,29 +48,34 @@ pub(super) enum Found {
 impl Cell {
     pub(super) fn node(self) -> Option<Node> {
         match self.found {
-            Found::Filled(node) => Some(node),
-            Found::Unseen | Found::Beyond | Found::Lost | Found::Refused | Found::Other => None,
+            CellState::Filled(node) => Some(node),
+            CellState::Unseen
+            | CellState::Beyond
+            | CellState::Lost
+            | CellState::Refused
+            | CellState::Other => None,
         }
     }
 
-    /// Whether the solution ends in it, or nearly does.
+    /// Returns whether the solution ends in it, or nearly does.
     fn has_boundary(&self) -> bool {
-        matches!(self.found, Found::Beyond) || self.absent > 0 || self.vanishing
+        matches!(self.found, CellState::Beyond) || self.absent > 0 || self.vanishing
     }
 
-    /// Places at which the solution exists, or may exist, and is not served. What no way leads to is behind the `boundary`, if there is one.
+    /// Returns the number of places at which the solution exists, or may exist, and is not served.
+    /// Cells without a path to them are behind the `boundary`, if there is one.
     fn left_out(&self, places: usize, boundary: bool) -> usize {
         match self.found {
-            Found::Unseen if !boundary => places,
-            Found::Unseen | Found::Beyond => 0,
-            Found::Lost => places,
-            Found::Refused | Found::Other => self.served + self.missed,
-            Found::Filled(_) => self.missed,
+            CellState::Unseen if !boundary => places,
+            CellState::Unseen | CellState::Beyond => 0,
+            CellState::Lost => places,
+            CellState::Refused | CellState::Other => self.served + self.missed,
+            CellState::Filled(_) => self.missed,
         }
     }
 }
 
-/// What the cells are together, in places on their borders.
+/// The sum over all cells, in places on their borders.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sum {
     /// All places.
@@ -76,15 +83,16 @@ pub(super) struct Sum {
     pub(super) served: usize,
     /// Places at which the solution is not served where it exists.
     pub(super) left_out: usize,
-    /// Those of them for which no boundary of the solution is to blame: it is neither in the cell nor beside it, and nowhere for cells
-    /// that do not continue a neighbour, since ways around a cusp of the boundary may lead to different solutions anywhere.
+    /// Those of them for which no boundary of the solution is to blame: it is neither in the cell
+    /// nor beside it, and nowhere for cells that do not continue a neighbour, since ways around a
+    /// cusp of the boundary may lead to different solutions anywhere.
     pub(super) regular: usize,
-    /// Whether the solution ends in some cell, or nearly does.
+    /// True if the solution ends in some cell, or nearly does.
     pub(super) boundary: bool,
     /// The number of the cell that leaves out most of the regular places.
     pub(super) worst: Option<usize>,
-    /// How much the state bends, input by input, along the cells that leave out regular places; else along those that leave out any, else
-    /// along all.
+    /// The second differences of the state, input by input, along the cells that leave out regular
+    /// places; else along those that leave out any, else along all.
     pub(super) bends: Vec<f64>,
 }
 
@@ -100,12 +108,13 @@ impl Sum {
         let mut most = 0;
         let mut bends = [const { Vec::new() }; 3];
         for (number, cell) in cells.iter().enumerate() {
-            if matches!(cell.found, Found::Filled(_)) {
+            if matches!(cell.found, CellState::Filled(_)) {
                 sum.served += cell.served;
             }
             let left_out = cell.left_out(places, sum.boundary);
             sum.left_out += left_out;
-            let around = sum.boundary && matches!(cell.found, Found::Refused | Found::Other);
+            let around =
+                sum.boundary && matches!(cell.found, CellState::Refused | CellState::Other);
             let regular = left_out > 0 && !around && !beside[number];
             let rank = usize::from(left_out > 0) + usize::from(regular);
             add(&mut bends[rank], &cell.bends);
@@ -122,23 +131,24 @@ impl Sum {
         sum
     }
 
-    /// So many places as a share of all.
+    /// Returns a number of places as a share of all.
     pub(super) fn share(&self, places: usize) -> f64 {
         places as f64 / self.places as f64
     }
 }
 
-fn add(sum: &mut Vec<f64>, own: &[f64]) {
-    if sum.len() < own.len() {
-        sum.resize(own.len(), 0.0);
+fn add(sum: &mut Vec<f64>, terms: &[f64]) {
+    if sum.len() < terms.len() {
+        sum.resize(terms.len(), 0.0);
     }
-    for (sum, own) in sum.iter_mut().zip(own) {
-        *sum += own;
+    for (sum, terms) in sum.iter_mut().zip(terms) {
+        *sum += terms;
     }
 }
 
-/// Which cells have a boundary, or are so many steps from neighbour to neighbour away from one: how hard a cell is to fill goes with its
-/// distance from a boundary in cells, however small they are.
+/// Returns the cells with a boundary, and those within a few steps from neighbour to neighbour of
+/// one. The effort to fill a cell depends on its distance from a boundary in cells, however small
+/// they are.
 fn beside_boundary(cells: &[Cell], layout: &Layout<'_>) -> Vec<bool> {
     let mut near: Vec<bool> = cells.iter().map(Cell::has_boundary).collect();
     for _ in 0..BESIDE {

@@ -3,22 +3,23 @@
 use super::super::follow::Follower;
 use super::layout::Layout;
 use super::node::Node;
-use super::terms::{Terms, place};
-use crate::Scalar;
+use super::terms::{Terms, index};
+use crate::scalar::Scalar;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::f64::consts::PI;
 
-/// Where polynomials over a cell are interpolated, and how their coefficients follow from what is found there: the Padua points, which are as many as
-/// there are terms of a degree (Bos, Caliari, De Marchi, Vianello, Xu: Bivariate Lagrange interpolation at the Padua points, 2006).
+/// The places where polynomials over a cell are interpolated, and the weights for their
+/// coefficients: the Padua points, as many as a degree has terms (Bos, Caliari, De Marchi,
+/// Vianello, Xu: Bivariate Lagrange interpolation at the Padua points, 2006).
 pub(super) struct Fit {
-    /// As offsets from the centre, in cells, each with what its value adds to all coefficients.
+    /// Offsets from the centre, in cells, each with the weights of its value for all coefficients.
     points: Vec<([f64; 2], Vec<f64>)>,
     terms: Terms,
 }
 
 impl Fit {
-    /// Of slopes nothing is interpolated.
+    /// Returns the points for polynomials; slopes need none.
     pub(super) fn new(terms: Terms) -> Self {
         let points = match terms {
             Terms::Slopes => Vec::new(),
@@ -31,7 +32,8 @@ impl Fit {
         self.terms
     }
 
-    /// Puts polynomials through the solutions around a centre, of which the node knows the slopes. Where they do not all exist it stays as it is.
+    /// Puts polynomials through the solutions around a centre, of which the node knows the slopes.
+    /// Where they do not all exist it stays as it is.
     pub(super) fn refine(
         &self,
         follower: &mut Follower<'_>,
@@ -78,21 +80,22 @@ fn points(degree: usize) -> Vec<([f64; 2], Vec<f64>)> {
     points
 }
 
-/// What the value at a point adds to all coefficients.
+/// Returns the weights of the value at a point for all coefficients.
 fn weights(powers: &[Vec<f64>], degree: usize, at: [f64; 2], weight: f64) -> Vec<f64> {
     let values = at.map(|t| chebyshev(degree, t));
     let mut all = vec![0.0; Terms::Polynomials.count(2)];
     for p in 0..=degree {
         for q in 0..=degree - p {
-            // Those of degree 0 are half as long; the last one of the first input is counted twice by this rule.
+            // Those of degree 0 are half as long; the last one of the first input is counted twice
+            // by this rule.
             let long = [1.0, 2.0, 4.0][usize::from(p > 0) + usize::from(q > 0)];
             let share = if p == degree { 0.5 } else { 1.0 };
-            let own = weight * long * share * values[0][p] * values[1][q];
+            let factor = weight * long * share * values[0][p] * values[1][q];
             for a in 0..=p {
                 for b in 0..=q {
                     // The offsets are halves of what the polynomials go along.
                     let halves = (1_u32 << (a + b)) as f64;
-                    all[place(a, b)] += own * powers[p][a] * powers[q][b] * halves;
+                    all[index(a, b)] += factor * powers[p][a] * powers[q][b] * halves;
                 }
             }
         }
@@ -140,7 +143,7 @@ mod tests {
         power(offsets[0], a) * power(offsets[1], b)
     }
 
-    /// What the interpolation makes of a function.
+    /// Returns the coefficients of the interpolation of a function.
     fn fitted(function: impl Fn([f64; 2]) -> f64) -> [f64; WIDTH] {
         let mut all = [0.0; WIDTH];
         for (offsets, weights) in Fit::new(Terms::Polynomials).points {
@@ -163,7 +166,7 @@ mod tests {
                 let a = sum - b;
                 let all = fitted(|offsets| product(offsets, a, b));
                 for (number, found) in all.iter().enumerate() {
-                    let wanted = f64::from(number == place(a, b));
+                    let wanted = f64::from(number == index(a, b));
                     assert!((found - wanted).abs() < 1e-10, "{a} {b}: {number} {found}");
                 }
                 for offsets in [[0.31, -0.47], [-0.5, 0.5], [0.11, 0.23]] {
@@ -179,7 +182,7 @@ mod tests {
         assert_eq!(Fit::new(Terms::Polynomials).points.len(), WIDTH);
     }
 
-    /// Of what no polynomial is, the error goes with the seventh power of the cell.
+    /// The error of a function that is no polynomial goes with the seventh power of the cell.
     #[test]
     fn errors_shrink_with_cells() {
         let error = |size: f64| {

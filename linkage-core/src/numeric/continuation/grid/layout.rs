@@ -1,4 +1,4 @@
-//! Where the cells of a grid are.
+//! The positions of the cells of a grid.
 
 use super::super::scale::Scale;
 use alloc::vec::Vec;
@@ -7,12 +7,12 @@ use alloc::vec::Vec;
 pub(super) struct Layout<'a>(pub(super) &'a [Scale]);
 
 impl Layout<'_> {
-    /// How many cells there are.
+    /// Returns the number of cells.
     pub(super) fn cells(&self) -> usize {
         self.0.iter().map(Scale::slots).product()
     }
 
-    /// How many corners of cells there are.
+    /// Returns the number of corners of cells.
     pub(super) fn corners(&self) -> usize {
         self.0.iter().map(Scale::corners).product()
     }
@@ -96,11 +96,12 @@ impl Layout<'_> {
     }
 }
 
-/// Places on the border of a cell: all corners, then, if they are not too many, the middles of edges and faces.
+/// Places on the border of a cell: all corners, then, if they are not too many, the middles of
+/// edges and faces.
 pub(super) struct Places {
-    /// As offsets from its centre, in cells.
+    /// Offsets from the centre of the cell, in cells.
     pub(super) offsets: Vec<Vec<f64>>,
-    /// How many of them are corners.
+    /// The number of corners among them.
     pub(super) corners: usize,
     /// The number of the place on the other side of the cell, axis by axis.
     pub(super) opposite: Vec<Vec<usize>>,

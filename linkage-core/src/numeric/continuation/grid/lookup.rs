@@ -4,17 +4,14 @@ use super::super::cell::Frame;
 use super::super::scale::{Scale, guard};
 use super::super::shared::Shared;
 use super::Grid;
-use super::terms::{Terms, values};
+use super::terms::{OUTSIDE, Terms, values};
 use core::fmt;
-
-/// So far from the centre of a cell, in cells, there is no state: half a cell outside the grid.
-pub(in super::super) const OUTSIDE: f64 = 1.0;
 
 /// A [`Grid`] of `I` inputs and `S` state numbers, with `T` terms in each cell. Cheap to clone.
 #[derive(Clone, PartialEq)]
 pub struct GridLookup<const I: usize, const S: usize, const T: usize> {
     axes: [Scale; I],
-    /// As many as the axes have cells together.
+    /// All cells of the grid, in the order of its axes.
     cells: Shared<[Fixed<S, T>]>,
     served: f64,
 }
@@ -33,10 +30,21 @@ impl<const S: usize, const T: usize> Fixed<S, T> {
     };
 }
 
-impl<const I: usize, const S: usize, const T: usize> GridLookup<I, S, T> {
-    const TERMS: Option<Terms> = Terms::of(I, T);
+impl Grid {
+    /// For generated code: the numbers of inputs and of state numbers are fixed. `None` if they are
+    /// not `I` and `S`.
+    #[must_use]
+    pub fn lookup<const I: usize, const S: usize, const T: usize>(
+        &self,
+    ) -> Option<GridLookup<I, S, T>> {
+        GridLookup::new(self)
+    }
+}
 
-    pub(super) fn new(grid: &Grid) -> Option<Self> {
+impl<const I: usize, const S: usize, const T: usize> GridLookup<I, S, T> {
+    const TERMS: Option<Terms> = Terms::with_count(I, T);
+
+    fn new(grid: &Grid) -> Option<Self> {
         if grid.width() != S || Self::TERMS != Some(grid.terms) {
             return None;
         }
@@ -75,7 +83,8 @@ impl<const I: usize, const S: usize, const T: usize> GridLookup<I, S, T> {
         self.served
     }
 
-    /// The state near `x` from which steps are made, and the floor; NaN where there is none. With `FUSED` only on machines with fused multiply-add.
+    /// The state near `x` from which steps are made, and the floor; NaN where there is none. With
+    /// `FUSED` only on machines with fused multiply-add.
     #[must_use]
     #[inline(always)]
     pub fn at_with<const FUSED: bool>(&self, x: [f64; I]) -> ([f64; S], f64) {
@@ -102,8 +111,8 @@ impl<const I: usize, const S: usize, const T: usize> GridLookup<I, S, T> {
     #[allow(unsafe_code, reason = "a bounds check would be a branch")]
     #[inline(always)]
     fn cell(&self, number: usize) -> &Fixed<S, T> {
-        // SAFETY: `Scale::cell` gives slots below `Scale::slots`, `Grid::build` makes a cell for every combination of
-        // them, and nothing changes the axes or the cells afterwards.
+        // SAFETY: `Scale::cell` gives slots below `Scale::slots`, `Grid::build` makes a cell for
+        // every combination of them, and nothing changes the axes or the cells afterwards.
         unsafe { self.cells.get_unchecked(number) }
     }
 }

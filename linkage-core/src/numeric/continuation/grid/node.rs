@@ -1,15 +1,14 @@
-//! What is known of a cell.
+//! The state in a cell.
 
 use super::super::scale::guard;
-use super::lookup::OUTSIDE;
-use super::terms::{Terms, place, values};
+use super::terms::{OUTSIDE, Terms, index, values};
 use alloc::vec;
 use alloc::vec::Vec;
 
 /// The state in a cell.
 #[derive(Clone, Debug, PartialEq)]
 pub(in super::super) struct Node {
-    /// Term by term, the numbers of the state side by side; first what they are at the centre.
+    /// The numbers of the state side by side, term by term; first those at the centre.
     pub(in super::super) coefficients: Vec<f64>,
     /// Half of the smallest determinant, with its sign.
     pub(in super::super) floor: f64,
@@ -27,8 +26,8 @@ impl Node {
         for (input, slopes) in slopes.chunks_exact(width).enumerate() {
             let first = match (terms, input) {
                 (Terms::Slopes, _) => 1 + input,
-                (_, 0) => place(1, 0),
-                _ => place(0, 1),
+                (_, 0) => index(1, 0),
+                _ => index(0, 1),
             };
             coefficients[first * width..][..width].copy_from_slice(slopes);
         }
@@ -48,7 +47,7 @@ impl Node {
     /// The state by the slopes alone, at these offsets of two inputs.
     pub(super) fn along_slopes(&self, [x, y]: &[f64; 2], state: &mut [f64]) {
         let row = |number: usize| &self.coefficients[number * self.width..][..self.width];
-        let slopes = row(place(1, 0)).iter().zip(row(place(0, 1)));
+        let slopes = row(index(1, 0)).iter().zip(row(index(0, 1)));
         for ((number, centre), (along, across)) in state.iter_mut().zip(row(0)).zip(slopes) {
             *number = centre + x * along + y * across;
         }
@@ -59,8 +58,8 @@ impl Node {
         let guards = offsets.iter().map(|&offset| guard(offset, OUTSIDE));
         let outside: f64 = guards.sum();
         for (index, number) in state.iter_mut().enumerate() {
-            let own = |term: usize| [self.coefficients[term * self.width + index]];
-            *number = values::<FUSED, 1>(self.terms, own, offsets)[0] + outside;
+            let coefficient = |term: usize| [self.coefficients[term * self.width + index]];
+            *number = values::<FUSED, 1>(self.terms, coefficient, offsets)[0] + outside;
         }
         self.floor + outside
     }

@@ -1,18 +1,19 @@
-//! Whether evaluators reach the solution from a cell.
+//! The test that evaluators reach the solution from a cell.
 
 use super::super::follow::{Follower, SETTLED};
 use super::super::{ALLOWED_CONTRACTION, Correction, STEPS_BESIDE};
 use super::terms::Terms;
 use alloc::vec::Vec;
 
-/// On the border of a cell each step is smaller than the one before by this factor. Evaluators allow a quarter: the difference is for what
-/// lies between the places that are tested.
+/// On the border of a cell each step is smaller than the one before by this factor. Evaluators
+/// allow a quarter: the margin is for positions between the tested ones.
 const CONTRACTION: f64 = 0.1;
 
-/// What evaluators ask of the last step, and of no other one.
-const TINY: f64 = <f64 as crate::Scalar>::CORRECTION_LIMIT;
+/// The limit of evaluators for the last step, and for no other one.
+const TINY: f64 = <f64 as crate::scalar::Scalar>::CORRECTION_LIMIT;
 
-/// Brings a state of a cell to the solution as evaluators do; returns the determinant. `None` unless it gets there with something to spare.
+/// Brings a state of a cell to the solution as evaluators do; returns the determinant. `None`
+/// unless it gets there with something to spare.
 pub(super) fn served(
     follower: &mut Follower<'_>,
     terms: Terms,
@@ -26,7 +27,7 @@ pub(super) fn served(
     (step.size <= SETTLED).then_some(step.determinant)
 }
 
-/// Whether evaluators give the solution, from a state and its floor.
+/// Returns whether evaluators give the solution, from a state and its floor.
 pub(super) fn serves(
     correction: &mut dyn Correction,
     terms: Terms,

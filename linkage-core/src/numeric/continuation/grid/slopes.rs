@@ -1,4 +1,4 @@
-//! How the state changes along a cell.
+//! The slopes and second differences of the state along a cell.
 
 use super::super::follow::Follower;
 use super::layout::Layout;

@@ -1,18 +1,23 @@
 //! The polynomials of a cell over the inputs, as offsets from its centre.
 //!
-//! Of degree 1 their coefficients are the state at the centre and the slopes, input by input. Of a higher degree, over two inputs, they stand power by
-//! power of the second input, and for each of these power by power of the first, up to the degree of both together.
+//! Of degree 1 their coefficients are the state at the centre and the slopes, input by input. Of a
+//! higher degree, over two inputs, they stand power by power of the second input, and for each of
+//! these power by power of the first, up to the degree of both together.
 
-use crate::Scalar;
+use crate::scalar::Scalar;
 
-/// The degree over two inputs. With each degree less a grid has twice as many cells and takes twice as long to prepare; with more, it takes longer to
-/// look a state up.
+/// The largest distance from the centre of a cell, in cells, with a state: half a cell outside the
+/// grid.
+pub(in super::super) const OUTSIDE: f64 = 1.0;
+
+/// The degree over two inputs. With each degree less a grid has twice as many cells and takes twice
+/// as long to prepare; with more, it takes longer to look a state up.
 const DEGREE: usize = 6;
 
-/// What is known of the state in a cell.
+/// The terms of the state in a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Terms {
-    /// How it changes along each input: four Newton steps lead to the solution.
+    /// Derivatives with respect to each input: four Newton steps lead to the solution.
     Slopes,
     /// Polynomials over two inputs, of which one step leads there.
     Polynomials,
@@ -28,7 +33,7 @@ impl Terms {
         }
     }
 
-    /// How many coefficients there are over so many inputs; of polynomials over two.
+    /// Returns the number of coefficients over so many inputs; of polynomials over two.
     #[must_use]
     pub const fn count(self, inputs: usize) -> usize {
         match self {
@@ -37,8 +42,8 @@ impl Terms {
         }
     }
 
-    /// Of which so many coefficients over so many inputs are, if there are such.
-    pub(super) const fn of(inputs: usize, count: usize) -> Option<Self> {
+    /// Returns the kind of terms with so many coefficients over so many inputs, if there is one.
+    pub(super) const fn with_count(inputs: usize, count: usize) -> Option<Self> {
         if count == Self::Slopes.count(inputs) {
             Some(Self::Slopes)
         } else if inputs == 2 && count == Self::Polynomials.count(2) {
@@ -49,13 +54,14 @@ impl Terms {
     }
 }
 
-/// Where the coefficient of these powers of two inputs stands.
+/// Returns the index of the coefficient of these powers of two inputs.
 #[inline(always)]
-pub(super) const fn place(first: usize, second: usize) -> usize {
+pub(super) const fn index(first: usize, second: usize) -> usize {
     second * (2 * DEGREE + 3 - second) / 2 + first
 }
 
-/// The values of `S` polynomials at these offsets from the centre, in cells: coefficients of a term side by side.
+/// The values of `S` polynomials at these offsets from the centre, in cells: coefficients of a term
+/// side by side.
 #[inline(always)]
 pub(super) fn values<const FUSED: bool, const S: usize>(
     terms: Terms,
@@ -87,7 +93,7 @@ pub(super) fn values<const FUSED: bool, const S: usize>(
     }
 }
 
-/// What stands beside a power of the second input.
+/// Returns the factors of a power of the second input.
 #[inline(always)]
 fn row<const FUSED: bool, const S: usize, const N: usize>(
     coefficients: impl Fn(usize) -> [f64; S] + Copy,
@@ -95,13 +101,14 @@ fn row<const FUSED: bool, const S: usize, const N: usize>(
     x: f64,
 ) -> [f64; S] {
     let mut row = [[0.0; S]; N];
-    for (first, own) in row.iter_mut().enumerate() {
-        *own = coefficients(place(first, second));
+    for (first, number) in row.iter_mut().enumerate() {
+        *number = coefficients(index(first, second));
     }
     by_pairs::<FUSED, S, N>(row, x)
 }
 
-/// The values of polynomials of one number at `t`, pairs of powers side by side: that waits for fewer operations than one after the other.
+/// The values of polynomials of one number at `t`, pairs of powers side by side: that waits for
+/// fewer operations than one after the other.
 #[inline(always)]
 fn by_pairs<const FUSED: bool, const S: usize, const N: usize>(
     mut sums: [[f64; S]; N],

@@ -2,19 +2,20 @@
 
 use super::super::follow::Follower;
 use super::super::scale::Scale;
-use super::border::{Border, Joint, Place, agree};
-use super::cells::{Cell, Found};
+use super::border::{Border, BorderState, Joint, agree};
+use super::cells::{Cell, CellState};
 use super::fit::Fit;
 use super::layout::{Layout, Places};
 use super::node::Node;
+use super::path::{PathEnd, follow};
 use super::served::served;
 use super::slopes::slopes;
-use super::way::{Way, follow};
 use alloc::collections::VecDeque;
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// Where the determinant is a smaller share of the one at the reference a dead point is near: its distance goes with the square of it.
+/// A determinant below this share of the one at the reference means that a dead point is near: its
+/// distance goes with the square of the determinant.
 pub(super) const NEAR: f64 = 0.1;
 
 /// A solution at a place.
@@ -107,21 +108,24 @@ impl Walk<'_, '_, '_> {
         filled
     }
 
-    /// Follows the solution to the centre of a cell, and fills the cell from there. False if it is not filled, or was before.
+    /// Follows the solution to the centre of a cell, and fills the cell from there. False if it is
+    /// not filled, or was before.
     fn reach(&mut self, cell: &[usize], from: &Solution<'_>, to: &[f64]) -> bool {
         let number = self.layout.number(cell);
-        if matches!(self.cells[number].found, Found::Filled(_)) {
+        if matches!(self.cells[number].found, CellState::Filled(_)) {
             return false;
         }
         let mut state = from.state.to_vec();
         let determinants = [from.determinant, self.reference];
         let determinant = match follow(self.follower, from.at, to, &mut state, determinants) {
-            Way::There(determinant) => determinant,
+            PathEnd::Reached(determinant) => determinant,
             ended => {
                 let cell = &mut self.cells[number];
                 match (ended, &cell.found) {
-                    (Way::Dead, Found::Unseen | Found::Lost) => cell.found = Found::Beyond,
-                    (_, Found::Unseen) => cell.found = Found::Lost,
+                    (PathEnd::DeadPoint, CellState::Unseen | CellState::Lost) => {
+                        cell.found = CellState::Beyond
+                    }
+                    (_, CellState::Unseen) => cell.found = CellState::Lost,
                     _ => {}
                 }
                 return false;
@@ -140,11 +144,11 @@ impl Walk<'_, '_, '_> {
             bends,
             ..self.checked(cell, to, node)
         };
-        matches!(self.cells[number].found, Found::Filled(_))
+        matches!(self.cells[number].found, CellState::Filled(_))
     }
 
-    /// The cell with this node: whether evaluators reach the solution wherever it exists on the border. Refused if it does not
-    /// continue its neighbours.
+    /// The cell with this node: whether evaluators reach the solution wherever it exists on the
+    /// border. Refused if it does not continue its neighbours.
     fn checked(&mut self, slots: &[usize], centre: &[f64], mut node: Node) -> Cell {
         let mut cell = Cell::default();
         let mut least = node.floor;
@@ -152,9 +156,9 @@ impl Walk<'_, '_, '_> {
         for offsets in &self.border.places.offsets {
             let (place, determinant) = self.place(centre, &node, offsets);
             match place {
-                Place::Served(_) => cell.served += 1,
-                Place::Absent => cell.absent += 1,
-                Place::Missed(_) | Place::Unknown => {
+                BorderState::Served(_) => cell.served += 1,
+                BorderState::Absent => cell.absent += 1,
+                BorderState::Missed(_) | BorderState::Unknown => {
                     cell.missed += 1;
                     cell.example.get_or_insert_with(|| offsets.clone());
                 }
@@ -169,28 +173,28 @@ impl Walk<'_, '_, '_> {
             Joint::Same => {
                 self.border.keep(&self.layout, slots, places);
                 node.floor = 0.5 * least;
-                Found::Filled(node)
+                CellState::Filled(node)
             }
-            Joint::Unclear => Found::Refused,
-            Joint::Other => Found::Other,
+            Joint::Unclear => CellState::Refused,
+            Joint::Other => CellState::Other,
         };
         cell
     }
 
     /// A place on the border of a cell, and the determinant there, as far as it is known.
-    fn place(&mut self, centre: &[f64], node: &Node, offsets: &[f64]) -> (Place, f64) {
+    fn place(&mut self, centre: &[f64], node: &Node, offsets: &[f64]) -> (BorderState, f64) {
         let x = self.layout.moved(centre, offsets);
         let mut state = vec![0.0; node.centre().len()];
         node.state::<false>(offsets, &mut state);
         if let Some(determinant) = served(self.follower, self.fit.terms(), &x, &mut state) {
-            return (Place::Served(state), determinant);
+            return (BorderState::Served(state), determinant);
         }
         state.copy_from_slice(node.centre());
         let determinants = [node.floor, self.reference];
         match follow(self.follower, centre, &x, &mut state, determinants) {
-            Way::There(determinant) => (Place::Missed(state), determinant),
-            Way::Dead => (Place::Absent, f64::INFINITY),
-            Way::Lost => (Place::Unknown, f64::INFINITY),
+            PathEnd::Reached(determinant) => (BorderState::Missed(state), determinant),
+            PathEnd::DeadPoint => (BorderState::Absent, f64::INFINITY),
+            PathEnd::Lost => (BorderState::Unknown, f64::INFINITY),
         }
     }
 }

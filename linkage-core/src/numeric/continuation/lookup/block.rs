@@ -1,8 +1,10 @@
-//! Many look-ups in one table: what all rows do alike is done side by side, and row by row only what each does in a cell of its own.
+//! Many look-ups in one table: the common steps of all rows run side by side, and only the
+//! polynomials of each row's cell run row by row.
 
+use super::super::cell::OUTSIDE;
 use super::super::scale::guard;
-use super::{Lookup, OUTSIDE, cell, polynomials};
-use crate::Scalar;
+use super::{Lookup, cell, polynomials};
+use crate::scalar::Scalar;
 use core::hint::black_box;
 use core::mem::MaybeUninit;
 
@@ -23,8 +25,8 @@ impl<X, const B: usize> Column<X, B> {
 }
 
 impl<const S: usize> Lookup<S> {
-    /// What [`at_with`](Self::at_with) gives for the first `vectors` times `V` of `x`, to the last bit: the numbers of the state and then the
-    /// floor, a column each.
+    /// Returns the result of [`at_with`](Self::at_with) for the first `vectors` times `V` of `x`,
+    /// to the last bit: the numbers of the state and then the floor, a column each.
     #[allow(
         unsafe_code,
         reason = "rows that are written before they are read are not cleared"
@@ -48,7 +50,8 @@ impl<const S: usize> Lookup<S> {
         // Registers: what stands in memory is read anew behind each box.
         let (index, cells) = (&*self.index, &*self.cells);
         for row in 0..vectors * V {
-            // Nothing is moved across this: look-ups of several rows at once would be gathers, which are slow.
+            // Nothing is moved across this: look-ups of several rows at once would be gathers,
+            // which are slow.
             black_box(());
             let cell = cell(index, cells, slots.0[row]);
             let t = cell.t(places.0[row]);

@@ -4,9 +4,9 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use crate::components::{in_space, norm};
-use crate::design::quadratic::dot;
 use crate::tolerance::Tolerances;
 use crate::tolerance::modulus::corners as corners_of;
+use linkage_core::numeric::vector::dot;
 
 /// The derivatives of each component with respect to the parameters.
 pub(super) type Slopes<const N: usize> = Vec<[f64; N]>;

@@ -1,15 +1,16 @@
 //! The points of two conics.
 
-use super::super::complex::{Complex, ONE, ZERO};
 use super::super::polynomial::roots;
 use alloc::vec::Vec;
+use linkage_core::numeric::complex::{Complex, ONE, ZERO};
 
 /// A symmetric matrix: `w C w = 0`.
 pub(super) type Conic = [[f64; 3]; 3];
 /// Homogeneous coordinates.
 pub(super) type Point = [Complex; 3];
 
-/// No conics of a task are special in these coordinates: an orthogonal matrix without pattern, from a quaternion.
+/// No conics of a task are special in these coordinates: an orthogonal matrix without pattern, from
+/// a quaternion.
 const GENERIC: [[f64; 3]; 3] = generic([0.55, -0.31, 0.67, 0.39]);
 const STEPS: usize = 4;
 
@@ -34,7 +35,8 @@ const fn generic([a, b, c, d]: [f64; 4]) -> [[f64; 3]; 3] {
     ]
 }
 
-/// The four points that are on both, complex ones among them; fewer if the conics have a part in common.
+/// The four points that are on both, complex ones among them; fewer if the conics have a part in
+/// common.
 pub(super) fn common(conics: &[Conic; 2]) -> Vec<Point> {
     let turned = conics.map(|conic| turned(&conic));
     // As polynomials in the second coordinate, whose coefficients are polynomials in the first one.
@@ -57,7 +59,7 @@ pub(super) fn common(conics: &[Conic; 2]) -> Vec<Point> {
     let mut resultant = [ZERO; 5];
     for (i, &left) in ac.iter().enumerate() {
         for (j, &right) in ac.iter().enumerate() {
-            resultant[i + j] = resultant[i + j] + left * right;
+            resultant[i + j] += left * right;
         }
     }
     for (i, &left) in ab.iter().enumerate() {

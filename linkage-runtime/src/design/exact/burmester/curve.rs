@@ -1,17 +1,18 @@
 //! Four poses: the joints of the frame are the points of a cubic curve, the centre-point curve.
 //!
-//! To a joint `a` of the frame belong three equations `c x + c^ x^ + e = 0` of the joint of the body. They have a solution
-//! where the determinant of their coefficients is 0, which is of the third degree in `a`. The pole of two poses is on the
-//! curve, so that each line through it meets the curve in two points more, which are roots of a quadratic.
+//! To a joint `a` of the frame belong three equations `c x + c^ x^ + e = 0` of the joint of the
+//! body. They have a solution where the determinant of their coefficients is 0, which is of the
+//! third degree in `a`. The pole of two poses is on the curve, so that each line through it meets
+//! the curve in two points more, which are roots of a quadratic.
 
 use super::super::Pose;
-use super::super::complex::{Complex, ZERO};
 use super::super::error::{self, Unsolved};
 use super::super::polynomial::{add_product, roots};
 use super::super::verify;
 use super::{Moves, Pivots};
 use alloc::vec::Vec;
 use core::f64::consts::PI;
+use linkage_core::numeric::complex::{Complex, ZERO};
 
 /// The curve of all joints of the frame whose links lead a body through four poses.
 pub struct CentreCurve {
@@ -56,19 +57,20 @@ impl CentreCurve {
         Ok(Self { moves, poses, pole })
     }
 
-    /// The pole through which the lines of [`CentreCurve::at`] go: where the body turns about from the first pose to
-    /// another one.
+    /// The pole through which the lines of [`CentreCurve::at`] go: where the body turns about from
+    /// the first pose to another one.
     #[must_use]
     pub fn pole(&self) -> [f64; 2] {
         self.moves.pivots(ZERO, self.pole).fixed
     }
 
-    /// The points on the line through the pole at this angle (rad) beside the pole: two or none; one, if the curve goes to
-    /// infinity there.
+    /// The points on the line through the pole at this angle (rad) beside the pole: two or none;
+    /// one, if the curve goes to infinity there.
     #[must_use]
     pub fn at(&self, angle: f64) -> Vec<CentrePoint> {
         let direction = Complex::polar(angle);
-        // The pole itself is on the curve: what is left are the terms of the first degree and above.
+        // The pole itself is on the curve: what is left are the terms of the first degree and
+        // above.
         let [_, rest @ ..] = self.along(self.pole, direction);
         let [low, middle, high] = rest.map(|coefficient| coefficient.im);
         let discriminant = middle * middle - 4.0 * low * high;
@@ -89,7 +91,8 @@ impl CentreCurve {
         (0..angles).flat_map(|i| self.at(angle(i))).collect()
     }
 
-    /// The points on a straight line of the frame, through `point` at `angle` (rad): one or three, in their order along it.
+    /// The points on a straight line of the frame, through `point` at `angle` (rad): one or three,
+    /// in their order along it.
     #[must_use]
     pub fn on_line(&self, point: [f64; 2], angle: f64) -> Vec<CentrePoint> {
         let direction = Complex::polar(angle);
@@ -98,7 +101,8 @@ impl CentreCurve {
         let cubic = self
             .along(start, direction)
             .map(|c| Complex::new(c.im, 0.0));
-        // Complex roots come in pairs as exact as roots are: a root is real that is nearer to its conjugate than that.
+        // Complex roots come in pairs as exact as roots are: a root is real that is nearer to its
+        // conjugate than that.
         const REAL: f64 = 1e-7;
         let found = roots(&cubic);
         let real = found
@@ -141,7 +145,8 @@ impl CentreCurve {
         determinant
     }
 
-    /// The joint of the body belongs to it; nothing if that is at infinity, or keeps its distance in three of the four poses only.
+    /// The joint of the body belongs to it; nothing if that is at infinity, or keeps its distance
+    /// in three of the four poses only.
     fn point(&self, fixed: Complex, angle: f64) -> Option<CentrePoint> {
         // The two equations of three whose lines cross best.
         let pairs = [[0, 1], [1, 2], [2, 0]];

@@ -1,11 +1,10 @@
-//! Five poses: the equations of a dyad are linear in `k`, `X = k x`, `A = k a` and `S = k x a^`, and what is left of
-//! these seven real unknowns are the points of a plane; `k S = X A^` are two conics of it (after Hayes, Luu and Chang,
-//! and Ge and Purwar, who take the conditions of all dyads as one). Their four points are the dyads; `k = 0` are sliders.
+//! Five poses: the equations of a dyad are linear in `k`, `X = k x`, `A = k a` and `S = k x a^`.
+//! Their solutions are the points of a plane in these seven real unknowns. `k S = X A^` are two
+//! conics of it (after Hayes, Luu and Chang, and Ge and Purwar, who take the conditions of all
+//! dyads as one). Their four points are the dyads; `k = 0` are sliders.
 
 use super::super::ball::Ball;
 use super::super::certificate::{self, Certificate, System};
-use super::super::complex::{Complex, ZERO};
-use super::super::dense;
 use super::super::dyad;
 use super::super::error::{self, Unsolved};
 use super::super::task::turn_discs;
@@ -15,13 +14,16 @@ use super::{Dyad, Dyads, Link, Moves, Pivots, Pose};
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 use core::f64::consts::FRAC_PI_2;
+use linkage_core::numeric::complex::{Complex, ZERO};
+use linkage_core::numeric::complex_matrix;
 use nalgebra::{SMatrix, SVD};
 
 type Solution = dyad::Dyad<Complex>;
 
 /// Below this, the singular values of four rows of rounded numbers say nothing.
 const LEAST_RANK: f64 = 1e-12;
-/// With `k` a smaller part of the others, joints are further away than the shifts by the inverse: a slider within rounding.
+/// With `k` a smaller part of the others, joints are further away than the shifts by the inverse: a
+/// slider within rounding.
 const INFINITE: f64 = 1e-10;
 const STEPS: usize = 6;
 
@@ -30,7 +32,8 @@ impl Dyads {
     ///
     /// # Errors
     ///
-    /// `NotFinite`; `Equal` poses; `Dependent` poses, as those of a body that only turns about one point.
+    /// `NotFinite`; `Equal` poses; `Dependent` poses, as those of a body that only turns about one
+    /// point.
     pub fn of_poses(poses: &[Pose; 5]) -> Result<Self, Unsolved> {
         error::check(&poses.map(|pose| [pose.point[0], pose.point[1], pose.angle]))?;
         let [first, others @ ..] = poses;
@@ -41,8 +44,8 @@ impl Dyads {
         let mut sliders = Vec::new();
         for point in &points {
             match plane.dyad(point) {
-                Found::Link(dyad) => links.push(refined(&moves, dyad)),
-                Found::Slider { x, a, s } => sliders.push(moves.slider(x, a, s)),
+                LinkOrSlider::Link(dyad) => links.push(refined(&moves, dyad)),
+                LinkOrSlider::Slider { x, a, s } => sliders.push(moves.slider(x, a, s)),
             }
         }
         Ok(moves.listing(links, sliders).verified(poses))
@@ -57,9 +60,9 @@ struct Plane {
     s: [Complex; 3],
 }
 
-enum Found {
+enum LinkOrSlider {
     Link(Solution),
-    /// `X`, `A` and `S` with their hats, real but for a common factor. `X` or `A` is about 0.
+    /// `X`, `A` and `S` with their hats, real except for a common factor. `X` or `A` is about 0.
     Slider {
         x: [Complex; 2],
         a: [Complex; 2],
@@ -133,7 +136,7 @@ impl Plane {
         [conic(|form| form.re), conic(|form| form.im)]
     }
 
-    fn dyad(&self, w: &Point) -> Found {
+    fn dyad(&self, w: &Point) -> LinkOrSlider {
         let product = |coefficients: [Complex; 3]| {
             let terms = coefficients.into_iter().zip(w);
             terms.fold(ZERO, |sum, (c, &w)| sum + c * w)
@@ -147,9 +150,9 @@ impl Plane {
             .fold(0.0, f64::max);
         if k.size() > INFINITE * largest {
             let inverse = k.inverse();
-            return Found::Link([x, x_hat, a, a_hat].map(|value| value * inverse));
+            return LinkOrSlider::Link([x, x_hat, a, a_hat].map(|value| value * inverse));
         }
-        Found::Slider {
+        LinkOrSlider::Slider {
             x: [x, x_hat],
             a: [a, a_hat],
             s: both(self.s),
@@ -169,7 +172,7 @@ fn refined(moves: &Moves<4>, start: Solution) -> Solution {
         };
         let mut right = [core::array::from_fn(residual)];
         let mut matrix = core::array::from_fn(|j| moves.link(&dyad, j).by_dyad);
-        if dense::solve(&mut matrix, &mut right) == 0.0 {
+        if complex_matrix::solve_scaled(&mut matrix, &mut right) == 0.0 {
             return start;
         }
         dyad = core::array::from_fn(|i| dyad[i] + right[0][i]);
@@ -179,7 +182,8 @@ fn refined(moves: &Moves<4>, start: Solution) -> Solution {
 
 impl System<4> for Moves<4> {
     fn values(&self, point: &certificate::Point<4>) -> [Ball; 4] {
-        self.discs(&point.map(Ball::of)).map(|link| link.value)
+        self.discs(&point.map(Ball::from_wide))
+            .map(|link| link.value)
     }
 
     fn matrix(&self, discs: &[Ball; 4]) -> [[Ball; 4]; 4] {
@@ -227,17 +231,21 @@ impl Moves<4> {
             .iter()
             .map(|link| certificate::certify(&link.map(Complex::wide), self))
             .collect();
-        for (i, own) in certificates.iter().enumerate() {
+        for (i, certificate) in certificates.iter().enumerate() {
             let others = certificates.iter().enumerate().filter(|&(j, _)| j != i);
-            let distinct = |own: &Certificate<4>| {
+            let distinct = |certificate: &Certificate<4>| {
                 others
                     .flat_map(|(_, other)| other)
-                    .all(|other| own.is_apart_from(other))
+                    .all(|other| certificate.is_apart_from(other))
             };
-            let own = own.as_ref().filter(|own| distinct(own));
-            match own.and_then(|own| own.real.map(|real| (own, real))) {
-                Some((own, true)) => {
-                    let [x, _, a, _] = own.discs;
+            let certificate = certificate
+                .as_ref()
+                .filter(|certificate| distinct(certificate));
+            match certificate
+                .and_then(|certificate| certificate.real.map(|real| (certificate, real)))
+            {
+                Some((certificate, true)) => {
+                    let [x, _, a, _] = certificate.discs;
                     let pivots = self.pivots(x.middle, a.middle);
                     dyads.error = dyads.error.max(x.radius.max(a.radius) * self.unit);
                     dyads.real.push(Dyad::Link(pivots));

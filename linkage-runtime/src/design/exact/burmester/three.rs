@@ -1,10 +1,10 @@
 //! Three poses: one of the two joints is free, the other one follows.
 
 use super::super::Pose;
-use super::super::complex::{Complex, ONE};
 use super::super::error::{self, Unsolved};
 use super::super::verify;
 use super::{Moves, Pivots};
+use linkage_core::numeric::complex::{Complex, ONE};
 
 impl Pivots {
     /// The link with this joint of the frame that leads a body through three poses.
@@ -19,8 +19,8 @@ impl Pivots {
         verified(moves.pivots(moving, fixed), poses)
     }
 
-    /// The link with this joint of the body (in its frame) that leads it through three poses: the centre of the circle
-    /// through the places of the joint.
+    /// The link with this joint of the body (in its frame) that leads it through three poses: the
+    /// centre of the circle through the places of the joint.
     ///
     /// # Errors
     ///

@@ -1,21 +1,23 @@
-//! The test with 77 digits, for solutions next to others and far away ones, where Jacobians of plain numbers are singular.
+//! The test with 77 digits, for solutions next to others and far away ones, where Jacobians of
+//! plain numbers are singular.
 
-use super::{Certificate, Evaluated, System, contracted, mirrored, times};
+use super::{Certificate, Evaluated, System, contracted, decided, times};
 use crate::design::exact::ball::Ball;
-use crate::design::exact::complex::Complex;
 use crate::design::exact::dense;
 use crate::design::exact::long::Long;
+use crate::design::exact::real::Real;
 use alloc::vec::Vec;
+use linkage_core::numeric::complex::Complex;
 
 type Place<const N: usize> = [Complex<Long>; N];
 
-/// Newton steps: six double 77 digits' worth, the others are for places that are further from the solution than this is from
-/// another one. Near a double solution they only halve the distance.
+/// Newton steps: six double 77 digits' worth, the others are for places that are further from the
+/// solution than this is from another one. Near a double solution they only halve the distance.
 const STEPS: usize = 16;
 /// Newton steps below this part of the place, 2^-192, are rounding.
 const SMALL: f64 = 1.0 / ((1_u128 << 96) as f64 * (1_u128 << 96) as f64);
 
-/// As `certify`, near `start`.
+/// Certifies as `certify` does, near `start`.
 pub(in super::super) fn certify_long<const N: usize, S: System<N>>(
     start: &[Complex; N],
     system: &S,
@@ -25,36 +27,27 @@ pub(in super::super) fn certify_long<const N: usize, S: System<N>>(
         return None;
     }
     let place = refined(start, system)?;
-    let discs = one_solution(&place, system)?;
-    let images = mirrored::<N, S, Long>(&discs);
-    let mut pairs = discs.iter().zip(images);
-    let (discs, real) = if pairs.any(|(disc, image)| disc.is_far_from(image)) {
-        (discs, Some(false))
-    } else {
-        let half = Complex::new(0.5, 0.0).long();
-        let middle = core::array::from_fn(|i| (place[i] + place[S::partner(i)].conjugate()) * half);
-        match one_solution(&middle, system) {
-            Some(discs) => (discs, Some(true)),
-            None => (discs, None),
-        }
-    };
+    let half = Complex::from(0.5).map(Long::exact);
+    let far = |disc: Ball<Long>, image| disc.is_far_from(image);
+    let (discs, real) =
+        decided::<N, S, _, _>(&place, half, far, |place| one_solution(place, system))?;
     Some(Certificate {
         discs: discs.map(Ball::narrow),
         real,
     })
 }
 
-/// By Newton's method.
+/// Refines by Newton's method.
 fn refined<const N: usize, S: System<N>>(start: &[Complex; N], system: &S) -> Option<Place<N>> {
-    let mut place = start.map(Complex::long);
+    let mut place = start.map(|number| number.map(Long::exact));
     for _ in 0..STEPS {
         let (values, matrix) = system.long(&place.map(Ball::exact))?;
         let right = values.iter().map(|value| [-value.middle]).collect();
         let step = dense::solve_long(middles(&matrix), right)?;
         let mut small = true;
         for (number, [step]) in place.iter_mut().zip(step) {
-            *number = *number + step;
-            small &= step.rounded().size() <= SMALL * number.rounded().size();
+            *number += step;
+            small &= step.map(Long::narrow).size() <= SMALL * number.map(Long::narrow).size();
         }
         if small {
             break;
@@ -70,7 +63,9 @@ fn one_solution<const N: usize, S: System<N>>(
     let there = place.map(Ball::exact);
     let (values, matrix): Evaluated<N> = system.long(&there)?;
     let unit = (0..N).map(|row| {
-        core::array::from_fn(|column| Complex::from(f64::from(u8::from(row == column))).long())
+        core::array::from_fn(|column| {
+            Complex::from(f64::from(u8::from(row == column))).map(Long::exact)
+        })
     });
     let inverse = dense::solve_long(middles(&matrix), unit.collect())?;
     let shift = times(&inverse, &values).map(Ball::size);

@@ -16,7 +16,7 @@ impl Functions {
 }
 
 impl FunctionFourBar {
-    /// Whether the coupler has its length at all pairs.
+    /// Returns whether the coupler has its length at all pairs.
     fn closes(&self, pairs: &[Pair]) -> bool {
         let lengths = [1.0, self.crank, self.coupler, self.rocker];
         let mut errors = pairs.iter().map(|pair| self.pose(pair).1);

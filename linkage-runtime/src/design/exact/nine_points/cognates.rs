@@ -1,14 +1,15 @@
 //! Roberts' three four-bars of one coupler curve.
 //!
-//! With the coupler point at 0 in pose 0, the third joint of the frame is `c = a + k (b - a)`, `k = -x / (y - x)`: the
-//! triangle of the frame is similar to that of the coupler. The links of a cognate are parallel to sides of the first one.
+//! With the coupler point at 0 in pose 0, the third joint of the frame is `c = a + k (b - a)`,
+//! `k = -x / (y - x)`: the triangle of the frame is similar to that of the coupler. The links of a
+//! cognate are parallel to sides of the first one.
 
 use super::super::ball::Ball;
-use super::super::complex::{Complex, Ring};
 use super::equations::{Shifts, Unknowns};
+use linkage_core::numeric::complex::{Complex, Ring};
 
-/// The four-bar with the joints `a` and `c` of the frame, joint `a` first. Applied to the exchanged links it gives the third
-/// one.
+/// The four-bar with the joints `a` and `c` of the frame, joint `a` first. Applied to the exchanged
+/// links it gives the third one.
 pub(super) fn cognate(of: &Unknowns<Complex>, shifts: &Shifts<Complex>) -> Unknowns<Complex> {
     let mut result = *of;
     for h in 0..2 {
@@ -32,7 +33,8 @@ pub(super) fn exchanged<T: Copy>(of: &Unknowns<T>) -> Unknowns<T> {
     core::array::from_fn(|i| if i < 8 { of[i ^ 4] } else { of[i] })
 }
 
-/// What the three cognates have in common: sum of the joints of the frame and sum of their products, both with hats.
+/// Quantities that the three cognates have in common: sum of the joints of the frame and sum of
+/// their products, both with hats.
 pub(super) struct Mark([Ball; 4]);
 
 impl Mark {

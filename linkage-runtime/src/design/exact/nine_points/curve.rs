@@ -1,18 +1,20 @@
 //! Points on a circle or a line, which leave no isolated four-bars.
 //!
-//! A coupler curve is of the sixth degree and passes each of the two circular points three times: it meets a circle in six
-//! finite points at most (12 by Bezout, less 6 at the circular points), and a line in six, unless the circle or the line is a
-//! part of it. So with seven points on a circle the whole circle is a part of the curve, as of a crank whose pin is the point,
-//! or of a parallelogram, and there are infinitely many of these or none.
+//! A coupler curve is of the sixth degree and passes each of the two circular points three times:
+//! it meets a circle in six finite points at most (12 by Bezout, less 6 at the circular points),
+//! and a line in six, unless the circle or the line is a part of it. So with seven points on a
+//! circle the whole circle is a part of the curve, as of a crank whose pin is the point, or of a
+//! parallelogram, and there are infinitely many of these or none.
 
-use super::super::complex::Complex;
 use super::super::error::Unsolved;
+use linkage_core::numeric::complex::Complex;
 
 /// Points of a coupler curve on a circle or a line, at most.
 const MOST: usize = 6;
 
-/// Points are on a circle if they are off it by no more than this part of the extent of all points. Solutions for points next to
-/// a circle are next to those that are not isolated: all of them are still found at this distance, in half a minute.
+/// Points are on a circle if they are off it by no more than this part of the extent of all points.
+/// Solutions for points next to a circle are next to those that are not isolated: all of them are
+/// still found at this distance, in half a minute.
 const ON: f64 = 1e-5;
 
 /// Refuses points of which more than six are on a circle or a line.
@@ -53,7 +55,8 @@ fn extent(points: &[[f64; 2]; 9]) -> f64 {
     pairs.fold(0.0, f64::max)
 }
 
-/// `bend |z|^2 + 2 Re(slope^ z) = 0` in lengths of the extent, from a point of it; `slope` has the length 1/2.
+/// `bend |z|^2 + 2 Re(slope^ z) = 0` in lengths of the extent, from a point of it; `slope` has the
+/// length 1/2.
 struct Curve {
     from: [f64; 2],
     bend: f64,
@@ -76,7 +79,7 @@ impl Curve {
         }
     }
 
-    /// How far a point is away, as a part of the extent.
+    /// Returns the distance of a point, as a part of the extent.
     fn off(&self, point: [f64; 2], extent: f64) -> f64 {
         let z = way(self.from, point, extent);
         let value = self.bend * z.square() + 2.0 * (self.slope.re * z.re + self.slope.im * z.im);

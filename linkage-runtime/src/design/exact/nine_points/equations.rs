@@ -1,13 +1,14 @@
-//! The equations of nine points: for both links at each point but the first, and for the turn of the coupler there.
+//! The equations of nine points: for both links at each point but the first, and for the turn of
+//! the coupler there.
 //!
-//! Unknown are the joints `x`, `a` of one link and `y`, `b` of the other one with their hats, and at each point the turn `t`
-//! and its inverse `u`: 24 equations of the third degree. The two unknowns of a turn are in three equations only, so that
-//! eight equations are left for the joints.
+//! Unknown are the joints `x`, `a` of one link and `y`, `b` of the other one with their hats, and
+//! at each point the turn `t` and its inverse `u`: 24 equations of the third degree. The two
+//! unknowns of a turn are in three equations only, so that eight equations are left for the joints.
 
-use super::super::complex::{Complex, ONE, Ring, ZERO};
-use super::super::dense;
 use super::super::dyad::{self, Link, Pair};
 use super::super::path::Step;
+use linkage_core::numeric::complex::{Complex, ONE, Ring, ZERO};
+use linkage_core::numeric::complex_matrix;
 
 /// Shifts of the points after the first one, with hats.
 pub(super) type Shifts<T> = [Pair<T>; 8];
@@ -41,7 +42,7 @@ pub(super) fn newton(
         right[0][j] = turn.without(turn.values, turn.value);
         right[1][j] = turn.without(turn.drifts, ZERO);
     }
-    let singular = dense::solve(&mut matrix, &mut right) == 0.0;
+    let singular = complex_matrix::solve_scaled(&mut matrix, &mut right) == 0.0;
     let [step, tangent] = right;
     let mut result = Step {
         to: *unknowns,

@@ -1,23 +1,23 @@
 //! Following a solution while the points are changed into others.
 
-use super::super::complex::{Complex, ONE};
 use super::super::path::{self, Moving, Pace, Step, Stuck};
 use super::cognates::{cognate, exchanged};
 use super::equations::{ALL, Shifts, Unknowns, newton};
+use linkage_core::numeric::complex::{Complex, ONE};
 
-/// The way from some points to others: not straight, but along an arc of complex points, which for almost every `arc` keeps
-/// away from points with double solutions.
-pub(super) struct Way<'a> {
+/// The way from some points to others: not straight, but along an arc of complex points, which for
+/// almost every `arc` keeps away from points with double solutions.
+pub(super) struct ParameterPath<'a> {
     pub(super) from: &'a Shifts<Complex>,
     pub(super) to: &'a Shifts<Complex>,
     pub(super) arc: Complex,
 }
 
-impl Moving<ALL> for Way<'_> {
+impl Moving<ALL> for ParameterPath<'_> {
     /// Points and their derivatives.
     type Data = (Shifts<Complex>, Shifts<Complex>);
 
-    fn at(&self, t: f64) -> Self::Data {
+    fn evaluate(&self, t: f64) -> Self::Data {
         let rest = (ONE + (self.arc - ONE).scaled(t)).inverse();
         let part = self.arc.scaled(t) * rest;
         let slope = self.arc * rest * rest;
@@ -37,15 +37,16 @@ impl Moving<ALL> for Way<'_> {
     }
 }
 
-/// How often another cognate may be followed.
+/// The number of times that another cognate may be followed.
 const MOST_CHANGES: usize = 12;
 
-/// Where the path of a solution ends, as one of its cognates; `None` if it sticks or takes too many steps.
+/// Returns the end of the path of a solution, as one of its cognates; `None` if it sticks or takes
+/// too many steps.
 ///
 /// Where the equations of one cognate are nearly singular, those of another one can be plain.
 pub(super) fn follow(
     start: &Unknowns<Complex>,
-    way: &Way<'_>,
+    way: &ParameterPath<'_>,
     pace: Pace,
 ) -> Option<Unknowns<Complex>> {
     let (mut t, mut start) = (1.0, *start);
@@ -56,7 +57,7 @@ pub(super) fn follow(
         };
         let Stuck { place, .. } = stuck;
         t = stuck.t;
-        let (shifts, _) = way.at(t);
+        let (shifts, _) = way.evaluate(t);
         // Each of the two others in turn.
         let other = if change % 2 == 0 {
             place

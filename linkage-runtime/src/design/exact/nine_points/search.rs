@@ -1,56 +1,57 @@
-//! Following all stored solutions, and sorting out what is found.
+//! Continuation of all stored solutions, and classification of their ends.
 
 use super::super::ARCS;
 use super::super::ball::{Ball, Bound};
 use super::super::certificate::{self, Evaluated, Point, System};
-use super::super::complex::{Complex, ONE, ZERO};
-use super::super::dense;
-use super::super::double::Double;
 use super::super::error::Unsolved;
 use super::super::long::Long;
 use super::super::path::Pace;
 use super::super::task::Shift;
 use super::cognates::{Mark, cognate, exchanged};
 use super::equations::{self, ALL, Shifts, Unknowns};
-use super::path::{Way, follow};
-use super::{TRIPLES, Task, starts};
+use super::path::{ParameterPath, follow};
+use super::result::TRIPLES;
+use super::stored_solutions;
+use super::task::Task;
 use crate::design::Progress;
 use crate::design::parallel::in_parallel;
 use alloc::collections::BTreeSet;
 use alloc::vec::Vec;
+use linkage_core::numeric::complex::{Complex, ONE, ZERO};
+use linkage_core::numeric::double_double::DoubleDouble;
 
 pub(super) type Certificate = certificate::Certificate<ALL>;
 
 /// A solution that is shown to be one.
-pub(super) type Found = (Certificate, Mark);
+pub(super) type FoundSolution = (Certificate, Mark);
 
 /// Solutions, each shown to differ from the others, also as a cognate.
 #[derive(Default)]
-pub(super) struct Search {
-    pub(super) found: Vec<Found>,
+pub(super) struct SolutionSearch {
+    pub(super) found: Vec<FoundSolution>,
     /// For each of them, the start whose path came there first on this way.
     origins: Vec<Option<usize>>,
 }
 
-/// How often a path without an end of its own is followed on each way, in ever shorter steps.
+/// The number of attempts for a path without an end of its own on each arc, in ever shorter steps.
 const ATTEMPTS: usize = 3;
 /// Paths of a block: some dozen reports in all, and enough for many threads.
 const BLOCK: usize = 64;
 const STEPS: usize = 5;
 
-impl Search {
+impl SolutionSearch {
     pub(super) fn run(
         task: &Task,
         report: &mut impl FnMut(Progress) -> bool,
     ) -> Result<Self, Unsolved> {
-        let (from, data) = (starts::shifts(), Data::new(&task.shifts));
-        let starts = starts::solutions();
+        let (from, data) = (stored_solutions::shifts(), Data::new(&task.shifts));
+        let starts = stored_solutions::solutions();
         let mut search = Self::default();
         let mut count = starts.len();
         let mut done = 0;
-        told(report, done, count)?;
+        report_progress(report, done, count)?;
         for angle in ARCS {
-            let way = Way {
+            let way = ParameterPath {
                 from: &from,
                 to: &data.plain,
                 arc: Complex::polar(angle),
@@ -70,7 +71,7 @@ impl Search {
                         again.extend(search.doubtful(i, end));
                     }
                     done += block.len();
-                    told(report, done, count)?;
+                    report_progress(report, done, count)?;
                 }
                 if search.found.len() >= TRIPLES {
                     return Ok(search);
@@ -83,9 +84,9 @@ impl Search {
         Ok(search)
     }
 
-    /// The starts whose paths must be followed again: this one if it has no end, and both of two with one end, of which one
-    /// has come off its path.
-    fn doubtful(&mut self, start: usize, end: Option<Found>) -> Vec<usize> {
+    /// The starts whose paths must be followed again: this one if it has no end, and both of two
+    /// with one end, of which one has come off its path.
+    fn doubtful(&mut self, start: usize, end: Option<FoundSolution>) -> Vec<usize> {
         let Some(end) = end else {
             return [start].into();
         };
@@ -98,8 +99,8 @@ impl Search {
         }
     }
 
-    /// Where a solution is among those found, the last place if it is new.
-    pub(super) fn place(&mut self, end: Found) -> usize {
+    /// Returns the index of a solution among those found, the last one if it is new.
+    pub(super) fn place(&mut self, end: FoundSolution) -> usize {
         let known = self
             .found
             .iter()
@@ -112,7 +113,7 @@ impl Search {
     }
 }
 
-fn told(
+fn report_progress(
     report: &mut impl FnMut(Progress) -> bool,
     done: usize,
     count: usize,
@@ -129,7 +130,7 @@ fn told(
 /// The points against the first one in the numbers that are needed.
 pub(super) struct Data {
     pub(super) plain: Shifts<Complex>,
-    pub(super) wide: Shifts<Complex<Double>>,
+    pub(super) wide: Shifts<Complex<DoubleDouble>>,
     pub(super) discs: Shifts<Ball>,
 }
 
@@ -143,19 +144,24 @@ impl Data {
         }
     }
 
-    /// Where a path ends, as a certificate of the cognate for which it can be had.
+    /// Returns the end of a path, as a certificate of the cognate that has one.
     pub(super) fn end(
         &self,
         start: &Unknowns<Complex>,
-        way: &Way<'_>,
+        way: &ParameterPath<'_>,
         pace: Pace,
-    ) -> Option<Found> {
+    ) -> Option<FoundSolution> {
         let all = self.cognates(start, way, pace)?;
         all.iter().find_map(|unknowns| self.shown(unknowns))
     }
 
     /// The same with more digits where those of `end` are not enough.
-    fn end_long(&self, start: &Unknowns<Complex>, way: &Way<'_>, pace: Pace) -> Option<Found> {
+    fn end_long(
+        &self,
+        start: &Unknowns<Complex>,
+        way: &ParameterPath<'_>,
+        pace: Pace,
+    ) -> Option<FoundSolution> {
         let all = self.cognates(start, way, pace)?;
         let shown = all.iter().find_map(|unknowns| self.shown(unknowns));
         shown.or_else(|| all.iter().find_map(|unknowns| self.shown_long(unknowns)))
@@ -164,7 +170,7 @@ impl Data {
     fn cognates(
         &self,
         start: &Unknowns<Complex>,
-        way: &Way<'_>,
+        way: &ParameterPath<'_>,
         pace: Pace,
     ) -> Option<[Unknowns<Complex>; 3]> {
         let end = follow(start, way, pace)?;
@@ -174,14 +180,14 @@ impl Data {
     }
 
     /// A certificate where those of fewer digits fail.
-    pub(super) fn shown_long(&self, unknowns: &Unknowns<Complex>) -> Option<Found> {
+    pub(super) fn shown_long(&self, unknowns: &Unknowns<Complex>) -> Option<FoundSolution> {
         let certificate = certificate::certify_long(unknowns, self)?;
         let mark = Mark::new(&certificate.discs)?;
         Some((certificate, mark))
     }
 
     /// A certificate near these unknowns.
-    pub(super) fn shown(&self, unknowns: &Unknowns<Complex>) -> Option<Found> {
+    pub(super) fn shown(&self, unknowns: &Unknowns<Complex>) -> Option<FoundSolution> {
         let refined = self.refined(unknowns)?;
         let certificate = certificate::certify(&refined, self)?;
         let mark = Mark::new(&certificate.discs)?;
@@ -190,26 +196,24 @@ impl Data {
 
     /// Newton's steps with residuals of twice the digits.
     fn refined(&self, start: &Unknowns<Complex>) -> Option<Point<ALL>> {
-        let mut unknowns = start.map(Complex::wide);
-        for _ in 0..STEPS {
-            let (values, _) = equations::all(&unknowns, &self.wide, [ZERO, ONE].map(Complex::wide));
-            let plain = unknowns.map(Complex::narrow);
-            let (_, mut matrix) = equations::all(&plain, &self.plain, [ZERO, ONE]);
-            let mut right = [values.map(|value| -value.narrow())];
-            if dense::solve(&mut matrix, &mut right) == 0.0 {
-                return None;
-            }
-            unknowns = core::array::from_fn(|i| unknowns[i] + right[0][i].wide());
-        }
-        Some(unknowns)
+        let values = |unknowns: &_| {
+            let (values, _) = equations::all(unknowns, &self.wide, [ZERO, ONE].map(Complex::wide));
+            values.map(Complex::narrow)
+        };
+        let matrix = |unknowns: &_| equations::all(unknowns, &self.plain, [ZERO, ONE]).1;
+        certificate::refined(start, STEPS, values, matrix).ok()
     }
 }
 
 impl System<ALL> for Data {
     fn values(&self, point: &Point<ALL>) -> [Ball; ALL] {
         let (values, _) = equations::all(point, &self.wide, [ZERO, ONE].map(Complex::wide));
-        let shifts = self.wide.map(|pair| pair.map(Bound::of));
-        let (sizes, _) = equations::all(&point.map(Bound::of), &shifts, [Bound(0.0), Bound(1.0)]);
+        let shifts = self.wide.map(|pair| pair.map(Bound::from_wide));
+        let (sizes, _) = equations::all(
+            &point.map(Bound::from_wide),
+            &shifts,
+            [Bound(0.0), Bound(1.0)],
+        );
         core::array::from_fn(|i| sizes[i].around(values[i]))
     }
 

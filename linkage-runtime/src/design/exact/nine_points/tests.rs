@@ -1,21 +1,24 @@
-//! Paths and certificates in parts; whole searches, which are for optimised code, with `LINKAGE_LONG`.
+//! Paths and certificates in parts; whole searches, which are for optimised code, with
+//! `LINKAGE_LONG`.
 
 mod curves;
 mod generator;
 
-use super::super::complex::{Complex, ONE};
+use super::super::Pose;
 use super::super::path::Pace;
 use super::super::tests::coupler_at;
 use super::equations::{Unknowns, with_turns};
-use super::path::Way;
-use super::search::{Data, Search};
+use super::path::ParameterPath;
+use super::search::{Data, SolutionSearch};
 use super::*;
 use core::f64::consts::TAU;
+use linkage_core::numeric::complex::{Complex, ONE};
 use linkage_random::Random;
 use std::println;
 
-/// Nine points of Wampler, Morgan and Sommese (1992), their problem 3, which has 64 real triples; Hauenstein and Sottile
-/// certified that number (ACM Transactions on Mathematical Software, Algorithm 921).
+/// Nine points of Wampler, Morgan and Sommese (1992), their problem 3, which has 64 real triples;
+/// Hauenstein and Sottile certified that number (ACM Transactions on Mathematical Software,
+/// Algorithm 921).
 const PROBLEM_3: [[f64; 2]; 9] = [
     [0.25, 0.00],
     [0.52, 0.10],
@@ -41,7 +44,8 @@ const JULIA: [[f64; 2]; 9] = [
     [1.3011834, 0.92153806],
 ];
 
-/// Joints of the frame, points of the path, and the poses of the coupler in them, of a crank-rocker.
+/// Joints of the frame, points of the path, and the poses of the coupler in them, of a
+/// crank-rocker.
 struct Planted {
     fixed: [[f64; 2]; 2],
     coupler: f64,
@@ -106,8 +110,8 @@ fn assert_passes(triple: &Triple, points: &[[f64; 2]; 9]) {
         let known = four_bar.lengths(&poses[0]);
         let size = known.into_iter().fold(0.0, f64::max);
         for (pose, point) in poses.iter().zip(points) {
-            for (own, known) in four_bar.lengths(pose).into_iter().zip(known) {
-                assert!((own - known).abs() < 1e-11 * size, "{own} {known}");
+            for (length, known) in four_bar.lengths(pose).into_iter().zip(known) {
+                assert!((length - known).abs() < 1e-11 * size, "{length} {known}");
             }
             let way = (pose.point[0] - point[0]).hypot(pose.point[1] - point[1]);
             assert!(way < 1e-14 * size.max(1.0), "{way}");
@@ -115,7 +119,10 @@ fn assert_passes(triple: &Triple, points: &[[f64; 2]; 9]) {
         assert_eq!(passage.visits.len(), 9);
     }
     // Cognates have one curve: what is in order for one is so for all.
-    let [first, second, third] = triple.four_bars.each_ref().map(|own| own.passage.in_order);
+    let [first, second, third] = triple
+        .four_bars
+        .each_ref()
+        .map(|path| path.passage.in_order);
     assert!(first == second && second == third);
 }
 
@@ -133,9 +140,9 @@ fn a_planted_four_bar_and_its_cognates() {
         assert!(triple.error < 1e-9, "{}", triple.error);
         assert_passes(&triple, &points);
         assert!(triple.four_bars[0].passage.in_order && triple.four_bars[0].passage.one_branch(0));
-        let [first, second, third] = triple.four_bars.each_ref().map(|own| own.four_bar.fixed);
-        for (own, known) in first.iter().zip(planted.fixed) {
-            assert!((own[0] - known[0]).hypot(own[1] - known[1]) < 1e-9);
+        let [first, second, third] = triple.four_bars.each_ref().map(|path| path.four_bar.fixed);
+        for (joint, known) in first.iter().zip(planted.fixed) {
+            assert!((joint[0] - known[0]).hypot(joint[1] - known[1]) < 1e-9);
         }
         // Each two have a joint of the frame in common.
         let apart = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
@@ -146,17 +153,17 @@ fn a_planted_four_bar_and_its_cognates() {
 
 #[test]
 fn what_is_stored_are_distinct_solutions() {
-    let stored = starts::solutions();
+    let stored = stored_solutions::solutions();
     assert_eq!(stored.len(), TRIPLES);
-    let shifts = starts::shifts();
+    let shifts = stored_solutions::shifts();
     let data = Data {
         plain: shifts,
         wide: shifts.map(|pair| pair.map(Complex::wide)),
         discs: shifts.map(|pair| pair.map(super::super::ball::Ball::exact)),
     };
-    let mut search = Search::default();
+    let mut search = SolutionSearch::default();
     for unknowns in stored.iter().step_by(97) {
-        let here = Way {
+        let here = ParameterPath {
             from: &shifts,
             to: &shifts,
             arc: ONE,
@@ -173,14 +180,14 @@ fn what_is_stored_are_distinct_solutions() {
 fn paths_end_in_distinct_solutions() {
     let task = Task::new(&PROBLEM_3).unwrap();
     let data = Data::new(&task.shifts);
-    let shifts = starts::shifts();
-    let way = Way {
+    let shifts = stored_solutions::shifts();
+    let way = ParameterPath {
         from: &shifts,
         to: &data.plain,
         arc: Complex::polar(1.0),
     };
-    let mut search = Search::default();
-    let starts = starts::solutions();
+    let mut search = SolutionSearch::default();
+    let starts = stored_solutions::solutions();
     for start in starts.iter().step_by(361) {
         search.place(data.end(start, &way, Pace::of_attempt(0)).expect("an end"));
     }
@@ -219,8 +226,8 @@ impl Problems {
     }
 }
 
-/// A triple of the fourth planted problem: a joint on the point of the path but for a hundred thousandth, links a hundred thousand
-/// times as long.
+/// A triple of the fourth planted problem: a joint within a hundred thousandth of the point of the
+/// path, links a hundred thousand times as long.
 #[test]
 fn a_triple_next_to_singular_ones_is_shown() {
     let mut problems = Problems::new();
@@ -279,14 +286,15 @@ fn whole_searches() {
         let (planted, random) = problems.next();
         let found = check(&std::format!("planted {i}"), &planted.points());
         let four_bars = found.triples.iter().flat_map(|triple| &triple.four_bars);
-        let near =
-            |own: [f64; 2], known: [f64; 2]| (own[0] - known[0]).hypot(own[1] - known[1]) < 1e-8;
+        let near = |joint: [f64; 2], known: [f64; 2]| {
+            (joint[0] - known[0]).hypot(joint[1] - known[1]) < 1e-8
+        };
         let [a, b] = planted.fixed;
-        let is_planted = |own: &PathFourBar| {
-            let [c, d] = own.four_bar.fixed;
+        let is_planted = |path: &PathFourBar| {
+            let [c, d] = path.four_bar.fixed;
             (near(c, a) && near(d, b)) || (near(c, b) && near(d, a))
         };
-        assert_eq!(four_bars.filter(|own| is_planted(own)).count(), 1);
+        assert_eq!(four_bars.filter(|path| is_planted(path)).count(), 1);
         let triples = found
             .triples
             .iter()

@@ -2,12 +2,12 @@
 
 use super::super::ball::{Ball, Bound};
 use super::super::certificate::{self, Certificate, Evaluated, Point, System};
-use super::super::complex::{Complex, ONE, ZERO};
-use super::super::dense;
 use super::super::long::Long;
 use super::super::path::{Moving, Step};
-use super::Equations;
 use super::number::{Number, Slopes};
+use super::polynomial_equations::Equations;
+use linkage_core::numeric::complex::{Complex, ONE, ZERO};
+use linkage_core::numeric::complex_matrix;
 
 /// Equations `f(x) + form . x = constants`, the form in one of them only.
 pub(super) struct Member<'a, E, const N: usize> {
@@ -26,7 +26,8 @@ impl<E, const N: usize> Clone for Member<'_, E, N> {
 
 impl<E, const N: usize> Copy for Member<'_, E, N> {}
 
-/// So many roundings of numbers of 32 digits are more than equations that somebody can write have.
+/// A number of roundings of numbers of 32 digits that exceeds those of all equations that somebody
+/// can write.
 const WRONG: f64 = 1.0 / (1_u128 << 84) as f64;
 /// Newton steps with residuals of 32 digits: two of them are enough where the test can succeed.
 const STEPS: usize = 4;
@@ -95,16 +96,9 @@ impl<'a, E: Equations<N>, const N: usize> Member<'a, E, N> {
 
     /// One for which residuals of 32 digits are enough.
     pub(super) fn shown_soon(&self, place: &[Complex; N]) -> Option<Certificate<N>> {
-        let mut point: Point<N> = place.map(Complex::wide);
-        for _ in 0..STEPS {
-            let values = self.evaluated(&point).map(Complex::narrow);
-            let (_, mut matrix) = self.differentiated(&point.map(Complex::narrow));
-            let mut right = [values.map(|value| -value)];
-            if dense::solve(&mut matrix, &mut right) == 0.0 {
-                return None;
-            }
-            point = core::array::from_fn(|i| point[i] + right[0][i].wide());
-        }
+        let values = |point: &Point<N>| self.evaluated(point).map(Complex::narrow);
+        let matrix = |place: &_| self.differentiated(place).1;
+        let point = certificate::refined(place, STEPS, values, matrix).ok()?;
         certificate::certify(&point, self)
     }
 }
@@ -116,8 +110,8 @@ impl<E: Equations<N>, const N: usize> System<N> for Member<'_, E, N> {
 
     fn values(&self, point: &Point<N>) -> [Ball; N] {
         let values = self.evaluated(point);
-        let sizes = self.evaluated(&point.map(Bound::of));
-        core::array::from_fn(|i| Ball::of(values[i]).widened(sizes[i].0 * WRONG))
+        let sizes = self.evaluated(&point.map(Bound::from_wide));
+        core::array::from_fn(|i| Ball::from_wide(values[i]).widened(sizes[i].0 * WRONG))
     }
 
     fn matrix(&self, discs: &[Ball; N]) -> [[Ball; N]; N] {
@@ -129,19 +123,19 @@ impl<E: Equations<N>, const N: usize> System<N> for Member<'_, E, N> {
     }
 }
 
-/// From one member to another one: not straight, but along an arc of complex numbers, which for almost every `arc` keeps away
-/// from members with double solutions.
-pub(super) struct Way<'a, 'e, E, const N: usize> {
+/// The path from one member to another one: not straight, but along an arc of complex numbers,
+/// which for almost every `arc` keeps away from members with double solutions.
+pub(super) struct ParameterPath<'a, 'e, E, const N: usize> {
     pub(super) from: &'a Member<'e, E, N>,
     pub(super) to: &'a Member<'e, E, N>,
     pub(super) arc: Complex,
 }
 
-impl<'e, E: Equations<N>, const N: usize> Moving<N> for Way<'_, 'e, E, N> {
+impl<'e, E: Equations<N>, const N: usize> Moving<N> for ParameterPath<'_, 'e, E, N> {
     /// The member, and how its form and its constants change.
     type Data = (Member<'e, E, N>, [Complex; N], [Complex; N]);
 
-    fn at(&self, t: f64) -> Self::Data {
+    fn evaluate(&self, t: f64) -> Self::Data {
         let rest = (ONE + (self.arc - ONE).scaled(t)).inverse();
         let part = self.arc.scaled(t) * rest;
         let slope = self.arc * rest * rest;
@@ -170,7 +164,7 @@ impl<'e, E: Equations<N>, const N: usize> Moving<N> for Way<'_, 'e, E, N> {
         let terms = form.iter().zip(place);
         drift[member.row] = terms.fold(drift[member.row], |sum, (&by, &x)| sum - by * x);
         let mut right = [values.map(|value| -value), drift];
-        let singular = dense::solve(&mut matrix, &mut right) == 0.0;
+        let singular = complex_matrix::solve_scaled(&mut matrix, &mut right) == 0.0;
         let [step, tangent] = right;
         Step {
             to: core::array::from_fn(|i| place[i] + step[i]),

@@ -1,22 +1,24 @@
 //! All solutions of a member with general constants.
 //!
-//! A random place solves the equations with the constants that it gives: one solution for nothing. Followed around random
-//! loops of constants it comes back as others (monodromy), which do so in turn. All pairs of a place and its constants are one
-//! piece, the graph of the equations, so that there are loops from each solution to each other one.
+//! A random place solves the equations with the constants that it gives: one solution for nothing.
+//! Followed around random loops of constants it comes back as others (monodromy), which do so in
+//! turn. All pairs of a place and its constants are one piece, the graph of the equations, so that
+//! there are loops from each solution to each other one.
 
 use super::super::super::starts;
 use super::super::certificate::Certificate;
-use super::super::complex::{Complex, ZERO};
 use super::super::path::{Pace, Stuck, follow};
-use super::Equations;
-use super::family::{Member, Way};
+use super::family::{Member, ParameterPath};
+use super::polynomial_equations::Equations;
 use crate::design::exact::Unsolved;
 use crate::design::parallel::in_parallel;
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
+use linkage_core::numeric::complex::{Complex, ZERO};
 
-/// Loops are made until solutions of which one is missing would have stayed among themselves with a probability below this: a
-/// loop exchanges them at random, and takes one of `k + 1` that are left out for itself with probability `1/(k + 1)`.
+/// Loops are made until solutions of which one is missing would have stayed among themselves with a
+/// probability below this: a loop exchanges them at random, and takes one of `k + 1` that are left
+/// out for itself with probability `1/(k + 1)`.
 const MISSED: f64 = 1e-9;
 const FEWEST_IDLE: usize = 6;
 /// Most solutions that are followed.
@@ -53,7 +55,7 @@ impl Random {
     }
 }
 
-/// A member and what is known of its solutions.
+/// A member and its known solutions.
 pub(super) struct Fibre<'a, E, const N: usize> {
     pub(super) member: Member<'a, E, N>,
     pub(super) found: Vec<Certificate<N>>,
@@ -62,7 +64,7 @@ pub(super) struct Fibre<'a, E, const N: usize> {
 }
 
 impl<'a, E: Equations<N>, const N: usize> Fibre<'a, E, N> {
-    /// Of which nothing is known.
+    /// Starts without known solutions.
     pub(super) fn starting(member: Member<'a, E, N>) -> Self {
         Self {
             member,
@@ -87,7 +89,7 @@ impl<'a, E: Equations<N>, const N: usize> Fibre<'a, E, N> {
         Ok(fibre)
     }
 
-    /// Whether enough loops have brought nothing.
+    /// Returns whether enough loops have brought nothing.
     pub(super) fn is_settled(&self) -> bool {
         let chance = 1.0 / (self.found.len() + 1) as f64;
         self.idle >= FEWEST_IDLE && chance.powf(self.idle as f64) <= MISSED
@@ -96,12 +98,12 @@ impl<'a, E: Equations<N>, const N: usize> Fibre<'a, E, N> {
     /// One more loop.
     pub(super) fn go_round(&mut self, random: &mut Random) -> Result<(), Unsolved> {
         let other = self.member.through(&random.place());
-        let there = Way {
+        let there = ParameterPath {
             from: &self.member,
             to: &other,
             arc: random.unit(),
         };
-        let back = Way {
+        let back = ParameterPath {
             from: &other,
             to: &self.member,
             arc: random.unit(),
@@ -130,19 +132,19 @@ impl<'a, E: Equations<N>, const N: usize> Fibre<'a, E, N> {
         arc: Complex,
     ) {
         let to = &self.member;
-        let way = Way { from, to, arc };
+        let way = ParameterPath { from, to, arc };
         let ends = in_parallel(starts, |start| to.shown(&end(&way, start).ok()?));
         ends.into_iter().flatten().for_each(|end| self.place(end));
     }
 
-    /// Where each of the solutions of a member leads in another one; `None` if one leads nowhere.
+    /// Returns the ends of the solutions of a member in another one; `None` if one leads nowhere.
     pub(super) fn carried(
         from: &Member<'a, E, N>,
         to: &Member<'a, E, N>,
         starts: &[[Complex; N]],
         arc: Complex,
     ) -> Option<Vec<[Complex; N]>> {
-        let way = Way { from, to, arc };
+        let way = ParameterPath { from, to, arc };
         // By a certificate, which has all digits.
         let ends = in_parallel(starts, |start| to.shown(&end(&way, start).ok()?));
         ends.iter().map(|end| end.as_ref().map(middle)).collect()
@@ -166,7 +168,7 @@ pub(super) fn middle<const N: usize>(certificate: &Certificate<N>) -> [Complex; 
 
 /// The end of a path.
 pub(super) fn end<E: Equations<N>, const N: usize>(
-    way: &Way<'_, '_, E, N>,
+    way: &ParameterPath<'_, '_, E, N>,
     start: &[Complex; N],
 ) -> Result<[Complex; N], Stuck<N>> {
     let mut stuck = Stuck {

@@ -1,9 +1,11 @@
-//! What equations are evaluated in: numbers, and numbers with their derivatives by all unknowns.
+//! Numbers for the evaluation of equations, and numbers with their derivatives with respect to all
+//! unknowns.
 
-use super::super::complex::Ring;
 use core::ops::{Add, Mul, Neg, Sub};
+use linkage_core::numeric::complex::Ring;
 
-/// A number that equations are evaluated in: real, complex, with derivatives, with more digits, with bounds of its error.
+/// A number that equations are evaluated in: real, complex, with derivatives, with more digits,
+/// with bounds of its error.
 pub trait Number:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> + From<f64>
 {

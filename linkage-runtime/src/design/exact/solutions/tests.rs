@@ -1,4 +1,5 @@
-//! Against systems whose solutions are known; random platforms, which are for optimised code, with `LINKAGE_LONG`.
+//! Against systems whose solutions are known; random platforms, which are for optimised code, with
+//! `LINKAGE_LONG`.
 
 mod axle;
 mod steep;
@@ -11,7 +12,8 @@ use super::*;
 use linkage_random::Random as Draw;
 use std::println;
 
-/// A ternary link on three legs in the plane: place and direction of the link, at most six assemblies.
+/// A ternary link on three legs in the plane: place and direction of the link, at most six
+/// assemblies.
 struct Ternary {
     base: [[f64; 2]; 3],
     joints: [[f64; 2]; 3],
@@ -139,7 +141,8 @@ fn equations_that_depend_on_each_other_are_refused() {
     assert_eq!(solutions(&Repeated), Err(Unsolved::Singular));
 }
 
-/// A platform on six legs in whole tenths of the unit, and an orientation of it in whole numbers over `whole`.
+/// A platform on six legs in whole tenths of the unit, and an orientation of it in whole numbers
+/// over `whole`.
 struct Platform {
     base: [[f64; 3]; 6],
     platform: [[f64; 3]; 6],
@@ -221,7 +224,8 @@ const SEED: u64 = 40;
 fn solutions_two_thousand_times_as_far_as_a_platform_is_wide_are_shown() {
     let mut draw = Draw::new(SEED);
     let platforms = [(); PLATFORMS].map(|()| posed(&mut draw).0);
-    // Where a path of the last one ends, to ten digits; the other one of its pair is the mirror image.
+    // Where a path of the last one ends, to ten digits; the other one of its pair is the mirror
+    // image.
     let place = [
         [1558.537407, 1189.451554],
         [98.55984839, -2165.197926],

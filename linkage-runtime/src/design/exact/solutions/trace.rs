@@ -1,27 +1,29 @@
-//! Whether solutions are all: the trace test.
+//! The trace test: evidence that no solution is missing.
 //!
-//! With all constants but one held, the solutions of `f(x) = constants` are a curve in the space of `x` and that constant `s`.
-//! A hyperplane `s + form . x = c` meets it in as many points as its degree says, and the sum of all these points is a linear
-//! function of `c`; that of a part of them is not (Sommese, Verschelde and Wampler, SIAM Journal on Numerical Analysis 40,
-//! 2002). When the form is taken away, each solution of the equations is the end of one of these points, and the others go to
-//! infinity.
+//! With all constants but one held, the solutions of `f(x) = constants` are a curve in the space of
+//! `x` and that constant `s`. A hyperplane `s + form . x = c` meets it in as many points as its
+//! degree says, and the sum of all these points is a linear function of `c`; that of a part of them
+//! is not (Sommese, Verschelde and Wampler, SIAM Journal on Numerical Analysis 40, 2002). When the
+//! form is taken away, each solution of the equations is the end of one of these points, and the
+//! others go to infinity.
 
-use super::super::complex::{Complex, ZERO};
-use super::Equations;
-use super::family::{Member, Way};
+use super::family::{Member, ParameterPath};
 use super::monodromy::{Fibre, Random, end, middle};
+use super::polynomial_equations::Equations;
 use crate::design::exact::Unsolved;
 use crate::design::parallel::in_parallel;
 use alloc::vec::Vec;
+use linkage_core::numeric::complex::{Complex, ZERO};
 
-/// What the trace test has shown.
+/// The result of the trace test.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trace {
     /// The equation along which the curve goes.
     pub row: usize,
     /// The degree of the curve: points of it on a hyperplane.
     pub degree: usize,
-    /// By how much the sum of the points misses a linear function, as a part of what one of them misses it by.
+    /// The difference of the sum of the points from a linear function, as a part of that of one
+    /// point.
     pub miss: f64,
     /// Points that go to infinity where solutions are looked for.
     pub outside: usize,
@@ -29,25 +31,30 @@ pub struct Trace {
     pub open: usize,
 }
 
-/// Sums of all points bend by rounding only, other sums by about what one of them does.
+/// The limit of a linear sum: sums of all points bend by rounding only, other sums by about as much
+/// as one of them.
 pub(super) const LINEAR: f64 = 1e-6;
-/// Points that bend by less than this part of their size bend by rounding: they move along a line, which is the whole curve.
+/// Points that bend by less than this part of their size bend by rounding: they move along a line,
+/// which is the whole curve.
 const STRAIGHT: f64 = 1e-6;
-/// A point goes to infinity if it is so far away when so little of the form is left. All else is of size 1.
+/// A point goes to infinity if it is so far away when so little of the form is left. All else is of
+/// size 1.
 const FAR: f64 = 1e3;
 const LATE: f64 = 1e-4;
-/// What a path that ends in a solution is off it by, at most, as a part of its size: far more than the tracker leaves.
+/// The largest error of a path that ends in a solution, as a part of its size: far more than the
+/// tracker leaves.
 const HERE: f64 = 1e-6;
 
 impl Trace {
-    /// Whether no solution is missing, as far as numbers can tell: the sum is linear, and each point has an end.
+    /// Returns whether no solution is missing, as far as numbers can tell: the sum is linear, and
+    /// each point has an end.
     #[must_use]
     pub fn passed(&self) -> bool {
         self.miss <= LINEAR && self.open == 0
     }
 
-    /// The test along equation `row` and, where it is not passed, along the next ones, as long as it is not; of several tests
-    /// that are not passed the one that leaves fewest points open.
+    /// The test along equation `row` and, where it is not passed, along the next ones, as long as
+    /// it is not; of several tests that are not passed the one that leaves fewest points open.
     pub(super) fn test_rows<E: Equations<N>, const N: usize>(
         general: &mut Fibre<'_, E, N>,
         row: usize,
@@ -61,7 +68,7 @@ impl Trace {
             let Ok(next) = Self::test(general, (row + other) % N, random) else {
                 break;
             };
-            let doubt = |own: &Self| (!own.passed(), own.miss > LINEAR, own.open);
+            let doubt = |test: &Self| (!test.passed(), test.miss > LINEAR, test.open);
             if doubt(&next) < doubt(&best) {
                 best = next;
             }
@@ -69,7 +76,8 @@ impl Trace {
         Ok(best)
     }
 
-    /// The test with the curve along equation `row`; solutions that it finds besides are added to `general`.
+    /// The test with the curve along equation `row`; solutions that it finds besides are added to
+    /// `general`.
     pub(super) fn test<E: Equations<N>, const N: usize>(
         general: &mut Fibre<'_, E, N>,
         row: usize,
@@ -94,12 +102,12 @@ impl Trace {
                 miss = self::miss(&section, random);
             }
         }
-        let mut ends = Ends::of(&section, plain, random.unit());
+        let mut ends = Ends::follow(&section, plain, random.unit());
         for _ in 1..WAYS {
             if ends.open(&section) == 0 {
                 break;
             }
-            let next = Ends::of(&section, plain, random.unit());
+            let next = Ends::follow(&section, plain, random.unit());
             if next.open(&section) < ends.open(&section) {
                 ends = next;
             }
@@ -120,20 +128,21 @@ impl Trace {
     }
 }
 
-/// Equations along which the test is made, until it is passed along one: each takes as long as the first.
+/// Equations along which the test is made, until it is passed along one: each takes as long as the
+/// first.
 const ROWS: usize = 4;
 /// Ways on which the form is taken away, until one leaves no point open.
 const WAYS: usize = 3;
 
-/// Where points go when the form is taken away.
+/// The ends of the points when the form is taken away.
 struct Ends<'a, E, const N: usize> {
     solutions: Fibre<'a, E, N>,
     outside: usize,
 }
 
 impl<'a, E: Equations<N>, const N: usize> Ends<'a, E, N> {
-    fn of(section: &Fibre<'a, E, N>, plain: Member<'a, E, N>, arc: Complex) -> Self {
-        let way = Way {
+    fn follow(section: &Fibre<'a, E, N>, plain: Member<'a, E, N>, arc: Complex) -> Self {
+        let way = ParameterPath {
             from: &section.member,
             to: &plain,
             arc,
@@ -144,7 +153,8 @@ impl<'a, E: Equations<N>, const N: usize> Ends<'a, E, N> {
         };
         let found = in_parallel(&section.places(), |start| match end(&way, start) {
             Err(stuck) => Err(stuck.t < LATE && size(&stuck.place) > FAR),
-            // Newton's method may lead from far away to a solution that is not the end of this path.
+            // Newton's method may lead from far away to a solution that is not the end of this
+            // path.
             Ok(place) => plain
                 .shown(&place)
                 .filter(|end| size(&difference(&middle(end), &place)) < HERE * size(&place))
@@ -173,8 +183,8 @@ fn size<const N: usize>(place: &[Complex; N]) -> f64 {
     place.iter().map(|x| x.size()).fold(0.0, f64::max)
 }
 
-/// How much the sum of the points bends between three places in line, as a part of what a single point bends by: so much is
-/// added where one is missing.
+/// Returns the bend of the sum of the points between three places in line, as a part of that of a
+/// single point: one missing point adds that much.
 pub(super) fn miss<E: Equations<N>, const N: usize>(
     section: &Fibre<'_, E, N>,
     random: &mut Random,
@@ -184,7 +194,7 @@ pub(super) fn miss<E: Equations<N>, const N: usize>(
     let shift = here.through(&random.place()).constants[here.row] - here.constants[here.row];
     let moved = |by: f64| {
         let mut constants = here.constants;
-        constants[here.row] = constants[here.row] + shift.scaled(by);
+        constants[here.row] += shift.scaled(by);
         here.with_constants(constants)
     };
     let first = section.places();

@@ -1,8 +1,9 @@
-//! Five poses against 32 digits by another way, planted four-bars, the curve of four poses, special poses.
+//! Five poses against 32 digits by another way, planted four-bars, the curve of four poses, special
+//! poses.
 //!
-//! `burmester.txt` has 15 sets of poses and all real dyads: from `|p + R m - a|^2` equal in all poses, two determinants of
-//! the equations of `m` (cubics in `a`) with 90 digits, their resultant interpolated, its nine roots, of which those count
-//! that are zeros of the other two determinants.
+//! `burmester.txt` has 15 sets of poses and all real dyads: from `|p + R m - a|^2` equal in all
+//! poses, two determinants of the equations of `m` (cubics in `a`) with 90 digits, their resultant
+//! interpolated, its nine roots, of which those count that are zeros of the other two determinants.
 
 use super::super::*;
 use super::{point, spread};
@@ -49,16 +50,17 @@ fn all_dyads_as_by_resultants_with_90_digits() {
             [dyads.len(), 4 - dyads.len()]
         );
         for (pivots, known) in found.links().zip(dyads) {
-            let own = [pivots.fixed, pivots.moving].concat();
-            for (own, known) in own.iter().zip(known) {
-                // The data have cosines of 16 digits, and some of the dyads depend on them a thousand times over.
+            let joints = [pivots.fixed, pivots.moving].concat();
+            for (joint, known) in joints.iter().zip(known) {
+                // The data have cosines of 16 digits, and some of the dyads depend on them a
+                // thousand times over.
                 assert!(
-                    (own - known).abs() <= 2e-13 * known.abs().max(1.0),
-                    "{own} {known}"
+                    (joint - known).abs() <= 2e-13 * known.abs().max(1.0),
+                    "{joint} {known}"
                 );
                 assert!(
-                    (own - known).abs() <= found.error,
-                    "{own} {known} {}",
+                    (joint - known).abs() <= found.error,
+                    "{joint} {known} {}",
                     found.error
                 );
             }
@@ -144,11 +146,11 @@ fn the_curve_of_four_poses_has_the_dyads_of_five() {
         let pole = curve.pole();
         for &[x, y, u, v] in dyads {
             let is_dyad = |point: &CentrePoint| {
-                let own = [point.pivots.fixed, point.pivots.moving].concat();
-                let pairs = own.iter().zip([x, y, u, v]);
+                let joints = [point.pivots.fixed, point.pivots.moving].concat();
+                let pairs = joints.iter().zip([x, y, u, v]);
                 pairs
                     .into_iter()
-                    .all(|(own, known)| (own - known).abs() < 1e-9 * known.abs().max(1.0))
+                    .all(|(joint, known)| (joint - known).abs() < 1e-9 * known.abs().max(1.0))
             };
             assert!(
                 curve

@@ -14,18 +14,18 @@ fn thirty_six_four_bars_a_planted_one_among_them() {
     assert_eq!(found.four_bars.len() + found.complex + found.undecided, 36);
     assert_eq!((found.undecided, found.paths), (0, 384));
     let planted = found.four_bars.iter().any(|(four_bar, _)| {
-        let [_, own @ ..] = four_bar.lengths(&Pose::new(points[0], 0.0));
-        let mut pairs = own.into_iter().zip(lengths);
-        pairs.all(|(own, length)| (own - length).abs() < 1e-9)
+        let [_, found_lengths @ ..] = four_bar.lengths(&Pose::new(points[0], 0.0));
+        let mut pairs = found_lengths.into_iter().zip(lengths);
+        pairs.all(|(found, length)| (found - length).abs() < 1e-9)
     });
     assert!(planted, "{found:?}");
-    for (four_bar, own) in &found.four_bars {
+    for (four_bar, found_poses) in &found.four_bars {
         assert_eq!(
-            own.map(|pose| pose.point.map(|x| (x * 1e9).round())),
+            found_poses.map(|pose| pose.point.map(|x| (x * 1e9).round())),
             points.map(|point| point.map(|x| (x * 1e9).round()))
         );
         for link in 0..4 {
-            assert!(spread(own.iter().map(|pose| four_bar.lengths(pose)[link])) < 1e-12);
+            assert!(spread(found_poses.iter().map(|pose| four_bar.lengths(pose)[link])) < 1e-12);
         }
     }
     assert!(found.error < 1e-12, "{}", found.error);

@@ -4,7 +4,8 @@ use super::super::*;
 use super::coupler_at;
 use alloc::vec::Vec;
 
-/// Poses of the coupler for angles of link 0, on one side of the line from its pin to the other joint of the frame.
+/// Poses of the coupler for angles of link 0, on one side of the line from its pin to the other
+/// joint of the frame.
 fn poses(lengths: [f64; 4], angles: &[f64], side: f64) -> Vec<Pose> {
     let [frame, lengths @ ..] = lengths;
     let fixed = [[0.0, 0.0], [frame, 0.0]];
@@ -31,23 +32,24 @@ fn links_that_turn_fully() {
     let turning = |lengths: [f64; 4], angle: f64| {
         let four_bar = four_bar(lengths);
         let pose = poses(lengths, &[angle], 1.0)[0];
-        let own = four_bar.lengths(&pose);
+        let found = four_bar.lengths(&pose);
         assert!(
-            own.iter()
+            found
+                .iter()
                 .zip(lengths)
-                .all(|(own, length)| (own - length).abs() < 1e-15 * 8.0)
+                .all(|(found, length)| (found - length).abs() < 1e-15 * 8.0)
         );
         four_bar.turning(&pose)
     };
-    assert_eq!(turning(CRANK_ROCKER, 1.0), Turning::Crank(0));
+    assert_eq!(turning(CRANK_ROCKER, 1.0), GrashofType::Crank(0));
     let [frame, crank, coupler, rocker] = CRANK_ROCKER;
     assert_eq!(
         turning([frame, rocker, coupler, crank], 1.0),
-        Turning::Crank(1)
+        GrashofType::Crank(1)
     );
-    assert_eq!(turning(DOUBLE_CRANK, 1.0), Turning::DoubleCrank);
-    assert_eq!(turning(DOUBLE_ROCKER, 0.9), Turning::DoubleRocker);
-    assert_eq!(turning(TRIPLE_ROCKER, 0.5), Turning::TripleRocker);
+    assert_eq!(turning(DOUBLE_CRANK, 1.0), GrashofType::DoubleCrank);
+    assert_eq!(turning(DOUBLE_ROCKER, 0.9), GrashofType::DoubleRocker);
+    assert_eq!(turning(TRIPLE_ROCKER, 0.5), GrashofType::TripleRocker);
 }
 
 #[test]
@@ -55,16 +57,16 @@ fn order_and_circuits_of_a_crank_rocker() {
     let angles = [0.2, 1.1, 2.5, 3.9, 5.5];
     let four_bar = four_bar(CRANK_ROCKER);
     for side in [1.0, -1.0] {
-        let mut own = poses(CRANK_ROCKER, &angles, side);
-        let passage = four_bar.passage(&own);
+        let mut passed = poses(CRANK_ROCKER, &angles, side);
+        let passage = four_bar.passage(&passed);
         assert!(passage.one_circuit() && passage.one_branch(0) && passage.in_order);
         // The rocker turns back twice.
         assert!(!passage.one_branch(1));
-        own.reverse();
-        own.rotate_left(2);
-        assert!(four_bar.passage(&own).in_order);
-        own.swap(0, 1);
-        assert!(!four_bar.passage(&own).in_order);
+        passed.reverse();
+        passed.rotate_left(2);
+        assert!(four_bar.passage(&passed).in_order);
+        passed.swap(0, 1);
+        assert!(!four_bar.passage(&passed).in_order);
     }
     let mut both = poses(CRANK_ROCKER, &angles, 1.0);
     both[2] = poses(CRANK_ROCKER, &angles[2..3], -1.0)[0];
@@ -91,7 +93,8 @@ fn order_of_chains_whose_links_rock() {
         all.swap(1, 4);
         assert!(!four_bar.passage(&all).in_order);
     }
-    // The other side of the frame is another circuit of a double rocker, and the same one of a triple rocker.
+    // The other side of the frame is another circuit of a double rocker, and the same one of a
+    // triple rocker.
     let both = |lengths: [f64; 4], angle: f64| {
         let mut all = poses(lengths, &[angle], 1.0);
         all.extend(poses(lengths, &[-angle], 1.0));

@@ -45,15 +45,15 @@ fn same_angle(a: f64, b: f64) -> bool {
 }
 
 fn is_among(known: &FunctionFourBar, found: &Functions) -> bool {
-    found.four_bars.iter().any(|own| {
+    found.four_bars.iter().any(|four_bar| {
         let lengths = [
-            own.crank - known.crank,
-            own.coupler - known.coupler,
-            own.rocker - known.rocker,
+            four_bar.crank - known.crank,
+            four_bar.coupler - known.coupler,
+            four_bar.rocker - known.rocker,
         ];
         lengths.iter().all(|difference| difference.abs() < 1e-6)
-            && same_angle(own.input_start, known.input_start)
-            && same_angle(own.output_start, known.output_start)
+            && same_angle(four_bar.input_start, known.input_start)
+            && same_angle(four_bar.output_start, known.output_start)
     })
 }
 
@@ -95,8 +95,8 @@ fn four_pairs_with_one_start_given() {
     for _ in 0..60 {
         let (known, pairs) = planted::<4>(&mut random);
         for start in [
-            Start::Input(known.input_start),
-            Start::Output(known.output_start),
+            GivenStart::Input(known.input_start),
+            GivenStart::Output(known.output_start),
         ] {
             let found = Functions::of_four(&pairs, start).unwrap();
             assert!(found.certified && found.four_bars.len() + found.complex == 2);
@@ -137,7 +137,7 @@ fn pairs_that_depend_on_each_other_are_refused() {
     let refused = Functions::of_five(&alike).unwrap_err();
     assert!(matches!(refused, Unsolved::Dependent { .. }), "{refused}");
     let [a, b, c, d, _] = alike;
-    let refused = Functions::of_four(&[a, b, a, d], Start::Input(0.0)).unwrap_err();
+    let refused = Functions::of_four(&[a, b, a, d], GivenStart::Input(0.0)).unwrap_err();
     assert_eq!(refused, Unsolved::Equal { indices: [0, 2] });
     let far = Pair::new(f64::INFINITY, 0.0);
     let refused = Functions::of_three(&[a, far, c], 0.0, 0.0).unwrap_err();

@@ -1,14 +1,17 @@
-//! Discs hold what they must, double-double numbers have their digits, certificates fail where there is no solution.
+//! Discs hold what they must, double-double numbers have their digits, certificates fail where
+//! there is no solution.
 
-use super::super::ball::{Ball, Bound, Real};
+use super::super::ball::{Ball, Bound};
 use super::super::certificate::{self, Evaluated, Point, System};
-use super::super::complex::{Complex, Ring};
-use super::super::double::Double;
 use super::super::long::Long;
 use super::super::polynomial::roots;
+use super::super::real::Real;
+use linkage_core::numeric::complex::{Complex, Ring};
+use linkage_core::numeric::double_double::DoubleDouble;
 use linkage_random::Random;
 
-/// Whole numbers as large as plain numbers hold them exactly when multiplied: rounding is known then.
+/// Whole numbers as large as plain numbers hold them exactly when multiplied: rounding is known
+/// then.
 fn whole(random: &mut Random) -> f64 {
     random.between(-1e9, 1e9).round()
 }
@@ -18,7 +21,10 @@ fn double_double_products_are_exact_to_their_digits() {
     let mut random = Random::new(8);
     for _ in 0..1000 {
         let [a, b, c, d] = [(); 4].map(|()| whole(&mut random));
-        let (left, right) = (Double::from(a) * b.into(), Double::from(c) * d.into());
+        let (left, right) = (
+            DoubleDouble::from(a) * b.into(),
+            DoubleDouble::from(c) * d.into(),
+        );
         let sum = left + right;
         let known = a as i128 * b as i128 + c as i128 * d as i128;
         assert_eq!(sum.high as i128 + sum.low as i128, known);
@@ -29,14 +35,14 @@ fn double_double_products_are_exact_to_their_digits() {
         );
     }
     // Factors with two parts, in either order.
-    let wide = Double::difference(2f64.powi(60), -1.0);
-    for product in [wide * 3.0.into(), Double::from(3.0) * wide] {
+    let wide = DoubleDouble::difference(2f64.powi(60), -1.0);
+    for product in [wide * 3.0.into(), DoubleDouble::from(3.0) * wide] {
         assert_eq!(
             product.high as i128 + product.low as i128,
             3 * ((1 << 60) + 1)
         );
     }
-    let difference = Double::difference(1.0, 1e-30);
+    let difference = DoubleDouble::difference(1.0, 1e-30);
     assert_eq!([difference.high, difference.low], [1.0, -1e-30]);
 }
 
@@ -44,7 +50,7 @@ fn double_double_products_are_exact_to_their_digits() {
 fn long(random: &mut Random) -> Long {
     let mut size = 1.0;
     let parts = (0..5).map(|_| {
-        let part = Long::of(random.between(-1.0, 1.0) * size);
+        let part = Long::exact(random.between(-1.0, 1.0) * size);
         size *= 2f64.powi(-54);
         part
     });
@@ -54,7 +60,7 @@ fn long(random: &mut Random) -> Long {
 /// An error as a part of the larger of two numbers, in units of 2^-253.
 fn units(error: Long, of: Long) -> f64 {
     let up = 2f64.powi(126);
-    (error * Long::of(up) * Long::of(up)).narrow().abs() * 2.0 / of.narrow().abs()
+    (error * Long::exact(up) * Long::exact(up)).narrow().abs() * 2.0 / of.narrow().abs()
 }
 
 fn larger(a: Long, b: Long) -> Long {
@@ -71,11 +77,11 @@ fn long_numbers_are_exact_to_their_digits() {
     for _ in 0..1000 {
         let [a, b, c, d] = [(); 4].map(|()| whole(&mut random));
         let known = a as i128 * b as i128 + c as i128 * d as i128;
-        let sum = Long::of(a) * Long::of(b) + Long::of(c) * Long::of(d);
-        let rest = sum - Long::of(known as f64);
+        let sum = Long::exact(a) * Long::exact(b) + Long::exact(c) * Long::exact(d);
+        let rest = sum - Long::exact(known as f64);
         assert_eq!(rest.narrow() as i128 + known as f64 as i128, known);
         // Sums of numbers far apart are exact, too, as long as their bits have place.
-        let (small, large) = (Long::of(a * 2f64.powi(-170)), Long::of(b));
+        let (small, large) = (Long::exact(a * 2f64.powi(-170)), Long::exact(b));
         assert_eq!((large + small - large).narrow(), a * 2f64.powi(-170));
         assert_eq!((small - large + large).narrow(), a * 2f64.powi(-170));
         assert_eq!(small - small, Long::ZERO);
@@ -85,23 +91,23 @@ fn long_numbers_are_exact_to_their_digits() {
         assert!(units((a + b) - b - a, larger(a, b)) < 8.0);
         let terms = larger(a * c, b * c);
         assert!(units((a + b) * c - (a * c + b * c), terms) < 8.0);
-        assert!(units(a * a.inverse() - Long::of(1.0), Long::of(1.0)) < 16.0);
+        assert!(units(a * a.inverse() - Long::exact(1.0), Long::exact(1.0)) < 16.0);
     }
     // Less and more than plain numbers with all their digits hold.
     for number in [5e-324, 3e-310, f64::MIN_POSITIVE, 1e-300, f64::MAX, -0.0] {
-        assert_eq!(Long::of(number).narrow(), number);
-        assert_eq!(Long::of(-number).narrow(), -number);
-        assert!(Long::of(number).bound() >= number);
+        assert_eq!(Long::exact(number).narrow(), number);
+        assert_eq!(Long::exact(-number).narrow(), -number);
+        assert!(Long::exact(number).bound() >= number);
     }
-    let tiny = Long::of(1e-200) * Long::of(1e-200);
+    let tiny = Long::exact(1e-200) * Long::exact(1e-200);
     assert_eq!((tiny.narrow(), tiny == Long::ZERO), (0.0, false));
     assert!(tiny.bound() > 0.0);
     assert_eq!(
-        (Long::of(1e200) * Long::of(-1e200)).narrow(),
+        (Long::exact(1e200) * Long::exact(-1e200)).narrow(),
         f64::NEG_INFINITY
     );
-    // A product of Double's digits.
-    let wide = Double::difference(1.0, 1e-25);
+    // A product of DoubleDouble's digits.
+    let wide = DoubleDouble::difference(1.0, 1e-25);
     let square = wide * wide;
     let rest = Long::from(wide) * Long::from(wide) - Long::from(square);
     assert!(rest.narrow().abs() < 1e-31, "{rest:?}");
@@ -124,7 +130,7 @@ fn discs_hold_the_exact_value() {
         let exact = polynomial(numbers.map(Complex::wide));
         let disc = polynomial(numbers.map(Ball::exact));
         let way = (exact - disc.middle.wide()).narrow().size();
-        let bound = polynomial(numbers.map(|number| Bound::of(number.wide())));
+        let bound = polynomial(numbers.map(|number| Bound::from_wide(number.wide())));
         assert!(exact.narrow().size() <= bound.0);
         assert!(
             way <= disc.radius && disc.radius < 1e-14 * bound.0,
@@ -157,7 +163,7 @@ struct Roots(f64);
 
 impl System<2> for Roots {
     fn values(&self, point: &Point<2>) -> [Ball; 2] {
-        let discs = point.map(Ball::of);
+        let discs = point.map(Ball::from_wide);
         discs.map(|x| x * x - Ball::exact(Complex::new(self.0, 0.0)))
     }
 
@@ -213,7 +219,7 @@ impl System<1> for Close {
     }
 
     fn values(&self, point: &Point<1>) -> [Ball; 1] {
-        self.evaluated(&point.map(Ball::of)).0
+        self.evaluated(&point.map(Ball::from_wide)).0
     }
 
     fn matrix(&self, discs: &[Ball; 1]) -> [[Ball; 1]; 1] {
@@ -230,7 +236,7 @@ fn certificates_of_more_digits_tell_solutions_that_are_next_to_each_other() {
     let third = 1.0 / 3.0;
     let shown = |c: f64, re: f64, im: f64| {
         // Next to the solution, as far as 32 digits say.
-        let third = Double::difference(third, third.mul_add(3.0, -1.0) / 3.0);
+        let third = DoubleDouble::difference(third, third.mul_add(3.0, -1.0) / 3.0);
         let near = Complex::new(third + re.into(), im.into());
         assert!(certificate::certify(&[near], &Close(c)).is_none());
         let start = Complex::new(third.high + 1.3 * re, 1.3 * im);
@@ -241,7 +247,7 @@ fn certificates_of_more_digits_tell_solutions_that_are_next_to_each_other() {
     for (one, root) in [(first, 1e-15), (second, -1e-15)] {
         assert_eq!(one.real, Some(true));
         let [disc] = one.discs;
-        let known = Double::difference(third, third.mul_add(3.0, -1.0) / 3.0) + root.into();
+        let known = DoubleDouble::difference(third, third.mul_add(3.0, -1.0) / 3.0) + root.into();
         let way = (known - disc.middle.re.into()).high.abs();
         assert!(
             way <= disc.radius + 1e-30 && disc.radius < 1e-16,
@@ -278,7 +284,7 @@ fn roots_of_polynomials() {
     for root in known {
         let nearest = found
             .iter()
-            .map(|own| (*own - root).size())
+            .map(|other| (*other - root).size())
             .fold(f64::INFINITY, f64::min);
         assert!(nearest < 1e-12 * root.size().max(1.0), "{nearest}");
     }

@@ -1,4 +1,4 @@
-//! What is returned closes, also where conditions nearly depend on each other; what does not is counted.
+//! Results close, also where conditions nearly depend on each other; failures are counted.
 
 use super::super::*;
 use super::{coupler_at, point, spread};
@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use core::f64::consts::PI;
 use linkage_random::Random;
 
-/// How many random problems are looked at: so many, or with `LINKAGE_LONG` 10,000.
+/// Returns the number of random problems: so many, or with `LINKAGE_LONG` 10,000.
 fn count(few: usize) -> usize {
     match std::env::var_os("LINKAGE_LONG") {
         Some(_) => 10_000,
@@ -14,7 +14,8 @@ fn count(few: usize) -> usize {
     }
 }
 
-/// Pairs so near to each other that rounding decides: a closed form leaves nothing of the equations.
+/// Pairs so near to each other that rounding decides: a closed form leaves nothing of the
+/// equations.
 #[test]
 fn pairs_close_also_where_they_nearly_depend_on_each_other() {
     let mut random = Random::new(11);
@@ -29,7 +30,7 @@ fn pairs_close_also_where_they_nearly_depend_on_each_other() {
         });
         let [a, b, c, _] = pairs;
         let start = random.between(-PI, PI);
-        let of_four = [Start::Input(start), Start::Output(start)];
+        let of_four = [GivenStart::Input(start), GivenStart::Output(start)];
         let of_four = of_four.map(|start| Functions::of_four(&pairs, start));
         let of_three = Functions::of_three(&[a, b, c], start, random.between(-PI, PI));
         let all = of_four.into_iter().chain([of_three]);
@@ -37,15 +38,22 @@ fn pairs_close_also_where_they_nearly_depend_on_each_other() {
             left_out += found.undecided;
             returned += found.four_bars.len();
             assert!(found.undecided == 0 || !found.certified);
-            for own in &found.four_bars {
-                let size = own.crank.max(own.coupler).max(own.rocker).max(1.0);
+            for four_bar in &found.four_bars {
+                let size = four_bar
+                    .crank
+                    .max(four_bar.coupler)
+                    .max(four_bar.rocker)
+                    .max(1.0);
                 for pair in &pairs[..3] {
                     // The distance of both pins, as it is written by hand.
-                    let (i, o) = (own.input_start + pair.input, own.output_start + pair.output);
-                    let x = 1.0 + own.rocker * o.cos() - own.crank * i.cos();
-                    let y = own.rocker * o.sin() - own.crank * i.sin();
-                    let error = x.hypot(y) - own.coupler;
-                    assert!(error.abs() <= 2e-9 * size, "{error:e} {own:?}");
+                    let (i, o) = (
+                        four_bar.input_start + pair.input,
+                        four_bar.output_start + pair.output,
+                    );
+                    let x = 1.0 + four_bar.rocker * o.cos() - four_bar.crank * i.cos();
+                    let y = four_bar.rocker * o.sin() - four_bar.crank * i.sin();
+                    let error = x.hypot(y) - four_bar.coupler;
+                    assert!(error.abs() <= 2e-9 * size, "{error:e} {four_bar:?}");
                 }
             }
         }
@@ -70,30 +78,30 @@ fn links_keep_their_lengths_in_all_poses() {
         let [a, b, c, d, _] = poses;
         let mut found: Vec<(Pivots, usize)> = Vec::new();
         let three = [a, b, c];
-        found.extend(Pivots::with_fixed(&three, point(&mut random)).map(|own| (own, 3)));
-        found.extend(Pivots::with_moving(&three, point(&mut random)).map(|own| (own, 3)));
+        found.extend(Pivots::with_fixed(&three, point(&mut random)).map(|pivots| (pivots, 3)));
+        found.extend(Pivots::with_moving(&three, point(&mut random)).map(|pivots| (pivots, 3)));
         if let Ok(curve) = CentreCurve::of_poses(&[a, b, c, d]) {
             let on_line = curve.on_line(point(&mut random), random.between(0.0, PI));
             let all = curve.points(12).into_iter().chain(on_line);
-            found.extend(all.map(|own| (own.pivots, 4)));
+            found.extend(all.map(|pivots| (pivots.pivots, 4)));
         }
         if let Ok(dyads) = Dyads::of_poses(&poses) {
-            found.extend(dyads.links().map(|own| (own, 5)));
+            found.extend(dyads.links().map(|pivots| (pivots, 5)));
         }
         links += found.len();
-        for (own, count) in found {
-            let lengths = poses[..count].iter().map(|pose| own.length(pose));
-            let [x, y] = own.fixed;
-            let [u, v] = own.moving;
-            let far = own
+        for (pivots, count) in found {
+            let lengths = poses[..count].iter().map(|pose| pivots.length(pose));
+            let [x, y] = pivots.fixed;
+            let [u, v] = pivots.moving;
+            let far = pivots
                 .length(&a)
                 .max(x.abs())
                 .max(y.abs())
                 .max(u.abs())
                 .max(v.abs());
             let size = far.max(1.0);
-            let off = spread(lengths) * own.length(&a);
-            assert!(off <= 1e-8 * size, "{off:e} {own:?}");
+            let off = spread(lengths) * pivots.length(&a);
+            assert!(off <= 1e-8 * size, "{off:e} {pivots:?}");
         }
     }
     assert!(links > 300, "{links}");

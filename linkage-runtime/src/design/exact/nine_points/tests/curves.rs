@@ -5,7 +5,7 @@ use super::super::{TRIPLES, nine_points_reporting};
 use core::f64::consts::TAU;
 use std::string::ToString;
 
-/// What is said before the first path is followed.
+/// Returns the refusal before the first path is followed.
 fn refused(points: [[f64; 2]; 9]) -> Unsolved {
     nine_points_reporting(&points, |_| false).expect_err("it is refused or stopped")
 }
@@ -15,7 +15,8 @@ const SEARCHED: Unsolved = Unsolved::Stopped {
     count: TRIPLES,
 };
 
-/// Points of a circle about (300, -40), in no order, over a part of the turn, with some of them moved away from the centre.
+/// Points of a circle about (300, -40), in no order, over a part of the turn, with some of them
+/// moved away from the centre.
 fn on_circle(radius: f64, turn: f64, moved: [f64; 9]) -> [[f64; 2]; 9] {
     core::array::from_fn(|i| {
         let place = (4 * i % 9) as f64 + 0.3 * (i as f64 * 1.7).sin();
@@ -78,7 +79,7 @@ fn points_on_a_line_are_refused() {
     for (way, count) in [(0.0, 9), (4.0, 7)] {
         let found = refused(line(way));
         assert!(
-            matches!(found, Unsolved::OnLine { count: own, off } if own == count && off < 1e-9),
+            matches!(found, Unsolved::OnLine { count: counted, off } if counted == count && off < 1e-9),
             "{found}"
         );
     }
@@ -87,7 +88,7 @@ fn points_on_a_line_are_refused() {
 #[test]
 fn the_message_says_what_to_do() {
     let square = |x: f64, y: f64| [[x, y], [-x, y], [x, -y], [-x, -y]];
-    let [a, b] = [square(3.0, 4.0), square(4.0, 3.0)].map(|own| own.to_vec());
+    let [a, b] = [square(3.0, 4.0), square(4.0, 3.0)].map(|corners| corners.to_vec());
     let mut points = [a, b].concat();
     points.push([5.0, 0.0]);
     let points = points.try_into().expect("nine points");

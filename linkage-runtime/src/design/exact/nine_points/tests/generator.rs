@@ -1,19 +1,21 @@
-//! Makes the file of the stored solutions: `UPDATE=1 cargo test --release -p linkage-runtime --lib stored_solutions`.
+//! Makes the file of the stored solutions:
+//! `UPDATE=1 cargo test --release -p linkage-runtime --lib stored_solutions`.
 //!
-//! A random complex four-bar passes complex points that belong to random turns of its coupler: one solution of one problem.
-//! Followed around random loops in the space of points it comes back as others (monodromy), which do so in turn, until
-//! several loops bring nothing new. That these are all solutions is no proof, but they are as many as the literature has.
-//! The points are then changed into those that are stored.
+//! A random complex four-bar passes complex points that belong to random turns of its coupler: one
+//! solution of one problem. Followed around random loops in the space of points it comes back as
+//! others (monodromy), which do so in turn, until several loops bring nothing new. That these are
+//! all solutions is no proof, but they are as many as the literature has. The points are then
+//! changed into those that are stored.
 
-use super::super::super::complex::{Complex, ZERO};
 use super::super::super::path::Pace;
 use super::super::cognates::Mark;
 use super::super::equations::{Shifts, Unknowns};
-use super::super::path::Way;
-use super::super::search::{Certificate, Data, Search};
-use super::super::{TRIPLES, starts};
+use super::super::path::ParameterPath;
+use super::super::search::{Certificate, Data, SolutionSearch};
+use super::super::{TRIPLES, stored_solutions};
 use crate::design::parallel::in_parallel;
 use alloc::vec::Vec;
+use linkage_core::numeric::complex::{Complex, ZERO};
 use linkage_random::Random;
 use std::println;
 
@@ -41,7 +43,8 @@ fn start(random: &mut Random) -> (Unknowns<Complex>, Shifts<Complex>) {
         let t = unit(random).scaled(random.between(0.7, 1.3));
         let u = t.inverse();
         [unknowns[8 + 2 * j], unknowns[9 + 2 * j]] = [t, u];
-        // The link from a to the coupler is v, that from b is v + w: v v^ and (v + w)(v^ + w^) are given.
+        // The link from a to the coupler is v, that from b is v + w: v v^ and (v + w)(v^ + w^) are
+        // given.
         let (w, w_hat) = (t * (y - x) - (b - a), u * (y_hat - x_hat) - (b_hat - a_hat));
         let rest = second - first - w * w_hat;
         let root = (rest * rest - (w * w_hat * first).scaled(4.0)).root();
@@ -71,7 +74,7 @@ fn followed(
     starts: &[Unknowns<Complex>],
 ) -> Vec<Unknowns<Complex>> {
     let data = data(to);
-    let way = Way { from, to, arc };
+    let way = ParameterPath { from, to, arc };
     let ends = in_parallel(starts, |start| {
         let attempts = (0..2).map(Pace::of_attempt);
         attempts
@@ -89,7 +92,7 @@ fn monodromy(random: &mut Random) -> (Shifts<Complex>, Vec<Unknowns<Complex>>) {
     let (first, there) = start(random);
     let base = points(random);
     let shown = data(&base);
-    let mut search = Search::default();
+    let mut search = SolutionSearch::default();
     for end in followed(&there, &base, unit(random), &[first]) {
         shown.shown(&end).map(|end| search.place(end));
     }
@@ -130,9 +133,9 @@ fn monodromy(random: &mut Random) -> (Shifts<Complex>, Vec<Unknowns<Complex>>) {
 fn solutions(seed: u64) -> Vec<Certificate> {
     let mut random = Random::new(seed);
     let (base, known) = monodromy(&mut random);
-    let stored = starts::shifts();
+    let stored = stored_solutions::shifts();
     let shown = data(&stored);
-    let mut search = Search::default();
+    let mut search = SolutionSearch::default();
     for _ in 0..4 {
         for end in followed(&base, &stored, unit(&mut random), &known) {
             shown.shown(&end).map(|end| search.place(end));
@@ -158,8 +161,8 @@ fn encoded(certificates: &[Certificate]) -> Vec<u8> {
     };
     let complex =
         of(false).filter_map(|certificate| Some((certificate, Mark::new(&certificate.discs)?)));
-    // Some complex triples are their own conjugates, each cognate that of another one.
-    let (own, pairs): (Vec<_>, Vec<_>) =
+    // Some complex triples are their self_conjugate conjugates, each cognate that of another one.
+    let (self_conjugate, pairs): (Vec<_>, Vec<_>) =
         complex.partition(|(_, mark)| !mark.mirrored().is_apart_from(mark));
     let first = pairs.iter().enumerate().filter(|(i, (_, mark))| {
         let mirrored = mark.mirrored();
@@ -170,7 +173,7 @@ fn encoded(certificates: &[Certificate]) -> Vec<u8> {
     let first = first.map(|(_, pair)| pair);
 
     let mut bytes = Vec::new();
-    for count in [of(true).count(), own.len()] {
+    for count in [of(true).count(), self_conjugate.len()] {
         let count = u32::try_from(count).expect("fewer than 1442");
         bytes.extend(count.to_le_bytes());
     }
@@ -184,7 +187,7 @@ fn encoded(certificates: &[Certificate]) -> Vec<u8> {
             .into_iter()
             .for_each(|i| put(real.discs[i].middle));
     }
-    for (certificate, _) in own.iter().chain(first) {
+    for (certificate, _) in self_conjugate.iter().chain(first) {
         certificate.discs[..8]
             .iter()
             .for_each(|disc| put(disc.middle));
@@ -208,6 +211,6 @@ fn stored_solutions() {
     let found = solutions(SEED);
     assert_eq!(found.len(), TRIPLES, "try another seed");
     let bytes = encoded(&found);
-    assert_eq!(starts::decoded(&bytes).len(), TRIPLES);
+    assert_eq!(stored_solutions::decoded(&bytes).len(), TRIPLES);
     std::fs::write(FILE, &bytes).expect("the file can be written");
 }

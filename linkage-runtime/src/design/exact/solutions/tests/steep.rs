@@ -5,9 +5,10 @@ use super::super::number::Number;
 use super::super::trace::Trace;
 use super::super::*;
 
-/// `y = 1` and `y^12 - x^11 = 3`. With the second one held, `y` is as the 11/12th power of `x` far away: a point of the curve along
-/// the first one is as far away as the 12th power of a coefficient of the form says, where no loop leads to, and goes to
-/// infinity as the 12th power of what is left of the form.
+/// `y = 1` and `y^12 - x^11 = 3`. With the second one held, `y` is as the 11/12th power of `x` far
+/// away. A point of the curve along the first one is as far away as the 12th power of a coefficient
+/// of the form, where no loop leads to, and goes to infinity as the 12th power of the rest of the
+/// form.
 struct Steep;
 
 impl Equations<2> for Steep {
