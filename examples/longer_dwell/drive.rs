@@ -2,7 +2,7 @@
 
 use linkage::design::{BestCycle, Curve, CycleDesign, Dwell, Figure, Stroke};
 use linkage::mechanism;
-use linkage::summary::Curve;
+use linkage::summary;
 use std::error::Error;
 use std::f64::consts::TAU;
 
@@ -67,8 +67,8 @@ pub(crate) fn way() -> Curve<'static, EyeNeedleAssembly, N> {
 
 pub(crate) fn course(
     drive: &EyeNeedleAssembly,
-) -> Result<Curve<3, impl Fn(f64) -> [f64; 3]>, Box<dyn Error>> {
-    Ok(Curve::new((0.0, TAU), 361, move |phi| jet(drive, phi))?)
+) -> Result<summary::Curve<3, impl Fn(f64) -> [f64; 3]>, Box<dyn Error>> {
+    Ok(summary::Curve::new((0.0, TAU), 361, move |phi| jet(drive, phi))?)
 }
 
 /// The stroke of the published drive.
