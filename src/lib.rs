@@ -8,7 +8,8 @@
 pub use linkage_runtime::Dual;
 #[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
 pub use linkage_runtime::Lanes;
-/// The library whose vectors and poses results are: what else it offers for them, in the version that fits.
+/// The library whose vectors and poses results are, for everything else that it offers for them,
+/// in the version that fits.
 pub use linkage_runtime::nalgebra;
 pub use linkage_runtime::{
     AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, Frame, FunctionInfo,
@@ -31,11 +32,11 @@ pub use linkage_runtime::{Enclosure, Float};
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 pub use linkage_runtime::{Handle, Handles, Scene};
 
-/// Compiles a mechanism of the plane or of space: a struct block with dimensions, inputs, unknowns and loops, then an
-/// `impl` block with functions, listed by the quantities that they give.
+/// Compiles a mechanism of the plane or of space: a struct block with dimensions, inputs, unknowns
+/// and loops, then an `impl` block with functions, listed by the quantities that they give.
 ///
 /// It generates the struct of dimensions, its assembly, the functions on the assembly, and a result
-/// type for each of them, all beside each other in the module of the call. Mistakes are errors of
+/// type for each of them, all next to each other in the module of the call. Mistakes are errors of
 /// the compiler at the words at fault; the items are then generated without content, so that
 /// the rest of the program is still checked. The page [`language`] is the complete reference.
 ///
@@ -68,10 +69,11 @@ macro_rules! mechanism {
     };
 }
 
-// Links between pages lead to files where the repository is read: each page ends with them. Here `links.md` stands before a page, and of
-// two definitions the first one counts. It begins with blank lines, which end the paragraph before it.
+// Links between pages lead to files if the repository is read: each page ends with them. Here
+// `links.md` comes before a page, and of two definitions the first one counts. It begins with blank
+// lines, which end the paragraph before it.
 
-/// From a sketch to loops: a tutorial that ends with the take-up lever of a sewing machine.
+/// A tutorial from a sketch to loops that ends with the take-up lever of a sewing machine.
 ///
 /// Its pictures are seen where the repository's `docs/tutorial.md` is read.
 pub mod tutorial {
@@ -87,12 +89,13 @@ pub mod cookbook {
     #![doc = include_str!("../docs/cookbook.md")]
 }
 
-/// The language of [`mechanism!`], and what it generates: the complete reference.
+/// The language of [`mechanism!`], and the items that it generates: the complete reference.
 pub mod language {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/language.md")]
 
-    /// Items of the struct block: units, parameters with tolerances, inputs, unknowns, derived names, loops.
+    /// Items of the struct block: units, parameters with tolerances, inputs, unknowns, derived
+    /// names, loops.
     pub mod items {
         #![doc = include_str!("links.md")]
         #![doc = include_str!("../docs/language/items.md")]
@@ -112,19 +115,22 @@ pub mod language {
         #![doc = include_str!("../docs/language/loops.md")]
     }
 
-    /// Coupled groups: loops that can only be solved together, class III and more; their preparation and their ranges.
+    /// Coupled groups: loops that can only be solved together, class III and more; their
+    /// preparation and their ranges.
     pub mod coupled {
         #![doc = include_str!("links.md")]
         #![doc = include_str!("../docs/language/coupled.md")]
     }
 
-    /// Functions of the impl block: quantities: positions, derivatives, sensitivities, several inputs.
+    /// Functions of the impl block: quantities: positions, derivatives, sensitivities, several
+    /// inputs.
     pub mod functions {
         #![doc = include_str!("links.md")]
         #![doc = include_str!("../docs/language/functions.md")]
     }
 
-    /// Forces: bodies, joints, loads, speeds; reactions, torques, energies; units of force, mass and time.
+    /// Forces: bodies, joints, loads, speeds; reactions, torques, energies; units of force, mass
+    /// and time.
     ///
     /// Its pictures are in the repository's `docs/language/forces.md`.
     pub mod forces {
@@ -146,13 +152,15 @@ pub mod language {
         #![doc = include_str!("../docs/language/generated.md")]
     }
 
-    /// Machines: mechanisms as parts of others; the inverse of a mechanism; a `Scene` of functions of several linkages.
+    /// Machines: mechanisms as parts of others; the inverse of a mechanism; a `Scene` of functions
+    /// of several linkages.
     pub mod machines {
         #![doc = include_str!("links.md")]
         #![doc = include_str!("../docs/language/machines.md")]
     }
 
-    /// Assemblies: assembly modes, circuits, angles that count their turns, errors at run time, margins.
+    /// Assemblies: assembly modes, circuits, angles that count their turns, errors at run time,
+    /// margins.
     pub mod assemblies {
         #![doc = include_str!("links.md")]
         #![doc = include_str!("../docs/language/assemblies.md")]
@@ -194,7 +202,8 @@ pub mod tolerance {
 /// Design: from requirements to dimensions, by least squares from many starts.
 #[cfg(feature = "design")]
 pub mod design {
-    // Only here: without this feature there is nothing to link to. A blank line ends the paragraph before it.
+    // Only here: without this feature there is nothing to link to. A blank line ends the paragraph
+    // before it.
     #![doc = "\n[exact]: crate::design::exact"]
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/design.md")]
@@ -258,7 +267,8 @@ pub mod summary {
     pub use linkage_runtime::summary::*;
 }
 
-/// Clearances: the least distance of two working members over a cycle, and the phase that makes it largest.
+/// Clearances: the least distance of two working members over a cycle, and the phase that makes it
+/// largest.
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod clearance {
     #![doc = include_str!("links.md")]
@@ -286,7 +296,8 @@ struct Readme;
 #[doc = include_str!("../docs/overview.md")]
 struct Overview;
 
-/// The items that generated code names. Some have other names in the runtime, which users never see.
+/// The items that generated code names. Some have other names in the runtime, which users never
+/// see.
 #[doc(hidden)]
 pub mod __private {
     pub use linkage_macros::mechanism;

@@ -1,12 +1,13 @@
-//! The compiler behind `linkage::mechanism!`: tokens in, tokens out.
+//! The compiler of `linkage::mechanism!`: tokens in, tokens out.
 //!
-//! The phases, each in a folder of its own: `syntax` parses, `model` resolves names and checks dimensions, `structure`
-//! finds the Assur groups, `solve` expresses every unknown, `lower` makes programs of expressions, `assembly` runs them to check
-//! assembly and range, `outputs` puts the programs of all functions into one [`mod@ir`], `emit` prints that. `algebra` is what the
-//! middle phases share; `forces` and `picture` make expressions of what functions ask for.
+//! The phases, each in a separate folder: `syntax` parses, `model` resolves names and checks
+//! dimensions, `structure` finds the Assur groups, `solve` expresses every unknown, `lower` makes
+//! programs of expressions, `assembly` runs them to check assembly and range, `outputs` puts the
+//! programs of all functions into one [`mod@ir`], `emit` prints that. `algebra` is shared by the
+//! middle phases; `forces` and `picture` make expressions of the quantities that functions ask for.
 //!
-//! [`compile`] is the macro. Without Rust at the end, [`check`] gives a mechanism's programs, or messages with their places; [`check_all`] gives those of all
-//! mechanisms of a text:
+//! [`compile`] is the macro. Without Rust at the end, [`check`] gives a mechanism's programs, or
+//! messages with their places; [`check_all`] gives those of all mechanisms of a text:
 //!
 //! ```
 //! use linkage_compiler::check;
@@ -88,9 +89,10 @@ pub use driver::Checked;
 pub use linkage_core::range_check::length_as_written;
 pub use oracle::Oracle;
 
-/// Compiles the macro's input: the path of the facade in brackets, then one or several mechanisms. Mistakes become `compile_error!`s
-/// beside a skeleton of the generated items. A mechanism that is drawn gets its programs as a text, too, which `printed` makes of its name and its unit:
-/// reports compute with it.
+/// Compiles the macro's input: the path of the facade in brackets, then one or several mechanisms.
+/// Mistakes become `compile_error!`s next to a skeleton of the generated items. A mechanism that is
+/// drawn gets its programs as a text, too, which `printed` makes of its name and its unit: reports
+/// compute with it.
 pub fn compile(
     input: TokenStream,
     printed: impl Fn(&str, &CompiledMechanism) -> String,
@@ -99,13 +101,15 @@ pub fn compile(
     Driver::run(body, &mut ()).emitted(&krate, &printed)
 }
 
-/// Analyses a mechanism, the macro's input without the path of the facade. Of several it answers for the last, which may have the others as
-/// parts, with the messages of all; [`check_all`] answers for each.
+/// Analyses a mechanism, the macro's input without the path of the facade. With several mechanisms
+/// it returns the last, which may have the others as parts, with the messages of all; [`check_all`]
+/// returns each.
 pub fn check(body: TokenStream) -> Checked {
     Driver::run(body, &mut ()).last()
 }
 
-/// Analyses all mechanisms of a call, in the order in which they are written; at least one is answered for.
+/// Analyses all mechanisms of a call, in the order in which they are written; the result has at
+/// least one.
 ///
 /// ```
 /// use linkage_compiler::check_all;
@@ -128,8 +132,8 @@ pub fn check_all(body: TokenStream) -> Vec<Checked> {
     Driver::run(body, &mut ()).checked()
 }
 
-/// Reads a value that is given apart from a mechanism, as on a command line: that of a parameter of this name, with its
-/// tolerance, where lengths are in this unit. The unit has one parameter.
+/// Reads a value that is given apart from a mechanism, as on a command line: that of a parameter of
+/// this name, with its tolerance, where lengths are in this unit. The unit has one parameter.
 ///
 /// ```
 /// let value = "40mm +- 0.1mm".parse().expect("tokens");

@@ -1,4 +1,4 @@
-//! Who looks at what the middle phases hand to each other.
+//! An observer of the data that the middle phases hand to each other.
 
 use linkage_symbolic::program::Program;
 
@@ -6,12 +6,12 @@ use crate::algebra::{Algebra, Nominal};
 use crate::solve::Formulation;
 use crate::structure::Structure;
 
-/// Is shown what stands between the phases. Nothing is made for it unless it asks.
+/// Receives the data between the phases. Nothing is made unless the observer requests it.
 pub(crate) trait PhaseObserver {
     /// The groups, before they are solved.
     fn structure(&mut self, _: &Algebra, _: &Structure) {}
 
-    /// Every unknown expressed, before anything is asked for.
+    /// Every unknown expressed, before any output is requested.
     fn formulated<'m>(&mut self, _: &mut Algebra<'m>, _: &Formulation<'m>, _: &Nominal) {}
 
     /// A function, by its number, as a pass left it.

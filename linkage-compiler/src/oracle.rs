@@ -1,5 +1,5 @@
-//! A mechanism's functions as they stand in the expression graph, before slicing and scheduling: what tests compare the
-//! programs with.
+//! A mechanism's functions as they are in the expression graph, before slicing and scheduling:
+//! tests compare the programs with them.
 
 use std::sync::Mutex;
 
@@ -17,7 +17,7 @@ use crate::solve::Formulation;
 /// The expression graph of a mechanism, unknowns still being symbols with definitions.
 #[derive(Debug, Default)]
 pub struct Oracle {
-    /// Behind a lock: a graph grows behind a shared reference, and tests share an oracle.
+    /// In a lock: a graph grows through a shared reference, and tests share an oracle.
     graph: Mutex<Graph>,
     functions: Vec<Vec<NodeId>>,
     /// For each angle of the graph, its start estimate.
@@ -25,15 +25,16 @@ pub struct Oracle {
 }
 
 impl Oracle {
-    /// The graph of a mechanism, beside what [`check`](crate::check) says of it. With a mistake there are no functions in it.
+    /// Returns the graph of a mechanism, and the result of [`check`](crate::check) for it. With a
+    /// mistake there are no functions in the graph.
     pub fn new(body: TokenStream) -> (Self, Checked) {
         let mut oracle = Self::default();
         let checked = Driver::run(body, &mut oracle).last();
         (oracle, checked)
     }
 
-    /// The results of a function, by its number, near the reference inputs, where angles are nearest to their estimates.
-    /// `load` supplies parameters, inputs and modes.
+    /// The results of a function, by its number, near the reference inputs, where angles are
+    /// nearest to their estimates. `load` supplies parameters, inputs and modes.
     ///
     /// # Panics
     /// If there is no such function.

@@ -1,4 +1,4 @@
-//! Every phase's result as text, for golden files and for reading what the compiler did.
+//! Every phase's result as text, for golden files and for reading the work of the compiler.
 
 use std::fmt::Write;
 
@@ -23,11 +23,12 @@ pub struct Trace {
     pub model: String,
     /// The groups and the form in which each is solved.
     pub structure: String,
-    /// What the reference position chose.
+    /// The choices made at the reference position.
     pub formulate: String,
     /// All programs.
     pub lower: String,
-    /// The functions after each pass that changed something: the number of the function, the pass, the program.
+    /// The functions after each pass that changed something: the number of the function, the pass,
+    /// the program.
     pub passes: Vec<(usize, &'static str, String)>,
     /// The generated items.
     pub emit: TokenStream,
@@ -35,7 +36,8 @@ pub struct Trace {
     pub messages: Vec<String>,
 }
 
-/// Runs all phases on a mechanism without the facade's path in front; of several, the last one's are told.
+/// Runs all phases on a mechanism without the facade's path in front; of several, it returns the
+/// results of the last.
 pub fn trace(body: TokenStream) -> Trace {
     let mut middle = Middle::default();
     let call = Driver::run(body, &mut middle);
@@ -66,11 +68,11 @@ pub fn trace(body: TokenStream) -> Trace {
     trace
 }
 
-/// What is seen between the phases.
+/// The data seen between the phases.
 #[derive(Default)]
 struct Middle {
     structure: String,
-    /// How reactions are found; nothing for a mechanism without bodies.
+    /// The way in which reactions are found; empty for a mechanism without bodies.
     forces: String,
     passes: Vec<(usize, &'static str, String)>,
 }

@@ -1,5 +1,5 @@
-//! The procedural macro behind `linkage::mechanism!`. Everything it does is in `linkage-compiler`, but for the programs
-//! of drawn mechanisms as JavaScript, which `linkage-js` prints.
+//! The procedural macro `linkage::mechanism!`. Everything it does is in `linkage-compiler`, except
+//! for the programs of drawn mechanisms as JavaScript, which `linkage-js` prints.
 
 use proc_macro::TokenStream;
 

@@ -1,4 +1,5 @@
-//! Entries of arrays by name: a pattern that takes an array apart is checked by rustc at once, an index each time.
+//! Entries of arrays by name: a pattern that takes an array apart is checked by rustc at once, an
+//! index each time.
 
 use proc_macro2::{Ident, Span};
 use quote::format_ident;

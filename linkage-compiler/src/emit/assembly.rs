@@ -1,4 +1,4 @@
-//! The assembled mechanism: its type, how it comes about, and the private functions behind that.
+//! The assembled mechanism: its type, its construction, and the private functions for that.
 
 use linkage_symbolic::program::Program;
 use proc_macro2::TokenStream;
@@ -69,7 +69,8 @@ fn structure(outline: &Outline) -> TokenStream {
     }
 }
 
-/// `mechanism()`, `modes()` and, with prepared states over several inputs, `served()`, unless the user's functions have these names.
+/// `mechanism()`, `modes()` and, with prepared states over several inputs, `served()`, unless the
+/// user's functions have these names.
 fn accessors(outline: &Outline) -> TokenStream {
     let Outline {
         runtime,

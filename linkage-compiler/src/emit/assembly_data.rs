@@ -1,6 +1,7 @@
-//! The fields of an assembly. A module may write to every field of the types that a macro makes in it, and rustc suggests them there, so they are
-//! those of the runtime's `Sealed`. A private module around the types would do the same, but within a function body it could not
-//! name the struct of dimensions, which belongs to the body.
+//! The fields of an assembly. A module may write to every field of the types that a macro makes in
+//! it, and rustc suggests them there, so the fields are those of the runtime's `Sealed`. A private
+//! module around the types would do the same, but within a function body it could not name the
+//! struct of dimensions, which belongs to the body.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -16,7 +17,8 @@ pub(super) fn field(outline: &Outline) -> TokenStream {
     quote!(__sealed: #runtime::Sealed<#core<T> #starts>,)
 }
 
-/// An assembly of `__m`, `__modes`, `__turns`, `__prepared`, and `__starts` if there are coupled groups.
+/// An assembly of `__m`, `__modes`, `__turns`, `__prepared`, and `__starts` if there are coupled
+/// groups.
 pub(super) fn made(outline: &Outline) -> TokenStream {
     let Outline { runtime, core, .. } = outline;
     let starts = match outline.starts.is_empty() {

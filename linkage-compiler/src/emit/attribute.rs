@@ -5,8 +5,9 @@ use quote::quote;
 
 use crate::syntax::Attribute;
 
-/// Lints that look at style, which generated code has none of. What users may `forbid` for good reasons
-/// (`missing_docs`, `unsafe_code`) is not in the list: an `allow` would be an error there.
+/// Allows lints about style, which generated code has none of. Lints that users may `forbid` for
+/// good reasons (`missing_docs`, `unsafe_code`) are not in the list: an `allow` would be an error
+/// there.
 pub(super) fn allow() -> TokenStream {
     quote! {
         #[allow(
@@ -28,8 +29,8 @@ pub(super) fn allow() -> TokenStream {
     }
 }
 
-/// The derives of every generated data type, without those that the user asks for anyway, and without what is written
-/// out (`ours`).
+/// The derives of every generated data type, without those that the user asks for anyway, and
+/// without those that are written out (`ours`).
 pub(super) fn derives<'a>(
     user: impl IntoIterator<Item = &'a Attribute>,
     ours: &[&str],
@@ -53,7 +54,7 @@ pub(super) fn derives<'a>(
     }
 }
 
-/// What the user derives.
+/// The derives of the user.
 pub(super) fn derived<'a>(user: impl IntoIterator<Item = &'a Attribute>) -> Vec<String> {
     let derives = user.into_iter().filter(|a| a.name == "derive");
     derives.flat_map(derived_names).collect()
@@ -85,8 +86,8 @@ pub(super) fn has(attributes: &[Attribute], name: &str) -> bool {
     attributes.iter().any(|a| a.name == name)
 }
 
-/// Where the attributes of a function go: `cfg` to every item made for it, `derive` to the result type, the others to
-/// the method.
+/// The attributes of a function by their destination: `cfg` goes to every item made for it,
+/// `derive` to the result type, the others to the method.
 pub(super) struct FunctionAttributes<'a> {
     pub everywhere: Vec<&'a TokenStream>,
     pub result: Vec<&'a Attribute>,

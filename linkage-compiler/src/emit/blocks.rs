@@ -1,5 +1,7 @@
-//! The loops of a kernel over its rows: blocks of rows, and in a block the rows that stand side by side. They name `__count` rows, the arguments `__x` from
-//! `__first` on, and for what is inside `__row`, where the block begins, `__start`, where its vector does, and `__lane`.
+//! The loops of a kernel over its rows: blocks of rows, and in a block the rows that are side by
+//! side. They name `__count` rows and the arguments `__x` from `__first` on. For the statements
+//! inside they name `__row`, at which the block begins, `__start`, at which its vector begins, and
+//! `__lane`.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -23,8 +25,8 @@ pub(super) fn over_blocks(outline: &Outline, body: &TokenStream) -> TokenStream 
     }
 }
 
-/// Runs `one` for every row of a block, and `then` behind the rows that stand side by side. Vectors are counted and not rows: so the optimiser
-/// knows that they fit.
+/// Runs `one` for every row of a block, and `then` after the rows that are side by side. The loop
+/// counts vectors and not rows, so that the optimiser knows that they fit.
 pub(super) fn over_vectors(one: &TokenStream, then: &TokenStream) -> TokenStream {
     quote! {
         let mut __vector = 0;

@@ -6,19 +6,19 @@ use quote::{ToTokens, format_ident, quote};
 
 use super::literal;
 
-/// How often a program runs.
+/// The number of times that a program runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Runs {
     /// For one position.
     Once,
     /// For one position, or where `__ROWS` says so for many side by side.
     InRows,
-    /// As `InRows`, and nothing hangs on the last bit of a sine.
+    /// Like `InRows`, and nothing depends on the last bit of a sine.
     InRowsOrAlone,
 }
 
-/// The statements of `program` over the scalar type `T`, where `__FUSED` says whether multiply-adds are fused; `load`
-/// prints where a number comes from.
+/// The statements of `program` over the scalar type `T`, where `__FUSED` says whether multiply-adds
+/// are fused; `load` prints the expression that a number is loaded from.
 pub(super) fn statements(
     program: &Program,
     runs: Runs,
@@ -59,7 +59,7 @@ pub(super) fn statements(
                 fused(operation, &name(a), &name(b), &name(c))
             }
             Instruction::SinCos(x) => sin_cos(runs, &name(x)),
-            // Its pattern stands with what computes it.
+            // Its pattern is part of the statement that computes it.
             Instruction::Second(_) => continue,
         };
         let pattern = pattern(program, value, &read);
@@ -68,13 +68,14 @@ pub(super) fn statements(
     out
 }
 
-/// Whether a value is NaN always.
+/// Returns true if a value is always NaN.
 fn is_nan(program: &Program, value: Value) -> bool {
     matches!(program.instructions[value.0], Instruction::Constant(x) if x.is_nan())
 }
 
-/// Every `let` opens a scope inside the one before, and a debug build of a few thousand nested scopes overflows the stack of
-/// the code generator. Longer programs declare their temporaries beforehand, many in one `let`.
+/// Every `let` opens a scope inside the one before, and a debug build of a few thousand nested
+/// scopes overflows the stack of the code generator. Longer programs declare their temporaries
+/// beforehand, many in one `let`.
 const LONG: usize = 1000;
 
 /// Temporaries in one declaration.
@@ -102,7 +103,7 @@ pub(super) fn name(value: Value) -> Ident {
     format_ident!("__v{}", value.0, span = Span::mixed_site())
 }
 
-/// Which values something is computed from, or are results.
+/// Marks the values that something is computed from, or that are results.
 fn read(program: &Program) -> Vec<bool> {
     let mut read = vec![false; program.instructions.len()];
     for instruction in &program.instructions {
@@ -115,7 +116,8 @@ fn read(program: &Program) -> Vec<bool> {
     read
 }
 
-/// What an instruction's result is bound to: sine and cosine come together, and what nobody reads has no name.
+/// The pattern that an instruction's result is bound to: sine and cosine come together, and a value
+/// that nothing reads has no name.
 fn pattern(program: &Program, value: Value, read: &[bool]) -> TokenStream {
     let first = name(value);
     if !matches!(program.instructions[value.0], Instruction::SinCos(_)) {

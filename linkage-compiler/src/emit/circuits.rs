@@ -1,4 +1,4 @@
-//! Which assemblies of a mechanism with one input run through its range.
+//! The assemblies of a mechanism with one input that run through its range.
 
 use linkage_core::Cycle;
 use proc_macro2::TokenStream;
@@ -112,7 +112,7 @@ fn levels(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
         }
     };
     let allow = attribute::allow();
-    // Inside the method, where nobody sees it.
+    // Inside the method, which keeps it private.
     quote! {
         struct __Levels<'a>(&'a #name<#float>);
 

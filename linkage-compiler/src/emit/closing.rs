@@ -1,4 +1,5 @@
-//! What `assemble()` is refused for: dimensions that are no numbers, groups that do not close.
+//! The reasons for which `assemble()` is refused: dimensions that are not finite numbers, groups
+//! that do not close.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -7,7 +8,7 @@ use super::literal;
 use super::outline::Outline;
 use crate::ir::CompiledMechanism;
 
-/// Whether the dimensions that the groups need are numbers.
+/// Checks that the dimensions that the groups need are finite numbers.
 pub(super) fn finite(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline { runtime, name, .. } = outline;
     let title = outline.title();
@@ -31,7 +32,7 @@ pub(super) fn finite(outline: &Outline, unit: &CompiledMechanism) -> TokenStream
     }
 }
 
-/// Whether the groups close.
+/// Checks that the groups close.
 pub(super) fn close(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline { runtime, name, .. } = outline;
     let title = outline.title();

@@ -8,7 +8,8 @@ use super::{attribute, literal};
 use crate::model::Sweep;
 use crate::syntax::Word;
 
-/// What is called on dimensions although it needs an assembly: rustc then points at `assemble`, which has these names as aliases.
+/// The methods that are called on dimensions although they need an assembly: rustc then points at
+/// `assemble`, which has these names as aliases.
 fn aliases(outline: &Outline) -> Vec<String> {
     let functions = outline.functions.iter().flat_map(|function| {
         let name = plain(function.name);
@@ -104,7 +105,7 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
     }
 }
 
-/// A result of assembling, in which an error that is about a dimension says so.
+/// A result of assembling, in which an error about a dimension names the dimension as its cause.
 pub(super) fn explained(
     outline: &Outline,
     scalar: &TokenStream,

@@ -1,4 +1,4 @@
-//! Operation counts in words, and as the runtime's `Operations`.
+//! Operation counts as text, and as the runtime's `Operations`.
 
 use linkage_symbolic::count::Count;
 use proc_macro2::TokenStream;

@@ -1,4 +1,5 @@
-//! `Debug` of results with vectors: their components by name, where a derive would show columns of a matrix.
+//! `Debug` of results with vectors: their components by name, where a derive would show columns of
+//! a matrix.
 
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -20,8 +20,8 @@ pub(super) fn doc(text: &str) -> TokenStream {
         .collect()
 }
 
-/// The user's attributes, docs included, and then a generated paragraph: `note` after the docs, `alone` where there are
-/// none.
+/// The user's attributes, docs included, and then a generated paragraph: `note` after the docs,
+/// `alone` if there are none.
 pub(super) fn with_note(
     attributes: &[&TokenStream],
     documented: bool,
@@ -46,7 +46,8 @@ pub(super) fn documented(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|a| a.name == "doc")
 }
 
-/// What a field is, behind its name: `, in mm`, or `` : derivative of `p` by `phi`, in mm/rad ``.
+/// The description of a field that follows its name: `, in mm`, or `` : derivative of `p` by `phi`,
+/// in mm/rad ``.
 pub(super) fn behind_name(about: &str) -> String {
     match about {
         "" => String::new(),

@@ -1,4 +1,4 @@
-//! One function of the `impl` block: its result type, the method, and the program behind it.
+//! One function of the `impl` block: its result type, the method, and the program that it runs.
 
 use linkage_symbolic::passes::stages::Stage;
 use proc_macro2::{Ident, TokenStream};
@@ -123,8 +123,9 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
     }
 }
 
-/// What the method returns: the results of a program of `core` at these arguments, inputs with states behind them. Scalars that refine
-/// what is prepared run another program than those whose digits it has.
+/// The value that the method returns: the results of a program of `core` at these arguments, which
+/// are inputs and then states. Scalars that refine the prepared values run another program than
+/// scalars whose digits the prepared values have.
 pub(super) fn value(
     outline: &Outline,
     function: &Function,
@@ -151,19 +152,19 @@ pub(super) fn value(
     }
 }
 
-/// Which of the programs of a function.
+/// The programs that a function can have.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Version {
     /// The one of calls.
     Called,
     /// The one for dimensions, derivatives or digits that tables do not know.
     Beside,
-    /// The one where a follower stands, whose states are solutions.
+    /// The one at the position of a follower, whose states are solutions.
     Settled,
 }
 
 impl Version {
-    /// What stands in names of items.
+    /// The part that the version has in names of items.
     pub(super) fn word(self) -> &'static str {
         match self {
             Self::Called => "",
@@ -260,7 +261,7 @@ pub(super) fn stage_name(function: &Function, index: usize, version: Version) ->
     format_ident!("__stage{index}{word}_of_{name}")
 }
 
-/// The variables that hold what a stage has finished.
+/// The variables that hold the values that a stage has finished.
 fn results(index: usize, stage: &Stage) -> Vec<Ident> {
     entries(&format!("__results{index}_"), stage.results.len())
 }
@@ -273,7 +274,8 @@ fn in_memory(places: &[usize]) -> Vec<Ident> {
         .collect()
 }
 
-/// From the inputs and states that it reads and what it takes of stages before to what it keeps for later ones, and results.
+/// A function from the inputs and states that the stage reads, and the values that it takes from
+/// earlier stages, to the values that it keeps for later stages, and results.
 fn stage(
     outline: &Outline,
     function: &Function,

@@ -1,4 +1,5 @@
-//! A mechanism that is followed from position to position: inputs with the states of the coupled groups behind them, and the functions there.
+//! A mechanism that is followed from position to position: inputs and then the states of the
+//! coupled groups, and the functions there.
 
 mod functions;
 
@@ -17,7 +18,8 @@ use crate::model::METHODS_OF_FOLLOWER;
 
 use functions::{method, single_of};
 
-/// The follower of a mechanism of which a coupled group depends on several inputs: tables over one input need none.
+/// The follower of a mechanism of which a coupled group depends on several inputs: tables over one
+/// input need none.
 pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let several = outline.starts.iter().any(|start| start.inputs.len() > 1);
     if !several {
@@ -51,7 +53,8 @@ pub(super) fn skeleton(outline: &Outline) -> TokenStream {
     quote!(#runtime::if_alloc! { #items })
 }
 
-/// True if the user's functions have the names of its methods, which is a mistake if it has a follower.
+/// True if the user's functions have the names of its methods, which is a mistake if it has a
+/// follower.
 fn is_taken(outline: &Outline) -> bool {
     let functions = outline.functions.iter();
     functions
@@ -59,7 +62,7 @@ fn is_taken(outline: &Outline) -> bool {
         .any(|name| METHODS_OF_FOLLOWER.contains(&name.as_str()))
 }
 
-/// The type, how it comes about, and what it has beside the functions.
+/// The type, its construction, and its items besides the functions.
 fn shared(outline: &Outline) -> TokenStream {
     let mut items = structure(outline);
     items.extend(constructor(outline));
@@ -122,7 +125,7 @@ fn constructor(outline: &Outline) -> TokenStream {
     }
 }
 
-/// `follow(...)` and where it stands.
+/// `follow(...)` and the position of the follower.
 fn follow(outline: &Outline) -> TokenStream {
     let Outline {
         runtime, assembly, ..
@@ -177,7 +180,7 @@ fn follow(outline: &Outline) -> TokenStream {
     }
 }
 
-/// What `follow(...)` calls: groups in their order, each corrected by its own program.
+/// The method that `follow(...)` calls: groups in their order, each corrected by its own program.
 fn single(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline {
         runtime, assembly, ..

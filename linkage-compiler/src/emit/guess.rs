@@ -1,5 +1,5 @@
-//! Shapes of expressions from the syntax alone, for the skeleton: what is obviously a vector is one, the rest are
-//! numbers.
+//! Shapes of expressions from the syntax alone, for the skeleton: an expression that is obviously a
+//! vector is one, the rest are numbers.
 
 use std::collections::BTreeMap;
 
@@ -10,10 +10,11 @@ use crate::syntax::{BinaryOp, Expr, ExprKind, Item, MechanismDef, ParamItem, Tol
 /// More vectors than most pictures have.
 const MANY_POINTS: usize = 64;
 
-/// Names may stand for expressions with names in them; deeper than this, something is wrong with the source.
+/// Names may stand for expressions with names in them; deeper than this, something is wrong with
+/// the source.
 const DEPTH: usize = 24;
 
-/// The expressions behind the names of a mechanism.
+/// The expressions that the names of a mechanism stand for.
 pub(super) struct Guess<'a> {
     names: BTreeMap<String, &'a Expr>,
     vectors: BTreeMap<String, usize>,
@@ -172,7 +173,7 @@ impl<'a> Guess<'a> {
                 array(listed, first())
             }
             MotionWord::Margin | MotionWord::ScrewPitch => Shape::Scalar,
-            // So many that no index is beyond its end.
+            // An array of this length has no index beyond its end.
             MotionWord::Picture => array(MANY_POINTS, vector(self.components)),
         }
     }

@@ -1,4 +1,5 @@
-//! What the sweeps of a function run: its stages, each in a loop over a block of positions.
+//! The items that the sweeps of a function run: its stages, each in a loop over a block of
+//! positions.
 
 use linkage_symbolic::passes::stages::Stage;
 use linkage_symbolic::program::Program;
@@ -11,8 +12,9 @@ use super::outline::{Function, Outline};
 use super::slots::Slots;
 use super::{assembly_data, attribute, blocks, literal, sweeps};
 
-/// The kernels over inputs and over mechanisms; nothing for a function without inputs. `beside` are the stages of the program for
-/// dimensions that tables do not know, if that is another one; `prepare` computes all prepared slots.
+/// The kernels over inputs and over mechanisms; none for a function without inputs. `beside` are
+/// the stages of the program for dimensions that tables do not know, if that is another one;
+/// `prepare` computes all prepared slots.
 pub(super) fn items(
     outline: &Outline,
     function: &Function,
@@ -68,7 +70,8 @@ fn over_inputs(outline: &Outline, function: &Function, (stages, version): Stages
     quote!(#method #loops)
 }
 
-/// A row is the dimensions of a mechanism, then its inputs. The first loop prepares what the function uses.
+/// A row is the dimensions of a mechanism, then its inputs. The first loop prepares the slots that
+/// the function uses.
 fn over_sets(
     outline: &Outline,
     function: &Function,
@@ -94,7 +97,8 @@ fn over_sets(
     let modes = (slots.count() > 0).then(|| quote!(let #core { __modes, __turns, .. } = __core;));
     let prepare = modes.is_some().then(|| {
         let prepare = slots.prepare(outline);
-        // All lanes of the block, also those without a row: only a loop of a fixed length becomes vectors of full width.
+        // All lanes of the block, also those without a row: only a loop of a fixed length becomes
+        // vectors of full width.
         quote! {
             let mut __lane = 0;
             while __lane < __BLOCK {

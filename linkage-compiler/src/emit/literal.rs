@@ -5,8 +5,8 @@ use std::str::FromStr;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// An `f64` expression of exactly this value: shortest digits that read back the same, an exponent where that is
-/// shorter, parentheses around a negative number so that nothing binds to its sign.
+/// An `f64` expression of exactly this value: shortest digits that read back the same, an exponent
+/// where that is shorter, parentheses around a negative number so that nothing binds to its sign.
 pub(super) fn float(x: f64) -> TokenStream {
     if x.is_nan() {
         return quote!(::core::primitive::f64::NAN);

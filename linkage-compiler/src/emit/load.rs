@@ -1,6 +1,7 @@
-//! Where generated code finds what a program loads. Every function that prints a program binds some of the same names:
-//! `__m` the mechanism, `__modes`, `__turns` the centres and windings of the continuous angles, `__prepared`, [`CARRIED`] with a
-//! number what comes from the stage before, and `__x` the inputs with the prepared states of coupled groups behind them.
+//! The names in generated code of the numbers that a program loads. Every function that prints a
+//! program binds some of the same names: `__m` the mechanism, `__modes`, `__turns` the centres and
+//! windings of the continuous angles, `__prepared`, [`CARRIED`] with a number for each value from
+//! the stage before, and `__x` the inputs followed by the prepared states of coupled groups.
 
 use linkage_symbolic::program::{Instruction, Program, Source};
 use proc_macro2::TokenStream;
@@ -10,13 +11,13 @@ use super::array_fields::entry;
 use super::literal;
 use super::outline::{Function, Outline};
 
-/// What a stage takes over from the one before, entry by entry.
+/// The values that a stage takes over from the one before, entry by entry.
 pub(super) const CARRIED: &str = "__carried";
 
-/// What a stage reads of `__x`, by its place there.
+/// The values that a stage reads of `__x`, by their index there.
 pub(super) const INPUT: &str = "__input";
 
-/// What stands where in `__x`.
+/// The order of the numbers in `__x`.
 #[derive(Clone, Debug)]
 pub(super) struct Places {
     inputs: Vec<usize>,
@@ -26,7 +27,8 @@ pub(super) struct Places {
 }
 
 impl Places {
-    /// The inputs `inputs`, then the states of the coupled groups `groups`, each with its least determinant.
+    /// The inputs `inputs`, then the states of the coupled groups `groups`, each with its least
+    /// determinant.
     pub(super) fn new(outline: &Outline, inputs: &[usize], groups: &[usize]) -> Self {
         let mut places = Self {
             inputs: inputs.to_vec(),
@@ -52,7 +54,7 @@ impl Places {
         Self::new(outline, &inputs, &groups)
     }
 
-    /// How many numbers there are.
+    /// The count of numbers.
     pub(super) fn width(&self) -> usize {
         self.width
     }
@@ -62,7 +64,7 @@ impl Places {
         self.states[group].expect("a program uses only its states") + component
     }
 
-    /// The place of what a program loads, if it is in `__x`.
+    /// The index of a number that a program loads, if the number is in `__x`.
     fn of(&self, source: Source) -> Option<usize> {
         match source {
             Source::Input(input) => {

@@ -1,5 +1,6 @@
-//! The loops of a kernel, one for each stage over the rows of a block, each a method of its own that is inlined: rustc's borrow checker takes
-//! the square of how often a function reads and writes memory, and all loops together do it thousands of times.
+//! The loops of a kernel, one for each stage over the rows of a block, each a separate method that
+//! is inlined: the time of rustc's borrow checker grows with the square of how often a function
+//! reads and writes memory, and all loops together do so thousands of times.
 
 use linkage_symbolic::passes::stages::{Stage, memory};
 use proc_macro2::{Ident, Span, TokenStream};
@@ -20,17 +21,18 @@ pub(super) struct Loops<'a> {
     pub(super) over: Over,
 }
 
-/// What rows are.
+/// The contents of rows.
 #[derive(Clone, Copy)]
 pub(super) enum Over {
     /// The program's arguments.
     Inputs,
-    /// The dimensions of a mechanism, and the arguments behind them; so many prepared slots are at hand.
+    /// The dimensions of a mechanism, followed by the arguments; `slots` prepared slots are
+    /// available.
     Sets { slots: usize },
 }
 
 impl Loops<'_> {
-    /// How many numbers a row has.
+    /// The count of numbers in a row.
     pub(super) fn arguments(&self) -> usize {
         self.before() + Places::of_function(self.outline, self.function).width()
     }
@@ -42,7 +44,8 @@ impl Loops<'_> {
         }
     }
 
-    /// Blocks for the stages' memory and for what a stage finishes, made once for all rows.
+    /// Blocks for the stages' memory and for the values that a stage finishes, made once for all
+    /// rows.
     pub(super) fn buffers(&self) -> TokenStream {
         let runtime = &self.outline.runtime;
         let memory = literal::index(memory(self.stages));
@@ -192,7 +195,7 @@ pub(super) fn at_lane(function: &Function) -> Ident {
     format_ident!("__at_lane_of_{}", function.name)
 }
 
-/// What stage `index` has finished, for some rows side by side.
+/// The values that stage `index` has finished, for some rows side by side.
 fn done(index: usize) -> Ident {
     format_ident!("__done{index}", span = Span::mixed_site())
 }

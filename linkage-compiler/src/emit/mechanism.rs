@@ -64,8 +64,9 @@ pub(super) fn marker_value() -> TokenStream {
     quote!(__scalar: ::core::marker::PhantomData,)
 }
 
-/// The docs of a parameter after those of the user, `In mm; default 50, tolerance 0.012.`, and those where there are
-/// none, `` `crank`, in mm; default 50, tolerance 0.012. ``; angles are told in degrees
+/// The docs of a parameter after those of the user, `In mm; default 50, tolerance 0.012.`, and
+/// those without any, `` `crank`, in mm; default 50, tolerance 0.012. ``; angles are given in
+/// degrees.
 fn parameter_notes(outline: &Outline, parameter: &Parameter) -> [String; 2] {
     let name = plain(&parameter.name);
     if !outline.complete {
@@ -233,8 +234,9 @@ pub(super) fn constants(outline: &Outline, structure: &TokenStream) -> TokenStre
     }
 }
 
-/// Names of the index constants with the parameters that they stand for. `INDEX_PIVOT_D_X` for `pivot_d.x`; where
-/// two parameters would share a name (`a` and `A`), the later one keeps its spelling.
+/// Names of the index constants with the parameters that they stand for. `INDEX_PIVOT_D_X` for
+/// `pivot_d.x`; where two parameters would share a name (`a` and `A`), the later one keeps its
+/// spelling.
 fn index_names(outline: &Outline) -> Vec<(String, String)> {
     let mut taken = BTreeSet::new();
     let components = outline.parameters.iter().flat_map(|p| &p.components);

@@ -1,8 +1,9 @@
 //! Emission: from the resolved model and its straight-line programs to Rust items.
 //!
-//! An `Outline` says which items there are, with which names, types and docs; it is the same for a mechanism without
-//! mistakes ([`emit`]) and for what can be said after errors ([`skeleton`]). The other files each print one kind of
-//! item. Generated code names only `$crate::__private` and `::core`, and all its own names begin with `__`.
+//! An `Outline` lists the items with their names, types and docs; it is the same for a mechanism
+//! without mistakes ([`emit`]) and for the items that are known after errors ([`skeleton`]). The
+//! other files each print one kind of item. Generated code names only `$crate::__private` and
+//! `::core`, and all its own names begin with `__`.
 
 mod array_fields;
 mod array_types;
@@ -57,7 +58,7 @@ use self::outline::{Function, Outline};
 use crate::ir::{self, CompiledMechanism};
 use crate::syntax::MechanismDef;
 
-/// What prints programs as a text in another language.
+/// A function that prints programs as a text in another language.
 pub(crate) type Printer<'a> = dyn Fn(&str, &CompiledMechanism) -> String + 'a;
 
 /// All items for a mechanism without mistakes. `krate` is the path of the facade.
@@ -92,7 +93,7 @@ pub(crate) fn emit(
     }
     match outline.starts.is_empty() {
         true => items.extend(assembled),
-        // What is prepared needs an allocator.
+        // The prepared values need an allocator.
         false => {
             let runtime = &outline.runtime;
             items.extend(quote!(#runtime::if_alloc! { #assembled }));

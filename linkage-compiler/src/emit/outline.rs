@@ -1,4 +1,4 @@
-//! What the generated items are: names, types and docs, with or without the programs behind them.
+//! The generated items: names, types and docs, with or without the programs of functions.
 
 use std::borrow::Cow;
 
@@ -19,18 +19,18 @@ pub(super) struct Outline<'a> {
     pub name: &'a Ident,
     /// The type of an assembled mechanism.
     pub assembly: Ident,
-    /// What of it is copied into the loops of sweeps.
+    /// The part of it that is copied into the loops of sweeps.
     pub core: Ident,
     pub parameters: Vec<Parameter<'a>>,
     pub inputs: Vec<Input<'a>>,
     pub functions: Vec<Function<'a>>,
     /// The default assembly modes; true for `Plus`.
     pub modes: Vec<bool>,
-    /// How many prepared slots.
+    /// The number of prepared slots.
     pub prepared: usize,
-    /// How many angles count their turns.
+    /// The number of angles that count their turns.
     pub continuous_angles: usize,
-    /// What is prepared of each coupled group.
+    /// The prepared states of each coupled group.
     pub starts: Vec<Start>,
     /// False after errors: the bodies are `unimplemented!()`.
     pub complete: bool,
@@ -38,7 +38,7 @@ pub(super) struct Outline<'a> {
 
 /// A public field of the mechanism.
 pub(super) struct Parameter<'a> {
-    /// Of the field: `hook_crank` for `hook.crank`.
+    /// The name of the field: `hook_crank` for `hook.crank`.
     pub name: Ident,
     pub attributes: Cow<'a, [Attribute]>,
     pub shape: Shape,
@@ -59,7 +59,7 @@ pub(super) struct Start {
     pub inputs: Vec<usize>,
     /// Numbers in a state.
     pub size: usize,
-    /// Whether its assembly is followed from the estimates.
+    /// True if its assembly is followed from the estimates.
     pub followed: bool,
     /// Coefficients in a cell, of a grid.
     pub coefficients: usize,
@@ -86,9 +86,11 @@ pub(super) struct Function<'a> {
     pub positions: Vec<usize>,
     /// The coupled groups whose states it starts from.
     pub states: Vec<usize>,
-    /// Whether there is another program for dimensions, derivatives or digits that tables do not know.
+    /// True if there is another program for dimensions, derivatives or digits that tables do not
+    /// know.
     pub beside: bool,
-    /// Whether a call chooses its instruction set at run time: less work than a call costs is inlined.
+    /// True if a call chooses its instruction set at run time: less work than a call costs is
+    /// inlined.
     pub chooses: bool,
     pub fields: Vec<Field<'a>>,
     /// Paragraphs for the docs of the method.
@@ -99,7 +101,7 @@ pub(super) struct Field<'a> {
     pub name: &'a Ident,
     pub attributes: &'a [Attribute],
     pub shape: Shape,
-    /// What it is and in which unit, for the docs: `` derivative of `p` by `phi`, in mm/rad ``.
+    /// The quantity and its unit, for the docs: `` derivative of `p` by `phi`, in mm/rad ``.
     pub about: String,
 }
 
@@ -166,7 +168,7 @@ impl<'a> Outline<'a> {
         }
     }
 
-    /// `body`, or a panic where there is no program behind the outline.
+    /// `body`, or a panic if the outline has no program.
     pub(super) fn body(&self, body: TokenStream) -> TokenStream {
         if self.complete {
             body
@@ -216,7 +218,7 @@ impl Parameter<'_> {
 }
 
 impl Function<'_> {
-    /// How many scalars the result holds.
+    /// The number of scalars that the result holds.
     pub(super) fn width(&self) -> usize {
         self.fields.iter().map(|field| field.shape.width()).sum()
     }
@@ -269,7 +271,7 @@ pub(super) fn field<'a>(quantity: &'a QuantityDef, shape: Shape, about: String) 
     }
 }
 
-/// `item` declares it; those of parts stand behind all that are declared.
+/// `item` declares it; those of parts follow all that are declared.
 fn complete_parameter<'a>(item: Option<&'a ParamItem>, parameter: &ir::Parameter) -> Parameter<'a> {
     let components = parameter.scalars.iter().map(|scalar| Component {
         name: scalar.name.clone(),
@@ -289,7 +291,8 @@ fn complete_parameter<'a>(item: Option<&'a ParamItem>, parameter: &ir::Parameter
     }
 }
 
-/// The field of a part's parameter and its docs. Other attributes are about the struct that they stand in.
+/// The field of a part's parameter and its docs. Other attributes are about the struct that they
+/// are written in.
 pub(super) fn of_part<'a>(name: &str, documentation: &str) -> (Ident, Cow<'a, [Attribute]>) {
     let name = format_ident!("{}", name.replace('.', "_"));
     let docs = documentation.lines().map(|line| {

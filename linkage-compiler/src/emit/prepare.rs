@@ -1,4 +1,4 @@
-//! What `assemble()` computes for all calls, by the instruction set that calls choose.
+//! The values that `assemble()` computes for all calls, by the instruction set that calls choose.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};

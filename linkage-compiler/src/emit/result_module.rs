@@ -1,11 +1,15 @@
-//! Where the types of a function stand: in a private module of their own, from which the module of the call imports them. So a module that has a type
-//! of that name already, from another mechanism for instance, which nothing that is expanded alone can know, is told so of the import, at the word of
-//! the user, and of nothing else: within the module the names are never in doubt. Result and columns are imported by name, so there are two errors, since rustc tells each
-//! name that is taken, also twice at one word. With the columns imported by a glob there would be one, but a module that imports other columns of that name by
-//! a glob, as tests with `use super::*` do, would have them in doubt (E0659): a right program would be refused for a shorter message to a wrong one.
+//! The types of a function are in a separate private module, from which the module of the call
+//! imports them. A module may already have a type of that name, from another mechanism for
+//! instance, which no single expansion can know. Its error is then about the import, at the word of
+//! the user, and about nothing else: within the private module the names are never ambiguous.
+//! Result and columns are imported by name, so there are two errors, since rustc reports each name
+//! that is taken, also twice at one word. With the columns imported by a glob there would be one
+//! error. But a module that imports other columns of that name by a glob, as tests with `use
+//! super::*` do, would have ambiguous names (E0659): a correct program would be refused for a
+//! shorter message about an incorrect one.
 //!
-//! A function with derives of the user's has its types beside everything else: in the body of a function these may be imported
-//! there, and no module sees that.
+//! A function with derives of the user's has its types next to everything else: in the body of a
+//! function these derives may be imported there, and no module sees that import.
 
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use quote::{format_ident, quote, quote_spanned};
@@ -93,7 +97,7 @@ pub(super) fn visibility(outline: &Outline, function: &Function) -> TokenStream 
     }
 }
 
-/// The visibility of what only generated code uses of these types.
+/// The visibility of the items of these types that only generated code uses.
 pub(super) fn private(outline: &Outline, function: &Function) -> TokenStream {
     let module = module(outline, function);
     module.map_or_else(TokenStream::new, |_| quote!(pub(super)))
@@ -107,7 +111,7 @@ fn at(tokens: &TokenStream, span: proc_macro2::Span) -> TokenStream {
     tokens.collect()
 }
 
-/// What a visibility means, written in a module below.
+/// The same visibility, written in a module below.
 fn from_below(visibility: TokenStream) -> TokenStream {
     let tokens: Vec<TokenTree> = visibility.into_iter().collect();
     let [word, TokenTree::Group(scope)] = &tokens[..] else {

@@ -1,5 +1,6 @@
-//! The items of a mechanism that has mistakes: names and types as far as they can be known, panicking bodies. So that
-//! code which uses the mechanism still has its types, and editors their completions, while the mistake is repaired.
+//! The items of a mechanism that has mistakes: names and types as far as they can be known, with
+//! bodies that panic. Code that uses the mechanism still has its types, and editors their
+//! completions, while the mistake is repaired.
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -19,7 +20,8 @@ use crate::model::{
 };
 use crate::syntax::{ExprKind, FunctionDef, Item, MechanismDef, Word};
 
-/// All public items with `unimplemented!()` bodies; `mechanism` gives better types where it is known.
+/// All public items with `unimplemented!()` bodies; `mechanism` gives better types where it is
+/// known.
 pub(crate) fn skeleton(
     krate: &TokenStream,
     def: &MechanismDef,
@@ -27,7 +29,7 @@ pub(crate) fn skeleton(
 ) -> TokenStream {
     let types = || iter::once(&def.name).chain(def.functions.iter().map(|f| &f.result));
     if types().any(|name| name == TYPE_PARAMETER) {
-        // Nothing that has this name beside the type parameter would compile.
+        // No other item of this name next to the type parameter would compile.
         return TokenStream::new();
     }
     let outline = sketch(krate, def, mechanism);

@@ -1,4 +1,4 @@
-//! What a sweep over mechanisms prepares for its rows: the slots that its function uses.
+//! The slots that a sweep over mechanisms prepares for its rows: those that its function uses.
 
 use std::collections::BTreeSet;
 
@@ -13,8 +13,10 @@ use super::literal;
 use super::load::{Places, loader};
 use super::outline::Outline;
 
-/// So many slots that a function does not use are named in its sweeps, one by one, and left to the optimiser. Where there are more, as in a
-/// machine of many parts, it has a program of its own for those that it uses: what is printed for a function does not grow with the machine.
+/// The largest number of slots not used by a function that its sweeps name one by one and leave to
+/// the optimiser. With more of them, as in a machine of many parts, the function has a separate
+/// program for the slots that it uses: the length of the code printed for a function does not grow
+/// with the machine.
 const OTHERS: usize = 64;
 
 /// The slots of one function, in order.
@@ -80,7 +82,7 @@ impl Slots {
         quote!(#values #(#stores)*)
     }
 
-    /// All slots of `__lane`; those that nobody uses are zero.
+    /// All slots of `__lane`; unused slots are zero.
     pub(super) fn all(&self, outline: &Outline) -> TokenStream {
         let stored = |place: usize| {
             let place = literal::index(place);
@@ -105,7 +107,7 @@ impl Slots {
         }}
     }
 
-    /// Where a slot stands among those that are used.
+    /// The index of a slot among those that are used.
     fn place(&self, slot: usize) -> Option<usize> {
         self.used.binary_search(&slot).ok()
     }

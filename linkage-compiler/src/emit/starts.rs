@@ -1,5 +1,5 @@
-//! What an assembly with coupled groups has beside the others: prepared starts, the arguments that they add to programs, and the
-//! programs that prepare them.
+//! The additions to an assembly with coupled groups: prepared starts, the arguments that they add
+//! to programs, and the programs that prepare them.
 
 mod assemble;
 mod description;
@@ -61,7 +61,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
     items
 }
 
-/// From the starts of the lanes to those of the assembly, and from inputs to arguments.
+/// Conversions from the starts of the lanes to those of the assembly, and from inputs to arguments.
 fn lookups(outline: &Outline) -> TokenStream {
     let Outline {
         runtime, assembly, ..
@@ -128,7 +128,7 @@ fn programs(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
         let statements = body::statements(program, Runs::Once, &loader(outline, &places));
         let outputs = body::outputs(program);
         let count = literal::index(program.outputs.len());
-        // Kernels of what is followed run it over rows.
+        // Kernels of a mechanism that is followed run it over rows.
         let inline = (kind == "correct").then(|| quote!(#[inline(always)]));
         quote! {
             #inline

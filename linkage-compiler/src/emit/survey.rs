@@ -1,4 +1,5 @@
-//! What is asked of a mechanism to compare its assemblies: the least margin, how far each group is from its ends, where its unknowns are.
+//! The numbers by which the assemblies of a mechanism are compared: the least margin, the distance
+//! of each group from its ends, the values of its unknowns.
 
 use linkage_core::Level;
 use proc_macro2::TokenStream;
@@ -59,7 +60,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
     }
 }
 
-/// The same assembly in another scalar, without what is prepared of coupled groups.
+/// The same assembly in another scalar, without the prepared states of coupled groups.
 fn without_starts(outline: &Outline) -> TokenStream {
     let Outline {
         runtime,
@@ -83,7 +84,7 @@ fn without_starts(outline: &Outline) -> TokenStream {
     }
 }
 
-/// What assemblies of each group there are.
+/// The assemblies that each group has.
 pub(super) fn levels(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let runtime = &outline.runtime;
     let levels = unit.levels().into_iter().map(|level| match level {

@@ -16,7 +16,7 @@ use super::{attribute, literal, result_module, starts};
 use crate::model::Sweep;
 use crate::syntax::Word;
 
-/// What the methods of one function have in common.
+/// The common data of the methods of one function.
 struct Sweeps<'a> {
     outline: &'a Outline<'a>,
     function: &'a Function<'a>,
@@ -74,8 +74,8 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
 }
 
 impl Sweeps<'_> {
-    /// The private method behind a sweep into columns and the one that returns them: one loop for both, and a panic names the
-    /// method that was called.
+    /// The private method that a sweep into columns and the one that returns them both call: one
+    /// loop for both, and a panic names the method that was called.
     fn behind(&self, into: Sweep) -> Ident {
         format_ident!("__{}{}", self.function.name, into.word())
     }
@@ -85,7 +85,7 @@ impl Sweeps<'_> {
         format!("{}{}", plain(self.function.name), sweep.word())
     }
 
-    /// A method. What sweeps do is told once, in the docs of the assembly.
+    /// A method. The docs of the assembly describe sweeps once, for all methods.
     fn method(&self, sweep: Sweep, signature: TokenStream, body: TokenStream) -> TokenStream {
         let visibility = self.function.visibility;
         let name = format_ident!("{}{}", self.function.name, sweep.word());

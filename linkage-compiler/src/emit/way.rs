@@ -81,7 +81,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
     method(outline, body)
 }
 
-/// The mechanism between two sets of dimensions, inside the method, where nobody sees it.
+/// The mechanism between two sets of dimensions, inside the method, which keeps it private.
 fn way(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline {
         runtime,

@@ -1,4 +1,4 @@
-//! How the continuous angles are followed through the ranges of the inputs, lane by lane.
+//! Tracking of the continuous angles through the ranges of the inputs, lane by lane.
 
 use linkage_symbolic::program::Program;
 use proc_macro2::TokenStream;
@@ -12,8 +12,8 @@ use super::outline::Outline;
 use super::{array_types, attribute, literal};
 use crate::ir::{CompiledMechanism, ContinuousAngle};
 
-/// The centres and windings of the continuous angles, lane by lane. Where they cannot be found because a loop does not
-/// close, the error is about that loop.
+/// The centres and windings of the continuous angles, lane by lane. If they cannot be found because
+/// a loop does not close, the error is about that loop.
 pub(super) fn turning(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline {
         runtime,
@@ -162,7 +162,7 @@ fn search(outline: &Outline, unit: &CompiledMechanism, angle: &ContinuousAngle) 
     }
 }
 
-/// How the vectors of all phases are asked for, and the function that computes them.
+/// The expression that requests the vectors of all phases, and the function that computes them.
 fn bearings(outline: &Outline, unit: &CompiledMechanism) -> (TokenStream, TokenStream) {
     let Outline { runtime, name, .. } = outline;
     if unit.bearings.outputs.is_empty() {

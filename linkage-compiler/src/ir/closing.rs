@@ -1,4 +1,5 @@
-//! What closes the loops at compile time: gaps and unknowns of all groups in one program, and the programs of coupled groups.
+//! The programs that close the loops at compile time: gaps and unknowns of all groups in one
+//! program, and the programs of coupled groups.
 
 use linkage_symbolic::program::Program;
 
@@ -7,9 +8,9 @@ use super::Coupled;
 /// The groups as programs from parameters and inputs alone, made before any function is looked at.
 #[derive(Clone, Debug, Default)]
 pub struct Closing {
-    /// Computes what [`Outputs`] names, group by group, then [`Closing::valued`].
+    /// Computes the numbers that [`Outputs`] names, group by group, then [`Closing::valued`].
     pub program: Program,
-    /// Where a group's numbers stand, in the order of the groups.
+    /// The indices of each group's numbers, in the order of the groups.
     pub groups: Vec<Outputs>,
     /// Angles whose values the groups themselves use, and their outputs (cosine; the sine follows).
     pub valued: Vec<(usize, usize)>,
@@ -17,12 +18,12 @@ pub struct Closing {
     pub coupled: Vec<Coupled>,
 }
 
-/// Where a group's numbers stand among the program's outputs.
+/// The indices of a group's numbers among the program's outputs.
 #[derive(Clone, Debug, Default)]
 pub struct Outputs {
     /// Unknowns that are compared with their estimates here: (unknown, first output).
     pub unknowns: Vec<(usize, usize)>,
-    /// By how much it misses.
+    /// The amount by which it misses closing.
     pub gap: usize,
     /// See `Closed::slack`.
     pub slack: usize,

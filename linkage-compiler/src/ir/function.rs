@@ -11,33 +11,34 @@ pub use linkage_core::Meaning;
 /// A function of the `impl` block.
 #[derive(Clone, Debug)]
 pub struct Function {
-    /// As declared.
+    /// The name as declared.
     pub name: String,
     /// Its doc comment, line by line as written.
     pub documentation: String,
-    /// What it takes, as places among inputs and arguments.
+    /// The arguments that it takes, as indices among inputs and arguments.
     pub arguments: Vec<usize>,
     /// The coupled groups whose prepared states it loads.
     pub states: Vec<usize>,
-    /// What a call runs: loads prepared slots, parameters, inputs and states; outputs are the fields' scalars in order, each
-    /// field flattened outermost index first, vector components innermost.
+    /// The program that a call runs: loads prepared slots, parameters, inputs and states; outputs
+    /// are the fields' scalars in order, each field flattened outermost index first, vector
+    /// components innermost.
     pub called: Body,
-    /// The same from a table that was prepared for other dimensions, or for derivatives and digits that the table does not
-    /// have; `None` if that is no different.
+    /// The same from a table that was prepared for other dimensions, or for derivatives and digits
+    /// that the table does not have; `None` if that is no different.
     pub beside: Option<Body>,
-    /// The same where the states of all coupled groups are solutions, as those of a follower are; `None` if there is no follower, or that is
-    /// no different.
+    /// The same for states of all coupled groups that are solutions, as those of a follower are;
+    /// `None` if there is no follower, or if the program is no different.
     pub settled: Option<Body>,
     /// The fields of the result.
     pub fields: Vec<Field>,
-    /// What each output is.
+    /// The description of each output.
     pub columns: Vec<Column>,
     /// In which direction derivatives by parameters were found, if there are any.
     pub sensitivities: Option<&'static str>,
 }
 
 impl Function {
-    /// What its calls run, to be changed.
+    /// The programs that its calls run, to be changed.
     pub(super) fn bodies_mut(&mut self) -> impl Iterator<Item = &mut Body> {
         let others = [self.beside.as_mut(), self.settled.as_mut()];
         std::iter::once(&mut self.called).chain(others.into_iter().flatten())
@@ -51,23 +52,24 @@ impl Function {
     }
 }
 
-/// A program and what passes made of it.
+/// A program and the results of passes over it.
 #[derive(Clone, Debug, Default)]
 pub struct Body {
-    /// As a whole.
+    /// The program as a whole.
     pub program: Program,
     /// Cut into stages, for loops over many positions.
     pub stages: Vec<Stage>,
-    /// What it costs.
+    /// Its cost.
     pub count: Count,
-    /// Whether something hangs on the last bit of a sine ([`Program::compares_sines`]), so that calls may not round it in their own way.
+    /// True if something depends on the last bit of a sine ([`Program::compares_sines`]), so that
+    /// calls may not round it in their own way.
     pub compares_sines: bool,
 }
 
 impl Body {
-    /// Whether it takes longer than a call to other code for it, which is 1 to 2 ns: some ten operations without a sine, a root or a
-    /// quotient are inlined into the loop that wants them, and then run with the instructions of the build; others choose those of the
-    /// machine.
+    /// Returns true if it takes longer than a call to other code for it, which is 1 to 2 ns. Some
+    /// ten operations without a sine, a root or a quotient are inlined into the loop that uses
+    /// them, and then run with the instructions of the build; others choose those of the machine.
     pub fn is_worth_a_call(&self) -> bool {
         const FEW: u32 = 12;
         let Count {
@@ -86,20 +88,22 @@ impl Body {
 /// A field of a function's result.
 #[derive(Clone, Debug)]
 pub struct Field {
-    /// As declared.
+    /// The name as declared.
     pub name: String,
     /// Its doc comment, line by line as written.
     pub documentation: String,
-    /// How its scalars are put together.
+    /// The arrangement of its scalars.
     pub shape: Shape,
     /// Words for the docs: `mm`, `rad`, `mm/rad`, nothing for a number, and for a picture.
     pub unit: String,
-    /// What it is, for the docs: `` derivative of `p` by `phi` ``; nothing for what its name says.
+    /// The quantity, for the docs: `` derivative of `p` by `phi` ``; empty if the name describes
+    /// it.
     pub about: String,
 }
 
 impl Field {
-    /// What it is and in which unit: `` derivative of `p` by `phi`, in mm/rad ``; nothing for a number that its name says all of.
+    /// Returns the quantity and its unit: `` derivative of `p` by `phi`, in mm/rad ``; empty for a
+    /// number that its name describes completely.
     pub fn told(&self) -> String {
         match (self.about.as_str(), self.unit.as_str()) {
             (about, "") => about.to_owned(),
@@ -116,6 +120,6 @@ pub struct Column {
     pub name: String,
     /// `mm`, `rad/mm^2`, nothing for a number.
     pub unit: String,
-    /// What it was derived from.
+    /// The origin that it was derived from.
     pub meaning: Meaning,
 }

@@ -6,10 +6,12 @@ use linkage_core::Scalar;
 use linkage_symbolic::interpret::Arithmetic;
 use linkage_symbolic::program::{Binary, Fused, Ternary, Unary};
 
-/// The arithmetic of generated code on scalars `T`, with or without fused multiply-adds; with `ALONE` that of calls of which no result
-/// hangs on the last bit of a sine ([`Program::compares_sines`](linkage_symbolic::program::Program::compares_sines)): [`run_by`](linkage_symbolic::interpret::run_by) with it gives
-/// the bits of generated code. That of [`run`](linkage_symbolic::interpret::run) takes sines from the standard library, which generated code does
-/// not.
+/// The arithmetic of generated code on scalars `T`, with or without fused multiply-adds. With
+/// `ALONE` it is that of calls of which no result depends on the last bit of a sine
+/// ([`Program::compares_sines`](linkage_symbolic::program::Program::compares_sines)).
+/// [`run_by`](linkage_symbolic::interpret::run_by) with this arithmetic gives the bits of generated
+/// code. The arithmetic of [`run`](linkage_symbolic::interpret::run) takes sines from the standard
+/// library, which generated code does not.
 #[derive(Clone, Copy, Debug)]
 pub struct Generated<T, const FUSED: bool, const ALONE: bool = false>(PhantomData<T>);
 

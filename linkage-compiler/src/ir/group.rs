@@ -1,11 +1,11 @@
-//! The groups of a mechanism: what is said of them, and what is prepared of coupled ones.
+//! The groups of a mechanism: their description, and the data that is prepared of coupled ones.
 
 use linkage_core::numeric::continuation::{Grid, Table, Terms};
 use linkage_core::numeric::roots::Variable;
 use linkage_core::range_check::Slack;
 use linkage_symbolic::program::Program;
 
-/// What is known of a group.
+/// The description of a group.
 #[derive(Clone, Debug)]
 pub struct Group {
     /// 0 where the word does not apply (an angle relation).
@@ -16,25 +16,25 @@ pub struct Group {
     pub kind: String,
     /// Numbers of its loops, the first loop of the mechanism being 1.
     pub loops: Vec<usize>,
-    /// Names of what it finds.
+    /// Names of the unknowns that it finds.
     pub unknowns: Vec<String>,
     /// Index among the assembly modes; `None` for a group with one solution.
     pub mode: Option<usize>,
-    /// Whether its assemblies are listed and one is prepared.
+    /// True if its assemblies are listed and one is prepared.
     pub coupled: bool,
     /// The mode that the start estimates choose: true for `+1`.
     pub plus: bool,
     /// A sentence for `STRUCTURE`: which solution is used.
     pub method: String,
-    /// `mm`, `rad`: what the group's gap is measured in.
+    /// `mm`, `rad`: the unit in which the group's gap is measured.
     pub gap_unit: String,
-    /// What its slack in the survey is.
+    /// The meaning of its slack in the survey.
     pub slack: Slack,
     /// The scalars of parameters that its solution needs and no earlier group.
     pub parameters: Vec<usize>,
 }
 
-/// What `assemble()` prepares of a coupled group.
+/// The data that `assemble()` prepares of a coupled group.
 #[derive(Clone, Debug)]
 pub struct Coupled {
     /// Index among all groups.
@@ -43,39 +43,48 @@ pub struct Coupled {
     pub inputs: Vec<usize>,
     /// Numbers in a state.
     pub size: usize,
-    /// What a grid over its inputs knows in a cell.
+    /// The terms that a grid over its inputs knows in a cell.
     pub in_cells: Terms,
-    /// What the variables of its polynomials are.
+    /// The kinds of the variables of its polynomials.
     pub variables: Vec<Variable>,
-    /// Whether the assembly is followed from the estimates: its solutions cannot be listed, and `terms` are none.
+    /// True if the assembly is followed from the estimates: its solutions cannot be listed, and
+    /// `terms` are none.
     pub followed: bool,
     /// Equation and exponents of each term of the polynomials.
     pub terms: Vec<(usize, Vec<i8>)>,
     /// Real and imaginary part of each term's coefficient.
     pub system: Program,
-    /// The state where the unknowns are estimated, if it is followed from there: lengths grow with the links.
+    /// The state where the unknowns are estimated, if it is followed from there: lengths grow with
+    /// the links.
     pub estimate: Program,
-    /// From a state: what each equation of its core misses by, if it is followed. A solution is proven by them.
+    /// Computes from a state the residual of each equation of its core, if it is followed. A
+    /// solution is proven by these residuals.
     pub residuals: Program,
-    /// From a state: the state after one Newton step, the square of the correction, the determinant before it.
+    /// Computes from a state the state after one Newton step, the square of the correction, and the
+    /// determinant before it.
     pub correct: Program,
-    /// From a state: cosine and sine, or length, of each of `unknowns`, then the reach of the links.
+    /// Computes from a state the cosine and sine, or length, of each of `unknowns`, then the reach
+    /// of the links.
     pub placed: Program,
-    /// From a state: the left side of each of `missed_loops` without the right one, by component; then those of the loops of its frames.
+    /// Computes from a state the left side of each of `missed_loops` without the right one, by
+    /// component, then those of the loops of its frames.
     pub missed: Program,
-    /// The loops of a group that is followed, without those of its frames; none if they cannot be told from a state.
+    /// The loops of a group that is followed, without those of its frames; none if they cannot be
+    /// derived from a state.
     pub missed_loops: Vec<MissedLoop>,
     /// The reach of the default mechanism.
     pub reach: f64,
-    /// What its assemblies are told apart by.
+    /// The numbers that distinguish its assemblies.
     pub unknowns: Vec<Placed>,
-    /// How many continuous angles, the first ones, must be followed before its programs can be run.
+    /// The number of continuous angles, the first ones, that must be followed before its programs
+    /// can be run.
     pub turning: usize,
-    /// The states of the default mechanism, from which Newton steps begin; `None` until its loops are closed.
+    /// The states of the default mechanism, from which Newton steps begin; `None` until its loops
+    /// are closed.
     pub start: Option<Start>,
 }
 
-/// What is prepared of the states of a coupled group over the ranges of its inputs.
+/// The data that is prepared of the states of a coupled group over the ranges of its inputs.
 #[derive(Clone, Debug)]
 pub enum Start {
     /// Over one input.
@@ -93,40 +102,41 @@ impl Coupled {
     }
 }
 
-/// A loop by which is told how near to closing a group comes.
+/// A loop that measures how near to closing a group comes.
 #[derive(Clone, Debug)]
 pub struct MissedLoop {
     /// Its number, the first loop of the mechanism being 1.
     pub number: usize,
-    /// How many components its sides have.
+    /// The number of components that its sides have.
     pub rows: usize,
     /// `mm`; nothing for a number.
     pub unit: String,
-    /// What misses are compared with: the longest length, of squares of lengths its square; 1 for numbers.
+    /// The size that misses are compared with: the longest length, of squares of lengths its
+    /// square; 1 for numbers.
     pub scale: f64,
 }
 
-/// A number that assemblies are told apart by.
+/// A number that distinguishes assemblies.
 #[derive(Clone, Debug)]
 pub struct Placed {
     /// Index in the model.
     pub unknown: usize,
-    /// Of a point.
+    /// The component, for a point.
     pub component: Option<usize>,
-    /// Whether it is an angle.
+    /// True if it is an angle.
     pub angle: bool,
     /// Start estimate at the reference inputs.
     pub estimate: f64,
 }
 
-/// How a number that assemblies are told apart by is shown and measured.
+/// The way in which a number that distinguishes assemblies is shown and measured.
 #[derive(Clone, Debug)]
 pub struct Shown<'u> {
     /// `theta`, `p.x`
     pub name: String,
     /// `mm`; nothing for an angle.
     pub unit: &'u str,
-    /// What its size is compared with: the longest length, 1 for a plain number.
+    /// The size that it is compared with: the longest length, 1 for a plain number.
     pub scale: f64,
 }
 
@@ -135,8 +145,8 @@ pub struct Shown<'u> {
 pub struct Surveyed {
     /// Index in the model.
     pub unknown: usize,
-    /// Whether it is an angle, which has two numbers: cosine and sine.
+    /// True if it is an angle, which has two numbers: cosine and sine.
     pub angle: bool,
-    /// How many numbers it has.
+    /// The count of its numbers.
     pub numbers: usize,
 }

@@ -11,7 +11,7 @@ use super::group::{Coupled, Group, Placed, Shown, Surveyed};
 use super::picture::Picture;
 use super::signature::{Argument, ContinuousAngle, Input, Parameter, Scalar, Unknown};
 
-/// What a mechanism is after lowering.
+/// A mechanism after lowering.
 #[derive(Clone, Debug, Default)]
 pub struct CompiledMechanism {
     /// Its doc comment, line by line as written.
@@ -22,7 +22,7 @@ pub struct CompiledMechanism {
     pub parameters: Vec<Parameter>,
     /// The driving coordinates, in order.
     pub inputs: Vec<Input>,
-    /// What functions may take behind the inputs: speeds, accelerations, loads.
+    /// The arguments that functions may take after the inputs: speeds, accelerations, loads.
     pub arguments: Vec<Argument>,
     /// The unknowns of the model, in order.
     pub unknowns: Vec<Unknown>,
@@ -32,31 +32,37 @@ pub struct CompiledMechanism {
     pub groups: Vec<Group>,
     /// Inputs + unknowns - equations.
     pub mobility: usize,
-    /// The length that counts like a radian where assemblies are compared with estimates, in the mechanism's unit.
+    /// The length that counts like a radian in comparisons of assemblies with estimates, in the
+    /// mechanism's unit.
     pub longest: f64,
-    /// Computes all prepared slots in `assemble()`: loads parameters, modes, centres and windings; output `k` is slot
-    /// `k`.
+    /// Computes all prepared slots in `assemble()`: loads parameters, modes, centres and windings;
+    /// output `k` is slot `k`.
     pub prepare: Program,
-    /// For each group in order, by how much it misses closing at given inputs: a length (or a number for an angle relation), positive if
-    /// the group cannot be assembled, at most 0 if it can. Loads prepared slots and inputs (all inputs of the mechanism).
+    /// For each group in order, the amount by which it misses closing at given inputs: a length (or
+    /// a number for an angle relation), positive if the group cannot be assembled, at most 0 if it
+    /// can. Loads prepared slots and inputs (all inputs of the mechanism).
     pub gaps: Program,
-    /// For each continuous angle `a`: outputs `2 a` and `2 a + 1` are its cosine and sine. Loads prepared slots and
-    /// inputs. The centre and winding of angle `a` are not needed for its own outputs, only for later ones.
+    /// For each continuous angle `a`: outputs `2 a` and `2 a + 1` are its cosine and sine. Loads
+    /// prepared slots and inputs. The centre and winding of angle `a` are not needed for its own
+    /// outputs, only for later ones.
     pub directions: Program,
-    /// For each phase of each continuous angle: two outputs, the vector where all inputs are 0. Loads parameters and modes.
+    /// For each phase of each continuous angle: two outputs, the vector where all inputs are 0.
+    /// Loads parameters and modes.
     pub bearings: Program,
-    /// The smallest margin of all groups, then the slack of each (1 for a coupled one), then what assemblies are told apart by: cosine
-    /// and sine, or length, of every unknown that a group finds. Loads prepared slots and inputs.
+    /// The smallest margin of all groups, then the slack of each (1 for a coupled one), then the
+    /// numbers that distinguish assemblies: cosine and sine, or length, of every unknown that a
+    /// group finds. Loads prepared slots and inputs.
     pub survey: Program,
     /// The unknowns in the order of their numbers in the survey.
     pub surveyed: Vec<Surveyed>,
-    /// How many continuous angles, the first ones, must be followed before the survey can be run.
+    /// The number of continuous angles, the first ones, that must be followed before the survey can
+    /// be run.
     pub surveying: usize,
-    /// What `assemble()` prepares of the coupled groups, in order.
+    /// The data that `assemble()` prepares of the coupled groups, in order.
     pub coupled: Vec<Coupled>,
     /// One for each function of the `impl` block, in order.
     pub functions: Vec<Function>,
-    /// What the function shows that asks for a picture.
+    /// The picture of the function that requests one.
     pub picture: Option<Picture>,
 }
 
@@ -71,7 +77,7 @@ impl CompiledMechanism {
         self.parameters.iter().flat_map(|own| &own.scalars)
     }
 
-    /// How a number of a coupled group is shown and measured.
+    /// Returns the way in which a number of a coupled group is shown and measured.
     pub fn shown(&self, placed: &Placed) -> Shown<'_> {
         let unknown = &self.unknowns[placed.unknown];
         Shown {
@@ -97,7 +103,7 @@ impl CompiledMechanism {
         modes.into_iter().map(|(_, plus)| plus).collect()
     }
 
-    /// What assemblies of each group there are.
+    /// Returns the assemblies that each group has.
     pub fn levels(&self) -> Vec<Level> {
         let mut next = 0..;
         let level = |group: &Group| match (group.mode, group.coupled) {
@@ -108,13 +114,14 @@ impl CompiledMechanism {
         self.groups.iter().map(level).collect()
     }
 
-    /// Whether whole turns of an angle are alike: nothing is prepared over a range, and no group depends on the value of an angle.
+    /// Returns true if whole turns of an angle are alike: nothing is prepared over a range, and no
+    /// group depends on the value of an angle.
     pub fn repeats(&self) -> bool {
         self.coupled.is_empty() && self.surveying == 0
     }
 
-    /// The slack of each group, without the rest of the survey. Of a coupled group, the first number of its state, which is none where nothing
-    /// is prepared.
+    /// Returns the slack of each group, without the rest of the survey. For a coupled group it is
+    /// the first number of its state, which is none if nothing is prepared.
     pub fn slacks(&self) -> Program {
         let mut slacks = self.survey.clone();
         let outputs = self.survey.outputs.iter().skip(1).copied();
@@ -129,8 +136,9 @@ impl CompiledMechanism {
         slacks.without_unused()
     }
 
-    /// The input whose range is checked at run time, and the range: the only one that is declared, or a turn about the reference of the only
-    /// input if that is an angle and nothing is prepared over ranges. `None` if nothing is checked.
+    /// Returns the input whose range is checked at run time, and the range: the only one that is
+    /// declared, or a turn about the reference of the only input if that is an angle and nothing is
+    /// prepared over ranges. `None` if nothing is checked.
     pub fn checked(&self) -> Option<(usize, (f64, f64))> {
         if self.groups.is_empty() {
             return None;
@@ -143,12 +151,12 @@ impl CompiledMechanism {
         range_check::checked(inputs, !self.coupled.is_empty()).ok()
     }
 
-    /// How many slots `assemble()` prepares.
+    /// Returns the number of slots that `assemble()` prepares.
     pub fn slots(&self) -> usize {
         self.prepare.outputs.len()
     }
 
-    /// What the calls of all functions run, to be changed.
+    /// Returns the programs that the calls of all functions run, to be changed.
     pub(crate) fn bodies_mut(&mut self) -> impl Iterator<Item = &mut Body> {
         self.functions.iter_mut().flat_map(Function::bodies_mut)
     }

@@ -1,7 +1,9 @@
-//! A mechanism after lowering: programs, what goes in and out of them, what is known of the groups. No token and no node of a graph.
+//! A mechanism after lowering: programs, their inputs and outputs, and the description of the
+//! groups. No token and no node of a graph.
 //!
-//! `emit` prints it as Rust, the interpreter runs it, golden files show it ([`dump`]); whatever one of them must know of a
-//! mechanism is here. What only Rust needs (visibility, attributes, spans) stays in `syntax` and is joined by index.
+//! `emit` prints it as Rust, the interpreter runs it, golden files show it ([`dump`]); everything
+//! that one of them must know of a mechanism is here. Data that only Rust needs (visibility,
+//! attributes, spans) stays in `syntax` and is joined by index.
 
 mod closing;
 mod dump;

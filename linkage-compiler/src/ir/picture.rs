@@ -1,8 +1,8 @@
-//! What is drawn.
+//! The elements of a drawing.
 
 pub use linkage_core::{Drive, DriveOn, Gear, GuideOn, GuideShape, JointShape, PointKind};
 
-/// What the vectors of the quantity `picture()` are: points first, then directions.
+/// The vectors of the quantity `picture()`: points first, then directions.
 #[derive(Clone, Debug, Default)]
 pub struct Picture {
     /// 2 in the plane, 3 in space.
@@ -17,22 +17,22 @@ pub struct Picture {
     pub guides: Vec<Guide>,
     /// In space: points and directions of axes.
     pub axes: Vec<(usize, usize)>,
-    /// Where links meet, in the order of their points.
+    /// The joints in which links meet, in the order of their points.
     pub joints: Vec<Joint>,
     /// Wheels whose angles belong together.
     pub gears: Vec<Gear>,
-    /// What inputs move.
+    /// The elements that inputs move.
     pub drives: Vec<Drive>,
     /// Loops that are not drawn, by number from 1.
     pub undrawn: Vec<usize>,
-    /// What of all this each part of a machine has.
+    /// The elements of all these that each part of a machine has.
     pub parts: Vec<Part>,
 }
 
-/// What a part of a machine has of its picture, by index.
+/// The elements that a part of a machine has of its picture, by index.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// From the program.
+    /// The name from the program.
     pub name: String,
     /// Those in which parts meet belong to all of them.
     pub points: Vec<usize>,
@@ -42,21 +42,21 @@ pub struct Part {
     pub guides: Vec<usize>,
 }
 
-/// What meets in a point, and how it moves against each other.
+/// The members that meet in a point, and their movement against each other.
 #[derive(Clone, Debug)]
 pub struct Joint {
-    /// By index.
+    /// The index of the point.
     pub point: usize,
-    /// How its members move.
+    /// The movement of its members.
     pub shape: JointShape,
     /// At least two.
     pub between: Vec<Member>,
 }
 
-/// What a joint joins.
+/// A member that a joint joins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Member {
-    /// What does not move.
+    /// The frame, which does not move.
     Frame,
     /// A link, by index.
     Link(usize),
@@ -71,25 +71,25 @@ pub enum Member {
 /// A point that is drawn.
 #[derive(Clone, Debug)]
 pub struct Point {
-    /// From the program, or after the links that meet in it.
+    /// The name from the program, or after the links that meet in it.
     pub name: String,
-    /// What it is in the drawing.
+    /// Its kind in the drawing.
     pub kind: PointKind,
 }
 
 /// A rigid link.
 #[derive(Clone, Debug)]
 pub struct Link {
-    /// From the program, or after its points.
+    /// The name from the program, or after its points.
     pub name: String,
-    /// By index.
+    /// The points by index.
     pub points: Vec<usize>,
 }
 
 /// A line along which a point slides.
 #[derive(Clone, Debug)]
 pub struct Guide {
-    /// Of the slide.
+    /// The name of the slide.
     pub name: String,
     /// A point of the line, by index.
     pub origin: usize,
@@ -97,14 +97,14 @@ pub struct Guide {
     pub direction: usize,
     /// The point that slides, by index.
     pub slider: usize,
-    /// What carries it.
+    /// The member that carries it.
     pub on: GuideOn,
-    /// What it looks like.
+    /// Its shape in the drawing.
     pub shape: GuideShape,
 }
 
 impl Picture {
-    /// How many vectors the quantity consists of.
+    /// Returns the number of vectors that the quantity consists of.
     pub fn vectors(&self) -> usize {
         self.points.len() + self.directions.len()
     }

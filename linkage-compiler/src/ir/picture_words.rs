@@ -1,4 +1,4 @@
-//! The picture in words, for golden files.
+//! The picture as text, for golden files.
 
 use std::fmt::{self, Display, Formatter};
 

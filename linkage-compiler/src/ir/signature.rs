@@ -1,4 +1,4 @@
-//! What goes into the programs of a mechanism: names, units, numbers as they were declared.
+//! The signature of the programs of a mechanism: names, units, numbers as they were declared.
 
 use std::f64::consts::TAU;
 
@@ -12,7 +12,7 @@ const SAMPLES: usize = 72;
 /// A parameter as the user declared it.
 #[derive(Clone, Debug)]
 pub struct Parameter {
-    /// As declared; that of a part has the part's name in front: `crank`, `hook.crank`.
+    /// The name as declared; that of a part has the part's name in front: `crank`, `hook.crank`.
     pub name: String,
     /// Its doc comment, line by line as written.
     pub documentation: String,
@@ -27,7 +27,7 @@ pub struct Parameter {
 pub struct Scalar {
     /// `crank`, `pivot.x`
     pub name: String,
-    /// Of the field: `mm`, `rad`, `kg`, nothing for a number.
+    /// The unit of the field: `mm`, `rad`, `kg`, empty for a number.
     pub unit: String,
     /// The default value, in that unit.
     pub nominal: f64,
@@ -38,15 +38,15 @@ pub struct Scalar {
 /// A driving coordinate.
 #[derive(Clone, Debug)]
 pub struct Input {
-    /// As declared.
+    /// The name as declared.
     pub name: String,
     /// Its unit as programs count it.
     pub unit: String,
     /// True for an angle, of which a turn leads back.
     pub angle: bool,
-    /// Where the loops are closed at compile time.
+    /// The value at which the loops are closed at compile time.
     pub reference: f64,
-    /// As declared, lower end first.
+    /// The range as declared, lower end first.
     pub range: Option<(f64, f64)>,
     /// The range over which angles are followed, the reference twice if over none.
     pub followed: (f64, f64),
@@ -55,7 +55,8 @@ pub struct Input {
 }
 
 impl Input {
-    /// The range over which its assemblies are looked for, and at how many positions they are listed.
+    /// Returns the range in which its assemblies are searched, and the number of positions at which
+    /// they are listed.
     pub fn cycle(&self) -> Cycle {
         let (low, high) = self.range.unwrap_or(self.followed);
         let turns = (high - low) / TAU;
@@ -72,23 +73,23 @@ impl Input {
     }
 }
 
-/// What functions may take behind the inputs.
+/// An argument that functions may take after the inputs.
 #[derive(Clone, Debug)]
 pub struct Argument {
-    /// As declared.
+    /// The name as declared.
     pub name: String,
-    /// Of the value that a call is given.
+    /// The unit of the value that a call is given.
     pub unit: String,
-    /// What it says.
+    /// The quantity that it gives.
     pub role: Role,
 }
 
-/// What an argument says.
+/// The quantity that an argument gives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// How fast an input moves, by index.
+    /// The speed of an input, by index.
     Speed(usize),
-    /// How fast that grows.
+    /// The acceleration of an input, by index.
     Acceleration(usize),
     /// Something that the user declared.
     Load,
@@ -97,7 +98,7 @@ pub enum Role {
 /// An unknown of the model.
 #[derive(Clone, Debug)]
 pub struct Unknown {
-    /// As declared.
+    /// The name as declared.
     pub name: String,
     /// `mm`, `rad`, nothing for a number.
     pub unit: String,
@@ -114,13 +115,15 @@ pub struct ContinuousAngle {
     pub inputs: Vec<usize>,
     /// Start estimate at the reference inputs, radians.
     pub estimate: f64,
-    /// The vectors whose sum the angle keeps within a quarter turn of, wherever its group can be assembled; empty where no closed form says so.
+    /// The vectors whose sum the angle keeps within a quarter turn of, wherever its group can be
+    /// assembled; empty if no closed form gives them.
     pub phases: Vec<Phase>,
 }
 
 /// A vector of fixed length that turns.
 #[derive(Clone, Debug)]
 pub struct Phase {
-    /// How many turns it makes for a turn of each input; `None` where it turns with something else, too.
+    /// The number of turns that it makes for a turn of each input; `None` if it turns with
+    /// something else, too.
     pub turns: Option<Vec<f64>>,
 }

@@ -19,7 +19,7 @@ pub fn in_degrees(x: f64, unit: &str) -> String {
         return decimal(x);
     }
     let degrees = format!("{:.*e}", DIGITS - 1, x.to_degrees());
-    // What is no finite number is printed as it is.
+    // A number that is not finite is printed as it is.
     let degrees: f64 = degrees.parse().unwrap_or(x);
     format!("{} deg", decimal(degrees))
 }

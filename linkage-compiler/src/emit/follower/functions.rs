@@ -1,4 +1,4 @@
-//! The functions of the assembly, where a follower stands.
+//! The functions of the assembly at the position of a follower.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -15,7 +15,7 @@ pub(super) fn follower_name(outline: &Outline) -> Ident {
     format_ident!("{}{FOLLOWER}", outline.name)
 }
 
-/// A function where the follower stands.
+/// A function at the position of the follower.
 pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
     let runtime = &outline.runtime;
     let Function {
@@ -43,14 +43,14 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
     }
 }
 
-/// What such a function is given: what it takes and the follower does not know.
+/// The parameters of such a function: the arguments that it takes and the follower does not know.
 fn others<'a>(outline: &Outline, function: &Function<'a>) -> Vec<&'a Ident> {
     let is_input = |name: &Ident| outline.inputs.iter().any(|input| input.name == name);
     let own = function.arguments.iter().copied();
     own.filter(|name| !is_input(name)).collect()
 }
 
-/// What such a function calls, by a program for plain scalars.
+/// The function that such a function calls, by a program for plain scalars.
 pub(super) fn single_of(outline: &Outline, function: &Function, version: Version) -> TokenStream {
     let runtime = &outline.runtime;
     let follower = follower_name(outline);

@@ -8,7 +8,7 @@ use crate::emit::outline::Outline;
 use crate::emit::{assembly_data, literal, winding};
 use crate::ir::CompiledMechanism;
 
-/// `__assemble` and what it needs: the starts are found lane by lane on plain numbers.
+/// `__assemble` and the items that it needs: the starts are found lane by lane on plain numbers.
 pub(in crate::emit) fn assemble(
     outline: &Outline,
     unit: &CompiledMechanism,

@@ -1,4 +1,4 @@
-//! What the runtime must know of a coupled group to prepare it.
+//! The description of a coupled group that the runtime needs to prepare it.
 
 use linkage_core::numeric::continuation::Terms;
 use linkage_core::numeric::roots::Variable;

@@ -6,8 +6,8 @@ use quote::{format_ident, quote};
 use crate::emit::literal;
 use crate::emit::outline::Outline;
 
-/// Statements that look up the states of groups in `starts` at the inputs `__x`, and the numbers of these; `fused` says whether with fused
-/// multiply-add.
+/// Statements that look up the states of groups in `starts` at the inputs `__x`, and the numbers of
+/// these; `fused` says whether with fused multiply-add.
 pub(super) fn look_up(
     outline: &Outline,
     inputs: &[usize],
@@ -35,7 +35,7 @@ pub(super) fn look_up(
     (looked_up, numbers)
 }
 
-/// Where the inputs of a group stand among `inputs`.
+/// The indices of the inputs of a group among `inputs`.
 pub(super) fn places(outline: &Outline, inputs: &[usize], group: usize) -> Vec<Literal> {
     let of = outline.starts[group].inputs.iter();
     of.map(|input| {

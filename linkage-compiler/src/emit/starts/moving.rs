@@ -1,4 +1,5 @@
-//! The mechanism of sweeps over sets whose coupled groups are followed from its dimensions to others.
+//! The mechanism of sweeps over sets whose coupled groups are followed from its dimensions to
+//! others.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -99,7 +100,8 @@ fn kernel_name(outline: &Outline, number: usize) -> Ident {
     format_ident!("__{}Correct{number}", outline.name)
 }
 
-/// The program that corrects a group, over rows of dimensions and arguments: it has so many outputs.
+/// The program that corrects a group, over rows of dimensions and arguments: it has `outputs`
+/// outputs.
 fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
     let Outline {
         runtime,

@@ -23,7 +23,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
     } = outline;
     let Types { modes, .. } = Types::new(outline, unit);
     let float = quote!(::core::primitive::f64);
-    // As plain numbers.
+    // The prepared slots are plain numbers.
     let slots = literal::index(outline.prepared);
     let prepared = quote!([#float; #slots]);
     let starts = starts_type(outline);
@@ -188,7 +188,8 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
     }
 }
 
-/// The turns of angles on which a coupled group depends, found with what is prepared before it.
+/// The turns of angles on which a coupled group depends, found with the slots that are prepared
+/// before it.
 fn turns(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let runtime = &outline.runtime;
     let title = outline.title();

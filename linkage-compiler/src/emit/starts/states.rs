@@ -1,4 +1,5 @@
-//! Where a function finds the prepared states that it starts from: one for a call, many side by side for a sweep.
+//! The source of the prepared states that a function starts from: one state for a call, many side
+//! by side for a sweep.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};

@@ -1,10 +1,10 @@
-//! What sweeps do, in words for the docs.
+//! The description of sweeps, as text for the docs.
 
 use super::super::outline::{Outline, plain};
 use crate::model::Sweep;
 use crate::syntax::Word;
 
-/// What stands behind the name of the function.
+/// The text that follows the name of the function.
 pub(super) fn summary(sweep: Sweep) -> &'static str {
     match sweep {
         Sweep::Owned => "at many positions",

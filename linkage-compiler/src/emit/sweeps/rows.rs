@@ -1,4 +1,4 @@
-//! Where the arguments of sweeps come from.
+//! The sources of the arguments of sweeps.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -21,7 +21,8 @@ impl Sweeps<'_> {
         self.extended(inputs, 0)
     }
 
-    /// Rows of arguments with the states of coupled groups behind them; inputs follow `before` other arguments.
+    /// Rows of arguments followed by the states of coupled groups; inputs follow `before` other
+    /// arguments.
     fn extended(&self, rows: TokenStream, before: usize) -> TokenStream {
         if self.function.states.is_empty() {
             return rows;

@@ -47,7 +47,7 @@ impl Builder {
         })
     }
 
-    /// From the pin to the slider, along x.
+    /// The distance from the pin to the slider, along x.
     fn reach(&mut self, pin_y: Value) -> Value {
         let rod2 = self.load(Source::Prepared(0));
         let mode = self.load(Source::Prepared(1));

@@ -19,8 +19,8 @@ pub(crate) struct Sample {
     pub(crate) unit: CompiledMechanism,
 }
 
-/// Crank about `pivot`, rod to a slider on the x axis; `theta` is the direction of the rod, `wheel` turns with the
-/// crank.
+/// Crank about `pivot`, rod to a slider on the x axis; `theta` is the direction of the rod, `wheel`
+/// turns with the crank.
 pub(crate) fn slider_crank() -> Sample {
     Sample {
         def: def(),
