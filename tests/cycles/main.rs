@@ -21,7 +21,7 @@ mod whole;
 
 use linkage::Dimensions;
 use linkage::design::{
-    Candidate, Chosen, Curve, CycleDesign, CycleWish, ErrorOf, Figure, Motion, Piece, Pieces,
+    Candidate, Chosen, Curve, CycleDesign, CycleObjective, ErrorOf, Figure, Motion, Piece, Pieces,
 };
 use linkage::mechanism;
 use linkage::summary::Curve;
@@ -153,7 +153,7 @@ fn figure(figure: &impl Figure<RockerAssembly, N>, rocker: &Rocker) -> (f64, [f6
 }
 
 /// What a wish asks of a rocker with these dimensions, and variables of its own behind them.
-fn asked(wish: &dyn CycleWish<Rocker, RockerAssembly, N>, place: &[f64]) -> Vec<Piece<N>> {
+fn asked(wish: &dyn CycleObjective<Rocker, RockerAssembly, N>, place: &[f64]) -> Vec<Piece<N>> {
     let mechanism = Rocker::from_values(&std::array::from_fn(|k| place[k]));
     let assembly = mechanism.assemble().expect("assembles");
     let motion = Motion {
@@ -176,7 +176,7 @@ fn asked(wish: &dyn CycleWish<Rocker, RockerAssembly, N>, place: &[f64]) -> Vec<
 }
 
 /// Compares all derivatives of what a wish asks at a place with differences.
-fn slopes_of_pieces_agree(wish: &dyn CycleWish<Rocker, RockerAssembly, N>, place: &[f64]) {
+fn slopes_of_pieces_agree(wish: &dyn CycleObjective<Rocker, RockerAssembly, N>, place: &[f64]) {
     let pieces = asked(wish, place);
     for k in 0..place.len() {
         const STEP: f64 = 1e-5;

@@ -71,7 +71,11 @@ where
             certified.add(better, self.listed);
         }
         if certified.designs.is_empty() {
-            let titles = self.wishes.iter().map(|wish| wish.title()).collect();
+            let titles = self
+                .objectives
+                .iter()
+                .map(|objective| objective.title())
+                .collect();
             let refusals = tally.refusals(starts, self.freedom.relations(), titles);
             let refusals = Box::new(Refusals {
                 no_values: rounded.no_values,

@@ -10,7 +10,7 @@ use super::super::condition::Condition;
 use super::super::settings::{Progress, Settings, settings_methods};
 use super::super::varied::{Freedom, freedom_methods};
 use super::super::{DesignError, Relation};
-use super::CycleWish;
+use super::CycleObjective;
 use crate::circuits::Circuits;
 use crate::dimensions::Dimensions;
 use crate::error::AssemblyError;
@@ -34,7 +34,7 @@ pub struct CycleDesign<'a, M, A, const N: usize> {
     pub(super) assemble: AssembleFrom<'a, M, A>,
     pub(super) circuits: CircuitsOf<'a, M, A>,
     pub(super) freedom: Freedom,
-    pub(super) wishes: Vec<Box<dyn CycleWish<M, A, N> + 'a>>,
+    pub(super) objectives: Vec<Box<dyn CycleObjective<M, A, N> + 'a>>,
     pub(super) positions: usize,
     pub(super) all_assemblies: bool,
     pub(super) settings: Settings<'a>,
@@ -62,7 +62,7 @@ where
             assemble: Box::new(assemble_from),
             circuits: Box::new(circuits),
             freedom: Freedom::default(),
-            wishes: Vec::new(),
+            objectives: Vec::new(),
             positions: POSITIONS,
             all_assemblies: false,
             settings: Settings::new(1, STEPS),
@@ -78,8 +78,8 @@ where
 
     /// The goal, or a condition.
     #[must_use]
-    pub fn want(mut self, wish: impl CycleWish<M, A, N> + 'a) -> Self {
-        self.wishes.push(Box::new(wish));
+    pub fn want(mut self, objective: impl CycleObjective<M, A, N> + 'a) -> Self {
+        self.objectives.push(Box::new(objective));
         self
     }
 

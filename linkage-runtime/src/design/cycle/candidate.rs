@@ -1,4 +1,4 @@
-//! A mechanism that is tried, and what wishes say of it.
+//! A mechanism that is tried, and what objectives say of it.
 
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -78,7 +78,7 @@ impl<'c, M, A> Candidate<'c, M, A> {
     }
 }
 
-/// A variable that a wish has for itself, such as where a dwell begins.
+/// A variable that an objective has for itself, such as where a dwell begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Own {
     /// Where the search begins.
@@ -89,17 +89,17 @@ pub struct Own {
     pub reach: f64,
 }
 
-/// What a search has come to for a wish.
+/// What a search has come to for an objective.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chosen<'c> {
-    /// The variables that the wish has for itself.
+    /// The variables that the objective has for itself.
     pub own: &'c [f64],
-    /// The conditions that [`refine`](CycleWish::refine) found in this search, each in numbers of the wish.
+    /// The conditions that [`refine`](CycleObjective::refine) found in this search, each in numbers of the objective.
     pub added: &'c [Vec<f64>],
 }
 
 /// Something that is wanted of a whole cycle. Searches on several threads share it: what one of them finds is in [`Chosen`].
-pub trait CycleWish<M, A, const N: usize>: Send + Sync {
+pub trait CycleObjective<M, A, const N: usize>: Send + Sync {
     /// How messages call it.
     fn title(&self) -> String;
 
@@ -152,7 +152,7 @@ pub trait CycleWish<M, A, const N: usize>: Send + Sync {
         Some(all.flat_map(|piece| piece.parameters).collect())
     }
 
-    /// Looks for conditions that the optimum breaks and that have not been added yet, each in numbers of the wish; if there are any, the
+    /// Looks for conditions that the optimum breaks and that have not been added yet, each in numbers of the objective; if there are any, the
     /// search goes on with them.
     fn refine(&self, candidate: &Candidate<'_, M, A>, chosen: Chosen<'_>) -> Vec<Vec<f64>> {
         let _ = (candidate, chosen);

@@ -20,7 +20,7 @@ pub struct Piece<const N: usize> {
     pub value: f64,
     /// Its derivatives by the parameters.
     pub parameters: [f64; N],
-    /// Its derivatives by the variables that the wish has for itself.
+    /// Its derivatives by the variables that the objective has for itself.
     pub own: Vec<f64>,
 }
 
@@ -45,7 +45,7 @@ impl<const N: usize> Piece<N> {
 /// Goal and conditions of an objective for a candidate.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Conditions<const N: usize> {
-    /// The largest of these is to be least; empty if the wish is only a condition.
+    /// The largest of these is to be least; empty if the objective is only a condition.
     pub goal: Vec<Piece<N>>,
     /// None of these may be above zero.
     pub conditions: Vec<Vec<Piece<N>>>,

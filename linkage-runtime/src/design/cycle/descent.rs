@@ -18,7 +18,7 @@ const SLOPE: f64 = 1e-5;
 const ROUNDING: f64 = 1e-12;
 /// One that is broken by more than this part of it at the end is out of reach; what is between is what a search leaves that is ended early.
 const HOLDS: f64 = 1e-7;
-/// How often wishes may add conditions.
+/// How often objectives may add conditions.
 const REFINEMENTS: usize = 40;
 
 impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
@@ -109,7 +109,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         }
     }
 
-    /// The verified place with its goal: with the variables that wishes have for themselves, or, where their claim does not hold, with those
+    /// The verified place with its goal: with the variables that objectives have for themselves, or, where their claim does not hold, with those
     /// that suit the mechanism there.
     pub(super) fn settled(
         &self,

@@ -6,8 +6,8 @@ use alloc::vec::Vec;
 
 use super::super::catalogue;
 use super::super::limits::Limits;
+use super::super::quasi_random::unit;
 use super::super::refusals::{Fate, Tally};
-use super::super::starts::unit;
 use super::super::{DesignError, Interruption, Refusals};
 use super::ended::Ended;
 use super::found::BestCycle;
@@ -145,10 +145,13 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         let (problem, start, least) = (&self.problem, &ended.at, ended.least);
         let branch = problem.certify(start)?;
         let x = &start.x;
-        let goal = problem.wishes.iter().find(|wish| wish.is_goal());
+        let goal = problem
+            .objectives
+            .iter()
+            .find(|objective| objective.is_goal());
         let best = BestCycle {
             mechanism: problem.mechanism(x),
-            goal: goal.map_or(least, |wish| wish.told(least)),
+            goal: goal.map_or(least, |objective| objective.told(least)),
             own: start
                 .own
                 .iter()
@@ -179,17 +182,17 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         }
         let titles: Vec<String> = self
             .problem
-            .wishes
+            .objectives
             .iter()
-            .map(|wish| wish.title())
+            .map(|objective| objective.title())
             .collect();
         let mut tally = Tally::default();
         let (mut no_values, mut not_whole) = (0, 0);
         for error in &errors {
             match error {
-                DesignError::OutOfReach { wish, .. } => {
-                    let wishes = titles.iter().position(|title| title == wish);
-                    tally.begun(&Fate::Broken(wishes.into_iter().collect()));
+                DesignError::OutOfReach { objective, .. } => {
+                    let objectives = titles.iter().position(|title| title == objective);
+                    tally.begun(&Fate::Broken(objectives.into_iter().collect()));
                 }
                 DesignError::NoValues { .. } => no_values += 1,
                 DesignError::NotWhole(_) => not_whole += 1,

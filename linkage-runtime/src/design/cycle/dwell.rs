@@ -9,7 +9,7 @@ use linkage_core::Cycle;
 use super::super::DesignError;
 use super::corners::{Corner, Corners};
 use super::spread::ranges;
-use super::{Candidate, Chosen, Conditions, Curve, CycleWish, Own, Piece, Place, Verdict};
+use super::{Candidate, Chosen, Conditions, Curve, CycleObjective, Own, Piece, Place, Verdict};
 use crate::data::Parameter;
 use crate::dimensions::Dimensions;
 use crate::format::rounded;
@@ -129,7 +129,7 @@ impl<'a, A, const N: usize> Dwell<'a, A, N> {
     }
 }
 
-impl<M: Dimensions<N>, A, const N: usize> CycleWish<M, A, N> for Dwell<'_, A, N> {
+impl<M: Dimensions<N>, A, const N: usize> CycleObjective<M, A, N> for Dwell<'_, A, N> {
     fn title(&self) -> String {
         let what = match self.asked {
             Asked::Longest(band) => format!("longest dwell within {}", rounded(band)),
@@ -161,14 +161,14 @@ impl<M: Dimensions<N>, A, const N: usize> CycleWish<M, A, N> for Dwell<'_, A, N>
     }
 
     fn check(&self, cycle: &Cycle, _: &[Parameter], _: &[usize]) -> Vec<DesignError> {
-        let wish = || CycleWish::<M, A, N>::title(self);
+        let objective = || CycleObjective::<M, A, N>::title(self);
         let [from, to] = self.between.unwrap_or([cycle.low, cycle.high]);
         let mut errors = Vec::new();
         let turns = cycle.turn().is_some();
         let outside = |input: &f64| !(turns || (cycle.low..=cycle.high).contains(input));
         if let Some(input) = [from, to].into_iter().find(outside) {
             errors.push(DesignError::OutOfRange {
-                wish: wish(),
+                objective: objective(),
                 input,
                 low: cycle.low,
                 high: cycle.high,
@@ -177,7 +177,7 @@ impl<M: Dimensions<N>, A, const N: usize> CycleWish<M, A, N> for Dwell<'_, A, N>
         let length = self.asked.length().unwrap_or(0.0);
         if !(length <= (to - from) * (1.0 + ROUNDING) && to - from > 0.0) {
             errors.push(DesignError::NoRoom {
-                wish: wish(),
+                objective: objective(),
                 length,
                 from,
                 to,

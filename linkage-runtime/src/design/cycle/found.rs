@@ -14,7 +14,7 @@ pub struct BestCycle<M, A> {
     pub assembly: A,
     /// The value of the goal, such as the longest dwell or the least peak, verified by the mechanism.
     pub goal: f64,
-    /// The variables that each wish has for itself, in the order of the wishes: where a dwell begins and others.
+    /// The variables that each objective has for itself, in the order of the objectives: where a dwell begins and others.
     pub own: Vec<Vec<f64>>,
     /// Its smallest margin over the range, 0 at a dead point.
     pub margin: f64,

@@ -7,7 +7,7 @@ use core::ops::Range;
 use super::super::DesignError;
 use super::super::limits::Limits;
 use super::super::minimax::{Groups, Key, Row};
-use super::{Candidate, Chosen, CycleWish, Motion, Own, Piece, Place};
+use super::{Candidate, Chosen, CycleObjective, Motion, Own, Piece, Place};
 use crate::circuits::Circuits;
 use crate::dimensions::Dimensions;
 use crate::error::AssemblyError;
@@ -15,7 +15,7 @@ use crate::error::AssemblyError;
 /// How a mechanism is assembled in the modes of another one.
 pub(super) type Assemble<'p, M, A> = dyn Fn(&M) -> Result<A, AssemblyError> + Sync + 'p;
 
-/// A problem, which searches on several threads share. The variables are the parameters that vary, then those that each wish has for itself.
+/// A problem, which searches on several threads share. The variables are the parameters that vary, then those that each objective has for itself.
 pub(super) struct Problem<'p, M, A, const N: usize> {
     pub(super) nominal: [f64; N],
     /// Indices of the parameters that vary, in ascending order.
@@ -28,7 +28,7 @@ pub(super) struct Problem<'p, M, A, const N: usize> {
     /// Whether the range is a full turn.
     pub(super) closed: bool,
     pub(super) positions: usize,
-    pub(super) wishes: &'p [&'p (dyn CycleWish<M, A, N> + 'p)],
+    pub(super) objectives: &'p [&'p (dyn CycleObjective<M, A, N> + 'p)],
     pub(super) assemble: &'p Assemble<'p, M, A>,
     pub(super) circuits: &'p (dyn Fn(&M) -> Result<Circuits<A>, AssemblyError> + Sync + 'p),
 }
@@ -40,18 +40,18 @@ pub(super) struct Start {
     pub(super) limits: Limits,
     /// How far each variable may go in the first step.
     pub(super) reach: Vec<f64>,
-    /// Where the variables of each wish are.
+    /// Where the variables of each objective are.
     pub(super) own: Vec<Range<usize>>,
-    /// The conditions that were added to each wish.
+    /// The conditions that were added to each objective.
     pub(super) added: Vec<Vec<Vec<f64>>>,
 }
 
 impl Start {
-    /// What is chosen for the wish with this number, at some variables.
-    pub(super) fn chosen<'c>(&'c self, wish: usize, x: &'c [f64]) -> Chosen<'c> {
+    /// What is chosen for the objective with this number, at some variables.
+    pub(super) fn chosen<'c>(&'c self, objective: usize, x: &'c [f64]) -> Chosen<'c> {
         Chosen {
-            own: &x[self.own[wish].clone()],
-            added: &self.added[wish],
+            own: &x[self.own[objective].clone()],
+            added: &self.added[objective],
         }
     }
 }
@@ -80,10 +80,10 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
             x,
             limits: limits.clone(),
             own: Vec::new(),
-            added: vec![Vec::new(); self.wishes.len()],
+            added: vec![Vec::new(); self.objectives.len()],
         };
-        for wish in self.wishes {
-            let own = |candidate: &Candidate<'_, M, A>| wish.own(candidate);
+        for objective in self.objectives {
+            let own = |candidate: &Candidate<'_, M, A>| objective.own(candidate);
             let own: Vec<Own> = self
                 .tried(&start.x, own)
                 .ok_or_else(|| self.refused(&start))?;
@@ -146,7 +146,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         of(&Candidate::new(&mechanism, motion, &assemble))
     }
 
-    /// Goal and conditions of a candidate in their own units; those of a wish come together, in the order of the wishes.
+    /// Goal and conditions of a candidate in their own units; those of an objective come together, in the order of the objectives.
     pub(super) fn asked(
         &self,
         start: &Start,
@@ -154,8 +154,8 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         candidate: &Candidate<'_, M, A>,
     ) -> Option<Groups> {
         let mut groups = Groups::default();
-        for (k, wish) in self.wishes.iter().enumerate() {
-            let asked = wish.evaluate(candidate, start.chosen(k, x))?;
+        for (k, objective) in self.objectives.iter().enumerate() {
+            let asked = objective.evaluate(candidate, start.chosen(k, x))?;
             let row = |piece: &Piece<N>| self.row(piece, &start.own[k], x.len());
             let rows = |pieces: Vec<Piece<N>>| pieces.iter().map(row).collect();
             groups.objective.extend::<Vec<Row>>(rows(asked.goal));
@@ -235,11 +235,12 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         Some(groups)
     }
 
-    /// Lets all wishes look for further conditions, and adds them; whether there are any.
+    /// Lets all objectives look for further conditions, and adds them; whether there are any.
     pub(super) fn refine(&self, start: &mut Start) -> bool {
         let refined = |candidate: &Candidate<'_, M, A>| {
-            let wishes = self.wishes.iter().enumerate();
-            let more = wishes.map(|(k, wish)| wish.refine(candidate, start.chosen(k, &start.x)));
+            let objectives = self.objectives.iter().enumerate();
+            let more = objectives
+                .map(|(k, objective)| objective.refine(candidate, start.chosen(k, &start.x)));
             Some(more.collect::<Vec<_>>())
         };
         let more = self.tried(&start.x, refined).unwrap_or_default();

@@ -11,7 +11,7 @@ use super::super::DesignError;
 use super::super::rounds::in_rounds;
 use super::super::settings::{End, Report};
 use super::super::varied::Varied;
-use super::CycleWish;
+use super::CycleObjective;
 use super::builder::CycleDesign;
 use super::descents::{Descents, Optimum};
 use super::found::BestCycle;
@@ -20,7 +20,7 @@ use crate::circuits::Circuits;
 use crate::dimensions::Dimensions;
 
 /// All that is wanted.
-pub(super) type Wishes<'w, M, A, const N: usize> = [&'w (dyn CycleWish<M, A, N> + 'w)];
+pub(super) type Objectives<'w, M, A, const N: usize> = [&'w (dyn CycleObjective<M, A, N> + 'w)];
 
 /// A checked problem.
 pub(super) struct Checked<A> {
@@ -56,12 +56,12 @@ where
     pub fn run_all(mut self) -> Result<Vec<BestCycle<M, A>>, DesignError> {
         let end = self.settings.end();
         let mut report = self.settings.progress.take();
-        let wishes: Vec<_> = self.wishes.iter().map(Box::as_ref).collect();
-        let checked = self.checked(&wishes)?;
+        let objectives: Vec<_> = self.objectives.iter().map(Box::as_ref).collect();
+        let checked = self.checked(&objectives)?;
         let starts = self.settings.starts.max(1);
         self.searched(
             &checked,
-            &wishes,
+            &objectives,
             (&self.nominal, starts, true),
             &end,
             &mut report,
@@ -72,7 +72,7 @@ where
     pub(super) fn searched(
         &self,
         checked: &Checked<A>,
-        wishes: &Wishes<'_, M, A, N>,
+        objectives: &Objectives<'_, M, A, N>,
         (first, starts, widening): (&M, usize, bool),
         end: &End<'_>,
         report: &mut Option<Report<'a>>,
@@ -82,7 +82,7 @@ where
         let assemble = |near: &A, mechanism: &M| assembled(mechanism, near);
         let own = |mechanism: &M| assemble(own, mechanism);
         let descents = |assembly: usize, assemble| {
-            let problem = self.problem(checked, wishes, first, assemble);
+            let problem = self.problem(checked, objectives, first, assemble);
             let start = problem.start(&problem.limits, problem.first());
             Descents {
                 reference: start.ok().and_then(|start| problem.scales(&start)),
@@ -133,7 +133,7 @@ where
     fn problem<'p>(
         &'p self,
         checked: &Checked<A>,
-        wishes: &'p Wishes<'p, M, A, N>,
+        objectives: &'p Objectives<'p, M, A, N>,
         first: &M,
         assemble: &'p Assemble<'p, M, A>,
     ) -> Problem<'p, M, A, N> {
@@ -146,20 +146,23 @@ where
             range: (cycle.low, cycle.high),
             closed: cycle.turn().is_some(),
             positions: self.positions,
-            wishes,
+            objectives,
             assemble,
             circuits: &*self.circuits,
         }
     }
 
     /// What varies and within which limits, and all assemblies of the first mechanism; or all mistakes.
-    pub(super) fn checked(&self, wishes: &Wishes<'_, M, A, N>) -> Result<Checked<A>, DesignError> {
+    pub(super) fn checked(
+        &self,
+        objectives: &Objectives<'_, M, A, N>,
+    ) -> Result<Checked<A>, DesignError> {
         let circuits = (self.circuits)(&self.nominal).map_err(DesignError::Start)?;
         let cycle: &Cycle = &circuits.cycle;
         let mut varied = self.freedom.varied(M::PARAMETERS, &self.nominal.values());
         let mut errors = core::mem::take(&mut varied.errors);
-        let goals = wishes.iter().filter(|wish| wish.is_goal());
-        let goals: Vec<_> = goals.map(|wish| wish.title()).collect();
+        let goals = objectives.iter().filter(|objective| objective.is_goal());
+        let goals: Vec<_> = goals.map(|objective| objective.title()).collect();
         if goals.len() != 1 {
             errors.push(DesignError::Goals { goals });
         }
@@ -167,11 +170,11 @@ where
             let what = "less than two positions";
             errors.push(DesignError::Nothing {
                 what,
-                wish: "a design problem".to_string(),
+                objective: "a design problem".to_string(),
             });
         }
-        for wish in wishes {
-            errors.extend(wish.check(cycle, M::PARAMETERS, &varied.indices));
+        for objective in objectives {
+            errors.extend(objective.check(cycle, M::PARAMETERS, &varied.indices));
         }
         DesignError::all(errors)?;
         let names = varied.indices.iter().map(|&k| M::PARAMETERS[k].name);

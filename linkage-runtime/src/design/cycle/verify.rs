@@ -26,7 +26,7 @@ const ROUNDING: f64 = 1e-12;
 /// The verdict looks for limits from this many times the intervals of the search.
 const FINER: usize = 4;
 
-/// The change of each condition of each wish in a first step.
+/// The change of each condition of each objective in a first step.
 pub(super) type Scales = Vec<Vec<f64>>;
 
 impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
@@ -39,8 +39,8 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
             parts.map(|(slope, reach)| (slope * reach).abs()).sum()
         };
         let of = |candidate: &Candidate<'_, M, A>| {
-            let scales = self.wishes.iter().enumerate().map(|(k, wish)| {
-                let asked = wish.evaluate(candidate, start.chosen(k, x))?;
+            let scales = self.objectives.iter().enumerate().map(|(k, objective)| {
+                let asked = objective.evaluate(candidate, start.chosen(k, x))?;
                 let largest = |pieces: &Vec<Piece<N>>| {
                     let changes = pieces.iter().map(|piece| change(k, piece));
                     changes.fold(f64::MIN_POSITIVE, f64::max)
@@ -66,7 +66,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
             .tried(x, |candidate| self.verdicts(start, candidate))
             .ok_or_else(|| self.not_whole(x))?;
         let ends = self.scales(start);
-        for (k, (wish, verdict)) in self.wishes.iter().zip(&verdicts).enumerate() {
+        for (k, (objective, verdict)) in self.objectives.iter().zip(&verdicts).enumerate() {
             let change = |nth: usize| {
                 let all = scales.iter().copied().chain([ends.as_ref()]).flatten();
                 let changes = all.filter_map(|scales| scales[k].get(nth).copied());
@@ -86,12 +86,12 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
             };
             let broken = verdict.conditions.iter().enumerate().filter_map(broken);
             if let Some(by) = broken.max_by(f64::total_cmp) {
-                return Err(self.out_of_reach(start, wish.title(), by));
+                return Err(self.out_of_reach(start, objective.title(), by));
             }
         }
         if let Some(by) = start.limits.missed(x) {
-            let wish = "relations between the parameters".to_string();
-            return Err(self.out_of_reach(start, wish, by));
+            let objective = "relations between the parameters".to_string();
+            return Err(self.out_of_reach(start, objective, by));
         }
         let goal = verdicts.iter().find_map(|verdict| verdict.goal);
         let goal = goal.filter(|goal| goal.is_finite());
@@ -103,10 +103,10 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         Ok(if confirmed { claimed } else { goal })
     }
 
-    /// Returns whether the conditions of a wish must hold in full: a goal with variables of its own has others that suit the mechanism where those
+    /// Returns whether the conditions of an objective must hold in full: a goal with variables of its own has others that suit the mechanism where those
     /// of a search break its conditions by what a search leaves. At corners of tolerances it has none.
     fn is_exact(&self, start: &Start, k: usize) -> bool {
-        self.wishes[k].is_goal() && !start.own[k].is_empty() && start.added[k].is_empty()
+        self.objectives[k].is_goal() && !start.own[k].is_empty() && start.added[k].is_empty()
     }
 
     /// A violation, measured by the change in a first step, that the verdict on a goal with variables of its own allows. It matters for a band
@@ -119,8 +119,8 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
             let change = scales?[k].iter().copied().reduce(f64::max)?;
             Some(WITHIN * VERIFIED * size / change)
         };
-        let wishes = (0..self.wishes.len()).filter(|&k| self.is_exact(start, k));
-        wishes.filter_map(least).reduce(f64::min)
+        let objectives = (0..self.objectives.len()).filter(|&k| self.is_exact(start, k));
+        objectives.filter_map(least).reduce(f64::min)
     }
 
     fn verdicts(&self, start: &Start, candidate: &Candidate<'_, M, A>) -> Option<Vec<Verdict>> {
@@ -129,9 +129,9 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
             ..candidate.motion
         };
         let finer = Candidate::new(candidate.mechanism, motion, candidate.assemble);
-        let wishes = self.wishes.iter().enumerate();
-        wishes
-            .map(|(k, wish)| wish.verify(&finer, start.chosen(k, &start.x)))
+        let objectives = self.objectives.iter().enumerate();
+        objectives
+            .map(|(k, objective)| objective.verify(&finer, start.chosen(k, &start.x)))
             .collect()
     }
 }

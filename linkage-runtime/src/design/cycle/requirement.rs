@@ -5,7 +5,7 @@ use alloc::string::String;
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::{Candidate, Check, Chosen, Conditions, CycleWish, Motion, Piece, Verdict};
+use super::{Candidate, Check, Chosen, Conditions, CycleObjective, Motion, Piece, Verdict};
 use crate::format::rounded;
 
 /// The pieces that a figure is made of.
@@ -26,40 +26,40 @@ pub trait Figure<A, const N: usize>: Sized {
     fn pieces(&self, motion: &Motion<'_, A>) -> Option<Pieces<N>>;
 
     /// It is to be as small as possible: the goal.
-    fn least(self) -> Demand<Self> {
-        Demand {
+    fn least(self) -> Requirement<Self> {
+        Requirement {
             figure: self,
             sense: Sense::Least,
         }
     }
 
     /// It is to be as large as possible: the goal.
-    fn greatest(self) -> Demand<Self> {
-        Demand {
+    fn greatest(self) -> Requirement<Self> {
+        Requirement {
             figure: self,
             sense: Sense::Greatest,
         }
     }
 
     /// It must not be above a limit, in its own unit.
-    fn at_most(self, limit: f64) -> Demand<Self> {
-        Demand {
+    fn at_most(self, limit: f64) -> Requirement<Self> {
+        Requirement {
             figure: self,
             sense: Sense::AtMost(limit),
         }
     }
 
     /// It must not be below a limit, in its own unit.
-    fn at_least(self, limit: f64) -> Demand<Self> {
-        Demand {
+    fn at_least(self, limit: f64) -> Requirement<Self> {
+        Requirement {
             figure: self,
             sense: Sense::AtLeast(limit),
         }
     }
 
     /// It must have this value, in its own unit.
-    fn equal(self, value: f64) -> Demand<Self> {
-        Demand {
+    fn equal(self, value: f64) -> Requirement<Self> {
+        Requirement {
             figure: self,
             sense: Sense::Equal(value),
         }
@@ -88,19 +88,19 @@ enum Sense {
 
 /// What is asked of a [`Figure`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct Demand<F> {
+pub struct Requirement<F> {
     figure: F,
     sense: Sense,
 }
 
-impl<F> Demand<F> {
+impl<F> Requirement<F> {
     /// The condition that the figure is as good as a limit, where this is a goal.
-    pub(super) fn within(&self, limit: f64) -> Demand<&F> {
+    pub(super) fn within(&self, limit: f64) -> Requirement<&F> {
         let sense = match self.sense {
             Sense::Greatest => Sense::AtLeast(limit),
             _ => Sense::AtMost(limit),
         };
-        Demand {
+        Requirement {
             figure: &self.figure,
             sense,
         }
@@ -119,7 +119,9 @@ impl<F> Demand<F> {
     }
 }
 
-impl<M, A, F: Figure<A, N> + Send + Sync, const N: usize> CycleWish<M, A, N> for Demand<F> {
+impl<M, A, F: Figure<A, N> + Send + Sync, const N: usize> CycleObjective<M, A, N>
+    for Requirement<F>
+{
     fn title(&self) -> String {
         let title = self.figure.title();
         match self.sense {
