@@ -25,7 +25,6 @@ mod ratio;
 mod requirement;
 mod run;
 mod spread;
-mod steady;
 mod verdict;
 mod verify;
 
