@@ -24,7 +24,7 @@ use linkage::design::{
     Candidate, Chosen, Curve, CycleDesign, CycleObjective, ErrorOf, Figure, Motion, Piece, Pieces,
 };
 use linkage::mechanism;
-use linkage::summary::Curve;
+use linkage::summary;
 use linkage::tolerance::Tolerances;
 use std::f64::consts::TAU;
 
@@ -222,11 +222,11 @@ fn design() -> CycleDesign<'static, Rocker, RockerAssembly, N> {
     design.vary_by("rocker", 0.1)
 }
 
-fn course(rocker: &Rocker) -> Curve<4, impl Fn(f64) -> [f64; 4]> {
+fn course(rocker: &Rocker) -> summary::Curve<4, impl Fn(f64) -> [f64; 4]> {
     let assembly = rocker.assemble().expect("assembles");
     let jet = move |phi| {
         let tip = assembly.tip(phi);
         [tip.tip, tip.v, tip.a, tip.j]
     };
-    Curve::new((0.0, TAU), 361, jet).expect("a turn")
+    summary::Curve::new((0.0, TAU), 361, jet).expect("a turn")
 }
