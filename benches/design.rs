@@ -10,7 +10,7 @@ mod mechanism;
 #[allow(dead_code, reason = "the example asks for fewer starts")]
 mod problems;
 
-use linkage::design::{Candidates, Rows, Targets, Objective};
+use linkage::design::{Candidates, Objective, Rows, Targets};
 use linkage::{AssemblyError, Dimensions};
 use linkage_peers::timing::{Candidate, interleave, only_tested};
 use mechanism::{FourBar, FourBarAssembly};

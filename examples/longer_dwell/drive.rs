@@ -68,7 +68,9 @@ pub(crate) fn way() -> Curve<'static, EyeNeedleAssembly, N> {
 pub(crate) fn course(
     drive: &EyeNeedleAssembly,
 ) -> Result<summary::Curve<3, impl Fn(f64) -> [f64; 3]>, Box<dyn Error>> {
-    Ok(summary::Curve::new((0.0, TAU), 361, move |phi| jet(drive, phi))?)
+    Ok(summary::Curve::new((0.0, TAU), 361, move |phi| {
+        jet(drive, phi)
+    })?)
 }
 
 /// The stroke of the published drive.

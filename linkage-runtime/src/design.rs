@@ -1,5 +1,5 @@
-//! Dimensions for requirements: the dimensions that meet the objectives best, by least squares on exact
-//! derivatives from many starts.
+//! Dimensions for requirements: the dimensions that meet the objectives best, by least squares on
+//! exact derivatives from many starts.
 //!
 //! A [`Design`] has the parameters that may vary with their bounds, the goals ([`Targets`]), and
 //! the conditions ([`Relation`]s, and always: assembled over the whole range on one circuit). Its

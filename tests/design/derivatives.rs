@@ -1,7 +1,7 @@
 //! Rows of wishes: their derivatives against differences of the rows of other dimensions and inputs.
 
 use super::{FourBar, FourBarAssembly, PathColumns, PoseColumns, SpeedColumns, evenly, points};
-use linkage::design::{Candidates, Rows, Targets, Timing, Objective};
+use linkage::design::{Candidates, Objective, Rows, Targets, Timing};
 use linkage::{Cycle, Dimensions};
 use std::f64::consts::TAU;
 

@@ -1,7 +1,7 @@
 //! A seed gives the same designs, however many threads there are.
 
 use super::{FourBar, FourBarAssembly, FourBarDesign, LENGTHS, evenly, points, problem};
-use linkage::design::{Design, DesignError, DesignSearch, Progress, Relation, Targets, Objective};
+use linkage::design::{Design, DesignError, DesignSearch, Objective, Progress, Relation, Targets};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 

@@ -104,8 +104,8 @@ impl<M, A> FoundDesign<M, A> {
     }
 }
 
-/// The figures in a few lines: by how much it misses each objective at most, and which bounds are in the
-/// way.
+/// The figures in a few lines: by how much it misses each objective at most, and which bounds are
+/// in the way.
 impl<M, A> fmt::Display for FoundDesign<M, A> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(

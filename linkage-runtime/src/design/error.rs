@@ -162,8 +162,8 @@ pub enum DesignError {
         /// The goals there are.
         goals: Vec<String>,
     },
-    /// An objective finds nothing in the mechanism that the search begins with, although it runs through
-    /// its whole range.
+    /// An objective finds nothing in the mechanism that the search begins with, although it runs
+    /// through its whole range.
     NoStart {
         /// The objective.
         objective: String,

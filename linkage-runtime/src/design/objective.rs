@@ -14,8 +14,8 @@ use crate::format::rounded;
 /// Something that is wanted of a mechanism: rows of residuals, whose sum of squares is made least,
 /// or of conditions, which must not be negative.
 ///
-/// [`Targets`](super::Targets) are the usual ones. One of your own needs rows with derivatives by all parameters, and by the
-/// inputs that it leaves free, if there are any.
+/// [`Targets`](super::Targets) are the usual ones. One of your own needs rows with derivatives by
+/// all parameters, and by the inputs that it leaves free, if there are any.
 pub trait Objective<M, A>: Send + Sync {
     /// Returns the name in messages.
     fn title(&self) -> String;

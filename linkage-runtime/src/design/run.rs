@@ -18,7 +18,7 @@ where
     M: Dimensions<N> + Copy + Send + Sync,
     A: Clone + Send + Sync,
 {
-    /// Searches from all starts, and lists all distinct local optima that hold what must hold.
+    /// Searches from all starts, and lists all distinct local optima that hold the conditions.
     ///
     /// Each is verified without the descent that led to it: bounds, relations, conditions and the
     /// sum of squares are computed from the assembly that is returned. A condition may be missed by

@@ -20,7 +20,8 @@ const ROUNDED: f64 = 1e-9;
 
 /// The turning points of a quantity, by which its extent over any interval is known.
 pub(super) struct TurningPoints {
-    /// Input and value in order of the input, over the range and, if that is a turn, over two turns on either side.
+    /// Input and value in order of the input, over the range and, if that is a turn, over two turns
+    /// on either side.
     points: Vec<[f64; 2]>,
     advance: f64,
     /// The change over the whole range.
@@ -66,12 +67,13 @@ impl<A, const N: usize> Dwell<'_, A, N> {
         })
     }
 
-    /// The interval of a length in which the quantity changes least: where it begins, its length, its lowest value, and a band
-    /// that spares what a start does.
+    /// The interval of a length in which the quantity changes least: where it begins, its length,
+    /// its lowest value, and a band that spares as much as a start.
     ///
-    /// Between two beginnings at which one of its ends passes a turning point the values at both ends are monotone, and the extent has
-    /// few hollows. So each of these cells is searched by itself: a grid over all beginnings misses a hollow between two
-    /// of its positions, and with it a start that is better than all results.
+    /// Between two beginnings at which one of its ends passes a turning point the values at both
+    /// ends are monotone, and the extent has few hollows. So each of these cells is searched by
+    /// itself: a grid over all beginnings misses a hollow between two of its positions, and with it
+    /// a start that is better than all results.
     pub(super) fn steadiest(&self, motion: &Motion<'_, A>, length: f64) -> Option<[f64; 4]> {
         let turning = self.turning_points(motion)?;
         let (low, high) = motion.range;
@@ -105,7 +107,8 @@ impl<A, const N: usize> Dwell<'_, A, N> {
         Some([from, length, lowest, change / (1.0 - 2.0 * SPARE)])
     }
 
-    /// The verdict on an interval and a band, in the mechanism and at the corners of the tolerances.
+    /// The verdict on an interval and a band, in the mechanism and at the corners of the
+    /// tolerances.
     pub(super) fn verdict<M: Dimensions<N>>(
         &self,
         candidate: &Candidate<'_, M, A>,

@@ -18,11 +18,13 @@ use crate::data::Parameter;
 use crate::dimensions::Dimensions;
 use crate::format::rounded;
 
-/// What [`Targets`](super::super::Targets), or another [`Objective`], ask for, beside figures of the whole cycle: a path with a margin that
-/// is never below a limit, a pose with a low peak of torque.
+/// The rows of [`Targets`](super::super::Targets), or of another [`Objective`], next to figures of
+/// the whole cycle: a path with a margin that is never below a limit, a pose with a low peak of
+/// torque.
 ///
-/// Inputs that the objective leaves free are variables of its own; the search begins with those that suit its first mechanism best. Rows of an objective that
-/// is a condition must not be negative, whatever is asked of them here.
+/// Inputs that the objective leaves free are variables of its own; the search begins with those
+/// that suit its first mechanism best. Rows of an objective that is a condition must not be
+/// negative, whatever is asked of them here.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit<W> {
     objective: W,
@@ -36,11 +38,12 @@ enum Sense {
     Within(f64),
 }
 
-/// Starts of free inputs in the first mechanism: enough for the best of the ways in which a path of some points may be run through.
+/// Starts of free inputs in the first mechanism: enough for the best of the ways in which a path of
+/// some points may be run through.
 const STARTS: usize = 32;
 /// The most steps from each of them.
 const STEPS: usize = 60;
-/// Of the range, how far a free input may go in the first step.
+/// The part of the range by which a free input may change in the first step.
 const REACH: f64 = 0.02;
 
 impl<W> Fit<W> {
@@ -248,7 +251,7 @@ fn sum_of_squares<const N: usize>(rows: &[Piece<N>], free: usize) -> Piece<N> {
     sum
 }
 
-/// What the sizes of rows are above a limit.
+/// The amounts by which the sizes of rows are above a limit.
 fn sizes<const N: usize>(rows: &[Piece<N>], limit: f64) -> Vec<Piece<N>> {
     let both = |(nth, row): (usize, &Piece<N>)| {
         [1.0, -1.0].map(|sign| Piece {

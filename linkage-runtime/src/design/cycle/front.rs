@@ -16,11 +16,12 @@ use crate::dimensions::Dimensions;
 pub struct Compromise<M, A> {
     /// The mechanism; its goal is the first objective.
     pub best: BestCycle<M, A>,
-    /// What the figure of the second objective comes to.
+    /// The value of the figure of the second objective.
     pub other: f64,
 }
 
-/// Of the way between the ends of the front, how far its last limit is from what can be reached at all: there the first objective has no room.
+/// The distance of the last limit of the front from the best value that can be reached, as a part
+/// of the way between its ends: there the first objective has no room.
 const SPARE: f64 = 1e-3;
 
 impl<M, A, const N: usize> CycleDesign<'_, M, A, N>
@@ -28,12 +29,13 @@ where
     M: Dimensions<N> + Copy + Send + Sync,
     A: Send + Sync,
 {
-    /// Compromises between two goals, which contradict each other, beside the conditions that are wanted: from the best mechanism for `goal`
-    /// alone to that for `other` alone, so many of them. Between the ends `other` is a condition, with limits at equal distances.
+    /// Compromises between two goals, which contradict each other, beside the conditions that are
+    /// wanted: from the best mechanism for `goal` alone to that for `other` alone, so many of them.
+    /// Between the ends `other` is a condition, with limits at equal distances.
     ///
-    /// Each search begins with the compromise beside it, from both ends; the better one of both is kept, and none than which another is
-    /// better in both objectives. So the front is one of local optima, as all that is found here. The ends are searched from all
-    /// [starts](Self::starts).
+    /// Each search begins with the compromise beside it, from both ends; the better one of both is
+    /// kept, and none than which another is better in both objectives. So the front is one of local
+    /// optima, as all that is found here. The ends are searched from all [starts](Self::starts).
     ///
     /// # Errors
     ///
@@ -108,7 +110,7 @@ where
     }
 }
 
-/// 1 if a goal is told as it is made least, -1 if it is to be greatest.
+/// Returns 1 for a goal that is made least, -1 for a goal that is to be greatest.
 fn sense<M, A, const N: usize>(goal: &dyn CycleObjective<M, A, N>) -> f64 {
     goal.told(1.0) - goal.told(0.0)
 }

@@ -1,4 +1,5 @@
-//! What must hold of an optimum: its conditions, and that it runs through its whole range on one circuit.
+//! The proof of an optimum: its conditions hold, and it runs through its whole range on one
+//! circuit.
 
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -12,11 +13,12 @@ use crate::circuits::{Branch, BranchEnd, Circuits};
 use crate::dimensions::Dimensions;
 use crate::error::AssemblyError;
 
-/// Ends that differ by less than this part of their interval are one: that of two assemblies which meet there.
+/// Ends that differ by less than this part of their interval are one: that of two assemblies which
+/// meet there.
 const SAME_END: f64 = 1e-6;
 
 impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
-    /// Whether all conditions hold to within a part of their sizes.
+    /// True if all conditions hold to within a part of their sizes.
     pub(super) fn held(
         &self,
         start: &Start,
@@ -69,7 +71,8 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         }
     }
 
-    /// How many equations must hold, of figures and between parameters, and how many variables there are for them.
+    /// The number of equations of figures and between parameters, and the number of variables for
+    /// them.
     fn freedom(&self, start: &Start) -> (usize, usize) {
         let figures: usize = self
             .objectives
@@ -104,8 +107,9 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
             .collect()
     }
 
-    /// The assembly over the whole range: one that runs through it without a dead point, closes after a turn, and by which all objectives are
-    /// what they are for the optimum, so that it is the one that was optimised.
+    /// The assembly over the whole range: one that runs through it without a dead point, closes
+    /// after a turn, and by which all objectives have their values of the optimum, so that it is
+    /// the one that was optimised.
     pub(super) fn certify(&self, start: &Start) -> Result<Branch<A>, DesignError> {
         let x = &start.x;
         let own = self
@@ -127,7 +131,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
             .collect()
     }
 
-    /// Whether an assembly of this mechanism is the one with these numbers.
+    /// Returns true if an assembly of this mechanism is the one with these numbers.
     pub(super) fn is_known(&self, start: &Start, own: &[Vec<f64>], assembly: &A) -> bool {
         let other = self.assembled(&start.x, assembly, |candidate| {
             self.known_by(start, candidate)
@@ -145,8 +149,8 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         DesignError::NotWhole(self.interruption(x, &circuits))
     }
 
-    /// Why nothing can be said of the mechanism that a search begins with: it does not run through its whole range, or an objective finds nothing in
-    /// it.
+    /// Why nothing can be said of the mechanism that a search begins with: it does not run through
+    /// its whole range, or an objective finds nothing in it.
     pub(super) fn refused(&self, start: &Start) -> DesignError {
         let circuits = (self.circuits)(&self.mechanism(&start.x));
         let branches = circuits.as_ref().map_or(&[][..], |found| &found.branches);
@@ -191,7 +195,8 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         }
     }
 
-    /// Whether an objective finds something in an assembly: the variables of its own, and then all its numbers.
+    /// Returns true if an objective has values in an assembly: the variables of its own, and then
+    /// all its numbers.
     fn finds(&self, start: &Start, k: usize, assembly: &A) -> bool {
         let objective = &self.objectives[k];
         let asked = |candidate: &Candidate<'_, M, A>| {

@@ -19,10 +19,10 @@ pub enum Pieces<const N: usize> {
 
 /// A number that a cycle comes to.
 pub trait Figure<A, const N: usize>: Sized {
-    /// How messages call it.
+    /// The name in messages.
     fn title(&self) -> String;
 
-    /// What it is made of; `None` where the mechanism does not assemble over the range.
+    /// The parts of it; `None` where the mechanism does not assemble over the range.
     fn pieces(&self, motion: &Motion<'_, A>) -> Option<Pieces<N>>;
 
     /// It is to be as small as possible: the goal.
@@ -76,7 +76,7 @@ impl<A, F: Figure<A, N>, const N: usize> Figure<A, N> for &F {
     }
 }
 
-/// What is asked of a figure.
+/// The sense of a requirement, with its limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Sense {
     Least,
@@ -86,7 +86,7 @@ enum Sense {
     Equal(f64),
 }
 
-/// What is asked of a [`Figure`].
+/// The requirement for a [`Figure`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Requirement<F> {
     figure: F,
@@ -106,7 +106,7 @@ impl<F> Requirement<F> {
         }
     }
 
-    /// What the figure comes to; `None` where the mechanism does not assemble over the range.
+    /// The value of the figure; `None` where the mechanism does not assemble over the range.
     pub(super) fn value<A, const N: usize>(&self, motion: &Motion<'_, A>) -> Option<f64>
     where
         F: Figure<A, N>,
@@ -186,7 +186,8 @@ impl<M, A, F: Figure<A, N> + Send + Sync, const N: usize> CycleObjective<M, A, N
     }
 }
 
-/// What the figure is above a limit. The smallest of several has no other slopes than those of its piece.
+/// The amount by which the figure is above a limit. The smallest of several has no other slopes
+/// than those of its piece.
 fn upper<const N: usize>(pieces: &Pieces<N>, limit: f64) -> Vec<Piece<N>> {
     match pieces {
         Pieces::Largest(all) => all.iter().map(|piece| piece.times(1.0, -limit)).collect(),
@@ -197,7 +198,7 @@ fn upper<const N: usize>(pieces: &Pieces<N>, limit: f64) -> Vec<Piece<N>> {
     }
 }
 
-/// What the figure is below a limit.
+/// The amount by which the figure is below a limit.
 fn lower<const N: usize>(pieces: &Pieces<N>, limit: f64) -> Vec<Piece<N>> {
     match pieces {
         Pieces::Smallest(all) => all.iter().map(|piece| piece.times(-1.0, limit)).collect(),

@@ -35,24 +35,29 @@ where
 {
     /// Searches for the best mechanism.
     ///
-    /// The result is verified by the assembled mechanism, and not worse than the first mechanism, if that holds all conditions.
+    /// The result is verified by the assembled mechanism, and not worse than the first mechanism,
+    /// if that holds all conditions.
     ///
     /// # Errors
     ///
-    /// All mistakes of the problem at once; `StartNotWhole` or `NoStart` if the search has nowhere to begin; `OutOfReach` with the condition that
-    /// cannot be held, by how much it is missed, and the bounds that are in the way; `NotWhole` if the optimum does not run through the
-    /// whole range on one circuit.
+    /// All mistakes of the problem at once; `StartNotWhole` or `NoStart` if the search has nowhere
+    /// to begin; `OutOfReach` with the condition that cannot be held, by how much it is missed, and
+    /// the bounds that are in the way; `NotWhole` if the optimum does not run through the whole
+    /// range on one circuit.
     pub fn run(self) -> Result<BestCycle<M, A>, DesignError> {
         Ok(self.run_all()?.swap_remove(0))
     }
 
-    /// Searches from all starts, with feature `rayon` on all threads, and lists the distinct optima that hold what must hold, the best first.
+    /// Searches from all starts, with feature `rayon` on all threads, and lists the distinct optima
+    /// that hold the conditions, the best first.
     ///
-    /// Equal seeds give equal optima on any number of threads, unless time limit or cancellation end the search.
+    /// Equal seeds give equal optima on any number of threads, unless time limit or cancellation
+    /// end the search.
     ///
     /// # Errors
     ///
-    /// As [`run`](Self::run); `NotFound`, with how many starts were refused by what, if several were begun and none leads to an optimum.
+    /// As [`run`](Self::run); `NotFound`, with the number of starts for each reason of refusal, if
+    /// several were begun and none leads to an optimum.
     pub fn run_all(mut self) -> Result<Vec<BestCycle<M, A>>, DesignError> {
         let end = self.settings.end();
         let mut report = self.settings.progress.take();
@@ -68,7 +73,8 @@ where
         )
     }
 
-    /// Searches for what is wanted from a mechanism, which is the first of so many starts; `widening` begins within narrower bounds there.
+    /// Searches for the objectives from a mechanism, which is the first of so many starts;
+    /// `widening` begins within narrower bounds there.
     pub(super) fn searched(
         &self,
         checked: &Checked<A>,
@@ -106,7 +112,8 @@ where
         for (k, other) in others.iter().enumerate() {
             all.push(descents(k + 1, other));
         }
-        // The first start is always begun: the mechanism that is there may be all that is found in time.
+        // The first start is always begun: the mechanism that is there may be all that is found in
+        // time.
         let from = |starts: Range<usize>| {
             let (start, assembly) = (starts.start / all.len(), starts.start % all.len());
             (starts.start == 0 || !stopped()).then(|| all[assembly].from(start))
@@ -152,7 +159,8 @@ where
         }
     }
 
-    /// What varies and within which limits, and all assemblies of the first mechanism; or all mistakes.
+    /// Returns the variables with their limits, and all assemblies of the first mechanism; or all
+    /// mistakes.
     pub(super) fn checked(
         &self,
         objectives: &Objectives<'_, M, A, N>,

@@ -4,7 +4,8 @@ use alloc::vec::Vec;
 
 use super::conditions::{Conditions, Piece};
 
-/// Goal and conditions of an objective in a mechanism that a search found, computed from the assembled mechanism without the search.
+/// Goal and conditions of an objective in a mechanism that a search found, computed from the
+/// assembled mechanism without the search.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Verdict {
     /// The value that the search makes least; `None` if the objective is only a condition.
@@ -16,10 +17,10 @@ pub struct Verdict {
 /// A condition of a result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Check {
-    /// By how much the condition is violated, in its unit; not above zero where it holds.
+    /// The violation of the condition, in its unit; not above zero where it holds.
     pub by: f64,
-    /// The size that a violation is compared with, such as the band of a dwell. Without it the search takes the change of the condition in
-    /// the first step.
+    /// The size that a violation is compared with, such as the band of a dwell. Without it the
+    /// search takes the change of the condition in the first step.
     pub size: Option<f64>,
 }
 

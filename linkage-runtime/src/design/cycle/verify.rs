@@ -1,8 +1,10 @@
-//! The verification of results: goal and conditions are computed from the assembled mechanism, whatever the search claims.
+//! The verification of results: goal and conditions are computed from the assembled mechanism,
+//! whatever the search claims.
 //!
-//! A search sees a mechanism through the rows of its working set, each measured by the change in a first step. Near a place where
-//! the mechanism ceases to exist, such as a flat triangle, derivatives grow without limit, and a violation of any size
-//! becomes a small part of such a change. So a verdict has sizes of its own: the band of a dwell, the limit of a figure.
+//! A search sees a mechanism through the rows of its working set, each measured by the change in a
+//! first step. Near a place where the mechanism ceases to exist, such as a flat triangle,
+//! derivatives grow without limit, and a violation of any size becomes a small part of such a
+//! change. So a verdict has sizes of its own: the band of a dwell, the limit of a figure.
 
 use alloc::string::ToString;
 use alloc::vec::Vec;
@@ -15,11 +17,13 @@ use crate::dimensions::Dimensions;
 
 /// A violation that is smaller than this part of the size of its condition is none.
 const VERIFIED: f64 = 1e-6;
-/// A violation of the size that a search leaves is none, up to this part of the size of its condition.
+/// A violation of the size that a search leaves is none, up to this part of the size of its
+/// condition.
 const LARGEST: f64 = 1e-3;
-/// A claim that differs from the verdict by less than this part of both is confirmed, and returned to the last digit.
+/// A claim that differs from the verdict by less than this part of both is confirmed, and returned
+/// to the last digit.
 const CONFIRMED: f64 = 1e-6;
-/// Of what a verdict allows, a search leaves at most this part.
+/// A search leaves at most this part of the violation that a verdict allows.
 const WITHIN: f64 = 0.5;
 /// Values that differ by less than this part differ by rounding.
 const ROUNDING: f64 = 1e-12;
@@ -30,7 +34,8 @@ const FINER: usize = 4;
 pub(super) type Scales = Vec<Vec<f64>>;
 
 impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
-    /// The change of each condition in a first step from a place; `None` where the mechanism does not assemble.
+    /// The change of each condition in a first step from a place; `None` where the mechanism does
+    /// not assemble.
     pub(super) fn scales(&self, start: &Start) -> Option<Scales> {
         let x = &start.x;
         let change = |k: usize, piece: &Piece<N>| {
@@ -54,7 +59,8 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
 
     /// The goal as the search makes it least, if all conditions hold.
     ///
-    /// `claimed` is the goal of the search, and `scales` are those of the first mechanism and of the place where the search began.
+    /// `claimed` is the goal of the search, and `scales` are those of the first mechanism and of
+    /// the place where the search began.
     pub(super) fn verified(
         &self,
         start: &Start,
@@ -103,14 +109,16 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         Ok(if confirmed { claimed } else { goal })
     }
 
-    /// Returns whether the conditions of an objective must hold in full: a goal with variables of its own has others that suit the mechanism where those
-    /// of a search break its conditions by what a search leaves. At corners of tolerances it has none.
+    /// Returns whether the conditions of an objective must hold in full: a goal with variables of
+    /// its own has others that suit the mechanism where those of a search break its conditions by
+    /// as much as a search leaves. At corners of tolerances it has none.
     fn is_exact(&self, start: &Start, k: usize) -> bool {
         self.objectives[k].is_goal() && !start.own[k].is_empty() && start.added[k].is_empty()
     }
 
-    /// A violation, measured by the change in a first step, that the verdict on a goal with variables of its own allows. It matters for a band
-    /// that is narrow beside the change in a first step: there a violation that is none for the search is one for the verdict.
+    /// A violation, measured by the change in a first step, that the verdict on a goal with
+    /// variables of its own allows. It matters for a band that is narrow beside the change in a
+    /// first step: there a violation that is none for the search is one for the verdict.
     pub(super) fn exact_tolerance(&self, start: &Start, scales: Option<&Scales>) -> Option<f64> {
         let verdicts = self.tried(&start.x, |candidate| self.verdicts(start, candidate))?;
         let least = |k: usize| {
