@@ -10,7 +10,7 @@ mod mechanism;
 #[allow(dead_code, reason = "the example asks for fewer starts")]
 mod problems;
 
-use linkage::design::{Candidates, Rows, Targets, Wish};
+use linkage::design::{Candidates, Objective, Rows, Targets};
 use linkage::{AssemblyError, Dimensions};
 use linkage_peers::timing::{Candidate, interleave, only_tested};
 use mechanism::{FourBar, FourBarAssembly};
@@ -97,7 +97,7 @@ fn residuals() -> Result<(), AssemblyError> {
     let wish = Targets::new("tracer", [[10.0, 10.0]; POINTS])
         .computed_by(FourBarAssembly::path_sweep_sets_into);
     let mut rows = Rows::new(2 * POINTS, 9, POINTS);
-    let mut evaluator = Wish::<FourBar, FourBarAssembly>::evaluator(&wish);
+    let mut evaluator = Objective::<FourBar, FourBarAssembly>::evaluator(&wish);
     let sets: Vec<FourBar> = mechanisms
         .iter()
         .flat_map(|mechanism| [*mechanism; POINTS])

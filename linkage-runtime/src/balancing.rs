@@ -29,13 +29,14 @@ pub use solution::{Figures, Solution};
 /// use linkage_runtime::balancing::{Balance, StaticMoment};
 /// use std::f64::consts::TAU;
 ///
-/// // A reciprocating mass of 0.5 kg: 500 N at the ends of its stroke. A mass on the crank, 1 kg at 50 mm and
-/// // 100 rad/s, has a centrifugal force of 500 N.
+/// // A reciprocating mass of 0.5 kg: 500 N at the ends of its stroke. A mass on the crank, 1 kg at
+/// // 50 mm and 100 rad/s, has a centrifugal force of 500 N.
 /// let angles: Vec<f64> = (0..360).map(|i| TAU * f64::from(i) / 360.0).collect();
 /// let forces: Vec<_> = angles.iter().map(|phi| [500.0 * phi.cos(), 0.0]).collect();
 /// let effects: Vec<_> = angles
 ///     .iter()
-///     .map(|phi| [[500.0 * phi.cos(), 500.0 * phi.sin()], [-500.0 * phi.sin(), 500.0 * phi.cos()]])
+///     .map(|phi| [phi.cos() * 500.0, phi.sin() * 500.0])
+///     .map(|[x, y]| [[x, y], [-y, x]])
 ///     .collect();
 ///
 /// // The best counterweight takes half of the peak away, and leaves a force that turns backwards.

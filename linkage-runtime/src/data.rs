@@ -58,7 +58,8 @@ impl Input {
     /// `count` evenly spaced values over [`ends`](Self::ends), both of them included.
     ///
     /// ```
-    /// let input = linkage_runtime::Input { name: "s", unit: "mm", reference: 0.0, range: Some((1.0, 3.0)) };
+    /// let range = Some((1.0, 3.0));
+    /// let input = linkage_runtime::Input { name: "s", unit: "mm", reference: 0.0, range };
     /// assert_eq!(input.positions(5), [1.0, 1.5, 2.0, 2.5, 3.0]);
     /// ```
     #[cfg(feature = "alloc")]

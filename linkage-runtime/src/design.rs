@@ -1,5 +1,5 @@
-//! Dimensions for requirements: the dimensions that meet the wishes best, by least squares on exact
-//! derivatives from many starts.
+//! Dimensions for requirements: the dimensions that meet the objectives best, by least squares on
+//! exact derivatives from many starts.
 //!
 //! A [`Design`] has the parameters that may vary with their bounds, the goals ([`Targets`]), and
 //! the conditions ([`Relation`]s, and always: assembled over the whole range on one circuit). Its
@@ -27,11 +27,13 @@ mod least_squares;
 mod limits;
 mod minimax;
 mod normal;
+mod objective;
 mod optimum;
 mod parallel;
 mod problem;
 mod proof;
 mod quadratic;
+mod quasi_random;
 mod refusals;
 mod relation;
 mod results;
@@ -40,26 +42,24 @@ mod run;
 mod sampled;
 mod search;
 mod settings;
-mod starts;
 mod targets;
 mod varied;
 mod violation;
-mod wish;
 
 pub use builder::Design;
 pub use certificate::{Interrupted, Interruption};
 pub use cycle::{
-    BestCycle, Candidate, Check, Chosen, Compromise, Conditions, Curve, CycleDesign, CycleWish,
-    Demand, Dwell, ErrorOf, Figure, Fit, Highest, Lowest, Motion, Own, Peak, Piece, Pieces, Place,
-    RootMeanSquare, Stroke, TimeRatio, Verdict,
+    BestCycle, Candidate, Check, Chosen, Compromise, Conditions, Curve, CycleDesign,
+    CycleObjective, Dwell, ErrorOf, Figure, Fit, Highest, Lowest, Motion, Own, Peak, Piece, Pieces,
+    Place, Requirement, RootMeanSquare, Stroke, TimeRatio, Verdict,
 };
 pub use designs::{DesignSearch, FoundDesign};
 pub use error::{DesignError, Refusals};
 pub use identify::{
     Identification, Identified, Measured, Readings, Remedy, Residual, Undetermined, Unknown,
 };
+pub use objective::{Candidates, Evaluate, Free, Objective, Rows};
 pub use relation::Relation;
 pub use sampled::Sampled;
 pub use settings::Progress;
 pub use targets::{Targets, Timing};
-pub use wish::{Candidates, Evaluate, Free, Rows, Wish};

@@ -19,7 +19,8 @@ use linkage_core::Scalar;
 /// ```
 /// use linkage_runtime::{Screw, Vector3};
 ///
-/// // The origin of the body is at (5, 0, 0); it turns about a vertical axis and rises by 3 per radian.
+/// // The origin of the body is at (5, 0, 0); it turns about a vertical axis and rises by 3 per
+/// // radian.
 /// let (omega, velocity) = (Vector3::new(0.0, 0.0, 2.0), Vector3::new(0.0, 4.0, 6.0));
 /// let screw: Screw = Screw::of(omega, velocity, Vector3::new(5.0, 0.0, 0.0));
 /// assert_eq!(screw.direction, Vector3::new(0.0, 0.0, 1.0));

@@ -12,7 +12,7 @@ fn long() -> bool {
 }
 
 fn stroke(jet: impl Fn(f64) -> [f64; 3]) -> f64 {
-    let course = Curve::of((0.0, TAU), 361, jet);
+    let course = Curve::new((0.0, TAU), 361, jet);
     course.expect("a turn").position().stroke()
 }
 

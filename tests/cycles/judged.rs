@@ -4,7 +4,7 @@ use super::drives::{Needle, NeedleAssembly, Press, PressAssembly};
 use super::{Rocker, RockerAssembly};
 use linkage::Dimensions;
 use linkage::design::{BestCycle, Curve, CycleDesign, DesignError, Dwell, Figure, Peak, Stroke};
-use linkage::summary::Curve;
+use linkage::summary;
 use linkage_random::Random;
 use std::f64::consts::TAU;
 
@@ -107,7 +107,7 @@ macro_rules! problems {
             }
 
             fn dwell(of: &$assembly, band: f64) -> f64 {
-                let course = Curve::new((0.0, TAU), 721, |phi| jet(of, phi)).expect("a turn");
+                let course = summary::Curve::new((0.0, TAU), 721, |phi| jet(of, phi)).expect("a turn");
                 let longest = course.longest_dwell(band);
                 longest.map_or(0.0, |dwell| dwell.interval.range)
             }

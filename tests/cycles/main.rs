@@ -21,10 +21,10 @@ mod whole;
 
 use linkage::Dimensions;
 use linkage::design::{
-    Candidate, Chosen, Curve, CycleDesign, CycleWish, ErrorOf, Figure, Motion, Piece, Pieces,
+    Candidate, Chosen, Curve, CycleDesign, CycleObjective, ErrorOf, Figure, Motion, Piece, Pieces,
 };
 use linkage::mechanism;
-use linkage::summary::Curve;
+use linkage::summary;
 use linkage::tolerance::Tolerances;
 use std::f64::consts::TAU;
 
@@ -153,7 +153,7 @@ fn figure(figure: &impl Figure<RockerAssembly, N>, rocker: &Rocker) -> (f64, [f6
 }
 
 /// What a wish asks of a rocker with these dimensions, and variables of its own behind them.
-fn asked(wish: &dyn CycleWish<Rocker, RockerAssembly, N>, place: &[f64]) -> Vec<Piece<N>> {
+fn asked(wish: &dyn CycleObjective<Rocker, RockerAssembly, N>, place: &[f64]) -> Vec<Piece<N>> {
     let mechanism = Rocker::from_values(&std::array::from_fn(|k| place[k]));
     let assembly = mechanism.assemble().expect("assembles");
     let motion = Motion {
@@ -176,7 +176,7 @@ fn asked(wish: &dyn CycleWish<Rocker, RockerAssembly, N>, place: &[f64]) -> Vec<
 }
 
 /// Compares all derivatives of what a wish asks at a place with differences.
-fn slopes_of_pieces_agree(wish: &dyn CycleWish<Rocker, RockerAssembly, N>, place: &[f64]) {
+fn slopes_of_pieces_agree(wish: &dyn CycleObjective<Rocker, RockerAssembly, N>, place: &[f64]) {
     let pieces = asked(wish, place);
     for k in 0..place.len() {
         const STEP: f64 = 1e-5;
@@ -222,11 +222,11 @@ fn design() -> CycleDesign<'static, Rocker, RockerAssembly, N> {
     design.vary_by("rocker", 0.1)
 }
 
-fn course(rocker: &Rocker) -> Curve<4, impl Fn(f64) -> [f64; 4]> {
+fn course(rocker: &Rocker) -> summary::Curve<4, impl Fn(f64) -> [f64; 4]> {
     let assembly = rocker.assemble().expect("assembles");
     let jet = move |phi| {
         let tip = assembly.tip(phi);
         [tip.tip, tip.v, tip.a, tip.j]
     };
-    Curve::new((0.0, TAU), 361, jet).expect("a turn")
+    summary::Curve::new((0.0, TAU), 361, jet).expect("a turn")
 }

@@ -6,7 +6,7 @@ use super::drives::{Needle, Press};
 use super::judged::{Goal, Keep, Tally, needle, press, rocker};
 use super::{N, Rocker, RockerAssembly, design, tip};
 use linkage::design::{
-    Candidate, Chosen, CycleWish, DesignError, Dwell, Figure, Motion, Stroke, Verdict,
+    Candidate, Chosen, CycleObjective, DesignError, Dwell, Figure, Motion, Stroke, Verdict,
 };
 use linkage::summary::Curve;
 use linkage_random::Random;
@@ -109,7 +109,7 @@ fn a_verdict_is_computed_from_the_mechanism() {
     };
     let assemble = |other: &Rocker| other.assemble().ok();
     let candidate = Candidate::new(&rocker, motion, &assemble);
-    let wish: &dyn CycleWish<Rocker, RockerAssembly, N> = &Dwell::longest(tip(), 1.0);
+    let wish: &dyn CycleObjective<Rocker, RockerAssembly, N> = &Dwell::longest(tip(), 1.0);
     let verdict = |from: f64, length: f64| -> Verdict {
         let chosen = Chosen {
             own: &[from, length, 0.0, 1.0],

@@ -1,7 +1,7 @@
 //! Rows of wishes: their derivatives against differences of the rows of other dimensions and inputs.
 
 use super::{FourBar, FourBarAssembly, PathColumns, PoseColumns, SpeedColumns, evenly, points};
-use linkage::design::{Candidates, Rows, Targets, Timing, Wish};
+use linkage::design::{Candidates, Objective, Rows, Targets, Timing};
 use linkage::{Cycle, Dimensions};
 use std::f64::consts::TAU;
 
@@ -14,7 +14,7 @@ const CYCLE: Cycle = Cycle {
 
 /// The rows of a wish for one mechanism.
 fn rows(
-    wish: &dyn Wish<FourBar, FourBarAssembly>,
+    wish: &dyn Objective<FourBar, FourBarAssembly>,
     mechanism: FourBar,
     free: &[f64],
 ) -> Vec<(f64, Vec<f64>, Vec<f64>)> {
@@ -41,7 +41,7 @@ fn rows(
 }
 
 /// Compares all derivatives with central differences, whose error is some 1e-9 of the third derivatives.
-fn compare(wish: &dyn Wish<FourBar, FourBarAssembly>, free: &[f64]) {
+fn compare(wish: &dyn Objective<FourBar, FourBarAssembly>, free: &[f64]) {
     let mechanism = FourBar {
         crank: 13.0,
         tilt: 0.3,
@@ -92,7 +92,7 @@ fn of_a_path_with_every_timing() {
     for timing in [Timing::InOrder, Timing::Backwards, Timing::Free] {
         let wish = targets().timing(timing).computed_by(path);
         assert_eq!(
-            Wish::<FourBar, FourBarAssembly>::free(&wish, &CYCLE)
+            Objective::<FourBar, FourBarAssembly>::free(&wish, &CYCLE)
                 .expect("they are free")
                 .count,
             5

@@ -1,7 +1,7 @@
 //! A seed gives the same designs, however many threads there are.
 
 use super::{FourBar, FourBarAssembly, FourBarDesign, LENGTHS, evenly, points, problem};
-use linkage::design::{Design, DesignError, DesignSearch, Progress, Relation, Targets, Wish};
+use linkage::design::{Design, DesignError, DesignSearch, Objective, Progress, Relation, Targets};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
@@ -12,7 +12,7 @@ fn small<'a>() -> FourBarDesign<'a> {
 }
 
 /// Points that no four-bar with this arm passes through.
-fn moved() -> impl Wish<FourBar, FourBarAssembly> {
+fn moved() -> impl Objective<FourBar, FourBarAssembly> {
     let inputs = evenly(0.3, 0.9, 5);
     let moved: Vec<[f64; 2]> = points(&inputs)
         .iter()

@@ -60,7 +60,7 @@ impl<const N: usize> Basis<N> {
         &self.columns
     }
 
-    /// The coordinates that take most away from the forces, and what remains of these:
+    /// The coordinates that take most away from the forces, and the remainder of these,
     /// perpendicular to all columns.
     pub(super) fn project(&self, rows: &[ForceRow<N>]) -> ([f64; N], Vec<[f64; 3]>) {
         let mut rest: Vec<[f64; 3]> = rows.iter().map(|row| row.force).collect();

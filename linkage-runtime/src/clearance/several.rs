@@ -18,7 +18,8 @@ use alloc::vec::Vec;
 /// use linkage_runtime::clearance::{PhaseSet, Phases};
 /// use std::f64::consts::{PI, TAU};
 ///
-/// // Three cranks of 60 mm beside each other, 100 mm apart; the one between turns against the others.
+/// // Three cranks of 60 mm beside each other, 100 mm apart; the one between turns against the
+/// // others.
 /// let crank = |centre: f64, turns: f64| {
 ///     move |x: f64| {
 ///         let (sin, cos) = (60.0 * x.sin(), 60.0 * x.cos());
@@ -32,7 +33,8 @@ use alloc::vec::Vec;
 /// let set = PhaseSet::<2, 2>::new().pair(None, Some(0), &left).pair(Some(0), Some(1), &right);
 /// let best = set.best([(-PI, PI); 2])?;
 /// // They meet in the middle unless they all point to one side at once.
-/// assert!((best.distance - 100.0).abs() < 1e-9 && best.phases.iter().all(|phase| phase.abs() < 1e-9));
+/// assert!((best.distance - 100.0).abs() < 1e-9);
+/// assert!(best.phases.iter().all(|phase| phase.abs() < 1e-9));
 /// // With gears of 7 and of 9 slots, one step or none.
 /// let gears = set.best_step([(-PI, PI); 2], [TAU / 7.0, TAU / 9.0])?;
 /// assert_eq!(gears.slots.map(|slot| slot.step), [0, 0]);

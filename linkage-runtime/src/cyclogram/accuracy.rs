@@ -20,8 +20,11 @@ impl Member {
     /// | event | derivative of its angle by `p` |
     /// |---|---|
     /// | bound of `Band::Between` | `-(dy/dp) / y'` |
-    /// | bound of `Top`, `Bottom` | `-(dy/dp - dy*/dp) / y'`, where `y*` is the limit that the band is measured from: its place may shift, which its value does not notice |
+    /// | bound of `Top`, `Bottom` | `-(dy/dp - dy*/dp) / y'`, with the limit `y*` |
     /// | turn | `-(dy'/dp) / y''` |
+    ///
+    /// The limit `y*` is the one from which the band is measured. Its position may shift, which its
+    /// value does not notice.
     #[must_use]
     pub fn sensitivities<const P: usize>(
         mut self,

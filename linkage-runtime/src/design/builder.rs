@@ -8,7 +8,7 @@ use std::time::Duration;
 use super::condition::Condition;
 use super::settings::{Progress, Settings, settings_methods};
 use super::varied::{Freedom, freedom_methods};
-use super::{DesignError, Relation, Wish};
+use super::{DesignError, Objective, Relation};
 use crate::circuits::Circuits;
 use crate::dimensions::Dimensions;
 use crate::error::AssemblyError;
@@ -30,7 +30,7 @@ pub struct Design<'a, M, A, const N: usize> {
     pub(super) assemblies: Vec<A>,
     pub(super) circuits: CircuitsOf<'a, M, A>,
     pub(super) freedom: Freedom,
-    pub(super) wishes: Vec<Box<dyn Wish<M, A> + 'a>>,
+    pub(super) objectives: Vec<Box<dyn Objective<M, A> + 'a>>,
     pub(super) settings: Settings<'a>,
     pub(super) listed: usize,
 }
@@ -70,7 +70,7 @@ where
             nominal,
             circuits: Box::new(circuits),
             freedom: Freedom::default(),
-            wishes: Vec::new(),
+            objectives: Vec::new(),
             settings: Settings::new(STARTS, STEPS),
             listed: LISTED,
         })
@@ -85,8 +85,8 @@ where
 
     /// Something is wanted.
     #[must_use]
-    pub fn want(mut self, wish: impl Wish<M, A> + 'a) -> Self {
-        self.wishes.push(Box::new(wish));
+    pub fn want(mut self, objective: impl Objective<M, A> + 'a) -> Self {
+        self.objectives.push(Box::new(objective));
         self
     }
 

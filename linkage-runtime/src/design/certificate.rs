@@ -3,8 +3,8 @@
 //! Its assemblies are found over the range, each with its ends: those of groups with a closed form
 //! by bounds of their discriminants, so that none is missed; those of coupled groups as far as
 //! listings at some inputs and steps along their curves see. One of them must run through the whole
-//! range, a turn must close, and by all that the wishes ask for it must be the optimum: so it is
-//! the assembly that was optimised, all its positions are on one circuit, and they are reached
+//! range, a turn must close, and by all that the objectives ask for it must be the optimum: so it
+//! is the assembly that was optimised, all its positions are on one circuit, and they are reached
 //! without a dead point between them.
 
 use alloc::vec::Vec;

@@ -28,22 +28,26 @@ where
             .cycle;
         let nothing = |what| DesignError::Nothing {
             what,
-            wish: "a design problem".to_string(),
+            objective: "a design problem".to_string(),
         };
-        if self.wishes.is_empty() {
+        if self.objectives.is_empty() {
             errors.push(nothing("nothing is wanted; call `want`"));
         }
         if self.settings.starts == 0 {
             errors.push(nothing("no starts"));
         }
-        for wish in &self.wishes {
-            errors.extend(wish.check(&cycle, M::PARAMETERS, &varied));
+        for objective in &self.objectives {
+            errors.extend(objective.check(&cycle, M::PARAMETERS, &varied));
         }
         DesignError::all(errors)?;
         let names = varied.iter().map(|&k| M::PARAMETERS[k].name);
         let names: Vec<_> = names.collect();
         self.freedom.consistent(&limits, &names)?;
-        let free = self.wishes.iter().map(|wish| wish.free(&cycle)).collect();
+        let free = self
+            .objectives
+            .iter()
+            .map(|objective| objective.free(&cycle))
+            .collect();
         let problem = Problem::new(
             Given {
                 nominal: values,
@@ -52,7 +56,7 @@ where
                 catalogues,
                 cycle,
             },
-            &self.wishes,
+            &self.objectives,
             free,
         );
         Ok(problem.measured(&self.assemblies, self.settings.seed))

@@ -7,8 +7,8 @@ use alloc::vec::Vec;
 use linkage_core::Cycle;
 
 use super::DesignError;
-use super::cycle::{self, Chosen, Conditions, CycleWish, Piece, Place};
-use super::wish::{Candidates, Evaluate, Rows, Wish};
+use super::cycle::{self, Chosen, Conditions, CycleObjective, Piece, Place};
+use super::objective::{Candidates, Evaluate, Objective, Rows};
 use crate::data::Parameter;
 
 /// A number of the dimensions that must not be negative.
@@ -26,7 +26,7 @@ impl<F> Condition<F> {
     }
 }
 
-impl<M, A, F, const N: usize> Wish<M, A> for Condition<F>
+impl<M, A, F, const N: usize> Objective<M, A> for Condition<F>
 where
     F: Fn(&M) -> (f64, [f64; N]) + Send + Sync,
 {
@@ -65,7 +65,7 @@ where
     }
 }
 
-impl<M, A, F, const N: usize> CycleWish<M, A, N> for Condition<F>
+impl<M, A, F, const N: usize> CycleObjective<M, A, N> for Condition<F>
 where
     F: Fn(&M) -> (f64, [f64; N]) + Send + Sync,
 {

@@ -18,13 +18,13 @@ pub struct FoundDesign<M, A> {
     pub assembly: A,
     /// The sum of the squares of all weighted residuals.
     pub sum: f64,
-    /// The titles of the wishes in messages.
-    pub wishes: Vec<String>,
-    /// The rows of each wish: weighted residuals, or the values of a condition.
+    /// The titles of the objectives in messages.
+    pub objectives: Vec<String>,
+    /// The rows of each objective: weighted residuals, or the values of a condition.
     pub residuals: Vec<Vec<f64>>,
-    /// The largest miss of each wish, as text; `None` for a condition.
+    /// The largest miss of each objective, as text; `None` for a condition.
     pub farthest: Vec<Option<String>>,
-    /// The free inputs of each wish, in their order.
+    /// The free inputs of each objective, in their order.
     pub inputs: Vec<Vec<f64>>,
     /// Its smallest margin over the range, 0 at a dead point.
     pub margin: f64,
@@ -104,8 +104,8 @@ impl<M, A> FoundDesign<M, A> {
     }
 }
 
-/// The figures in a few lines: by how much it misses each wish at most, and which bounds are in the
-/// way.
+/// The figures in a few lines: by how much it misses each objective at most, and which bounds are
+/// in the way.
 impl<M, A> fmt::Display for FoundDesign<M, A> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
@@ -114,9 +114,9 @@ impl<M, A> fmt::Display for FoundDesign<M, A> {
             self.sum,
             rounded(self.margin)
         )?;
-        for (wish, farthest) in self.wishes.iter().zip(&self.farthest) {
+        for (objective, farthest) in self.objectives.iter().zip(&self.farthest) {
             if let Some(farthest) = farthest {
-                writeln!(f, "{wish}: farthest {farthest}")?;
+                writeln!(f, "{objective}: farthest {farthest}")?;
             }
         }
         let bounds = self.at_bound.iter().zip(&self.bound_units);

@@ -69,13 +69,13 @@ pub enum DesignError {
     Nothing {
         /// The missing item.
         what: &'static str,
-        /// The wish.
-        wish: String,
+        /// The objective.
+        objective: String,
     },
     /// A number that is infinite or NaN.
     NotFinite {
-        /// The wish.
-        wish: String,
+        /// The objective.
+        objective: String,
         /// The number.
         number: f64,
     },
@@ -83,8 +83,8 @@ pub enum DesignError {
     Count {
         /// The listed items.
         what: &'static str,
-        /// The wish.
-        wish: String,
+        /// The objective.
+        objective: String,
         /// The number that there should be.
         expected: usize,
         /// The number that there is.
@@ -92,8 +92,8 @@ pub enum DesignError {
     },
     /// An input outside of the range of the mechanism.
     OutOfRange {
-        /// The wish.
-        wish: String,
+        /// The objective.
+        objective: String,
         /// The input.
         input: f64,
         /// The lower end of the range.
@@ -103,8 +103,8 @@ pub enum DesignError {
     },
     /// Evenly spaced positions that are longer than the range of the mechanism.
     TooLong {
-        /// The wish.
-        wish: String,
+        /// The objective.
+        objective: String,
         /// The number of positions.
         positions: usize,
         /// The distance from one to the next.
@@ -116,8 +116,8 @@ pub enum DesignError {
     },
     /// An interval that is longer than where it is to be.
     NoRoom {
-        /// The wish.
-        wish: String,
+        /// The objective.
+        objective: String,
         /// The length of the interval.
         length: f64,
         /// The start of its room.
@@ -162,16 +162,16 @@ pub enum DesignError {
         /// The goals there are.
         goals: Vec<String>,
     },
-    /// A wish finds nothing in the mechanism that the search begins with, although it runs through
-    /// its whole range.
+    /// An objective finds nothing in the mechanism that the search begins with, although it runs
+    /// through its whole range.
     NoStart {
-        /// The wish.
-        wish: String,
+        /// The objective.
+        objective: String,
     },
     /// A condition that cannot be held within the bounds, as far as the search sees.
     OutOfReach {
-        /// The wish.
-        wish: String,
+        /// The objective.
+        objective: String,
         /// The size of the miss, in its unit.
         by: f64,
         /// The parameters that vary, in the mechanism that comes nearest, in SI angles and the unit

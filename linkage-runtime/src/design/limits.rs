@@ -42,7 +42,8 @@ impl Linear {
 /// numbers.
 const HOLDS: f64 = 1e-11;
 
-/// One with less to spare than this part of them is in the way: steps end on it except for rounding.
+/// One with less to spare than this part of them is in the way: steps end on it except for
+/// rounding.
 const ACTIVE: f64 = 1e-9;
 
 /// The region of the variables.

@@ -12,8 +12,8 @@ use linkage_core::Cycle;
 
 use super::limits::{Limits, Linear};
 use super::normal::Normal;
+use super::objective::{Candidates, Evaluate, Free, Objective, Rows};
 use super::optimum::Optimum;
-use super::wish::{Candidates, Evaluate, Free, Rows, Wish};
 use crate::dimensions::Dimensions;
 
 /// Positive bounds with a larger ratio say nothing of the size: starts then have every order of
@@ -23,7 +23,7 @@ const WIDE: f64 = 100.0;
 /// Turns that an angle has on both sides: a descent does not turn a part further.
 pub(crate) const ROOM: f64 = 2.0;
 
-/// The parts of a problem besides the wishes.
+/// The parts of a problem besides the objectives.
 pub(crate) struct Given<const N: usize> {
     /// The parameters that do not vary, and those that do.
     pub(crate) nominal: [f64; N],
@@ -37,7 +37,7 @@ pub(crate) struct Given<const N: usize> {
     pub(crate) cycle: Cycle,
 }
 
-/// The variables are the parameters that vary, then the free inputs of each wish.
+/// The variables are the parameters that vary, then the free inputs of each objective.
 pub(crate) struct Problem<'a, M, A, const N: usize> {
     nominal: [f64; N],
     pub(crate) varied: Vec<usize>,
@@ -46,7 +46,7 @@ pub(crate) struct Problem<'a, M, A, const N: usize> {
     starts: Vec<(f64, f64)>,
     pub(crate) catalogues: Vec<(usize, Vec<f64>)>,
     pub(crate) cycle: Cycle,
-    pub(crate) wishes: &'a [Box<dyn Wish<M, A> + 'a>],
+    pub(crate) objectives: &'a [Box<dyn Objective<M, A> + 'a>],
     free: Vec<Option<Free>>,
     /// The size of each row of a condition, from its own numbers; see [`measured`](Self::measured).
     sizes: Vec<f64>,
@@ -56,7 +56,7 @@ pub(crate) struct Problem<'a, M, A, const N: usize> {
 impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
     pub(crate) fn new(
         given: Given<N>,
-        wishes: &'a [Box<dyn Wish<M, A> + 'a>],
+        objectives: &'a [Box<dyn Objective<M, A> + 'a>],
         free: Vec<Option<Free>>,
     ) -> Self {
         let mut limits = given.limits;
@@ -87,7 +87,7 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
             starts,
             catalogues: given.catalogues,
             cycle: given.cycle,
-            wishes,
+            objectives,
             free,
             sizes: Vec::new(),
             of: PhantomData,
@@ -109,11 +109,11 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
         M::from_values(&values)
     }
 
-    /// Returns the places of the free inputs of a wish among the variables.
-    pub(crate) fn inputs(&self, wish: usize) -> Range<usize> {
+    /// Returns the places of the free inputs of an objective among the variables.
+    pub(crate) fn inputs(&self, objective: usize) -> Range<usize> {
         let count = |free: &Option<Free>| free.as_ref().map_or(0, |free| free.count);
-        let first = self.varied.len() + self.free[..wish].iter().map(count).sum::<usize>();
-        first..first + count(&self.free[wish])
+        let first = self.varied.len() + self.free[..objective].iter().map(count).sum::<usize>();
+        first..first + count(&self.free[objective])
     }
 
     /// A place within the bounds from numbers between 0 and 1.
@@ -123,9 +123,9 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
             false => low + (high - low) * u,
         };
         let mut x: Vec<f64> = unit.iter().zip(&self.starts).map(place).collect();
-        for (wish, free) in self.free.iter().enumerate() {
+        for (objective, free) in self.free.iter().enumerate() {
             if let Some(free) = free {
-                x.extend(free.start(&unit[self.inputs(wish)]));
+                x.extend(free.start(&unit[self.inputs(objective)]));
             }
         }
         x
@@ -168,15 +168,15 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
 
     /// Returns the number of residuals.
     pub(crate) fn residuals(&self) -> usize {
-        self.wishes
+        self.objectives
             .iter()
-            .filter(|wish| !wish.is_condition())
-            .map(|wish| wish.rows())
+            .filter(|objective| !objective.is_condition())
+            .map(|objective| objective.rows())
             .sum()
     }
 }
 
-/// The inputs of a wish come in order, all within a turn.
+/// The inputs of an objective come in order, all within a turn.
 pub(crate) fn order(free: &Free, first: usize) -> Vec<Linear> {
     let less = |a: usize, b: usize, most: f64| Linear {
         terms: Vec::from([(first + a, 1.0), (first + b, -1.0)]),
@@ -194,7 +194,7 @@ pub(crate) fn order(free: &Free, first: usize) -> Vec<Linear> {
 /// Evaluates a problem for many places side by side, with memory of its own.
 pub(crate) struct Evaluator<'a, M, A, const N: usize> {
     problem: &'a Problem<'a, M, A, N>,
-    wishes: Vec<(Box<dyn Evaluate<M, A> + 'a>, Rows)>,
+    objectives: Vec<(Box<dyn Evaluate<M, A> + 'a>, Rows)>,
     mechanisms: Vec<M>,
     free: Vec<f64>,
     places: Vec<usize>,
@@ -203,14 +203,19 @@ pub(crate) struct Evaluator<'a, M, A, const N: usize> {
 
 impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Evaluator<'a, M, A, N> {
     pub(crate) fn new(problem: &'a Problem<'a, M, A, N>) -> Self {
-        let rows = |(wish, free): (_, &Option<Free>)| {
-            let wish: &'a (dyn Wish<M, A> + 'a) = Box::as_ref(wish);
+        let rows = |(objective, free): (_, &Option<Free>)| {
+            let objective: &'a (dyn Objective<M, A> + 'a) = Box::as_ref(objective);
             let free = free.as_ref().map_or(0, |free| free.count);
-            (wish.evaluator(), Rows::new(wish.rows(), N, free))
+            (objective.evaluator(), Rows::new(objective.rows(), N, free))
         };
         Self {
             problem,
-            wishes: problem.wishes.iter().zip(&problem.free).map(rows).collect(),
+            objectives: problem
+                .objectives
+                .iter()
+                .zip(&problem.free)
+                .map(rows)
+                .collect(),
             mechanisms: Vec::new(),
             free: Vec::new(),
             places: Vec::new(),
@@ -218,7 +223,7 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Evaluator<'a, M, A, N> {
         }
     }
 
-    /// Evaluates all wishes at some places; [`rows`](Self::rows) has the result.
+    /// Evaluates all objectives at some places; [`rows`](Self::rows) has the result.
     pub(crate) fn evaluate<'x>(
         &mut self,
         assembly: &A,
@@ -227,7 +232,7 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Evaluator<'a, M, A, N> {
         self.mechanisms.clear();
         self.mechanisms
             .extend(places.clone().map(|x| self.problem.mechanism(x)));
-        for (index, (wish, rows)) in self.wishes.iter_mut().enumerate() {
+        for (index, (objective, rows)) in self.objectives.iter_mut().enumerate() {
             let inputs = self.problem.inputs(index);
             self.free.clear();
             places
@@ -239,22 +244,22 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Evaluator<'a, M, A, N> {
                 mechanisms: &self.mechanisms,
                 free: &self.free,
             };
-            wish.evaluate(&candidates, rows);
+            objective.evaluate(&candidates, rows);
         }
     }
 
-    /// The rows of a wish, after the last evaluation.
-    pub(crate) fn rows(&self, wish: usize) -> &Rows {
-        &self.wishes[wish].1
+    /// The rows of an objective, after the last evaluation.
+    pub(crate) fn rows(&self, objective: usize) -> &Rows {
+        &self.objectives[objective].1
     }
 
     /// Fills the sum of squares of a place, after the last evaluation.
     pub(crate) fn normal(&mut self, place: usize, normal: &mut Normal) {
         normal.clear();
         let varied = &self.problem.varied;
-        for (index, (_, rows)) in self.wishes.iter().enumerate() {
+        for (index, (_, rows)) in self.objectives.iter().enumerate() {
             let inputs = self.problem.inputs(index);
-            let condition = self.problem.wishes[index].is_condition();
+            let condition = self.problem.objectives[index].is_condition();
             for row in 0..rows.count() {
                 let (value, parameters, free) = rows.row(place, row);
                 self.places.clear();

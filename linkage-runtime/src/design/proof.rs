@@ -31,12 +31,12 @@ pub(crate) fn certify_optimum<M: Dimensions<N> + Copy, A, const N: usize>(
     })
 }
 
-/// The rows of all wishes.
+/// The rows of all objectives.
 fn values<M: Dimensions<N> + Copy, A, const N: usize>(
     problem: &Problem<'_, M, A, N>,
     evaluator: &Evaluator<'_, M, A, N>,
 ) -> Vec<f64> {
-    let rows = (0..problem.wishes.len()).map(|wish| evaluator.rows(wish));
+    let rows = (0..problem.objectives.len()).map(|objective| evaluator.rows(objective));
     rows.flat_map(|rows| (0..rows.count()).map(|row| rows.row(0, row).0))
         .collect()
 }
@@ -47,7 +47,7 @@ fn sizes<M: Dimensions<N> + Copy, A, const N: usize>(
     evaluator: &Evaluator<'_, M, A, N>,
 ) -> Vec<f64> {
     let width = |j: usize| problem.limits.upper[j] - problem.limits.lower[j];
-    let rows = (0..problem.wishes.len()).map(|wish| evaluator.rows(wish));
+    let rows = (0..problem.objectives.len()).map(|objective| evaluator.rows(objective));
     rows.flat_map(|rows| {
         (0..rows.count()).map(|row| {
             let (_, slopes, _) = rows.row(0, row);

@@ -92,7 +92,7 @@ impl Tally {
         };
         let missed = self
             .nearest
-            .and_then(|nearest| Some((conditions.get(nearest.wish)?.clone(), nearest.by)));
+            .and_then(|nearest| Some((conditions.get(nearest.objective)?.clone(), nearest.by)));
         Refusals {
             missed,
             starts,

@@ -67,7 +67,7 @@ impl Relation {
         sums.to_vec()
     }
 
-    /// In words.
+    /// The relation as text.
     pub(crate) fn described(&self) -> String {
         let mut text = String::new();
         for (index, (name, factor)) in self.terms.iter().enumerate() {

@@ -204,7 +204,7 @@ where
         let violations = problem.violations(at).into_iter();
         match violations.max_by(|a, b| a.part.total_cmp(&b.part)) {
             Some(worst) => Err(Refused::Violates(
-                problem.wishes[worst.wish].title(),
+                problem.objectives[worst.objective].title(),
                 worst.by,
             )),
             None => Ok(()),
@@ -226,20 +226,21 @@ where
         let mut normal = Normal::new(problem.limits.len());
         evaluator.normal(0, &mut normal);
         self.must_hold(&optimum.x, &normal)?;
-        let wishes = 0..problem.wishes.len();
-        let rows = |wish: usize| {
-            let rows = evaluator.rows(wish);
+        let objectives = 0..problem.objectives.len();
+        let rows = |objective: usize| {
+            let rows = evaluator.rows(objective);
             (0..rows.count()).map(|row| rows.row(0, row).0).collect()
         };
-        let residuals: Vec<Vec<f64>> = wishes.clone().map(rows).collect();
+        let residuals: Vec<Vec<f64>> = objectives.clone().map(rows).collect();
         let farthest = |k: usize| {
-            let (wish, rows) = (&problem.wishes[k], residuals[k].iter().enumerate());
+            let (objective, rows) = (&problem.objectives[k], residuals[k].iter().enumerate());
             let farthest = rows.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
-            let (row, value) = farthest.filter(|_| !wish.is_condition())?;
-            Some(wish.missed(row, *value))
+            let (row, value) = farthest.filter(|_| !objective.is_condition())?;
+            Some(objective.missed(row, *value))
         };
-        let inputs = |wish: usize| {
-            problem.wishes[wish].inputs(&optimum.x[problem.inputs(wish)], &problem.cycle)
+        let inputs = |objective: usize| {
+            problem.objectives[objective]
+                .inputs(&optimum.x[problem.inputs(objective)], &problem.cycle)
         };
         let bound = |j: usize| {
             [problem.limits.lower[j], problem.limits.upper[j]]
@@ -252,10 +253,14 @@ where
         Ok(FoundDesign {
             mechanism: problem.mechanism(&optimum.x),
             sum: normal.sum,
-            wishes: problem.wishes.iter().map(|wish| wish.title()).collect(),
-            farthest: wishes.clone().map(farthest).collect(),
+            objectives: problem
+                .objectives
+                .iter()
+                .map(|objective| objective.title())
+                .collect(),
+            farthest: objectives.clone().map(farthest).collect(),
             residuals,
-            inputs: wishes.map(inputs).collect(),
+            inputs: objectives.map(inputs).collect(),
             margin: branch.margin,
             margin_at: branch.at,
             at_bound: active

@@ -1,5 +1,5 @@
-//! Blocks of starts on all threads, in rounds after each of which progress is reported and the search
-//! may end.
+//! Blocks of starts on all threads, in rounds after each of which progress is reported and the
+//! search may end.
 
 use alloc::vec::Vec;
 use core::ops::Range;

@@ -18,7 +18,7 @@ where
     M: Dimensions<N> + Copy + Send + Sync,
     A: Clone + Send + Sync,
 {
-    /// Searches from all starts, and lists all distinct local optima that hold what must hold.
+    /// Searches from all starts, and lists all distinct local optima that hold the conditions.
     ///
     /// Each is verified without the descent that led to it: bounds, relations, conditions and the
     /// sum of squares are computed from the assembly that is returned. A condition may be missed by
@@ -71,7 +71,11 @@ where
             certified.add(better, self.listed);
         }
         if certified.designs.is_empty() {
-            let titles = self.wishes.iter().map(|wish| wish.title()).collect();
+            let titles = self
+                .objectives
+                .iter()
+                .map(|objective| objective.title())
+                .collect();
             let refusals = tally.refusals(starts, self.freedom.relations(), titles);
             let refusals = Box::new(Refusals {
                 no_values: rounded.no_values,

@@ -10,9 +10,9 @@ use linkage_core::Cycle;
 
 use super::DesignError;
 use super::columns::Numbers;
+use super::objective::{Candidates, Evaluate, Free, Objective, Rows};
 use super::problem::ROOM;
 use super::targets::{Targets, Timing};
-use super::wish::{Candidates, Evaluate, Free, Rows, Wish};
 use crate::data::Parameter;
 use crate::dimensions::Dimensions;
 use crate::format::rounded;
@@ -30,7 +30,7 @@ pub struct Sampled<M, A, C, F, const N: usize> {
 }
 
 impl Targets {
-    /// Makes a wish of it: the quantities and their derivatives are in the columns of this
+    /// Makes an objective of it: the quantities and their derivatives are in the columns of this
     /// function, a `_sweep_sets_into` method such as `FourBarAssembly::path_sweep_sets_into`.
     ///
     /// The function has each quantity, its `sensitivity(..)` by all parameters that may vary, and,
@@ -60,10 +60,10 @@ impl<M, A, C, F, const N: usize> Sampled<M, A, C, F, N> {
     }
 
     fn count(&self, what: &'static str, expected: usize, found: usize) -> Option<DesignError> {
-        let wish = self.called();
+        let objective = self.called();
         (expected != found).then_some(DesignError::Count {
             what,
-            wish,
+            objective,
             expected,
             found,
         })
@@ -80,7 +80,7 @@ impl<M, A, C, F, const N: usize> Sampled<M, A, C, F, N> {
             .iter()
             .find(outside)
             .map(|&input| DesignError::OutOfRange {
-                wish: self.called(),
+                objective: self.called(),
                 input,
                 low: cycle.low,
                 high: cycle.high,
@@ -95,7 +95,7 @@ impl<M, A, C, F, const N: usize> Sampled<M, A, C, F, N> {
         };
         let range = cycle.high - cycle.low;
         let error = DesignError::TooLong {
-            wish: self.called(),
+            objective: self.called(),
             positions: self.targets.targets.len(),
             step,
             length: self.rest(step).abs(),
@@ -125,12 +125,12 @@ impl<M, A, C, F, const N: usize> Sampled<M, A, C, F, N> {
         };
         let mut numbers = targets.iter().flatten().chain(weights).chain(inputs);
         let number = *numbers.find(|x| !x.is_finite())?;
-        let wish = self.called();
-        Some(DesignError::NotFinite { wish, number })
+        let objective = self.called();
+        Some(DesignError::NotFinite { objective, number })
     }
 }
 
-impl<M, A, C, F, const N: usize> Wish<M, A> for Sampled<M, A, C, F, N>
+impl<M, A, C, F, const N: usize> Objective<M, A> for Sampled<M, A, C, F, N>
 where
     M: Dimensions<N> + Copy + Send + Sync,
     A: Sync,
@@ -229,10 +229,10 @@ where
         } = &self.targets;
         let mut errors = self.given(cycle);
         if targets.is_empty() {
-            let wish = self.called();
+            let objective = self.called();
             errors.push(DesignError::Nothing {
                 what: "no positions",
-                wish,
+                objective,
             });
         }
         errors.extend(self.not_finite());
@@ -251,7 +251,7 @@ where
         let columns = C::default();
         let numbers = Numbers::all(columns.heading(), &self.targets.quantities);
         Box::new(Evaluator {
-            wish: self,
+            objective: self,
             columns,
             numbers,
             sets: Vec::new(),
@@ -261,7 +261,7 @@ where
 }
 
 struct Evaluator<'a, M, A, C, F, const N: usize> {
-    wish: &'a Sampled<M, A, C, F, N>,
+    objective: &'a Sampled<M, A, C, F, N>,
     columns: C,
     numbers: Numbers,
     sets: Vec<M>,
@@ -284,7 +284,7 @@ where
             weights,
             timing,
             ..
-        } = &self.wish.targets;
+        } = &self.objective.targets;
         let each = candidates.free.len() / count;
         self.sets.clear();
         self.inputs.clear();
@@ -296,7 +296,7 @@ where
                 self.inputs.push(input);
             }
         }
-        (self.wish.function)(
+        (self.objective.function)(
             candidates.assembly,
             &self.sets,
             &self.inputs,

@@ -7,8 +7,8 @@ use super::limits::Limits;
 use super::normal::Normal;
 use super::optimum::Optimum;
 use super::problem::{Evaluator, Problem};
+use super::quasi_random;
 use super::refusals::{Fate, Tally};
-use super::starts;
 use crate::dimensions::Dimensions;
 
 /// Starts of a block, which are evaluated side by side: enough for lanes, and few enough that their
@@ -61,7 +61,7 @@ pub(crate) fn block<M: Dimensions<N> + Copy, A, const N: usize>(
     let count = problem.limits.len();
     let mut begun: Vec<(usize, Vec<f64>)> = Vec::new();
     for index in indices {
-        match problem.start(&starts::unit(seed, index, count)) {
+        match problem.start(&quasi_random::unit(seed, index, count)) {
             Ok(x) => begun.push((index, x)),
             Err(relations) => block.tally.refuse(&relations),
         }
@@ -123,7 +123,8 @@ pub(crate) fn block<M: Dimensions<N> + Copy, A, const N: usize>(
                     });
                 } else if !matches!(fates[*start], Fate::Ended) {
                     block.tally.missed(&broken);
-                    fates[*start] = Fate::Broken(broken.iter().map(|broken| broken.wish).collect());
+                    fates[*start] =
+                        Fate::Broken(broken.iter().map(|broken| broken.objective).collect());
                 }
                 false
             });

@@ -20,7 +20,7 @@ pub(crate) struct Freedom {
 }
 
 /// The methods with which a design problem sets the parameters that vary, for its fields `nominal`,
-/// `freedom` and `wishes`.
+/// `freedom` and `objectives`.
 macro_rules! freedom_methods {
     () => {
         /// A parameter may vary between these bounds, both included: named as in `PARAMETERS`,
@@ -65,7 +65,8 @@ macro_rules! freedom_methods {
             title: &str,
             function: impl Fn(&M) -> (f64, [f64; N]) + Send + Sync + 'a,
         ) -> Self {
-            self.wishes.push(Box::new(Condition::new(title, function)));
+            self.objectives
+                .push(Box::new(Condition::new(title, function)));
             self
         }
     };
@@ -160,7 +161,7 @@ impl Freedom {
         if self.bounds.is_empty() {
             errors.push(DesignError::Nothing {
                 what: "no parameter may vary; call `vary`",
-                wish: "a design problem".to_string(),
+                objective: "a design problem".to_string(),
             });
         }
         let catalogues = self.catalogues.iter().filter_map(|(name, values)| {

@@ -3,8 +3,8 @@
 /// A condition that does not hold.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Violation {
-    /// The number of its wish.
-    pub(crate) wish: usize,
+    /// The number of its objective.
+    pub(crate) objective: usize,
     /// The size of the violation.
     pub(crate) by: f64,
     /// The same as a part of its size.

@@ -24,7 +24,8 @@ use core::fmt;
 /// };
 /// assert_eq!(
 ///     error.to_string(),
-///     "Hexapod: loops 1, 2 and 3 (p, x, y; 9 loops in space) cannot be followed beyond 25 % of the straight way to these inputs: \
+///     "Hexapod: loops 1, 2 and 3 (p, x, y; 9 loops in space) cannot be followed beyond 25 % of \
+///      the straight way to these inputs: \
 ///      a dead point is there"
 /// );
 /// ```

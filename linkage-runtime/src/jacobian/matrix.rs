@@ -15,7 +15,8 @@ use super::vectors::{dot, transposed};
 /// ```
 /// use linkage_runtime::jacobian::Jacobian;
 ///
-/// // Two links of length 1 in the plane, one along x, the other along y: the velocities of the end by both angles.
+/// // Two links of length 1 in the plane, one along x, the other along y: the velocities of the end
+/// // by both angles.
 /// let arm = Jacobian::of_inputs([[-1.0_f64, 1.0], [-1.0, 0.0]]);
 /// assert_eq!(arm.results_of([0.1, 0.0]), [-0.1, 0.1]);
 /// let [first, second] = arm.inputs_of([-0.1, 0.1]);

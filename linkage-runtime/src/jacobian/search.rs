@@ -44,12 +44,13 @@ pub struct Singularity {
 ///
 /// `jacobian` gives the derivatives at a place of the path, not finite where there is no position.
 /// Between `steps + 1` places at equal distances changes of the determinant's sign, and borders to
-/// where it is not finite, are enclosed by halving. What happens twice between two neighbouring
-/// places is not seen, nor is a position that is touched and not passed.
+/// where it is not finite, are enclosed by halving. Two changes between two neighbouring places are
+/// not seen, nor is a position that is touched and not passed.
 ///
-/// What is prepared of a coupled group ends shortly before a dead point. That is told as one of the
-/// second kind, at the border, if the determinant grows towards it like one over the root of a
-/// distance that is less than a 64th of a step beyond the border: smaller steps ask for more.
+/// The prepared solution of a coupled group ends shortly before a dead point. This end is reported
+/// as one of the second kind, at the border, if the determinant grows towards it like one over the
+/// root of a distance that is less than a 64th of a step beyond the border: smaller steps ask for
+/// more.
 ///
 /// ```
 /// use linkage_runtime::jacobian::{Jacobian, SingularityKind, singularities};

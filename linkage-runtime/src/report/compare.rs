@@ -50,7 +50,11 @@ const SCRIPTS: [&str; 9] = [
 ///
 /// Comparison::new("Longer dwell")
 ///     .design(Compared::new("published", &published).figure("dwell", 0.794, "rad"))
-///     .design(Compared::new("within 2 %", &found).figure("dwell", 1.641, "rad").page("found/index.html"))
+///     .design(
+///         Compared::new("within 2 %", &found)
+///             .figure("dwell", 1.641, "rad")
+///             .page("found/index.html"),
+///     )
 ///     .curves(["slide", "v.x [mm/s]"])
 ///     .front([Aim::most("dwell"), Aim::least("slide: stroke")])
 ///     .write("compared")?;
@@ -194,7 +198,8 @@ impl<'a> Comparison<'a> {
     ///
     /// # Errors
     ///
-    /// [`ReportError::Mistakes`] with all that does not fit together, in the designs' reports and between them.
+    /// [`ReportError::Mistakes`] with all that does not fit together, in the designs' reports and
+    /// between them.
     pub fn html(&self) -> Result<String, ReportError> {
         self.check()?;
         let framed = Framed {

@@ -100,12 +100,12 @@ impl Report {
     /// | `data.json` | all data |
     /// | `FUNCTION.csv` | each table |
     /// | `cyclogram.svg`, `cyclogram.csv` | the [cyclogram](Self::cyclogram), if there is one |
-    /// | `cyclogram-order.csv`, `cyclogram-overlaps.csv` | its events in their order, and the simultaneous motions of two organs |
+    /// | `cyclogram-order.csv`, `cyclogram-overlaps.csv` | the order of events; simultaneous motions |
     /// | `drawing.svg` | the mechanism to scale, if a table has a picture |
     /// | `drawing.dxf` | the same, true to size, for programs that construct |
-    /// | `plots/FUNCTION.svg`, `plots/FUNCTION-true.svg` | each function's values and derivatives; true velocities and accelerations |
+    /// | `plots/FUNCTION.svg`, `plots/FUNCTION-true.svg` | values and derivatives; true velocities and accelerations |
     /// | `version.js` | which [version](Self::version) it is, if that was said |
-    /// | `plots/errors-by-tolerances.svg` | errors over the range, if there are sensitivities and tolerances |
+    /// | `plots/errors-by-tolerances.svg` | errors over the range, if there are tolerances |
     ///
     /// Files of an earlier report are replaced when all files are complete: where one cannot be
     /// written, as on a full disk, the earlier report stays as it is. Files that it had and this

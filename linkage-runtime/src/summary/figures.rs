@@ -31,9 +31,12 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Curve<N, F> {
     /// use linkage_runtime::summary::Curve;
     ///
     /// // 1 - cos 10 deg beside each limit of a cosine.
-    /// let curve = Curve::new((0.0, std::f64::consts::TAU), 360, |x: f64| [x.cos(), -x.sin(), -x.cos()])?;
+    /// let jet = |x: f64| [x.cos(), -x.sin(), -x.cos()];
+    /// let curve = Curve::new((0.0, std::f64::consts::TAU), 360, jet)?;
     /// let dwells = curve.dwells(1.0 - 10f64.to_radians().cos());
-    /// let places = dwells.iter().map(|dwell| [dwell.interval.from, dwell.interval.to].map(|x| x.to_degrees().round()));
+    /// let degrees = |x: f64| x.to_degrees().round();
+    /// let ends = dwells.iter().map(|dwell| [dwell.interval.from, dwell.interval.to]);
+    /// let places = ends.map(|ends| ends.map(degrees));
     /// assert_eq!(places.collect::<Vec<_>>(), [[170.0, 190.0], [350.0, 10.0]]);
     /// # Ok::<(), linkage_runtime::summary::SummaryError>(())
     /// ```

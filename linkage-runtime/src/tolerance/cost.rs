@@ -117,8 +117,8 @@ fn closed(terms: &[Term], row: &[f64]) -> Cheapest {
 mod tests {
     use super::{Term, closed};
 
-    /// Nothing is cheaper than what one condition allows: the bound is the cost itself, with one
-    /// exponent and with two.
+    /// Nothing is cheaper than the cost that one condition allows: the bound is the cost itself,
+    /// with one exponent and with two.
     #[test]
     fn one_condition_is_solved_to_its_bound() {
         for exponents in [[1.0, 1.0], [1.0, 2.0]] {

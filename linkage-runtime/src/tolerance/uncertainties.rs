@@ -19,7 +19,8 @@ use crate::data::Parameter;
 /// use linkage_runtime::Parameter;
 /// use linkage_runtime::tolerance::{Distribution, Tolerances, Uncertainties};
 ///
-/// let rods = ["a", "b"].map(|name| Parameter { name, unit: "mm", nominal: 40.0, tolerance: 0.03 });
+/// let (nominal, tolerance) = (40.0, 0.03);
+/// let rods = ["a", "b"].map(|name| Parameter { name, unit: "mm", nominal, tolerance });
 /// let tolerances = Tolerances::<2>::complete(&rods)?;
 /// let alone = Uncertainties::new(&tolerances, Distribution::Normal);
 /// // Cut on one stop: what one is too long, the other is, too.

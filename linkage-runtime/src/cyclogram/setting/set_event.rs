@@ -40,7 +40,8 @@ use alloc::vec::Vec;
 ///
 /// // Where an angle is out of reach, the message has the nearest one.
 /// let error = set_event((-1.0, 1.0), 0, sinker, |event| event.ends.is_dwell(), 2.0).unwrap_err();
-/// assert!(error.to_string().starts_with("no event of `sinker` that is meant is at 114.592 deg: the nearest angle is "));
+/// let expected = "no event of `sinker` that is meant is at 114.592 deg: the nearest angle is ";
+/// assert!(error.to_string().starts_with(expected));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///

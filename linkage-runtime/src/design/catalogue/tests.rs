@@ -130,7 +130,8 @@ fn the_best_of_all_combinations_is_found() {
     assert!(descents < 60 * VALUES.pow(COUNT as u32) / 4, "{descents}");
 }
 
-/// Once the time is over no branch is begun any more, and what is there is the best so far, or nothing.
+/// Once the time is over no branch is begun any more, and the result is the best so far, or
+/// nothing.
 #[test]
 fn it_ends_when_it_is_to() {
     let mut random = Random::new(32);

@@ -10,31 +10,33 @@ use super::super::condition::Condition;
 use super::super::settings::{Progress, Settings, settings_methods};
 use super::super::varied::{Freedom, freedom_methods};
 use super::super::{DesignError, Relation};
-use super::CycleWish;
+use super::CycleObjective;
 use crate::circuits::Circuits;
 use crate::dimensions::Dimensions;
 use crate::error::AssemblyError;
 
-/// Positions from which limits are searched, unless the design says otherwise: three degrees of a turn.
+/// Positions from which limits are searched, unless the design says otherwise: three degrees of a
+/// turn.
 const POSITIONS: usize = 121;
-/// Steps of a search, unless the design says otherwise: ten times what most searches take.
+/// Steps of a search, unless the design says otherwise: ten times the steps of most searches.
 const STEPS: usize = 300;
 pub(super) type AssembleFrom<'a, M, A> =
     Box<dyn Fn(&M, &A) -> Result<A, AssemblyError> + Send + Sync + 'a>;
 
-/// The best mechanism for a goal that is a least or greatest value over a cycle, from a mechanism that is there: parameters within bounds, one goal,
-/// conditions.
+/// The best mechanism for a goal that is a least or greatest value over a cycle, from a mechanism
+/// that is there: parameters within bounds, one goal, conditions.
 ///
-/// The search is by sequential quadratic programming with exact derivatives; it ends at a local optimum. A mechanism is assembled in the
-/// modes of the first one, and any that does not run through the whole range is refused at once. What it returns is certified by
-/// `circuits()`: assembled over the whole range on one circuit.
+/// The search is by sequential quadratic programming with exact derivatives; it ends at a local
+/// optimum. A mechanism is assembled in the modes of the first one, and any that does not run
+/// through the whole range is refused at once. The result is certified by `circuits()`: assembled
+/// over the whole range on one circuit.
 pub struct CycleDesign<'a, M, A, const N: usize> {
     pub(super) nominal: M,
     pub(super) assembly: A,
     pub(super) assemble: AssembleFrom<'a, M, A>,
     pub(super) circuits: CircuitsOf<'a, M, A>,
     pub(super) freedom: Freedom,
-    pub(super) wishes: Vec<Box<dyn CycleWish<M, A, N> + 'a>>,
+    pub(super) objectives: Vec<Box<dyn CycleObjective<M, A, N> + 'a>>,
     pub(super) positions: usize,
     pub(super) all_assemblies: bool,
     pub(super) settings: Settings<'a>,
@@ -45,7 +47,9 @@ where
     M: Dimensions<N> + Copy + Send + Sync,
     A: Send + Sync,
 {
-    /// From a mechanism and three of its generated methods: `CycleDesign::new(Press::default(), Press::assemble, Press::assemble_from, Press::circuits)`.
+    /// Builds a design from a mechanism and three of its generated methods:
+    /// `CycleDesign::new(Press::default(), Press::assemble, Press::assemble_from,
+    /// Press::circuits)`.
     ///
     /// # Errors
     ///
@@ -62,7 +66,7 @@ where
             assemble: Box::new(assemble_from),
             circuits: Box::new(circuits),
             freedom: Freedom::default(),
-            wishes: Vec::new(),
+            objectives: Vec::new(),
             positions: POSITIONS,
             all_assemblies: false,
             settings: Settings::new(1, STEPS),
@@ -78,19 +82,21 @@ where
 
     /// The goal, or a condition.
     #[must_use]
-    pub fn want(mut self, wish: impl CycleWish<M, A, N> + 'a) -> Self {
-        self.wishes.push(Box::new(wish));
+    pub fn want(mut self, objective: impl CycleObjective<M, A, N> + 'a) -> Self {
+        self.objectives.push(Box::new(objective));
         self
     }
 
-    /// Begins in every other assembly of the first mechanism, too, that runs through its whole range: each start in the modes of each of them.
+    /// Begins in every other assembly of the first mechanism, too, that runs through its whole
+    /// range: each start in the modes of each of them.
     #[must_use]
     pub fn in_all_assemblies(mut self) -> Self {
         self.all_assemblies = true;
         self
     }
 
-    /// From how many evenly spaced positions of the range limits are searched, both ends among them; 121 without it.
+    /// Sets the number of evenly spaced positions of the range from which limits are searched, both
+    /// ends among them; 121 without it.
     #[must_use]
     pub fn positions(mut self, positions: usize) -> Self {
         self.positions = positions;

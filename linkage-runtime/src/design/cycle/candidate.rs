@@ -1,4 +1,4 @@
-//! A mechanism that is tried, and what wishes say of it.
+//! A mechanism that is tried, and its values for the objectives.
 
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -9,7 +9,7 @@ use super::conditions::Conditions;
 use super::verdict::Verdict;
 use crate::data::Parameter;
 
-/// How a mechanism is assembled in the modes of the first one.
+/// The function that assembles a mechanism in the modes of the first one.
 pub(super) type Assemble<'c, M, A> = dyn Fn(&M) -> Option<A> + 'c;
 
 /// A mechanism over the range of its input.
@@ -19,9 +19,9 @@ pub struct Motion<'c, A> {
     pub assembly: &'c A,
     /// The range of its input.
     pub range: (f64, f64),
-    /// Whether the range is a full turn of an angle, so that its ends are one position.
+    /// True if the range is a full turn of an angle, so that its ends are one position.
     pub closed: bool,
-    /// From how many evenly spaced positions limits are searched.
+    /// Number of evenly spaced positions from which limits are searched.
     pub positions: usize,
 }
 
@@ -78,51 +78,56 @@ impl<'c, M, A> Candidate<'c, M, A> {
     }
 }
 
-/// A variable that a wish has for itself, such as where a dwell begins.
+/// A variable that an objective has for itself, such as where a dwell begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Own {
-    /// Where the search begins.
+    /// The value with which the search begins.
     pub start: f64,
     /// The bounds.
     pub bounds: (f64, f64),
-    /// How far it may go in the first step.
+    /// The largest change in the first step.
     pub reach: f64,
 }
 
-/// What a search has come to for a wish.
+/// The state of a search for an objective.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chosen<'c> {
-    /// The variables that the wish has for itself.
+    /// The variables that the objective has for itself.
     pub own: &'c [f64],
-    /// The conditions that [`refine`](CycleWish::refine) found in this search, each in numbers of the wish.
+    /// The conditions that [`refine`](CycleObjective::refine) found in this search, each in numbers
+    /// of the objective.
     pub added: &'c [Vec<f64>],
 }
 
-/// Something that is wanted of a whole cycle. Searches on several threads share it: what one of them finds is in [`Chosen`].
-pub trait CycleWish<M, A, const N: usize>: Send + Sync {
-    /// How messages call it.
+/// Something that is wanted of a whole cycle. Searches on several threads share it: the values that
+/// one of them finds are in [`Chosen`].
+pub trait CycleObjective<M, A, const N: usize>: Send + Sync {
+    /// The name in messages.
     fn title(&self) -> String;
 
-    /// Whether it is the goal, of which a design has one.
+    /// Returns true for the goal, of which a design has one.
     fn is_goal(&self) -> bool;
 
-    /// What is wrong with it, for a mechanism of which these parameters may vary.
+    /// Returns its mistakes, for a mechanism of which these parameters may vary.
     fn check(&self, cycle: &Cycle, parameters: &[Parameter], varied: &[usize]) -> Vec<DesignError> {
         let _ = (cycle, parameters, varied);
         Vec::new()
     }
 
-    /// How many equations between the variables it is: of a figure that must have a value one.
+    /// Returns the number of its equations between the variables: one for a figure that must have a
+    /// value.
     fn equations(&self) -> usize {
         0
     }
 
-    /// The goal as it is told, from what the search makes least: a greatest value is the least of its opposite.
+    /// Returns the goal as it is reported, from the value that the search makes least: a greatest
+    /// value is the least of its opposite.
     fn told(&self, least: f64) -> f64 {
         least
     }
 
-    /// The variables that it has for itself, with starts that suit a mechanism; `None` if there is none.
+    /// The variables that it has for itself, with starts that suit a mechanism; `None` if there is
+    /// none.
     fn own(&self, candidate: &Candidate<'_, M, A>) -> Option<Vec<Own>> {
         let _ = candidate;
         Some(Vec::new())
@@ -135,25 +140,27 @@ pub trait CycleWish<M, A, const N: usize>: Send + Sync {
         chosen: Chosen<'_>,
     ) -> Option<Conditions<N>>;
 
-    /// Computes goal and conditions of a result without the search, before it is returned; `None` where the mechanism does not assemble over
-    /// the range.
+    /// Computes goal and conditions of a result without the search, before it is returned; `None`
+    /// where the mechanism does not assemble over the range.
     ///
-    /// The candidate has four times the intervals of the search, from which limits are found. A result whose verdict breaks a condition is
-    /// discarded, and the goal of the verdict is the goal of the result.
+    /// The candidate has four times the intervals of the search, from which limits are found. A
+    /// result whose verdict breaks a condition is discarded, and the goal of the verdict is the
+    /// goal of the result.
     fn verify(&self, candidate: &Candidate<'_, M, A>, chosen: Chosen<'_>) -> Option<Verdict> {
         Some(Verdict::of(&self.evaluate(candidate, chosen)?))
     }
 
-    /// Numbers by which the assembly is known again among the others of the same mechanism; they are compared as parts of the
-    /// largest. Here all slopes: values are near their limits, and may count whole turns.
+    /// Numbers by which the assembly is known again among the others of the same mechanism; they
+    /// are compared as parts of the largest. Here all slopes: values are near their limits, and may
+    /// count whole turns.
     fn known_by(&self, candidate: &Candidate<'_, M, A>, chosen: Chosen<'_>) -> Option<Vec<f64>> {
         let asked = self.evaluate(candidate, chosen)?;
         let all = asked.conditions.iter().chain([&asked.goal]).flatten();
         Some(all.flat_map(|piece| piece.parameters).collect())
     }
 
-    /// Looks for conditions that the optimum breaks and that have not been added yet, each in numbers of the wish; if there are any, the
-    /// search goes on with them.
+    /// Looks for conditions that the optimum breaks and that have not been added yet, each in
+    /// numbers of the objective; if there are any, the search goes on with them.
     fn refine(&self, candidate: &Candidate<'_, M, A>, chosen: Chosen<'_>) -> Vec<Vec<f64>> {
         let _ = (candidate, chosen);
         Vec::new()

@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-/// Which of several pieces it is, so that it is known again in another mechanism.
+/// The key of a piece among several, which identifies it in another mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Place {
     /// The one with this number.
@@ -14,18 +14,18 @@ pub enum Place {
 /// One of the smooth functions of which the largest, or the smallest, is a figure of a cycle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Piece<const N: usize> {
-    /// Which one it is.
+    /// The key of the piece.
     pub place: Place,
     /// Its value.
     pub value: f64,
     /// Its derivatives by the parameters.
     pub parameters: [f64; N],
-    /// Its derivatives by the variables that the wish has for itself.
+    /// Its derivatives by the variables that the objective has for itself.
     pub own: Vec<f64>,
 }
 
 impl<const N: usize> Piece<N> {
-    /// Whether all its numbers are.
+    /// Returns true if all its numbers are finite.
     pub(crate) fn is_finite(&self) -> bool {
         let mut slopes = self.parameters.iter().chain(&self.own);
         self.value.is_finite() && slopes.all(|slope| slope.is_finite())
@@ -45,10 +45,11 @@ impl<const N: usize> Piece<N> {
 /// Goal and conditions of an objective for a candidate.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Conditions<const N: usize> {
-    /// The largest of these is to be least; empty if the wish is only a condition.
+    /// The largest of these is to be least; empty if the objective is only a condition.
     pub goal: Vec<Piece<N>>,
     /// None of these may be above zero.
     pub conditions: Vec<Vec<Piece<N>>>,
-    /// The pieces of whose squares the goal is the sum, if it is one; empty otherwise. Its curvature is known from them.
+    /// The pieces of whose squares the goal is the sum, if it is one; empty otherwise. Its
+    /// curvature is known from them.
     pub squares: Vec<Piece<N>>,
 }

@@ -20,7 +20,7 @@ pub(super) struct Corners<const N: usize> {
 /// A mechanism with all dimensions at limits of their tolerances.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Corner<const N: usize> {
-    /// What its dimensions differ by.
+    /// The differences of its dimensions.
     changes: [f64; N],
 }
 
@@ -28,13 +28,15 @@ pub(super) struct Corner<const N: usize> {
 const NEW: usize = 4;
 /// Pairs of places that are followed to their worst corner.
 const PAIRS: usize = 12;
-/// How often the signs of a corner are set by its own slopes: they settle in two or three.
+/// Number of times that the signs of a corner are set by its own slopes: they settle in two or
+/// three.
 const TURNS: usize = 6;
-/// A corner that leaves the band by less than this part of it holds: less than what a dwell spares.
+/// A corner that leaves the band by less than this part of it holds: less than the part that a
+/// dwell spares.
 const HOLDS: f64 = 5e-7;
 
 impl<const N: usize> Corner<N> {
-    /// From what its dimensions differ by.
+    /// Builds a corner from the differences of its dimensions.
     pub(super) fn of(changes: &[f64]) -> Option<Self> {
         let changes = changes.try_into().ok()?;
         Some(Self { changes })
@@ -74,8 +76,8 @@ impl<const N: usize> Corners<N> {
         }
     }
 
-    /// The worst corners in which the quantity leaves the band, from those that the slopes at some places point to, by what their dimensions
-    /// differ by; without those that count already.
+    /// The worst corners in which the quantity leaves the band, from those that the slopes at some
+    /// places point to, as differences of their dimensions; without those that count already.
     pub(super) fn beyond<M: Dimensions<N>, A>(
         &self,
         candidate: &Candidate<'_, M, A>,

@@ -11,19 +11,19 @@ type Slopes<'a, A, const N: usize> = Box<dyn Fn(&A, f64) -> [f64; N] + Send + Sy
 
 /// A quantity of an assembly over its input, with its derivatives.
 ///
-/// Anything with exact derivatives is one: a position, its `velocity`, an angle between links, `margin()`, a torque or the size of a
-/// force.
+/// Anything with exact derivatives is one: a position, its `velocity`, an angle between links,
+/// `margin()`, a torque or the size of a force.
 pub struct Curve<'a, A, const N: usize> {
     jet: Jet<'a, A>,
     slopes: Slopes<'a, A, N>,
 }
 
 impl<'a, A, const N: usize> Curve<'a, A, N> {
-    /// From two functions of an assembly and an input: the quantity with its first and second derivative by the input, and its derivatives by
-    /// the parameters, `sensitivity(q)`.
+    /// Builds a curve from two functions of an assembly and an input: the quantity with its first
+    /// and second derivative by the input, and its derivatives by the parameters, `sensitivity(q)`.
     ///
-    /// `velocity(q)` and `acceleration(q)` are the first two; for the curve of a velocity they are `acceleration(q)` and `jerk(q)`,
-    /// and the slopes are `sensitivity(velocity(q))`.
+    /// `velocity(q)` and `acceleration(q)` are the first two; for the curve of a velocity they are
+    /// `acceleration(q)` and `jerk(q)`, and the slopes are `sensitivity(velocity(q))`.
     pub fn new(
         jet: impl Fn(&A, f64) -> [f64; 3] + Send + Sync + 'a,
         slopes: impl Fn(&A, f64) -> [f64; N] + Send + Sync + 'a,
@@ -34,8 +34,9 @@ impl<'a, A, const N: usize> Curve<'a, A, N> {
         }
     }
 
-    /// The length of a vector, such as a reaction: from the vector with its first and second derivative by the input, and its derivatives by the
-    /// parameters. Where the vector is zero its length has no derivatives.
+    /// The length of a vector, such as a reaction: from the vector with its first and second
+    /// derivative by the input, and its derivatives by the parameters. Where the vector is zero its
+    /// length has no derivatives.
     pub fn length<const K: usize>(
         jet: impl Fn(&A, f64) -> [[f64; K]; 3] + Send + Sync + Clone + 'a,
         slopes: impl Fn(&A, f64) -> [[f64; K]; N] + Send + Sync + 'a,

@@ -10,19 +10,23 @@ use super::problem::{Sizes, Start};
 use super::verify::Scales;
 use crate::dimensions::Dimensions;
 
-/// Where steps promise less than this part of what the goal can change by in a first step, the search looks whether it is at an optimum.
+/// The search checks for an optimum where steps promise less than this part of the change of the
+/// goal in a first step.
 const PRECISION: f64 = 1e-6;
-/// It is at one where, to first order, no step as long as the first one gains more than this part of it.
+/// It is at one where, to first order, no step as long as the first one gains more than this part
+/// of it.
 const SLOPE: f64 = 1e-5;
 /// Rounding leaves this part of it.
 const ROUNDING: f64 = 1e-12;
-/// One that is broken by more than this part of it at the end is out of reach; what is between is what a search leaves that is ended early.
+/// One that is broken by more than this part of it at the end is out of reach; the violations
+/// between are those of a search that is ended early.
 const HOLDS: f64 = 1e-7;
-/// How often wishes may add conditions.
+/// Number of times that objectives may add conditions.
 const REFINEMENTS: usize = 40;
 
 impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
-    /// Searches from a start, and returns the verified result: where the search ended, or the best of its steps, if the end does not hold.
+    /// Searches from a start, and returns the verified result: where the search ended, or the best
+    /// of its steps, if the end does not hold.
     pub(super) fn descend(&self, mut start: Start) -> Result<Ended, DesignError> {
         let problem = &self.problem;
         let mut sizes = problem
@@ -44,7 +48,8 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         for _ in 0..REFINEMENTS {
             // Further conditions make nothing of what held before.
             let reference = self.reference.as_ref();
-            // One that holds only for the search may have a better value than all that hold for the verdict.
+            // One that holds only for the search may have a better value than all that hold for the
+            // verdict.
             let mut bests = [HOLDS, exact].map(|holds| Best::new(&sizes, reference, holds));
             let groups = |x: &[f64]| {
                 let groups = problem.groups(&start, x, &sizes)?;
@@ -109,8 +114,8 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         }
     }
 
-    /// The verified place with its goal: with the variables that wishes have for themselves, or, where their claim does not hold, with those
-    /// that suit the mechanism there.
+    /// The verified place with its goal: with the variables that objectives have for themselves,
+    /// or, where their claim does not hold, with those that suit the mechanism there.
     pub(super) fn settled(
         &self,
         start: &Start,
@@ -139,7 +144,8 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
 struct Best {
     x: Option<Vec<f64>>,
     value: f64,
-    /// The violation of each condition that is none, in its size: as small in that of the first mechanism.
+    /// The violation of each condition that is none, in its size: as small in that of the first
+    /// mechanism.
     tolerances: Vec<f64>,
 }
 

@@ -6,8 +6,8 @@ use alloc::vec::Vec;
 
 use super::super::catalogue;
 use super::super::limits::Limits;
+use super::super::quasi_random::unit;
 use super::super::refusals::{Fate, Tally};
-use super::super::starts::unit;
 use super::super::{DesignError, Interruption, Refusals};
 use super::ended::Ended;
 use super::found::BestCycle;
@@ -15,8 +15,8 @@ use super::problem::Problem;
 use super::verify::Scales;
 use crate::dimensions::Dimensions;
 
-/// Optima whose dimensions differ by less than this part of the width of their bounds are one: in a flat valley searches end some way from each
-/// other.
+/// Optima whose dimensions differ by less than this part of the width of their bounds are one: in a
+/// flat valley searches end some way from each other.
 const DISTINCT: f64 = 0.02;
 
 /// Searches of one problem, which depend on the number of their start alone.
@@ -24,7 +24,7 @@ pub(super) struct Descents<'d, M, A, const N: usize> {
     pub(super) problem: Problem<'d, M, A, N>,
     /// The change of each condition in a first step from the first mechanism.
     pub(super) reference: Option<Scales>,
-    /// Whether searches from the first mechanism begin within narrower bounds.
+    /// True if searches from the first mechanism begin within narrower bounds.
     pub(super) widening: bool,
     pub(super) seed: u64,
     pub(super) steps: usize,
@@ -36,23 +36,24 @@ pub(super) struct Descents<'d, M, A, const N: usize> {
 /// A certified optimum.
 pub(super) struct Optimum<M, A> {
     best: BestCycle<M, A>,
-    /// What the search makes least.
+    /// The value that the search makes least.
     least: f64,
     /// The parameters that vary.
     place: Vec<f64>,
-    /// Of which assembly of the first mechanism it has the modes.
+    /// The number of the assembly of the first mechanism that has the same modes.
     assembly: usize,
 }
 
 impl<M, A> Optimum<M, A> {
-    /// What the search makes least.
+    /// Returns the value that the search makes least.
     pub(super) fn least(&self) -> f64 {
         self.least
     }
 }
 
 impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
-    /// From the dimensions of a start, of which the first are those of the first mechanism.
+    /// Searches from the dimensions of a start, of which the first are those of the first
+    /// mechanism.
     pub(super) fn from(&self, index: usize) -> Result<Optimum<M, A>, DesignError> {
         let problem = &self.problem;
         let limits = &problem.limits;
@@ -103,7 +104,8 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         best.ok_or_else(|| first.unwrap_or(DesignError::NotWhole(Interruption::Apart)))
     }
 
-    /// Whether an assembly of the first mechanism is the one that these searches are in the modes of.
+    /// Returns true if an assembly of the first mechanism is the one that these searches are in the
+    /// modes of.
     pub(super) fn is_own(&self, assembly: &A) -> bool {
         let problem = &self.problem;
         let Ok(start) = problem.start(&problem.limits, problem.first()) else {
@@ -145,10 +147,13 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         let (problem, start, least) = (&self.problem, &ended.at, ended.least);
         let branch = problem.certify(start)?;
         let x = &start.x;
-        let goal = problem.wishes.iter().find(|wish| wish.is_goal());
+        let goal = problem
+            .objectives
+            .iter()
+            .find(|objective| objective.is_goal());
         let best = BestCycle {
             mechanism: problem.mechanism(x),
-            goal: goal.map_or(least, |wish| wish.told(least)),
+            goal: goal.map_or(least, |objective| objective.told(least)),
             own: start
                 .own
                 .iter()
@@ -179,17 +184,17 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         }
         let titles: Vec<String> = self
             .problem
-            .wishes
+            .objectives
             .iter()
-            .map(|wish| wish.title())
+            .map(|objective| objective.title())
             .collect();
         let mut tally = Tally::default();
         let (mut no_values, mut not_whole) = (0, 0);
         for error in &errors {
             match error {
-                DesignError::OutOfReach { wish, .. } => {
-                    let wishes = titles.iter().position(|title| title == wish);
-                    tally.begun(&Fate::Broken(wishes.into_iter().collect()));
+                DesignError::OutOfReach { objective, .. } => {
+                    let objectives = titles.iter().position(|title| title == objective);
+                    tally.begun(&Fate::Broken(objectives.into_iter().collect()));
                 }
                 DesignError::NoValues { .. } => no_values += 1,
                 DesignError::NotWhole(_) => not_whole += 1,

@@ -9,7 +9,7 @@ use linkage_core::Cycle;
 use super::super::DesignError;
 use super::corners::{Corner, Corners};
 use super::spread::ranges;
-use super::{Candidate, Chosen, Conditions, Curve, CycleWish, Own, Piece, Place, Verdict};
+use super::{Candidate, Chosen, Conditions, Curve, CycleObjective, Own, Piece, Place, Verdict};
 use crate::data::Parameter;
 use crate::dimensions::Dimensions;
 use crate::format::rounded;
@@ -24,21 +24,22 @@ pub(super) enum Claim {
     Band,
 }
 
-/// A dwell: a quantity stays within a band over an interval of the input, of which the length is to be greatest or the band
-/// least, or which is there beside another goal.
+/// A dwell: a quantity stays within a band over an interval of the input, of which the length is to
+/// be greatest or the band least, or which is there beside another goal.
 ///
-/// Its limits within the interval are exact roots of the derivative, and count with those places' slopes; between them the quantity
-/// counts at [`SAMPLES`](Self::SAMPLES) evenly spaced places, too, which see what might grow into a limit. The variables of its own are, in this
+/// Its limits within the interval are exact roots of the derivative, and count with those places'
+/// slopes; between them the quantity counts at [`SAMPLES`](Self::SAMPLES) evenly spaced places,
+/// too, which show a value that might grow into a limit. The variables of its own are, in this
 /// order: where the interval begins, its length, the lower bound of the band, the band.
 pub struct Dwell<'a, A, const N: usize> {
     pub(super) curve: Curve<'a, A, N>,
     asked: Asked,
-    /// Between which inputs it is to be, if not anywhere.
+    /// The inputs between which it is to be, if not anywhere.
     pub(super) between: Option<[f64; 2]>,
     corners: Option<Corners<N>>,
 }
 
-/// What is given of a dwell, and so what is searched.
+/// The given sizes of a dwell; the other one is searched.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Asked {
     /// The longest one within this band.
@@ -65,10 +66,12 @@ impl Asked {
     }
 }
 
-/// Of the range, how far an interval may move and grow in the first step, and of the band its bounds.
+/// The part of the range by which an interval may move and grow in the first step, and the part of
+/// the band for its bounds.
 const REACH: f64 = 0.005;
 const REACH_OF_BAND: f64 = 0.3;
-/// An interval that is longer than its room by less than this part of it fills it: both are rounded.
+/// An interval that is longer than its room by less than this part of it fills it: both are
+/// rounded.
 const ROUNDING: f64 = 1e-12;
 /// An interval is at least this part of the range.
 const LEAST: f64 = 1e-3;
@@ -77,19 +80,20 @@ impl<'a, A, const N: usize> Dwell<'a, A, N> {
     /// Evenly spaced places of an interval at which the quantity counts beside its limits.
     pub const SAMPLES: usize = 17;
 
-    /// The longest interval in which the quantity changes by no more than `band`. The search begins with the longest one of the mechanism
-    /// that the design begins with.
+    /// The longest interval in which the quantity changes by no more than `band`. The search begins
+    /// with the longest one of the mechanism that the design begins with.
     pub fn longest(curve: Curve<'a, A, N>, band: f64) -> Self {
         Self::new(curve, Asked::Longest(band))
     }
 
-    /// The narrowest band in which the quantity stays over an interval of this length. The search begins with the interval in which the
-    /// mechanism that the design begins with changes least.
+    /// The narrowest band in which the quantity stays over an interval of this length. The search
+    /// begins with the interval in which the mechanism that the design begins with changes least.
     pub fn narrowest(curve: Curve<'a, A, N>, length: f64) -> Self {
         Self::new(curve, Asked::Narrowest(length))
     }
 
-    /// A condition: the quantity changes by no more than `band` over an interval of at least this length.
+    /// A condition: the quantity changes by no more than `band` over an interval of at least this
+    /// length.
     pub fn at_least(curve: Curve<'a, A, N>, band: f64, length: f64) -> Self {
         Self::new(curve, Asked::AtLeast { length, band })
     }
@@ -103,8 +107,8 @@ impl<'a, A, const N: usize> Dwell<'a, A, N> {
         }
     }
 
-    /// Between these inputs, not anywhere in the range; the second one may be beyond the seam of a turn. A dwell of a length that is as long as
-    /// this interval is exactly there.
+    /// Between these inputs, not anywhere in the range; the second one may be beyond the seam of a
+    /// turn. A dwell of a length that is as long as this interval is exactly there.
     #[must_use]
     pub fn between(self, from: f64, to: f64) -> Self {
         Self {
@@ -113,13 +117,14 @@ impl<'a, A, const N: usize> Dwell<'a, A, N> {
         }
     }
 
-    /// For every mechanism within these tolerances, at the same interval of the input; each may have its band elsewhere, as one that is adjusted
-    /// when it is built.
+    /// For every mechanism within these tolerances, at the same interval of the input; each may
+    /// have its band elsewhere, as one that is adjusted when it is built.
     ///
-    /// The worst mechanisms have all dimensions at limits of their tolerances. Those that matter are found as the search goes on, and
-    /// each is assembled and counts as exactly as the first one. A dimension may not be worse in the middle of its tolerance, then:
-    /// so it is where effects are nearly linear over a tolerance. The mechanism with nominal dimensions counts, too, even where zones do
-    /// not contain them.
+    /// The worst mechanisms have all dimensions at limits of their tolerances. Those that matter
+    /// are found as the search goes on, and each is assembled and counts as exactly as the first
+    /// one. A dimension may not be worse in the middle of its tolerance, then: so it is where
+    /// effects are nearly linear over a tolerance. The mechanism with nominal dimensions counts,
+    /// too, even where zones do not contain them.
     #[must_use]
     pub fn in_worst_case(self, tolerances: &Tolerances<N>) -> Self {
         Self {
@@ -129,7 +134,7 @@ impl<'a, A, const N: usize> Dwell<'a, A, N> {
     }
 }
 
-impl<M: Dimensions<N>, A, const N: usize> CycleWish<M, A, N> for Dwell<'_, A, N> {
+impl<M: Dimensions<N>, A, const N: usize> CycleObjective<M, A, N> for Dwell<'_, A, N> {
     fn title(&self) -> String {
         let what = match self.asked {
             Asked::Longest(band) => format!("longest dwell within {}", rounded(band)),
@@ -161,14 +166,14 @@ impl<M: Dimensions<N>, A, const N: usize> CycleWish<M, A, N> for Dwell<'_, A, N>
     }
 
     fn check(&self, cycle: &Cycle, _: &[Parameter], _: &[usize]) -> Vec<DesignError> {
-        let wish = || CycleWish::<M, A, N>::title(self);
+        let objective = || CycleObjective::<M, A, N>::title(self);
         let [from, to] = self.between.unwrap_or([cycle.low, cycle.high]);
         let mut errors = Vec::new();
         let turns = cycle.turn().is_some();
         let outside = |input: &f64| !(turns || (cycle.low..=cycle.high).contains(input));
         if let Some(input) = [from, to].into_iter().find(outside) {
             errors.push(DesignError::OutOfRange {
-                wish: wish(),
+                objective: objective(),
                 input,
                 low: cycle.low,
                 high: cycle.high,
@@ -177,7 +182,7 @@ impl<M: Dimensions<N>, A, const N: usize> CycleWish<M, A, N> for Dwell<'_, A, N>
         let length = self.asked.length().unwrap_or(0.0);
         if !(length <= (to - from) * (1.0 + ROUNDING) && to - from > 0.0) {
             errors.push(DesignError::NoRoom {
-                wish: wish(),
+                objective: objective(),
                 length,
                 from,
                 to,

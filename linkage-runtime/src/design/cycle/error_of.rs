@@ -13,7 +13,8 @@ use crate::summary::{Curve, Kind};
 use crate::tolerance::{Tolerances, Uncertainties};
 use measure::{Measure, Measured, Slopes};
 
-/// The largest error that tolerances cause in a quantity, to first order: its slopes by the parameters are second derivatives.
+/// The largest error that tolerances cause in a quantity, to first order: its slopes by the
+/// parameters are second derivatives.
 ///
 /// Of a vector it is the largest length of the error. It is looked for at given inputs, or over
 /// [the whole range](Self::over_the_range).
@@ -23,11 +24,14 @@ use measure::{Measure, Measured, Slopes};
 /// use linkage_runtime::design::{ErrorOf, Figure, Motion, Pieces};
 /// use linkage_runtime::tolerance::Tolerances;
 ///
-/// // An arm of 100 mm that turns; its error is the length of what its length and its angle are off by.
+/// // An arm of 100 mm that turns; its error is that of its end, from its length and its angle.
 /// let parameters = [("arm", "mm", 0.1), ("zero", "rad", 0.002)];
-/// let parameters = parameters.map(|(name, unit, tolerance)| Parameter { name, unit, nominal: 0.0, tolerance });
+/// let nominal = 0.0;
+/// let parameters =
+///     parameters.map(|(name, unit, tolerance)| Parameter { name, unit, nominal, tolerance });
 /// let tolerances = Tolerances::<2>::declared(&parameters)?;
-/// let slopes = |arm: &f64, phi: f64| [[phi.cos(), phi.sin()], [-arm * phi.sin(), arm * phi.cos()]];
+/// let slopes =
+///     |arm: &f64, phi: f64| [[phi.cos(), phi.sin()], [-arm * phi.sin(), arm * phi.cos()]];
 /// let second = |arm: &f64, phi: f64| {
 ///     let turned = [-phi.sin(), phi.cos()];
 ///     [[[0.0, 0.0], turned], [turned, [-arm * phi.cos(), -arm * phi.sin()]]]
@@ -47,7 +51,7 @@ pub struct ErrorOf<'a, A, const N: usize> {
     inputs: Vec<f64>,
 }
 
-/// What follows from an assembly at an input.
+/// A function of an assembly and an input.
 type By<'a, A, R> = Box<dyn Fn(&A, f64) -> R + Send + Sync + 'a>;
 
 fn by_component<V: Components<K>, const K: usize, const N: usize>(slopes: &[V; N]) -> Slopes<N> {
@@ -56,12 +60,15 @@ fn by_component<V: Components<K>, const K: usize, const N: usize>(slopes: &[V; N
 }
 
 impl<'a, A, const N: usize> ErrorOf<'a, A, N> {
-    /// The worst case, in which the effects of all tolerances add: at these inputs, of which the largest counts. `slopes` gives the
-    /// derivatives by the parameters, `sensitivity(q)`, and `second` theirs, `sensitivity(sensitivity(q))`.
+    /// The worst case, in which the effects of all tolerances add: at these inputs, of which the
+    /// largest counts. `slopes` gives the derivatives by the parameters, `sensitivity(q)`, and
+    /// `second` theirs, `sensitivity(sensitivity(q))`.
     ///
-    /// That of a number is never below the worst case, and above it by no more than a thousandth of the root of the sum of squares for each
-    /// parameter; that of a vector is exact, and its largest at every one of the worst corners. Where limits are not as far above the nominal
-    /// dimensions as below, the error with all dimensions in the middle of their zones is a part of it.
+    /// That of a number is never below the worst case, and above it by no more than a thousandth of
+    /// the root of the sum of squares for each parameter; that of a vector is exact, and its
+    /// largest at every one of the worst corners. Where limits are not as far above the nominal
+    /// dimensions as below, the error with all dimensions in the middle of their zones is a part of
+    /// it.
     pub fn worst_case<V: Components<K>, const K: usize>(
         slopes: impl Fn(&A, f64) -> [V; N] + Send + Sync + 'a,
         second: impl Fn(&A, f64) -> [[V; N]; N] + Send + Sync + 'a,
@@ -71,8 +78,8 @@ impl<'a, A, const N: usize> ErrorOf<'a, A, N> {
         Self::new(slopes, second, Measure::WorstCase(*tolerances), inputs)
     }
 
-    /// The root of the sum of squares of all effects: a standard deviation, if tolerances are standard deviations. It is the error about the middles
-    /// of the zones.
+    /// The root of the sum of squares of all effects: a standard deviation, if tolerances are
+    /// standard deviations. It is the error about the middles of the zones.
     pub fn root_sum_square<V: Components<K>, const K: usize>(
         slopes: impl Fn(&A, f64) -> [V; N] + Send + Sync + 'a,
         second: impl Fn(&A, f64) -> [[V; N]; N] + Send + Sync + 'a,
@@ -87,7 +94,8 @@ impl<'a, A, const N: usize> ErrorOf<'a, A, N> {
         Self::new(slopes, second, Measure::Deviation(title, squares), inputs)
     }
 
-    /// The standard uncertainty, correlations of the dimensions taken into account; of a vector the root of the trace of its covariance.
+    /// The standard uncertainty, correlations of the dimensions taken into account; of a vector the
+    /// root of the trace of its covariance.
     pub fn standard<V: Components<K>, const K: usize>(
         slopes: impl Fn(&A, f64) -> [V; N] + Send + Sync + 'a,
         second: impl Fn(&A, f64) -> [[V; N]; N] + Send + Sync + 'a,
@@ -119,8 +127,9 @@ impl<'a, A, const N: usize> ErrorOf<'a, A, N> {
         }
     }
 
-    /// The largest error over the whole range, too, where it is a root of its derivative by the input: `rates` gives the first and second
-    /// derivatives of the slopes by the input, `sensitivity(velocity(q))` and `sensitivity(acceleration(q))`.
+    /// The largest error over the whole range, too, where it is a root of its derivative by the
+    /// input: `rates` gives the first and second derivatives of the slopes by the input,
+    /// `sensitivity(velocity(q))` and `sensitivity(acceleration(q))`.
     #[must_use]
     pub fn over_the_range<V: Components<K>, const K: usize>(
         self,
@@ -166,7 +175,8 @@ impl<'a, A, const N: usize> ErrorOf<'a, A, N> {
         all.iter().map(piece).collect()
     }
 
-    /// Its limits over the range, of each way in which it may be the largest; `None` where the mechanism does not assemble.
+    /// Its limits over the range, of each way in which it may be the largest; `None` where the
+    /// mechanism does not assemble.
     fn limits(&self, motion: &Motion<'_, A>) -> Option<Vec<Piece<N>>> {
         let Some(rates) = &self.rates else {
             return Some(Vec::new());

@@ -1,7 +1,8 @@
-//! Extreme values of a quantity over the cycle: by exact roots of its derivative, with slopes by the envelope theorem.
+//! Extreme values of a quantity over the cycle: by exact roots of its derivative, with slopes by
+//! the envelope theorem.
 //!
-//! At a limit the derivative by the input is zero: that the place shifts with the dimensions does not matter, to first order, and the
-//! derivatives by the parameters are those at the place.
+//! At a limit the derivative by the input is zero: that the place shifts with the dimensions does
+//! not matter, to first order, and the derivatives by the parameters are those at the place.
 
 use alloc::string::{String, ToString};
 use alloc::vec;
@@ -13,16 +14,19 @@ use crate::summary::{Extremes, Kind};
 /// The highest value of a quantity over the cycle.
 pub struct Highest<'a, A, const N: usize>(pub Curve<'a, A, N>);
 
-/// The lowest value of a quantity over the cycle: a margin or a transmission angle that should not be below a limit.
+/// The lowest value of a quantity over the cycle: a margin or a transmission angle that should not
+/// be below a limit.
 pub struct Lowest<'a, A, const N: usize>(pub Curve<'a, A, N>);
 
-/// The value of a quantity over the cycle that is farthest from zero, without its sign: the peak of a torque, the largest acceleration.
+/// The value of a quantity over the cycle that is farthest from zero, without its sign: the peak of
+/// a torque, the largest acceleration.
 pub struct Peak<'a, A, const N: usize>(pub Curve<'a, A, N>);
 
 /// The highest value of a quantity over the cycle less the lowest one.
 pub struct Stroke<'a, A, const N: usize>(pub Curve<'a, A, N>);
 
-/// The places of one kind, ends of the range among them; the extreme one is there even if the quantity does not vary.
+/// The places of one kind, ends of the range among them; the extreme one is there even if the
+/// quantity does not vary.
 pub(super) fn places(extremes: &Extremes, kind: Kind) -> Vec<(f64, f64)> {
     let limits = extremes.points.iter().filter(|point| point.kind == kind);
     let mut places: Vec<(f64, f64)> = limits.map(|point| (point.at, point.value)).collect();

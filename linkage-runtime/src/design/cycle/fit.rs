@@ -10,22 +10,24 @@ use super::super::DesignError;
 use super::super::least_squares::minimise;
 use super::super::limits::{Limits, Linear};
 use super::super::normal::Normal;
+use super::super::objective::{Candidates, Free, Objective, Rows};
 use super::super::problem::order;
-use super::super::starts::unit;
-use super::super::wish::{Candidates, Free, Rows, Wish};
-use super::{Candidate, Chosen, Conditions, CycleWish, Own, Piece, Place};
+use super::super::quasi_random::unit;
+use super::{Candidate, Chosen, Conditions, CycleObjective, Own, Piece, Place};
 use crate::data::Parameter;
 use crate::dimensions::Dimensions;
 use crate::format::rounded;
 
-/// What [`Targets`](super::super::Targets), or another [`Wish`], ask for, beside figures of the whole cycle: a path with a margin that
-/// is never below a limit, a pose with a low peak of torque.
+/// The rows of [`Targets`](super::super::Targets), or of another [`Objective`], next to figures of
+/// the whole cycle: a path with a margin that is never below a limit, a pose with a low peak of
+/// torque.
 ///
-/// Inputs that the wish leaves free are variables of its own; the search begins with those that suit its first mechanism best. Rows of a wish that
-/// is a condition must not be negative, whatever is asked of them here.
+/// Inputs that the objective leaves free are variables of its own; the search begins with those
+/// that suit its first mechanism best. Rows of an objective that is a condition must not be
+/// negative, whatever is asked of them here.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit<W> {
-    wish: W,
+    objective: W,
     sense: Sense,
 }
 
@@ -36,34 +38,35 @@ enum Sense {
     Within(f64),
 }
 
-/// Starts of free inputs in the first mechanism: enough for the best of the ways in which a path of some points may be run through.
+/// Starts of free inputs in the first mechanism: enough for the best of the ways in which a path of
+/// some points may be run through.
 const STARTS: usize = 32;
 /// The most steps from each of them.
 const STEPS: usize = 60;
-/// Of the range, how far a free input may go in the first step.
+/// The part of the range by which a free input may change in the first step.
 const REACH: f64 = 0.02;
 
 impl<W> Fit<W> {
     /// The sum of the squares of all weighted differences is to be least: the goal.
-    pub fn least(wish: W) -> Self {
+    pub fn least(objective: W) -> Self {
         Self {
-            wish,
+            objective,
             sense: Sense::Least,
         }
     }
 
     /// The largest weighted difference, without its sign, is to be least: the goal.
-    pub fn closest(wish: W) -> Self {
+    pub fn closest(objective: W) -> Self {
         Self {
-            wish,
+            objective,
             sense: Sense::Closest,
         }
     }
 
     /// No weighted difference may be larger than this, without its sign.
-    pub fn within(wish: W, limit: f64) -> Self {
+    pub fn within(objective: W, limit: f64) -> Self {
         Self {
-            wish,
+            objective,
             sense: Sense::Within(limit),
         }
     }
@@ -75,16 +78,16 @@ impl<W> Fit<W> {
         free: &[f64],
     ) -> Option<Rows>
     where
-        W: Wish<M, A>,
+        W: Objective<M, A>,
     {
-        let mut rows = Rows::new(self.wish.rows(), N, free.len());
+        let mut rows = Rows::new(self.objective.rows(), N, free.len());
         rows.reset(1);
         let candidates = Candidates {
             assembly: candidate.motion.assembly,
             mechanisms: core::slice::from_ref(candidate.mechanism),
             free,
         };
-        self.wish.evaluator().evaluate(&candidates, &mut rows);
+        self.objective.evaluator().evaluate(&candidates, &mut rows);
         let finite = (0..rows.count()).all(|row| rows.row(0, row).0.is_finite());
         finite.then_some(rows)
     }
@@ -96,7 +99,7 @@ impl<W> Fit<W> {
         free: &Free,
     ) -> Option<Vec<f64>>
     where
-        W: Wish<M, A>,
+        W: Objective<M, A>,
     {
         let limits = Limits {
             lower: vec![free.bounds.0; free.count],
@@ -138,7 +141,7 @@ impl<W> Fit<W> {
     }
 }
 
-/// The range as wishes know it.
+/// The range as objectives know it.
 fn cycle<M, A>(candidate: &Candidate<'_, M, A>) -> Cycle {
     let motion = &candidate.motion;
     Cycle {
@@ -149,11 +152,11 @@ fn cycle<M, A>(candidate: &Candidate<'_, M, A>) -> Cycle {
     }
 }
 
-impl<M: Dimensions<N>, A, W: Wish<M, A>, const N: usize> CycleWish<M, A, N> for Fit<W> {
+impl<M: Dimensions<N>, A, W: Objective<M, A>, const N: usize> CycleObjective<M, A, N> for Fit<W> {
     fn title(&self) -> String {
-        let title = self.wish.title();
+        let title = self.objective.title();
         match self.sense {
-            _ if self.wish.is_condition() => title,
+            _ if self.objective.is_condition() => title,
             Sense::Least => format!("least sum of squares of {title}"),
             Sense::Closest => format!("least difference from {title}"),
             Sense::Within(limit) => format!("{title} within {}", rounded(limit)),
@@ -161,15 +164,15 @@ impl<M: Dimensions<N>, A, W: Wish<M, A>, const N: usize> CycleWish<M, A, N> for 
     }
 
     fn is_goal(&self) -> bool {
-        !self.wish.is_condition() && !matches!(self.sense, Sense::Within(_))
+        !self.objective.is_condition() && !matches!(self.sense, Sense::Within(_))
     }
 
     fn check(&self, cycle: &Cycle, parameters: &[Parameter], varied: &[usize]) -> Vec<DesignError> {
-        self.wish.check(cycle, parameters, varied)
+        self.objective.check(cycle, parameters, varied)
     }
 
     fn own(&self, candidate: &Candidate<'_, M, A>) -> Option<Vec<Own>> {
-        let Some(free) = self.wish.free(&cycle(candidate)) else {
+        let Some(free) = self.objective.free(&cycle(candidate)) else {
             return Some(Vec::new());
         };
         let (low, high) = candidate.motion.range;
@@ -204,7 +207,7 @@ impl<M: Dimensions<N>, A, W: Wish<M, A>, const N: usize> CycleWish<M, A, N> for 
         let pieces: Vec<Piece<N>> = (0..rows.count()).map(piece).collect();
         let mut asked = Conditions::default();
         match self.sense {
-            _ if self.wish.is_condition() => {
+            _ if self.objective.is_condition() => {
                 let below = |piece: &Piece<N>| vec![piece.times(-1.0, 0.0)];
                 asked.conditions.extend(pieces.iter().map(below));
             }
@@ -215,7 +218,7 @@ impl<M: Dimensions<N>, A, W: Wish<M, A>, const N: usize> CycleWish<M, A, N> for 
             Sense::Closest => asked.goal = sizes(&pieces, 0.0),
             Sense::Within(limit) => asked.conditions.push(sizes(&pieces, limit)),
         }
-        let free = self.wish.free(&cycle(candidate));
+        let free = self.objective.free(&cycle(candidate));
         let in_order = Self::in_order(free.as_ref(), chosen.own);
         if !in_order.is_empty() {
             asked.conditions.push(in_order);
@@ -248,7 +251,7 @@ fn sum_of_squares<const N: usize>(rows: &[Piece<N>], free: usize) -> Piece<N> {
     sum
 }
 
-/// What the sizes of rows are above a limit.
+/// The amounts by which the sizes of rows are above a limit.
 fn sizes<const N: usize>(rows: &[Piece<N>], limit: f64) -> Vec<Piece<N>> {
     let both = |(nth, row): (usize, &Piece<N>)| {
         [1.0, -1.0].map(|sign| Piece {

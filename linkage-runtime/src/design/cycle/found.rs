@@ -12,9 +12,11 @@ pub struct BestCycle<M, A> {
     pub mechanism: M,
     /// Assembled on the circuit that runs through the whole range.
     pub assembly: A,
-    /// The value of the goal, such as the longest dwell or the least peak, verified by the mechanism.
+    /// The value of the goal, such as the longest dwell or the least peak, verified by the
+    /// mechanism.
     pub goal: f64,
-    /// The variables that each wish has for itself, in the order of the wishes: where a dwell begins and others.
+    /// The variables that each objective has for itself, in the order of the objectives: where a
+    /// dwell begins and others.
     pub own: Vec<Vec<f64>>,
     /// Its smallest margin over the range, 0 at a dead point.
     pub margin: f64,
@@ -26,11 +28,12 @@ pub struct BestCycle<M, A> {
     pub steps: usize,
     /// Mechanisms that were tried.
     pub evaluations: usize,
-    /// Whether the first-order conditions hold: no step as long as the first one gains, to first order, more than 1e-5 of what such a step changes
-    /// the goal by. Not if steps, time limit or cancellation ended the search, if it found no step although slopes promise one, or if the best
-    /// result is that of narrower bounds.
+    /// True if the first-order conditions hold: no step as long as the first one gains, to first
+    /// order, more than 1e-5 of the change of the goal by such a step. Not if steps, time limit or
+    /// cancellation ended the search, if it found no step although slopes promise one, or if the
+    /// best result is that of narrower bounds.
     pub converged: bool,
-    /// How many starts led here.
+    /// Number of starts that led here.
     pub hits: usize,
 }
 

@@ -1,4 +1,4 @@
-//! The Pareto front of two wishes: mechanisms of which none is better in both.
+//! The Pareto front of two objectives: mechanisms of which none is better in both.
 
 use alloc::boxed::Box;
 use alloc::string::ToString;
@@ -6,21 +6,22 @@ use alloc::vec::Vec;
 
 use super::super::DesignError;
 use super::builder::CycleDesign;
-use super::demand::{Demand, Figure};
 use super::found::BestCycle;
-use super::{CycleWish, Motion};
+use super::requirement::{Figure, Requirement};
+use super::{CycleObjective, Motion};
 use crate::dimensions::Dimensions;
 
-/// A mechanism on the Pareto front of two wishes.
+/// A mechanism on the Pareto front of two objectives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compromise<M, A> {
-    /// The mechanism; its goal is the first wish.
+    /// The mechanism; its goal is the first objective.
     pub best: BestCycle<M, A>,
-    /// What the figure of the second wish comes to.
+    /// The value of the figure of the second objective.
     pub other: f64,
 }
 
-/// Of the way between the ends of the front, how far its last limit is from what can be reached at all: there the first wish has no room.
+/// The distance of the last limit of the front from the best value that can be reached, as a part
+/// of the way between its ends: there the first objective has no room.
 const SPARE: f64 = 1e-3;
 
 impl<M, A, const N: usize> CycleDesign<'_, M, A, N>
@@ -28,38 +29,39 @@ where
     M: Dimensions<N> + Copy + Send + Sync,
     A: Send + Sync,
 {
-    /// Compromises between two goals, which contradict each other, beside the conditions that are wanted: from the best mechanism for `goal`
-    /// alone to that for `other` alone, so many of them. Between the ends `other` is a condition, with limits at equal distances.
+    /// Compromises between two goals, which contradict each other, beside the conditions that are
+    /// wanted: from the best mechanism for `goal` alone to that for `other` alone, so many of them.
+    /// Between the ends `other` is a condition, with limits at equal distances.
     ///
-    /// Each search begins with the compromise beside it, from both ends; the better one of both is kept, and none than which another is
-    /// better in both wishes. So the front is one of local optima, as all that is found here. The ends are searched from all
-    /// [starts](Self::starts).
+    /// Each search begins with the compromise beside it, from both ends; the better one of both is
+    /// kept, and none than which another is better in both objectives. So the front is one of local
+    /// optima, as all that is found here. The ends are searched from all [starts](Self::starts).
     ///
     /// # Errors
     ///
     /// As [`run`](Self::run); `Nothing` for less than two compromises.
     pub fn front<F: Figure<A, N> + Send + Sync>(
         mut self,
-        goal: impl CycleWish<M, A, N>,
-        other: Demand<F>,
+        goal: impl CycleObjective<M, A, N>,
+        other: Requirement<F>,
         compromises: usize,
     ) -> Result<Vec<Compromise<M, A>>, DesignError> {
         if compromises < 2 {
             return Err(DesignError::Nothing {
                 what: "less than two compromises",
-                wish: "a front".to_string(),
+                objective: "a front".to_string(),
             });
         }
         let end = self.settings.end();
         let mut report = self.settings.progress.take();
         let starts = self.settings.starts.max(1);
-        let mut search = |goal: &dyn CycleWish<M, A, N>,
-                          limit: Option<&dyn CycleWish<M, A, N>>,
+        let mut search = |goal: &dyn CycleObjective<M, A, N>,
+                          limit: Option<&dyn CycleObjective<M, A, N>>,
                           first: (&M, usize, bool)| {
-            let own = self.wishes.iter().map(Box::as_ref);
-            let wishes: Vec<_> = own.chain([goal]).chain(limit).collect();
-            let checked = self.checked(&wishes)?;
-            let mut found = self.searched(&checked, &wishes, first, &end, &mut report)?;
+            let own = self.objectives.iter().map(Box::as_ref);
+            let objectives: Vec<_> = own.chain([goal]).chain(limit).collect();
+            let checked = self.checked(&objectives)?;
+            let mut found = self.searched(&checked, &objectives, first, &end, &mut report)?;
             let best = found.swap_remove(0);
             let cycle = &checked.circuits.cycle;
             let motion = Motion {
@@ -108,8 +110,8 @@ where
     }
 }
 
-/// 1 if a goal is told as it is made least, -1 if it is to be greatest.
-fn sense<M, A, const N: usize>(goal: &dyn CycleWish<M, A, N>) -> f64 {
+/// Returns 1 for a goal that is made least, -1 for a goal that is to be greatest.
+fn sense<M, A, const N: usize>(goal: &dyn CycleObjective<M, A, N>) -> f64 {
     goal.told(1.0) - goal.told(0.0)
 }
 

@@ -1,4 +1,4 @@
-//! What a quantity does over the interval of a dwell.
+//! A quantity over the interval of a dwell.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -8,7 +8,8 @@ use super::spread::SPARE;
 use super::{Motion, Piece, Place};
 use crate::summary::{Curve, Extreme, Kind};
 
-/// Evenly spaced positions of an interval from which its limits are searched: an interval is a part of a turn.
+/// Evenly spaced positions of an interval from which its limits are searched: an interval is a part
+/// of a turn.
 const POSITIONS: usize = 24;
 
 impl<A, const N: usize> Dwell<'_, A, N> {
@@ -25,7 +26,7 @@ impl<A, const N: usize> Dwell<'_, A, N> {
         [value + turns * advance, v, a]
     }
 
-    /// What the quantity advances by over a turn.
+    /// The advance of the quantity over a turn.
     pub(super) fn advance(&self, motion: &Motion<'_, A>, assembly: &A) -> f64 {
         let (low, high) = motion.range;
         let at = |input: f64| self.curve.jet(assembly, input)[0];
@@ -36,7 +37,8 @@ impl<A, const N: usize> Dwell<'_, A, N> {
         }
     }
 
-    /// The value at a place, with slopes; `part` says which part of the interval it is at, if it is fixed there.
+    /// The value at a place, with slopes; `part` says which part of the interval it is at, if it is
+    /// fixed there.
     fn piece(
         &self,
         motion: &Motion<'_, A>,
@@ -105,7 +107,8 @@ impl<A, const N: usize> Dwell<'_, A, N> {
         (0..Self::SAMPLES).map(sample).collect()
     }
 
-    /// In the nominal mechanism the bounds of the band are variables; what it leaves them by.
+    /// In the nominal mechanism the bounds of the band are variables: returns the amounts by which
+    /// the quantity leaves them.
     pub(super) fn nominal(
         &self,
         motion: &Motion<'_, A>,
@@ -134,7 +137,8 @@ impl<A, const N: usize> Dwell<'_, A, N> {
         ])
     }
 
-    /// The longest dwell within a band, and what is spared of the band: where it begins, its length, its lowest value, the band.
+    /// The longest dwell within a band, and the spared part of the band: where it begins, its
+    /// length, its lowest value, the band.
     pub(super) fn longest_of(&self, motion: &Motion<'_, A>, band: f64) -> Option<[f64; 4]> {
         let spared = (1.0 - 2.0 * SPARE) * band;
         let dwell = match self.between {

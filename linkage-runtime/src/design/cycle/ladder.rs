@@ -1,14 +1,18 @@
 //! The ladder of bounds: searches within narrower bounds, of which the best result counts.
 //!
-//! A search within wide bounds may lose its way where one within narrower bounds does not: it leaves the valley that it began in, or comes near
-//! to a place where the mechanism ceases to exist. So there are rungs from narrow bounds to the full ones, each twice as wide as the rung below,
-//! and on each rung a search begins with the first mechanism, and another one with the best result of the rungs below. If both do not
-//! converge, the bounds widen in eight even steps, with the same two searches on each, a third one from the best result
-//! so far and, where that does not converge, a fourth one with a short first step.
+//! A search within wide bounds may lose its way where one within narrower bounds does not: it
+//! leaves the valley that it began in, or comes near to a place where the mechanism ceases to
+//! exist. So there are rungs from narrow bounds to the full ones, each twice as wide as the rung
+//! below, and on each rung a search begins with the first mechanism, and another one with the best
+//! result of the rungs below. If both do not converge, the bounds widen in eight even steps, with
+//! the same two searches on each, a third one from the best result so far and, where that does not
+//! converge, a fourth one with a short first step.
 //!
-//! The results of all rungs are kept. So the best one is never worse than the first mechanism, if that holds all conditions. Widths of
-//! rungs and steps do not depend on the full bounds, and searches on a step do not depend on the width of its rung. So bounds that are as wide as
-//! a step have no search that wider ones of the same shape leave out, unless the search within the wider ones converges without steps.
+//! The results of all rungs are kept. So the best one is never worse than the first mechanism, if
+//! that holds all conditions. Widths of rungs and steps do not depend on the full bounds, and
+//! searches on a step do not depend on the width of its rung. So bounds that are as wide as a step
+//! have no search that wider ones of the same shape leave out, unless the search within the wider
+//! ones converges without steps.
 
 use alloc::vec::Vec;
 
@@ -19,13 +23,15 @@ use super::ended::Ended;
 use super::problem::Start;
 use crate::dimensions::Dimensions;
 
-/// The width of the narrowest rung: of the parameter whose bounds are widest, as a part of its value.
+/// The width of the narrowest rung: of the parameter whose bounds are widest, as a part of its
+/// value.
 const NARROW: f64 = 0.04;
 /// Steps between two rungs, evenly spaced.
 const STEPS: i32 = 8;
 /// Rungs below the narrowest one, with every second step only.
 const BELOW: i32 = 2;
-/// A search from an optimum within bounds that are a step narrower has little way to go: the first step is this part of the usual one.
+/// A search from an optimum within bounds that are a step narrower has little way to go: the first
+/// step is this part of the usual one.
 const SHORT: f64 = 0.1;
 /// The most rungs: bounds that are a million times as wide as narrow ones.
 const RUNGS: i32 = 20;
@@ -58,7 +64,8 @@ impl Ladder {
             .map_or(f64::INFINITY, |best| self.results[best].least)
     }
 
-    /// Keeps a result within a part of the bounds. It is an optimum within the full ones only if that part is all of them.
+    /// Keeps a result within a part of the bounds. It is an optimum within the full ones only if
+    /// that part is all of them.
     fn keep(&mut self, result: Result<Ended, DesignError>, part: f64) -> Result<(), DesignError> {
         let mut result = result?;
         result.converged &= part == 1.0;
@@ -69,7 +76,7 @@ impl Ladder {
         Ok(())
     }
 
-    /// Whether a search has found something better than the first mechanism.
+    /// Returns true if a search has found something better than the first mechanism.
     fn has_climbed(&self) -> bool {
         self.best.is_some_and(|best| self.results[best].steps > 0)
     }
@@ -85,7 +92,8 @@ impl Ladder {
         let steps = self.results.iter().map(|result| result.steps).sum();
         let evaluations = self.results.iter().map(|result| result.evaluations).sum();
         let least = self.least();
-        // An optimum within the full bounds comes before one that is better by less than the precision of a search.
+        // An optimum within the full bounds comes before one that is better by less than the
+        // precision of a search.
         let rank = |result: &Ended| {
             let equal = result.converged && result.least <= least + EQUAL * least.abs();
             if equal { least } else { result.least }
@@ -159,8 +167,8 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
 
     /// Searches within the bounds of a rung, and in steps to it where that is not enough.
     ///
-    /// What these two searches find is kept after the steps, so that no step depends on how wide its rung is: a rung that ends at
-    /// a step has the same searches as that step.
+    /// The results of these two searches are kept after the steps, so that no step depends on how
+    /// wide its rung is: a rung that ends at a step has the same searches as that step.
     fn climb(&self, ladder: &mut Ladder, rung: &Rung) -> Result<(), DesignError> {
         let (near, least) = (ladder.near(), ladder.least());
         let climbed = ladder.has_climbed().then_some(near.as_slice());
@@ -197,7 +205,8 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         kept
     }
 
-    /// Searches within a part of the bounds from the first mechanism, and from the best result of the rungs below.
+    /// Searches within a part of the bounds from the first mechanism, and from the best result of
+    /// the rungs below.
     fn try_both(
         &self,
         ladder: &Ladder,
@@ -211,9 +220,11 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             .collect()
     }
 
-    /// Searches within a part of the bounds from the best result of all, and with a shorter first step where that search does not converge.
+    /// Searches within a part of the bounds from the best result of all, and with a shorter first
+    /// step where that search does not converge.
     ///
-    /// `near` is the best result of the rungs below, from which a search within this part was begun already.
+    /// `near` is the best result of the rungs below, from which a search within this part was begun
+    /// already.
     fn follow(&self, ladder: &mut Ladder, part: f64, near: &[f64]) {
         let best = ladder.near();
         let mut converged = false;

@@ -6,8 +6,8 @@ use alloc::vec::Vec;
 
 use super::{Curve, Figure, Motion, Piece, Pieces, Place};
 
-/// The root mean square of a quantity over the range, by the trapezoidal rule at the positions of the search: over a full turn its error falls
-/// exponentially with their number.
+/// The root mean square of a quantity over the range, by the trapezoidal rule at the positions of
+/// the search: over a full turn its error falls exponentially with their number.
 pub struct RootMeanSquare<'a, A, const N: usize>(pub Curve<'a, A, N>);
 
 impl<A, const N: usize> Figure<A, N> for RootMeanSquare<'_, A, N> {

@@ -1,4 +1,4 @@
-//! A checked design problem of a cycle: variables as a list of numbers, and what they do.
+//! A checked design problem of a cycle: variables as a list of numbers, and their effects.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -7,67 +7,71 @@ use core::ops::Range;
 use super::super::DesignError;
 use super::super::limits::Limits;
 use super::super::minimax::{Groups, Key, Row};
-use super::{Candidate, Chosen, CycleWish, Motion, Own, Piece, Place};
+use super::{Candidate, Chosen, CycleObjective, Motion, Own, Piece, Place};
 use crate::circuits::Circuits;
 use crate::dimensions::Dimensions;
 use crate::error::AssemblyError;
 
-/// How a mechanism is assembled in the modes of another one.
+/// The function that assembles a mechanism in the modes of another one.
 pub(super) type Assemble<'p, M, A> = dyn Fn(&M) -> Result<A, AssemblyError> + Sync + 'p;
 
-/// A problem, which searches on several threads share. The variables are the parameters that vary, then those that each wish has for itself.
+/// A problem, which searches on several threads share. The variables are the parameters that vary,
+/// then those that each objective has for itself.
 pub(super) struct Problem<'p, M, A, const N: usize> {
     pub(super) nominal: [f64; N],
     /// Indices of the parameters that vary, in ascending order.
     pub(super) varied: Vec<usize>,
     /// Their limits.
     pub(super) limits: Limits,
-    /// Which of them take some values only.
+    /// Those of them that take some values only.
     pub(super) catalogues: Vec<(usize, Vec<f64>)>,
     pub(super) range: (f64, f64),
-    /// Whether the range is a full turn.
+    /// True if the range is a full turn.
     pub(super) closed: bool,
     pub(super) positions: usize,
-    pub(super) wishes: &'p [&'p (dyn CycleWish<M, A, N> + 'p)],
+    pub(super) objectives: &'p [&'p (dyn CycleObjective<M, A, N> + 'p)],
     pub(super) assemble: &'p Assemble<'p, M, A>,
     pub(super) circuits: &'p (dyn Fn(&M) -> Result<Circuits<A>, AssemblyError> + Sync + 'p),
 }
 
-/// Where a search is, and within what.
+/// The position of a search, and its bounds.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Start {
     pub(super) x: Vec<f64>,
     pub(super) limits: Limits,
-    /// How far each variable may go in the first step.
+    /// The largest change of each variable in the first step.
     pub(super) reach: Vec<f64>,
-    /// Where the variables of each wish are.
+    /// The ranges of the variables of each objective.
     pub(super) own: Vec<Range<usize>>,
-    /// The conditions that were added to each wish.
+    /// The conditions that were added to each objective.
     pub(super) added: Vec<Vec<Vec<f64>>>,
 }
 
 impl Start {
-    /// What is chosen for the wish with this number, at some variables.
-    pub(super) fn chosen<'c>(&'c self, wish: usize, x: &'c [f64]) -> Chosen<'c> {
+    /// The choice for the objective with this number, at some variables.
+    pub(super) fn chosen<'c>(&'c self, objective: usize, x: &'c [f64]) -> Chosen<'c> {
         Chosen {
-            own: &x[self.own[wish].clone()],
-            added: &self.added[wish],
+            own: &x[self.own[objective].clone()],
+            added: &self.added[objective],
         }
     }
 }
 
-/// What the goal and each condition change by at most in a first step: they are measured by it.
+/// The largest changes of the goal and of each condition in a first step: the units in which both
+/// are measured.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Sizes {
     pub(super) goal: f64,
     pub(super) conditions: Vec<f64>,
 }
 
-/// Of the width of its bounds, how far a parameter may go in the first step. The search doubles it while it does well.
+/// The part of the width of its bounds by which a parameter may change in the first step. The
+/// search doubles it while it does well.
 const REACH: f64 = 0.15;
 
 impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
-    /// Where a search begins: the mechanism nearest to some dimensions within limits, and what suits it.
+    /// The start of a search: the mechanism nearest to some dimensions within limits, and the
+    /// variables that suit it.
     pub(super) fn start(&self, limits: &Limits, place: Vec<f64>) -> Result<Start, DesignError> {
         let x = limits.nearest(&place).unwrap_or(place);
         let reach = |j: usize| {
@@ -80,10 +84,10 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
             x,
             limits: limits.clone(),
             own: Vec::new(),
-            added: vec![Vec::new(); self.wishes.len()],
+            added: vec![Vec::new(); self.objectives.len()],
         };
-        for wish in self.wishes {
-            let own = |candidate: &Candidate<'_, M, A>| wish.own(candidate);
+        for objective in self.objectives {
+            let own = |candidate: &Candidate<'_, M, A>| objective.own(candidate);
             let own: Vec<Own> = self
                 .tried(&start.x, own)
                 .ok_or_else(|| self.refused(&start))?;
@@ -146,7 +150,8 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         of(&Candidate::new(&mechanism, motion, &assemble))
     }
 
-    /// Goal and conditions of a candidate in their own units; those of a wish come together, in the order of the wishes.
+    /// Goal and conditions of a candidate in their own units; those of an objective come together,
+    /// in the order of the objectives.
     pub(super) fn asked(
         &self,
         start: &Start,
@@ -154,8 +159,8 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         candidate: &Candidate<'_, M, A>,
     ) -> Option<Groups> {
         let mut groups = Groups::default();
-        for (k, wish) in self.wishes.iter().enumerate() {
-            let asked = wish.evaluate(candidate, start.chosen(k, x))?;
+        for (k, objective) in self.objectives.iter().enumerate() {
+            let asked = objective.evaluate(candidate, start.chosen(k, x))?;
             let row = |piece: &Piece<N>| self.row(piece, &start.own[k], x.len());
             let rows = |pieces: Vec<Piece<N>>| pieces.iter().map(row).collect();
             groups.objective.extend::<Vec<Row>>(rows(asked.goal));
@@ -195,7 +200,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         }
     }
 
-    /// What goal and conditions are measured by, from their slopes at a place.
+    /// The units of goal and conditions, from their slopes at a point.
     pub(super) fn sizes(&self, start: &Start) -> Option<Sizes> {
         let groups = self.tried(&start.x, |candidate| self.asked(start, &start.x, candidate))?;
         let change = |row: &Row| {
@@ -235,11 +240,12 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         Some(groups)
     }
 
-    /// Lets all wishes look for further conditions, and adds them; whether there are any.
+    /// Lets all objectives look for further conditions, and adds them; whether there are any.
     pub(super) fn refine(&self, start: &mut Start) -> bool {
         let refined = |candidate: &Candidate<'_, M, A>| {
-            let wishes = self.wishes.iter().enumerate();
-            let more = wishes.map(|(k, wish)| wish.refine(candidate, start.chosen(k, &start.x)));
+            let objectives = self.objectives.iter().enumerate();
+            let more = objectives
+                .map(|(k, objective)| objective.refine(candidate, start.chosen(k, &start.x)));
             Some(more.collect::<Vec<_>>())
         };
         let more = self.tried(&start.x, refined).unwrap_or_default();

@@ -1,4 +1,5 @@
-//! What must hold of an optimum: its conditions, and that it runs through its whole range on one circuit.
+//! The proof of an optimum: its conditions hold, and it runs through its whole range on one
+//! circuit.
 
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -12,11 +13,12 @@ use crate::circuits::{Branch, BranchEnd, Circuits};
 use crate::dimensions::Dimensions;
 use crate::error::AssemblyError;
 
-/// Ends that differ by less than this part of their interval are one: that of two assemblies which meet there.
+/// Ends that differ by less than this part of their interval are one: that of two assemblies which
+/// meet there.
 const SAME_END: f64 = 1e-6;
 
 impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
-    /// Whether all conditions hold to within a part of their sizes.
+    /// True if all conditions hold to within a part of their sizes.
     pub(super) fn held(
         &self,
         start: &Start,
@@ -29,11 +31,12 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
             .ok_or_else(|| self.not_whole(x))?;
         let missed: Vec<f64> = groups.conditions.iter().map(|rows| largest(rows)).collect();
         let mut first = 0;
-        for (k, wish) in self.wishes.iter().enumerate() {
+        for (k, objective) in self.objectives.iter().enumerate() {
             let count = self
                 .tried(x, |candidate| {
                     Some(
-                        wish.evaluate(candidate, start.chosen(k, x))?
+                        objective
+                            .evaluate(candidate, start.chosen(k, x))?
                             .conditions
                             .len(),
                     )
@@ -45,20 +48,20 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
                 .filter(|&k| missed[k] > tolerance * sizes.conditions[k])
                 .map(|k| missed[k]);
             if let Some(by) = worst.max_by(f64::total_cmp) {
-                return Err(self.out_of_reach(start, wish.title(), by));
+                return Err(self.out_of_reach(start, objective.title(), by));
             }
         }
         Ok(())
     }
 
     /// That a condition is missed by so much where a search is.
-    pub(super) fn out_of_reach(&self, start: &Start, wish: String, by: f64) -> DesignError {
+    pub(super) fn out_of_reach(&self, start: &Start, objective: String, by: f64) -> DesignError {
         let at_bound = self.at_bound(&start.x);
         let (equations, variables) = self.freedom(start);
         let values = self.mechanism(&start.x).values();
         let value = |&index: &usize| (M::PARAMETERS[index].name, values[index]);
         DesignError::OutOfReach {
-            wish,
+            objective,
             by,
             nearest: self.varied.iter().map(value).collect(),
             at_bound: at_bound.iter().map(|(name, _)| name.to_string()).collect(),
@@ -68,9 +71,14 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         }
     }
 
-    /// How many equations must hold, of figures and between parameters, and how many variables there are for them.
+    /// The number of equations of figures and between parameters, and the number of variables for
+    /// them.
     fn freedom(&self, start: &Start) -> (usize, usize) {
-        let figures: usize = self.wishes.iter().map(|wish| wish.equations()).sum();
+        let figures: usize = self
+            .objectives
+            .iter()
+            .map(|objective| objective.equations())
+            .sum();
         let relations = &start.limits.relations;
         let relations = relations.iter().filter(|relation| relation.equality);
         let bounds = start.limits.lower.iter().zip(&start.limits.upper);
@@ -99,8 +107,9 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
             .collect()
     }
 
-    /// The assembly over the whole range: one that runs through it without a dead point, closes after a turn, and by which all wishes are
-    /// what they are for the optimum, so that it is the one that was optimised.
+    /// The assembly over the whole range: one that runs through it without a dead point, closes
+    /// after a turn, and by which all objectives have their values of the optimum, so that it is
+    /// the one that was optimised.
     pub(super) fn certify(&self, start: &Start) -> Result<Branch<A>, DesignError> {
         let x = &start.x;
         let own = self
@@ -110,19 +119,19 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         certify((self.circuits)(&self.mechanism(x)), same).map_err(DesignError::NotWhole)
     }
 
-    /// The numbers by which all wishes know an assembly of the mechanism where a search is.
+    /// The numbers by which all objectives know an assembly of the mechanism where a search is.
     pub(super) fn known_by(
         &self,
         start: &Start,
         candidate: &Candidate<'_, M, A>,
     ) -> Option<Vec<Vec<f64>>> {
-        let wishes = self.wishes.iter().enumerate();
-        wishes
-            .map(|(k, wish)| wish.known_by(candidate, start.chosen(k, &start.x)))
+        let objectives = self.objectives.iter().enumerate();
+        objectives
+            .map(|(k, objective)| objective.known_by(candidate, start.chosen(k, &start.x)))
             .collect()
     }
 
-    /// Whether an assembly of this mechanism is the one with these numbers.
+    /// Returns true if an assembly of this mechanism is the one with these numbers.
     pub(super) fn is_known(&self, start: &Start, own: &[Vec<f64>], assembly: &A) -> bool {
         let other = self.assembled(&start.x, assembly, |candidate| {
             self.known_by(start, candidate)
@@ -140,8 +149,8 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         DesignError::NotWhole(self.interruption(x, &circuits))
     }
 
-    /// Why nothing can be said of the mechanism that a search begins with: it does not run through its whole range, or a wish finds nothing in
-    /// it.
+    /// Why nothing can be said of the mechanism that a search begins with: it does not run through
+    /// its whole range, or an objective finds nothing in it.
     pub(super) fn refused(&self, start: &Start) -> DesignError {
         let circuits = (self.circuits)(&self.mechanism(&start.x));
         let branches = circuits.as_ref().map_or(&[][..], |found| &found.branches);
@@ -149,17 +158,17 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
             .iter()
             .filter(|branch| branch.is_whole())
             .peekable();
-        // A wish that finds nothing even where an assembly runs through the whole range.
-        let wishes = 0..self.wishes.len();
+        // An objective that finds nothing even where an assembly runs through the whole range.
+        let objectives = 0..self.objectives.len();
         let found = |k: usize| {
             whole
                 .clone()
                 .any(|branch| self.finds(start, k, &branch.assembly))
         };
-        let nothing = wishes.clone().find(|&k| !found(k));
+        let nothing = objectives.clone().find(|&k| !found(k));
         match (whole.peek().is_some(), nothing) {
             (true, Some(k)) => DesignError::NoStart {
-                wish: self.wishes[k].title(),
+                objective: self.objectives[k].title(),
             },
             _ => DesignError::StartNotWhole(self.interruption(&start.x, &circuits)),
         }
@@ -186,14 +195,15 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         }
     }
 
-    /// Whether a wish finds something in an assembly: the variables of its own, and then all its numbers.
+    /// Returns true if an objective has values in an assembly: the variables of its own, and then
+    /// all its numbers.
     fn finds(&self, start: &Start, k: usize, assembly: &A) -> bool {
-        let wish = &self.wishes[k];
+        let objective = &self.objectives[k];
         let asked = |candidate: &Candidate<'_, M, A>| {
             if start.own.get(k).is_none() {
-                return wish.own(candidate).map(|_| ());
+                return objective.own(candidate).map(|_| ());
             }
-            let asked = wish.evaluate(candidate, start.chosen(k, &start.x))?;
+            let asked = objective.evaluate(candidate, start.chosen(k, &start.x))?;
             let mut all = asked.conditions.iter().chain([&asked.goal]).flatten();
             all.all(Piece::is_finite).then_some(())
         };

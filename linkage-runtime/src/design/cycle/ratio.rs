@@ -10,17 +10,19 @@ use crate::summary::Kind;
 
 type Rates<'a, A, const N: usize> = Box<dyn Fn(&A, f64) -> [f64; N] + Send + Sync + 'a>;
 
-/// How the input of a turn is divided between the two strokes of a quantity: its rise over its fall.
+/// The division of the input of a turn between the two strokes of a quantity: its rise over its
+/// fall.
 ///
-/// The places of the limits are roots of the velocity; with a parameter they move by the velocity's derivative by it over the
-/// acceleration, with the opposite sign.
+/// The places of the limits are roots of the velocity; with a parameter they move by the velocity's
+/// derivative by it over the acceleration, with the opposite sign.
 pub struct TimeRatio<'a, A, const N: usize> {
     curve: Curve<'a, A, N>,
     rates: Rates<'a, A, N>,
 }
 
 impl<'a, A, const N: usize> TimeRatio<'a, A, N> {
-    /// Of a quantity; `rates` gives the derivatives of its velocity by the parameters, `sensitivity(velocity(q))`.
+    /// Builds the ratio of a quantity; `rates` gives the derivatives of its velocity by the
+    /// parameters, `sensitivity(velocity(q))`.
     pub fn new(
         curve: Curve<'a, A, N>,
         rates: impl Fn(&A, f64) -> [f64; N] + Send + Sync + 'a,

@@ -11,7 +11,7 @@ use super::super::DesignError;
 use super::super::rounds::in_rounds;
 use super::super::settings::{End, Report};
 use super::super::varied::Varied;
-use super::CycleWish;
+use super::CycleObjective;
 use super::builder::CycleDesign;
 use super::descents::{Descents, Optimum};
 use super::found::BestCycle;
@@ -20,7 +20,7 @@ use crate::circuits::Circuits;
 use crate::dimensions::Dimensions;
 
 /// All that is wanted.
-pub(super) type Wishes<'w, M, A, const N: usize> = [&'w (dyn CycleWish<M, A, N> + 'w)];
+pub(super) type Objectives<'w, M, A, const N: usize> = [&'w (dyn CycleObjective<M, A, N> + 'w)];
 
 /// A checked problem.
 pub(super) struct Checked<A> {
@@ -35,44 +35,50 @@ where
 {
     /// Searches for the best mechanism.
     ///
-    /// The result is verified by the assembled mechanism, and not worse than the first mechanism, if that holds all conditions.
+    /// The result is verified by the assembled mechanism, and not worse than the first mechanism,
+    /// if that holds all conditions.
     ///
     /// # Errors
     ///
-    /// All mistakes of the problem at once; `StartNotWhole` or `NoStart` if the search has nowhere to begin; `OutOfReach` with the condition that
-    /// cannot be held, by how much it is missed, and the bounds that are in the way; `NotWhole` if the optimum does not run through the
-    /// whole range on one circuit.
+    /// All mistakes of the problem at once; `StartNotWhole` or `NoStart` if the search has nowhere
+    /// to begin; `OutOfReach` with the condition that cannot be held, by how much it is missed, and
+    /// the bounds that are in the way; `NotWhole` if the optimum does not run through the whole
+    /// range on one circuit.
     pub fn run(self) -> Result<BestCycle<M, A>, DesignError> {
         Ok(self.run_all()?.swap_remove(0))
     }
 
-    /// Searches from all starts, with feature `rayon` on all threads, and lists the distinct optima that hold what must hold, the best first.
+    /// Searches from all starts, with feature `rayon` on all threads, and lists the distinct optima
+    /// that hold the conditions, the best first.
     ///
-    /// Equal seeds give equal optima on any number of threads, unless time limit or cancellation end the search.
+    /// Equal seeds give equal optima on any number of threads, unless time limit or cancellation
+    /// end the search.
     ///
     /// # Errors
     ///
-    /// As [`run`](Self::run); `NotFound`, with how many starts were refused by what, if several were begun and none leads to an optimum.
+    /// As [`run`](Self::run); `NotFound`, with the number of starts for each reason of refusal, if
+    /// several were begun and none leads to an optimum.
     pub fn run_all(mut self) -> Result<Vec<BestCycle<M, A>>, DesignError> {
         let end = self.settings.end();
         let mut report = self.settings.progress.take();
-        let wishes: Vec<_> = self.wishes.iter().map(Box::as_ref).collect();
-        let checked = self.checked(&wishes)?;
+        let objectives: Vec<_> = self.objectives.iter().map(Box::as_ref).collect();
+        let checked = self.checked(&objectives)?;
         let starts = self.settings.starts.max(1);
         self.searched(
             &checked,
-            &wishes,
+            &objectives,
             (&self.nominal, starts, true),
             &end,
             &mut report,
         )
     }
 
-    /// Searches for what is wanted from a mechanism, which is the first of so many starts; `widening` begins within narrower bounds there.
+    /// Searches for the objectives from a mechanism, which is the first of so many starts;
+    /// `widening` begins within narrower bounds there.
     pub(super) fn searched(
         &self,
         checked: &Checked<A>,
-        wishes: &Wishes<'_, M, A, N>,
+        objectives: &Objectives<'_, M, A, N>,
         (first, starts, widening): (&M, usize, bool),
         end: &End<'_>,
         report: &mut Option<Report<'a>>,
@@ -82,7 +88,7 @@ where
         let assemble = |near: &A, mechanism: &M| assembled(mechanism, near);
         let own = |mechanism: &M| assemble(own, mechanism);
         let descents = |assembly: usize, assemble| {
-            let problem = self.problem(checked, wishes, first, assemble);
+            let problem = self.problem(checked, objectives, first, assemble);
             let start = problem.start(&problem.limits, problem.first());
             Descents {
                 reference: start.ok().and_then(|start| problem.scales(&start)),
@@ -106,7 +112,8 @@ where
         for (k, other) in others.iter().enumerate() {
             all.push(descents(k + 1, other));
         }
-        // The first start is always begun: the mechanism that is there may be all that is found in time.
+        // The first start is always begun: the mechanism that is there may be all that is found in
+        // time.
         let from = |starts: Range<usize>| {
             let (start, assembly) = (starts.start / all.len(), starts.start % all.len());
             (starts.start == 0 || !stopped()).then(|| all[assembly].from(start))
@@ -133,7 +140,7 @@ where
     fn problem<'p>(
         &'p self,
         checked: &Checked<A>,
-        wishes: &'p Wishes<'p, M, A, N>,
+        objectives: &'p Objectives<'p, M, A, N>,
         first: &M,
         assemble: &'p Assemble<'p, M, A>,
     ) -> Problem<'p, M, A, N> {
@@ -146,20 +153,24 @@ where
             range: (cycle.low, cycle.high),
             closed: cycle.turn().is_some(),
             positions: self.positions,
-            wishes,
+            objectives,
             assemble,
             circuits: &*self.circuits,
         }
     }
 
-    /// What varies and within which limits, and all assemblies of the first mechanism; or all mistakes.
-    pub(super) fn checked(&self, wishes: &Wishes<'_, M, A, N>) -> Result<Checked<A>, DesignError> {
+    /// Returns the variables with their limits, and all assemblies of the first mechanism; or all
+    /// mistakes.
+    pub(super) fn checked(
+        &self,
+        objectives: &Objectives<'_, M, A, N>,
+    ) -> Result<Checked<A>, DesignError> {
         let circuits = (self.circuits)(&self.nominal).map_err(DesignError::Start)?;
         let cycle: &Cycle = &circuits.cycle;
         let mut varied = self.freedom.varied(M::PARAMETERS, &self.nominal.values());
         let mut errors = core::mem::take(&mut varied.errors);
-        let goals = wishes.iter().filter(|wish| wish.is_goal());
-        let goals: Vec<_> = goals.map(|wish| wish.title()).collect();
+        let goals = objectives.iter().filter(|objective| objective.is_goal());
+        let goals: Vec<_> = goals.map(|objective| objective.title()).collect();
         if goals.len() != 1 {
             errors.push(DesignError::Goals { goals });
         }
@@ -167,11 +178,11 @@ where
             let what = "less than two positions";
             errors.push(DesignError::Nothing {
                 what,
-                wish: "a design problem".to_string(),
+                objective: "a design problem".to_string(),
             });
         }
-        for wish in wishes {
-            errors.extend(wish.check(cycle, M::PARAMETERS, &varied.indices));
+        for objective in objectives {
+            errors.extend(objective.check(cycle, M::PARAMETERS, &varied.indices));
         }
         DesignError::all(errors)?;
         let names = varied.indices.iter().map(|&k| M::PARAMETERS[k].name);

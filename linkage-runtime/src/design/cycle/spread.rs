@@ -4,8 +4,9 @@ use alloc::vec::Vec;
 
 use super::{Piece, Place};
 
-/// Of a band so much is left to rounding and to the precision of the search: no limit may lie outside of it in the end. A start leaves twice as
-/// much, so that it is a dwell even if nothing is searched.
+/// The part of a band that is left to rounding and to the precision of the search: no limit may lie
+/// outside of it in the end. A start leaves twice as much, so that it is a dwell even if nothing is
+/// searched.
 pub(super) const SPARE: f64 = 1e-6;
 
 /// Returns the changes of a mechanism within tolerances beyond the band: each high position minus

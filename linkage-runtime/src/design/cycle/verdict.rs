@@ -1,25 +1,26 @@
-//! The verdict on a result: goal and conditions of a wish, computed without the search.
+//! The verdict on a result: goal and conditions of an objective, computed without the search.
 
 use alloc::vec::Vec;
 
 use super::conditions::{Conditions, Piece};
 
-/// Goal and conditions of a wish in a mechanism that a search found, computed from the assembled mechanism without the search.
+/// Goal and conditions of an objective in a mechanism that a search found, computed from the
+/// assembled mechanism without the search.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Verdict {
-    /// The value that the search makes least; `None` if the wish is only a condition.
+    /// The value that the search makes least; `None` if the objective is only a condition.
     pub goal: Option<f64>,
-    /// The conditions of the wish.
+    /// The conditions of the objective.
     pub conditions: Vec<Check>,
 }
 
 /// A condition of a result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Check {
-    /// By how much the condition is violated, in its unit; not above zero where it holds.
+    /// The violation of the condition, in its unit; not above zero where it holds.
     pub by: f64,
-    /// The size that a violation is compared with, such as the band of a dwell. Without it the search takes the change of the condition in
-    /// the first step.
+    /// The size that a violation is compared with, such as the band of a dwell. Without it the
+    /// search takes the change of the condition in the first step.
     pub size: Option<f64>,
 }
 

@@ -50,50 +50,55 @@ impl fmt::Display for DesignError {
                 f,
                 "no least sum of squares in {steps} evaluations, which is our limit; give bounds with `vary`, or begin nearer"
             ),
-            Self::Nothing { what, wish } => write!(f, "{wish}: {what}"),
-            Self::NotFinite { wish, number } => write!(f, "{wish}: {number} is no finite number"),
+            Self::Nothing { what, objective } => write!(f, "{objective}: {what}"),
+            Self::NotFinite { objective, number } => {
+                write!(f, "{objective}: {number} is no finite number")
+            }
             Self::Count {
                 what,
-                wish,
+                objective,
                 expected,
                 found,
             } => {
-                write!(f, "{wish}: {found} {what}, where {expected} are needed")
+                write!(
+                    f,
+                    "{objective}: {found} {what}, where {expected} are needed"
+                )
             }
             Self::OutOfRange {
-                wish,
+                objective,
                 input,
                 low,
                 high,
             } => write!(
                 f,
-                "{wish}: the input {} is outside of the mechanism's range from {} to {}; change it, or the range of the input",
+                "{objective}: the input {} is outside of the mechanism's range from {} to {}; change it, or the range of the input",
                 rounded(*input),
                 rounded(*low),
                 rounded(*high)
             ),
             Self::TooLong {
-                wish,
+                objective,
                 positions,
                 step,
                 length,
                 range,
             } => write!(
                 f,
-                "{wish}: {positions} positions every {} take {}, the range is {}; take a shorter step or fewer positions, or widen the range \
+                "{objective}: {positions} positions every {} take {}, the range is {}; take a shorter step or fewer positions, or widen the range \
                  of the input",
                 rounded(*step),
                 rounded(*length),
                 rounded(*range)
             ),
             Self::NoRoom {
-                wish,
+                objective,
                 length,
                 from,
                 to,
             } => write!(
                 f,
-                "{wish}: an interval of {} does not fit between {} and {}, which are {} apart; take a shorter one, or widen its room",
+                "{objective}: an interval of {} does not fit between {} and {}, which are {} apart; take a shorter one, or widen its room",
                 rounded(*length),
                 rounded(*from),
                 rounded(*to),
@@ -146,12 +151,12 @@ impl fmt::Display for DesignError {
                 goals.len(),
                 goals.join(", ")
             ),
-            Self::NoStart { wish } => write!(
+            Self::NoStart { objective } => write!(
                 f,
-                "{wish}: there is none in the mechanism that the search begins with; begin with another one"
+                "{objective}: there is none in the mechanism that the search begins with; begin with another one"
             ),
             Self::OutOfReach {
-                wish,
+                objective,
                 by,
                 nearest,
                 at_bound,
@@ -161,7 +166,7 @@ impl fmt::Display for DesignError {
             } => {
                 write!(
                     f,
-                    "{wish}: missed by {} in the best mechanism that was found",
+                    "{objective}: missed by {} in the best mechanism that was found",
                     rounded(*by)
                 )?;
                 if equations > variables {

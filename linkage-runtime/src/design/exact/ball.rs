@@ -1,7 +1,7 @@
 //! Discs of complex numbers: arithmetic that holds all results, whatever the rounding.
 //!
-//! Rounding is to the nearest number; its errors are bounded by twice what they can be, and so are
-//! those of the radii.
+//! Rounding is to the nearest number; its errors are bounded by twice their largest values, and so
+//! are those of the radii.
 
 use super::long::Long;
 use super::real::Real;

@@ -1,9 +1,9 @@
 //! Proof that a system of equations has one solution near a point, and that it is real or is not.
 //!
-//! Krawczyk's operator on discs: with `A` about the inverse of the Jacobian at the point,
-//! `x - A f(x)` takes the product of the discs into itself and contracts it, rounding included.
-//! Then (Banach) it has one fixed point there, a solution of `f`. Data that are not exact are
-//! discs, too: what is shown then holds for all of them.
+//! Krawczyk's operator on discs: with `A` about the inverse of the Jacobian at the point, `x - A
+//! f(x)` takes the product of the discs into itself and contracts it, rounding included. Then
+//! (Banach) it has one fixed point there, a solution of `f`. Data that are not exact are discs,
+//! too: the proof then holds for all of them.
 //!
 //! A real solution is its own mirror image: a variable is the conjugate of its partner, which is
 //! itself if it stands for a real number.

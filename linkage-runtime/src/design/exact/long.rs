@@ -16,8 +16,8 @@ const DIGITS: i32 = 256;
 
 /// A whole number of 256 bits times a power of two.
 ///
-/// An operation cuts off what has no place, less than two units of the last bit. Exponents far
-/// beyond those of all plain numbers stay where they end.
+/// An operation cuts off the digits that have no place, less than two units of the last bit.
+/// Exponents far beyond those of all plain numbers stay where they end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Long {
     negative: bool,

@@ -29,7 +29,7 @@ pub(super) fn check<M: Dimensions<N> + Copy, A, const N: usize>(
     };
     let nothing = |what| DesignError::Nothing {
         what,
-        wish: "identification".to_string(),
+        objective: "identification".to_string(),
     };
     if places.is_empty() && errors.is_empty() {
         errors.push(nothing("no unknown parameters"));
@@ -87,7 +87,7 @@ pub(super) fn must_assemble<M: Dimensions<N> + Copy, A, const N: usize>(
     if rows.is_empty() {
         return Err(DesignError::Nothing {
             what: "all readings are missing",
-            wish: "identification".to_string(),
+            objective: "identification".to_string(),
         });
     }
     let open = rows

@@ -83,7 +83,8 @@ pub struct Residual {
 
 impl<M, const N: usize> Identified<M, N> {
     /// The covariances of all parameters, those that were not to be found with zeros. For
-    /// [`Uncertainties::covariance`](crate::tolerance::Uncertainties::covariance), if everything is determined.
+    /// [`Uncertainties::covariance`](crate::tolerance::Uncertainties::covariance), if everything is
+    /// determined.
     ///
     /// Combinations that are not determined are left out: their covariances are infinite. They are
     /// NaN where [`converged`](Self::converged) is false.

@@ -139,19 +139,19 @@ where
         let mut errors = Vec::new();
         let count = |what, expected, found| DesignError::Count {
             what,
-            wish: measured.quantity.clone(),
+            objective: measured.quantity.clone(),
             expected,
             found,
         };
         if measured.inputs.is_empty() {
             errors.push(DesignError::Nothing {
                 what: "no inputs; name them with `at`",
-                wish: measured.quantity.clone(),
+                objective: measured.quantity.clone(),
             });
         }
         if let Some(&number) = measured.inputs.iter().find(|input| !input.is_finite()) {
-            let wish = measured.quantity.clone();
-            errors.push(DesignError::NotFinite { wish, number });
+            let objective = measured.quantity.clone();
+            errors.push(DesignError::NotFinite { objective, number });
         }
         if let Some(values) = &measured.values
             && values.len() != measured.inputs.len()

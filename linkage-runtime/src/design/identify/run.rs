@@ -23,8 +23,8 @@ where
     ///
     /// # Errors
     ///
-    /// All that is wrong with what was given, together; `StartOpen` if the mechanism does not
-    /// assemble at an input, `Unsettled` if no least sum of squares is found.
+    /// All mistakes of the input, together; `StartOpen` if the mechanism does not assemble at an
+    /// input, `Unsettled` if no least sum of squares is found.
     pub fn run(&self) -> Result<Identified<M, N>, DesignError> {
         let (unknown, limits) = check::check(self)?;
         let mut start: Vec<f64> = unknown

@@ -46,7 +46,8 @@ fn rosenbrock_free_and_with_a_bound_in_the_way() {
         found.count
     );
 
-    // On the bound x = 1/2 the valley's floor is y = 1/4; the sum is that of the second residual alone.
+    // On the bound x = 1/2 the valley's floor is y = 1/4; the sum is that of the second residual
+    // alone.
     let found = descend(
         &[-1.2, 1.0],
         &bounds(&[-2.0, -2.0], &[0.5, 2.0]),
@@ -128,7 +129,8 @@ fn relations_hold_at_every_step() {
     assert!(places.iter().all(|x| limits.hold(x)));
 }
 
-/// A nonlinear condition: the least circle that reaches a hyperbola, from inside and from outside of what is allowed.
+/// A nonlinear condition: the least circle that reaches a hyperbola, from inside and from outside
+/// of the allowed region.
 #[test]
 fn conditions_are_met_at_the_end() {
     for start in [[3.0, 2.0], [0.1, 0.4]] {
@@ -152,7 +154,8 @@ fn conditions_are_met_at_the_end() {
     }
 }
 
-/// Where the function has no value, a step is shortened: the root of a logarithm, from far on the good side.
+/// A step to a point without a value of the function is shortened: the root of a logarithm, from
+/// far on the good side.
 #[test]
 fn steps_stay_where_there_are_values() {
     let found = descend(&[30.0], &wide(1), |x: &[f64], normal| {
@@ -161,7 +164,8 @@ fn steps_stay_where_there_are_values() {
     assert!((found.x[0] - 1.0).abs() < 1e-12);
 }
 
-/// Random sums of squares with bounds: at the end, the gradient pushes out of the bounds that are active and is zero elsewhere.
+/// Random sums of squares with bounds: at the end, the gradient pushes out of the bounds that are
+/// active and is zero elsewhere.
 #[test]
 fn ends_meet_the_conditions_of_a_minimum() {
     let mut random = Random::new(7);

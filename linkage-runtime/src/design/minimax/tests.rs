@@ -38,8 +38,9 @@ fn solved(start: &[f64], limits: &Limits, groups: impl Fn(&[f64]) -> Groups) -> 
         .expect("a value at the start")
 }
 
-/// C. Charalambous, B. R. Bandler, "Non-linear minimax optimization as a sequence of least pth optimization with finite values of p", Int. J.
-/// Systems Sci. 7 (1976), the second problem: its optimum is between two of three functions, on no vertex.
+/// C. Charalambous, B. R. Bandler, "Non-linear minimax optimization as a sequence of least pth
+/// optimization with finite values of p", Int. J. Systems Sci. 7 (1976), the second problem: its
+/// optimum is between two of three functions, on no vertex.
 fn second(x: &[f64]) -> Groups {
     let [a, b] = [x[0], x[1]];
     let e = 2.0 * (b - a).exp();
@@ -72,7 +73,8 @@ fn a_smooth_valley_between_two_functions() {
     }
 }
 
-/// J. B. Rosen, S. Suzuki, "Construction of nonlinear programming test problems", Comm. ACM 8 (1965): optimum -44 at (0, 1, 2, -1).
+/// J. B. Rosen, S. Suzuki, "Construction of nonlinear programming test problems", Comm. ACM 8
+/// (1965): optimum -44 at (0, 1, 2, -1).
 fn rosen_suzuki(x: &[f64]) -> Groups {
     let [a, b, c, d] = [x[0], x[1], x[2], x[3]];
     let value = a * a + b * b + 2.0 * c * c + d * d - 5.0 * a - 5.0 * b - 21.0 * c + 7.0 * d;
@@ -143,8 +145,8 @@ fn bounds_and_relations_hold_at_the_optimum() {
     }
 }
 
-/// The line nearest to the exponential function from 0 to 1. Its largest errors are at both ends and where both are parallel, a place that
-/// moves with the line: the envelope theorem.
+/// The line nearest to the exponential function from 0 to 1. Its largest errors are at both ends
+/// and where both are parallel, a place that moves with the line: the envelope theorem.
 fn line(x: &[f64]) -> Groups {
     let [level, slope] = [x[0], x[1]];
     let places = [0.0, 1.0, slope.max(1.0).min(1f64.exp()).ln()];
@@ -174,7 +176,8 @@ fn a_best_approximation_by_its_moving_extremes() {
     assert!(found.rounds < 15);
 }
 
-/// The condition is many boxes away: what the box keeps from holding needs no higher price, by which the objective would not be seen any more.
+/// The condition is many boxes away: a condition that the box keeps from holding needs no higher
+/// price, by which the objective would not be seen any more.
 #[test]
 fn a_condition_far_away_hides_no_objective() {
     let groups = |x: &[f64]| {
@@ -194,7 +197,8 @@ fn a_condition_far_away_hides_no_objective() {
     );
 }
 
-/// A kink that its row does not tell: no step leads on, but the first-order conditions do not hold as they are told.
+/// A kink that its row does not contain: no step leads on, but the first-order conditions do not
+/// hold as they are given.
 #[test]
 fn where_slopes_promise_more_nothing_has_converged() {
     let groups = |x: &[f64]| Groups {
@@ -234,8 +238,8 @@ fn places_without_a_value_are_avoided() {
     assert!(minimise(&[0.5], &within(1, 10.0), &search(1), groups, || false).is_none());
 }
 
-/// Rosenbrock's function as the sum of two squares: what is known of its curvature leads to its zero, and with a condition to where the line
-/// of equal sums touches it.
+/// Rosenbrock's function as the sum of two squares: its known curvature leads to its zero, and with
+/// a condition to where the line of equal sums touches it.
 #[test]
 fn squares_bend_as_is_known() {
     let squares = |x: &[f64]| {

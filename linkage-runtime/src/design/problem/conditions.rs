@@ -22,8 +22,8 @@ const MOST: f64 = 1e3;
 
 /// A row of a condition in a mechanism.
 struct ConditionRow {
-    /// The number of its wish.
-    wish: usize,
+    /// The number of its objective.
+    objective: usize,
     value: f64,
     /// The size with which its value is compared.
     size: f64,
@@ -41,12 +41,27 @@ impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
         // A value that is no number holds nothing.
         let broken = rows.filter(|row| row.value.is_nan() || row.value < -HOLDS * row.size);
         let mut found: Vec<Violation> = Vec::new();
-        for ConditionRow { wish, value, size } in broken {
+        for ConditionRow {
+            objective,
+            value,
+            size,
+        } in broken
+        {
             let (by, part) = (-value, -value / size);
-            match found.last_mut().filter(|last| last.wish == wish) {
+            match found.last_mut().filter(|last| last.objective == objective) {
                 Some(last) if last.part >= part => {}
-                Some(last) => *last = Violation { wish, by, part },
-                None => found.push(Violation { wish, by, part }),
+                Some(last) => {
+                    *last = Violation {
+                        objective,
+                        by,
+                        part,
+                    }
+                }
+                None => found.push(Violation {
+                    objective,
+                    by,
+                    part,
+                }),
             }
         }
         found
@@ -56,22 +71,29 @@ impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
     pub(crate) fn active(&self, at: &Normal) -> Vec<String> {
         let rows = self.conditions(at);
         let active = rows.filter(|row| row.value <= ACTIVE * row.size);
-        let mut active: Vec<usize> = active.map(|row| row.wish).collect();
+        let mut active: Vec<usize> = active.map(|row| row.objective).collect();
         active.dedup();
-        active.into_iter().map(|k| self.wishes[k].title()).collect()
+        active
+            .into_iter()
+            .map(|k| self.objectives[k].title())
+            .collect()
     }
 
     /// The rows of all conditions.
     fn conditions(&self, at: &Normal) -> impl Iterator<Item = ConditionRow> {
         let widths = self.widths();
-        let wishes = self.wishes.iter().enumerate();
-        let conditions = wishes.filter(|(_, wish)| wish.is_condition());
-        let owners = conditions.flat_map(|(k, wish)| (0..wish.rows()).map(move |_| k));
+        let objectives = self.objectives.iter().enumerate();
+        let conditions = objectives.filter(|(_, objective)| objective.is_condition());
+        let owners = conditions.flat_map(|(k, objective)| (0..objective.rows()).map(move |_| k));
         let rows = owners.zip(&at.conditions).zip(&self.sizes);
-        rows.map(move |((wish, (value, slopes)), size_of_row)| {
+        rows.map(move |((objective, (value, slopes)), size_of_row)| {
             let change: f64 = slopes.iter().zip(&widths).map(|(s, w)| (s * w).abs()).sum();
             let (value, size) = (*value, change.min(MOST * size_of_row));
-            ConditionRow { wish, value, size }
+            ConditionRow {
+                objective,
+                value,
+                size,
+            }
         })
     }
 }

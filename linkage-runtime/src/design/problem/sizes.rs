@@ -7,7 +7,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::super::starts;
+use super::super::quasi_random;
 use super::{Evaluator, Problem};
 use crate::dimensions::Dimensions;
 
@@ -34,15 +34,16 @@ impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
     /// The declared mechanism and the first starts, whether relations hold or not.
     pub(crate) fn places(&self, seed: u64) -> Vec<Vec<f64>> {
         let count = self.limits.len();
-        let start = |index| self.place(&starts::unit(seed, index, count));
+        let start = |index| self.place(&quasi_random::unit(seed, index, count));
         let first = core::iter::once(self.declared());
         first.chain((0..PLACES).map(start)).collect()
     }
 
     fn means(&self, assemblies: &[A], seed: u64) -> Vec<f64> {
-        let conditions = self.wishes.iter().enumerate();
-        let conditions = conditions.filter(|(_, wish)| wish.is_condition());
-        let rows = conditions.flat_map(|(k, wish)| (0..wish.rows()).map(move |row| (k, row)));
+        let conditions = self.objectives.iter().enumerate();
+        let conditions = conditions.filter(|(_, objective)| objective.is_condition());
+        let rows =
+            conditions.flat_map(|(k, objective)| (0..objective.rows()).map(move |row| (k, row)));
         let rows: Vec<(usize, usize)> = rows.collect();
         if rows.is_empty() {
             return Vec::new();
@@ -52,8 +53,8 @@ impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
         let mut sums = vec![(0.0, 0_u32); rows.len()];
         for assembly in assemblies {
             evaluator.evaluate(assembly, places.iter().map(|x| &x[..]));
-            for (&(wish, row), (sum, count)) in rows.iter().zip(&mut sums) {
-                let values = (0..places.len()).map(|at| evaluator.rows(wish).row(at, row).0);
+            for (&(objective, row), (sum, count)) in rows.iter().zip(&mut sums) {
+                let values = (0..places.len()).map(|at| evaluator.rows(objective).row(at, row).0);
                 for value in values.filter(|value| value.is_finite()) {
                     *sum += value.abs();
                     *count += 1;

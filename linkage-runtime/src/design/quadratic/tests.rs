@@ -1,4 +1,5 @@
-//! Random programs: what is found meets the conditions that the minimum of a convex program meets, and nothing else does.
+//! Random programs: the result meets the conditions that only the minimum of a convex program
+//! meets.
 
 use super::{Face, Quadratic};
 use linkage_random::Random;

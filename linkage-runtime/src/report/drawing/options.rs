@@ -134,8 +134,9 @@ impl<'a> Drawing<'a> {
     }
 
     /// Lets the mechanism run over the range of the report, again and again, in so many seconds:
-    /// onward where it begins again as it ended, else there and back. Any browser shows it, a reader
-    /// of a page beside the text, too; where SVG does not move, it stands at the first position.
+    /// onward where it begins again as it ended, else there and back. Any browser shows it, a
+    /// reader of a page beside the text, too; where SVG does not move, it stands at the first
+    /// position.
     ///
     /// It shows links, joints, guides, paths and ghosts. Names, dimensions, vectors, ellipses and
     /// the arrows of inputs belong to one position and are left out. It is for mechanisms of the

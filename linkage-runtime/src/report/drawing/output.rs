@@ -13,8 +13,8 @@ impl Drawing<'_> {
     ///
     /// # Errors
     ///
-    /// [`ReportError::Mistakes`] for a point that is not there, a scale that is none, and if the mechanism cannot be
-    /// assembled at the position that is wanted, or at all.
+    /// [`ReportError::Mistakes`] for a point that is not there, a scale that is none, and if the
+    /// mechanism cannot be assembled at the position that is wanted, or at all.
     pub fn svg(&self) -> Result<String, ReportError> {
         let row = rows::possible_row(self)?;
         match self.seconds {

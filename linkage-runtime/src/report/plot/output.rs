@@ -13,9 +13,9 @@ impl Plot {
     ///
     /// # Errors
     ///
-    /// [`ReportError::Mistakes`] if there is no curve or no value, if a value of the abscissa is not finite, if a curve or band has not as
-    /// many values as the abscissa, if a band's curve is not there, or if words have control
-    /// characters.
+    /// [`ReportError::Mistakes`] if there is no curve or no value, if a value of the abscissa is
+    /// not finite, if a curve or band has not as many values as the abscissa, if a band's curve is
+    /// not there, or if words have control characters.
     pub fn svg(&self) -> Result<String, ReportError> {
         let mistakes = mistakes::all_mistakes(self);
         match mistakes.is_empty() {

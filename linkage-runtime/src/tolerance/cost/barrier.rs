@@ -1,7 +1,7 @@
 //! An interior point method for few conditions.
 //!
-//! Newton's method on the cost minus `mu` times the logarithms of what the conditions leave, for a
-//! falling `mu`. The multipliers at the end give a bound that is valid whether or not the method
+//! Newton's method on the cost minus `mu` times the logarithms of the slacks of the conditions, for
+//! a falling `mu`. The multipliers at the end give a bound that is valid whether or not the method
 //! has converged: each condition implies the linear one along its own direction, and with linear
 //! conditions the dual function is a sum of closed forms.
 

@@ -1,4 +1,4 @@
-//! How large an error is, from the derivatives of a quantity by the parameters.
+//! The size of an error, from the derivatives of a quantity with respect to the parameters.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -11,33 +11,35 @@ use linkage_core::numeric::vector::dot;
 /// The derivatives of each component with respect to the parameters.
 pub(super) type Slopes<const N: usize> = Vec<[f64; N]>;
 
-/// What an error is measured by.
+/// The measure of an error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Measure<const N: usize> {
     /// The largest one within tolerances.
     WorstCase(Tolerances<N>),
-    /// The root of a sum of squares, with what it is called, for dimensions with these covariances.
+    /// The root of a sum of squares, with its name, for dimensions with these covariances.
     Deviation(&'static str, [[f64; N]; N]),
 }
 
-/// An error, and what it grows by with each slope of each component.
+/// An error, and its growth with each slope of each component.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Measured<const N: usize> {
     pub(super) value: f64,
     pub(super) weights: Vec<[f64; N]>,
-    /// Which of several ways to the largest one it is.
+    /// The number of the way to the largest one, among several.
     pub(super) way: usize,
 }
 
-/// The size of an effect is smoothed below this part of the root of the sum of squares, upwards: at zero it has no derivative.
+/// The size of an effect is smoothed below this part of the root of the sum of squares, upwards: at
+/// zero it has no derivative.
 const SMOOTH: f64 = 1e-3;
 
-/// Corners whose error is at least this part of the largest one count: a step may make one of them the largest.
+/// Corners whose error is at least this part of the largest one count: a step may make one of them
+/// the largest.
 const NEAR: f64 = 0.8;
 
 impl<const N: usize> Measure<N> {
-    /// The ways to the largest one that are looked at over the range: where zones do not lie about the nominal dimensions, what their middles do may
-    /// have either sign.
+    /// The ways to the largest one that are looked at over the range: where zones do not lie about
+    /// the nominal dimensions, the effect of their middles may have either sign.
     pub(super) fn ways(&self) -> &'static [f64] {
         match self {
             Self::WorstCase(tolerances) if tolerances.middles().iter().any(|m| *m != 0.0) => {
@@ -126,7 +128,8 @@ fn deviation<const N: usize>(covariance: &[[f64; N]; N], slopes: &Slopes<N>) -> 
     }
 }
 
-/// The sum of the sizes of all effects, smoothed, and what the middles of the zones do, with a sign.
+/// The sum of the sizes of all effects, smoothed, and the effect of the middles of the zones, with
+/// a sign.
 fn sum_of_sizes<const N: usize>(
     tolerances: &Tolerances<N>,
     sign: f64,
@@ -179,10 +182,12 @@ fn jet_of_sizes<const N: usize>(
     (0..N).map(size).fold(shift, sum)
 }
 
-/// What all dimensions differ by in a corner of the tolerances, and the signs by which it is known.
+/// The differences of all dimensions in a corner of the tolerances, and the signs by which it is
+/// known.
 fn changes<const N: usize>(tolerances: &Tolerances<N>, signs: &[f64]) -> ([f64; N], usize) {
     let (halves, middles) = (tolerances.values(), tolerances.middles());
-    // All sums lie symmetrically about 0, the shift among them: it may be the opposite corner that is meant.
+    // All sums lie symmetrically about 0, the shift among them: it may be the opposite corner that
+    // is meant.
     let first = signs.iter().rev().find(|sign| **sign != 0.0);
     let way = first.copied().unwrap_or(1.0);
     let bit =
@@ -194,7 +199,8 @@ fn changes<const N: usize>(tolerances: &Tolerances<N>, signs: &[f64]) -> ([f64; 
     )
 }
 
-/// The effects of all tolerances as vectors, and behind them what the middles of the zones do.
+/// The effects of all tolerances as vectors, and after them the effects of the middles of the
+/// zones.
 fn vectors<const N: usize>(tolerances: &Tolerances<N>, slopes: &Slopes<N>) -> Vec<[f64; 3]> {
     let halves = tolerances.values();
     let space = |of: &dyn Fn(&[f64; N]) -> f64| {
@@ -257,7 +263,7 @@ fn worst_corner<const N: usize>(tolerances: &Tolerances<N>, slopes: &Slopes<N>) 
     })
 }
 
-/// What all dimensions differ by at the worst corner of a vector.
+/// The differences of all dimensions at the worst corner of a vector.
 fn worst_changes<const N: usize>(tolerances: &Tolerances<N>, slopes: &Slopes<N>) -> [f64; N] {
     let mut worst = (f64::NEG_INFINITY, [f64::NAN; N]);
     corners_of(&vectors(tolerances, slopes), &mut |signs, sum| {

@@ -5,7 +5,7 @@
 //! turn. All pairs of a place and its constants are one piece, the graph of the equations, so that
 //! there are loops from each solution to each other one.
 
-use super::super::super::starts;
+use super::super::super::quasi_random;
 use super::super::certificate::Certificate;
 use super::super::path::{Pace, Stuck, follow};
 use super::family::{Member, ParameterPath};
@@ -51,7 +51,7 @@ impl Random {
 
     fn numbers(&mut self, count: usize) -> Vec<f64> {
         self.0 += 1;
-        starts::unit(Self::SEED, self.0, count)
+        quasi_random::unit(Self::SEED, self.0, count)
     }
 }
 

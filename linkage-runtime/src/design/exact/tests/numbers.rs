@@ -1,5 +1,5 @@
-//! Discs hold what they must, double-double numbers have their digits, certificates fail where
-//! there is no solution.
+//! Discs contain the exact results, double-double numbers have their digits, certificates fail
+//! where there is no solution.
 
 use super::super::ball::{Ball, Bound};
 use super::super::certificate::{self, Evaluated, Point, System};

@@ -1,4 +1,4 @@
-//! Wishes as rows of residuals or conditions with exact derivatives.
+//! Objectives as rows of residuals or conditions with exact derivatives.
 
 use alloc::boxed::Box;
 use alloc::format;
@@ -14,9 +14,9 @@ use crate::format::rounded;
 /// Something that is wanted of a mechanism: rows of residuals, whose sum of squares is made least,
 /// or of conditions, which must not be negative.
 ///
-/// [`Targets`](super::Targets) are the usual ones. One of your own needs rows with derivatives by all parameters, and by the
-/// inputs that it leaves free, if there are any.
-pub trait Wish<M, A>: Send + Sync {
+/// [`Targets`](super::Targets) are the usual ones. One of your own needs rows with derivatives by
+/// all parameters, and by the inputs that it leaves free, if there are any.
+pub trait Objective<M, A>: Send + Sync {
     /// Returns the name in messages.
     fn title(&self) -> String;
 
@@ -51,14 +51,14 @@ pub trait Wish<M, A>: Send + Sync {
         free.to_vec()
     }
 
-    /// Returns the mistakes of the wish, for a mechanism of which these parameters may vary.
+    /// Returns the mistakes of the objective, for a mechanism of which these parameters may vary.
     fn check(&self, cycle: &Cycle, parameters: &[Parameter], varied: &[usize]) -> Vec<DesignError>;
 
     /// Returns an evaluator with its own memory, one for each thread.
     fn evaluator(&self) -> Box<dyn Evaluate<M, A> + '_>;
 }
 
-/// Evaluates a wish for many mechanisms side by side.
+/// Evaluates an objective for many mechanisms side by side.
 pub trait Evaluate<M, A> {
     /// Fills the rows of all candidates. Rows of a mechanism that cannot be assembled are NaN.
     fn evaluate(&mut self, candidates: &Candidates<'_, M, A>, rows: &mut Rows);
@@ -71,11 +71,11 @@ pub struct Candidates<'a, M, A> {
     pub assembly: &'a A,
     /// Their dimensions.
     pub mechanisms: &'a [M],
-    /// The free inputs of the wish, those of the first mechanism first.
+    /// The free inputs of the objective, those of the first mechanism first.
     pub free: &'a [f64],
 }
 
-/// Inputs that a wish leaves free.
+/// Inputs that an objective leaves free.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Free {
     /// The number of inputs.

@@ -5,7 +5,7 @@ use alloc::string::String;
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::{Candidate, Check, Chosen, Conditions, CycleWish, Motion, Piece, Verdict};
+use super::{Candidate, Check, Chosen, Conditions, CycleObjective, Motion, Piece, Verdict};
 use crate::format::rounded;
 
 /// The pieces that a figure is made of.
@@ -19,47 +19,47 @@ pub enum Pieces<const N: usize> {
 
 /// A number that a cycle comes to.
 pub trait Figure<A, const N: usize>: Sized {
-    /// How messages call it.
+    /// The name in messages.
     fn title(&self) -> String;
 
-    /// What it is made of; `None` where the mechanism does not assemble over the range.
+    /// The parts of it; `None` where the mechanism does not assemble over the range.
     fn pieces(&self, motion: &Motion<'_, A>) -> Option<Pieces<N>>;
 
     /// It is to be as small as possible: the goal.
-    fn least(self) -> Demand<Self> {
-        Demand {
+    fn least(self) -> Requirement<Self> {
+        Requirement {
             figure: self,
             sense: Sense::Least,
         }
     }
 
     /// It is to be as large as possible: the goal.
-    fn greatest(self) -> Demand<Self> {
-        Demand {
+    fn greatest(self) -> Requirement<Self> {
+        Requirement {
             figure: self,
             sense: Sense::Greatest,
         }
     }
 
     /// It must not be above a limit, in its own unit.
-    fn at_most(self, limit: f64) -> Demand<Self> {
-        Demand {
+    fn at_most(self, limit: f64) -> Requirement<Self> {
+        Requirement {
             figure: self,
             sense: Sense::AtMost(limit),
         }
     }
 
     /// It must not be below a limit, in its own unit.
-    fn at_least(self, limit: f64) -> Demand<Self> {
-        Demand {
+    fn at_least(self, limit: f64) -> Requirement<Self> {
+        Requirement {
             figure: self,
             sense: Sense::AtLeast(limit),
         }
     }
 
     /// It must have this value, in its own unit.
-    fn equal(self, value: f64) -> Demand<Self> {
-        Demand {
+    fn equal(self, value: f64) -> Requirement<Self> {
+        Requirement {
             figure: self,
             sense: Sense::Equal(value),
         }
@@ -76,7 +76,7 @@ impl<A, F: Figure<A, N>, const N: usize> Figure<A, N> for &F {
     }
 }
 
-/// What is asked of a figure.
+/// The sense of a requirement, with its limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Sense {
     Least,
@@ -86,27 +86,27 @@ enum Sense {
     Equal(f64),
 }
 
-/// What is asked of a [`Figure`].
+/// The requirement for a [`Figure`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct Demand<F> {
+pub struct Requirement<F> {
     figure: F,
     sense: Sense,
 }
 
-impl<F> Demand<F> {
+impl<F> Requirement<F> {
     /// The condition that the figure is as good as a limit, where this is a goal.
-    pub(super) fn within(&self, limit: f64) -> Demand<&F> {
+    pub(super) fn within(&self, limit: f64) -> Requirement<&F> {
         let sense = match self.sense {
             Sense::Greatest => Sense::AtLeast(limit),
             _ => Sense::AtMost(limit),
         };
-        Demand {
+        Requirement {
             figure: &self.figure,
             sense,
         }
     }
 
-    /// What the figure comes to; `None` where the mechanism does not assemble over the range.
+    /// The value of the figure; `None` where the mechanism does not assemble over the range.
     pub(super) fn value<A, const N: usize>(&self, motion: &Motion<'_, A>) -> Option<f64>
     where
         F: Figure<A, N>,
@@ -119,7 +119,9 @@ impl<F> Demand<F> {
     }
 }
 
-impl<M, A, F: Figure<A, N> + Send + Sync, const N: usize> CycleWish<M, A, N> for Demand<F> {
+impl<M, A, F: Figure<A, N> + Send + Sync, const N: usize> CycleObjective<M, A, N>
+    for Requirement<F>
+{
     fn title(&self) -> String {
         let title = self.figure.title();
         match self.sense {
@@ -184,7 +186,8 @@ impl<M, A, F: Figure<A, N> + Send + Sync, const N: usize> CycleWish<M, A, N> for
     }
 }
 
-/// What the figure is above a limit. The smallest of several has no other slopes than those of its piece.
+/// The amount by which the figure is above a limit. The smallest of several has no other slopes
+/// than those of its piece.
 fn upper<const N: usize>(pieces: &Pieces<N>, limit: f64) -> Vec<Piece<N>> {
     match pieces {
         Pieces::Largest(all) => all.iter().map(|piece| piece.times(1.0, -limit)).collect(),
@@ -195,7 +198,7 @@ fn upper<const N: usize>(pieces: &Pieces<N>, limit: f64) -> Vec<Piece<N>> {
     }
 }
 
-/// What the figure is below a limit.
+/// The amount by which the figure is below a limit.
 fn lower<const N: usize>(pieces: &Pieces<N>, limit: f64) -> Vec<Piece<N>> {
     match pieces {
         Pieces::Smallest(all) => all.iter().map(|piece| piece.times(-1.0, limit)).collect(),
