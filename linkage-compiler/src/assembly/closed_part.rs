@@ -11,10 +11,11 @@ use crate::machine::{Machine, Reference};
 use crate::model::{Dimension, LengthUnit, Type};
 use crate::solve::Solved;
 
-/// So many steps lead through a turn of an input: an angle turns by less than half a turn in each, gears of any use included.
+/// The number of steps in a turn of an input: an angle turns by less than half a turn in each,
+/// gears of any use included.
 const STEPS_OF_A_TURN: f64 = 144.0;
 
-/// So many at most: what turns hundreds of times is no linkage.
+/// The largest number of steps: no linkage turns hundreds of times.
 const STEPS: f64 = 10_000.0;
 
 /// A mechanism assembled at its own reference, for those that it is a part of.
@@ -25,7 +26,8 @@ pub(crate) struct Closed {
     pub(super) unit: LengthUnit,
     pub(super) parameters: Vec<Dimension>,
     pub(super) inputs: Vec<Dimension>,
-    /// For each unknown, where its numbers stand among the outputs, and whether they are a cosine and a sine.
+    /// For each unknown, the index of its numbers among the outputs, and whether they are a cosine
+    /// and a sine.
     unknowns: Vec<Option<(usize, bool)>>,
     pub(super) dimensions: Vec<Dimension>,
 }
@@ -39,7 +41,7 @@ pub(crate) struct InnerPart<'m> {
     pub(super) needs: Vec<usize>,
     /// Its dimensions here, in its own units.
     pub(super) parameters: Vec<f64>,
-    /// How many of its length units the unit here is.
+    /// The number of the part's length units in one length unit here.
     pub(super) ratio: f64,
 }
 
@@ -69,7 +71,8 @@ impl Closed {
         }
     }
 
-    /// Its unknowns with these dimensions, led from the reference to these inputs; what cannot be assembled there is not a number.
+    /// Returns the part's unknowns with these dimensions, followed from the reference to these
+    /// inputs; an unknown that cannot be assembled there is not a number.
     pub(super) fn led_to(&self, parameters: Vec<f64>, inputs: &[f64]) -> Vec<Vec<f64>> {
         let machine = self.machine.with_dimensions(parameters);
         let from = &self.nominal.inputs;
@@ -87,7 +90,7 @@ impl Closed {
             let share = step as f64 / steps;
             let ways = from.iter().zip(inputs);
             let at: Vec<f64> = match share {
-                // What is between two numbers may miss them.
+                // At share 1, interpolation may miss the end by rounding.
                 1.0 => inputs.to_vec(),
                 _ => ways.map(|(from, to)| from + share * (to - from)).collect(),
             };

@@ -1,5 +1,5 @@
-//! Start estimates beside the assemblies of a group: how far each of them is, in words that can be copied, and whether the one that was
-//! chosen is where its estimates are.
+//! Start estimates compared with the assemblies of a group: the distance of each, as text that can
+//! be copied, and a check that the chosen one is near its estimates.
 
 use std::f64::consts::{FRAC_PI_3, PI, TAU};
 
@@ -12,30 +12,31 @@ use crate::solve::Solved;
 
 use super::assembler::Assembly;
 
-/// An angle farther than this from its estimate is not what was meant: estimates are read off a drawing to some ten degrees, and two assemblies
-/// are seldom nearer to each other.
+/// An angle farther than this from its estimate is not the one that was meant: estimates are read
+/// off a drawing to some ten degrees, and two assemblies are seldom nearer to each other.
 const FAR_ANGLE: f64 = FRAC_PI_3;
 
-/// So is a length that is farther from its estimate than this share of the mechanism's size.
+/// A length farther from its estimate than this share of the mechanism's size is not the one that
+/// was meant.
 const FAR_SHARE: f64 = 0.5;
 
-/// What rounding may add to a difference that is just allowed.
+/// The rounding that may be added to a difference that is just allowed.
 const ROUNDING: f64 = 1e-9;
 
-/// So many assemblies are listed in a message: all of a triad.
+/// The largest number of assemblies listed in a message: all of a triad.
 pub(super) const LISTED: usize = 6;
 
-/// Where an assembly of a group has its unknowns.
+/// The position of the unknowns in an assembly of a group.
 #[derive(Clone, Debug)]
 pub(super) struct Position {
     /// Each unknown with its components; angles are those nearest to their estimates.
     values: Vec<(usize, Vec<f64>)>,
-    /// From the estimates; infinite for what does not close.
+    /// The distance from the estimates; infinite for an assembly that does not close.
     pub(super) distance: f64,
 }
 
-/// The unknowns in which this position differs from a neighbour, by more than a hundredth of the unknown that differs most; `yardstick` says
-/// what counts like a radian.
+/// Returns the unknowns in which this position differs from a neighbour by more than a hundredth of
+/// the largest difference; `yardstick` is the difference that counts like a radian.
 pub(super) fn differing(
     position: &Position,
     other: &Position,
@@ -52,19 +53,19 @@ pub(super) fn differing(
     differing.map(|(unknown, _)| unknown).collect()
 }
 
-/// How the assembly of a group was found.
+/// The method that found the assembly of a group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Choice {
     /// Among all that it has.
     Listed,
-    /// Among all that it has, but for some that meet at a dead point.
+    /// Chosen among all assemblies of the group except some that meet at a dead point.
     ListedApart,
-    /// From its estimates.
+    /// Followed from its estimates.
     Followed,
 }
 
 impl Choice {
-    /// What is said behind a number of assemblies.
+    /// Returns the text after a number of assemblies.
     pub(super) fn beside(self) -> &'static str {
         match self {
             Self::Listed | Self::Followed => "",
@@ -77,7 +78,7 @@ impl Choice {
 struct Unmet<'p> {
     unknown: usize,
     value: &'p [f64],
-    /// Times what is allowed.
+    /// The difference divided by the allowed one.
     excess: f64,
 }
 
@@ -122,15 +123,15 @@ pub(super) fn shown(assembly: &Assembly<'_, '_>, position: &Position) -> String 
     words.collect::<Vec<_>>().join(", ")
 }
 
-/// Keeps what unknowns without an estimate are.
+/// Keeps the values of the unknowns without an estimate.
 pub(super) fn keep_found(assembly: &mut Assembly<'_, '_>, chosen: &Position) {
     let open = chosen.values.iter();
     let open = open.filter(|(unknown, _)| !is_estimated(assembly, *unknown));
     assembly.found.extend(open.cloned().collect::<Vec<_>>());
 }
 
-/// Reports unknowns without an estimate of a group whose assemblies the other estimates do not tell apart, the nearest first; false if
-/// there is none.
+/// Reports unknowns without an estimate of a group whose assemblies the other estimates do not
+/// distinguish, the nearest assembly first; returns false if there is none.
 pub(super) fn lacks_estimates(
     assembly: &mut Assembly<'_, '_>,
     solved: &Solved,
@@ -161,7 +162,8 @@ pub(super) fn is_estimated(assembly: &Assembly<'_, '_>, unknown: usize) -> bool 
     own.of_part || own.estimate.is_some()
 }
 
-/// Reports an assembly whose unknowns are not where their estimates are, among all that the group has, the nearest first; false if it did.
+/// Reports an assembly whose unknowns are far from their estimates, among all assemblies of the
+/// group, the nearest first; returns false if it reported one.
 pub(super) fn meets_estimates(
     assembly: &mut Assembly<'_, '_>,
     solved: &Solved,
@@ -244,7 +246,7 @@ fn worst<'p>(assembly: &Assembly<'_, '_>, position: &'p Position) -> Option<Unme
     (worst.excess > 1.0 + ROUNDING).then_some(worst)
 }
 
-/// How far an unknown is from its estimate, over what is allowed.
+/// Returns the distance of an unknown from its estimate, divided by the allowed one.
 fn excess(assembly: &Assembly<'_, '_>, unknown: usize, value: &[f64]) -> f64 {
     if !is_estimated(assembly, unknown) {
         return 0.0;
@@ -256,7 +258,8 @@ fn excess(assembly: &Assembly<'_, '_>, unknown: usize, value: &[f64]) -> f64 {
     }
 }
 
-/// The size of the mechanism where a slide has this value: as far as it reaches. Where a point is says nothing about size.
+/// Returns the size of the mechanism if a slide has this value: the farthest reach. The position of
+/// a point does not determine a size.
 fn size_with(assembly: &Assembly<'_, '_>, value: &[f64]) -> f64 {
     match value {
         [slide] => assembly.size.max(slide.abs()),
@@ -274,7 +277,7 @@ fn difference(assembly: &Assembly<'_, '_>, unknown: usize, value: &[f64]) -> Str
     format!("{} from", assembly.words.rounded(dimension, difference))
 }
 
-/// Angles, and vectors of numbers: what counts is where they point.
+/// Returns true for angles and for vectors of numbers, of which only the direction counts.
 fn is_direction(assembly: &Assembly<'_, '_>, unknown: usize) -> bool {
     let dimension = assembly.algebra.mechanism.unknowns[unknown].ty.dimension();
     dimension.is_some_and(|dimension| dimension.half_lengths == 0)

@@ -1,5 +1,5 @@
-//! Closing a coupled group at the reference input: all its assemblies are listed, the one nearest to the estimates is taken. Where they
-//! cannot be listed, `assembly/followed.rs` goes on.
+//! Closes a coupled group at the reference input: lists all its assemblies and takes the one
+//! nearest to the estimates. If they cannot be listed, `assembly/followed.rs` continues.
 
 use crate::assembly::estimates;
 use crate::assembly::followed;
@@ -17,9 +17,10 @@ use super::estimates::{Choice, LISTED, Position};
 
 /// The real assemblies of a coupled group.
 struct Listed {
-    /// Those that are told apart, the nearest to the estimates first.
+    /// The assemblies that can be distinguished, the nearest to the estimates first.
     candidates: Vec<Candidate>,
-    /// How far from the estimates others are, about, that meet at a dead point.
+    /// The approximate distances from the estimates of other assemblies, which meet at a dead
+    /// point.
     meeting: Vec<f64>,
 }
 

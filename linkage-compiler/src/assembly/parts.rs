@@ -1,7 +1,9 @@
-//! Parts: where each is at the reference of the mechanism around it, as it would be alone.
+//! Parts: the position of each, as if it were alone, at the reference of the surrounding mechanism.
 //!
-//! The estimates of a part belong to its own reference. Alone it has been closed there; from there it is led to what its inputs are here, and
-//! what it arrives at are the estimates of its unknowns here: the assembly is that of the part alone, and so are the turns of its angles.
+//! The estimates of a part belong to its own reference. The part alone has been closed there. It is
+//! followed from there to the values of its inputs here, and the position reached gives the
+//! estimates of its unknowns here: the assembly is that of the part alone, and so are the turns of
+//! its angles.
 
 use crate::algebra::nominal;
 use crate::algebra::scalar;
@@ -17,7 +19,8 @@ use crate::solve::Formulation;
 use super::assembler::Assembly;
 use super::closed_part::{Closed, InnerPart};
 
-/// The parts of a mechanism, with what their inputs are; `closed` is what each is alone.
+/// Returns the parts of a mechanism with the expressions of their inputs; `closed` is the assembly
+/// of each part alone.
 pub(crate) fn inner_parts<'m>(
     algebra: &mut Algebra<'m>,
     nominal: &Nominal,
@@ -84,7 +87,8 @@ fn named(mechanism: &Mechanism, index: usize) -> Expr {
     }
 }
 
-/// By what a number of a dimension grows where the length unit is so much smaller.
+/// Returns the factor by which a number of a dimension grows if the length unit is smaller by this
+/// ratio.
 fn power(ratio: f64, dimension: Dimension) -> f64 {
     match ratio {
         1.0 => 1.0,
@@ -92,8 +96,8 @@ fn power(ratio: f64, dimension: Dimension) -> f64 {
     }
 }
 
-/// Finds where those parts are whose inputs are known: all unknowns that they are made of are `closed`, or one of their own is among
-/// those that are closed next.
+/// Finds the positions of parts whose inputs are known: all unknowns in these inputs are `closed`,
+/// or one of the part's own unknowns is among those that are closed next.
 pub(super) fn settle_parts<'m>(
     assembly: &mut Assembly<'_, 'm>,
     formulation: &Formulation<'m>,
@@ -121,7 +125,8 @@ pub(super) fn settle_parts<'m>(
     }
 }
 
-/// The position of a part becomes what its unknowns are estimated by; those of the unknowns that are open are where their own estimates are.
+/// Replaces the estimates of a part's unknowns by its position; the open unknowns are taken at
+/// their own estimates.
 fn settle<'m>(assembly: &mut Assembly<'_, 'm>, part: &InnerPart<'m>, open: &[usize]) {
     let mut given = Map::new();
     for &unknown in open {
@@ -150,7 +155,7 @@ fn settle<'m>(assembly: &mut Assembly<'_, 'm>, part: &InnerPart<'m>, open: &[usi
     let found = closed.led_to(part.parameters.clone(), &inputs);
     let alone = found.into_iter().zip(&closed.nominal.estimates);
     for (index, ((found, reference), dimension)) in alone.zip(&closed.dimensions).enumerate() {
-        // What it cannot reach is told where its loops are closed.
+        // Inputs that the part cannot reach are reported when its loops are closed.
         let known = match found.iter().all(|x| x.is_finite()) {
             true => &found,
             false => reference,

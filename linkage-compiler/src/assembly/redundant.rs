@@ -15,11 +15,11 @@ use crate::message_format::MessageFormat;
 /// Positions along the range of each input.
 const ALONG: usize = 97;
 
-/// Sides that differ by a smaller share of the mechanism's size (angles: radians) are equal. Positions are exact to some 1e-13; dimensions that
-/// are written with ten digits should do.
+/// Sides that differ by a smaller share of the mechanism's size (angles: radians) are equal.
+/// Positions are exact to some 1e-13; dimensions that are written with ten digits should do.
 const EQUAL: f64 = 1e-9;
 
-/// Where the sides of a loop differ most.
+/// The largest difference between the sides of a loop.
 struct Miss {
     inputs: Vec<f64>,
     difference: Vec<f64>,
@@ -39,7 +39,7 @@ pub(crate) fn check_redundant(
         false => positions(mechanism, nominal, reference.longest),
     };
     for own in &mechanism.redundant {
-        // What is looked at here must not change the code of functions.
+        // This evaluation must not change the code of functions.
         let miss = algebra.tried(|algebra| {
             let sides = difference(algebra, own);
             let found = positions

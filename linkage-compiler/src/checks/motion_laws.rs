@@ -1,4 +1,5 @@
-//! Courses for the default dimensions: knots in order, one value where a turn closes, jumps of speed and acceleration.
+//! Motion laws for the default dimensions: knots in order, one value where a turn closes, jumps of
+//! speed and acceleration.
 
 mod ends;
 
@@ -12,10 +13,11 @@ use crate::model::{Expr, ExprKind, Mechanism, MotionLaw, MotionLawKind, Name, Re
 
 use crate::message_format::MessageFormat;
 
-/// Of the size of speeds or accelerations: a smaller difference is rounding.
+/// A smaller difference, as a share of the size of speeds or accelerations, is rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Reports knots out of order, pieces without a law and values that do not close a turn, and warns of jumps that nobody accepts.
+/// Reports knots out of order, pieces without a law and values that do not close a turn, and warns
+/// of jumps that nobody accepts.
 pub(crate) fn check_motion_laws(mechanism: &Mechanism, nominal: &Nominal, reporter: &mut Reporter) {
     let lets = mechanism.lets.iter().map(|own| &own.value);
     let constants = mechanism.constants.iter().map(|own| &own.value);
@@ -36,7 +38,8 @@ pub(crate) fn check_motion_laws(mechanism: &Mechanism, nominal: &Nominal, report
     if courses.is_empty() {
         return;
     }
-    // A graph of its own: nodes made in another order would change how sums of the mechanism are written.
+    // A separate graph: nodes made in another order would change the written form of the
+    // mechanism's sums.
     let graph = Graph::new();
     let mut algebra = Algebra::new(mechanism, &graph);
     translate::translate_lets(&mut algebra);
@@ -45,7 +48,7 @@ pub(crate) fn check_motion_laws(mechanism: &Mechanism, nominal: &Nominal, report
         let ExprKind::MotionLaw(course) = &expr.kind else {
             continue;
         };
-        // Slopes have the knots of what they are the slopes of.
+        // Slopes have the knots of the motion law that they are the slopes of.
         if seen.contains(&course.knots[0].origin) {
             continue;
         }
@@ -65,7 +68,7 @@ pub(crate) fn check_motion_laws(mechanism: &Mechanism, nominal: &Nominal, report
         let known = knots
             .iter()
             .all(|own| own.place.is_finite() && own.value.is_finite());
-        // What moves, or is told elsewhere as no number, is left to run time.
+        // Values that move, or that are reported elsewhere as no number, are left to run time.
         if known {
             let words = MessageFormat::new(mechanism);
             Check {
@@ -237,7 +240,8 @@ impl Check<'_, '_> {
         }
     }
 
-    /// Whether the argument comes to both sides of a knot; the first and the last one may be the ends of an input's range.
+    /// Returns true if the argument comes to both sides of a knot; the first and the last one may
+    /// be the ends of an input's range.
     fn is_reached(&self, knot: usize) -> bool {
         let at = self.knots[knot].place;
         let Some(Name::Input(input)) = self.course.argument.as_name() else {
@@ -248,7 +252,7 @@ impl Check<'_, '_> {
             || range.is_none_or(|(low, high)| low < at && at < high)
     }
 
-    /// How large a derivative is, roughly.
+    /// Returns the approximate size of a derivative.
     fn size(&self, order: usize) -> f64 {
         let pieces = self.knots.windows(2).map(|pair| {
             let width = pair[1].place - pair[0].place;

@@ -8,8 +8,8 @@ use crate::model::{Expr, ExprKind, Mechanism, Name, Parameter, Variable};
 
 use crate::message_format::MessageFormat;
 
-/// Warns of parameters that neither loops nor bodies nor functions mention. One whose name begins with `_`, or with
-/// `#[allow(unused)]`, is meant to be so.
+/// Warns of parameters that neither loops nor bodies nor functions mention. An unused parameter is
+/// intended if its name begins with `_`, or if it has `#[allow(unused)]`.
 pub(crate) fn warn_of_unused(mechanism: &Mechanism, nominal: &Nominal, reporter: &mut Reporter) {
     if mechanism.evaluators.is_empty() {
         // It has just been begun.

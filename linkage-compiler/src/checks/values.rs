@@ -1,4 +1,5 @@
-//! What is computed of the declared dimensions alone and has no finite value for them: `sqrt(crank - rocker)`.
+//! Expressions of the declared dimensions alone that have no finite value for them:
+//! `sqrt(crank - rocker)`.
 
 use crate::algebra::nominal;
 use crate::algebra::translate;
@@ -13,10 +14,12 @@ use crate::syntax::Word;
 
 use crate::message_format::MessageFormat;
 
-/// Reports the innermost expressions of parameters and numbers that are not finite: as errors those that leave a loop without a
-/// solution, else as warnings, since other dimensions may be meant to be given, or an infinity to be compared with.
+/// Reports the innermost expressions of parameters and numbers that are not finite: as errors those
+/// that leave a loop without a solution, else as warnings, since other dimensions may be meant to
+/// be given, or an infinity to be compared with.
 pub(crate) fn check_values(mechanism: &Mechanism, nominal: &Nominal, reporter: &mut Reporter) {
-    // A graph of its own: nodes made in another order would change how sums of the mechanism are written.
+    // A separate graph: nodes made in another order would change the written form of the
+    // mechanism's sums.
     let graph = Graph::new();
     let mut algebra = Algebra::new(mechanism, &graph);
     translate::translate_lets(&mut algebra);
@@ -53,7 +56,8 @@ pub(crate) fn check_values(mechanism: &Mechanism, nominal: &Nominal, reporter: &
     }
 }
 
-/// The innermost expression of some loops that has no finite value at given inputs, in words: of dimensions and inputs, not of unknowns.
+/// Returns the innermost expression of some loops that has no finite value at given inputs, as
+/// text: an expression of dimensions and inputs, not of unknowns.
 pub(crate) fn without_value(
     mechanism: &Mechanism,
     nominal: &Nominal,
@@ -79,12 +83,13 @@ pub(crate) fn without_value(
     Some((found.expr.origin, check.fact(&found)))
 }
 
-/// Where an expression stands.
+/// The position of an expression.
 #[derive(Clone, Copy, PartialEq)]
 enum Place {
     /// A loop is a sum of it and others.
     Term,
-    /// A loop contains it: NaN goes through all that is computed with it, an infinity may be the larger of two numbers.
+    /// A loop contains it: NaN goes through all values computed with it, an infinity may be the
+    /// larger of two numbers.
     InLoop,
     Elsewhere,
 }
@@ -97,10 +102,10 @@ struct Found<'m> {
 struct Check<'a, 'm> {
     mechanism: &'m Mechanism,
     nominal: &'a Nominal,
-    /// Where inputs are looked at, too; empty where they are not.
+    /// The inputs, if they are considered, too; else empty.
     inputs: &'a [f64],
     algebra: Algebra<'m>,
-    /// By derived quantity: whether it depends on dimensions alone.
+    /// For each derived quantity, true if it depends on dimensions alone.
     fixed: Vec<bool>,
     found: Vec<Found<'m>>,
 }
@@ -149,7 +154,7 @@ impl<'a, 'm> Check<'a, 'm> {
     fn blame(&mut self, expr: &'m Expr, place: Place) {
         let mut open = vec![expr];
         while let Some(expr) = open.pop() {
-            // A name is told where it is declared.
+            // A name is reported at its declaration.
             let told = matches!(expr.kind, ExprKind::Name(_) | ExprKind::Number(_));
             if told || self.is_finite(expr) {
                 continue;

@@ -1,4 +1,5 @@
-//! One program for all groups, and those of coupled groups: what closes the loops at compile time.
+//! One program for all groups, and those of coupled groups: the programs that close the loops at
+//! compile time.
 
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::passes::reciprocals;
@@ -67,7 +68,7 @@ pub(crate) fn closing<'m>(
     let mut next = 0;
     let mut end = 0;
     for (own, outputs) in lists.iter().zip(&mut closing.groups) {
-        // What computes a list stands before what later lists need beside it.
+        // The nodes that compute a list come before the further nodes of later lists.
         let last = closing.program.outputs[next..].iter().take(own.len()).max();
         end = end.max(last.map_or(0, |value| value.0 + 1));
         outputs.end = end;

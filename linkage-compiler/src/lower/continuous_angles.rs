@@ -1,4 +1,4 @@
-//! The angles whose values are used, and what their turns are counted by.
+//! The angles whose values are used, and the expressions that count their turns.
 
 use crate::algebra::derivatives::dependence;
 use linkage_symbolic::Ex;

@@ -1,4 +1,5 @@
-//! The programs by which coupled groups are prepared: in `assemble()`, and at compile time by the interpreter.
+//! The programs by which coupled groups are prepared: in `assemble()`, and at compile time by the
+//! interpreter.
 
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::program::Program;
@@ -78,7 +79,7 @@ pub(super) fn group_nodes<'m>(
         let Some(prepared) = &solved.prepared else {
             continue;
         };
-        // Where its unknowns are in a given state, not after the steps of a call.
+        // The unknowns have their values in a given state, not after the steps of a call.
         prepared.define(algebra.graph, Version::Raw);
         let own = placed_unknowns(algebra, formulation, index).into_iter();
         let own = own.flat_map(|unknown| algebra.names.numbers_of(unknown));
@@ -101,7 +102,7 @@ fn placed_unknowns<'m>(
         .collect()
 }
 
-/// What else is known of the coupled groups; `program` schedules nodes.
+/// Returns the other properties of the coupled groups; `program` schedules nodes.
 pub(super) fn groups<'m>(
     algebra: &Algebra<'m>,
     formulation: &Formulation<'m>,
@@ -147,7 +148,8 @@ pub(super) fn groups<'m>(
     groups
 }
 
-/// How many of the angles, in their order, must be followed before each group: up to the last whose value its programs use.
+/// Stores in each group the number of angles, in their order, that must be followed before it: up
+/// to the last whose value its programs use.
 pub(super) fn find_turning(
     groups: &mut [Coupled],
     nodes: &[GroupNodes],

@@ -19,7 +19,7 @@ pub(crate) struct Machine {
     pub(crate) modes: Vec<f64>,
     pub(crate) centres: Map<usize, f64>,
     pub(crate) windings: Map<(usize, usize), f64>,
-    /// What is prepared of each coupled group: nothing until it is closed.
+    /// The prepared start of each coupled group: `None` until the group is closed.
     pub(crate) starts: Vec<Option<Start>>,
 }
 
@@ -47,7 +47,7 @@ impl Machine {
         }
     }
 
-    /// The cosines among the outputs of angles that functions ask for and no group uses.
+    /// Returns the cosines among the outputs of angles that functions use and no group uses.
     pub(crate) fn outputs_of(
         &self,
         algebra: &Algebra,
@@ -77,7 +77,8 @@ impl Machine {
         });
     }
 
-    /// Runs a program of coupled group `number` at given inputs; `state` is what that group starts from.
+    /// Runs a program of coupled group `number` at given inputs; `state` is the state from which
+    /// that group starts.
     pub(crate) fn run_coupled(
         &self,
         number: usize,
@@ -109,7 +110,7 @@ impl Machine {
         run_by::<Generated<Enclosure, false>>(program, load)
     }
 
-    /// What is prepared of all coupled groups near some inputs.
+    /// Returns the prepared states of all coupled groups near some inputs.
     pub(crate) fn states(&self, inputs: &[f64]) -> Vec<Vec<f64>> {
         let starts = self.starts.iter().zip(&self.closing.coupled);
         starts

@@ -1,4 +1,4 @@
-//! Coupled groups on numbers, as what follows them sees them.
+//! Coupled groups evaluated on numbers, in the form used to follow them.
 
 use linkage_core::Enclosure;
 use linkage_core::numeric::continuation::{Correction, Residuals, Step};

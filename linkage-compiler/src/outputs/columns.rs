@@ -1,4 +1,4 @@
-//! What each number of a result is: its name, its unit, what it was derived from.
+//! The description of each number of a result: its name, its unit, its origin.
 
 use crate::ir::{Column, Meaning, Picture};
 use crate::model::{
@@ -17,7 +17,7 @@ pub(super) fn columns(
         definition,
     };
     let mut all = Vec::new();
-    // Derivatives refer to the quantities themselves, which may stand behind them.
+    // Derivatives refer to the quantities themselves, which may come after them.
     let mut firsts = Vec::new();
     let mut next = 0;
     for quantity in &definition.quantities {
@@ -73,7 +73,8 @@ impl Namer<'_> {
         }
     }
 
-    /// The unit of the number at a place in a quantity: of a derivative `mm/rad`, `rad/mm^2`, `mm/(rad*mm)`.
+    /// Returns the unit of the number at an index in a quantity: for a derivative `mm/rad`,
+    /// `rad/mm^2`, `mm/(rad*mm)`.
     fn unit(&self, expr: &Expr, offset: usize) -> String {
         let mut divisors = Vec::new();
         let own = self.numerator(expr, offset, &mut divisors);
@@ -103,7 +104,7 @@ impl Namer<'_> {
         }
     }
 
-    /// The unit of what is differentiated, and those of the variables.
+    /// Returns the unit of the differentiated quantity, and adds the units of the variables.
     fn numerator(&self, expr: &Expr, offset: usize, divisors: &mut Vec<String>) -> String {
         let width = |inner: &Expr| Shape::from_type(&inner.ty).width();
         match expr.derived() {
@@ -186,7 +187,7 @@ impl Namer<'_> {
             .collect()
     }
 
-    /// What the number at a place in a quantity is.
+    /// Returns the meaning of the number at an index in a quantity.
     fn meaning(&self, expr: &Expr, offset: usize, firsts: &[usize]) -> Meaning {
         let single = match self.drives()[..] {
             [input] => Some(input),
@@ -225,7 +226,7 @@ impl Namer<'_> {
         }
     }
 
-    /// Where the function has a number of another expression.
+    /// Returns the column of the function with a number of another expression.
     fn column_of(&self, expr: &Expr, offset: usize, firsts: &[usize]) -> Option<usize> {
         let mut quantities = self.definition.quantities.iter();
         let found = quantities.position(|quantity| quantity.value == *expr);

@@ -1,11 +1,11 @@
-//! What of a mechanism with parts a function is made of.
+//! The formulas of a mechanism with parts that a function needs.
 
 use crate::model::{EvaluatorDef, Expr, ExprKind, Leaf, Mechanism, Name};
 use crate::solve::Formulation;
 use crate::structure::Scope;
 
-/// The formulas that a function of a mechanism with parts is made of, those of each part that it touches all of them; `None` if they are those
-/// of the whole mechanism.
+/// Returns the formulas that a function of a mechanism with parts needs, with all formulas of each
+/// part that it touches; `None` if they are those of the whole mechanism.
 pub(super) fn scope(
     mechanism: &Mechanism,
     formulation: &Formulation,
@@ -40,7 +40,7 @@ struct Touched<'m, 'g> {
     open: Vec<&'m Expr>,
 }
 
-/// Whether something is new, which it is no more.
+/// Returns true if an item is new, and marks it as seen.
 fn first(seen: &mut bool) -> bool {
     !std::mem::replace(seen, true)
 }
@@ -83,7 +83,7 @@ impl Touched<'_, '_> {
                 .iter()
                 .for_each(|&own| self.touch_unknown(own));
         }
-        // Those that say what the axes of an unknown frame are stand in no group.
+        // The loops that define the axes of an unknown frame are in no group.
         let origin = self.mechanism.unknowns[unknown].origin;
         let loops = self.mechanism.loops.iter().enumerate();
         for (own, _) in loops.filter(|(_, own)| own.origin == origin) {
@@ -99,7 +99,7 @@ impl Touched<'_, '_> {
         }
     }
 
-    /// A part is as in its own mechanism, where all formulas stand beside each other.
+    /// Touches all formulas of a part: it is as in its own mechanism, which contains all of them.
     fn touch_leaf(&mut self, is_in: impl Fn(&Leaf) -> bool) {
         let Some(number) = self.mechanism.leaves.iter().position(is_in) else {
             return;

@@ -1,8 +1,9 @@
-//! How much work the directions of sensitivities are, before one of them is built.
+//! Estimates of the work of each direction of sensitivities, before one of them is built.
 //!
-//! Forward solves each group for each parameter that acts on it or on what it is made of; backwards solves each group for each
-//! number that is differentiated. In long chains one of the two grows with the square of the number of groups while the results
-//! grow with the number. Such a direction cannot cost least, and is not built.
+//! Forward solves each group for each parameter that acts on it or on its inputs; backwards solves
+//! each group for each number that is differentiated. In long chains one of the two grows with the
+//! square of the number of groups while the results grow with the number. Such a direction cannot
+//! cost least, and is not built.
 
 use crate::algebra::derivatives::acting;
 use crate::algebra::derivatives::mentioned;
@@ -15,11 +16,12 @@ use crate::algebra::{Algebra, Direction};
 use crate::model::{EvaluatorDef, Expr, ExprKind, Name, Shape, Variable};
 use crate::solve::Formulation;
 
-/// So many systems are solved in every direction: some hundredths of a second.
+/// Up to this number of systems, every direction is solved: some hundredths of a second.
 const FEW: usize = 4000;
 
-/// A direction that solves so many times as many systems as another one, results counted, is not built. The programs differ
-/// by much less than the numbers of systems: what is solved for one variable is shared.
+/// A direction that solves this many times as many systems as another one, results counted, is not
+/// built. The programs differ by much less than the numbers of systems: the part that is solved for
+/// one variable is shared.
 const MUCH: usize = 4;
 
 /// Systems that the derivatives of a function solve.
@@ -30,7 +32,8 @@ struct Effort {
     results: usize,
 }
 
-/// The directions in which the derivatives by parameters of a function are worth building, in order.
+/// Returns the directions in which the derivatives by parameters of a function are worth building,
+/// in order.
 pub(super) fn directions<'m>(
     algebra: &mut Algebra<'m>,
     formulation: &Formulation<'m>,
@@ -51,13 +54,13 @@ pub(super) fn directions<'m>(
     worth.collect()
 }
 
-/// What is differentiated by which parameters.
+/// The differentiated quantities and their parameters.
 struct Asked<'a> {
     of: &'a Expr,
     parameters: Vec<usize>,
-    /// How often it is differentiated by parameters.
+    /// The number of times it is differentiated by parameters.
     order: u32,
-    /// How many numbers it has.
+    /// The number of its components.
     width: usize,
 }
 
@@ -75,7 +78,7 @@ fn effort<'m>(
         let forward = own.parameters.len().saturating_pow(own.order);
         forward.max(own.width).saturating_mul(groups)
     };
-    // Most functions are small, whatever depends on what.
+    // Most functions are small, even if every parameter acts on every group.
     if all.iter().map(most).fold(0, usize::saturating_add) <= FEW {
         return Effort {
             results,
@@ -181,13 +184,13 @@ impl Bits {
     }
 }
 
-/// What groups are made of.
+/// The dependencies of groups.
 struct Before<'a, 'm> {
     algebra: &'a mut Algebra<'m>,
     groups: usize,
     /// The groups that find an unknown.
     with: Map<usize, Vec<usize>>,
-    /// The parameters that act on a group or on what it is made of.
+    /// The parameters that act on a group or on the groups that it depends on.
     acting: Map<usize, Bits>,
 }
 
@@ -238,7 +241,8 @@ impl<'a, 'm> Before<'a, 'm> {
         found
     }
 
-    /// The parameters, by their places, that act on a group or on what it is made of. What that is has been asked before.
+    /// Returns the parameters, by their indices, that act on a group or on the groups that it
+    /// depends on. The parameters of those groups have been found before.
     fn acting(&mut self, group: usize, places: &Map<SymbolId, usize>) -> Bits {
         if let Some(known) = self.acting.get(&group) {
             return known.clone();

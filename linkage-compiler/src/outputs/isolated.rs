@@ -82,7 +82,8 @@ pub(super) fn express<'m>(
     })
 }
 
-/// The results with another version of the prepared states, if a coupled group asks for it and they differ.
+/// Returns the results with another version of the prepared states, if a coupled group needs it and
+/// they differ.
 fn with_version<'m>(
     algebra: &Algebra<'m>,
     formulation: &Formulation<'m>,

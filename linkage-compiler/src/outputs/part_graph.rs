@@ -1,7 +1,9 @@
-//! Functions of some parts of a mechanism, made as if nothing else stood beside them.
+//! Functions of some parts of a mechanism, made as if the other parts did not exist.
 //!
-//! Node numbers order sums, and what parts share (the shaft, a number) would order them in another way than in a part's own mechanism: it would
-//! cost more or less by an operation, and round otherwise. So the formulas that a function touches are solved once more, in a graph of their own.
+//! Node numbers order sums, and nodes that parts share (the shaft, a number) would order them in
+//! another way than in a part's own mechanism: the function would cost more or less by an
+//! operation, and round otherwise. Therefore the formulas that a function touches are solved once
+//! more, in a separate graph.
 
 use linkage_symbolic::Graph;
 use linkage_symbolic::inline::Inliner;
@@ -27,7 +29,7 @@ pub(super) struct PartGraph<'m> {
     numbers: Numbers,
 }
 
-/// What modes, coupled groups and angles are in the whole mechanism.
+/// The numbers of modes, coupled groups and angles in the whole mechanism.
 struct Numbers {
     modes: Vec<usize>,
     coupled: Vec<usize>,
@@ -35,7 +37,8 @@ struct Numbers {
 }
 
 impl<'m> PartGraph<'m> {
-    /// Solves what is looked at, in an empty graph. `None` if the groups are not those of the whole mechanism, whose modes choose the assembly.
+    /// Solves the formulas of the scope, in an empty graph. Returns `None` if the groups are not
+    /// those of the whole mechanism, whose modes choose the assembly.
     pub(super) fn new<'w: 'm>(
         algebra: &Algebra<'w>,
         formulation: &Formulation<'w>,
@@ -45,7 +48,7 @@ impl<'m> PartGraph<'m> {
         reporter: &Reporter,
     ) -> Option<Self> {
         let mut own = Algebra::new(algebra.mechanism, graph);
-        // What could be said has been said of the whole mechanism.
+        // All diagnostics have been reported for the whole mechanism.
         let mut diagnostics = Diagnostics::default();
         let silent = Reporter::new(reporter.origins(), &mut diagnostics);
         let structure = decompose(&mut own, at.written, scope, silent);
@@ -100,7 +103,7 @@ impl Numbers {
         };
         let mut groups = formulation.groups.iter();
         for group in &own.groups {
-            // Both are in the order of what stands where, and groups between belong to others.
+            // Both have the same order, and groups between belong to other parts.
             let same = groups.clone().position(|other| are_same(group, other))?;
             let other = groups.nth(same)?;
             numbers.modes.extend(other.mode);
@@ -137,7 +140,7 @@ impl Numbers {
     }
 }
 
-/// Whether two groups find the same unknowns in the same way.
+/// Returns true if two groups find the same unknowns in the same way.
 fn are_same(a: &Solved, b: &Solved) -> bool {
     let [a, b] = [a, b].map(|own| {
         let (group, closed) = (&own.group, &own.closed);

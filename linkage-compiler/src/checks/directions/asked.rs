@@ -1,15 +1,16 @@
-//! Where a mechanism needs a direction: axes of `turn` and of `frame`, arguments of `unit`, guides and axes of joints.
+//! The directions that a mechanism needs: axes of `turn` and of `frame`, arguments of `unit`,
+//! guides and axes of joints.
 
 use crate::model::{Expr, ExprKind, Function, Joint, Mechanism};
 
 /// A vector that must not be zero.
 pub(super) struct Asked<'m> {
-    /// What messages call it.
+    /// The name in messages.
     pub(super) subject: &'static str,
     pub(super) vector: &'m Expr,
     /// Another one that must not be parallel to it.
     pub(super) beside: Option<&'m Expr>,
-    /// It stands in a loop, or in a derived quantity that a loop is written with.
+    /// True for a direction in a loop, or in a derived quantity that a loop is written with.
     pub(super) in_loop: bool,
 }
 

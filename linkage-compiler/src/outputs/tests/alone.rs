@@ -1,4 +1,5 @@
-//! One function's code does not depend on others: neither on whether they are there nor on where they stand.
+//! Tests that one function's code does not depend on other functions: neither on their existence
+//! nor on their order.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -21,7 +22,7 @@ fn unit(items: &str, functions: &[&str]) -> CompiledMechanism {
     checked.unit.expect("it resolves")
 }
 
-/// A number for each slot that tells what it is computed by, whatever stands beside it.
+/// Returns a number for each slot that identifies its computation, independent of other slots.
 fn slots(unit: &CompiledMechanism) -> Vec<u64> {
     let mut values: Vec<u64> = Vec::new();
     for instruction in &unit.prepare.instructions {
@@ -40,7 +41,7 @@ fn slots(unit: &CompiledMechanism) -> Vec<u64> {
     outputs.map(|x| values[x.0]).collect()
 }
 
-/// A function's program, slots by what computes them instead of their numbers.
+/// Returns a function's program, with the computations of slots instead of their numbers.
 fn code(unit: &CompiledMechanism, function: usize) -> Vec<String> {
     let slots = slots(unit);
     let program = &unit.functions[function].called.program;
