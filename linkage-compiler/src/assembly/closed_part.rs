@@ -63,10 +63,14 @@ impl Closed {
             parameters: mechanism
                 .scalar_parameters
                 .iter()
-                .map(|own| own.dimension)
+                .map(|parameter| parameter.dimension)
                 .collect(),
-            inputs: mechanism.inputs.iter().map(|own| own.dimension).collect(),
-            dimensions: all.map(|own| of_unknown(&own.ty)).collect(),
+            inputs: mechanism
+                .inputs
+                .iter()
+                .map(|input| input.dimension)
+                .collect(),
+            dimensions: all.map(|unknown| of_unknown(&unknown.ty)).collect(),
             unknowns,
         }
     }
@@ -95,18 +99,18 @@ impl Closed {
                 _ => ways.map(|(from, to)| from + share * (to - from)).collect(),
             };
             machine.run(&mut values, &at);
-            for (own, place) in found.iter_mut().zip(&self.unknowns) {
+            for (numbers, place) in found.iter_mut().zip(&self.unknowns) {
                 let Some((output, is_angle)) = *place else {
                     continue;
                 };
                 let number = |k: usize| machine.output(&values, output + k);
                 let next: Vec<f64> = match is_angle {
-                    true => vec![Ternary::AngleNear.apply([number(1), number(0), own[0]])],
-                    false => (0..own.len()).map(number).collect(),
+                    true => vec![Ternary::AngleNear.apply([number(1), number(0), numbers[0]])],
+                    false => (0..numbers.len()).map(number).collect(),
                 };
                 // On the way it may come apart; where it arrives counts.
                 if share == 1.0 || next.iter().all(|x| x.is_finite()) {
-                    *own = next;
+                    *numbers = next;
                 }
             }
         }
@@ -116,8 +120,8 @@ impl Closed {
 
 impl InnerPart<'_> {
     pub(super) fn has(&self, unknown: usize) -> bool {
-        let own = unknown.checked_sub(self.first_unknown);
-        own.is_some_and(|own| own < self.closed.unknowns.len())
+        let index = unknown.checked_sub(self.first_unknown);
+        index.is_some_and(|index| index < self.closed.unknowns.len())
     }
 
     pub(super) fn is_in(&self, solved: &Solved) -> bool {

@@ -72,7 +72,8 @@ pub(super) fn degenerate<'m>(assembly: &Assembly<'_, 'm>, solved: &Solved<'m>) -
             spheres,
             planes,
         } => {
-            let missing = (0..3).filter(|k| coordinates.iter().all(|(_, own)| own != k));
+            let missing =
+                (0..3).filter(|k| coordinates.iter().all(|(_, coordinate)| coordinate != k));
             let missing = missing.map(|k| [0, 1, 2].map(|i| if i == k { 1.0 } else { 0.0 }));
             let normals = planes.iter().map(|plane| vector(assembly, &plane.normal.0));
             point(assembly, solved, spheres, normals.chain(missing).collect())

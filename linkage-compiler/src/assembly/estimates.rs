@@ -44,8 +44,8 @@ pub(super) fn differing(
 ) -> Vec<usize> {
     const LITTLE: f64 = 0.01;
     let mut all: Vec<(usize, f64)> = Vec::new();
-    for ((unknown, own), (_, other)) in position.values.iter().zip(&other.values) {
-        let off = own.iter().zip(other).map(|(a, b)| (a - b).abs());
+    for ((unknown, numbers), (_, other)) in position.values.iter().zip(&other.values) {
+        let off = numbers.iter().zip(other).map(|(a, b)| (a - b).abs());
         all.push((*unknown, off.fold(0.0, f64::max) / yardstick(*unknown)));
     }
     let most = all.iter().fold(0.0, |most: f64, (_, off)| most.max(*off));
@@ -158,8 +158,8 @@ pub(super) fn lacks_estimates(
 }
 
 pub(super) fn is_estimated(assembly: &Assembly<'_, '_>, unknown: usize) -> bool {
-    let own = &assembly.algebra.mechanism.unknowns[unknown];
-    own.of_part || own.estimate.is_some()
+    let item = &assembly.algebra.mechanism.unknowns[unknown];
+    item.of_part || item.estimate.is_some()
 }
 
 /// Reports an assembly whose unknowns are far from their estimates, among all assemblies of the
@@ -174,12 +174,12 @@ pub(super) fn meets_estimates(
         return true;
     };
     let item = &assembly.algebra.mechanism.unknowns[unmet.unknown];
-    let own = assembly.words.coordinate(&item.ty, unmet.value);
+    let coordinate = assembly.words.coordinate(&item.ty, unmet.value);
     let estimate = &assembly.nominal.estimates[unmet.unknown];
     let difference = difference(assembly, unmet.unknown, unmet.value);
     let loops = loop_list(&solved.group.loops);
     let message = format!(
-        "`{}` is found at {own}, {difference} its estimate {}{}; {}\n\
+        "`{}` is found at {coordinate}, {difference} its estimate {}{}; {}\n\
              help: look for a wrong sign or number in {loops}, or write the estimates of the assembly that is meant",
         item.name,
         assembly.words.coordinate(&item.ty, estimate),
@@ -291,8 +291,8 @@ fn distance(assembly: &Assembly<'_, '_>, unknown: usize, value: &[f64]) -> f64 {
     match (is_direction(assembly, unknown), value) {
         (true, [angle]) => (angle - estimate[0]).abs(),
         (true, _) => {
-            let [own, other] = [value, estimate].map(|v| length(&mut v.iter().copied()));
-            let product: f64 = pairs().map(|(x, e)| (x / own) * (e / other)).sum();
+            let [size, other] = [value, estimate].map(|v| length(&mut v.iter().copied()));
+            let product: f64 = pairs().map(|(x, e)| (x / size) * (e / other)).sum();
             // A vector of zeros points nowhere, which estimates nothing.
             match product.is_nan() {
                 true => 0.0,

@@ -59,10 +59,10 @@ pub(super) fn close_followed<'m>(
 }
 
 fn followed<'m>(assembly: &Assembly<'_, 'm>, prepared: &Prepared<'m>) -> Result<Candidate, Astray> {
-    let (mut numbers, own) = assembly.coupled(prepared.number);
+    let (mut numbers, inputs) = assembly.coupled(prepared.number);
     let group = &assembly.machine.closing.coupled[prepared.number];
     let estimate = prepared.estimate_of_default(assembly.algebra, assembly.nominal);
-    let state = from_estimate(&mut numbers, &group.variables, &own, &estimate)?;
+    let state = from_estimate(&mut numbers, &group.variables, &inputs, &estimate)?;
     let placed = numbers.run(&group.placed, &state);
     Ok(coupled_state::candidate_of(assembly, group, state, &placed))
 }

@@ -31,7 +31,7 @@ pub(crate) fn inner_parts<'m>(
     let parts = parts.map(|(part, closed)| {
         let ratio = mechanism.unit.in_units_of(closed.unit);
         let inputs = part.inputs.iter();
-        let inputs = inputs.map(|&own| match algebra.translate(&named(mechanism, own)) {
+        let inputs = inputs.map(|&input| match algebra.translate(&named(mechanism, input)) {
             Value::Vector(vector) => vector.iter().next().unwrap_or(algebra.zero()),
             scalar => scalar::number(algebra, &scalar),
         });
@@ -40,14 +40,14 @@ pub(crate) fn inner_parts<'m>(
         for name in &part.parameters {
             match *name {
                 Name::Parameter(index) => {
-                    let own = &mechanism.parameters[index];
-                    let first = own.first_scalar.0;
-                    let count = own.tolerances.len();
+                    let parameter = &mechanism.parameters[index];
+                    let first = parameter.first_scalar.0;
+                    let count = parameter.tolerances.len();
                     numbers.extend_from_slice(&nominal.parameters[first..first + count]);
                 }
                 Name::Let(index) => {
-                    let own = &mechanism.lets[index].value;
-                    let scale = translate::internal_per_unit(algebra, &own.ty);
+                    let expression = &mechanism.lets[index].value;
+                    let scale = translate::internal_per_unit(algebra, &expression.ty);
                     let found = nominal::evaluated(
                         algebra,
                         &named(mechanism, index),
@@ -70,7 +70,9 @@ pub(crate) fn inner_parts<'m>(
             first_unknown: part.unknowns.start,
             inputs,
             needs: unknowns_below(mechanism, &part.inputs),
-            parameters: scaled.map(|(x, own)| x * power(ratio, *own)).collect(),
+            parameters: scaled
+                .map(|(x, dimension)| x * power(ratio, *dimension))
+                .collect(),
             ratio,
         }
     });
@@ -79,11 +81,11 @@ pub(crate) fn inner_parts<'m>(
 
 /// A derived quantity as an expression.
 fn named(mechanism: &Mechanism, index: usize) -> Expr {
-    let own = &mechanism.lets[index].value;
+    let item = &mechanism.lets[index].value;
     Expr {
         kind: ExprKind::Name(Name::Let(index)),
-        ty: own.ty.clone(),
-        origin: own.origin,
+        ty: item.ty.clone(),
+        origin: item.origin,
     }
 }
 
@@ -107,7 +109,7 @@ pub(super) fn settle_parts<'m>(
     let is_closed = |unknown: usize| {
         before
             .iter()
-            .any(|own| own.group.unknowns.contains(&unknown))
+            .any(|solved| solved.group.unknowns.contains(&unknown))
     };
     let next = rest.first();
     let parts = std::mem::take(&mut assembly.parts);
@@ -116,7 +118,7 @@ pub(super) fn settle_parts<'m>(
             .needs
             .iter()
             .copied()
-            .filter(|&own| !is_closed(own))
+            .filter(|&unknown| !is_closed(unknown))
             .collect();
         match open.is_empty() || next.is_some_and(|next| part.is_in(next)) {
             true => settle(assembly, &part, &open),
@@ -151,7 +153,9 @@ fn settle<'m>(assembly: &mut Assembly<'_, 'm>, part: &InnerPart<'m>, open: &[usi
         .evaluate_open(&part.inputs, &assembly.nominal.inputs, &given);
     let closed = &part.closed;
     let inputs = inputs.iter().zip(&closed.inputs);
-    let inputs: Vec<f64> = inputs.map(|(x, own)| x * power(part.ratio, *own)).collect();
+    let inputs: Vec<f64> = inputs
+        .map(|(x, dimension)| x * power(part.ratio, *dimension))
+        .collect();
     let found = closed.led_to(part.parameters.clone(), &inputs);
     let alone = found.into_iter().zip(&closed.nominal.estimates);
     for (index, ((found, reference), dimension)) in alone.zip(&closed.dimensions).enumerate() {
@@ -172,8 +176,12 @@ fn unknowns_below(mechanism: &Mechanism, lets: &[usize]) -> Vec<usize> {
     let mut open: Vec<usize> = lets.to_vec();
     let mut seen: Vec<usize> = Vec::new();
     let mut found = Vec::new();
-    while let Some(own) = open.pop() {
-        for name in mechanism.lets[own].value.parts().filter_map(Expr::as_name) {
+    while let Some(index) = open.pop() {
+        for name in mechanism.lets[index]
+            .value
+            .parts()
+            .filter_map(Expr::as_name)
+        {
             match name {
                 Name::Let(other) if !seen.contains(&other) => {
                     seen.push(other);

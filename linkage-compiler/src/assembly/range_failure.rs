@@ -214,9 +214,9 @@ fn parallelogram(
     let input = &mechanism.inputs[at.input].name;
     let relations: Vec<String> = even
         .iter()
-        .map(|own| {
-            let name = &mechanism.unknowns[own.unknown].name;
-            format!("`let {name} = {};`", own.relation(input))
+        .map(|ratio| {
+            let name = &mechanism.unknowns[ratio.unknown].name;
+            format!("`let {name} = {};`", ratio.relation(input))
         })
         .collect();
     let loops = range_check::loop_list(reaches.group.loops);

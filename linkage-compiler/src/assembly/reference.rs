@@ -152,8 +152,10 @@ fn close<'m>(
                 b.position.distance
             );
             let unknown = solved.group.unknowns.first();
-            let own = unknown.map(|&u| assembly.algebra.mechanism.unknowns[u].origin);
-            assembly.reporter.error(own.unwrap_or(origin), message);
+            let unknown_origin = unknown.map(|&u| assembly.algebra.mechanism.unknowns[u].origin);
+            assembly
+                .reporter
+                .error(unknown_origin.unwrap_or(origin), message);
         }
         return false;
     }

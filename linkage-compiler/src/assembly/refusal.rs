@@ -110,8 +110,8 @@ pub(super) fn loops_without_value(
 
 /// True for an angle that is found across the guides of its loop.
 fn has_guides<'m>(assembly: &Assembly<'_, 'm>, solved: &Solved<'m>) -> bool {
-    let own = &assembly.algebra.mechanism.loops[solved.group.loops[0]];
-    let [left, right] = [&own.left, &own.right].map(|side| side.ty.components());
+    let first_loop = &assembly.algebra.mechanism.loops[solved.group.loops[0]];
+    let [left, right] = [&first_loop.left, &first_loop.right].map(|side| side.ty.components());
     let alone = matches!(
         solved.group.form,
         Form::Trigonometric { .. } | Form::Linear { .. }

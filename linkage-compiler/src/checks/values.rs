@@ -26,20 +26,23 @@ pub(crate) fn check_values(mechanism: &Mechanism, nominal: &Nominal, reporter: &
     let mut check = Check::new(algebra, nominal, &[]);
     let all: Vec<usize> = (0..mechanism.loops.len()).collect();
     let used = mechanism.usage(&all).lets;
-    for (index, own) in mechanism.lets.iter().enumerate() {
-        check.fixed[index] = check.is_fixed(&own.value);
+    for (index, item) in mechanism.lets.iter().enumerate() {
+        check.fixed[index] = check.is_fixed(&item.value);
         let place = match used[index] {
             true => Place::InLoop,
             false => Place::Elsewhere,
         };
-        check.look_at(&own.value, place);
+        check.look_at(&item.value, place);
     }
-    for own in &mechanism.loops {
-        check.look_at(&own.left, Place::Term);
-        check.look_at(&own.right, Place::Term);
+    for equation in &mechanism.loops {
+        check.look_at(&equation.left, Place::Term);
+        check.look_at(&equation.right, Place::Term);
     }
-    let quantities = mechanism.evaluators.iter().flat_map(|own| &own.quantities);
-    let values = quantities.map(|own| &own.value);
+    let quantities = mechanism
+        .evaluators
+        .iter()
+        .flat_map(|function| &function.quantities);
+    let values = quantities.map(|quantity| &quantity.value);
     for value in values.chain(mechanism.expressions_of_mechanics()) {
         check.look_at(value, Place::Elsewhere);
     }
@@ -69,15 +72,15 @@ pub(crate) fn without_value(
     translate::translate_lets(&mut algebra);
     let mut check = Check::new(algebra, nominal, inputs);
     let used = mechanism.usage(loops).lets;
-    for (index, own) in mechanism.lets.iter().enumerate() {
-        check.fixed[index] = check.is_fixed(&own.value);
+    for (index, item) in mechanism.lets.iter().enumerate() {
+        check.fixed[index] = check.is_fixed(&item.value);
         if used[index] {
-            check.look_at(&own.value, Place::InLoop);
+            check.look_at(&item.value, Place::InLoop);
         }
     }
-    for &own in loops {
-        check.look_at(&mechanism.loops[own].left, Place::Term);
-        check.look_at(&mechanism.loops[own].right, Place::Term);
+    for &index in loops {
+        check.look_at(&mechanism.loops[index].left, Place::Term);
+        check.look_at(&mechanism.loops[index].right, Place::Term);
     }
     let found = std::mem::take(&mut check.found).into_iter().next()?;
     Some((found.expr.origin, check.fact(&found)))
@@ -146,7 +149,7 @@ impl<'a, 'm> Check<'a, 'm> {
                 (_, Place::Term) if expr.summands().is_empty() => Place::InLoop,
                 _ => place,
             };
-            open.extend(expr.operands().into_iter().map(|own| (own, below)));
+            open.extend(expr.operands().into_iter().map(|operand| (operand, below)));
         }
     }
 
@@ -161,7 +164,11 @@ impl<'a, 'm> Check<'a, 'm> {
             }
             let operands = expr.operands();
             let before = open.len();
-            open.extend(operands.into_iter().filter(|own| !self.is_finite(own)));
+            open.extend(
+                operands
+                    .into_iter()
+                    .filter(|operand| !self.is_finite(operand)),
+            );
             if open.len() == before {
                 let fatal = match place {
                     Place::Term => true,
@@ -197,7 +204,7 @@ impl<'a, 'm> Check<'a, 'm> {
         let words = MessageFormat::new(self.mechanism);
         let operands = expr.operands().into_iter();
         let operands: Vec<String> = operands
-            .map(|own| words.value(&own.ty, &self.value(own)))
+            .map(|operand| words.value(&operand.ty, &self.value(operand)))
             .collect();
         let what = match &expr.kind {
             ExprKind::Call(function, _) => {
@@ -212,10 +219,14 @@ impl<'a, 'm> Check<'a, 'm> {
         let parameters: Vec<String> = below
             .into_iter()
             .map(|index| {
-                let own = &self.mechanism.parameters[index];
-                let values = &self.nominal.parameters[own.first_scalar.0..];
-                let values = &values[..own.tolerances.len()];
-                format!("`{} = {}`", own.name, words.value(&own.ty, values))
+                let parameter = &self.mechanism.parameters[index];
+                let values = &self.nominal.parameters[parameter.first_scalar.0..];
+                let values = &values[..parameter.tolerances.len()];
+                format!(
+                    "`{} = {}`",
+                    parameter.name,
+                    words.value(&parameter.ty, values)
+                )
             })
             .collect();
         let of = match parameters.is_empty() {

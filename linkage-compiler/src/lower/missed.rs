@@ -71,17 +71,19 @@ fn differences<'m>(
     let written = loops.filter(|&index| !unknown_frames::is_loop_of_frame(mechanism, index));
     let (mut missed, mut sides) = (Vec::new(), Vec::new());
     for index in written {
-        let own = &mechanism.loops[index];
-        let difference = difference(algebra, own);
+        let equation = &mechanism.loops[index];
+        let difference = difference(algebra, equation);
         // A side that is 0 may be of any dimension.
-        let dimensions = [&own.left.ty, &own.right.ty].into_iter();
+        let dimensions = [&equation.left.ty, &equation.right.ty].into_iter();
         let dimensions = dimensions.filter_map(|ty| ty.dimension());
-        let dimension = dimensions.max_by_key(|own| own.half_lengths);
+        let dimension = dimensions.max_by_key(|dimension| dimension.half_lengths);
         missed.push(MissedLoop {
             number: index + 1,
             rows: difference.len(),
-            unit: dimension.map_or_else(String::new, |own| own.unit(mechanism.unit)),
-            scale: dimension.map_or(1.0, |own| longest.powf(0.5 * f64::from(own.half_lengths))),
+            unit: dimension.map_or_else(String::new, |dimension| dimension.unit(mechanism.unit)),
+            scale: dimension.map_or(1.0, |dimension| {
+                longest.powf(0.5 * f64::from(dimension.half_lengths))
+            }),
         });
         sides.extend(difference);
     }

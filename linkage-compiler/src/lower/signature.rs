@@ -65,12 +65,12 @@ pub(super) fn signature<'m>(
         let dimension = unknown.ty.dimension();
         Unknown {
             name: unknown.name.clone(),
-            unit: dimension.map_or_else(String::new, |own| own.unit(mechanism.unit)),
-            is_number: dimension.is_some_and(|own| own.half_lengths == 0),
+            unit: dimension.map_or_else(String::new, |dimension| dimension.unit(mechanism.unit)),
+            is_number: dimension.is_some_and(|dimension| dimension.half_lengths == 0),
         }
     });
-    let own = own_parameters(algebra, formulation);
-    let groups = formulation.groups.iter().zip(own);
+    let group_parameters = own_parameters(algebra, formulation);
+    let groups = formulation.groups.iter().zip(group_parameters);
     CompiledMechanism {
         documentation: mechanism.documentation.clone(),
         length: mechanism.unit.name(),
@@ -129,11 +129,11 @@ fn own_parameters(algebra: &Algebra, formulation: &Formulation) -> Vec<Vec<usize
 /// one than its form gives.
 fn method(algebra: &Algebra, solved: &Solved, reference: &Reference) -> String {
     let coupled = &reference.machine.closing.coupled;
-    let followed = |own: &&Prepared| coupled[own.number].followed;
-    let Some(own) = solved.prepared.as_ref().filter(followed) else {
+    let followed = |prepared: &&Prepared| coupled[prepared.number].followed;
+    let Some(prepared) = solved.prepared.as_ref().filter(followed) else {
         return solved.closed.method.to_owned();
     };
-    let how = own.method();
+    let how = prepared.method();
     let solutions = SolutionBound::of_group(algebra, &solved.group);
     format!("followed from the estimates; {solutions} not listed; {how}")
 }

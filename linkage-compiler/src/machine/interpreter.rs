@@ -26,10 +26,10 @@ pub(crate) struct Machine {
 /// The state of a group near some inputs, then the least determinant that is certified.
 fn state(start: &Start, group: &Coupled, inputs: &[f64]) -> Vec<f64> {
     let mut numbers = vec![0.0; group.size];
-    let own: Vec<f64> = group.inputs.iter().map(|&input| inputs[input]).collect();
+    let group_inputs: Vec<f64> = group.inputs.iter().map(|&input| inputs[input]).collect();
     let floor = match start {
-        Start::Table(table) => table.state(own[0], &mut numbers),
-        Start::Grid(grid) => grid.state(&own, &mut numbers),
+        Start::Table(table) => table.state(group_inputs[0], &mut numbers),
+        Start::Grid(grid) => grid.state(&group_inputs, &mut numbers),
     };
     numbers.push(floor);
     numbers
@@ -53,7 +53,11 @@ impl Machine {
         algebra: &Algebra,
         asked: &[ContinuousAngle],
     ) -> Vec<(usize, usize)> {
-        let outputs = self.closing.groups.iter().flat_map(|own| &own.unknowns);
+        let outputs = self
+            .closing
+            .groups
+            .iter()
+            .flat_map(|group_outputs| &group_outputs.unknowns);
         outputs
             .filter(|(unknown, _)| asked.iter().any(|angle| angle.unknown == *unknown))
             .filter_map(|&(unknown, output)| match algebra.names.bound[unknown] {

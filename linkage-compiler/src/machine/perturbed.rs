@@ -21,9 +21,9 @@ pub(crate) fn altered(
 ) -> Vec<f64> {
     let each = nominal.parameters.iter().zip(&mechanism.scalar_parameters);
     each.enumerate()
-        .map(|(index, (&value, own))| {
+        .map(|(index, (&value, parameter))| {
             let share = ALTERED * scattered(index, number);
-            let is_length = own.dimension.fits(Dimension::LENGTH);
+            let is_length = parameter.dimension.fits(Dimension::LENGTH);
             match (value == 0.0, is_length) {
                 (false, _) => value * (1.0 + share),
                 (true, true) => longest * share,

@@ -77,7 +77,7 @@ impl Namer<'_> {
     /// `rad/mm^2`, `mm/(rad*mm)`.
     fn unit(&self, expr: &Expr, offset: usize) -> String {
         let mut divisors = Vec::new();
-        let own = self.numerator(expr, offset, &mut divisors);
+        let numerator = self.numerator(expr, offset, &mut divisors);
         let mut powers: Vec<(String, usize)> = Vec::new();
         for divisor in divisors.into_iter().filter(|divisor| !divisor.is_empty()) {
             match powers.iter_mut().find(|(unit, _)| *unit == divisor) {
@@ -92,15 +92,15 @@ impl Namer<'_> {
                 _ => format!("{unit}^{power}"),
             })
             .collect();
-        let own = match own.as_str() {
+        let numerator = match numerator.as_str() {
             "" if !factors.is_empty() => "1".to_owned(),
             quotient if quotient.contains('/') && !factors.is_empty() => format!("({quotient})"),
-            _ => own,
+            _ => numerator,
         };
         match factors.len() {
-            0 => own,
-            1 => format!("{own}/{}", factors[0]),
-            _ => format!("{own}/({})", factors.join("*")),
+            0 => numerator,
+            1 => format!("{numerator}/{}", factors[0]),
+            _ => format!("{numerator}/({})", factors.join("*")),
         }
     }
 
@@ -111,24 +111,24 @@ impl Namer<'_> {
             Some(Derived::ByInputs(inner, order)) => {
                 let drives = self.drives();
                 let mut entry = offset / width(inner);
-                let own = self.numerator(inner, offset % width(inner), divisors);
+                let numerator = self.numerator(inner, offset % width(inner), divisors);
                 for _ in 0..order {
                     let input = drives[entry % drives.len()];
                     divisors.push(self.unit_of(Variable::Input(input)));
                     entry /= drives.len();
                 }
-                own
+                numerator
             }
             Some(Derived::ByParameters(inner, parameters)) => {
-                let own = self.numerator(inner, offset % width(inner), divisors);
+                let numerator = self.numerator(inner, offset % width(inner), divisors);
                 let parameter = parameters[offset / width(inner)];
                 divisors.push(self.unit_of(Variable::Parameter(parameter)));
-                own
+                numerator
             }
             Some(Derived::By(inner, variables)) => {
-                let own = self.numerator(inner, offset, divisors);
+                let numerator = self.numerator(inner, offset, divisors);
                 divisors.extend(variables.iter().map(|&variable| self.unit_of(variable)));
-                own
+                numerator
             }
             None => {
                 let units = units(&expr.ty, self.mechanism.unit);
@@ -243,9 +243,11 @@ fn names(ty: &Type, labels: &[Vec<String>], name: String) -> Vec<String> {
     };
     match ty {
         Type::Array(entries) => {
-            let (own, inner) = labels.split_first().unzip();
+            let (outer, inner) = labels.split_first().unzip();
             let entry = |(index, entry): (usize, &Type)| {
-                let label = own.and_then(|own: &Vec<String>| own.get(index)).cloned();
+                let label = outer
+                    .and_then(|outer: &Vec<String>| outer.get(index))
+                    .cloned();
                 let label = label.unwrap_or_else(|| index.to_string());
                 names(entry, inner.unwrap_or_default(), format!("{name}[{label}]"))
             };

@@ -63,7 +63,10 @@ impl Words<'_> {
                 (inner, "derivatives".to_owned(), by)
             }
             Some(Derived::By(inner, variables)) => {
-                let names: Vec<&str> = variables.iter().map(|own| self.variable(*own)).collect();
+                let names: Vec<&str> = variables
+                    .iter()
+                    .map(|variable| self.variable(*variable))
+                    .collect();
                 let ordinal = ordinal(names.len());
                 (inner, format!("{ordinal}derivative"), listed(&names))
             }

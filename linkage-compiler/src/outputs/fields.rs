@@ -18,9 +18,9 @@ pub(super) fn fields(
     let unit = mechanism.unit;
     let mut rest = columns;
     let mut own_columns = |shape: &Shape| {
-        let (own, behind) = rest.split_at(shape.width());
+        let (numbers, behind) = rest.split_at(shape.width());
         rest = behind;
-        own
+        numbers
     };
     let field = |quantity: &Quantity| match picture.filter(|_| quantity.is_picture()) {
         Some(picture) => {
@@ -87,7 +87,9 @@ fn has_rate_of_angles(mechanism: &Mechanism, definition: &EvaluatorDef, value: &
                 (inner, by_angle)
             }
         };
-        by_angle || matches!(inner.ty, Type::Scalar(own) if own.angle) || inner.ty == Type::Frame
+        by_angle
+            || matches!(inner.ty, Type::Scalar(dimension) if dimension.angle)
+            || inner.ty == Type::Frame
     })
 }
 

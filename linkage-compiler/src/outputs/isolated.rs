@@ -92,12 +92,12 @@ fn with_version<'m>(
     asks: fn(&Prepared) -> bool,
     version: Version,
 ) -> Option<Vec<NodeId>> {
-    if !formulation.prepared().any(|own| asks(own)) {
+    if !formulation.prepared().any(|prepared| asks(prepared)) {
         return None;
     }
     for prepared in formulation.prepared() {
         prepared.define(algebra.graph, version);
     }
-    let own = choice.renewed(inliner);
-    Some(own).filter(|own| *own != choice.formulas.last)
+    let results = choice.renewed(inliner);
+    Some(results).filter(|results| *results != choice.formulas.last)
 }

@@ -12,12 +12,16 @@ use crate::ir::CompiledMechanism;
 fn unit(items: &str, functions: &[&str]) -> CompiledMechanism {
     let functions: Vec<String> = functions
         .iter()
-        .map(|own| format!("pub fn {own}"))
+        .map(|name| format!("pub fn {name}"))
         .collect();
     let functions = functions.join("\n");
     let text = format!("pub struct M {{ {ITEMS} {items} }} impl M {{ {functions} }}");
     let checked = check(text.parse().expect("tokens"));
-    let messages: Vec<&str> = checked.messages.iter().map(|own| &*own.text).collect();
+    let messages: Vec<&str> = checked
+        .messages
+        .iter()
+        .map(|message| &*message.text)
+        .collect();
     assert!(messages.is_empty(), "{messages:?}");
     checked.unit.expect("it resolves")
 }
