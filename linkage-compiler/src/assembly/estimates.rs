@@ -1,5 +1,4 @@
-//! Start estimates compared with the assemblies of a group: the distance of each, as text that can
-//! be copied, and a check that the chosen one is near its estimates.
+//! Compares start estimates with the assemblies of a group, and lists assemblies as text to copy.
 
 use std::f64::consts::{FRAC_PI_3, PI, TAU};
 
@@ -16,8 +15,7 @@ use super::assembler::Assembly;
 /// off a drawing to some ten degrees, and two assemblies are seldom nearer to each other.
 const FAR_ANGLE: f64 = FRAC_PI_3;
 
-/// A length farther from its estimate than this share of the mechanism's size is not the one that
-/// was meant.
+/// A length farther off than this share of the mechanism's size is not the one that was meant.
 const FAR_SHARE: f64 = 0.5;
 
 /// The rounding that may be added to a difference that is just allowed.
@@ -56,7 +54,7 @@ pub(super) fn differing(
 /// The method that found the assembly of a group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Choice {
-    /// Among all that it has.
+    /// Chosen among all assemblies of the group.
     Listed,
     /// Chosen among all assemblies of the group except some that meet at a dead point.
     ListedApart,
@@ -258,8 +256,7 @@ fn excess(assembly: &Assembly<'_, '_>, unknown: usize, value: &[f64]) -> f64 {
     }
 }
 
-/// Returns the size of the mechanism if a slide has this value: the farthest reach. The position of
-/// a point does not determine a size.
+/// Returns the size of the mechanism with this value: a slide can extend it, a point does not.
 fn size_with(assembly: &Assembly<'_, '_>, value: &[f64]) -> f64 {
     match value {
         [slide] => assembly.size.max(slide.abs()),
@@ -283,7 +280,7 @@ fn is_direction(assembly: &Assembly<'_, '_>, unknown: usize) -> bool {
     dimension.is_some_and(|dimension| dimension.half_lengths == 0)
 }
 
-/// Between an unknown and its estimate: an angle or a length.
+/// Returns the difference between an unknown and its estimate: an angle or a length.
 fn distance(assembly: &Assembly<'_, '_>, unknown: usize, value: &[f64]) -> f64 {
     let estimate = &assembly.nominal.estimates[unknown];
     let length = |v: &mut dyn Iterator<Item = f64>| v.fold(0.0, |sum: f64, x| sum.hypot(x));
