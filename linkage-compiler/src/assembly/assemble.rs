@@ -62,7 +62,8 @@ impl<'m> Assembled<'m> {
         }
     }
 
-    /// Returns the assembly for mechanisms that have this one as a part; `None` if it does not close.
+    /// Returns the assembly for mechanisms that have this one as a part; `None` if its loops do not
+    /// close.
     pub(crate) fn into_part(self, algebra: &Algebra<'m>) -> Option<Closed> {
         let is_closed = self.reference.closed;
         is_closed.then(|| Closed::new(algebra, self.reference, self.nominal))

@@ -37,7 +37,8 @@ impl<'m> Assembly<'_, 'm> {
         self.machine.output(&self.values, output)
     }
 
-    /// At the reference every angle is the one nearest to its estimate: all of them, or those of a part.
+    /// Centres angles at their estimates, so that each is the one nearest to its estimate at the
+    /// reference: all angles, or those of a part.
     pub(super) fn centre(&mut self, part: Option<&InnerPart>) {
         for (index, angle) in self.algebra.names.angles.iter().enumerate() {
             let mut summands = angle.summands().into_iter();
@@ -58,13 +59,14 @@ impl<'m> Assembly<'_, 'm> {
         if let Some(mode) = solved.mode {
             self.machine.modes[mode] = sign;
         }
-        // The mode is loaded anew: loads of earlier groups' modes do not change.
+        // The mode is loaded again: loads of earlier groups' modes do not change.
         let inputs = self.nominal.inputs.clone();
         self.machine
             .advance(&mut self.values, start, stage.end, &inputs);
     }
 
-    /// What distances from the estimate of an unknown length or vector are measured by.
+    /// Returns the unit in which distances from the estimate of an unknown length or vector are
+    /// measured.
     pub(super) fn yardstick(&self, unknown: usize) -> f64 {
         match self.algebra.mechanism.unknowns[unknown].ty.dimension() {
             Some(dimension) if dimension.half_lengths == 0 => 1.0,

@@ -1,4 +1,4 @@
-//! Where all unknowns stand if a coupled group has some state, whether or not its loops close.
+//! The values of all unknowns if a coupled group has a given state, whether or not its loops close.
 
 use linkage_symbolic::{SymbolId, lookup::Map};
 
@@ -9,7 +9,7 @@ use crate::structure::Core;
 
 use super::assembler::Assembly;
 
-/// All unknowns where a group has this state; what later groups find is not known.
+/// Returns all unknowns for this state of a group; the unknowns of later groups are not known.
 pub(super) fn standing<'a, 'm>(
     assembly: &'a Assembly<'_, 'm>,
     prepared: &Prepared<'m>,

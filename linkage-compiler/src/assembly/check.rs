@@ -14,8 +14,8 @@ use super::ranges::{Broken, Ranges};
 use crate::machine::Reference;
 use crate::message_format::MessageFormat;
 
-/// Checks the ranges; reports where the mechanism comes apart, and an angle whose value is used but cannot be followed.
-/// `asked` are the angles whose values functions use.
+/// Checks the ranges; reports where the mechanism comes apart, and an angle whose value is used but
+/// cannot be followed. `asked` are the angles whose values functions use.
 pub(crate) fn check_ranges<'m>(
     algebra: &mut Algebra<'m>,
     formulation: &Formulation<'m>,
@@ -75,7 +75,7 @@ pub(crate) fn check_ranges<'m>(
     }
 }
 
-/// What is wrong with the ends of a range, or with the reference value.
+/// Returns the error in the ends of a range or in the reference value, if there is one.
 fn wrong_range(
     words: &MessageFormat,
     input: &Input,
@@ -116,7 +116,8 @@ fn wrong_range(
     }
 }
 
-/// A mechanism that is driven by one angle without a range may be meant to turn fully, and be so only in appearance.
+/// Warns of a change point: a mechanism driven by one angle without a range may be meant to turn
+/// fully, and only seem to do so.
 fn warn_of_change_point(algebra: &mut Algebra, ranges: &mut Ranges, reporter: &mut Reporter) {
     let formulation = ranges.formulation;
     let [input] = &algebra.mechanism.inputs[..] else {
@@ -161,7 +162,7 @@ pub(super) fn report_unfollowed(
     );
 }
 
-/// Where the range is written, or the input's name.
+/// Returns the origin of the range, or of the input's name.
 pub(super) fn range_of(input: &Input) -> [OriginId; 2] {
     match &input.range {
         Some((low, high)) => [low.origin, high.origin],

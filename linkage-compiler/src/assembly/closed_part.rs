@@ -11,10 +11,11 @@ use crate::machine::{Machine, Reference};
 use crate::model::{Dimension, LengthUnit, Type};
 use crate::solve::Solved;
 
-/// So many steps lead through a turn of an input: an angle turns by less than half a turn in each, gears of any use included.
+/// The number of steps in a turn of an input: an angle turns by less than half a turn in each,
+/// gears of any use included.
 const STEPS_OF_A_TURN: f64 = 144.0;
 
-/// So many at most: what turns hundreds of times is no linkage.
+/// The largest number of steps: no linkage turns hundreds of times.
 const STEPS: f64 = 10_000.0;
 
 /// A mechanism assembled at its own reference, for those that it is a part of.
@@ -25,7 +26,8 @@ pub(crate) struct Closed {
     pub(super) unit: LengthUnit,
     pub(super) parameters: Vec<Dimension>,
     pub(super) inputs: Vec<Dimension>,
-    /// For each unknown, where its numbers stand among the outputs, and whether they are a cosine and a sine.
+    /// For each unknown, the index of its numbers among the outputs, and whether they are a cosine
+    /// and a sine.
     unknowns: Vec<Option<(usize, bool)>>,
     pub(super) dimensions: Vec<Dimension>,
 }
@@ -39,7 +41,7 @@ pub(crate) struct InnerPart<'m> {
     pub(super) needs: Vec<usize>,
     /// Its dimensions here, in its own units.
     pub(super) parameters: Vec<f64>,
-    /// How many of its length units the unit here is.
+    /// The number of the part's length units in one length unit here.
     pub(super) ratio: f64,
 }
 
@@ -61,15 +63,20 @@ impl Closed {
             parameters: mechanism
                 .scalar_parameters
                 .iter()
-                .map(|own| own.dimension)
+                .map(|parameter| parameter.dimension)
                 .collect(),
-            inputs: mechanism.inputs.iter().map(|own| own.dimension).collect(),
-            dimensions: all.map(|own| of_unknown(&own.ty)).collect(),
+            inputs: mechanism
+                .inputs
+                .iter()
+                .map(|input| input.dimension)
+                .collect(),
+            dimensions: all.map(|unknown| of_unknown(&unknown.ty)).collect(),
             unknowns,
         }
     }
 
-    /// Its unknowns with these dimensions, led from the reference to these inputs; what cannot be assembled there is not a number.
+    /// Returns the part's unknowns with these dimensions, followed from the reference to these
+    /// inputs; an unknown that cannot be assembled there is not a number.
     pub(super) fn led_to(&self, parameters: Vec<f64>, inputs: &[f64]) -> Vec<Vec<f64>> {
         let machine = self.machine.with_dimensions(parameters);
         let from = &self.nominal.inputs;
@@ -87,23 +94,23 @@ impl Closed {
             let share = step as f64 / steps;
             let ways = from.iter().zip(inputs);
             let at: Vec<f64> = match share {
-                // What is between two numbers may miss them.
+                // At share 1, interpolation may miss the end by rounding.
                 1.0 => inputs.to_vec(),
                 _ => ways.map(|(from, to)| from + share * (to - from)).collect(),
             };
             machine.run(&mut values, &at);
-            for (own, place) in found.iter_mut().zip(&self.unknowns) {
+            for (numbers, place) in found.iter_mut().zip(&self.unknowns) {
                 let Some((output, is_angle)) = *place else {
                     continue;
                 };
                 let number = |k: usize| machine.output(&values, output + k);
                 let next: Vec<f64> = match is_angle {
-                    true => vec![Ternary::AngleNear.apply([number(1), number(0), own[0]])],
-                    false => (0..own.len()).map(number).collect(),
+                    true => vec![Ternary::AngleNear.apply([number(1), number(0), numbers[0]])],
+                    false => (0..numbers.len()).map(number).collect(),
                 };
                 // On the way it may come apart; where it arrives counts.
                 if share == 1.0 || next.iter().all(|x| x.is_finite()) {
-                    *own = next;
+                    *numbers = next;
                 }
             }
         }
@@ -113,8 +120,8 @@ impl Closed {
 
 impl InnerPart<'_> {
     pub(super) fn has(&self, unknown: usize) -> bool {
-        let own = unknown.checked_sub(self.first_unknown);
-        own.is_some_and(|own| own < self.closed.unknowns.len())
+        let index = unknown.checked_sub(self.first_unknown);
+        index.is_some_and(|index| index < self.closed.unknowns.len())
     }
 
     pub(super) fn is_in(&self, solved: &Solved) -> bool {

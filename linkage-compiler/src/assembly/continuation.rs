@@ -1,7 +1,7 @@
-//! Straight ways from the reference to the ends of the ranges of several inputs.
+//! Straight paths from the reference to the ends of the ranges of several inputs.
 //!
-//! A dead point on such a way lies in the ranges: that is found in a moment, where a grid over ranges with dead points in them takes
-//! seconds.
+//! A dead point on such a path is in the ranges. It is found in a moment, while a grid over ranges
+//! with dead points in them takes seconds.
 
 use linkage_core::numeric::continuation::{self, Grid, LeftOut};
 
@@ -14,13 +14,15 @@ use super::check::range_of;
 /// A range may end at a dead point: the rest of the way does not count.
 const END: f64 = 1e-9;
 
-/// Up to so many inputs, ways lead to every half of edges and faces, to their middles, to corners alone: always some hundred at most.
+/// The largest numbers of inputs with paths to every half of edges and faces, to their middles, and
+/// to corners alone: always some hundred paths at most.
 const HALVES: usize = 3;
 const MIDDLES: usize = 4;
 const INPUTS: usize = 8;
 
-/// The inputs at the dead point of a coupled group that is nearest to the reference, as a share of its way. `None` if there is none,
-/// with one input, whose table finds its own, and without ranges.
+/// Returns the inputs at the dead point of a coupled group that is nearest to the reference,
+/// measured as a share of its path. Returns `None` if there is none, without ranges, and with one
+/// input, whose table finds its own dead points.
 pub(super) fn dead_point<'m>(
     assembly: &Assembly<'_, 'm>,
     prepared: &Prepared<'m>,
@@ -49,8 +51,8 @@ pub(super) fn dead_point<'m>(
     Some(inputs)
 }
 
-/// Places on the border of the declared ranges: the corners, then, as far as they are not too many, what lies between them where some
-/// inputs stay, or go half of their way.
+/// Returns points on the border of the declared ranges: the corners, then, unless they are too
+/// many, the points between them at which some inputs stay or go half of their way.
 fn ends(assembly: &Assembly<'_, '_>, prepared: &Prepared, from: &[f64]) -> Vec<Vec<f64>> {
     let ranges = || {
         prepared
@@ -90,8 +92,8 @@ fn ends(assembly: &Assembly<'_, '_>, prepared: &Prepared, from: &[f64]) -> Vec<V
         .collect()
 }
 
-/// Whether a grid serves what it should, and says so if not: the reference, and as far as is known all positions at which the mechanism
-/// is regular.
+/// Checks that a grid covers the positions that it should, and reports it if not: the reference,
+/// and, as far as is known, all positions at which the mechanism is regular.
 pub(super) fn is_served<'m>(
     assembly: &mut Assembly<'_, 'm>,
     solved: &Solved<'m>,
@@ -110,7 +112,8 @@ pub(super) fn is_served<'m>(
     served
 }
 
-/// Says that a grid does not reach the reference: its margin would be that of a dead point, which it is not.
+/// Reports that a grid does not reach the reference: its margin would be that of a dead point,
+/// although it is at none.
 fn beside_dead_point<'m>(
     assembly: &mut Assembly<'_, 'm>,
     solved: &Solved<'m>,

@@ -49,7 +49,7 @@ pub(super) fn prepare<'m>(
     }
 }
 
-/// Whether polynomials serve the ranges.
+/// Checks that polynomials fit over the ranges.
 fn fits<'m>(
     assembly: &Assembly<'_, 'm>,
     prepared: &Prepared<'m>,
@@ -88,7 +88,7 @@ pub(super) fn candidate_of(
     }
 }
 
-/// Prepares the group over the declared ranges. Where none is declared, as far as the assembly goes.
+/// Prepares the group over the declared ranges; if none is declared, as far as the assembly goes.
 fn start<'m>(
     assembly: &Assembly<'_, 'm>,
     prepared: &Prepared<'m>,

@@ -1,4 +1,5 @@
-//! What a dead point in a range looks like: which links are stretched or folded, what their lengths come to, and by how much they miss.
+//! Description of a dead point in a range: the links that are stretched or folded, the sum of their
+//! lengths, and the distance by which they miss.
 
 use crate::algebra::translate;
 use linkage_symbolic::lookup::Map;
@@ -16,7 +17,8 @@ use crate::message_format::MessageFormat;
 /// Points nearer than this share of their distance from the origin and each other are one.
 const SAME: f64 = 1e-9;
 
-/// Coordinates below this share of the others are rounding: a dead point is found to half of the digits where it is only touched.
+/// Coordinates below this share of the others are rounding: a dead point that is only touched is
+/// found to half of the digits.
 const NOISE: f64 = 1e-6;
 
 /// A position at which a group is at its dead point.
@@ -28,12 +30,14 @@ pub(super) struct DeadPoint<'a, 'm> {
     pub(super) inputs: &'a [f64],
     /// Another position, by which names are recognised.
     pub(super) reference: &'a [f64],
-    /// By how much the group misses at worst, beyond the dead point; 0 if it closes there, too.
+    /// The largest distance by which the group misses beyond the dead point; 0 if it closes there,
+    /// too.
     pub(super) miss: f64,
 }
 
 impl<'m> DeadPoint<'_, 'm> {
-    /// `where its links are stretched between ...`; nothing for groups about which there is no more to say than that they miss.
+    /// Returns `where its links are stretched between ...`; `None` for groups of which nothing is
+    /// known except that they miss.
     pub(super) fn picture(&mut self) -> Option<String> {
         let solved = self.solved;
         match &solved.group.form {
@@ -133,7 +137,7 @@ impl<'m> DeadPoint<'_, 'm> {
         }
     }
 
-    /// What is `140mm` away at worst, by which it is `10mm` too far.
+    /// Returns the text for a point that is `140mm` away at worst, which is `10mm` too far.
     fn beyond(&self, extreme: f64, words: impl Fn(&str, &str) -> String) -> String {
         if self.miss == 0.0 {
             return String::new();
@@ -142,7 +146,8 @@ impl<'m> DeadPoint<'_, 'm> {
         words(&extreme, &miss)
     }
 
-    /// ` between `a` at (1mm, 2mm) and (3mm, 4mm)`, the points that two links hang on; nothing if the loop does not say where they are.
+    /// Returns ` between `a` at (1mm, 2mm) and (3mm, 4mm)`, the end points of two links; empty if
+    /// the loop does not give their positions.
     fn ends(&mut self, distance: f64) -> String {
         let mechanism = self.algebra.mechanism;
         let written = &mechanism.loops[self.solved.group.written];

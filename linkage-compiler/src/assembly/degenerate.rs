@@ -1,5 +1,5 @@
-//! Groups whose shape leaves an unknown open, whatever the lengths: guides that are parallel, centres on one line, a joint
-//! on its own axis.
+//! Groups whose shape leaves an unknown open for all lengths: guides that are parallel, centres on
+//! one line, a joint on its own axis.
 
 use std::array::from_fn;
 
@@ -12,16 +12,17 @@ use crate::vector::{Vector, cross, dot, minus, norm};
 use super::assembler::Assembly;
 use crate::solve::Solved;
 
-/// Sines below this are those of parallel vectors: the margin of such a group is below the limit of a dead point.
+/// Sines below this are those of parallel vectors: the margin of such a group is below the limit of
+/// a dead point.
 const PARALLEL: f64 = 1e-6;
 
 /// Lengths below this share of others are zero.
 const NOTHING: f64 = 1e-12;
 
-/// A fact, and what to write.
+/// A fact, and the advice.
 type Reason = (String, String);
 
-/// What is degenerate about a group at the reference inputs.
+/// Returns the reason why a group is degenerate at the reference inputs.
 pub(super) fn degenerate<'m>(assembly: &Assembly<'_, 'm>, solved: &Solved<'m>) -> Option<Reason> {
     match &solved.group.form {
         Form::TwoSlides { slides, guides, .. } => {
@@ -71,7 +72,8 @@ pub(super) fn degenerate<'m>(assembly: &Assembly<'_, 'm>, solved: &Solved<'m>) -
             spheres,
             planes,
         } => {
-            let missing = (0..3).filter(|k| coordinates.iter().all(|(_, own)| own != k));
+            let missing =
+                (0..3).filter(|k| coordinates.iter().all(|(_, coordinate)| coordinate != k));
             let missing = missing.map(|k| [0, 1, 2].map(|i| if i == k { 1.0 } else { 0.0 }));
             let normals = planes.iter().map(|plane| vector(assembly, &plane.normal.0));
             point(assembly, solved, spheres, normals.chain(missing).collect())
@@ -91,7 +93,8 @@ fn degenerate_guides(
     guides: &[Vector],
     components: usize,
 ) -> Option<Reason> {
-    // Which side of the loop a guide stands on is not known: of its two signs, one is shown.
+    // The side of the loop on which a guide is written is not known: of its two signs, one is
+    // shown.
     let show = |guide: Vector| {
         let first = guide.into_iter().find(|x| *x != 0.0).unwrap_or(1.0);
         direction(&guide.map(|x| x * first.signum() + 0.0)[..components])
@@ -234,7 +237,7 @@ fn at_reference<'m, const N: usize>(assembly: &Assembly<'_, 'm>, all: [Ex<'m>; N
     from_fn(|k| numbers[k])
 }
 
-/// Two or three components; a vector of the plane lies in space.
+/// Returns two or three components as a vector; a vector of the plane is embedded in space.
 fn vector<'m, const N: usize>(assembly: &Assembly<'_, 'm>, components: &[Ex<'m>; N]) -> Vector {
     let numbers = at_reference(assembly, *components);
     from_fn(|k| numbers.get(k).copied().unwrap_or(0.0))

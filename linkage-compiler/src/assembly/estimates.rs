@@ -1,5 +1,4 @@
-//! Start estimates beside the assemblies of a group: how far each of them is, in words that can be copied, and whether the one that was
-//! chosen is where its estimates are.
+//! Compares start estimates with the assemblies of a group, and lists assemblies as text to copy.
 
 use std::f64::consts::{FRAC_PI_3, PI, TAU};
 
@@ -12,30 +11,30 @@ use crate::solve::Solved;
 
 use super::assembler::Assembly;
 
-/// An angle farther than this from its estimate is not what was meant: estimates are read off a drawing to some ten degrees, and two assemblies
-/// are seldom nearer to each other.
+/// An angle farther than this from its estimate is not the one that was meant: estimates are read
+/// off a drawing to some ten degrees, and two assemblies are seldom nearer to each other.
 const FAR_ANGLE: f64 = FRAC_PI_3;
 
-/// So is a length that is farther from its estimate than this share of the mechanism's size.
+/// A length farther off than this share of the mechanism's size is not the one that was meant.
 const FAR_SHARE: f64 = 0.5;
 
-/// What rounding may add to a difference that is just allowed.
+/// The rounding that may be added to a difference that is just allowed.
 const ROUNDING: f64 = 1e-9;
 
-/// So many assemblies are listed in a message: all of a triad.
+/// The largest number of assemblies listed in a message: all of a triad.
 pub(super) const LISTED: usize = 6;
 
-/// Where an assembly of a group has its unknowns.
+/// The position of the unknowns in an assembly of a group.
 #[derive(Clone, Debug)]
 pub(super) struct Position {
     /// Each unknown with its components; angles are those nearest to their estimates.
     values: Vec<(usize, Vec<f64>)>,
-    /// From the estimates; infinite for what does not close.
+    /// The distance from the estimates; infinite for an assembly that does not close.
     pub(super) distance: f64,
 }
 
-/// The unknowns in which this position differs from a neighbour, by more than a hundredth of the unknown that differs most; `yardstick` says
-/// what counts like a radian.
+/// Returns the unknowns in which this position differs from a neighbour by more than a hundredth of
+/// the largest difference; `yardstick` is the difference that counts like a radian.
 pub(super) fn differing(
     position: &Position,
     other: &Position,
@@ -43,8 +42,8 @@ pub(super) fn differing(
 ) -> Vec<usize> {
     const LITTLE: f64 = 0.01;
     let mut all: Vec<(usize, f64)> = Vec::new();
-    for ((unknown, own), (_, other)) in position.values.iter().zip(&other.values) {
-        let off = own.iter().zip(other).map(|(a, b)| (a - b).abs());
+    for ((unknown, numbers), (_, other)) in position.values.iter().zip(&other.values) {
+        let off = numbers.iter().zip(other).map(|(a, b)| (a - b).abs());
         all.push((*unknown, off.fold(0.0, f64::max) / yardstick(*unknown)));
     }
     let most = all.iter().fold(0.0, |most: f64, (_, off)| most.max(*off));
@@ -52,19 +51,19 @@ pub(super) fn differing(
     differing.map(|(unknown, _)| unknown).collect()
 }
 
-/// How the assembly of a group was found.
+/// The method that found the assembly of a group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Choice {
-    /// Among all that it has.
+    /// Chosen among all assemblies of the group.
     Listed,
-    /// Among all that it has, but for some that meet at a dead point.
+    /// Chosen among all assemblies of the group except some that meet at a dead point.
     ListedApart,
-    /// From its estimates.
+    /// Followed from its estimates.
     Followed,
 }
 
 impl Choice {
-    /// What is said behind a number of assemblies.
+    /// Returns the text after a number of assemblies.
     pub(super) fn beside(self) -> &'static str {
         match self {
             Self::Listed | Self::Followed => "",
@@ -77,7 +76,7 @@ impl Choice {
 struct Unmet<'p> {
     unknown: usize,
     value: &'p [f64],
-    /// Times what is allowed.
+    /// The difference divided by the allowed one.
     excess: f64,
 }
 
@@ -122,15 +121,15 @@ pub(super) fn shown(assembly: &Assembly<'_, '_>, position: &Position) -> String 
     words.collect::<Vec<_>>().join(", ")
 }
 
-/// Keeps what unknowns without an estimate are.
+/// Keeps the values of the unknowns without an estimate.
 pub(super) fn keep_found(assembly: &mut Assembly<'_, '_>, chosen: &Position) {
     let open = chosen.values.iter();
     let open = open.filter(|(unknown, _)| !is_estimated(assembly, *unknown));
     assembly.found.extend(open.cloned().collect::<Vec<_>>());
 }
 
-/// Reports unknowns without an estimate of a group whose assemblies the other estimates do not tell apart, the nearest first; false if
-/// there is none.
+/// Reports unknowns without an estimate of a group whose assemblies the other estimates do not
+/// distinguish, the nearest assembly first; returns false if there is none.
 pub(super) fn lacks_estimates(
     assembly: &mut Assembly<'_, '_>,
     solved: &Solved,
@@ -157,11 +156,12 @@ pub(super) fn lacks_estimates(
 }
 
 pub(super) fn is_estimated(assembly: &Assembly<'_, '_>, unknown: usize) -> bool {
-    let own = &assembly.algebra.mechanism.unknowns[unknown];
-    own.of_part || own.estimate.is_some()
+    let item = &assembly.algebra.mechanism.unknowns[unknown];
+    item.of_part || item.estimate.is_some()
 }
 
-/// Reports an assembly whose unknowns are not where their estimates are, among all that the group has, the nearest first; false if it did.
+/// Reports an assembly whose unknowns are far from their estimates, among all assemblies of the
+/// group, the nearest first; returns false if it reported one.
 pub(super) fn meets_estimates(
     assembly: &mut Assembly<'_, '_>,
     solved: &Solved,
@@ -172,12 +172,12 @@ pub(super) fn meets_estimates(
         return true;
     };
     let item = &assembly.algebra.mechanism.unknowns[unmet.unknown];
-    let own = assembly.words.coordinate(&item.ty, unmet.value);
+    let coordinate = assembly.words.coordinate(&item.ty, unmet.value);
     let estimate = &assembly.nominal.estimates[unmet.unknown];
     let difference = difference(assembly, unmet.unknown, unmet.value);
     let loops = loop_list(&solved.group.loops);
     let message = format!(
-        "`{}` is found at {own}, {difference} its estimate {}{}; {}\n\
+        "`{}` is found at {coordinate}, {difference} its estimate {}{}; {}\n\
              help: look for a wrong sign or number in {loops}, or write the estimates of the assembly that is meant",
         item.name,
         assembly.words.coordinate(&item.ty, estimate),
@@ -244,7 +244,7 @@ fn worst<'p>(assembly: &Assembly<'_, '_>, position: &'p Position) -> Option<Unme
     (worst.excess > 1.0 + ROUNDING).then_some(worst)
 }
 
-/// How far an unknown is from its estimate, over what is allowed.
+/// Returns the distance of an unknown from its estimate, divided by the allowed one.
 fn excess(assembly: &Assembly<'_, '_>, unknown: usize, value: &[f64]) -> f64 {
     if !is_estimated(assembly, unknown) {
         return 0.0;
@@ -256,7 +256,7 @@ fn excess(assembly: &Assembly<'_, '_>, unknown: usize, value: &[f64]) -> f64 {
     }
 }
 
-/// The size of the mechanism where a slide has this value: as far as it reaches. Where a point is says nothing about size.
+/// Returns the size of the mechanism with this value: a slide can extend it, a point does not.
 fn size_with(assembly: &Assembly<'_, '_>, value: &[f64]) -> f64 {
     match value {
         [slide] => assembly.size.max(slide.abs()),
@@ -274,13 +274,13 @@ fn difference(assembly: &Assembly<'_, '_>, unknown: usize, value: &[f64]) -> Str
     format!("{} from", assembly.words.rounded(dimension, difference))
 }
 
-/// Angles, and vectors of numbers: what counts is where they point.
+/// Returns true for angles and for vectors of numbers, of which only the direction counts.
 fn is_direction(assembly: &Assembly<'_, '_>, unknown: usize) -> bool {
     let dimension = assembly.algebra.mechanism.unknowns[unknown].ty.dimension();
     dimension.is_some_and(|dimension| dimension.half_lengths == 0)
 }
 
-/// Between an unknown and its estimate: an angle or a length.
+/// Returns the difference between an unknown and its estimate: an angle or a length.
 fn distance(assembly: &Assembly<'_, '_>, unknown: usize, value: &[f64]) -> f64 {
     let estimate = &assembly.nominal.estimates[unknown];
     let length = |v: &mut dyn Iterator<Item = f64>| v.fold(0.0, |sum: f64, x| sum.hypot(x));
@@ -288,8 +288,8 @@ fn distance(assembly: &Assembly<'_, '_>, unknown: usize, value: &[f64]) -> f64 {
     match (is_direction(assembly, unknown), value) {
         (true, [angle]) => (angle - estimate[0]).abs(),
         (true, _) => {
-            let [own, other] = [value, estimate].map(|v| length(&mut v.iter().copied()));
-            let product: f64 = pairs().map(|(x, e)| (x / own) * (e / other)).sum();
+            let [size, other] = [value, estimate].map(|v| length(&mut v.iter().copied()));
+            let product: f64 = pairs().map(|(x, e)| (x / size) * (e / other)).sum();
             // A vector of zeros points nowhere, which estimates nothing.
             match product.is_nan() {
                 true => 0.0,

@@ -11,7 +11,8 @@ use crate::algebra::{Algebra, Nominal};
 use super::ranges::Grid;
 use crate::machine::{Machine, followed_range};
 
-/// An angle this near to half a turn from its guide cannot be told from one on the other side.
+/// An angle this near to half a turn from its guide cannot be distinguished from one on the other
+/// side.
 const LIMIT: f64 = 0.98 * PI;
 
 /// An angle that strays over the range of an input, by their numbers.
@@ -21,8 +22,8 @@ pub(super) struct Unfollowed {
     pub(super) input: usize,
 }
 
-/// Finds centres and windings of angles whose values are used; each comes with the output of its cosine. Returns the first
-/// that cannot be followed.
+/// Finds centres and windings of angles whose values are used; each comes with the output of its
+/// cosine. Returns the first angle that cannot be followed.
 pub(super) fn follow_angles(
     algebra: &Algebra,
     nominal: &Nominal,
@@ -92,7 +93,8 @@ impl Numbers<'_> {
         Ternary::AngleNear.apply([sin, cos, guide])
     }
 
-    /// With several inputs: the angle, followed from neighbour to neighbour over a grid, is the one nearest to its guide.
+    /// Checks for several inputs that the angle, followed from neighbour to neighbour over a grid,
+    /// is the one nearest to its guide.
     fn stays_near_its_guide(&mut self, angle: usize, output: usize) -> bool {
         let all: Vec<usize> = (0..self.nominal.inputs.len()).collect();
         let grid = Grid::new(self.nominal, &all);

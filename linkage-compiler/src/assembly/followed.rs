@@ -1,4 +1,5 @@
-//! Closing a coupled group whose assemblies cannot be listed: the one that is meant is followed from its estimates.
+//! Closes a coupled group whose assemblies cannot be listed: the intended one is followed from its
+//! estimates.
 
 use crate::assembly::at_state;
 use crate::assembly::coupled_state;
@@ -19,18 +20,19 @@ use super::coupled_state::Candidate;
 use super::estimates::Choice;
 use super::refusal::WITHIN_RANGE;
 
-/// Of what the estimates miss by: where more is left, the dead point is at the estimates; where less is left, it is the assembly.
+/// Shares of the closure error at the estimates: if more is left, the dead point is at the
+/// estimates; if less is left, it is the assembly.
 const ALL: f64 = 0.9999;
 const NOTHING: f64 = 1e-6;
 
-/// What is said of the end of a way.
+/// The description of the end of a path.
 struct Ends {
     fact: String,
     help: String,
 }
 
-/// Closes a coupled group from its estimates; false if that was not possible. `unlisted` says why its assemblies were not listed, if that
-/// was tried.
+/// Closes a coupled group from its estimates; returns false if that was not possible. `unlisted` is
+/// the reason why its assemblies were not listed, if that was tried.
 pub(super) fn close_followed<'m>(
     assembly: &mut Assembly<'_, 'm>,
     solved: &Solved<'m>,
@@ -57,10 +59,10 @@ pub(super) fn close_followed<'m>(
 }
 
 fn followed<'m>(assembly: &Assembly<'_, 'm>, prepared: &Prepared<'m>) -> Result<Candidate, Astray> {
-    let (mut numbers, own) = assembly.coupled(prepared.number);
+    let (mut numbers, inputs) = assembly.coupled(prepared.number);
     let group = &assembly.machine.closing.coupled[prepared.number];
     let estimate = prepared.estimate_of_default(assembly.algebra, assembly.nominal);
-    let state = from_estimate(&mut numbers, &group.variables, &own, &estimate)?;
+    let state = from_estimate(&mut numbers, &group.variables, &inputs, &estimate)?;
     let placed = numbers.run(&group.placed, &state);
     Ok(coupled_state::candidate_of(assembly, group, state, &placed))
 }
@@ -164,7 +166,8 @@ fn leads_nowhere<'m>(
     assembly.reporter.error(origin, message);
 }
 
-/// What is known of the end of a way: a dead point, and where behind it the loops come nearest to closing.
+/// Returns the known facts about the end of a path: a dead point, and the position after it at
+/// which the loops come nearest to closing.
 fn way_ends<'m>(assembly: &Assembly<'_, 'm>, prepared: &Prepared<'m>, at: &[f64]) -> Ends {
     let end = at_state::standing(assembly, prepared, at);
     let dead = freedom::freedom(&end);

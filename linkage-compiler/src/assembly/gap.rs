@@ -1,4 +1,4 @@
-//! By how much the links of a group miss each other, in words.
+//! The distance by which the links of a group miss each other, as text.
 
 use crate::solve::Solved;
 use linkage_core::range_check::significant;

@@ -1,5 +1,5 @@
-//! Closing a coupled group at the reference input: all its assemblies are listed, the one nearest to the estimates is taken. Where they
-//! cannot be listed, `assembly/followed.rs` goes on.
+//! Closes a coupled group at the reference input: lists all its assemblies and takes the one
+//! nearest to the estimates. If they cannot be listed, `assembly/followed.rs` continues.
 
 use crate::assembly::estimates;
 use crate::assembly::followed;
@@ -17,9 +17,10 @@ use super::estimates::{Choice, LISTED, Position};
 
 /// The real assemblies of a coupled group.
 struct Listed {
-    /// Those that are told apart, the nearest to the estimates first.
+    /// The assemblies that can be distinguished, the nearest to the estimates first.
     candidates: Vec<Candidate>,
-    /// How far from the estimates others are, about, that meet at a dead point.
+    /// The approximate distances from the estimates of other assemblies, which meet at a dead
+    /// point.
     meeting: Vec<f64>,
 }
 
@@ -61,7 +62,9 @@ pub(super) fn close_coupled<'m>(
         .join(", ");
     let distances = candidates.iter().map(|one| one.position.distance);
     let chosen = choose_assembly(distances, Ambiguity::AS_WRITTEN);
-    let distance = chosen.map_or(f64::INFINITY, |own| candidates[own.index].position.distance);
+    let distance = chosen.map_or(f64::INFINITY, |choice| {
+        candidates[choice.index].position.distance
+    });
     let others_meet = !meeting.is_empty();
     let mut meeting = meeting.into_iter();
     if meeting.any(|other| may_be_meant(other, distance, Ambiguity::AS_WRITTEN)) {
@@ -88,9 +91,9 @@ pub(super) fn close_coupled<'m>(
     }
     if chosen.ambiguous {
         let unknown = solved.group.unknowns.first();
-        let own = unknown.map(|&u| assembly.algebra.mechanism.unknowns[u].origin);
+        let unknown_origin = unknown.map(|&u| assembly.algebra.mechanism.unknowns[u].origin);
         assembly.reporter.error(
-                own.unwrap_or(origin),
+                unknown_origin.unwrap_or(origin),
                 format!(
                     "the start estimates of {unknowns} lie equally near to two assemblies of {loops}{place}; there are {}{}{}: \
                      {listed}\n\
@@ -110,7 +113,7 @@ pub(super) fn close_coupled<'m>(
 
 /// All real assemblies.
 fn candidates(assembly: &mut Assembly<'_, '_>, number: usize) -> Result<Listed, Unlisted> {
-    let (mut numbers, own) = assembly.coupled(number);
+    let (mut numbers, inputs) = assembly.coupled(number);
     let group = &assembly.machine.closing.coupled[number];
     let coefficients = numbers.run(&group.system, &[]);
     let coefficients: Vec<[f64; 2]> = coefficients.chunks(2).map(|c| [c[0], c[1]]).collect();
@@ -127,7 +130,7 @@ fn candidates(assembly: &mut Assembly<'_, '_>, number: usize) -> Result<Listed, 
         terms: &terms,
     };
     let listing = roots::solve(&system, &coefficients)?;
-    let regular = states(&group.variables, &listing, &own, &mut numbers);
+    let regular = states(&group.variables, &listing, &inputs, &mut numbers);
     let candidate = |state: Vec<f64>| {
         let placed = numbers.run(&group.placed, &state);
         candidate_of(assembly, group, state, &placed)

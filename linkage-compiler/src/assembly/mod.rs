@@ -1,4 +1,5 @@
-//! The assembly at the reference inputs: closing the loops, following angles, running through ranges.
+//! The assembly at the reference inputs: closing the loops, following angles, running through
+//! ranges.
 //!
 //! The interpreter runs the programs of a [`Closing`](crate::ir::Closing). [`assemble`] returns the
 //! assembly that the start estimates choose.

@@ -1,7 +1,9 @@
-//! Parts: where each is at the reference of the mechanism around it, as it would be alone.
+//! Parts: the position of each, as if it were alone, at the reference of the surrounding mechanism.
 //!
-//! The estimates of a part belong to its own reference. Alone it has been closed there; from there it is led to what its inputs are here, and
-//! what it arrives at are the estimates of its unknowns here: the assembly is that of the part alone, and so are the turns of its angles.
+//! The estimates of a part belong to its own reference. The part alone has been closed there. It is
+//! followed from there to the values of its inputs here, and the position reached gives the
+//! estimates of its unknowns here: the assembly is that of the part alone, and so are the turns of
+//! its angles.
 
 use crate::algebra::nominal;
 use crate::algebra::scalar;
@@ -17,7 +19,8 @@ use crate::solve::Formulation;
 use super::assembler::Assembly;
 use super::closed_part::{Closed, InnerPart};
 
-/// The parts of a mechanism, with what their inputs are; `closed` is what each is alone.
+/// Returns the parts of a mechanism with the expressions of their inputs; `closed` is the assembly
+/// of each part alone.
 pub(crate) fn inner_parts<'m>(
     algebra: &mut Algebra<'m>,
     nominal: &Nominal,
@@ -28,7 +31,7 @@ pub(crate) fn inner_parts<'m>(
     let parts = parts.map(|(part, closed)| {
         let ratio = mechanism.unit.in_units_of(closed.unit);
         let inputs = part.inputs.iter();
-        let inputs = inputs.map(|&own| match algebra.translate(&named(mechanism, own)) {
+        let inputs = inputs.map(|&input| match algebra.translate(&named(mechanism, input)) {
             Value::Vector(vector) => vector.iter().next().unwrap_or(algebra.zero()),
             scalar => scalar::number(algebra, &scalar),
         });
@@ -37,14 +40,14 @@ pub(crate) fn inner_parts<'m>(
         for name in &part.parameters {
             match *name {
                 Name::Parameter(index) => {
-                    let own = &mechanism.parameters[index];
-                    let first = own.first_scalar.0;
-                    let count = own.tolerances.len();
+                    let parameter = &mechanism.parameters[index];
+                    let first = parameter.first_scalar.0;
+                    let count = parameter.tolerances.len();
                     numbers.extend_from_slice(&nominal.parameters[first..first + count]);
                 }
                 Name::Let(index) => {
-                    let own = &mechanism.lets[index].value;
-                    let scale = translate::internal_per_unit(algebra, &own.ty);
+                    let expression = &mechanism.lets[index].value;
+                    let scale = translate::internal_per_unit(algebra, &expression.ty);
                     let found = nominal::evaluated(
                         algebra,
                         &named(mechanism, index),
@@ -67,7 +70,9 @@ pub(crate) fn inner_parts<'m>(
             first_unknown: part.unknowns.start,
             inputs,
             needs: unknowns_below(mechanism, &part.inputs),
-            parameters: scaled.map(|(x, own)| x * power(ratio, *own)).collect(),
+            parameters: scaled
+                .map(|(x, dimension)| x * power(ratio, *dimension))
+                .collect(),
             ratio,
         }
     });
@@ -76,15 +81,16 @@ pub(crate) fn inner_parts<'m>(
 
 /// A derived quantity as an expression.
 fn named(mechanism: &Mechanism, index: usize) -> Expr {
-    let own = &mechanism.lets[index].value;
+    let item = &mechanism.lets[index].value;
     Expr {
         kind: ExprKind::Name(Name::Let(index)),
-        ty: own.ty.clone(),
-        origin: own.origin,
+        ty: item.ty.clone(),
+        origin: item.origin,
     }
 }
 
-/// By what a number of a dimension grows where the length unit is so much smaller.
+/// Returns the factor by which a number of a dimension grows if the length unit is smaller by this
+/// ratio.
 fn power(ratio: f64, dimension: Dimension) -> f64 {
     match ratio {
         1.0 => 1.0,
@@ -92,8 +98,8 @@ fn power(ratio: f64, dimension: Dimension) -> f64 {
     }
 }
 
-/// Finds where those parts are whose inputs are known: all unknowns that they are made of are `closed`, or one of their own is among
-/// those that are closed next.
+/// Finds the positions of parts whose inputs are known: all unknowns in these inputs are `closed`,
+/// or one of the part's own unknowns is among those that are closed next.
 pub(super) fn settle_parts<'m>(
     assembly: &mut Assembly<'_, 'm>,
     formulation: &Formulation<'m>,
@@ -103,7 +109,7 @@ pub(super) fn settle_parts<'m>(
     let is_closed = |unknown: usize| {
         before
             .iter()
-            .any(|own| own.group.unknowns.contains(&unknown))
+            .any(|solved| solved.group.unknowns.contains(&unknown))
     };
     let next = rest.first();
     let parts = std::mem::take(&mut assembly.parts);
@@ -112,7 +118,7 @@ pub(super) fn settle_parts<'m>(
             .needs
             .iter()
             .copied()
-            .filter(|&own| !is_closed(own))
+            .filter(|&unknown| !is_closed(unknown))
             .collect();
         match open.is_empty() || next.is_some_and(|next| part.is_in(next)) {
             true => settle(assembly, &part, &open),
@@ -121,7 +127,8 @@ pub(super) fn settle_parts<'m>(
     }
 }
 
-/// The position of a part becomes what its unknowns are estimated by; those of the unknowns that are open are where their own estimates are.
+/// Replaces the estimates of a part's unknowns by its position; the open unknowns are taken at
+/// their own estimates.
 fn settle<'m>(assembly: &mut Assembly<'_, 'm>, part: &InnerPart<'m>, open: &[usize]) {
     let mut given = Map::new();
     for &unknown in open {
@@ -146,11 +153,13 @@ fn settle<'m>(assembly: &mut Assembly<'_, 'm>, part: &InnerPart<'m>, open: &[usi
         .evaluate_open(&part.inputs, &assembly.nominal.inputs, &given);
     let closed = &part.closed;
     let inputs = inputs.iter().zip(&closed.inputs);
-    let inputs: Vec<f64> = inputs.map(|(x, own)| x * power(part.ratio, *own)).collect();
+    let inputs: Vec<f64> = inputs
+        .map(|(x, dimension)| x * power(part.ratio, *dimension))
+        .collect();
     let found = closed.led_to(part.parameters.clone(), &inputs);
     let alone = found.into_iter().zip(&closed.nominal.estimates);
     for (index, ((found, reference), dimension)) in alone.zip(&closed.dimensions).enumerate() {
-        // What it cannot reach is told where its loops are closed.
+        // Inputs that the part cannot reach are reported when its loops are closed.
         let known = match found.iter().all(|x| x.is_finite()) {
             true => &found,
             false => reference,
@@ -167,8 +176,12 @@ fn unknowns_below(mechanism: &Mechanism, lets: &[usize]) -> Vec<usize> {
     let mut open: Vec<usize> = lets.to_vec();
     let mut seen: Vec<usize> = Vec::new();
     let mut found = Vec::new();
-    while let Some(own) = open.pop() {
-        for name in mechanism.lets[own].value.parts().filter_map(Expr::as_name) {
+    while let Some(index) = open.pop() {
+        for name in mechanism.lets[index]
+            .value
+            .parts()
+            .filter_map(Expr::as_name)
+        {
             match name {
                 Name::Let(other) if !seen.contains(&other) => {
                     seen.push(other);

@@ -1,4 +1,4 @@
-//! What is said of a mechanism that comes apart in its range: dead points, change points.
+//! Messages about a mechanism that comes apart in its range: dead points, change points.
 
 use crate::algebra::constant_ratio;
 use crate::algebra::derivatives::dependence;
@@ -144,7 +144,8 @@ impl<'m> Ranges<'_, 'm> {
         }
     }
 
-    /// The angles of a group, if all of them turn evenly with the input from the reference to its change point.
+    /// Returns the angles of a group, if all of them turn evenly with the input from the reference
+    /// to its change point.
     fn even(&mut self, algebra: &Algebra, at: &Break) -> Option<Vec<ConstantRatio>> {
         let mechanism = algebra.mechanism;
         if mechanism.inputs[at.input].dimension.half_lengths != 0 {
@@ -190,18 +191,19 @@ impl<'m> Ranges<'_, 'm> {
     }
 }
 
-/// A stretch of an input in which the mechanism works: as far as it reaches, and as what to write.
+/// A stretch of an input in which the mechanism works: the exact one, and the one to write.
 struct Works {
     fact: [String; 2],
     range: [String; 2],
 }
 
-/// A message of what happens and of what to do instead.
+/// Returns a message of the fact and of the advice.
 fn with_help([fact, help]: &[String; 2]) -> String {
     format!("{fact}\nhelp: {help}")
 }
 
-/// Links that stay parallel to others as far as the change point: relations say so without a second assembly.
+/// Finds links that stay parallel to others up to the change point: relations state this without a
+/// second assembly.
 fn parallelogram(
     mechanism: &Mechanism,
     words: &MessageFormat,
@@ -212,9 +214,9 @@ fn parallelogram(
     let input = &mechanism.inputs[at.input].name;
     let relations: Vec<String> = even
         .iter()
-        .map(|own| {
-            let name = &mechanism.unknowns[own.unknown].name;
-            format!("`let {name} = {};`", own.relation(input))
+        .map(|ratio| {
+            let name = &mechanism.unknowns[ratio.unknown].name;
+            format!("`let {name} = {};`", ratio.relation(input))
         })
         .collect();
     let loops = range_check::loop_list(reaches.group.loops);

@@ -11,7 +11,7 @@ use crate::solve::Formulation;
 
 use crate::machine::Reference;
 
-/// So far beside a change point, in radians, the slack is positive on both sides.
+/// At this distance from a change point, in radians, the slack is positive on both sides.
 const BESIDE: f64 = 1e-3;
 
 /// Positions of a grid over several inputs.
@@ -25,16 +25,17 @@ pub(super) struct Broken {
     pub(super) inputs: Vec<f64>,
     /// The group that comes apart there.
     pub(super) group: usize,
-    /// False if what is known of the group is no finite number there; else it is at a dead point.
+    /// False if a quantity of the group is no finite number there; else the group is at a dead
+    /// point.
     pub(super) finite: bool,
 }
 
-/// Where the one input with a range meets a dead point.
+/// The dead point that the one input with a range meets.
 pub(super) struct Break {
     pub(super) input: usize,
     /// The dead point.
     pub(super) place: Broken,
-    /// Whether it fails above that value; otherwise below.
+    /// True if the mechanism fails above that value; otherwise it fails below.
     above: bool,
 }
 
@@ -47,7 +48,8 @@ pub(super) struct Ranges<'a, 'm> {
 }
 
 impl Ranges<'_, '_> {
-    /// The smallest slack of all groups at given inputs, and its group; positive where the mechanism works.
+    /// Returns the smallest slack of all groups at given inputs, and its group; positive if the
+    /// mechanism works.
     pub(super) fn slack(&mut self, inputs: &[f64]) -> (f64, usize) {
         let machine = &self.reference.machine;
         machine.run(&mut self.values, inputs);
@@ -69,7 +71,7 @@ impl Ranges<'_, '_> {
         worst
     }
 
-    /// Where the one input with a range meets a dead point.
+    /// Returns the first dead point that the one input with a range meets.
     pub(super) fn first_failure(&mut self, input: usize, dimension: Dimension) -> Option<Break> {
         let (low, high) = self.nominal.ranges[input]?;
         let mut inputs = self.nominal.inputs.clone();
@@ -81,7 +83,8 @@ impl Ranges<'_, '_> {
             let inside = (x - low).min(high - x) > END * (high - low);
             let (slack, _) = self.slack(&inputs);
             if slack.is_nan() && !inside {
-                // An arc function may reach the end of its range at that of the input's, but for rounding.
+                // Except for rounding, an arc function may reach the end of its range at that of
+                // the input's.
                 inputs[input] = x.clamp(low + step, high - step);
                 return self.slack(&inputs).0;
             }
@@ -101,7 +104,8 @@ impl Ranges<'_, '_> {
         })
     }
 
-    /// How far it works from the reference towards `end`: up to the first dead point, or to that end.
+    /// Returns the limit of the motion from the reference towards `end`: the first dead point, or
+    /// that end.
     pub(super) fn reach(&mut self, input: usize, dimension: Dimension, end: f64) -> f64 {
         let mut inputs = self.nominal.inputs.clone();
         let start = inputs[input];
@@ -115,8 +119,8 @@ impl Ranges<'_, '_> {
         failure.map_or(end, |failure| start + sign * failure.at)
     }
 
-    /// By how much a group misses at worst between its dead point and where it closes again, or the end of the range; 0 if it only
-    /// touches its dead point.
+    /// Returns the largest distance by which a group misses between its dead point and the next
+    /// position at which it closes, or the end of the range; 0 if it only touches its dead point.
     pub(super) fn largest_miss(&mut self, at: &Break) -> f64 {
         let from = at.place.inputs[at.input];
         let (low, high) = self.nominal.ranges[at.input].unwrap_or((from, from));
@@ -148,8 +152,9 @@ impl Ranges<'_, '_> {
         worst.1.max(-best)
     }
 
-    /// Where an input without a range, running once around from its reference, first meets a dead point that the slack touches and
-    /// leaves again: a change point, from which the mechanism can go on in its mirror image.
+    /// Returns the first dead point that the slack touches and leaves again while an input without
+    /// a range turns once from its reference: a change point, from which the mechanism can go on in
+    /// its mirror image.
     pub(super) fn first_change_point(&mut self, input: usize) -> Option<Broken> {
         let start = self.nominal.inputs[input];
         let (low, high) = (start - PI, start + PI);
@@ -175,8 +180,8 @@ impl Ranges<'_, '_> {
         })
     }
 
-    /// The dead point behind a failure: the end of the range where the slack rises slowly from there, the place where it
-    /// touches zero and returns, else the failure itself.
+    /// Returns the dead point of a failure: the end of the range if the slack rises slowly from
+    /// there, the value at which it touches zero and returns, else the failure itself.
     fn dead_point(&mut self, input: usize, failure: Failure) -> f64 {
         let (low, high) = self.nominal.ranges[input].unwrap_or((failure.at, failure.at));
         let near = |end: &f64| (failure.at - *end).abs() < AT_END * (high - low);

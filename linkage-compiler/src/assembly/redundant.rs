@@ -15,11 +15,11 @@ use crate::message_format::MessageFormat;
 /// Positions along the range of each input.
 const ALONG: usize = 97;
 
-/// Sides that differ by a smaller share of the mechanism's size (angles: radians) are equal. Positions are exact to some 1e-13; dimensions that
-/// are written with ten digits should do.
+/// Sides that differ by a smaller share of the mechanism's size (angles: radians) are equal.
+/// Positions are exact to some 1e-13; dimensions that are written with ten digits should do.
 const EQUAL: f64 = 1e-9;
 
-/// Where the sides of a loop differ most.
+/// The largest difference between the sides of a loop.
 struct Miss {
     inputs: Vec<f64>,
     difference: Vec<f64>,
@@ -38,17 +38,17 @@ pub(crate) fn check_redundant(
         true => return,
         false => positions(mechanism, nominal, reference.longest),
     };
-    for own in &mechanism.redundant {
-        // What is looked at here must not change the code of functions.
+    for equation in &mechanism.redundant {
+        // This evaluation must not change the code of functions.
         let miss = algebra.tried(|algebra| {
-            let sides = difference(algebra, own);
+            let sides = difference(algebra, equation);
             let found = positions
                 .iter()
-                .map(|inputs| missed(own, reference.machine.evaluate(&sides, inputs), inputs));
+                .map(|inputs| missed(equation, reference.machine.evaluate(&sides, inputs), inputs));
             let known = found.filter(|miss| miss.size.is_finite());
             known.max_by(|a, b| a.size.total_cmp(&b.size))
         });
-        let unit = match is_length(&own.left.ty) {
+        let unit = match is_length(&equation.left.ty) {
             true => reference.longest,
             false => 1.0,
         };
@@ -58,7 +58,7 @@ pub(crate) fn check_redundant(
                 positions.len()
             );
             let help = "look for a division by zero, or a root or an arc function out of its range";
-            reporter.error_with_help(own.origin, fact, help);
+            reporter.error_with_help(equation.origin, fact, help);
             continue;
         };
         if miss.size <= EQUAL * unit {
@@ -70,20 +70,24 @@ pub(crate) fn check_redundant(
             true => String::new(),
             false => format!("at {} ", words.inputs(&miss.inputs, &all)),
         };
-        let by = words.value(&own.left.ty, &miss.difference);
+        let by = words.value(&equation.left.ty, &miss.difference);
         let fact = format!(
             "this loop does not follow from the others: {place}its sides differ by {by} (looked at {} positions)",
             positions.len()
         );
         let help = "correct the dimensions by which it should follow, or make it a loop that holds something: without `redundant`, with an \
                     unknown of its own";
-        reporter.error_with_help(own.origin, fact, help);
+        reporter.error_with_help(equation.origin, fact, help);
     }
 }
 
 /// Angles may differ by turns.
-fn missed(own: &Loop, difference: Vec<f64>, inputs: &[f64]) -> Miss {
-    let is_angle = own.left.ty.dimension().is_some_and(|own| own.angle);
+fn missed(equation: &Loop, difference: Vec<f64>, inputs: &[f64]) -> Miss {
+    let is_angle = equation
+        .left
+        .ty
+        .dimension()
+        .is_some_and(|dimension| dimension.angle);
     let difference: Vec<f64> = match is_angle {
         true => difference
             .iter()
@@ -99,7 +103,8 @@ fn missed(own: &Loop, difference: Vec<f64>, inputs: &[f64]) -> Miss {
 }
 
 fn is_length(ty: &Type) -> bool {
-    ty.dimension().is_some_and(|own| own.half_lengths != 0)
+    ty.dimension()
+        .is_some_and(|dimension| dimension.half_lengths != 0)
 }
 
 /// Places all over the ranges: along each input alone, and where they do not move in step.

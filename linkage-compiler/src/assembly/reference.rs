@@ -1,4 +1,5 @@
-//! Closing the loops at the reference input: the assembly mode of each group, chosen by the start estimates.
+//! Closes the loops at the reference input: the start estimates choose the assembly mode of each
+//! group.
 
 use crate::assembly::estimates;
 use crate::assembly::listing;
@@ -79,7 +80,8 @@ struct Candidate {
     position: Position,
 }
 
-/// Closes one group; false if that was not possible. `closed` says whether all groups before it closed.
+/// Closes one group; returns false if that was not possible. `closed` is true if all groups before
+/// it closed.
 fn close<'m>(
     assembly: &mut Assembly<'_, 'm>,
     solved: &Solved<'m>,
@@ -88,7 +90,7 @@ fn close<'m>(
     closed: bool,
 ) -> bool {
     if let Some(prepared) = &solved.prepared {
-        // What is known of it comes from groups before this one.
+        // The known values of a prepared group come from groups before this one.
         if !closed
             || !follow_before(assembly, prepared)
             || !listing::close_coupled(assembly, solved, prepared)
@@ -150,8 +152,10 @@ fn close<'m>(
                 b.position.distance
             );
             let unknown = solved.group.unknowns.first();
-            let own = unknown.map(|&u| assembly.algebra.mechanism.unknowns[u].origin);
-            assembly.reporter.error(own.unwrap_or(origin), message);
+            let unknown_origin = unknown.map(|&u| assembly.algebra.mechanism.unknowns[u].origin);
+            assembly
+                .reporter
+                .error(unknown_origin.unwrap_or(origin), message);
         }
         return false;
     }

@@ -1,4 +1,4 @@
-//! What is said of a group that cannot be assembled at the reference inputs.
+//! Messages about a group that cannot be assembled at the reference inputs.
 
 use crate::assembly::degenerate;
 use crate::diagnostic::OriginId;
@@ -10,7 +10,7 @@ use crate::structure::Form;
 use super::assembler::{Assembly, SINGULAR};
 use crate::checks;
 
-/// What to do about a part of a loop that has no value.
+/// The advice for a part of a loop that has no value.
 pub(super) const WITHIN_RANGE: &str =
     "choose a reference input or dimensions at which it has a value";
 
@@ -20,9 +20,9 @@ const LARGEST: f64 = 1e154;
 /// Why a group has no position.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Verdict {
-    /// What goes in is not finite, or everything fits.
+    /// An input value of the group is not finite, or everything fits.
     NotFinite,
-    /// By how much it misses.
+    /// The distance by which the group misses.
     Open(f64),
     /// A dead point.
     Singular,
@@ -99,7 +99,7 @@ pub(super) fn refuse<'m>(assembly: &mut Assembly<'_, 'm>, solved: &Solved<'m>, v
     assembly.reporter.error_with_help(origin, fact, help);
 }
 
-/// What of some loops has no finite value at the reference inputs, and where it is written.
+/// Returns the part of some loops that has no finite value at the reference inputs, and its origin.
 pub(super) fn loops_without_value(
     assembly: &Assembly<'_, '_>,
     loops: &[usize],
@@ -110,8 +110,8 @@ pub(super) fn loops_without_value(
 
 /// True for an angle that is found across the guides of its loop.
 fn has_guides<'m>(assembly: &Assembly<'_, 'm>, solved: &Solved<'m>) -> bool {
-    let own = &assembly.algebra.mechanism.loops[solved.group.loops[0]];
-    let [left, right] = [&own.left, &own.right].map(|side| side.ty.components());
+    let first_loop = &assembly.algebra.mechanism.loops[solved.group.loops[0]];
+    let [left, right] = [&first_loop.left, &first_loop.right].map(|side| side.ty.components());
     let alone = matches!(
         solved.group.form,
         Form::Trigonometric { .. } | Form::Linear { .. }
@@ -119,7 +119,7 @@ fn has_guides<'m>(assembly: &Assembly<'_, 'm>, solved: &Solved<'m>) -> bool {
     alone && left.max(right) == Some(3)
 }
 
-/// How a group in space looks at its dead point.
+/// Describes the shape of a group in space at its dead point.
 fn shape<'m>(assembly: &Assembly<'_, 'm>, form: &Form<'m>) -> String {
     match form {
         Form::LinkToRotor { angle, .. } => format!(

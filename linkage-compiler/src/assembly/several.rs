@@ -8,8 +8,8 @@ use crate::ir::Start;
 use crate::machine::Numbers;
 
 impl Ranges<'_, '_> {
-    /// The first position of a grid over several inputs that cannot be assembled. Where a coupled group is not prepared, the dead point on
-    /// the way there counts.
+    /// Returns the first position of a grid over several inputs that cannot be assembled. If a
+    /// coupled group is not prepared, the dead point on the path there counts.
     pub(super) fn grid_failure(&mut self, declared: &[usize]) -> Option<Broken> {
         let grid = Grid::new(self.nominal, declared);
         (0..grid.count).find_map(|position| {
@@ -31,9 +31,9 @@ impl Ranges<'_, '_> {
         })
     }
 
-    /// Of a coupled group that is prepared over several inputs, at inputs for which it may not be: those at the dead point on the straight
-    /// way there from the reference, if there is one. `None` for other groups, and where the
-    /// equations are not finite.
+    /// Returns the inputs at the dead point on the straight path from the reference to these
+    /// inputs, if there is one, for a coupled group that is prepared over several inputs but may
+    /// not be for these. Returns `None` for other groups, and where the equations are not finite.
     fn unprepared(&self, group: usize, inputs: &[f64]) -> Option<Option<Vec<f64>>> {
         let number = self.formulation.groups[group].prepared.as_ref()?.number;
         let machine = &self.reference.machine;

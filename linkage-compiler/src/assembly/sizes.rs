@@ -1,4 +1,4 @@
-//! How large the mechanism is: lengths that others are compared with.
+//! The size of the mechanism: lengths that others are compared with.
 
 use linkage_symbolic::Ex;
 
@@ -8,10 +8,11 @@ use crate::solve::Formulation;
 
 /// Lengths of one mechanism.
 pub(super) struct Sizes {
-    /// The unit in which lengths are compared with angles: the longest link that turns with an unknown angle, else the
-    /// largest length among the parameters and estimates.
+    /// The unit in which lengths are compared with angles: the longest link that turns with an
+    /// unknown angle, else the largest length among the parameters and estimates.
     pub(super) longest: f64,
-    /// The largest of all that are known: links, parameters, inputs at the reference, lengths that are written in loops.
+    /// The largest known length: links, parameters, inputs at the reference, lengths that are
+    /// written in loops.
     pub(super) largest: f64,
 }
 
@@ -61,7 +62,7 @@ fn links<'m>(formulation: &Formulation<'m>, nominal: &Nominal) -> Vec<f64> {
     links.collect()
 }
 
-/// The lengths that are written as numbers in loops and what they are made of.
+/// Returns the lengths that are written as numbers in loops and in the definitions that loops use.
 fn written(mechanism: &Mechanism) -> impl Iterator<Item = f64> {
     let constants = mechanism.constants.iter().map(|item| &item.value);
     let lets = mechanism.lets.iter().map(|item| &item.value);

@@ -1,4 +1,4 @@
-//! What is said of a coupled group whose assembly cannot be followed over the range.
+//! Messages about a coupled group whose assembly cannot be followed over the range.
 
 use linkage_core::numeric::continuation::Refusal;
 

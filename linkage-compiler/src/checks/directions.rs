@@ -1,5 +1,6 @@
-//! Vectors that must have a direction and have none: axes of `turn` and `frame` and arguments of `unit` that are zero, axes
-//! of a frame that are parallel, as far as their numbers are known. What depends on an unknown is left to run time.
+//! Vectors that must have a direction and have none: axes of `turn` and `frame` and arguments of
+//! `unit` that are zero, axes of a frame that are parallel, as far as their numbers are known.
+//! Vectors that depend on an unknown are left to run time.
 
 mod asked;
 
@@ -16,14 +17,16 @@ use crate::model::{BinaryOp, Expr, ExprKind, Function, Mechanism, Name};
 use crate::message_format::MessageFormat;
 use asked::{Asked, asked_for};
 
-/// Reports every axis and argument of `unit` that is zero, or parallel to the one that it must differ from, for the default dimensions, and in loops those that are zero
-/// at the reference input.
+/// Reports every axis and argument of `unit` that is zero, or parallel to the one that it must
+/// differ from, for the default dimensions, and in loops those that are zero at the reference
+/// input.
 pub(crate) fn check_directions(mechanism: &Mechanism, nominal: &Nominal, reporter: &mut Reporter) {
     let asked = asked_for(mechanism);
     if asked.is_empty() {
         return;
     }
-    // A graph of its own: nodes made in another order would change how sums of the mechanism are written.
+    // A separate graph: nodes made in another order would change the written form of the
+    // mechanism's sums.
     let graph = Graph::new();
     let mut algebra = Algebra::new(mechanism, &graph);
     translate::translate_lets(&mut algebra);
@@ -103,7 +106,7 @@ impl<'a> Check<'a, '_> {
         !self.is_zero(a) && largest(&product) <= ROUNDOFFS * f64::EPSILON * size
     }
 
-    /// How large the terms are that a value is the sum of.
+    /// Returns the size of the terms whose sum a value is.
     fn size(&mut self, expr: &Expr, depth: usize) -> f64 {
         match &expr.kind {
             ExprKind::Name(name) if depth > 0 => self.size_of_name(*name, expr, depth - 1),
@@ -149,7 +152,8 @@ impl<'m> Check<'_, 'm> {
         }
     }
 
-    /// What is wrong with a direction, and what to do about it. `place` says where if that is not everywhere.
+    /// Returns the fault of a direction, and the advice. `place` is the position, if the fault is
+    /// not everywhere.
     fn mistake(&mut self, asked: &Asked, place: &str) -> Option<(String, String)> {
         let Asked {
             subject, vector, ..
@@ -174,7 +178,8 @@ impl<'m> Check<'_, 'm> {
         Some((fact, help.to_owned()))
     }
 
-    /// Why a vector is zero, and what to do about it. `subject` is what it is called.
+    /// Returns the reason why a vector is zero, and the advice. `subject` is the vector's name in
+    /// the message.
     fn reason(&mut self, vector: &Expr, subject: &str) -> (String, String) {
         match &vector.kind {
             ExprKind::Name(name) => {

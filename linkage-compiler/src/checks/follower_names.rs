@@ -1,11 +1,12 @@
-//! Functions with the names of what a follower has beside the functions.
+//! Functions whose names a follower uses for items of its own.
 
 use crate::diagnostic::Reporter;
 use crate::message_format::loop_list;
 use crate::model::{METHODS_OF_FOLLOWER, Mechanism};
 use crate::solve::Formulation;
 
-/// Reports functions that the follower of an assembly has no names for. One is generated if a coupled group depends on several inputs.
+/// Reports functions whose names are taken in the follower of an assembly. A follower is generated
+/// if a coupled group depends on several inputs.
 pub(crate) fn check_names_of_follower(
     mechanism: &Mechanism,
     formulation: &Formulation,

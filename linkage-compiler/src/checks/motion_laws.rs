@@ -1,4 +1,5 @@
-//! Courses for the default dimensions: knots in order, one value where a turn closes, jumps of speed and acceleration.
+//! Motion laws for the default dimensions: knots in order, one value where a turn closes, jumps of
+//! speed and acceleration.
 
 mod ends;
 
@@ -12,31 +13,36 @@ use crate::model::{Expr, ExprKind, Mechanism, MotionLaw, MotionLawKind, Name, Re
 
 use crate::message_format::MessageFormat;
 
-/// Of the size of speeds or accelerations: a smaller difference is rounding.
+/// A smaller difference, as a share of the size of speeds or accelerations, is rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Reports knots out of order, pieces without a law and values that do not close a turn, and warns of jumps that nobody accepts.
+/// Reports knots out of order, pieces without a law and values that do not close a turn, and warns
+/// of jumps that nobody accepts.
 pub(crate) fn check_motion_laws(mechanism: &Mechanism, nominal: &Nominal, reporter: &mut Reporter) {
-    let lets = mechanism.lets.iter().map(|own| &own.value);
-    let constants = mechanism.constants.iter().map(|own| &own.value);
+    let lets = mechanism.lets.iter().map(|item| &item.value);
+    let constants = mechanism.constants.iter().map(|constant| &constant.value);
     let loops = mechanism
         .loops
         .iter()
-        .flat_map(|own| [&own.left, &own.right]);
-    let functions = mechanism.evaluators.iter().flat_map(|own| &own.quantities);
+        .flat_map(|equation| [&equation.left, &equation.right]);
+    let functions = mechanism
+        .evaluators
+        .iter()
+        .flat_map(|function| &function.quantities);
     let mechanics = mechanism.expressions_of_mechanics().into_iter();
     let all = constants
         .chain(lets)
         .chain(loops)
-        .chain(functions.map(|own| &own.value));
+        .chain(functions.map(|quantity| &quantity.value));
     let all = all.chain(mechanics).flat_map(Expr::parts);
     let courses: Vec<&Expr> = all
-        .filter(|own| matches!(own.kind, ExprKind::MotionLaw(_)))
+        .filter(|part| matches!(part.kind, ExprKind::MotionLaw(_)))
         .collect();
     if courses.is_empty() {
         return;
     }
-    // A graph of its own: nodes made in another order would change how sums of the mechanism are written.
+    // A separate graph: nodes made in another order would change the written form of the
+    // mechanism's sums.
     let graph = Graph::new();
     let mut algebra = Algebra::new(mechanism, &graph);
     translate::translate_lets(&mut algebra);
@@ -45,27 +51,27 @@ pub(crate) fn check_motion_laws(mechanism: &Mechanism, nominal: &Nominal, report
         let ExprKind::MotionLaw(course) = &expr.kind else {
             continue;
         };
-        // Slopes have the knots of what they are the slopes of.
+        // Slopes have the knots of the motion law that they are the slopes of.
         if seen.contains(&course.knots[0].origin) {
             continue;
         }
         seen.push(course.knots[0].origin);
-        let mut number = |own: &Expr| {
-            let scale = translate::internal_per_unit(&algebra, &own.ty);
-            nominal::evaluated(&mut algebra, own, &nominal.parameters, &[])[0] / scale
+        let mut number = |expression: &Expr| {
+            let scale = translate::internal_per_unit(&algebra, &expression.ty);
+            nominal::evaluated(&mut algebra, expression, &nominal.parameters, &[])[0] / scale
         };
         let knots: Vec<At> = course
             .knots
             .iter()
-            .map(|own| At {
-                place: number(&own.place),
-                value: number(&own.value),
+            .map(|knot| At {
+                place: number(&knot.place),
+                value: number(&knot.value),
             })
             .collect();
         let known = knots
             .iter()
-            .all(|own| own.place.is_finite() && own.value.is_finite());
-        // What moves, or is told elsewhere as no number, is left to run time.
+            .all(|knot| knot.place.is_finite() && knot.value.is_finite());
+        // Values that move, or that are reported elsewhere as no number, are left to run time.
         if known {
             let words = MessageFormat::new(mechanism);
             Check {
@@ -147,8 +153,8 @@ impl Check<'_, '_> {
             return;
         }
         let ends = [self.knots[0], self.knots[self.knots.len() - 1]];
-        let [from, to] = ends.map(|own| self.value(own.value));
-        let [begins, closes] = ends.map(|own| self.place(own.place));
+        let [from, to] = ends.map(|knot| self.value(knot.value));
+        let [begins, closes] = ends.map(|knot| self.place(knot.place));
         let fact = match ends[0].value == ends[1].value {
             true => format!(
                 "at {closes} it is another expression than at {begins}: for other dimensions it jumps"
@@ -171,13 +177,13 @@ impl Check<'_, '_> {
                 continue;
             }
             let [from, to] = [self.knots[k], self.knots[k + 1]];
-            let [begin, end] = [from, to].map(|own| self.place(own.place));
+            let [begin, end] = [from, to].map(|knot| self.place(knot.place));
             let fact = match from.value == to.value {
                 true => format!(
                     "no law leads from {begin} to {end}, and their values are different expressions"
                 ),
                 false => {
-                    let [before, behind] = [from, to].map(|own| self.value(own.value));
+                    let [before, behind] = [from, to].map(|knot| self.value(knot.value));
                     format!("no law leads from {before} at {begin} to {behind} at {end}")
                 }
             };
@@ -216,7 +222,7 @@ impl Check<'_, '_> {
                     continue;
                 }
                 // Zero has no sign for a reader.
-                let [from, to] = [from, to].map(|own| self.rate(own + 0.0, order + 1));
+                let [from, to] = [from, to].map(|value| self.rate(value + 0.0, order + 1));
                 let at = self.place(self.knots[k].place);
                 let fact = format!("the {name} of this course jumps at {at}, from {from} to {to}");
                 let help = match order {
@@ -237,7 +243,8 @@ impl Check<'_, '_> {
         }
     }
 
-    /// Whether the argument comes to both sides of a knot; the first and the last one may be the ends of an input's range.
+    /// Returns true if the argument comes to both sides of a knot; the first and the last one may
+    /// be the ends of an input's range.
     fn is_reached(&self, knot: usize) -> bool {
         let at = self.knots[knot].place;
         let Some(Name::Input(input)) = self.course.argument.as_name() else {
@@ -248,7 +255,7 @@ impl Check<'_, '_> {
             || range.is_none_or(|(low, high)| low < at && at < high)
     }
 
-    /// How large a derivative is, roughly.
+    /// Returns the approximate size of a derivative.
     fn size(&self, order: usize) -> f64 {
         let pieces = self.knots.windows(2).map(|pair| {
             let width = pair[1].place - pair[0].place;
@@ -260,9 +267,9 @@ impl Check<'_, '_> {
     /// A derivative by the argument, with its unit.
     fn rate(&self, rate: f64, order: usize) -> String {
         let per = match self.course.argument_type() {
-            Type::Scalar(own) if own.angle => "rad".to_owned(),
-            ty => ty.dimension().map_or(String::new(), |own| {
-                own.unit(self.mechanism.unit).to_string()
+            Type::Scalar(dimension) if dimension.angle => "rad".to_owned(),
+            ty => ty.dimension().map_or(String::new(), |dimension| {
+                dimension.unit(self.mechanism.unit).to_string()
             }),
         };
         let per = match (per.as_str(), order) {

@@ -8,8 +8,8 @@ use crate::model::{Expr, ExprKind, Mechanism, Name, Parameter, Variable};
 
 use crate::message_format::MessageFormat;
 
-/// Warns of parameters that neither loops nor bodies nor functions mention. One whose name begins with `_`, or with
-/// `#[allow(unused)]`, is meant to be so.
+/// Warns of parameters that neither loops nor bodies nor functions mention. An unused parameter is
+/// intended if its name begins with `_`, or if it has `#[allow(unused)]`.
 pub(crate) fn warn_of_unused(mechanism: &Mechanism, nominal: &Nominal, reporter: &mut Reporter) {
     if mechanism.evaluators.is_empty() {
         // It has just been begun.
@@ -17,8 +17,8 @@ pub(crate) fn warn_of_unused(mechanism: &Mechanism, nominal: &Nominal, reporter:
     }
     let used = mentioned(mechanism);
     let parameters = mechanism.parameters.iter().enumerate();
-    for (_, own) in parameters.filter(|(index, own)| {
-        !used.contains(index) && !own.name.starts_with('_') && !own.may_be_unused
+    for (_, parameter) in parameters.filter(|(index, parameter)| {
+        !used.contains(index) && !parameter.name.starts_with('_') && !parameter.may_be_unused
     }) {
         let Parameter {
             name,
@@ -26,13 +26,13 @@ pub(crate) fn warn_of_unused(mechanism: &Mechanism, nominal: &Nominal, reporter:
             first_scalar,
             tolerances,
             ..
-        } = own;
+        } = parameter;
         let values = &nominal.parameters[first_scalar.0..][..tolerances.len()];
         let value = MessageFormat::new(mechanism).value(ty, values);
         let fact =
             format!("the parameter `{name} = {value}` is used by no loop, no body and no function");
         let help = "remove it, or write `#[allow(unused)]` above it if it is to be a field only";
-        reporter.warning_with_help(own.origin, fact, help);
+        reporter.warning_with_help(parameter.origin, fact, help);
     }
 }
 
@@ -66,12 +66,15 @@ fn expressions(mechanism: &Mechanism) -> Vec<&Expr> {
         mechanism
             .unknowns
             .iter()
-            .filter_map(|own| own.estimate.as_ref()),
+            .filter_map(|unknown| unknown.estimate.as_ref()),
     );
-    all.extend(mechanism.lets.iter().map(|own| &own.value));
+    all.extend(mechanism.lets.iter().map(|item| &item.value));
     let loops = mechanism.loops.iter().chain(&mechanism.redundant);
-    all.extend(loops.flat_map(|own| [&own.left, &own.right]));
-    let quantities = mechanism.evaluators.iter().flat_map(|own| &own.quantities);
-    all.extend(quantities.map(|own| &own.value));
+    all.extend(loops.flat_map(|equation| [&equation.left, &equation.right]));
+    let quantities = mechanism
+        .evaluators
+        .iter()
+        .flat_map(|function| &function.quantities);
+    all.extend(quantities.map(|quantity| &quantity.value));
     all
 }

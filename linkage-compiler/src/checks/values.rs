@@ -1,4 +1,5 @@
-//! What is computed of the declared dimensions alone and has no finite value for them: `sqrt(crank - rocker)`.
+//! Expressions of the declared dimensions alone that have no finite value for them:
+//! `sqrt(crank - rocker)`.
 
 use crate::algebra::nominal;
 use crate::algebra::translate;
@@ -13,30 +14,35 @@ use crate::syntax::Word;
 
 use crate::message_format::MessageFormat;
 
-/// Reports the innermost expressions of parameters and numbers that are not finite: as errors those that leave a loop without a
-/// solution, else as warnings, since other dimensions may be meant to be given, or an infinity to be compared with.
+/// Reports the innermost expressions of parameters and numbers that are not finite: as errors those
+/// that leave a loop without a solution, else as warnings, since other dimensions may be meant to
+/// be given, or an infinity to be compared with.
 pub(crate) fn check_values(mechanism: &Mechanism, nominal: &Nominal, reporter: &mut Reporter) {
-    // A graph of its own: nodes made in another order would change how sums of the mechanism are written.
+    // A separate graph: nodes made in another order would change the written form of the
+    // mechanism's sums.
     let graph = Graph::new();
     let mut algebra = Algebra::new(mechanism, &graph);
     translate::translate_lets(&mut algebra);
     let mut check = Check::new(algebra, nominal, &[]);
     let all: Vec<usize> = (0..mechanism.loops.len()).collect();
     let used = mechanism.usage(&all).lets;
-    for (index, own) in mechanism.lets.iter().enumerate() {
-        check.fixed[index] = check.is_fixed(&own.value);
+    for (index, item) in mechanism.lets.iter().enumerate() {
+        check.fixed[index] = check.is_fixed(&item.value);
         let place = match used[index] {
             true => Place::InLoop,
             false => Place::Elsewhere,
         };
-        check.look_at(&own.value, place);
+        check.look_at(&item.value, place);
     }
-    for own in &mechanism.loops {
-        check.look_at(&own.left, Place::Term);
-        check.look_at(&own.right, Place::Term);
+    for equation in &mechanism.loops {
+        check.look_at(&equation.left, Place::Term);
+        check.look_at(&equation.right, Place::Term);
     }
-    let quantities = mechanism.evaluators.iter().flat_map(|own| &own.quantities);
-    let values = quantities.map(|own| &own.value);
+    let quantities = mechanism
+        .evaluators
+        .iter()
+        .flat_map(|function| &function.quantities);
+    let values = quantities.map(|quantity| &quantity.value);
     for value in values.chain(mechanism.expressions_of_mechanics()) {
         check.look_at(value, Place::Elsewhere);
     }
@@ -53,7 +59,8 @@ pub(crate) fn check_values(mechanism: &Mechanism, nominal: &Nominal, reporter: &
     }
 }
 
-/// The innermost expression of some loops that has no finite value at given inputs, in words: of dimensions and inputs, not of unknowns.
+/// Returns the innermost expression of some loops that has no finite value at given inputs, as
+/// text: an expression of dimensions and inputs, not of unknowns.
 pub(crate) fn without_value(
     mechanism: &Mechanism,
     nominal: &Nominal,
@@ -65,26 +72,27 @@ pub(crate) fn without_value(
     translate::translate_lets(&mut algebra);
     let mut check = Check::new(algebra, nominal, inputs);
     let used = mechanism.usage(loops).lets;
-    for (index, own) in mechanism.lets.iter().enumerate() {
-        check.fixed[index] = check.is_fixed(&own.value);
+    for (index, item) in mechanism.lets.iter().enumerate() {
+        check.fixed[index] = check.is_fixed(&item.value);
         if used[index] {
-            check.look_at(&own.value, Place::InLoop);
+            check.look_at(&item.value, Place::InLoop);
         }
     }
-    for &own in loops {
-        check.look_at(&mechanism.loops[own].left, Place::Term);
-        check.look_at(&mechanism.loops[own].right, Place::Term);
+    for &index in loops {
+        check.look_at(&mechanism.loops[index].left, Place::Term);
+        check.look_at(&mechanism.loops[index].right, Place::Term);
     }
     let found = std::mem::take(&mut check.found).into_iter().next()?;
     Some((found.expr.origin, check.fact(&found)))
 }
 
-/// Where an expression stands.
+/// The position of an expression.
 #[derive(Clone, Copy, PartialEq)]
 enum Place {
     /// A loop is a sum of it and others.
     Term,
-    /// A loop contains it: NaN goes through all that is computed with it, an infinity may be the larger of two numbers.
+    /// A loop contains it: NaN goes through all values computed with it, an infinity may be the
+    /// larger of two numbers.
     InLoop,
     Elsewhere,
 }
@@ -97,10 +105,10 @@ struct Found<'m> {
 struct Check<'a, 'm> {
     mechanism: &'m Mechanism,
     nominal: &'a Nominal,
-    /// Where inputs are looked at, too; empty where they are not.
+    /// The inputs, if they are considered, too; else empty.
     inputs: &'a [f64],
     algebra: Algebra<'m>,
-    /// By derived quantity: whether it depends on dimensions alone.
+    /// For each derived quantity, true if it depends on dimensions alone.
     fixed: Vec<bool>,
     found: Vec<Found<'m>>,
 }
@@ -141,7 +149,7 @@ impl<'a, 'm> Check<'a, 'm> {
                 (_, Place::Term) if expr.summands().is_empty() => Place::InLoop,
                 _ => place,
             };
-            open.extend(expr.operands().into_iter().map(|own| (own, below)));
+            open.extend(expr.operands().into_iter().map(|operand| (operand, below)));
         }
     }
 
@@ -149,14 +157,18 @@ impl<'a, 'm> Check<'a, 'm> {
     fn blame(&mut self, expr: &'m Expr, place: Place) {
         let mut open = vec![expr];
         while let Some(expr) = open.pop() {
-            // A name is told where it is declared.
+            // A name is reported at its declaration.
             let told = matches!(expr.kind, ExprKind::Name(_) | ExprKind::Number(_));
             if told || self.is_finite(expr) {
                 continue;
             }
             let operands = expr.operands();
             let before = open.len();
-            open.extend(operands.into_iter().filter(|own| !self.is_finite(own)));
+            open.extend(
+                operands
+                    .into_iter()
+                    .filter(|operand| !self.is_finite(operand)),
+            );
             if open.len() == before {
                 let fatal = match place {
                     Place::Term => true,
@@ -192,7 +204,7 @@ impl<'a, 'm> Check<'a, 'm> {
         let words = MessageFormat::new(self.mechanism);
         let operands = expr.operands().into_iter();
         let operands: Vec<String> = operands
-            .map(|own| words.value(&own.ty, &self.value(own)))
+            .map(|operand| words.value(&operand.ty, &self.value(operand)))
             .collect();
         let what = match &expr.kind {
             ExprKind::Call(function, _) => {
@@ -207,10 +219,14 @@ impl<'a, 'm> Check<'a, 'm> {
         let parameters: Vec<String> = below
             .into_iter()
             .map(|index| {
-                let own = &self.mechanism.parameters[index];
-                let values = &self.nominal.parameters[own.first_scalar.0..];
-                let values = &values[..own.tolerances.len()];
-                format!("`{} = {}`", own.name, words.value(&own.ty, values))
+                let parameter = &self.mechanism.parameters[index];
+                let values = &self.nominal.parameters[parameter.first_scalar.0..];
+                let values = &values[..parameter.tolerances.len()];
+                format!(
+                    "`{} = {}`",
+                    parameter.name,
+                    words.value(&parameter.ty, values)
+                )
             })
             .collect();
         let of = match parameters.is_empty() {

@@ -1,4 +1,5 @@
-//! One program for all groups, and those of coupled groups: what closes the loops at compile time.
+//! One program for all groups, and those of coupled groups: the programs that close the loops at
+//! compile time.
 
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::passes::reciprocals;
@@ -23,7 +24,7 @@ pub(crate) fn closing<'m>(
         true => AssemblySource::Estimates,
         false => AssemblySource::ListingOrEstimates,
     };
-    let own = group_nodes(algebra, formulation, nominal, &mut inliner, source);
+    let coupled_nodes = group_nodes(algebra, formulation, nominal, &mut inliner, source);
     let mut lists: Vec<Vec<NodeId>> = Vec::new();
     let mut all = Vec::new();
     let mut next = 0;
@@ -49,7 +50,7 @@ pub(crate) fn closing<'m>(
     }
     let mut closing = Closing {
         groups: all,
-        coupled: groups(algebra, formulation, nominal, &own, |nodes| {
+        coupled: groups(algebra, formulation, nominal, &coupled_nodes, |nodes| {
             reciprocals::share(schedule_whole(&inliner.target, nodes))
         }),
         ..Closing::default()
@@ -61,17 +62,25 @@ pub(crate) fn closing<'m>(
         units.extend(algebra.names.angles[angle].unit.components());
     }
     let angles: Vec<usize> = closing.valued.iter().map(|(angle, _)| *angle).collect();
-    find_turning(&mut closing.coupled, &own, &inliner.target, &angles);
+    find_turning(
+        &mut closing.coupled,
+        &coupled_nodes,
+        &inliner.target,
+        &angles,
+    );
     lists.push(plain(&mut inliner, &units));
     closing.program = reciprocals::share(schedule_whole(&inliner.target, &lists.concat()));
     let mut next = 0;
     let mut end = 0;
-    for (own, outputs) in lists.iter().zip(&mut closing.groups) {
-        // What computes a list stands before what later lists need beside it.
-        let last = closing.program.outputs[next..].iter().take(own.len()).max();
+    for (list, outputs) in lists.iter().zip(&mut closing.groups) {
+        // The nodes that compute a list come before the further nodes of later lists.
+        let last = closing.program.outputs[next..]
+            .iter()
+            .take(list.len())
+            .max();
         end = end.max(last.map_or(0, |value| value.0 + 1));
         outputs.end = end;
-        next += own.len();
+        next += list.len();
     }
     closing
 }

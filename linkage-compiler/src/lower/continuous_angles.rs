@@ -1,4 +1,4 @@
-//! The angles whose values are used, and what their turns are counted by.
+//! The angles whose values are used, and the expressions that count their turns.
 
 use crate::algebra::derivatives::dependence;
 use linkage_symbolic::Ex;
@@ -17,12 +17,19 @@ pub(super) fn continuous_angles<'m>(
         let angle = algebra.names.angles[index].clone();
         let phasors = angle.reference.and_then(|bearing| bearing.phasors(algebra));
         let phasors = phasors.unwrap_or_default();
-        coefficients.extend(phasors.iter().flat_map(|own| own.coefficient.components()));
+        coefficients.extend(
+            phasors
+                .iter()
+                .flat_map(|phasor| phasor.coefficient.components()),
+        );
         ContinuousAngle {
             unknown: angle.meant().unwrap_or(0),
             inputs: dependence::inputs_below(algebra, &angle.unit.0),
             estimate: angle.estimate(nominal),
-            phases: phasors.iter().map(|own| phase(algebra, own)).collect(),
+            phases: phasors
+                .iter()
+                .map(|phasor| phase(algebra, phasor))
+                .collect(),
         }
     });
     (angles.collect(), coefficients)

@@ -1,4 +1,5 @@
-//! The results of a function in a plain graph, and the passes that rewrite them before they are scheduled.
+//! The results of a function in a plain graph, and the passes that rewrite them before they are
+//! scheduled.
 
 use linkage_symbolic::count::{chain, time};
 use linkage_symbolic::inline::Inliner;
@@ -16,7 +17,7 @@ pub(crate) struct Formulas {
     inlined: Vec<NodeId>,
     shared: Vec<NodeId>,
     halved: Vec<NodeId>,
-    /// What is scheduled.
+    /// The nodes that are scheduled.
     pub(crate) last: Vec<NodeId>,
 }
 

@@ -17,7 +17,8 @@ use super::plain::valued_angles;
 pub(crate) struct FunctionExpressions {
     pub(crate) graph: Graph,
     pub(crate) formulas: Formulas,
-    /// The results for dimensions, derivatives or digits that a table does not have, if they differ.
+    /// The results for dimensions, derivatives or digits that a table does not have, if they
+    /// differ.
     pub(crate) beside: Option<Vec<NodeId>>,
     /// The results at the states of a follower, if they differ.
     pub(crate) settled: Option<Vec<NodeId>>,

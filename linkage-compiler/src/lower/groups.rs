@@ -1,4 +1,5 @@
-//! The programs by which coupled groups are prepared: in `assemble()`, and at compile time by the interpreter.
+//! The programs by which coupled groups are prepared: in `assemble()`, and at compile time by the
+//! interpreter.
 
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::program::Program;
@@ -78,12 +79,12 @@ pub(super) fn group_nodes<'m>(
         let Some(prepared) = &solved.prepared else {
             continue;
         };
-        // Where its unknowns are in a given state, not after the steps of a call.
+        // The unknowns have their values in a given state, not after the steps of a call.
         prepared.define(algebra.graph, Version::Raw);
-        let own = placed_unknowns(algebra, formulation, index).into_iter();
-        let own = own.flat_map(|unknown| algebra.names.numbers_of(unknown));
-        let own: Vec<Ex> = own.chain([prepared.reach]).collect();
-        all[prepared.number].placed = plain(inliner, &own);
+        let placed_numbers = placed_unknowns(algebra, formulation, index).into_iter();
+        let placed_numbers = placed_numbers.flat_map(|unknown| algebra.names.numbers_of(unknown));
+        let placed_numbers: Vec<Ex> = placed_numbers.chain([prepared.reach]).collect();
+        all[prepared.number].placed = plain(inliner, &placed_numbers);
         prepared.define(algebra.graph, Version::Called);
     }
     all
@@ -101,7 +102,7 @@ fn placed_unknowns<'m>(
         .collect()
 }
 
-/// What else is known of the coupled groups; `program` schedules nodes.
+/// Returns the other properties of the coupled groups; `program` schedules nodes.
 pub(super) fn groups<'m>(
     algebra: &Algebra<'m>,
     formulation: &Formulation<'m>,
@@ -114,25 +115,25 @@ pub(super) fn groups<'m>(
         let Some(prepared) = &solved.prepared else {
             continue;
         };
-        let own = &nodes[prepared.number];
+        let group_nodes = &nodes[prepared.number];
         groups.push(Coupled {
             group: index,
             inputs: prepared.inputs.clone(),
             size: prepared.size,
             in_cells: prepared.in_cells,
             variables: prepared.system.variables.clone(),
-            followed: own.source == AssemblySource::Estimates,
-            terms: match own.source {
+            followed: group_nodes.source == AssemblySource::Estimates,
+            terms: match group_nodes.source {
                 AssemblySource::Estimates => Vec::new(),
                 AssemblySource::Listing | AssemblySource::ListingOrEstimates => {
                     prepared.system.terms.clone()
                 }
             },
-            system: program(&own.system),
-            estimate: program(&own.estimate),
-            residuals: program(&own.residuals),
-            correct: program(&own.correct),
-            placed: program(&own.placed),
+            system: program(&group_nodes.system),
+            estimate: program(&group_nodes.estimate),
+            residuals: program(&group_nodes.residuals),
+            correct: program(&group_nodes.correct),
+            placed: program(&group_nodes.placed),
             missed: Program::default(),
             missed_loops: Vec::new(),
             turning: 0,
@@ -147,15 +148,16 @@ pub(super) fn groups<'m>(
     groups
 }
 
-/// How many of the angles, in their order, must be followed before each group: up to the last whose value its programs use.
+/// Stores in each group the number of angles, in their order, that must be followed before it: up
+/// to the last whose value its programs use.
 pub(super) fn find_turning(
     groups: &mut [Coupled],
     nodes: &[GroupNodes],
     graph: &Graph,
     angles: &[usize],
 ) {
-    for (group, own) in groups.iter_mut().zip(nodes) {
-        let valued = valued_angles(graph, &own.all());
+    for (group, group_nodes) in groups.iter_mut().zip(nodes) {
+        let valued = valued_angles(graph, &group_nodes.all());
         let last = angles.iter().rposition(|angle| valued.contains(angle));
         group.turning = last.map_or(0, |last| last + 1);
     }

@@ -1,4 +1,5 @@
-//! By how much the loops of a group that is followed from its estimates miss: told where these lead to no assembly.
+//! The distance by which the loops of a group that is followed from its estimates miss, for the
+//! message if the estimates lead to no assembly.
 
 use crate::model::unknown_frames;
 use linkage_symbolic::Ex;
@@ -13,7 +14,8 @@ use crate::solve::{Formulation, Solved, Version};
 
 use super::plain::{plain, valued_angles};
 
-/// Adds to each group that is followed the program that tells by how much its loops miss in a state.
+/// Adds to each group that is followed the program that computes the distance by which its loops
+/// miss in a state.
 pub(super) fn missed<'m>(
     algebra: &mut Algebra<'m>,
     formulation: &Formulation<'m>,
@@ -27,7 +29,7 @@ pub(super) fn missed<'m>(
         if !unit.coupled[prepared.number].followed {
             continue;
         }
-        // Where its unknowns are in a given state, not after the steps of a call.
+        // The unknowns have their values in a given state, not after the steps of a call.
         prepared.define(algebra.graph, Version::Raw);
         let (loops, mut sides) = differences(algebra, solved, unit.longest);
         for frame in loops_of_frames(algebra.mechanism, formulation, index) {
@@ -45,7 +47,8 @@ pub(super) fn missed<'m>(
     }
 }
 
-/// The loops that make frames rigid and can be told when a group is solved, not before; its own are those that are written.
+/// Returns the loops that make frames rigid and can be evaluated once a group is solved, not
+/// before; the group's own loops are those that are written.
 fn loops_of_frames(mechanism: &Mechanism, formulation: &Formulation, group: usize) -> Vec<usize> {
     let is_new = |&index: &usize| {
         let about = mechanism.usage(&[index]).unknowns.into_iter().enumerate();
@@ -68,17 +71,19 @@ fn differences<'m>(
     let written = loops.filter(|&index| !unknown_frames::is_loop_of_frame(mechanism, index));
     let (mut missed, mut sides) = (Vec::new(), Vec::new());
     for index in written {
-        let own = &mechanism.loops[index];
-        let difference = difference(algebra, own);
+        let equation = &mechanism.loops[index];
+        let difference = difference(algebra, equation);
         // A side that is 0 may be of any dimension.
-        let dimensions = [&own.left.ty, &own.right.ty].into_iter();
+        let dimensions = [&equation.left.ty, &equation.right.ty].into_iter();
         let dimensions = dimensions.filter_map(|ty| ty.dimension());
-        let dimension = dimensions.max_by_key(|own| own.half_lengths);
+        let dimension = dimensions.max_by_key(|dimension| dimension.half_lengths);
         missed.push(MissedLoop {
             number: index + 1,
             rows: difference.len(),
-            unit: dimension.map_or_else(String::new, |own| own.unit(mechanism.unit)),
-            scale: dimension.map_or(1.0, |own| longest.powf(0.5 * f64::from(own.half_lengths))),
+            unit: dimension.map_or_else(String::new, |dimension| dimension.unit(mechanism.unit)),
+            scale: dimension.map_or(1.0, |dimension| {
+                longest.powf(0.5 * f64::from(dimension.half_lengths))
+            }),
         });
         sides.extend(difference);
     }

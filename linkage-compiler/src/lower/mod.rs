@@ -1,4 +1,4 @@
-//! From expressions to programs: definitions inlined, values shared, sliced and ordered.
+//! Lowering of expressions to programs: definitions inlined, values shared, sliced and ordered.
 //!
 //! [`mechanism`] makes all programs of a compiled mechanism. [`closing`] makes those that close the
 //! loops at the reference inputs, which are run by the interpreter before functions are looked at.

@@ -12,7 +12,7 @@ struct Pass {
     run: fn(&mut CompiledMechanism),
 }
 
-/// What only the bodies of functions are made to: behind the passes of programs.
+/// The passes of function bodies alone, which run after the passes of programs.
 const OF_FUNCTIONS: [Pass; 2] = [
     // The loops of sweeps run stages.
     Pass {

@@ -1,4 +1,5 @@
-//! What a unit says beside its programs: what goes in, and what was found out about the groups.
+//! The facts of a unit besides its programs: its inputs, and the results of the analysis of the
+//! groups.
 
 use crate::algebra::constant_ratio;
 use crate::algebra::derivatives::dependence;
@@ -64,12 +65,12 @@ pub(super) fn signature<'m>(
         let dimension = unknown.ty.dimension();
         Unknown {
             name: unknown.name.clone(),
-            unit: dimension.map_or_else(String::new, |own| own.unit(mechanism.unit)),
-            is_number: dimension.is_some_and(|own| own.half_lengths == 0),
+            unit: dimension.map_or_else(String::new, |dimension| dimension.unit(mechanism.unit)),
+            is_number: dimension.is_some_and(|dimension| dimension.half_lengths == 0),
         }
     });
-    let own = own_parameters(algebra, formulation);
-    let groups = formulation.groups.iter().zip(own);
+    let group_parameters = own_parameters(algebra, formulation);
+    let groups = formulation.groups.iter().zip(group_parameters);
     CompiledMechanism {
         documentation: mechanism.documentation.clone(),
         length: mechanism.unit.name(),
@@ -109,7 +110,7 @@ fn own_parameters(algebra: &Algebra, formulation: &Formulation) -> Vec<Vec<usize
             let coefficients = prepared.system.coefficients.iter();
             needs.extend(coefficients.flat_map(|x| x.components()));
         }
-        // What groups before are made of has been looked at.
+        // The dependencies of earlier groups have been visited.
         let symbols = dependence::add_symbols_below(algebra, &needs, &mut seen).into_iter();
         let mut parameters: Vec<usize> = symbols
             .filter_map(|symbol| match algebra.graph.symbol(symbol).source {
@@ -124,14 +125,15 @@ fn own_parameters(algebra: &Algebra, formulation: &Formulation) -> Vec<Vec<usize
     groups.collect()
 }
 
-/// How a group is solved: where its assemblies cannot be listed, another way than its form says.
+/// Returns the method that solves a group: a group whose assemblies cannot be listed has another
+/// one than its form gives.
 fn method(algebra: &Algebra, solved: &Solved, reference: &Reference) -> String {
     let coupled = &reference.machine.closing.coupled;
-    let followed = |own: &&Prepared| coupled[own.number].followed;
-    let Some(own) = solved.prepared.as_ref().filter(followed) else {
+    let followed = |prepared: &&Prepared| coupled[prepared.number].followed;
+    let Some(prepared) = solved.prepared.as_ref().filter(followed) else {
         return solved.closed.method.to_owned();
     };
-    let how = own.method();
+    let how = prepared.method();
     let solutions = SolutionBound::of_group(algebra, &solved.group);
     format!("followed from the estimates; {solutions} not listed; {how}")
 }
@@ -161,7 +163,7 @@ fn group(
     }
 }
 
-/// What the slack of a group is.
+/// Returns the kind of slack of a group.
 fn slack(solved: &Solved) -> Slack {
     let closed = &solved.closed;
     match solved.prepared {

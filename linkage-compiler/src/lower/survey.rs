@@ -1,4 +1,4 @@
-//! The survey of a mechanism: margins, slacks and the numbers that tell assemblies apart.
+//! The survey of a mechanism: margins, slacks and the numbers that distinguish assemblies.
 
 use linkage_symbolic::Ex;
 

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use crate::algebra::{Algebra, Nominal};
 
-/// The range over which an angle is followed along an input: the declared one, else a turn about the reference for an
-/// angle, only the reference for a length.
+/// Returns the range over which an angle is followed along an input: the declared one, else a turn
+/// about the reference for an angle, only the reference for a length.
 pub(crate) fn followed_range(algebra: &Algebra, nominal: &Nominal, input: usize) -> (f64, f64) {
     let reference = nominal.inputs[input];
     let half = match algebra.mechanism.inputs[input].dimension.half_lengths {

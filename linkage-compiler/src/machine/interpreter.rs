@@ -19,17 +19,17 @@ pub(crate) struct Machine {
     pub(crate) modes: Vec<f64>,
     pub(crate) centres: Map<usize, f64>,
     pub(crate) windings: Map<(usize, usize), f64>,
-    /// What is prepared of each coupled group: nothing until it is closed.
+    /// The prepared start of each coupled group: `None` until the group is closed.
     pub(crate) starts: Vec<Option<Start>>,
 }
 
 /// The state of a group near some inputs, then the least determinant that is certified.
 fn state(start: &Start, group: &Coupled, inputs: &[f64]) -> Vec<f64> {
     let mut numbers = vec![0.0; group.size];
-    let own: Vec<f64> = group.inputs.iter().map(|&input| inputs[input]).collect();
+    let group_inputs: Vec<f64> = group.inputs.iter().map(|&input| inputs[input]).collect();
     let floor = match start {
-        Start::Table(table) => table.state(own[0], &mut numbers),
-        Start::Grid(grid) => grid.state(&own, &mut numbers),
+        Start::Table(table) => table.state(group_inputs[0], &mut numbers),
+        Start::Grid(grid) => grid.state(&group_inputs, &mut numbers),
     };
     numbers.push(floor);
     numbers
@@ -47,13 +47,17 @@ impl Machine {
         }
     }
 
-    /// The cosines among the outputs of angles that functions ask for and no group uses.
+    /// Returns the cosines among the outputs of angles that functions use and no group uses.
     pub(crate) fn outputs_of(
         &self,
         algebra: &Algebra,
         asked: &[ContinuousAngle],
     ) -> Vec<(usize, usize)> {
-        let outputs = self.closing.groups.iter().flat_map(|own| &own.unknowns);
+        let outputs = self
+            .closing
+            .groups
+            .iter()
+            .flat_map(|group_outputs| &group_outputs.unknowns);
         outputs
             .filter(|(unknown, _)| asked.iter().any(|angle| angle.unknown == *unknown))
             .filter_map(|&(unknown, output)| match algebra.names.bound[unknown] {
@@ -77,7 +81,8 @@ impl Machine {
         });
     }
 
-    /// Runs a program of coupled group `number` at given inputs; `state` is what that group starts from.
+    /// Runs a program of coupled group `number` at given inputs; `state` is the state from which
+    /// that group starts.
     pub(crate) fn run_coupled(
         &self,
         number: usize,
@@ -109,7 +114,7 @@ impl Machine {
         run_by::<Generated<Enclosure, false>>(program, load)
     }
 
-    /// What is prepared of all coupled groups near some inputs.
+    /// Returns the prepared states of all coupled groups near some inputs.
     pub(crate) fn states(&self, inputs: &[f64]) -> Vec<Vec<f64>> {
         let starts = self.starts.iter().zip(&self.closing.coupled);
         starts

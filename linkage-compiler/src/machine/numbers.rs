@@ -1,4 +1,4 @@
-//! Coupled groups on numbers, as what follows them sees them.
+//! Coupled groups evaluated on numbers, in the form used to follow them.
 
 use linkage_core::Enclosure;
 use linkage_core::numeric::continuation::{Correction, Residuals, Step};
@@ -18,15 +18,15 @@ pub(crate) struct Numbers<'a> {
 impl<'a> Numbers<'a> {
     /// A coupled group at these inputs of the mechanism, and those of them that are its own.
     pub(crate) fn new(machine: &'a Machine, number: usize, inputs: &[f64]) -> (Self, Vec<f64>) {
-        let own = &machine.closing.coupled[number].inputs;
-        let own = own.iter().map(|&input| inputs[input]).collect();
+        let group_inputs = &machine.closing.coupled[number].inputs;
+        let group_inputs = group_inputs.iter().map(|&input| inputs[input]).collect();
         let inputs = inputs.to_vec();
         let numbers = Self {
             machine,
             number,
             inputs,
         };
-        (numbers, own)
+        (numbers, group_inputs)
     }
 
     fn group(&self) -> &Coupled {
@@ -36,8 +36,8 @@ impl<'a> Numbers<'a> {
     /// All inputs of the mechanism; the group's own are `x`.
     fn at(&mut self, x: &[f64]) {
         let machine = self.machine;
-        let own = &machine.closing.coupled[self.number].inputs;
-        for (&input, &value) in own.iter().zip(x) {
+        let group_inputs = &machine.closing.coupled[self.number].inputs;
+        for (&input, &value) in group_inputs.iter().zip(x) {
             self.inputs[input] = value;
         }
     }

@@ -1,4 +1,5 @@
-//! The way to the results, and the direction of sensitivities: every function takes what costs it least.
+//! The strategy for the results, and the direction of sensitivities: every function takes the
+//! cheapest.
 
 use crate::algebra::derivatives::links;
 use crate::algebra::derivatives::preaccumulation;
@@ -12,25 +13,27 @@ use crate::model::EvaluatorDef;
 use super::quantity::{Requested, Strategy, request};
 use super::state::State;
 
-/// The results of a function in the plain graph, and how derivatives by parameters among them are found.
+/// The results of a function in the plain graph, and the method for derivatives by parameters among
+/// them.
 #[derive(Debug)]
 pub(super) struct Choice<'m> {
-    /// As requested.
+    /// The scalars as requested.
     scalars: Vec<Ex<'m>>,
     pub(super) formulas: Formulas,
     strategy: Strategy,
-    /// What is differentiated by parameters.
+    /// The scalars that are differentiated by parameters.
     sensed: Vec<Ex<'m>>,
-    /// What a call costs, once another way has been tried.
+    /// The time of a call, once another variant has been tried.
     time: Option<u32>,
 }
 
-/// What known products of links must spare, as a share of the time. They join what several groups compute, and where two of those wait for each other's roots an optimiser that
-/// packs them lets both wait: with 165 instead of 168 that took 47 ns instead of 40.
+/// The share of the time that known products of links must save. They join the results of several
+/// groups, and an optimiser that packs two groups that wait for each other's roots lets both wait:
+/// with 165 instead of 168, a call took 47 ns instead of 40.
 const WORTH: f64 = 0.02;
 
 impl<'m> Choice<'m> {
-    /// What was requested, in the way in which it was.
+    /// Returns the results as requested, computed in the requested way.
     pub(super) fn first(
         inliner: &mut Inliner,
         requested: Requested<'m>,
@@ -45,7 +48,7 @@ impl<'m> Choice<'m> {
         }
     }
 
-    /// How derivatives by parameters are found; `None` if there are none.
+    /// Returns the direction of the derivatives by parameters; `None` if there are none.
     pub(super) fn direction(&self) -> Option<Direction> {
         (!self.sensed.is_empty()).then_some(self.strategy.direction)
     }

@@ -1,4 +1,4 @@
-//! What each number of a result is: its name, its unit, what it was derived from.
+//! The description of each number of a result: its name, its unit, its origin.
 
 use crate::ir::{Column, Meaning, Picture};
 use crate::model::{
@@ -17,7 +17,7 @@ pub(super) fn columns(
         definition,
     };
     let mut all = Vec::new();
-    // Derivatives refer to the quantities themselves, which may stand behind them.
+    // Derivatives refer to the quantities themselves, which may come after them.
     let mut firsts = Vec::new();
     let mut next = 0;
     for quantity in &definition.quantities {
@@ -73,10 +73,11 @@ impl Namer<'_> {
         }
     }
 
-    /// The unit of the number at a place in a quantity: of a derivative `mm/rad`, `rad/mm^2`, `mm/(rad*mm)`.
+    /// Returns the unit of the number at an index in a quantity: for a derivative `mm/rad`,
+    /// `rad/mm^2`, `mm/(rad*mm)`.
     fn unit(&self, expr: &Expr, offset: usize) -> String {
         let mut divisors = Vec::new();
-        let own = self.numerator(expr, offset, &mut divisors);
+        let numerator = self.numerator(expr, offset, &mut divisors);
         let mut powers: Vec<(String, usize)> = Vec::new();
         for divisor in divisors.into_iter().filter(|divisor| !divisor.is_empty()) {
             match powers.iter_mut().find(|(unit, _)| *unit == divisor) {
@@ -91,43 +92,43 @@ impl Namer<'_> {
                 _ => format!("{unit}^{power}"),
             })
             .collect();
-        let own = match own.as_str() {
+        let numerator = match numerator.as_str() {
             "" if !factors.is_empty() => "1".to_owned(),
             quotient if quotient.contains('/') && !factors.is_empty() => format!("({quotient})"),
-            _ => own,
+            _ => numerator,
         };
         match factors.len() {
-            0 => own,
-            1 => format!("{own}/{}", factors[0]),
-            _ => format!("{own}/({})", factors.join("*")),
+            0 => numerator,
+            1 => format!("{numerator}/{}", factors[0]),
+            _ => format!("{numerator}/({})", factors.join("*")),
         }
     }
 
-    /// The unit of what is differentiated, and those of the variables.
+    /// Returns the unit of the differentiated quantity, and adds the units of the variables.
     fn numerator(&self, expr: &Expr, offset: usize, divisors: &mut Vec<String>) -> String {
         let width = |inner: &Expr| Shape::from_type(&inner.ty).width();
         match expr.derived() {
             Some(Derived::ByInputs(inner, order)) => {
                 let drives = self.drives();
                 let mut entry = offset / width(inner);
-                let own = self.numerator(inner, offset % width(inner), divisors);
+                let numerator = self.numerator(inner, offset % width(inner), divisors);
                 for _ in 0..order {
                     let input = drives[entry % drives.len()];
                     divisors.push(self.unit_of(Variable::Input(input)));
                     entry /= drives.len();
                 }
-                own
+                numerator
             }
             Some(Derived::ByParameters(inner, parameters)) => {
-                let own = self.numerator(inner, offset % width(inner), divisors);
+                let numerator = self.numerator(inner, offset % width(inner), divisors);
                 let parameter = parameters[offset / width(inner)];
                 divisors.push(self.unit_of(Variable::Parameter(parameter)));
-                own
+                numerator
             }
             Some(Derived::By(inner, variables)) => {
-                let own = self.numerator(inner, offset, divisors);
+                let numerator = self.numerator(inner, offset, divisors);
                 divisors.extend(variables.iter().map(|&variable| self.unit_of(variable)));
-                own
+                numerator
             }
             None => {
                 let units = units(&expr.ty, self.mechanism.unit);
@@ -186,7 +187,7 @@ impl Namer<'_> {
             .collect()
     }
 
-    /// What the number at a place in a quantity is.
+    /// Returns the meaning of the number at an index in a quantity.
     fn meaning(&self, expr: &Expr, offset: usize, firsts: &[usize]) -> Meaning {
         let single = match self.drives()[..] {
             [input] => Some(input),
@@ -225,7 +226,7 @@ impl Namer<'_> {
         }
     }
 
-    /// Where the function has a number of another expression.
+    /// Returns the column of the function with a number of another expression.
     fn column_of(&self, expr: &Expr, offset: usize, firsts: &[usize]) -> Option<usize> {
         let mut quantities = self.definition.quantities.iter();
         let found = quantities.position(|quantity| quantity.value == *expr);
@@ -242,9 +243,11 @@ fn names(ty: &Type, labels: &[Vec<String>], name: String) -> Vec<String> {
     };
     match ty {
         Type::Array(entries) => {
-            let (own, inner) = labels.split_first().unzip();
+            let (outer, inner) = labels.split_first().unzip();
             let entry = |(index, entry): (usize, &Type)| {
-                let label = own.and_then(|own: &Vec<String>| own.get(index)).cloned();
+                let label = outer
+                    .and_then(|outer: &Vec<String>| outer.get(index))
+                    .cloned();
                 let label = label.unwrap_or_else(|| index.to_string());
                 names(entry, inner.unwrap_or_default(), format!("{name}[{label}]"))
             };

@@ -1,11 +1,11 @@
-//! What of a mechanism with parts a function is made of.
+//! The formulas of a mechanism with parts that a function needs.
 
 use crate::model::{EvaluatorDef, Expr, ExprKind, Leaf, Mechanism, Name};
 use crate::solve::Formulation;
 use crate::structure::Scope;
 
-/// The formulas that a function of a mechanism with parts is made of, those of each part that it touches all of them; `None` if they are those
-/// of the whole mechanism.
+/// Returns the formulas that a function of a mechanism with parts needs, with all formulas of each
+/// part that it touches; `None` if they are those of the whole mechanism.
 pub(super) fn scope(
     mechanism: &Mechanism,
     formulation: &Formulation,
@@ -14,7 +14,7 @@ pub(super) fn scope(
     if mechanism.parts.is_empty() || function.asks_of_bodies() {
         return None;
     }
-    let values = || function.quantities.iter().map(|own| &own.value);
+    let values = || function.quantities.iter().map(|quantity| &quantity.value);
     let mut touched = Touched {
         mechanism,
         formulation,
@@ -40,7 +40,7 @@ struct Touched<'m, 'g> {
     open: Vec<&'m Expr>,
 }
 
-/// Whether something is new, which it is no more.
+/// Returns true if an item is new, and marks it as seen.
 fn first(seen: &mut bool) -> bool {
     !std::mem::replace(seen, true)
 }
@@ -50,7 +50,7 @@ impl Touched<'_, '_> {
         while let Some(value) = self.open.pop() {
             for name in value.parts().filter_map(Expr::as_name) {
                 match name {
-                    Name::Let(own) => self.touch_let(own),
+                    Name::Let(index) => self.touch_let(index),
                     Name::Unknown(unknown) => self.touch_unknown(unknown),
                     Name::Const(_)
                     | Name::Parameter(_)
@@ -62,10 +62,10 @@ impl Touched<'_, '_> {
         }
     }
 
-    fn touch_let(&mut self, own: usize) {
-        if first(&mut self.scope.lets[own]) {
-            self.open.push(&self.mechanism.lets[own].value);
-            self.touch_leaf(|leaf| leaf.lets.contains(&own));
+    fn touch_let(&mut self, index: usize) {
+        if first(&mut self.scope.lets[index]) {
+            self.open.push(&self.mechanism.lets[index].value);
+            self.touch_leaf(|leaf| leaf.lets.contains(&index));
         }
     }
 
@@ -75,40 +75,40 @@ impl Touched<'_, '_> {
             return;
         }
         self.touch_leaf(|leaf| leaf.unknowns.contains(&unknown));
-        let groups = self.formulation.groups.iter().map(|own| &own.group);
-        for group in groups.filter(|own| own.unknowns.contains(&unknown)) {
-            group.loops.iter().for_each(|&own| self.touch_loop(own));
+        let groups = self.formulation.groups.iter().map(|solved| &solved.group);
+        for group in groups.filter(|candidate| candidate.unknowns.contains(&unknown)) {
+            group.loops.iter().for_each(|&index| self.touch_loop(index));
             group
                 .unknowns
                 .iter()
-                .for_each(|&own| self.touch_unknown(own));
+                .for_each(|&index| self.touch_unknown(index));
         }
-        // Those that say what the axes of an unknown frame are stand in no group.
+        // The loops that define the axes of an unknown frame are in no group.
         let origin = self.mechanism.unknowns[unknown].origin;
         let loops = self.mechanism.loops.iter().enumerate();
-        for (own, _) in loops.filter(|(_, own)| own.origin == origin) {
-            self.touch_loop(own);
+        for (index, _) in loops.filter(|(_, equation)| equation.origin == origin) {
+            self.touch_loop(index);
         }
     }
 
-    fn touch_loop(&mut self, own: usize) {
-        if first(&mut self.scope.loops[own]) {
-            let item = &self.mechanism.loops[own];
+    fn touch_loop(&mut self, index: usize) {
+        if first(&mut self.scope.loops[index]) {
+            let item = &self.mechanism.loops[index];
             self.open.extend([&item.left, &item.right]);
-            self.touch_leaf(|leaf| leaf.loops.contains(&own));
+            self.touch_leaf(|leaf| leaf.loops.contains(&index));
         }
     }
 
-    /// A part is as in its own mechanism, where all formulas stand beside each other.
+    /// Touches all formulas of a part: it is as in its own mechanism, which contains all of them.
     fn touch_leaf(&mut self, is_in: impl Fn(&Leaf) -> bool) {
         let Some(number) = self.mechanism.leaves.iter().position(is_in) else {
             return;
         };
         if first(&mut self.leaves[number]) {
             let leaf = self.mechanism.leaves[number].clone();
-            leaf.lets.for_each(|own| self.touch_let(own));
-            leaf.loops.for_each(|own| self.touch_loop(own));
-            leaf.unknowns.for_each(|own| self.touch_unknown(own));
+            leaf.lets.for_each(|index| self.touch_let(index));
+            leaf.loops.for_each(|index| self.touch_loop(index));
+            leaf.unknowns.for_each(|index| self.touch_unknown(index));
         }
     }
 }

@@ -1,11 +1,11 @@
-//! What quantities are, in words for the docs of results.
+//! Descriptions of quantities, as text for the docs of results.
 
 use crate::model::{Derived, EvaluatorDef, Expr, ExprKind, Mechanism, Quantity, Variable};
 
 /// More names of variables than these are not listed.
 const FEW: usize = 4;
 
-/// `` derivative of `p` by `phi` ``; nothing for what its name says.
+/// Returns `` derivative of `p` by `phi` ``; nothing if the name gives the description.
 pub(super) fn about(
     mechanism: &Mechanism,
     definition: &EvaluatorDef,
@@ -27,7 +27,7 @@ pub(super) fn about(
 struct Words<'a> {
     mechanism: &'a Mechanism,
     definition: &'a EvaluatorDef,
-    /// What is differentiated, as written.
+    /// The differentiated quantity, as written.
     subject: &'a str,
 }
 
@@ -63,12 +63,16 @@ impl Words<'_> {
                 (inner, "derivatives".to_owned(), by)
             }
             Some(Derived::By(inner, variables)) => {
-                let names: Vec<&str> = variables.iter().map(|own| self.variable(*own)).collect();
+                let names: Vec<&str> = variables
+                    .iter()
+                    .map(|variable| self.variable(*variable))
+                    .collect();
                 let ordinal = ordinal(names.len());
                 (inner, format!("{ordinal}derivative"), listed(&names))
             }
         };
-        // First by what: the words of the inner derivative end with a variable of their own.
+        // The variable comes first: the text of the inner derivative ends with a variable of its
+        // own.
         match inner.derived() {
             Some(_) => format!("{which} by {by} of the {}", self.of(inner)),
             None => format!("{which} of `{}` by {by}", self.subject),

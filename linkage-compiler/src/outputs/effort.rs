@@ -1,8 +1,9 @@
-//! How much work the directions of sensitivities are, before one of them is built.
+//! Estimates of the work of each direction of sensitivities, before one of them is built.
 //!
-//! Forward solves each group for each parameter that acts on it or on what it is made of; backwards solves each group for each
-//! number that is differentiated. In long chains one of the two grows with the square of the number of groups while the results
-//! grow with the number. Such a direction cannot cost least, and is not built.
+//! Forward solves each group for each parameter that acts on it or on its inputs; backwards solves
+//! each group for each number that is differentiated. In long chains one of the two grows with the
+//! square of the number of groups while the results grow with the number. Such a direction cannot
+//! cost least, and is not built.
 
 use crate::algebra::derivatives::acting;
 use crate::algebra::derivatives::mentioned;
@@ -15,11 +16,12 @@ use crate::algebra::{Algebra, Direction};
 use crate::model::{EvaluatorDef, Expr, ExprKind, Name, Shape, Variable};
 use crate::solve::Formulation;
 
-/// So many systems are solved in every direction: some hundredths of a second.
+/// Up to this number of systems, every direction is solved: some hundredths of a second.
 const FEW: usize = 4000;
 
-/// A direction that solves so many times as many systems as another one, results counted, is not built. The programs differ
-/// by much less than the numbers of systems: what is solved for one variable is shared.
+/// A direction that solves this many times as many systems as another one, results counted, is not
+/// built. The programs differ by much less than the numbers of systems: the part that is solved for
+/// one variable is shared.
 const MUCH: usize = 4;
 
 /// Systems that the derivatives of a function solve.
@@ -30,34 +32,36 @@ struct Effort {
     results: usize,
 }
 
-/// The directions in which the derivatives by parameters of a function are worth building, in order.
+/// Returns the directions in which the derivatives by parameters of a function are worth building,
+/// in order.
 pub(super) fn directions<'m>(
     algebra: &mut Algebra<'m>,
     formulation: &Formulation<'m>,
     definition: &EvaluatorDef,
 ) -> Vec<Direction> {
     let effort = effort(algebra, formulation, definition);
-    let too_much =
-        |own: usize, other: usize| own > FEW && own / MUCH > other.saturating_add(effort.results);
+    let too_much = |work: usize, other: usize| {
+        work > FEW && work / MUCH > other.saturating_add(effort.results)
+    };
     let [forward, backward] = [
         too_much(effort.forward, effort.backward),
         too_much(effort.backward, effort.forward),
     ];
     let all = Direction::ALL.into_iter();
-    let worth = all.filter(|own| match own {
+    let worth = all.filter(|direction| match direction {
         Direction::Forward => !forward,
         Direction::FromResults | Direction::FromUnknowns | Direction::Gradient => !backward,
     });
     worth.collect()
 }
 
-/// What is differentiated by which parameters.
+/// The differentiated quantities and their parameters.
 struct Asked<'a> {
     of: &'a Expr,
     parameters: Vec<usize>,
-    /// How often it is differentiated by parameters.
+    /// The number of times it is differentiated by parameters.
     order: u32,
-    /// How many numbers it has.
+    /// The number of its components.
     width: usize,
 }
 
@@ -67,15 +71,18 @@ fn effort<'m>(
     definition: &EvaluatorDef,
 ) -> Effort {
     let quantities = definition.quantities.iter();
-    let parts = quantities.flat_map(|own| own.value.parts());
+    let parts = quantities.flat_map(|quantity| quantity.value.parts());
     let all: Vec<Asked> = parts.filter_map(asked).collect();
-    let results = all.iter().map(|own| own.width * own.parameters.len()).sum();
+    let results = all
+        .iter()
+        .map(|request| request.width * request.parameters.len())
+        .sum();
     let groups = formulation.groups.len();
-    let most = |own: &Asked| {
-        let forward = own.parameters.len().saturating_pow(own.order);
-        forward.max(own.width).saturating_mul(groups)
+    let most = |request: &Asked| {
+        let forward = request.parameters.len().saturating_pow(request.order);
+        forward.max(request.width).saturating_mul(groups)
     };
-    // Most functions are small, whatever depends on what.
+    // Most functions are small, even if every parameter acts on every group.
     if all.iter().map(most).fold(0, usize::saturating_add) <= FEW {
         return Effort {
             results,
@@ -84,7 +91,7 @@ fn effort<'m>(
     }
     let mut before = Before::new(algebra, formulation);
     let mut places: Map<SymbolId, usize> = Map::new();
-    for source in all.iter().flat_map(|own| &own.parameters) {
+    for source in all.iter().flat_map(|request| &request.parameters) {
         if let Some(symbol) = before.algebra.graph.find_source(Source::Parameter(*source)) {
             let next = places.len();
             places.entry(symbol).or_insert(next);
@@ -93,10 +100,13 @@ fn effort<'m>(
     // Rates are shared by all quantities.
     let mut solved: BTreeMap<usize, Bits> = BTreeMap::new();
     let mut backward = 0;
-    for own in &all {
-        let below = before.below(own.of);
-        backward += own.width * below.len();
-        let sources = own.parameters.iter().map(|&own| Source::Parameter(own));
+    for request in &all {
+        let below = before.below(request.of);
+        backward += request.width * below.len();
+        let sources = request
+            .parameters
+            .iter()
+            .map(|&parameter| Source::Parameter(parameter));
         let graph = before.algebra.graph;
         let symbols = sources.filter_map(|source| graph.find_source(source));
         let mask = Bits::new(symbols.filter_map(|symbol| places.get(&symbol).copied()));
@@ -105,8 +115,10 @@ fn effort<'m>(
             solved.entry(group).or_default().add(&acting);
         }
     }
-    let order = all.iter().map(|own| own.order).max().unwrap_or(1);
-    let forward = solved.values().map(|own| own.count().saturating_pow(order));
+    let order = all.iter().map(|request| request.order).max().unwrap_or(1);
+    let forward = solved
+        .values()
+        .map(|bits| bits.count().saturating_pow(order));
     Effort {
         forward: forward.fold(0, usize::saturating_add),
         backward,
@@ -116,7 +128,7 @@ fn effort<'m>(
 
 fn asked(part: &Expr) -> Option<Asked<'_>> {
     let (of, parameters) = match &part.kind {
-        ExprKind::Sensitivity(of, all) => (of, all.iter().map(|own| own.0).collect()),
+        ExprKind::Sensitivity(of, all) => (of, all.iter().map(|parameter| parameter.0).collect()),
         ExprKind::Derivative(of, all) => (of, parameters(all)),
         _ => return None,
     };
@@ -127,11 +139,11 @@ fn asked(part: &Expr) -> Option<Asked<'_>> {
         of,
         parameters,
     })
-    .filter(|own| !own.parameters.is_empty())
+    .filter(|request| !request.parameters.is_empty())
 }
 
 fn parameters(all: &[Variable]) -> Vec<usize> {
-    let parameter = |own: &Variable| match own {
+    let parameter = |variable: &Variable| match variable {
         Variable::Parameter(parameter) => Some(parameter.0),
         Variable::Input(_) => None,
     };
@@ -153,12 +165,12 @@ struct Bits(Vec<u64>);
 impl Bits {
     fn new(all: impl IntoIterator<Item = usize>) -> Self {
         let mut bits = Self::default();
-        for own in all {
-            let word = own / 64;
+        for bit in all {
+            let word = bit / 64;
             if bits.0.len() <= word {
                 bits.0.resize(word + 1, 0);
             }
-            bits.0[word] |= 1 << (own % 64);
+            bits.0[word] |= 1 << (bit % 64);
         }
         bits
     }
@@ -168,12 +180,12 @@ impl Bits {
             self.0.resize(other.0.len(), 0);
         }
         let pairs = self.0.iter_mut().zip(&other.0);
-        pairs.for_each(|(own, other)| *own |= other);
+        pairs.for_each(|(word, other)| *word |= other);
     }
 
     fn and(&self, other: &Self) -> Self {
         let pairs = self.0.iter().zip(&other.0);
-        Self(pairs.map(|(own, other)| own & other).collect())
+        Self(pairs.map(|(word, other)| word & other).collect())
     }
 
     fn count(&self) -> usize {
@@ -181,13 +193,13 @@ impl Bits {
     }
 }
 
-/// What groups are made of.
+/// The dependencies of groups.
 struct Before<'a, 'm> {
     algebra: &'a mut Algebra<'m>,
     groups: usize,
     /// The groups that find an unknown.
     with: Map<usize, Vec<usize>>,
-    /// The parameters that act on a group or on what it is made of.
+    /// The parameters that act on a group or on the groups that it depends on.
     acting: Map<usize, Bits>,
 }
 
@@ -223,10 +235,10 @@ impl<'a, 'm> Before<'a, 'm> {
                 if let Name::Unknown(unknown) = name {
                     found.extend(self.with.get(&unknown).into_iter().flatten());
                 }
-                if let Name::Let(own) = name
-                    && seen.insert(own)
+                if let Name::Let(index) = name
+                    && seen.insert(index)
                 {
-                    open.push(&mechanism.lets[own].value);
+                    open.push(&mechanism.lets[index].value);
                 }
             }
         }
@@ -238,13 +250,18 @@ impl<'a, 'm> Before<'a, 'm> {
         found
     }
 
-    /// The parameters, by their places, that act on a group or on what it is made of. What that is has been asked before.
+    /// Returns the parameters, by their indices, that act on a group or on the groups that it
+    /// depends on. The parameters of those groups have been found before.
     fn acting(&mut self, group: usize, places: &Map<SymbolId, usize>) -> Bits {
         if let Some(known) = self.acting.get(&group) {
             return known.clone();
         }
-        let own = acting::acting_on_group(self.algebra, group);
-        let mut acting = Bits::new(own.iter().filter_map(|own| places.get(own).copied()));
+        let symbols = acting::acting_on_group(self.algebra, group);
+        let mut acting = Bits::new(
+            symbols
+                .iter()
+                .filter_map(|symbol| places.get(symbol).copied()),
+        );
         for earlier in mentioned::groups_before(self.algebra, group) {
             acting.add(self.acting.get(&earlier).unwrap_or(&Bits::default()));
         }

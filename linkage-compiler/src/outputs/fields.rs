@@ -18,9 +18,9 @@ pub(super) fn fields(
     let unit = mechanism.unit;
     let mut rest = columns;
     let mut own_columns = |shape: &Shape| {
-        let (own, behind) = rest.split_at(shape.width());
+        let (numbers, behind) = rest.split_at(shape.width());
         rest = behind;
-        own
+        numbers
     };
     let field = |quantity: &Quantity| match picture.filter(|_| quantity.is_picture()) {
         Some(picture) => {
@@ -50,7 +50,8 @@ pub(super) fn fields(
                 shape,
                 unit: match quantity.value.derived() {
                     Some(_) => units_of(columns),
-                    // Types know no angle below the line: what is made of such a derivative has a unit that they do not tell.
+                    // Types have no angle in the denominator: the unit of a quantity with such a
+                    // derivative is not known from its type.
                     None if has_rate_of_angles(mechanism, definition, &quantity.value) => {
                         String::new()
                     }
@@ -63,7 +64,7 @@ pub(super) fn fields(
     definition.quantities.iter().map(field).collect()
 }
 
-/// Whether a derivative by an angle, or one of an angle, is a part of it.
+/// Returns true if a derivative by an angle, or one of an angle, is a part of it.
 fn has_rate_of_angles(mechanism: &Mechanism, definition: &EvaluatorDef, value: &Expr) -> bool {
     let input_is = |input: usize| mechanism.inputs[input].dimension.angle;
     let parameter_is = |id: ScalarParameterId| mechanism.scalar_parameters[id.0].dimension.angle;
@@ -86,7 +87,9 @@ fn has_rate_of_angles(mechanism: &Mechanism, definition: &EvaluatorDef, value: &
                 (inner, by_angle)
             }
         };
-        by_angle || matches!(inner.ty, Type::Scalar(own) if own.angle) || inner.ty == Type::Frame
+        by_angle
+            || matches!(inner.ty, Type::Scalar(dimension) if dimension.angle)
+            || inner.ty == Type::Frame
     })
 }
 

@@ -82,7 +82,8 @@ pub(super) fn express<'m>(
     })
 }
 
-/// The results with another version of the prepared states, if a coupled group asks for it and they differ.
+/// Returns the results with another version of the prepared states, if a coupled group needs it and
+/// they differ.
 fn with_version<'m>(
     algebra: &Algebra<'m>,
     formulation: &Formulation<'m>,
@@ -91,12 +92,12 @@ fn with_version<'m>(
     asks: fn(&Prepared) -> bool,
     version: Version,
 ) -> Option<Vec<NodeId>> {
-    if !formulation.prepared().any(|own| asks(own)) {
+    if !formulation.prepared().any(|prepared| asks(prepared)) {
         return None;
     }
     for prepared in formulation.prepared() {
         prepared.define(algebra.graph, version);
     }
-    let own = choice.renewed(inliner);
-    Some(own).filter(|own| *own != choice.formulas.last)
+    let results = choice.renewed(inliner);
+    Some(results).filter(|results| *results != choice.formulas.last)
 }

@@ -1,7 +1,9 @@
-//! Functions of some parts of a mechanism, made as if nothing else stood beside them.
+//! Functions of some parts of a mechanism, made as if the other parts did not exist.
 //!
-//! Node numbers order sums, and what parts share (the shaft, a number) would order them in another way than in a part's own mechanism: it would
-//! cost more or less by an operation, and round otherwise. So the formulas that a function touches are solved once more, in a graph of their own.
+//! Node numbers order sums, and nodes that parts share (the shaft, a number) would order them in
+//! another way than in a part's own mechanism: the function would cost more or less by an
+//! operation, and round otherwise. Therefore the formulas that a function touches are solved once
+//! more, in a separate graph.
 
 use linkage_symbolic::Graph;
 use linkage_symbolic::inline::Inliner;
@@ -27,7 +29,7 @@ pub(super) struct PartGraph<'m> {
     numbers: Numbers,
 }
 
-/// What modes, coupled groups and angles are in the whole mechanism.
+/// The numbers of modes, coupled groups and angles in the whole mechanism.
 struct Numbers {
     modes: Vec<usize>,
     coupled: Vec<usize>,
@@ -35,7 +37,8 @@ struct Numbers {
 }
 
 impl<'m> PartGraph<'m> {
-    /// Solves what is looked at, in an empty graph. `None` if the groups are not those of the whole mechanism, whose modes choose the assembly.
+    /// Solves the formulas of the scope, in an empty graph. Returns `None` if the groups are not
+    /// those of the whole mechanism, whose modes choose the assembly.
     pub(super) fn new<'w: 'm>(
         algebra: &Algebra<'w>,
         formulation: &Formulation<'w>,
@@ -44,23 +47,28 @@ impl<'m> PartGraph<'m> {
         graph: &'m Graph,
         reporter: &Reporter,
     ) -> Option<Self> {
-        let mut own = Algebra::new(algebra.mechanism, graph);
-        // What could be said has been said of the whole mechanism.
+        let mut part_algebra = Algebra::new(algebra.mechanism, graph);
+        // All diagnostics have been reported for the whole mechanism.
         let mut diagnostics = Diagnostics::default();
         let silent = Reporter::new(reporter.origins(), &mut diagnostics);
-        let structure = decompose(&mut own, at.written, scope, silent);
+        let structure = decompose(&mut part_algebra, at.written, scope, silent);
         if !diagnostics.is_empty() {
             return None;
         }
-        let solution = formulate(&mut own, at.written, structure, formulation.in_cells());
+        let solution = formulate(
+            &mut part_algebra,
+            at.written,
+            structure,
+            formulation.in_cells(),
+        );
         let numbers = Numbers::find(
-            [&algebra.names.angles, &own.names.angles],
+            [&algebra.names.angles, &part_algebra.names.angles],
             formulation,
             &solution,
         )?;
         Some(Self {
-            inliner: solved_groups(&own, &solution),
-            algebra: own,
+            inliner: solved_groups(&part_algebra, &solution),
+            algebra: part_algebra,
             formulation: solution,
             numbers,
         })
@@ -91,7 +99,7 @@ impl Numbers {
     fn find(
         [angles, own_angles]: [&[Angle]; 2],
         formulation: &Formulation,
-        own: &Formulation,
+        part_formulation: &Formulation,
     ) -> Option<Self> {
         let mut numbers = Self {
             modes: Vec::new(),
@@ -99,20 +107,23 @@ impl Numbers {
             angles: Vec::new(),
         };
         let mut groups = formulation.groups.iter();
-        for group in &own.groups {
-            // Both are in the order of what stands where, and groups between belong to others.
+        for group in &part_formulation.groups {
+            // Both have the same order, and groups between belong to other parts.
             let same = groups.clone().position(|other| are_same(group, other))?;
             let other = groups.nth(same)?;
             numbers.modes.extend(other.mode);
             let prepared = other.prepared.as_ref();
-            numbers.coupled.extend(prepared.map(|own| own.number));
+            numbers
+                .coupled
+                .extend(prepared.map(|prepared| prepared.number));
         }
         let mut taken = vec![false; angles.len()];
         for angle in own_angles {
             let all = angles.iter().zip(&taken);
             let same = |other: &Angle| {
-                let [own, other] = [angle, other].map(|own| (own.unknown, own.summands()));
-                own == other
+                let [part_angle, other] =
+                    [angle, other].map(|angle| (angle.unknown, angle.summands()));
+                part_angle == other
             };
             let mut all = all.map(|(other, taken)| !taken && same(other));
             let found = all.position(|is_same| is_same)?;
@@ -137,13 +148,13 @@ impl Numbers {
     }
 }
 
-/// Whether two groups find the same unknowns in the same way.
+/// Returns true if two groups find the same unknowns in the same way.
 fn are_same(a: &Solved, b: &Solved) -> bool {
-    let [a, b] = [a, b].map(|own| {
-        let (group, closed) = (&own.group, &own.closed);
+    let [a, b] = [a, b].map(|solved| {
+        let (group, closed) = (&solved.group, &solved.closed);
         let found = (&group.unknowns, &group.loops, group.written);
-        let way = (&closed.kind, closed.method, own.mode.is_some());
-        (found, way, own.prepared.is_some())
+        let way = (&closed.kind, closed.method, solved.mode.is_some());
+        (found, way, solved.prepared.is_some())
     });
     a == b
 }

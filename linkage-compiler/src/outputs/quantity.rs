@@ -21,31 +21,33 @@ use crate::solve::Formulation;
 
 use super::state::State;
 
-/// What one function computes.
+/// The results of one function.
 #[derive(Debug, Default)]
 pub(super) struct Requested<'m> {
     /// All scalars in the order of the fields.
     pub(super) scalars: Vec<Ex<'m>>,
-    /// The quantities before they were differentiated: they tell which inputs the function is about.
+    /// The quantities before they were differentiated: they determine which inputs the function is
+    /// about.
     pub(super) underlying: Vec<Ex<'m>>,
     /// Inputs that the function differentiates by.
     pub(super) variables: Vec<usize>,
-    /// What it differentiates by parameters, each once.
+    /// The quantities that it differentiates by parameters, each once.
     pub(super) sensed: Vec<Ex<'m>>,
 }
 
-/// How a function finds what it asks for; all ways have equal results.
+/// The way in which a function computes its results; all ways have equal results.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Strategy {
-    /// Of derivatives by parameters.
+    /// The direction of derivatives by parameters.
     pub(super) direction: Direction,
-    /// Whether points at the ends of links are reached by the other sides of the loops that the links close.
+    /// True if points at the ends of links are reached by the other sides of the loops that the
+    /// links close.
     pub(super) other_sides: bool,
-    /// What derivatives make use of.
+    /// The shortcuts that derivatives use.
     pub(super) shortcuts: Shortcuts,
 }
 
-/// What a function asks for, as expressions.
+/// Returns the results that a function requests, as expressions.
 pub(super) fn request<'m>(
     state: &mut State<'_, 'm>,
     definition: &EvaluatorDef,
@@ -70,7 +72,7 @@ pub(super) fn request<'m>(
         request.requested.scalars = scalars;
         return request.requested;
     }
-    // Which groups the margin is taken over follows from the other quantities.
+    // The other quantities determine the groups over which the margin is taken.
     let margin = request.margin_over(state.formulation, &scalars);
     request.margin = Some(margin);
     request.requested = Requested::default();
@@ -81,7 +83,7 @@ pub(super) fn request<'m>(
 struct Request<'a, 'm> {
     algebra: &'a mut Algebra<'m>,
     forces: &'a mut Forces<'m>,
-    /// What `picture()` shows.
+    /// The vectors that `picture()` shows.
     drawn: &'a [Vn<'m>],
     definition: &'a EvaluatorDef,
     strategy: Strategy,
@@ -102,7 +104,7 @@ impl<'m> Request<'_, 'm> {
                 value = self.in_unit(value, &quantity.value.ty);
             }
             if let (Type::PlaneFrame, Value::Array(parts)) = (&quantity.value.ty, &mut value) {
-                // Its angle is told by its axes.
+                // The angle of a plane frame follows from its axes.
                 parts.truncate(VECTORS_OF_PLANE);
             }
             self.flatten(&value, &mut scalars);
@@ -127,7 +129,7 @@ impl<'m> Request<'_, 'm> {
         }
     }
 
-    /// What the program has computed in the unit in which the result is given.
+    /// Returns a value that the program has computed in the unit in which the result is given.
     fn in_unit(&self, value: Value<'m>, ty: &Type) -> Value<'m> {
         match (value, ty) {
             (Value::Array(entries), Type::Array(types)) => {
@@ -148,8 +150,9 @@ impl<'m> Request<'_, 'm> {
         }
     }
 
-    /// The smallest margin of the groups that `scalars` use; if they use none, of the groups that the function's inputs
-    /// determine, else of all. At most 1: rounding may not go beyond.
+    /// Returns the smallest margin of the groups that `scalars` use; if they use none, of the
+    /// groups that the function's inputs determine, else of all. At most 1: rounding may not go
+    /// beyond.
     fn margin_over(&mut self, formulation: &Formulation<'m>, scalars: &[Ex<'m>]) -> Ex<'m> {
         let mut groups = formulation.groups_of(self.algebra, scalars);
         let margin_of = |group: usize| formulation.groups[group].closed.margin;
@@ -199,7 +202,7 @@ impl<'m> Request<'_, 'm> {
             }
         };
         let slope = self.slope(value, symbol, direction);
-        // By the field, which is given in its own unit.
+        // The derivative is with respect to the field, which is given in its own unit.
         let field_unit = ty.map_or(1.0, |ty| translate::internal_per_unit(self.algebra, &ty));
         divided(slope, field_unit)
     }
@@ -222,7 +225,8 @@ impl<'m> Request<'_, 'm> {
         }
     }
 
-    /// The quantity to be differentiated; what it depends on counts even if the derivative does not.
+    /// Returns the quantity to be differentiated; its dependencies count even if those of the
+    /// derivative do not.
     fn underlying(&mut self, quantity: &Expr) -> Value<'m> {
         let value = self.translate(quantity);
         let value = self.by_other_sides(value);
@@ -232,7 +236,8 @@ impl<'m> Request<'_, 'm> {
         value
     }
 
-    /// The derivative of an order by all inputs of the function: nested arrays if there are several.
+    /// Returns the derivative of an order by all inputs of the function: nested arrays if there are
+    /// several.
     fn by_inputs(&mut self, value: &Value<'m>, order: u8) -> Value<'m> {
         if order == 0 {
             return value.clone();
@@ -302,7 +307,8 @@ impl<'m> Translate<'m> for Request<'_, 'm> {
                 Value::Array(entries.collect())
             }
             ExprKind::Mechanics(quantity) => {
-                // About the whole motion, whether the values depend on an input or a speed or not. A load must matter.
+                // The whole motion counts, even if the values depend on no input or speed. A load
+                // must matter.
                 let listed = &self.definition.inputs;
                 let mechanism = self.algebra.mechanism;
                 let motion = listed.iter().filter(|&&input| !mechanism.is_load(input));

@@ -179,7 +179,7 @@ fn compare(results: &[Vec<Ex>], at: &At, random: &mut Random) -> usize {
     };
     let (forward, others) = results.split_first().expect("several ways");
     let expected = run(forward, 0.0, random);
-    // What 256 roundoffs of the data do.
+    // The effect of 256 roundoffs of the data.
     let noise = 256.0 * f64::EPSILON;
     let disturbed: Vec<Vec<f64>> = (0..4).map(|_| run(forward, noise, random)).collect();
     for other in others {

@@ -1,15 +1,16 @@
-//! Where a mechanism needs a direction: axes of `turn` and of `frame`, arguments of `unit`, guides and axes of joints.
+//! The directions that a mechanism needs: axes of `turn` and of `frame`, arguments of `unit`,
+//! guides and axes of joints.
 
 use crate::model::{Expr, ExprKind, Function, Joint, Mechanism};
 
 /// A vector that must not be zero.
 pub(super) struct Asked<'m> {
-    /// What messages call it.
+    /// The name in messages.
     pub(super) subject: &'static str,
     pub(super) vector: &'m Expr,
     /// Another one that must not be parallel to it.
     pub(super) beside: Option<&'m Expr>,
-    /// It stands in a loop, or in a derived quantity that a loop is written with.
+    /// True for a direction in a loop, or in a derived quantity that a loop is written with.
     pub(super) in_loop: bool,
 }
 
@@ -69,28 +70,28 @@ fn of_joint(joint: &Joint) -> Option<Asked<'_>> {
 
 fn collect<'m>(expr: &'m Expr, in_loop: bool, asked: &mut Vec<Asked<'m>>) {
     if let ExprKind::Call(function, arguments) = &expr.kind {
-        let own = |subject, index: usize, beside: Option<usize>| Asked {
+        let argument = |subject, index: usize, beside: Option<usize>| Asked {
             subject,
             vector: &arguments[index],
             beside: beside.map(|index| &arguments[index]),
             in_loop,
         };
         let all = match function {
-            Function::Turn => vec![own("the axis of `turn`", 1, None)],
-            Function::Unit => vec![own("the vector of `unit`", 0, None)],
+            Function::Turn => vec![argument("the axis of `turn`", 1, None)],
+            Function::Unit => vec![argument("the vector of `unit`", 0, None)],
             Function::Frame => match arguments.len() {
                 // An unknown one of the plane has an angle.
                 2 if arguments[1].ty.components() == Some(1) => Vec::new(),
-                2 => vec![own("the x axis of `frame`", 1, None)],
+                2 => vec![argument("the x axis of `frame`", 1, None)],
                 _ => vec![
-                    own("the x axis of `frame`", 1, None),
-                    own("the z axis of `frame`", 2, Some(1)),
+                    argument("the x axis of `frame`", 1, None),
+                    argument("the z axis of `frame`", 2, Some(1)),
                 ],
             },
             _ => Vec::new(),
         };
-        asked.extend(all.into_iter().filter(|own| {
-            let vectors = std::iter::once(own.vector).chain(own.beside);
+        asked.extend(all.into_iter().filter(|item| {
+            let vectors = std::iter::once(item.vector).chain(item.beside);
             !vectors.into_iter().any(is_of_functions)
         }));
     }

@@ -18,16 +18,19 @@ impl Check<'_, '_> {
             MotionLawKind::Spline(Ends::Clamped, Pieces::Cubic) => {
                 let graph = Graph::new();
                 let points = self.knots.iter();
-                let points = points.map(|own| (graph.number(own.place), graph.number(own.value)));
+                let points =
+                    points.map(|knot| (graph.number(knot.place), graph.number(knot.value)));
                 let curvatures = clamped_curvatures(&points.collect::<Vec<_>>());
-                let [first, last] = curvatures.map(|own| own.constant_value().unwrap_or(f64::NAN));
-                // Within it nothing jumps: what is the same on both sides is as good as rest.
+                let [first, last] =
+                    curvatures.map(|curvature| curvature.constant_value().unwrap_or(f64::NAN));
+                // Nothing jumps within the spline: equal values on both sides are as good as rest.
                 let mut all = vec![[[0.0; 2]; 2]; self.knots.len() - 1];
                 all[0][0][1] = first;
                 all[self.knots.len() - 2][1][1] = last;
                 all
             }
-            // A natural spline goes on as it ends, a periodic one as it began; a clamped quintic one ends without acceleration.
+            // A natural spline goes on as it ends, a periodic one as it began; a clamped quintic
+            // one ends without acceleration.
             MotionLawKind::Rise | MotionLawKind::Spline(..) => Vec::new(),
         }
     }

@@ -1,4 +1,4 @@
-//! What docs say of quantities.
+//! Tests of the descriptions of quantities in docs.
 
 use crate::check;
 

@@ -1,4 +1,5 @@
-//! One function's code does not depend on others: neither on whether they are there nor on where they stand.
+//! Tests that one function's code does not depend on other functions: neither on their existence
+//! nor on their order.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -11,17 +12,21 @@ use crate::ir::CompiledMechanism;
 fn unit(items: &str, functions: &[&str]) -> CompiledMechanism {
     let functions: Vec<String> = functions
         .iter()
-        .map(|own| format!("pub fn {own}"))
+        .map(|name| format!("pub fn {name}"))
         .collect();
     let functions = functions.join("\n");
     let text = format!("pub struct M {{ {ITEMS} {items} }} impl M {{ {functions} }}");
     let checked = check(text.parse().expect("tokens"));
-    let messages: Vec<&str> = checked.messages.iter().map(|own| &*own.text).collect();
+    let messages: Vec<&str> = checked
+        .messages
+        .iter()
+        .map(|message| &*message.text)
+        .collect();
     assert!(messages.is_empty(), "{messages:?}");
     checked.unit.expect("it resolves")
 }
 
-/// A number for each slot that tells what it is computed by, whatever stands beside it.
+/// Returns a number for each slot that identifies its computation, independent of other slots.
 fn slots(unit: &CompiledMechanism) -> Vec<u64> {
     let mut values: Vec<u64> = Vec::new();
     for instruction in &unit.prepare.instructions {
@@ -40,7 +45,7 @@ fn slots(unit: &CompiledMechanism) -> Vec<u64> {
     outputs.map(|x| values[x.0]).collect()
 }
 
-/// A function's program, slots by what computes them instead of their numbers.
+/// Returns a function's program, with the computations of slots instead of their numbers.
 fn code(unit: &CompiledMechanism, function: usize) -> Vec<String> {
     let slots = slots(unit);
     let program = &unit.functions[function].called.program;

@@ -1,4 +1,5 @@
-//! Masses are given in kilograms, whatever the length unit: what the programs do about it.
+//! Tests of masses: they are given in kilograms for every length unit, and the programs convert
+//! them.
 
 use linkage_symbolic::program::{Instruction, Source};
 
