@@ -54,7 +54,7 @@ impl Comparison<'_> {
             "designs": designs.collect::<Vec<_>>(),
             "curves": self.columns().iter().filter_map(|name| {
                 let (_, unit, _) = first.and_then(|report| plots::find_series(report, name))?;
-                // Where the unit stands behind the name, it is not said twice.
+                // A unit after the name is not repeated.
                 let bare = name.split(" [").next().unwrap_or(name);
                 Some(json!({ "name": bare, "unit": unit }))
             }).collect::<Vec<_>>(),
