@@ -141,7 +141,7 @@ impl Comparison<'_> {
         all.iter().filter_map(row).collect()
     }
 
-    /// The wishes, by the indices of their figures, and which designs are best.
+    /// The objectives, by the indices of their figures, and which designs are best.
     fn front_value(&self) -> Option<Value> {
         if self.aims.is_empty() {
             return None;
