@@ -6,7 +6,7 @@
 //! language and all messages are the same. Values come from an interpreter of its programs and are
 //! equal to those of the macro's code on the same machine, to the last bit.
 //!
-//! `docs/command.md` says what the commands do. As a library:
+//! `docs/command.md` describes the commands. As a library:
 //!
 //! ```
 //! use linkage_cli::{Mechanism, Source};

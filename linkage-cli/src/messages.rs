@@ -40,7 +40,7 @@ pub(crate) fn drawn(
     message: &Message,
 ) -> String {
     let [first, last] = [message.span.first, message.span.last].map(|span| span.byte_range());
-    // Only what was made up by the compiler begins and ends with the text.
+    // Only text that was made up by the compiler begins and ends with the text.
     let span = match (first.start, last.end) {
         (0, 0) => found.range.clone(),
         (start, end) => start..end,

@@ -123,14 +123,14 @@ fn collect(tokens: TokenStream, depth: usize, calls: &mut Vec<MechanismCall>) ->
                 if word == "mechanism" && mark.as_char() == '!' =>
             {
                 let start = word.span().byte_range().start;
-                // What is in it is looked at for its depth alone.
+                // The content is only checked for its depth.
                 collect(group.stream(), depth + 1, &mut Vec::new())?;
                 calls.push(MechanismCall {
                     tokens: group.stream(),
                     range: start..group.span_close().byte_range().end,
                 });
             }
-            // What a macro is made of is no mechanism yet.
+            // The definition of a macro is no mechanism yet.
             [
                 ..,
                 TokenTree::Ident(word),

@@ -133,7 +133,7 @@ impl<const N: usize> Balance<N> {
         let (start, rest) = basis.project(&rows);
         let found = peak::least_peak(&rest, basis.columns());
         let values = basis.values(&core::array::from_fn(|j| start[j] + found.coordinates[j]));
-        // What the bound rests on is known to rounding only.
+        // The values under the bound are known to rounding only.
         let bound = found.bound - rows::rounding(&rows, &values);
         self.solution(values, |after| bound.clamp(0.0, after.peak))
     }

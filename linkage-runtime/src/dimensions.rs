@@ -32,7 +32,7 @@ pub trait Dimensions<const N: usize>: Sized {
     /// ```
     /// use linkage_runtime::{Dimensions, Parameter};
     ///
-    /// // What `mechanism!` generates.
+    /// // The code that `mechanism!` generates.
     /// struct Rod { length: f64 }
     /// impl Dimensions<1> for Rod {
     ///     const PARAMETERS: &'static [Parameter] =

@@ -86,7 +86,7 @@ fn holds_mechanism(path: &Path) -> bool {
     let Ok(source) = Source::new(&path.display().to_string(), &text) else {
         return false;
     };
-    // Of a file that is not Rust, all of it is taken for a call.
+    // All of a file that is not Rust is taken for a call.
     let mut calls = source.calls().iter();
     calls.any(|found| !found.range.is_empty() || has_mechanism(&found.tokens))
 }

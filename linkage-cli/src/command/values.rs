@@ -106,7 +106,7 @@ fn places(mechanism: &Mechanism, name: &str) -> Result<Vec<usize>, Failure> {
     if !found.is_empty() {
         return Ok(found);
     }
-    // Of a machine, the dimensions of the part that is meant.
+    // The dimensions of a machine are those of the part in question.
     let part = name.rsplit_once('.').map_or(name, |(part, _)| part);
     let names = mechanism.parameters.iter().map(|parameter| parameter.name);
     let of_part = |full: &&str| {

@@ -30,7 +30,7 @@ pub(super) fn stationary(
     let largest = angles_of_turn
         .iter()
         .fold(0.0, |most: f64, &angle| most.max(slope(angle).abs()));
-    // Where the follower rests, rounding is left.
+    // Only rounding is left at a rest of the follower.
     let slope = |angle: f64| {
         Some(slope(angle))
             .filter(|slope| slope.abs() > NOISE * largest)

@@ -171,7 +171,7 @@ fn border(
         } else {
             is_good(point)
         };
-        // The secant stays on one side of a bend: what it keeps counts half.
+        // The secant stays on one side of a bend: the end that it keeps counts half.
         if better {
             good = point;
             bad.margin *= 0.5;
@@ -180,7 +180,7 @@ fn border(
             good.margin *= 0.5;
         }
     }
-    // Where it can still be assembled: later groups are looked at up to there.
+    // The last point at which it can be assembled: later groups are checked up to this point.
     let x = slab.x(good.x);
     if bad.margin.is_nan() {
         Border::Broken(x)

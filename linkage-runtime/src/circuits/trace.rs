@@ -225,7 +225,7 @@ impl SolutionCurve<'_> {
             nodes.push(node);
         }
         if trace.closed {
-            // What comes before the first turning point is the end of the last strand.
+            // The part before the first turning point is the end of the last strand.
             strands.remove(0);
             let end = CurveEnd::Turning(first);
             if let Some(beginning) = strands.first().map(|strand| strand.nodes[0].clone()) {

@@ -72,15 +72,15 @@ impl<const K: usize> Case<K> {
             [Feature::Edge, Feature::Edge] => {
                 let uu = dot(&u[0], &u[0]);
                 let [(_, across), (_, beside)] = [&w[0], &base[0]].map(|v| split(&u[0], v));
-                // Of parallel edges an end is as near as anything between: there is no such case.
+                // An end of parallel edges is as near as any point between: there is no such case.
                 let parallel = norm(&across) <= PARALLEL * norm(&w[0]);
                 let t = if parallel {
                     f64::NAN
                 } else {
                     dot(&beside, &across) / dot(&across, &across)
                 };
-                // From `t`: the gap stays across the first edge, wherever rounding put the place on
-                // the second one.
+                // The point follows from `t`: the gap stays across the first edge, wherever
+                // rounding put the place on the second one.
                 let left: [f64; K] = core::array::from_fn(|k| base[0][k] - t * w[0][k]);
                 [-dot(&left, &u[0]) / uu, t]
             }

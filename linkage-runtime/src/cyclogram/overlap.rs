@@ -98,7 +98,7 @@ impl Cyclogram {
         });
         let within = |x: f64| if x > high { x - cycle } else { x };
         let interval = |[from, to]: [f64; 2]| Interval {
-            // What begins at the end of the range begins the next cycle.
+            // An interval from the end of the range begins the next cycle.
             from: if from >= high {
                 from - cycle
             } else {

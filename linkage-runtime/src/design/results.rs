@@ -167,7 +167,7 @@ where
             }
         }
         certified.left_out = optima.len() - seen;
-        // By the sums of the assemblies that are returned, whatever the descents claim.
+        // The order is that of the sums of the returned assemblies, whatever the descents claim.
         certified.designs.sort_by(|a, b| a.sum.total_cmp(&b.sum));
         certified
     }

@@ -189,7 +189,7 @@ where
         if let (Timing::Evenly(step), None) = (timing, turn) {
             let rest = self.rest(*step);
             let first = low - rest.min(0.0);
-            // As long as the range except for rounding, they begin at its end.
+            // Positions over the whole range, except for rounding, begin at its end.
             bounds = (first, (high - rest.max(0.0)).max(first));
         }
         let backwards = matches!(timing, Timing::Backwards);

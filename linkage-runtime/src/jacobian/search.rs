@@ -146,6 +146,6 @@ fn heads_for_pole(at: &mut impl FnMut(f64) -> Sample, near: Sample, far: Sample)
     let beside = at(near.along + SHORTLY * (far.along - near.along));
     let [level, above] =
         [near, beside].map(|position| 1.0 / (position.determinant * position.determinant));
-    // From `above` over `level` down to zero, within the same distance.
+    // The value falls from `above` over `level` to zero within the same distance.
     beside.side().is_some() && above >= 2.0 * level
 }

@@ -6,8 +6,8 @@
 /// use linkage_runtime::pins::{Criterion, Fit, Limit, Member, Mounting, Pin, Width};
 /// use linkage_runtime::pins::standard_diameter;
 ///
-/// // 4 kN on a pin of hardened steel, loose in a bushed rod of 1.2 diameters and in a fork of 8 mm;
-/// // in N, mm, MPa.
+/// // 4 kN on a pin of hardened steel, loose in a bushed rod of 1.2 diameters and in a fork of
+/// // 8 mm; in N, mm, MPa.
 /// let pin = Pin {
 ///     load: 4000.0,
 ///     mounting: Mounting::Clevis {

@@ -38,7 +38,7 @@ const SCRIPTS: [&str; 9] = [
 ];
 
 /// Several designs side by side: drawing over drawing, curves over curves, a table of figures, and
-/// the Pareto front of two or three wishes.
+/// the Pareto front of two or three objectives.
 ///
 /// It is a page of one file, with only the data that it shows: of each design the points of its
 /// drawing, the selected curves and its figures, at 361 positions at most.
@@ -186,8 +186,8 @@ impl<'a> Comparison<'a> {
         self
     }
 
-    /// Shows which designs are best where two or three wishes contradict each other: plots of one
-    /// figure against another, on which a click shows or hides a design.
+    /// Shows which designs are best where two or three objectives contradict each other: plots of
+    /// one figure against another, on which a click shows or hides a design.
     #[must_use]
     pub fn front(mut self, aims: impl IntoIterator<Item = Aim>) -> Self {
         self.aims.extend(aims);

@@ -181,9 +181,9 @@ pub enum Mistake {
         /// Both units.
         units: [String; 2],
     },
-    /// A front of other than two or three wishes.
+    /// A front of other than two or three objectives.
     Aims {
-        /// The number of wishes.
+        /// The number of objectives.
         count: usize,
     },
 }

@@ -100,10 +100,11 @@ impl Report {
     /// | `data.json` | all data |
     /// | `FUNCTION.csv` | each table |
     /// | `cyclogram.svg`, `cyclogram.csv` | the [cyclogram](Self::cyclogram), if there is one |
-    /// | `cyclogram-order.csv`, `cyclogram-overlaps.csv` | the order of events; simultaneous motions |
+    /// | `cyclogram-order.csv`, `cyclogram-overlaps.csv` | events in order; simultaneous motions |
     /// | `drawing.svg` | the mechanism to scale, if a table has a picture |
     /// | `drawing.dxf` | the same, true to size, for programs that construct |
-    /// | `plots/FUNCTION.svg`, `plots/FUNCTION-true.svg` | values and derivatives; true velocities and accelerations |
+    /// | `plots/FUNCTION.svg` | values and derivatives |
+    /// | `plots/FUNCTION-true.svg` | true velocities and accelerations |
     /// | `version.js` | which [version](Self::version) it is, if that was said |
     /// | `plots/errors-by-tolerances.svg` | errors over the range, if there are tolerances |
     ///

@@ -163,7 +163,7 @@ fn find_column<'a>(report: &'a Report, rates: &'a [True], name: &str) -> Option<
     });
     let columns =
         columns.filter(|(table, _, column, _)| named(table.heading.function, column, column.unit));
-    // Of functions that all have it, one that has its sensitivities, too.
+    // One with sensitivities is preferred among the functions that have the column.
     let sensitive = accuracy::sensitive(report);
     let is_banded = |table: &Saved, index: usize| {
         let is_it = |s: &Sensitive<'_>| s.column == Some(index) && core::ptr::eq(s.table, table);

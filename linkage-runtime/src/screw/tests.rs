@@ -156,7 +156,8 @@ fn velocities_are_those_of_the_body() {
     for _ in 0..4000 {
         let mut draw = || [0; 3].map(|_| random.below(2001) as i128 - 1000);
         let (omega, mut velocity, at, to) = (draw(), draw(), draw(), draw());
-        // How much faster the body shifts than it turns; the other way round it turns faster.
+        // The ratio of the shift of the body to its turn, as a power of two; the other way round it
+        // turns faster.
         let faster = random.below(90) as i32 - 20;
         let turning = 1_i128 << (-faster).max(0);
         velocity = velocity.map(|v| v << faster.max(0));
@@ -178,7 +179,7 @@ fn velocities_are_those_of_the_body() {
         );
         let found = screw.velocity(scaled(to, of_lengths));
         let expected = scaled(exact(to), of_turning + of_lengths);
-        // What roundings of the velocity, and of both points as they turn, come to.
+        // The sum of the roundings of the velocity, and of both points as they turn.
         let length = |v: [i128; 3]| v.iter().map(|x| (*x as f64).powi(2)).sum::<f64>().sqrt();
         let size = length(velocity) + length(omega) * (length(at) + length(to));
         let off = (found - expected).amax() * 2.0_f64.powi(-of_turning - of_lengths);
@@ -211,7 +212,7 @@ fn single_precision_and_derivatives() {
         vector(AT).cast(),
     );
     assert!((tiny.pitch() - 2.5).abs() < 1e-6 && (tiny.turn - 7e-30).abs() < 1e-36);
-    // By how much is turned: with twice the speed the pitch is half, v / w.
+    // The divisor is the speed of the turn: with twice the speed the pitch is half, v / w.
     let number = |value: f64, slope: f64| Dual(num_dual::Dual64::new(value, slope));
     let constant = |v: [f64; 3]| Vector3::from(v.map(|x| number(x, 0.0)));
     let omega = Vector3::from(OMEGA.map(|x| number(x, x)));

@@ -184,7 +184,7 @@ fn dwell<const N: usize, F: Fn(f64) -> [f64; N]>(
     let values: Vec<f64> = values.chain(at_ends).collect();
     let least = |values: &[f64]| values.iter().copied().fold(f64::INFINITY, f64::min);
     let most = |values: &[f64]| values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    // As it is where the interval begins, in a cycle over which the quantity advances.
+    // The value is that at the begin of the interval, in a cycle over which the quantity advances.
     let jet = [0.0; N];
     let shift = curve.source.in_range(Node { u: ends[0], jet }).jet[0];
     Dwell {

@@ -74,7 +74,7 @@ impl<const N: usize, const K: usize> Budget<N, K> {
     /// Variances and covariances of the components.
     #[must_use]
     pub fn covariance(&self) -> [[f64; K]; K] {
-        // As a sum of products of independent parts: no variance is negative by roundoffs.
+        // A sum of products of independent parts: no variance is negative by roundoffs.
         let root = self.uncertainties.root();
         let contributions = self.contributions();
         let part =

@@ -37,7 +37,7 @@ const ROUND: Duration = Duration::from_millis(100);
 /// use linkage_runtime::tolerance::{MonteCarlo, Tolerances};
 /// use linkage_runtime::{Dimensions, Parameter};
 ///
-/// // What `mechanism!` generates.
+/// // The code that `mechanism!` generates.
 /// struct Rod { length: f64 }
 /// impl Dimensions<1> for Rod {
 ///     const PARAMETERS: &'static [Parameter] =

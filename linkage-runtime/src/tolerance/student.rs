@@ -183,7 +183,7 @@ mod tests {
         for (degrees, confidence, quantile) in known {
             let found = two_sided(confidence, degrees);
             let off = (found / quantile - 1.0).abs();
-            // What a digit of the confidence does to the quantile, and the continued fraction's
+            // The effect of a digit of the confidence on the quantile, and the continued fraction's
             // loss for many degrees.
             let limit = 2e-15 / (1.0 - confidence) + 1e-17 * degrees.min(3000.0);
             assert!(off < limit, "{degrees} {confidence}: {found}, {off:e} off");

@@ -23,7 +23,7 @@ use crate::data::Parameter;
 /// let rods = ["a", "b"].map(|name| Parameter { name, unit: "mm", nominal, tolerance });
 /// let tolerances = Tolerances::<2>::complete(&rods)?;
 /// let alone = Uncertainties::new(&tolerances, Distribution::Normal);
-/// // Cut on one stop: what one is too long, the other is, too.
+/// // Cut on one stop: both are too long by the same amount.
 /// let together = alone.correlations(&[(0, 1, 0.8)])?;
 ///
 /// let by_the_sum = [1.0, 1.0];
@@ -79,7 +79,7 @@ impl<const N: usize> Uncertainties<N> {
                 let names = [j, i].map(|k| listed[k].name);
                 let found = [covariance[j][i], covariance[i][j]];
                 let size = standard[i] * standard[j];
-                // What two ways of computing one product differ by.
+                // The difference between two ways of computing one product.
                 let is_symmetric = (found[0] - found[1]).abs() <= 1e-12 * size.max(found[0].abs());
                 if !is_symmetric {
                     return Err(ToleranceError::NotSymmetric { names, found });

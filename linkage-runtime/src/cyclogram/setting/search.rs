@@ -205,7 +205,8 @@ impl<E, B: FnMut(f64) -> Result<Member, E>, W: Fn(&Event) -> bool> SettingSearch
                 break;
             }
             let next = self.with_value(value, best)?;
-            // Steps that do not even halve what is left: the interval is halved between them.
+            // Steps that do not even halve the remaining interval: the interval is halved between
+            // them.
             halve = !halve && next.off.abs() > 0.5 * best.off.abs();
             if next.off * low.off > 0.0 {
                 low = next;
@@ -216,7 +217,7 @@ impl<E, B: FnMut(f64) -> Result<Member, E>, W: Fn(&Event) -> bool> SettingSearch
                 best = next;
             }
         }
-        // What jumps across the angle is never at it.
+        // An event that jumps across the angle is never at it.
         (best.off.abs() <= REACHED).then_some(best)
     }
 

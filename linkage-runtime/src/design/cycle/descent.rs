@@ -46,7 +46,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         let begun = start.x.clone();
         let mut held = [None, None];
         for _ in 0..REFINEMENTS {
-            // Further conditions make nothing of what held before.
+            // Further conditions annul all results before them.
             let reference = self.reference.as_ref();
             // One that holds only for the search may have a better value than all that hold for the
             // verdict.

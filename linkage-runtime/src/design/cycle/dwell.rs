@@ -201,7 +201,7 @@ impl<M: Dimensions<N>, A, const N: usize> CycleObjective<M, A, N> for Dwell<'_, 
                 self.steadiest(motion, length)?
             }
         };
-        // Of a fixed band the start may leave any part.
+        // The start may leave any part of a fixed band.
         let band = self.asked.band().unwrap_or(band);
         let own = |start: f64, bounds: (f64, f64), reach: f64| Own {
             start,

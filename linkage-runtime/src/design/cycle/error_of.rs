@@ -16,8 +16,8 @@ use measure::{Measure, Measured, Slopes};
 /// The largest error that tolerances cause in a quantity, to first order: its slopes by the
 /// parameters are second derivatives.
 ///
-/// Of a vector it is the largest length of the error. It is looked for at given inputs, or over
-/// [the whole range](Self::over_the_range).
+/// The error of a vector is the largest length of its error. It is looked for at given inputs, or
+/// over [the whole range](Self::over_the_range).
 ///
 /// ```
 /// use linkage_runtime::Parameter;

@@ -89,7 +89,7 @@ impl<A, const N: usize> Dwell<'_, A, N> {
         let points = turning.points.iter();
         let passed = points.flat_map(|[at, _]| [*at, at - length]);
         let inside = passed.filter(|from| first < *from && *from < last);
-        // As long as its room an interval has one beginning.
+        // An interval as long as its room has one beginning.
         let mut borders: Vec<f64> = vec![first, last.max(first)];
         borders.extend(inside);
         borders.sort_by(f64::total_cmp);

@@ -212,7 +212,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         };
         let size = |rows: &Vec<Row>| {
             let most = rows.iter().map(change).fold(0.0, f64::max);
-            // What no variable changes is measured by itself.
+            // A condition that no variable changes is measured by its own value.
             if most > 0.0 {
                 most
             } else {

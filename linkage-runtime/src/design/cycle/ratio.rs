@@ -52,7 +52,7 @@ impl<A, const N: usize> Figure<A, N> for TimeRatio<'_, A, N> {
         };
         let (high, low) = (place(Kind::High)?, place(Kind::Low)?);
         let value = strokes.rise / strokes.fall;
-        // The fall is shorter by what the rise is longer.
+        // The fall is shorter by as much as the rise is longer.
         let factor = (1.0 + value) / strokes.fall;
         let parameters = core::array::from_fn(|k| factor * (high[k] - low[k]));
         Some(Pieces::Largest(vec![Piece {

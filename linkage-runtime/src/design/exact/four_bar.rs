@@ -144,7 +144,8 @@ impl FourBar {
     fn place_of_triple_rocker(&self, pose: &Pose, forth: bool) -> f64 {
         let [link, .., frame] = self.sides(pose);
         let [frame_length, left, coupler, right] = self.lengths(pose);
-        // From the line of the frame; the link swings about it, to one of its sides or the other.
+        // The angle from the line of the frame; the link swings about this line, to one of its
+        // sides or the other.
         let angle = angle([-frame[0], -frame[1]], link);
         let about_frame = left + frame_length > coupler + right;
         let swing = if about_frame {

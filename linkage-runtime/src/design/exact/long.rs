@@ -118,7 +118,7 @@ impl Real for Long {
         if self.is_zero() {
             return 0.0;
         }
-        // The first word and its rounding, and what is less than all plain numbers.
+        // The first word and its rounding, and the part that is less than all plain numbers.
         self.narrow().abs() * (1.0 + 4.0 * f64::EPSILON) + f64::MIN_POSITIVE
     }
 
@@ -149,7 +149,8 @@ impl Add for Long {
         };
         let down = large.exponent.saturating_sub(small.exponent) as usize;
         let (words, bits) = (down / BITS as usize, down as u32 % BITS);
-        // One word above for the carry, three below for what leading digits that cancel bring up.
+        // One word above for the carry, three below for the digits that move up when leading digits
+        // cancel.
         let wide = |number: Self, i: usize| {
             let i = i.checked_sub(WIDE - 1 - WORDS);
             i.and_then(|i| number.digits.get(i)).copied().unwrap_or(0)

@@ -18,7 +18,7 @@ pub(super) fn roots(coefficients: &[Complex]) -> Vec<Complex> {
     };
     let coefficients = &coefficients[..=degree];
     let lead = coefficients[degree];
-    // As large as roots are on the mean; angles without symmetry.
+    // The mean size of the roots; angles without symmetry.
     let radius = (size(&coefficients[0]) / size(&lead)).powf(1.0 / degree.max(1) as f64);
     let start = |i: usize| Complex::polar(0.7 + 2.4 * i as f64).scaled(radius.max(f64::EPSILON));
     let mut roots: Vec<Complex> = (0..degree).map(start).collect();

@@ -56,7 +56,7 @@ pub(super) fn check<M: Dimensions<N> + Copy, A, const N: usize>(
             });
         }
     }
-    // Where some are known, all must be: a scatter is no measure of both.
+    // Either none is known or all are: a scatter is no measure of both.
     if !rows::estimates_deviations(identification) {
         let without = identification
             .sources

@@ -32,7 +32,8 @@ pub(super) struct Determined {
 impl Determined {
     pub(super) fn new(rows: &[ReadingRow], ranges: &[f64], estimated: bool) -> Self {
         let n = ranges.len();
-        // At least as many rows as parameters: what no reading determines has a direction, too.
+        // At least as many rows as parameters: a parameter that no reading determines has a
+        // direction, too.
         let m = rows.len().max(n);
         let entry = |i: usize, j: usize| {
             rows.get(i)

@@ -122,7 +122,7 @@ fn pair(found: &Determined, i: usize, j: usize) -> DVector<f64> {
     if aa == 0.0 || bb == 0.0 {
         return direction;
     }
-    // Parallel columns: what one does the other takes back. Of columns that are not, this is no
+    // Parallel columns: one cancels the effect of the other. Of columns that are not, this is no
     // candidate.
     let way = a.dot(&b).signum();
     (direction[i], direction[j]) = (1.0 / aa, -way / bb);

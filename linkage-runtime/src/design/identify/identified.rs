@@ -168,7 +168,7 @@ fn residuals(rows: &[ReadingRow], found: &Determined, converged: bool) -> Vec<Re
     let outside = OUTLIER / rows.len() as f64;
     let is_estimated = found.is_estimated();
     let limit = match is_estimated {
-        // Where the scatter is found from all others, it is Student's distribution.
+        // With a scatter from all other readings, the distribution is Student's.
         true => student::outside(outside, freedom - 1.0),
         false => student::outside(outside, f64::INFINITY),
     };

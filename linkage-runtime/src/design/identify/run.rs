@@ -39,7 +39,7 @@ where
         let found = Determined::new(&rows, &ranges, rows::estimates_deviations(self));
         let mut x = fit::polished(self, &limits, x, &ranges, &unknown, &found);
         for ((x, start), range) in x.iter_mut().zip(&start).zip(&ranges) {
-            // What nothing moved but rounding.
+            // A parameter that only rounding moved.
             if (*x - start).abs() < 1e-14 * range {
                 *x = *start;
             }

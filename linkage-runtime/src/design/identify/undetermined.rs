@@ -63,7 +63,7 @@ pub(super) fn undetermined(
             if combinations.len() == all {
                 break;
             }
-            // What is not determined by itself need not move with others.
+            // A parameter that is not determined by itself need not move with others.
             let alone = |name: &str| {
                 combinations
                     .iter()
@@ -100,7 +100,8 @@ pub(super) fn undetermined(
                 offers,
             ));
         }
-        // Combinations that are too much alike leave some untold: what is left beside them.
+        // Combinations that are too much alike miss some parameters: combinations of the rest are
+        // added.
         while combinations.len() < all {
             let direction = left_over(found, &open, &taken);
             combinations.push(describe(named, found, &direction, None, offers));
@@ -135,7 +136,7 @@ fn describe(
 ) -> Undetermined {
     let change = (&found.jacobian * direction).norm();
     let exactly = found.is_nothing(change);
-    // What rounding, or readings that tell next to nothing, add to a combination.
+    // The part that rounding, or readings with almost no effect, add to a combination.
     let least = if exactly { 1e-6 } else { APART };
     let part = |j: usize| (named.parameters[j].name, direction[j] * named.ranges[j]);
     let order: Vec<usize> = (0..direction.len())

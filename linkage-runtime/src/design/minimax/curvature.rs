@@ -9,7 +9,7 @@ use linkage_core::numeric::vector::dot;
 /// A positive definite approximation of the second derivatives of the rows, each times its weight,
 /// in reaches.
 ///
-/// Of a sum of squares the part of Gauss and Newton is known, and only the rest is gathered.
+/// The part of Gauss and Newton of a sum of squares is known, and only the rest is gathered.
 ///
 /// Updated by Broyden, Fletcher, Goldfarb and Shanno with Powell's damping: M. J. D. Powell, "A
 /// fast algorithm for nonlinearly constrained optimization calculations", Lecture Notes in
@@ -101,7 +101,7 @@ impl Curvature {
                 }
             }
         }
-        // What squares bend by is known: where the step ends, as they will be seen.
+        // The curvature of squares is known: it is taken at the end of the step.
         for row in &there.squares {
             let scaled = self.scaled(row);
             let along = dot(&scaled, &d);

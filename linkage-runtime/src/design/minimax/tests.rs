@@ -64,7 +64,7 @@ fn second(x: &[f64]) -> Groups {
 fn a_smooth_valley_between_two_functions() {
     for start in [[1.0, -0.1], [2.0, 2.0], [-3.0, 0.5]] {
         let found = solved(&start, &within(2, 10.0), second);
-        // By bisection in 40 digits: a where both functions are equal and their gradients opposite.
+        // Bisection in 40 digits: a where both functions are equal and their gradients opposite.
         assert!(
             (found.groups.value() - 1.952_224_493_870_659).abs() < 1e-10,
             "{found:?}"

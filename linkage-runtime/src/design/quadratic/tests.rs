@@ -89,7 +89,7 @@ fn minima_meet_the_conditions_of_a_minimum() {
                     .for_each(|&(j, a)| left[j] -= multiplier * a);
             }
         }
-        // What is left is along the normal of the equality.
+        // The rest is along the normal of the equality.
         let plane: Vec<f64> = match faces.iter().find(|face| face.equality) {
             Some(face) => face.normal.iter().map(|&(_, a)| a).collect(),
             None => vec![0.0; n],

@@ -54,7 +54,7 @@ impl Comparison<'_> {
             "designs": designs.collect::<Vec<_>>(),
             "curves": self.columns().iter().filter_map(|name| {
                 let (_, unit, _) = first.and_then(|report| plots::find_series(report, name))?;
-                // Where the unit stands behind the name, it is not said twice.
+                // A unit after the name is not repeated.
                 let bare = name.split(" [").next().unwrap_or(name);
                 Some(json!({ "name": bare, "unit": unit }))
             }).collect::<Vec<_>>(),
@@ -141,7 +141,7 @@ impl Comparison<'_> {
         all.iter().filter_map(row).collect()
     }
 
-    /// The wishes, by the indices of their figures, and which designs are best.
+    /// The objectives, by the indices of their figures, and which designs are best.
     fn front_value(&self) -> Option<Value> {
         if self.aims.is_empty() {
             return None;

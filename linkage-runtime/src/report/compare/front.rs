@@ -2,9 +2,9 @@
 
 use std::vec::Vec;
 
-/// The designs that no other one beats: none is as good in all wishes and better in one. `values`
-/// are those of each design, the smaller the better; a design with a number that is not finite is
-/// none of the best.
+/// The designs that no other one beats: none is as good in all objectives and better in one.
+/// `values` are those of each design, the smaller the better; a design with a number that is not
+/// finite is none of the best.
 pub(super) fn front(values: &[Vec<f64>]) -> Vec<bool> {
     let beats = |a: &[f64], b: &[f64]| {
         let pairs = || a.iter().zip(b);

@@ -51,7 +51,7 @@ impl<'a> Drawn<'a> {
     /// points here. Places are rounded to a step of the drawing.
     pub(super) fn value(&self, rows: &[usize], size: f64) -> Value {
         let step = 10f64.powf((size / STEPS).log10().floor());
-        // By a whole number, which decimals are read back from as they were.
+        // The divisor is a whole number, so that decimals are read back as they were.
         let rounded = |x: f64| match step < 1.0 {
             true => (x / step).round() / (1.0 / step).round(),
             false => (x / step).round() * step,

@@ -87,7 +87,7 @@ fn described(drawing: &Drawing<'_>, sheet: &Sheet<'_>, row: usize) -> String {
     };
     let position = format!("{} {at} {unit}{enlarged}", input.name);
     if sheet.axes().is_some() {
-        // What is foreshortened has no scale.
+        // A foreshortened picture has no scale.
         return position;
     }
     let scale = match sheet.scale {

@@ -158,7 +158,7 @@ impl Scene {
             self.limits[3] - area[3],
         ];
         let inside = inside.into_iter().fold(f64::INFINITY, f64::min);
-        // What is just inside is as good as what is far inside.
+        // A name just inside is as good as one far inside.
         let inside = if inside < 0.0 { inside } else { f64::INFINITY };
         let shapes = self.taken.iter().chain(&self.leaders);
         let shapes = shapes.map(|shape| shape.room(*area));

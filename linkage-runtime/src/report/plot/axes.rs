@@ -42,7 +42,7 @@ impl Axis {
         };
         let scale = about(low, high, (height / 34.0) as usize + 1);
         let joined = names.join(", ");
-        // What does not fit stands in the legend.
+        // A name that does not fit is in the legend.
         let fits = joined.chars().count() as f64 * 7.0 < height - 60.0;
         let title = title(if fits { &joined } else { "" }, unit, scale.exponent);
         Self { scale, title }

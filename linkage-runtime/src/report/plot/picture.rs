@@ -19,7 +19,7 @@ pub(super) fn drawn(plot: &Plot) -> String {
     let legends: Vec<Vec<Entry<'_>>> = panels.iter().map(Panel::legend).collect();
     let beside = legends.iter().map(|l| legend::width(l)).fold(0.0, f64::max);
     let notes = missing::gap_notes(plot);
-    // As wide and as high as the legend needs it.
+    // The legend determines the width and the height.
     let total = plot.width.max(panel::LEFT + NARROWEST + beside + 24.0);
     let lines = legends.iter().map(Vec::len).max().unwrap_or(0);
     let tall = plot.height.max(legend::height(lines));

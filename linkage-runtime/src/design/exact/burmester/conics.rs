@@ -39,7 +39,8 @@ const fn generic([a, b, c, d]: [f64; 4]) -> [[f64; 3]; 3] {
 /// common.
 pub(super) fn common(conics: &[Conic; 2]) -> Vec<Point> {
     let turned = conics.map(|conic| turned(&conic));
-    // As polynomials in the second coordinate, whose coefficients are polynomials in the first one.
+    // The equations as polynomials in the second coordinate, whose coefficients are polynomials in
+    // the first one.
     let [first, second] = turned.map(|c| {
         let real = |value: f64| ONE.scaled(value);
         let line = [real(2.0 * c[1][2]), real(2.0 * c[0][1])];

@@ -69,8 +69,7 @@ impl CentreCurve {
     #[must_use]
     pub fn at(&self, angle: f64) -> Vec<CentrePoint> {
         let direction = Complex::polar(angle);
-        // The pole itself is on the curve: what is left are the terms of the first degree and
-        // above.
+        // The pole itself is on the curve: the rest are the terms of the first degree and above.
         let [_, rest @ ..] = self.along(self.pole, direction);
         let [low, middle, high] = rest.map(|coefficient| coefficient.im);
         let discriminant = middle * middle - 4.0 * low * high;

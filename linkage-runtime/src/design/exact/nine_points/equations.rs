@@ -125,7 +125,7 @@ impl Turn {
         values: Pair<Complex>,
         value: Complex,
     ) -> Pair<Complex> {
-        // Of both links, the one that tells more.
+        // The link with the larger factor gives more digits.
         let [p, q, _] = self.factors;
         let side = usize::from(p.square() > q.square());
         let known = self.by_joints[side].iter().zip(&joints[4 * side..]);

@@ -63,7 +63,8 @@ impl SolutionSearch {
                 let mut again = BTreeSet::new();
                 for block in left.chunks(BLOCK) {
                     let ends = in_parallel(block, |&i| match attempt + 1 == ATTEMPTS {
-                        // Many digits take as long as the path: for what nothing else has decided.
+                        // Many digits take as long as the path: used only where nothing else
+                        // decides.
                         true => data.end_long(&starts[i], &way, pace),
                         false => data.end(&starts[i], &way, pace),
                     });

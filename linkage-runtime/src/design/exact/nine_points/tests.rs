@@ -118,7 +118,7 @@ fn assert_passes(triple: &Triple, points: &[[f64; 2]; 9]) {
         }
         assert_eq!(passage.visits.len(), 9);
     }
-    // Cognates have one curve: what is in order for one is so for all.
+    // Cognates have one curve: an order of one is that of all.
     let [first, second, third] = triple
         .four_bars
         .each_ref()
@@ -234,7 +234,7 @@ fn a_triple_next_to_singular_ones_is_shown() {
     let [.., (planted, _)] = [(); 4].map(|()| problems.next());
     let task = Task::new(&planted.points()).unwrap();
     let data = Data::new(&task.shifts);
-    // Where its path ends.
+    // The end of its path.
     let joints = [
         [1.2341065667922137e-5, 9.360122646304186e-6],
         [-59509.26606023089, 35091.35030932802],

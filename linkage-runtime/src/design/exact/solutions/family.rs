@@ -17,7 +17,7 @@ pub(super) struct Member<'a, E, const N: usize> {
     pub(super) constants: [Complex; N],
 }
 
-// Whether or not the equations can be copied.
+// A derived `Clone` would require that the equations can be copied.
 impl<E, const N: usize> Clone for Member<'_, E, N> {
     fn clone(&self) -> Self {
         *self

@@ -145,7 +145,7 @@ impl<'a, E: Equations<N>, const N: usize> Fibre<'a, E, N> {
         arc: Complex,
     ) -> Option<Vec<[Complex; N]>> {
         let way = ParameterPath { from, to, arc };
-        // By a certificate, which has all digits.
+        // The ends are compared by certificates, which have all digits.
         let ends = in_parallel(starts, |start| to.shown(&end(&way, start).ok()?));
         ends.iter().map(|end| end.as_ref().map(middle)).collect()
     }

@@ -224,7 +224,7 @@ const SEED: u64 = 40;
 fn solutions_two_thousand_times_as_far_as_a_platform_is_wide_are_shown() {
     let mut draw = Draw::new(SEED);
     let platforms = [(); PLATFORMS].map(|()| posed(&mut draw).0);
-    // Where a path of the last one ends, to ten digits; the other one of its pair is the mirror
+    // The end of a path of the last one, to ten digits; the other one of its pair is the mirror
     // image.
     let place = [
         [1558.537407, 1189.451554],

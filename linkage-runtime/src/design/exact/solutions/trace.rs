@@ -190,7 +190,7 @@ pub(super) fn miss<E: Equations<N>, const N: usize>(
     random: &mut Random,
 ) -> f64 {
     let here = section.member;
-    // As far away as constants of random places are from each other.
+    // The shift is as large as the distance between constants of random points.
     let shift = here.through(&random.place()).constants[here.row] - here.constants[here.row];
     let moved = |by: f64| {
         let mut constants = here.constants;

@@ -33,7 +33,7 @@ fn where_the_test_is_not_passed_along_a_row_it_is_made_along_another_one() {
     assert_eq!((found.real.len(), found.complex), (1, 10));
     let trace = found.trace.expect("it was asked for");
     assert_eq!((trace.row, trace.degree, trace.open), (1, 11, 0));
-    // Where the first one is passed, it is the one.
+    // The second row is the one if the first row is passed.
     let second = solutions_traced(&Steep, 1).expect("it has solutions");
     assert_eq!(second.trace.map(|trace| trace.row), Some(1));
 }
