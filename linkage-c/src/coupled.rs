@@ -6,7 +6,7 @@ mod constants;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use linkage_compiler::ir::{CompiledMechanism, Coupled, Start};
+use linkage_compiler::ir::{CompiledMechanism, Coupled, PreparedTable};
 use linkage_core::certificate::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE};
 use linkage_core::numeric::continuation::{Axis, CellLayout, NodeLayout, Terms};
 use linkage_symbolic::program::Program;
@@ -33,7 +33,7 @@ pub(crate) fn items(writer: &mut Writer) {
             writer.printer.helpers.need(helper);
         }
         let (text, words, templates) = match &coupled.start {
-            Some(Start::Table(table)) => {
+            Some(PreparedTable::Table(table)) => {
                 let layout = table.layout();
                 let mut words = of_axis(surface.real, &layout.axis);
                 words.push(("OUTSIDE", surface.real.literal(CellLayout::OUTSIDE)));
@@ -48,7 +48,7 @@ pub(crate) fn items(writer: &mut Writer) {
                 };
                 (constants::table(surface, number, &layout), words, templates)
             }
-            Some(Start::Grid(grid)) => {
+            Some(PreparedTable::Grid(grid)) => {
                 let layout = grid.layout();
                 let axes = layout.axes.len();
                 let words = vec![

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::assembly::Closed;
+use crate::assembly::AssembledPart;
 use crate::diagnostic::{Diagnostics, Message};
 use crate::ir::CompiledMechanism;
 use crate::model::{Library, Model};
@@ -49,7 +49,7 @@ struct Progress {
     model: Option<Rc<Model>>,
     unit: Option<CompiledMechanism>,
     /// The assembly of the mechanism without the mechanisms around it.
-    closed: Option<Rc<Closed>>,
+    closed: Option<Rc<AssembledPart>>,
     diagnostics: Diagnostics,
 }
 
@@ -167,7 +167,7 @@ fn closed_parts(
     definitions: &[MechanismDef],
     progress: &[Progress],
     model: &Model,
-) -> Option<Vec<Rc<Closed>>> {
+) -> Option<Vec<Rc<AssembledPart>>> {
     let parts = model.mechanism.parts.iter();
     let closed = parts.map(|part| {
         let mut names = definitions.iter();

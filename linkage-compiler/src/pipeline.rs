@@ -5,7 +5,7 @@ use std::rc::Rc;
 use linkage_symbolic::Graph;
 
 use crate::algebra::Algebra;
-use crate::assembly::{self, Closed};
+use crate::assembly::{self, AssembledPart};
 use crate::checks;
 use crate::diagnostic::{Diagnostics, Reporter};
 use crate::ir::CompiledMechanism;
@@ -20,10 +20,10 @@ use crate::{lower, outputs, structure};
 /// result is not to be used.
 pub(crate) fn run(
     model: &Model,
-    parts: &[Rc<Closed>],
+    parts: &[Rc<AssembledPart>],
     diagnostics: &mut Diagnostics,
     observer: &mut dyn PhaseObserver,
-) -> (CompiledMechanism, Option<Closed>) {
+) -> (CompiledMechanism, Option<AssembledPart>) {
     let mut reporter = Reporter::new(&model.origins, diagnostics);
     let before = reporter.errors();
     let graph = Graph::new();

@@ -1,7 +1,9 @@
 //! The description of a mechanism for the engine: its numbers and its programs, as an object of
 //! JavaScript.
 
-use linkage_compiler::ir::{CompiledMechanism, Coupled, Function, Input, Shape, Start, plain};
+use linkage_compiler::ir::{
+    CompiledMechanism, Coupled, Function, Input, PreparedTable, Shape, plain,
+};
 use linkage_core::numeric::continuation::Axis;
 use linkage_core::numeric::roots::Variable;
 use linkage_core::range_check::Slack;
@@ -167,11 +169,11 @@ fn start(unit: &CompiledMechanism, group: &Coupled) -> (Vec<Axis>, Vec<f64>, f64
         .collect();
     let mut state = vec![f64::NAN; group.size];
     match &group.start {
-        Some(Start::Table(table)) => {
+        Some(PreparedTable::Table(table)) => {
             let floor = table.state(at[0], &mut state);
             (vec![table.layout().axis], state, floor)
         }
-        Some(Start::Grid(grid)) => {
+        Some(PreparedTable::Grid(grid)) => {
             let floor = grid.state(&at, &mut state);
             (grid.layout().axes, state, floor)
         }

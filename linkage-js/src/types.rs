@@ -74,7 +74,7 @@ fn method(name: &str) -> String {
 fn about(called: &Function) -> String {
     let told = called.fields.iter().map(|field| {
         let name = plain(&field.name);
-        match &field.told()[..] {
+        match &field.description()[..] {
             "" => format!("- `{name}`: a number"),
             about => format!("- `{name}`: {about}"),
         }

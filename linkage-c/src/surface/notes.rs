@@ -32,7 +32,7 @@ pub(super) fn dimension_note(scalars: &[linkage_compiler::ir::Scalar]) -> String
 
 /// Returns the meaning with its unit, and the names of the entries of an array.
 pub(super) fn field_note(field: &linkage_compiler::ir::Field, columns: &[Column]) -> String {
-    let about = match &field.told()[..] {
+    let about = match &field.description()[..] {
         "" => "a number".to_owned(),
         // In C there is no mark for names.
         about => about.strip_prefix("in ").unwrap_or(about).replace('`', ""),

@@ -1,6 +1,8 @@
 //! The runtime's descriptions of a unit, as generated code has them as constants.
 
-use linkage_compiler::ir::{CompiledMechanism, Coupled, Function, Meaning, Picture, Shown, plain};
+use linkage_compiler::ir::{
+    CompiledMechanism, Coupled, Function, Meaning, Picture, ShownNumber, plain,
+};
 use linkage_runtime::support::{
     Along, Angle, CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown, Range, Term,
 };
@@ -185,7 +187,7 @@ pub(super) fn groups(mechanism: &'static str, unit: &CompiledMechanism) -> &'sta
 fn group(mechanism: &'static str, unit: &CompiledMechanism, coupled: &Coupled) -> CoupledGroup {
     let group = &unit.groups[coupled.group];
     let unknowns = coupled.unknowns.iter().map(|placed| {
-        let Shown { name, unit, scale } = unit.shown(placed);
+        let ShownNumber { name, unit, scale } = unit.shown(placed);
         CoupledUnknown {
             name: forever(name),
             estimate: placed.estimate,

@@ -15,7 +15,7 @@ use crate::solve::{self, Formulation};
 use crate::structure::Structure;
 
 use super::check::check_ranges;
-use super::closed_part::Closed;
+use super::closed_part::AssembledPart;
 use super::parts::inner_parts;
 use super::redundant::check_redundant;
 use super::reference::assemble_reference;
@@ -64,9 +64,9 @@ impl<'m> Assembled<'m> {
 
     /// Returns the assembly for mechanisms that have this one as a part; `None` if its loops do not
     /// close.
-    pub(crate) fn into_part(self, algebra: &Algebra<'m>) -> Option<Closed> {
+    pub(crate) fn into_part(self, algebra: &Algebra<'m>) -> Option<AssembledPart> {
         let is_closed = self.reference.closed;
-        is_closed.then(|| Closed::new(algebra, self.reference, self.nominal))
+        is_closed.then(|| AssembledPart::new(algebra, self.reference, self.nominal))
     }
 }
 
@@ -79,7 +79,7 @@ pub(crate) fn assemble<'m>(
     algebra: &mut Algebra<'m>,
     nominal: &Nominal,
     structure: Structure<'m>,
-    parts: &[Rc<Closed>],
+    parts: &[Rc<AssembledPart>],
     reporter: &mut Reporter,
     observer: &mut dyn PhaseObserver,
 ) -> Assembled<'m> {

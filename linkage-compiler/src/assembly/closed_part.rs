@@ -20,7 +20,7 @@ const STEPS: f64 = 10_000.0;
 
 /// A mechanism assembled at its own reference, for those that it is a part of.
 #[derive(Debug)]
-pub(crate) struct Closed {
+pub(crate) struct AssembledPart {
     machine: Machine,
     pub(super) nominal: Nominal,
     pub(super) unit: LengthUnit,
@@ -34,7 +34,7 @@ pub(crate) struct Closed {
 
 /// A part of the mechanism that is closed.
 pub(crate) struct InnerPart<'m> {
-    pub(super) closed: Rc<Closed>,
+    pub(super) closed: Rc<AssembledPart>,
     pub(super) first_unknown: usize,
     /// Its inputs, and the unknowns that they are made of.
     pub(super) inputs: Vec<Ex<'m>>,
@@ -45,7 +45,7 @@ pub(crate) struct InnerPart<'m> {
     pub(super) ratio: f64,
 }
 
-impl Closed {
+impl AssembledPart {
     pub(crate) fn new(algebra: &Algebra, reference: Reference, nominal: Nominal) -> Self {
         let mechanism = algebra.mechanism;
         let mut unknowns = vec![None; mechanism.unknowns.len()];

@@ -3,7 +3,7 @@
 use linkage_core::numeric::continuation::{Grid, Range, Refusal, Table, Terms};
 
 use crate::algebra::Algebra;
-use crate::ir::{Coupled, Start};
+use crate::ir::{Coupled, PreparedTable};
 use crate::machine::followed_range;
 use crate::solve::{Prepared, Solved};
 
@@ -36,8 +36,10 @@ pub(super) fn prepare<'m>(
     match start {
         Ok(start) => {
             let served = match &start {
-                Start::Grid(grid) => continuation::is_served(assembly, solved, prepared, grid),
-                Start::Table(_) => true,
+                PreparedTable::Grid(grid) => {
+                    continuation::is_served(assembly, solved, prepared, grid)
+                }
+                PreparedTable::Table(_) => true,
             };
             assembly.machine.starts[prepared.number] = Some(start);
             served
@@ -53,9 +55,9 @@ pub(super) fn prepare<'m>(
 fn fits<'m>(
     assembly: &Assembly<'_, 'm>,
     prepared: &Prepared<'m>,
-    start: &Result<Start, Refusal>,
+    start: &Result<PreparedTable, Refusal>,
 ) -> bool {
-    let Ok(Start::Grid(grid)) = start else {
+    let Ok(PreparedTable::Grid(grid)) = start else {
         return false;
     };
     let (mut numbers, reference) = assembly.coupled(prepared.number);
@@ -93,7 +95,7 @@ fn start<'m>(
     assembly: &Assembly<'_, 'm>,
     prepared: &Prepared<'m>,
     state: &[f64],
-) -> Result<Start, Refusal> {
+) -> Result<PreparedTable, Refusal> {
     let (mut numbers, at) = assembly.coupled(prepared.number);
     let ranges = prepared.inputs.iter().map(|&input| {
         let (low, high) = followed_range(assembly.algebra, assembly.nominal, input);
@@ -104,9 +106,10 @@ fn start<'m>(
     match (&ranges[..], prepared.has_table()) {
         ([range], true) => {
             let partial = assembly.nominal.ranges[prepared.inputs[0]].is_none();
-            Table::build(&mut numbers, at[0], state, *range, partial).map(Start::Table)
+            Table::build(&mut numbers, at[0], state, *range, partial).map(PreparedTable::Table)
         }
-        _ => Grid::build_all(&mut numbers, &at, state, &ranges, prepared.in_cells).map(Start::Grid),
+        _ => Grid::build_all(&mut numbers, &at, state, &ranges, prepared.in_cells)
+            .map(PreparedTable::Grid),
     }
 }
 

@@ -29,6 +29,6 @@ mod sizes;
 mod unfollowed;
 
 pub(crate) use assemble::assemble;
-pub(crate) use closed_part::Closed;
+pub(crate) use closed_part::AssembledPart;
 #[cfg(test)]
 pub(crate) use reference::assemble_reference;

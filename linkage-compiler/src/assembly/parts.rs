@@ -17,14 +17,14 @@ use crate::model::{Dimension, Expr, ExprKind, Mechanism, Name};
 use crate::solve::Formulation;
 
 use super::assembler::Assembly;
-use super::closed_part::{Closed, InnerPart};
+use super::closed_part::{AssembledPart, InnerPart};
 
 /// Returns the parts of a mechanism with the expressions of their inputs; `closed` is the assembly
 /// of each part alone.
 pub(crate) fn inner_parts<'m>(
     algebra: &mut Algebra<'m>,
     nominal: &Nominal,
-    closed: &[Rc<Closed>],
+    closed: &[Rc<AssembledPart>],
 ) -> Vec<InnerPart<'m>> {
     let mechanism = algebra.mechanism;
     let parts = mechanism.parts.iter().zip(closed);

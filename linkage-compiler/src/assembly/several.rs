@@ -4,7 +4,7 @@ use linkage_core::numeric::continuation::{Correction, dead_point};
 use linkage_core::range_check::ROUNDING;
 
 use super::ranges::{Broken, Grid, Ranges};
-use crate::ir::Start;
+use crate::ir::PreparedTable;
 use crate::machine::Numbers;
 
 impl Ranges<'_, '_> {
@@ -37,7 +37,7 @@ impl Ranges<'_, '_> {
     fn unprepared(&self, group: usize, inputs: &[f64]) -> Option<Option<Vec<f64>>> {
         let number = self.formulation.groups[group].prepared.as_ref()?.number;
         let machine = &self.reference.machine;
-        let Some(Start::Grid(grid)) = &machine.starts[number] else {
+        let Some(PreparedTable::Grid(grid)) = &machine.starts[number] else {
             return None;
         };
         let reference = &self.nominal.inputs;

@@ -29,14 +29,14 @@ pub(crate) fn check_values(mechanism: &Mechanism, nominal: &Nominal, reporter: &
     for (index, item) in mechanism.lets.iter().enumerate() {
         check.fixed[index] = check.is_fixed(&item.value);
         let place = match used[index] {
-            true => Place::InLoop,
-            false => Place::Elsewhere,
+            true => Occurrence::InLoop,
+            false => Occurrence::Elsewhere,
         };
         check.look_at(&item.value, place);
     }
     for equation in &mechanism.loops {
-        check.look_at(&equation.left, Place::Term);
-        check.look_at(&equation.right, Place::Term);
+        check.look_at(&equation.left, Occurrence::Term);
+        check.look_at(&equation.right, Occurrence::Term);
     }
     let quantities = mechanism
         .evaluators
@@ -44,7 +44,7 @@ pub(crate) fn check_values(mechanism: &Mechanism, nominal: &Nominal, reporter: &
         .flat_map(|function| &function.quantities);
     let values = quantities.map(|quantity| &quantity.value);
     for value in values.chain(mechanism.expressions_of_mechanics()) {
-        check.look_at(value, Place::Elsewhere);
+        check.look_at(value, Occurrence::Elsewhere);
     }
     for found in std::mem::take(&mut check.found) {
         let fact = check.fact(&found);
@@ -75,12 +75,12 @@ pub(crate) fn without_value(
     for (index, item) in mechanism.lets.iter().enumerate() {
         check.fixed[index] = check.is_fixed(&item.value);
         if used[index] {
-            check.look_at(&item.value, Place::InLoop);
+            check.look_at(&item.value, Occurrence::InLoop);
         }
     }
     for &index in loops {
-        check.look_at(&mechanism.loops[index].left, Place::Term);
-        check.look_at(&mechanism.loops[index].right, Place::Term);
+        check.look_at(&mechanism.loops[index].left, Occurrence::Term);
+        check.look_at(&mechanism.loops[index].right, Occurrence::Term);
     }
     let found = std::mem::take(&mut check.found).into_iter().next()?;
     Some((found.expr.origin, check.fact(&found)))
@@ -88,7 +88,7 @@ pub(crate) fn without_value(
 
 /// The position of an expression.
 #[derive(Clone, Copy, PartialEq)]
-enum Place {
+enum Occurrence {
     /// A loop is a sum of it and others.
     Term,
     /// A loop contains it: NaN goes through all values computed with it, an infinity may be the
@@ -97,7 +97,7 @@ enum Place {
     Elsewhere,
 }
 
-struct Found<'m> {
+struct NotFinite<'m> {
     expr: &'m Expr,
     fatal: bool,
 }
@@ -110,7 +110,7 @@ struct Check<'a, 'm> {
     algebra: Algebra<'m>,
     /// For each derived quantity, true if it depends on dimensions alone.
     fixed: Vec<bool>,
-    found: Vec<Found<'m>>,
+    found: Vec<NotFinite<'m>>,
 }
 
 impl<'a, 'm> Check<'a, 'm> {
@@ -137,7 +137,7 @@ impl<'a, 'm> Check<'a, 'm> {
     }
 
     /// Searches the largest parts that are fixed.
-    fn look_at(&mut self, expr: &'m Expr, place: Place) {
+    fn look_at(&mut self, expr: &'m Expr, place: Occurrence) {
         let mut open = vec![(expr, place)];
         while let Some((expr, place)) = open.pop() {
             if self.is_fixed(expr) {
@@ -146,7 +146,7 @@ impl<'a, 'm> Check<'a, 'm> {
             }
             let below = match (&expr.kind, place) {
                 (ExprKind::Vector(_), _) => place,
-                (_, Place::Term) if expr.summands().is_empty() => Place::InLoop,
+                (_, Occurrence::Term) if expr.summands().is_empty() => Occurrence::InLoop,
                 _ => place,
             };
             open.extend(expr.operands().into_iter().map(|operand| (operand, below)));
@@ -154,7 +154,7 @@ impl<'a, 'm> Check<'a, 'm> {
     }
 
     /// Finds the innermost parts that are not finite.
-    fn blame(&mut self, expr: &'m Expr, place: Place) {
+    fn blame(&mut self, expr: &'m Expr, place: Occurrence) {
         let mut open = vec![expr];
         while let Some(expr) = open.pop() {
             // A name is reported at its declaration.
@@ -171,11 +171,11 @@ impl<'a, 'm> Check<'a, 'm> {
             );
             if open.len() == before {
                 let fatal = match place {
-                    Place::Term => true,
-                    Place::InLoop => self.value(expr).iter().any(|x| x.is_nan()),
-                    Place::Elsewhere => false,
+                    Occurrence::Term => true,
+                    Occurrence::InLoop => self.value(expr).iter().any(|x| x.is_nan()),
+                    Occurrence::Elsewhere => false,
                 };
-                self.found.push(Found { expr, fatal });
+                self.found.push(NotFinite { expr, fatal });
             }
         }
     }
@@ -200,7 +200,7 @@ impl<'a, 'm> Check<'a, 'm> {
     }
 
     /// `` `sqrt` of -50mm is not a finite number, for `crank = 50mm`, `rocker = 100mm` ``
-    fn fact(&mut self, Found { expr, .. }: &Found<'m>) -> String {
+    fn fact(&mut self, NotFinite { expr, .. }: &NotFinite<'m>) -> String {
         let words = MessageFormat::new(self.mechanism);
         let operands = expr.operands().into_iter();
         let operands: Vec<String> = operands

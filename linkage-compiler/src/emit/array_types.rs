@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 use super::literal;
 use super::load::Places;
-use super::outline::{Outline, Start};
+use super::outline::{Outline, PreparedGroup};
 use crate::ir::CompiledMechanism;
 
 /// The array types of private functions, over `T`.
@@ -49,7 +49,7 @@ pub(super) fn starts_type(outline: &Outline) -> TokenStream {
 }
 
 /// A table over one input, or a grid over several or none.
-pub(super) fn start_type(outline: &Outline, start: &Start) -> TokenStream {
+pub(super) fn start_type(outline: &Outline, start: &PreparedGroup) -> TokenStream {
     let runtime = &outline.runtime;
     let several = start.inputs.len();
     let [inputs, size, terms] = [several, start.size, start.coefficients].map(literal::index);

@@ -10,7 +10,7 @@ use super::docs::doc;
 use super::load::{Places, loader};
 use super::outline::{Outline, plain};
 use super::{
-    assembly_data, attribute, body, closing, constructors, literal, prepare, starts, sweeps,
+    assembly_data, attribute, body, closing, constructors, coupled, literal, prepare, sweeps,
     winding,
 };
 use crate::ir::CompiledMechanism;
@@ -95,7 +95,7 @@ fn accessors(outline: &Outline) -> TokenStream {
             pub const fn modes(&self) -> &[#runtime::AssemblyMode; #count] { &#core.__modes }
         }
     });
-    let served = free("served").then(|| starts::served(outline));
+    let served = free("served").then(|| coupled::served(outline));
     let allow = attribute::allow();
     quote! {
         #allow
@@ -122,7 +122,7 @@ pub(super) fn plumbing(outline: &Outline, unit: &CompiledMechanism) -> TokenStre
     } = &types;
     let assemble = match outline.starts.is_empty() {
         true => assemble(outline, unit, &types),
-        false => starts::assemble(outline, unit, &types),
+        false => coupled::assemble(outline, unit, &types),
     };
     let (finite, close) = (
         closing::finite(outline, unit),

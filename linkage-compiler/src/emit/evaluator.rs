@@ -11,7 +11,7 @@ use super::load::{CARRIED, INPUT, Places, loader_by};
 use super::mechanism::{marker_field, marker_value};
 use super::outline::{Field, Function, Outline, plain};
 use super::spanned::type_at;
-use super::{assembly_data, attribute, body, debug, literal, result_module, starts};
+use super::{assembly_data, attribute, body, coupled, debug, literal, result_module};
 use crate::ir::Body;
 
 /// The result type.
@@ -90,7 +90,7 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
     let result = result_module::result(outline, function);
     let own = match function.states.is_empty() {
         true => quote!([#(#arguments),*]),
-        false => starts::with_states(outline, function),
+        false => coupled::with_states(outline, function),
     };
     let core = assembly_data::core(outline, &quote!(self));
     let body = outline.body(value(outline, function, &own, &core, Version::Called));

@@ -65,7 +65,7 @@ impl Places {
     }
 
     /// The index of a number that a program loads, if the number is in `__x`.
-    fn of(&self, source: Source) -> Option<usize> {
+    fn index_of(&self, source: Source) -> Option<usize> {
         match source {
             Source::Input(input) => {
                 let position = self.inputs.iter().position(|i| *i == input);
@@ -82,7 +82,7 @@ impl Places {
             .instructions
             .iter()
             .filter_map(|instruction| match instruction {
-                Instruction::Load(source) => self.of(*source),
+                Instruction::Load(source) => self.index_of(*source),
                 _ => None,
             });
         let mut places: Vec<usize> = loads.collect();
@@ -116,9 +116,9 @@ pub(super) fn loader_by<'a>(
             let field = &fields[index];
             quote!(__m.#field)
         }
-        Source::Input(_) | Source::State(..) => {
-            at(places.of(source).expect("inputs and states stand there"))
-        }
+        Source::Input(_) | Source::State(..) => at(places
+            .index_of(source)
+            .expect("inputs and states stand there")),
         Source::Limit => quote!(T::from_f64(T::CORRECTION_LIMIT)),
         Source::Mode(mode) => {
             let mode = literal::index(mode);

@@ -16,7 +16,9 @@ mod circuits;
 mod closing;
 mod columns;
 mod constructors;
+mod continuation;
 mod count;
+mod coupled;
 mod debug;
 mod dimensions;
 mod docs;
@@ -37,14 +39,12 @@ mod shape;
 mod skeleton;
 mod slots;
 mod spanned;
-mod starts;
 mod structure;
 mod survey;
 mod sweeps;
 mod table;
 #[cfg(test)]
 mod tests;
-mod way;
 mod winding;
 
 use linkage_symbolic::program::Program;
@@ -81,12 +81,12 @@ pub(crate) fn emit(
     items.extend(dimensions::items(&outline));
     let mut assembled = assembly::items(&outline);
     assembled.extend(assembly::plumbing(&outline, unit));
-    assembled.extend(starts::items(&outline, unit));
+    assembled.extend(coupled::items(&outline, unit));
     assembled.extend(winding::items(&outline, unit));
     assembled.extend(survey::items(&outline, unit));
     assembled.extend(circuits::items(&outline, unit));
     assembled.extend(range_check::items(&outline, unit));
-    assembled.extend(way::items(&outline, unit));
+    assembled.extend(continuation::items(&outline, unit));
     assembled.extend(follower::items(&outline, unit));
     for (function, own) in outline.functions.iter().zip(&unit.functions) {
         assembled.extend(self::function(&outline, function, own, &unit.prepare));

@@ -31,7 +31,7 @@ pub(super) struct Outline<'a> {
     /// The number of angles that count their turns.
     pub continuous_angles: usize,
     /// The prepared states of each coupled group.
-    pub starts: Vec<Start>,
+    pub starts: Vec<PreparedGroup>,
     /// False after errors: the bodies are `unimplemented!()`.
     pub complete: bool,
 }
@@ -54,7 +54,7 @@ pub(super) struct Component {
 }
 
 /// The prepared state of a coupled group.
-pub(super) struct Start {
+pub(super) struct PreparedGroup {
     /// The inputs that it depends on.
     pub inputs: Vec<usize>,
     /// Numbers in a state.
@@ -125,7 +125,7 @@ impl<'a> Outline<'a> {
         let own: Vec<&ParamItem> = params(def).collect();
         let parameters = unit.parameters.iter().enumerate();
         let functions = def.functions.iter().zip(&unit.functions);
-        let starts = unit.coupled.iter().map(|group| Start {
+        let starts = unit.coupled.iter().map(|group| PreparedGroup {
             inputs: group.inputs.clone(),
             size: group.size,
             followed: group.followed,
@@ -315,7 +315,7 @@ fn complete_function<'a>(
 ) -> Function<'a> {
     let quantities = def.quantities.iter().zip(&own.fields);
     let fields = quantities
-        .map(|(quantity, own)| field(quantity, own.shape.clone(), own.told()))
+        .map(|(quantity, own)| field(quantity, own.shape.clone(), own.description()))
         .collect();
     let arguments = def.inputs.iter().zip(&own.arguments);
     let arguments: Vec<String> = arguments

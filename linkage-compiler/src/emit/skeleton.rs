@@ -11,8 +11,8 @@ use quote::format_ident;
 
 use super::outline::{self, Component, Field, Function, Input, Outline, Parameter, params, plain};
 use super::{
-    assembly, circuits, columns, dimensions, evaluator, follower, guess::Guess, mechanism, picture,
-    range_check, result_module, structure, sweeps, table, way,
+    assembly, circuits, columns, continuation, dimensions, evaluator, follower, guess::Guess,
+    mechanism, picture, range_check, result_module, structure, sweeps, table,
 };
 use crate::ir::Picture;
 use crate::model::{
@@ -48,7 +48,7 @@ pub(crate) fn skeleton(
         items.extend(follower::skeleton(&outline));
         items.extend(range_check::skeleton(&outline));
     }
-    items.extend(way::skeleton(&outline));
+    items.extend(continuation::skeleton(&outline));
     for function in &outline.functions {
         let types = evaluator::result(&outline, function);
         let columns = columns::items(&outline, function);
@@ -78,7 +78,7 @@ fn sketch<'a>(
     mechanism: Option<&Mechanism>,
 ) -> Outline<'a> {
     let guess = Guess::new(def);
-    let mut seen = Seen::default();
+    let mut seen = CollectedNames::default();
     let mut parameters: Vec<Parameter> = params(def)
         .filter(|param| seen.first(&param.name))
         .map(|param| {
@@ -94,7 +94,7 @@ fn sketch<'a>(
         })
         .collect();
     parameters.extend(parameters_of_parts(&parameters, mechanism));
-    let mut seen = Seen::default();
+    let mut seen = CollectedNames::default();
     let inputs = outline::inputs(def)
         .filter(|name| seen.first(name))
         .map(|name| Input {
@@ -104,7 +104,7 @@ fn sketch<'a>(
             range: None,
         })
         .collect();
-    let (mut names, mut types) = (Seen::default(), Seen::default());
+    let (mut names, mut types) = (CollectedNames::default(), CollectedNames::default());
     types.all([def.name.clone(), format_ident!("{}{ASSEMBLY}", def.name)]);
     let functions = def
         .functions
@@ -154,7 +154,7 @@ fn sketch_function<'a>(
     let known = mechanism.and_then(|m| m.evaluators.iter().find(|e| def.name == e.name));
     let is_drive = |name: &&Ident| outline::inputs(whole).any(|input| input == *name);
     let drives = def.inputs.iter().filter(is_drive).count();
-    let mut seen = Seen::default();
+    let mut seen = CollectedNames::default();
     let fields: Vec<Field> = def
         .quantities
         .iter()
@@ -169,7 +169,7 @@ fn sketch_function<'a>(
             outline::field(quantity, shape, String::new())
         })
         .collect();
-    let mut seen = Seen::default();
+    let mut seen = CollectedNames::default();
     let arguments = def.inputs.iter().filter(|name| seen.first(name)).collect();
     Function {
         arguments,
@@ -179,9 +179,9 @@ fn sketch_function<'a>(
 
 /// Names met so far: the second of two items with one name is left out.
 #[derive(Default)]
-struct Seen(BTreeSet<String>);
+struct CollectedNames(BTreeSet<String>);
 
-impl Seen {
+impl CollectedNames {
     fn first(&mut self, name: &Ident) -> bool {
         self.0.insert(plain(name))
     }

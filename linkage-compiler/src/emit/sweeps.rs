@@ -1,10 +1,10 @@
 //! Many positions at once: the sweeps of a function over inputs, and over mechanisms.
 
-mod about;
+mod doc_text;
 mod rows;
 
-pub(super) use about::about;
-use about::summary;
+pub(super) use doc_text::about;
+use doc_text::summary;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -12,7 +12,7 @@ use super::docs::doc;
 use super::evaluator::Version;
 use super::outline::{Function, Outline, plain};
 use super::shape::field_scalars;
-use super::{attribute, literal, result_module, starts};
+use super::{attribute, coupled, literal, result_module};
 use crate::model::Sweep;
 use crate::syntax::Word;
 
@@ -197,7 +197,7 @@ impl Sweeps<'_> {
         let behind = self.behind(Sweep::SetsInto);
         let rows = self.sets(quote!(__title));
         let followed = follow.then(|| {
-            let followed = starts::followed(self.outline, self.function);
+            let followed = coupled::followed(self.outline, self.function);
             quote!(&#followed,)
         });
         let [all, all_parallel] = match follow {

@@ -104,7 +104,7 @@ pub struct Field {
 impl Field {
     /// Returns the quantity and its unit: `` derivative of `p` by `phi`, in mm/rad ``; empty for a
     /// number that its name describes completely.
-    pub fn told(&self) -> String {
+    pub fn description(&self) -> String {
         match (self.about.as_str(), self.unit.as_str()) {
             (about, "") => about.to_owned(),
             ("", unit) => format!("in {unit}"),

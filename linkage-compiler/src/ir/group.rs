@@ -81,12 +81,12 @@ pub struct Coupled {
     pub turning: usize,
     /// The states of the default mechanism, from which Newton steps begin; `None` until its loops
     /// are closed.
-    pub start: Option<Start>,
+    pub start: Option<PreparedTable>,
 }
 
 /// The data that is prepared of the states of a coupled group over the ranges of its inputs.
 #[derive(Clone, Debug)]
-pub enum Start {
+pub enum PreparedTable {
     /// Over one input.
     Table(Table),
     /// Over several inputs, or none.
@@ -131,7 +131,7 @@ pub struct Placed {
 
 /// The way in which a number that distinguishes assemblies is shown and measured.
 #[derive(Clone, Debug)]
-pub struct Shown<'u> {
+pub struct ShownNumber<'u> {
     /// `theta`, `p.x`
     pub name: String,
     /// `mm`; nothing for an angle.

@@ -7,7 +7,7 @@ use linkage_symbolic::program::{Instruction, Program, Source};
 use crate::model::COMPONENTS;
 
 use super::function::{Body, Function};
-use super::group::{Coupled, Group, Placed, Shown, Surveyed};
+use super::group::{Coupled, Group, Placed, ShownNumber, Surveyed};
 use super::picture::Picture;
 use super::signature::{Argument, ContinuousAngle, Input, Parameter, Scalar, Unknown};
 
@@ -78,9 +78,9 @@ impl CompiledMechanism {
     }
 
     /// Returns the way in which a number of a coupled group is shown and measured.
-    pub fn shown(&self, placed: &Placed) -> Shown<'_> {
+    pub fn shown(&self, placed: &Placed) -> ShownNumber<'_> {
         let unknown = &self.unknowns[placed.unknown];
-        Shown {
+        ShownNumber {
             name: match placed.component {
                 None => unknown.name.clone(),
                 Some(k) => format!("{}.{}", unknown.name, COMPONENTS[k]),

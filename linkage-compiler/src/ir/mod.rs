@@ -7,6 +7,7 @@
 
 mod closing;
 mod dump;
+mod format;
 mod function;
 mod generated;
 mod group;
@@ -14,18 +15,17 @@ mod mechanism;
 mod picture;
 mod picture_words;
 mod signature;
-mod words;
 
 pub use crate::model::{COMPONENTS, Shape};
 pub use closing::{Closing, Outputs};
 pub use dump::dump;
+pub use format::in_degrees;
 pub use function::{Body, Column, Field, Function, Meaning};
 pub use generated::Generated;
-pub use group::{Coupled, Group, MissedLoop, Placed, Shown, Start, Surveyed};
+pub use group::{Coupled, Group, MissedLoop, Placed, PreparedTable, ShownNumber, Surveyed};
 pub use mechanism::{CompiledMechanism, plain};
 pub use picture::{
-    Drive, DriveOn, Gear, Guide, GuideOn, GuideShape, Joint, JointShape, Link, Member, Part,
-    Picture, Point, PointKind,
+    Drive, DriveOn, Gear, Guide, GuideOn, GuideShape, Joint, JointShape, Link, Member, Picture,
+    PicturePart, Point, PointKind,
 };
 pub use signature::{Argument, ContinuousAngle, Input, Parameter, Phase, Role, Scalar, Unknown};
-pub use words::in_degrees;

@@ -26,12 +26,12 @@ pub struct Picture {
     /// Loops that are not drawn, by number from 1.
     pub undrawn: Vec<usize>,
     /// The elements of all these that each part of a machine has.
-    pub parts: Vec<Part>,
+    pub parts: Vec<PicturePart>,
 }
 
 /// The elements that a part of a machine has of its picture, by index.
 #[derive(Clone, Debug)]
-pub struct Part {
+pub struct PicturePart {
     /// The name from the program.
     pub name: String,
     /// Those in which parts meet belong to all of them.

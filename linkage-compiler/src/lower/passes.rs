@@ -36,21 +36,21 @@ const OF_FUNCTIONS: [Pass; 2] = [
 
 /// Runs all passes on all programs.
 pub(crate) fn polish(unit: &mut CompiledMechanism, watch: &mut dyn PhaseObserver) {
-    look(unit, "schedule", watch);
+    show_programs(unit, "schedule", watch);
     for pass in PASSES {
         for program in unit.programs_mut() {
             *program = (pass.run)(std::mem::take(program));
         }
-        look(unit, pass.name, watch);
+        show_programs(unit, pass.name, watch);
     }
     for pass in OF_FUNCTIONS {
         (pass.run)(unit);
-        look(unit, pass.name, watch);
+        show_programs(unit, pass.name, watch);
     }
 }
 
 /// Shows the functions, and in debug builds checks all programs.
-fn look(unit: &mut CompiledMechanism, name: &'static str, watch: &mut dyn PhaseObserver) {
+fn show_programs(unit: &mut CompiledMechanism, name: &'static str, watch: &mut dyn PhaseObserver) {
     if cfg!(debug_assertions) {
         let mistake = unit.programs_mut().find_map(|program| program.mistake());
         assert!(mistake.is_none(), "after {name}: {mistake:?}");

@@ -8,7 +8,7 @@ use linkage_symbolic::program::{Program, Source, Value};
 use linkage_symbolic::{Ex, SymbolId, evaluate, evaluate_given};
 
 use crate::algebra::{Algebra, Bound, Nominal};
-use crate::ir::{Closing, ContinuousAngle, Coupled, Generated, Start};
+use crate::ir::{Closing, ContinuousAngle, Coupled, Generated, PreparedTable};
 use crate::solve::Formulation;
 
 /// The programs with their data.
@@ -20,16 +20,16 @@ pub(crate) struct Machine {
     pub(crate) centres: Map<usize, f64>,
     pub(crate) windings: Map<(usize, usize), f64>,
     /// The prepared start of each coupled group: `None` until the group is closed.
-    pub(crate) starts: Vec<Option<Start>>,
+    pub(crate) starts: Vec<Option<PreparedTable>>,
 }
 
 /// The state of a group near some inputs, then the least determinant that is certified.
-fn state(start: &Start, group: &Coupled, inputs: &[f64]) -> Vec<f64> {
+fn state(start: &PreparedTable, group: &Coupled, inputs: &[f64]) -> Vec<f64> {
     let mut numbers = vec![0.0; group.size];
     let group_inputs: Vec<f64> = group.inputs.iter().map(|&input| inputs[input]).collect();
     let floor = match start {
-        Start::Table(table) => table.state(group_inputs[0], &mut numbers),
-        Start::Grid(grid) => grid.state(&group_inputs, &mut numbers),
+        PreparedTable::Table(table) => table.state(group_inputs[0], &mut numbers),
+        PreparedTable::Grid(grid) => grid.state(&group_inputs, &mut numbers),
     };
     numbers.push(floor);
     numbers

@@ -18,7 +18,7 @@ pub(super) fn about(
     };
     match &quantity.value.kind {
         ExprKind::Margin => "how far the nearest group is from a dead point, at most 1".to_owned(),
-        _ if quantity.value.derived().is_some() => words.of(&quantity.value),
+        _ if quantity.value.derived().is_some() => words.described(&quantity.value),
         _ if quantity.written == quantity.field => String::new(),
         _ => format!("`{}`", quantity.written),
     }
@@ -32,7 +32,7 @@ struct Words<'a> {
 }
 
 impl Words<'_> {
-    fn of(&self, expr: &Expr) -> String {
+    fn described(&self, expr: &Expr) -> String {
         let (inner, which, by) = match expr.derived() {
             None => return format!("`{}`", self.subject),
             Some(Derived::ByInputs(inner, order)) => {
@@ -74,7 +74,7 @@ impl Words<'_> {
         // The variable comes first: the text of the inner derivative ends with a variable of its
         // own.
         match inner.derived() {
-            Some(_) => format!("{which} by {by} of the {}", self.of(inner)),
+            Some(_) => format!("{which} by {by} of the {}", self.described(inner)),
             None => format!("{which} of `{}` by {by}", self.subject),
         }
     }

@@ -7,7 +7,7 @@ use linkage_symbolic::program::Source;
 use linkage_symbolic::{SymbolId, Vn};
 
 use crate::algebra::Bound;
-use crate::ir::{Drive, DriveOn, Gear, Part, Picture};
+use crate::ir::{Drive, DriveOn, Gear, Picture, PicturePart};
 use crate::model::{Loop, Name};
 use crate::picture::by_point::ByPoint;
 use crate::picture::marks::{Segment, Shape};
@@ -243,7 +243,7 @@ impl<'a> Candidates<'a> {
 
 /// True if each of two points belongs to a part, and none to both.
 fn are_of_two_parts(picture: &Picture, a: usize, b: usize) -> bool {
-    let has = |part: &Part, point: usize| part.points.contains(&point);
+    let has = |part: &PicturePart, point: usize| part.points.contains(&point);
     let parts = &picture.parts;
     let each = [a, b].map(|point| parts.iter().any(|part| has(part, point)));
     let both = parts.iter().any(|part| has(part, a) && has(part, b));

@@ -1,7 +1,7 @@
 //! The part of a machine to which points, links and guides belong. The names of a part's items
 //! begin with its name.
 
-use crate::ir::{Part, Picture};
+use crate::ir::{Picture, PicturePart};
 use crate::picture::raw_link::RawLink;
 use crate::picture::samples::Samples;
 use crate::picture::sketch::Sketch;
@@ -72,7 +72,12 @@ impl Ownership {
     }
 
     /// The items of each part; `kept` are the points of the picture.
-    pub(super) fn parts(&self, picture: &Picture, links: &[RawLink], kept: &[usize]) -> Vec<Part> {
+    pub(super) fn parts(
+        &self,
+        picture: &Picture,
+        links: &[RawLink],
+        kept: &[usize],
+    ) -> Vec<PicturePart> {
         let guides = picture.guides.iter().map(|guide| {
             let points = [guide.origin, guide.slider].map(|point| kept[point]);
             self.part_of(Some(&guide.name), &points)
@@ -96,7 +101,7 @@ impl Ownership {
                         .any(|&link| picture.links[link].points.contains(point))
                     || guides.iter().any(|guide| ends(guide).contains(point))
             };
-            Part {
+            PicturePart {
                 name: name.clone(),
                 points: (0..picture.points.len()).filter(has).collect(),
                 links,

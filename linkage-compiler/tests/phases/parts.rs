@@ -6,7 +6,7 @@ mod frames;
 mod places;
 mod ten;
 
-use linkage_compiler::ir::{CompiledMechanism, Coupled, Start};
+use linkage_compiler::ir::{CompiledMechanism, Coupled, PreparedTable};
 use linkage_compiler::{Checked, check_all};
 use linkage_core::Scalar;
 use linkage_symbolic::interpret::run;
@@ -75,8 +75,8 @@ fn state(group: &Coupled, inputs: &[f64]) -> Vec<f64> {
     let mut numbers = vec![0.0; group.size];
     let own: Vec<f64> = group.inputs.iter().map(|&input| inputs[input]).collect();
     let floor = match group.start.as_ref().expect("it is closed") {
-        Start::Table(table) => table.state(own[0], &mut numbers),
-        Start::Grid(grid) => grid.state(&own, &mut numbers),
+        PreparedTable::Table(table) => table.state(own[0], &mut numbers),
+        PreparedTable::Grid(grid) => grid.state(&own, &mut numbers),
     };
     numbers.push(floor);
     numbers

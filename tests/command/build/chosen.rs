@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use linkage_compiler::ir::{CompiledMechanism, Start};
+use linkage_compiler::ir::{CompiledMechanism, PreparedTable};
 use linkage_symbolic::program::Instruction;
 
 /// Instructions of a mechanism whose code takes hardly any time to compile.
@@ -41,8 +41,8 @@ fn parts(unit: &CompiledMechanism) -> BTreeSet<String> {
     let coupled = unit.coupled.iter().map(|own| {
         let start = match own.start {
             None => "no start",
-            Some(Start::Table(_)) => "a table",
-            Some(Start::Grid(_)) => "a grid",
+            Some(PreparedTable::Table(_)) => "a table",
+            Some(PreparedTable::Grid(_)) => "a grid",
         };
         format!("{start}, followed: {}", own.followed)
     });

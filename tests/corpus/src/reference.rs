@@ -1,6 +1,8 @@
 //! The programs of a mechanism on the runtime's numbers, as generated Rust runs them where multiply-adds are not fused.
 
-use linkage_compiler::ir::{CompiledMechanism, ContinuousAngle, Function, Generated, Start};
+use linkage_compiler::ir::{
+    CompiledMechanism, ContinuousAngle, Function, Generated, PreparedTable,
+};
 use linkage_runtime::Scalar;
 use linkage_runtime::numeric::winding::{Centre, follow, uniform};
 use linkage_symbolic::interpret::run_by;
@@ -78,8 +80,8 @@ impl<'a, T: Scalar> Assembled<'a, T> {
         let own: Vec<f64> = own.collect();
         let mut state = vec![0.0; coupled.size];
         let floor = match &coupled.start {
-            Some(Start::Table(table)) => table.state(own[0], &mut state),
-            Some(Start::Grid(grid)) => grid.state(&own, &mut state),
+            Some(PreparedTable::Table(table)) => table.state(own[0], &mut state),
+            Some(PreparedTable::Grid(grid)) => grid.state(&own, &mut state),
             None => unreachable!("it is closed"),
         };
         for _ in 0..self.steps {

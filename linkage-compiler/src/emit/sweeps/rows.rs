@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::Sweeps;
 use crate::emit::outline::plain;
-use crate::emit::{literal, starts};
+use crate::emit::{coupled, literal};
 
 impl Sweeps<'_> {
     /// The runtime's `Inputs`.
@@ -28,7 +28,7 @@ impl Sweeps<'_> {
             return rows;
         }
         let runtime = &self.outline.runtime;
-        let states = starts::states_name(self.outline, self.function);
+        let states = coupled::states_name(self.outline, self.function);
         let first = literal::index(before);
         quote!(#runtime::Extended { inner: #rows, first: #first, states: #states(self) })
     }

@@ -9,7 +9,7 @@ fn told(items: &str, function: &str) -> Vec<String> {
     let unit = checked.unit.expect("a mechanism without a mistake");
     let fields = unit.functions[0].fields.iter();
     fields
-        .map(|field| format!("{}: {}", field.name, field.told()))
+        .map(|field| format!("{}: {}", field.name, field.description()))
         .collect()
 }
 

@@ -7,7 +7,7 @@ use quote::quote;
 
 use crate::emit::literal;
 use crate::emit::outline::Outline;
-use crate::ir::{CompiledMechanism, Coupled, Shown};
+use crate::ir::{CompiledMechanism, Coupled, ShownNumber};
 
 /// The runtime's description of a group.
 pub(super) fn description(
@@ -23,7 +23,7 @@ pub(super) fn description(
     let loops = own.loops.iter().map(|n| literal::index(*n));
     let names = &own.unknowns;
     let unknowns = group.unknowns.iter().map(|placed| {
-        let Shown { name, unit, scale } = unit.shown(placed);
+        let ShownNumber { name, unit, scale } = unit.shown(placed);
         let estimate = literal::float(placed.estimate);
         let scale = literal::float(scale);
         let angle = placed.angle;
