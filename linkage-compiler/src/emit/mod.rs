@@ -16,10 +16,10 @@ mod circuits;
 mod closing;
 mod columns;
 mod constructors;
-mod continuation;
 mod count;
 mod coupled;
 mod debug;
+mod dimension_path;
 mod dimensions;
 mod docs;
 mod evaluator;
@@ -86,7 +86,7 @@ pub(crate) fn emit(
     assembled.extend(survey::items(&outline, unit));
     assembled.extend(circuits::items(&outline, unit));
     assembled.extend(range_check::items(&outline, unit));
-    assembled.extend(continuation::items(&outline, unit));
+    assembled.extend(dimension_path::items(&outline, unit));
     assembled.extend(follower::items(&outline, unit));
     for (function, own) in outline.functions.iter().zip(&unit.functions) {
         assembled.extend(self::function(&outline, function, own, &unit.prepare));

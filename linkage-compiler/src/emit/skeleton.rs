@@ -11,7 +11,7 @@ use quote::format_ident;
 
 use super::outline::{self, Component, Field, Function, Input, Outline, Parameter, params, plain};
 use super::{
-    assembly, circuits, columns, continuation, dimensions, evaluator, follower, guess::Guess,
+    assembly, circuits, columns, dimension_path, dimensions, evaluator, follower, guess::Guess,
     mechanism, picture, range_check, result_module, structure, sweeps, table,
 };
 use crate::ir::Picture;
@@ -48,7 +48,7 @@ pub(crate) fn skeleton(
         items.extend(follower::skeleton(&outline));
         items.extend(range_check::skeleton(&outline));
     }
-    items.extend(continuation::skeleton(&outline));
+    items.extend(dimension_path::skeleton(&outline));
     for function in &outline.functions {
         let types = evaluator::result(&outline, function);
         let columns = columns::items(&outline, function);
