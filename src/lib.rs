@@ -147,7 +147,7 @@ pub mod language {
     }
 
     /// Generated items; sweeps over positions and over mechanisms.
-    pub mod support {
+    pub mod generated {
         #![doc = include_str!("links.md")]
         #![doc = include_str!("../docs/language/generated.md")]
     }

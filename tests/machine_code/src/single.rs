@@ -110,7 +110,7 @@ pub fn chosen(entry: *const ()) -> Option<*const ()> {
             instruction.flow_control()
             && let Some(target) = target(&instruction, &registers).map(destination)
             && symbols::at(target)
-                .is_some_and(|symbol| symbol.name.contains("6single6choice5fused"))
+                .is_some_and(|symbol| symbol.name.contains("8dispatch6choice5fused"))
         {
             return Some(target as *const ());
         }
