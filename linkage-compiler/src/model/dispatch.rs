@@ -71,19 +71,7 @@ pub(super) fn resolve_expression(
         syntax::ExprKind::Binary(syntax::BinaryOp::Mul | syntax::BinaryOp::Div, ..) => {
             resolve_product(operands, sink, expr)
         }
-        syntax::ExprKind::Binary(operator, left, right) => {
-            let left = resolve_expression(scope, sink, left, context);
-            let right = resolve_expression(scope, sink, right, context);
-            make_binary(
-                &scope.names,
-                &scope.units,
-                sink,
-                BinaryOp::from(*operator),
-                left,
-                right,
-                span,
-            )
-        }
+        syntax::ExprKind::Binary(..) => resolve_sum(scope, sink, expr, context),
         syntax::ExprKind::Call(function, arguments) => {
             resolve_call(operands, sink, function, arguments, span)
         }
@@ -99,6 +87,31 @@ pub(super) fn resolve_expression(
         }
         syntax::ExprKind::Error => error_expr(sink, span),
     }
+}
+
+/// Resolves a sum term by term, from the left.
+fn resolve_sum(scope: &Scope, sink: &mut Sink, sum: &syntax::Expr, context: Context) -> Expr {
+    // Terms are collected first: a recursion as deep as a long sum would not fit the stack.
+    let mut terms = Vec::new();
+    let mut first = sum;
+    while let syntax::ExprKind::Binary(
+        operator @ (syntax::BinaryOp::Add | syntax::BinaryOp::Sub),
+        left,
+        right,
+    ) = &first.kind
+    {
+        terms.push((BinaryOp::from(*operator), right, first.span));
+        first = left;
+    }
+    let first = resolve_expression(scope, sink, first, context);
+    terms
+        .into_iter()
+        .rev()
+        .fold(first, |left, (operator, right, span)| {
+            let right = resolve_expression(scope, sink, right, context);
+            let (names, units) = (&scope.names, &scope.units);
+            make_binary(names, units, sink, operator, left, right, span)
+        })
 }
 
 impl From<syntax::BinaryOp> for BinaryOp {

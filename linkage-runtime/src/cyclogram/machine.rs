@@ -19,7 +19,7 @@ use alloc::vec::Vec;
 /// assert_eq!(machine.to_string(), "\
 /// cycle of 360 deg, from 0 to 360 deg
 ///
-///  at, deg     after  member  ends             begins
+///  at, deg     after  organ  ends             begins
 ///  10.0000  100.0000  eye    advance          dwell (top 0.5)
 ///  30.0000   20.0000  hook   advance          dwell (top 0.5)
 /// 130.0000  100.0000  eye    dwell (top 0.5)  return

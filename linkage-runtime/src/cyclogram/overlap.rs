@@ -42,7 +42,7 @@ impl Cyclogram {
     /// };
     /// let machine = Cyclogram::new([member("hook", 0.0)?, member("eye", 20f64.to_radians())?])?;
     /// assert_eq!(machine.overlaps().to_string(), "\
-    /// from, deg   to, deg  for, deg  members     both
+    /// from, deg   to, deg  for, deg  organs     both
     ///   30.0000  130.0000  100.0000  hook, eye  dwell (top 0.5), dwell (top 0.5)
     ///  150.0000  250.0000  100.0000  hook, eye  return
     ///  270.0000   10.0000  100.0000  hook, eye  advance
