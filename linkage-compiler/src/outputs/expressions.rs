@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::{Ex, Graph};
 
 use crate::algebra::Algebra;
@@ -29,14 +30,14 @@ pub(crate) fn expressions<'m>(
     at: AtReference,
     reporter: &mut Reporter,
 ) -> Vec<FunctionExpressions> {
+    let inliner = solved_groups(algebra, formulation);
     let mut within = reporter.within(Section::Functions);
-    let of_motion = functions_of_motion(algebra, formulation, at, &mut within);
+    let of_motion = functions_of_motion(algebra, formulation, at, &inliner, &mut within);
     let mut forces = Forces::new(algebra);
     if at.reference.closed {
         let mut within = reporter.within(Section::Bodies);
         forces::check(algebra, &mut forces, at.reference, at.nominal, &mut within);
     }
-    let inliner = solved_groups(algebra, formulation);
     let definitions = algebra.mechanism.evaluators.iter();
     let state = &mut State {
         algebra,
@@ -56,6 +57,7 @@ fn functions_of_motion<'m>(
     algebra: &mut Algebra<'m>,
     formulation: &Formulation<'m>,
     at: AtReference,
+    inliner: &Inliner,
     reporter: &mut Reporter,
 ) -> Vec<Option<FunctionExpressions>> {
     let mechanism = algebra.mechanism;
@@ -72,7 +74,6 @@ fn functions_of_motion<'m>(
         (scope, part)
     });
     let mut of_parts: BTreeMap<&Scope, Option<PartGraph>> = of_parts.collect();
-    let inliner = solved_groups(algebra, formulation);
     let state = &mut State {
         algebra,
         forces: &mut Forces::default(),
@@ -88,7 +89,7 @@ fn functions_of_motion<'m>(
             .and_then(|scope| of_parts.get_mut(scope)?.as_mut());
         Some(match part {
             Some(part) => part.function(at, definition, reporter),
-            None => express(state, at, &inliner, definition, reporter),
+            None => express(state, at, inliner, definition, reporter),
         })
     });
     functions.collect()
