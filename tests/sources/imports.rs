@@ -16,8 +16,8 @@ const ROOT: &str = "lib";
 /// Modules of the compiler that belong to its root.
 const PARTS_OF_THE_ROOT: [&str; 2] = ["oracle", "trace"];
 
-/// Names of the phase that writes formulas, and of later ones.
-const FORMULAS: [&str; 2] = ["formulate", "solve"];
+/// The phase that writes formulas, and later ones.
+const FORMULAS: &str = "solve";
 const LATER: [&str; 2] = ["lower", "emit"];
 
 /// Everything that the tests ask about a crate.
@@ -206,11 +206,10 @@ fn formulas_use_neither_programs_nor_printing() {
     let tops = checked.tops();
     let graph = Graph::new(tops.keys().copied());
     let has = |name: &str| tops.keys().any(|pair| pair.0 == name);
-    let formulas = FORMULAS.into_iter().find(|name| has(name));
-    let formulas = formulas.expect("a phase that writes formulas");
+    assert!(has(FORMULAS), "the compiler has no module `{FORMULAS}`");
     for later in LATER {
         assert!(has(later), "the compiler has no module `{later}`");
-        if let Some(way) = graph.way(formulas, later) {
+        if let Some(way) = graph.way(FORMULAS, later) {
             let way = [&way[..], &[later]].concat();
             panic!("\n{}", checked.described_tops(&way));
         }

@@ -20,9 +20,12 @@ pub(crate) fn closing<'m>(
     nominal: &Nominal,
 ) -> Closing {
     let mut inliner = Inliner::default();
-    let source = |prepared: &Prepared| match prepared.system.terms.is_empty() {
-        true => AssemblySource::Estimates,
-        false => AssemblySource::ListingOrEstimates,
+    let source = |prepared: &Prepared| {
+        if prepared.system.terms.is_empty() {
+            AssemblySource::Estimates
+        } else {
+            AssemblySource::ListingOrEstimates
+        }
     };
     let coupled_nodes = group_nodes(algebra, formulation, nominal, &mut inliner, source);
     let mut lists: Vec<Vec<NodeId>> = Vec::new();

@@ -35,16 +35,13 @@ pub(crate) fn mechanism<'m>(
     let gaps = plain(&mut inliner, &gaps.collect::<Vec<_>>());
     let survey = plain(&mut inliner, &survey(algebra, formulation));
     let closing = &at.reference.machine.closing;
-    let nodes = group_nodes(
-        algebra,
-        formulation,
-        at.nominal,
-        &mut inliner,
-        |prepared| match closing.coupled[prepared.number].followed {
-            true => AssemblySource::Estimates,
-            false => AssemblySource::Listing,
-        },
-    );
+    let nodes = group_nodes(algebra, formulation, at.nominal, &mut inliner, |prepared| {
+        if closing.coupled[prepared.number].followed {
+            AssemblySource::Estimates
+        } else {
+            AssemblySource::Listing
+        }
+    });
 
     let of_groups = nodes.iter().flat_map(GroupNodes::all);
     let of_assembly = gaps.iter().chain(&survey).copied().chain(of_groups);

@@ -59,7 +59,7 @@ impl<'m> Choice<'m> {
         formulas.settled(&inliner.target).last
     }
 
-    /// Tries the other ways; the first of equals stays.
+    /// Tries the other strategies; the first of equals stays.
     pub(super) fn improve(
         &mut self,
         state: &mut State<'_, 'm>,
@@ -100,7 +100,7 @@ impl<'m> Choice<'m> {
         self.formulas = formulas.settled(&inliner.target);
     }
 
-    /// Takes another way if it costs less, by more than a share.
+    /// Takes another strategy if it costs less, by more than a share.
     fn try_strategy(
         &mut self,
         state: &mut State<'_, 'm>,

@@ -35,7 +35,7 @@ pub(super) struct Requested<'m> {
     pub(super) sensed: Vec<Ex<'m>>,
 }
 
-/// The way in which a function computes its results; all ways have equal results.
+/// The method by which a function computes its results; all strategies have equal results.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Strategy {
     /// The direction of derivatives by parameters.
@@ -113,7 +113,7 @@ impl<'m> Request<'_, 'm> {
         scalars
     }
 
-    /// The same by the other sides of loops, if that is the way.
+    /// The same by the other sides of loops, if that is the strategy.
     fn by_other_sides(&mut self, value: Value<'m>) -> Value<'m> {
         match value {
             value if !self.strategy.other_sides => value,

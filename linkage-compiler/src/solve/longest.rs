@@ -40,7 +40,7 @@ pub(super) fn root_margin<'m>(
     } else {
         longest
     };
-    // Where all is in line both are equal but for rounding.
+    // Where all is in line both are equal, apart from rounding.
     (h / largest).min(h.number(1.0))
 }
 

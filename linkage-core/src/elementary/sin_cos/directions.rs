@@ -50,7 +50,7 @@ pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
         -0.5,
     );
     let s = mul_add::<true>(high * z, s, low);
-    // The larger a term, the later it is added, but for what is known last.
+    // The larger a term, the later it is added. The term that is known last is the exception.
     let of_sine = mul_add::<true>(cosine, s, mul_add::<true>(sine * z, c, sine_rest));
     let of_cosine = mul_add::<true>(-sine, s, mul_add::<true>(cosine * z, c, cosine_rest));
     (

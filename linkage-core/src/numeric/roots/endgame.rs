@@ -168,7 +168,7 @@ fn reach<const N: usize>(homotopy: &mut Homotopy<N>, x: &Vector<N>) -> Option<f6
         let mut columns: Matrix<N> = core::array::from_fn(|column| {
             core::array::from_fn(|row| shifted[row][column] - matrix[row][column])
         });
-        // Derivatives of a matrix that is singular but for rounding errors prove nothing.
+        // Derivatives of a matrix that is singular, apart from rounding errors, prove nothing.
         if solve(&mut matrix.clone(), &mut columns) < UNCERTAIN * UNCERTAIN {
             return None;
         }

@@ -49,7 +49,7 @@ fn checked(poses: &[Pose; 3]) -> Result<Moves<2>, Unsolved> {
 fn meet([(c, e), (d, f)]: [(Complex, f64); 2]) -> Option<Complex> {
     let determinant = c.im * d.re - c.re * d.im;
     let size = c.size() * d.size();
-    // Lines that are parallel but for rounding.
+    // Lines that are parallel, apart from rounding.
     if determinant.abs() <= 4.0 * f64::EPSILON * size {
         return None;
     }
