@@ -4,11 +4,11 @@
 //! By the derivatives of the body's directions it would take those of the third one, a product of
 //! the others, too, and in second derivatives three times as many.
 
-use crate::model::unknown_frames;
 use linkage_symbolic::{Node, SymbolId, V3, Vector, numerically_equal, substitute};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::solutions::BodyVector;
+use crate::model::unknown_frames;
 
 /// Notes that the body with two directions carries a vector.
 pub(crate) fn note_body_vector<'m>(

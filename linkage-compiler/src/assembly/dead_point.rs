@@ -1,18 +1,16 @@
 //! Description of a dead point in a range: the links that are stretched or folded, the sum of their
 //! lengths, and the distance by which they miss.
 
-use crate::algebra::translate;
 use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, SymbolId, V2, substitute};
 
-use crate::algebra::{Algebra, Bound, Translate, Value};
+use crate::algebra::{Algebra, Bound, Translate, Value, translate};
+use crate::machine::Machine;
+use crate::message_format::MessageFormat;
 use crate::model::{Expr, Name, Type};
 use crate::solve::Solved;
 use crate::structure::Form;
 use crate::vector::norm;
-
-use crate::machine::Machine;
-use crate::message_format::MessageFormat;
 
 /// Points nearer than this share of their distance from the origin and each other are one.
 const SAME: f64 = 1e-9;

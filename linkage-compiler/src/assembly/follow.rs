@@ -1,15 +1,14 @@
 //! Following angles whose values are used over the ranges of the inputs.
 
-use crate::algebra::constant_ratio;
 use std::f64::consts::PI;
 
 use linkage_core::numeric::winding::{Centre, follow};
 use linkage_symbolic::program::Ternary;
 
-use crate::algebra::{Algebra, Nominal};
+use crate::algebra::{Algebra, Nominal, constant_ratio};
+use crate::machine::{Machine, followed_range};
 
 use super::ranges::Grid;
-use crate::machine::{Machine, followed_range};
 
 /// An angle this near to half a turn from its guide cannot be distinguished from one on the other
 /// side.

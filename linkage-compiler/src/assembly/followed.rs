@@ -1,17 +1,12 @@
 //! Closes a coupled group whose assemblies cannot be listed: the intended one is followed from its
 //! estimates.
 
-use crate::assembly::at_state;
-use crate::assembly::coupled_state;
-use crate::assembly::estimates;
-use crate::assembly::refusal;
-use crate::mobility::freedom;
-use crate::mobility::nearest;
 use linkage_core::numeric::continuation::{Astray, from_estimate};
 use linkage_core::numeric::roots::Unlisted;
 
+use crate::assembly::{at_state, coupled_state, estimates, refusal};
 use crate::message_format::loop_list;
-use crate::mobility::Nearest;
+use crate::mobility::{Nearest, freedom, nearest};
 use crate::solve::{Prepared, Solved};
 use crate::structure::unsolved::OURS;
 

@@ -1,9 +1,9 @@
 //! The distance by which the links of a group miss each other, as text.
 
-use crate::solve::Solved;
 use linkage_core::range_check::significant;
 
 use crate::message_format::MessageFormat;
+use crate::solve::Solved;
 
 impl MessageFormat<'_> {
     pub(super) fn gap(&self, solved: &Solved, gap: f64) -> String {

@@ -1,13 +1,11 @@
 //! Closes a coupled group at the reference input: lists all its assemblies and takes the one
 //! nearest to the estimates. If they cannot be listed, `assembly/followed.rs` continues.
 
-use crate::assembly::estimates;
-use crate::assembly::followed;
-use crate::assembly::unfollowed;
 use linkage_core::numeric::choose_assembly::{Ambiguity, choose_assembly, may_be_meant};
 use linkage_core::numeric::continuation::{Refusal, meeting_states, states};
 use linkage_core::numeric::roots::{self, Term, Unlisted};
 
+use crate::assembly::{estimates, followed, unfollowed};
 use crate::message_format::loop_list;
 use crate::solve::{Prepared, Solved};
 

@@ -5,14 +5,11 @@
 //! estimates of its unknowns here: the assembly is that of the part alone, and so are the turns of
 //! its angles.
 
-use crate::algebra::nominal;
-use crate::algebra::scalar;
-use crate::algebra::translate;
 use std::rc::Rc;
 
 use linkage_symbolic::lookup::Map;
 
-use crate::algebra::{Algebra, Bound, Nominal, Translate, Value};
+use crate::algebra::{Algebra, Bound, Nominal, Translate, Value, nominal, scalar, translate};
 use crate::model::{Dimension, Expr, ExprKind, Mechanism, Name};
 use crate::solve::Formulation;
 

@@ -1,21 +1,19 @@
 //! Messages about a mechanism that comes apart in its range: dead points, change points.
 
-use crate::algebra::constant_ratio;
-use crate::algebra::derivatives::dependence;
 use std::f64::consts::TAU;
 
 use linkage_core::range_check::{self, Comes, Reaches, not_finite, rounded_inwards};
 use linkage_symbolic::program::Ternary;
 
-use crate::algebra::{ALIKE, Algebra, Bound, ConstantRatio};
+use crate::algebra::derivatives::dependence;
+use crate::algebra::{ALIKE, Algebra, Bound, ConstantRatio, constant_ratio};
 use crate::diagnostic::OriginId;
-use crate::message_format::loop_numbers;
+use crate::message_format::{MessageFormat, loop_numbers};
 use crate::model::Mechanism;
 
 use super::check::range_of;
 use super::dead_point::DeadPoint;
 use super::ranges::{Break, Broken, GRID, Ranges};
-use crate::message_format::MessageFormat;
 
 /// Positions between the reference and a change point at which angles are compared.
 const COMPARED: usize = 8;

@@ -1,16 +1,14 @@
 //! Closes the loops at the reference input: the start estimates choose the assembly mode of each
 //! group.
 
-use crate::assembly::estimates;
-use crate::assembly::listing;
-use crate::assembly::parts;
-use crate::assembly::refusal;
 use linkage_core::numeric::choose_assembly::{Ambiguity, choose_assembly};
 
 use crate::algebra::{Algebra, Bound, Nominal};
+use crate::assembly::{estimates, listing, parts, refusal};
 use crate::diagnostic::Reporter;
 use crate::ir::{Closing, Outputs};
-use crate::message_format::loop_list;
+use crate::machine::{Machine, Reference};
+use crate::message_format::{MessageFormat, loop_list};
 use crate::solve::{Formulation, Prepared, Solved};
 
 use super::assembler::Assembly;
@@ -21,8 +19,6 @@ use super::estimates::{Choice, Position};
 use super::follow::follow_angles;
 use super::refusal::Verdict;
 use super::sizes::Sizes;
-use crate::machine::{Machine, Reference};
-use crate::message_format::MessageFormat;
 
 /// Chooses the modes, and reports groups that do not close, are singular or ambiguous.
 ///

@@ -4,17 +4,14 @@
 
 mod asked;
 
-use crate::algebra::nominal;
-use crate::algebra::translate;
+use linkage_symbolic::Graph;
 use linkage_symbolic::lookup::Map;
 
-use linkage_symbolic::Graph;
-
-use crate::algebra::{Algebra, Nominal};
+use crate::algebra::{Algebra, Nominal, nominal, translate};
 use crate::diagnostic::Reporter;
+use crate::message_format::MessageFormat;
 use crate::model::{BinaryOp, Expr, ExprKind, Function, Mechanism, Name};
 
-use crate::message_format::MessageFormat;
 use asked::{Asked, asked_for};
 
 /// Reports every axis and argument of `unit` that is zero, or parallel to the one that it must

@@ -3,15 +3,12 @@
 
 mod ends;
 
-use crate::algebra::nominal;
-use crate::algebra::translate;
 use linkage_symbolic::Graph;
 
-use crate::algebra::{Algebra, Nominal};
+use crate::algebra::{Algebra, Nominal, nominal, translate};
 use crate::diagnostic::{OriginId, Reporter};
-use crate::model::{Expr, ExprKind, Mechanism, MotionLaw, MotionLawKind, Name, Repeats, Type};
-
 use crate::message_format::MessageFormat;
+use crate::model::{Expr, ExprKind, Mechanism, MotionLaw, MotionLawKind, Name, Repeats, Type};
 
 /// A smaller difference, as a share of the size of speeds or accelerations, is rounding.
 const ROUNDING: f64 = 1e-9;

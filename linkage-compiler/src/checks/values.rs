@@ -1,18 +1,15 @@
 //! Expressions of the declared dimensions alone that have no finite value for them:
 //! `sqrt(crank - rocker)`.
 
-use crate::algebra::nominal;
-use crate::algebra::translate;
 use std::collections::BTreeSet;
 
 use linkage_symbolic::Graph;
 
-use crate::algebra::{Algebra, Nominal};
+use crate::algebra::{Algebra, Nominal, nominal, translate};
 use crate::diagnostic::{OriginId, Reporter};
+use crate::message_format::MessageFormat;
 use crate::model::{BinaryOp, Expr, ExprKind, Mechanism, Name};
 use crate::syntax::Word;
-
-use crate::message_format::MessageFormat;
 
 /// Reports the innermost expressions of parameters and numbers that are not finite: as errors those
 /// that leave a loop without a solution, else as warnings, since other dimensions may be meant to

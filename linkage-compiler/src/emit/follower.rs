@@ -6,16 +6,15 @@ mod functions;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
+use crate::ir::CompiledMechanism;
+use crate::model::METHODS_OF_FOLLOWER;
+
 use super::array_types::Types;
 use super::docs::doc;
 use super::evaluator::{Version, kernel};
 use super::load::Places;
 use super::outline::{Outline, plain};
 use super::{assembly_data, attribute, literal};
-
-use crate::ir::CompiledMechanism;
-use crate::model::METHODS_OF_FOLLOWER;
-
 use functions::{method, single_of};
 
 /// The follower of a mechanism of which a coupled group depends on several inputs: tables over one

@@ -1,9 +1,8 @@
 //! The declared points, axes and angles as expressions.
 
-use crate::algebra::scalar;
 use linkage_symbolic::{Graph, Vector, Vn};
 
-use crate::algebra::{Algebra, Scalar, Translate, Value};
+use crate::algebra::{Algebra, Scalar, Translate, Value, scalar};
 use crate::forces::tree::Tree;
 use crate::model::Expr;
 

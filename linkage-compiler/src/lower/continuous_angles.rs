@@ -1,8 +1,8 @@
 //! The angles whose values are used, and the expressions that count their turns.
 
-use crate::algebra::derivatives::dependence;
 use linkage_symbolic::Ex;
 
+use crate::algebra::derivatives::dependence;
 use crate::algebra::{Algebra, Nominal, Phasor};
 use crate::ir::{ContinuousAngle, Phase};
 

@@ -1,7 +1,6 @@
 //! The distance by which the loops of a group that is followed from its estimates miss, for the
 //! message if the estimates lead to no assembly.
 
-use crate::model::unknown_frames;
 use linkage_symbolic::Ex;
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::schedule::schedule_whole;
@@ -9,7 +8,7 @@ use linkage_symbolic::schedule::schedule_whole;
 use crate::algebra::Algebra;
 use crate::ir::{CompiledMechanism, MissedLoop};
 use crate::mobility::difference;
-use crate::model::Mechanism;
+use crate::model::{Mechanism, unknown_frames};
 use crate::solve::{Formulation, Solved, Version};
 
 use super::plain::{plain, valued_angles};

@@ -1,15 +1,14 @@
 //! The facts of a unit besides its programs: its inputs, and the results of the analysis of the
 //! groups.
 
-use crate::algebra::constant_ratio;
-use crate::algebra::derivatives::dependence;
 use std::collections::BTreeSet;
 
 use linkage_core::range_check::Slack;
 use linkage_symbolic::Ex;
 use linkage_symbolic::program::Source;
 
-use crate::algebra::Algebra;
+use crate::algebra::derivatives::dependence;
+use crate::algebra::{Algebra, constant_ratio};
 use crate::ir::{Argument, CompiledMechanism, Group, Input, Parameter, Role, Scalar, Unknown};
 use crate::machine::{AtReference, Reference, followed_range};
 use crate::model::{Mechanism, Shape};

@@ -1,15 +1,11 @@
 //! All loops on numbers, as they are written.
 
-use crate::algebra::scalar;
-use crate::algebra::translate;
-use crate::model::unknown_frames;
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, Graph, SymbolId, evaluate_given, lookup::Map};
 
-use crate::algebra::{Algebra, Bound, Translate, Value};
-use crate::model::{Loop, Mechanism};
-
+use crate::algebra::{Algebra, Bound, Translate, Value, scalar, translate};
 use crate::mobility::position::{Position, halves};
+use crate::model::{Loop, Mechanism, unknown_frames};
 
 /// The differences of the sides of all loops, one for each component.
 pub(crate) struct Loops<'g> {

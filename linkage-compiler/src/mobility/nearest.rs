@@ -4,8 +4,6 @@
 //! There the misses are a left null vector of the loops: like the forces of stretched links they
 //! hold each other, and no motion makes all of them less.
 
-use crate::mobility::motion;
-use crate::mobility::rows;
 use linkage_core::numeric::least_squares::{self, CLOSED, Equations, minimise};
 use linkage_symbolic::Graph;
 
@@ -13,6 +11,7 @@ use crate::mobility::loops::Loops;
 use crate::mobility::motion::list;
 use crate::mobility::null_space::{LITTLE, NEARLY_ZERO, largest};
 use crate::mobility::position::{LoopRows, Position};
+use crate::mobility::{motion, rows};
 use crate::model::Type;
 
 /// The greatest number of loops in a message.

@@ -1,14 +1,12 @@
 //! Loops that are too many: which of them hold nothing that others do not hold.
 
-use crate::mobility::line;
-use crate::mobility::motion;
-use crate::mobility::rows;
 use linkage_symbolic::Graph;
 
 use crate::message_format::loop_list;
 use crate::mobility::loops::Loops;
 use crate::mobility::null_space::{ZERO, null_vectors, transposed, used};
 use crate::mobility::position::{LoopRows, Position};
+use crate::mobility::{line, motion, rows};
 
 /// The greatest number of dependences in a message.
 const TOLD: usize = 3;

@@ -1,12 +1,11 @@
 //! The strategy for the results, and the direction of sensitivities: every function takes the
 //! cheapest.
 
-use crate::algebra::derivatives::links;
-use crate::algebra::derivatives::preaccumulation;
 use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::{Ex, NodeId};
 
 use crate::algebra::Direction;
+use crate::algebra::derivatives::{links, preaccumulation};
 use crate::lower::Formulas;
 use crate::model::EvaluatorDef;
 

@@ -5,13 +5,12 @@
 //! square of the number of groups while the results grow with the number. Such a direction cannot
 //! cost least, and is not built.
 
-use crate::algebra::derivatives::acting;
-use crate::algebra::derivatives::mentioned;
 use std::collections::{BTreeMap, BTreeSet};
 
 use linkage_symbolic::lookup::{Map, Set};
 use linkage_symbolic::{SymbolId, program::Source};
 
+use crate::algebra::derivatives::{acting, mentioned};
 use crate::algebra::{Algebra, Direction};
 use crate::model::{EvaluatorDef, Expr, ExprKind, Name, Shape, Variable};
 use crate::solve::Formulation;

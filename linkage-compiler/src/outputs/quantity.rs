@@ -1,21 +1,12 @@
 //! Requested quantities as graph nodes: values, derivatives, sensitivities, margins.
 
-use crate::algebra::derivatives::dependence;
-use crate::algebra::derivatives::direction;
-use crate::algebra::derivatives::links;
-use crate::algebra::derivatives::rotation_variation;
-
-use crate::algebra::frame;
-
-use crate::algebra::scalar;
-use crate::algebra::translate;
-
-use crate::algebra::via_slider;
-use crate::forces::quantities;
 use linkage_symbolic::{Ex, SymbolId, Vector, Vn};
 
-use crate::algebra::{Algebra, Direction, Shortcuts, Translate, Value};
-use crate::forces::Forces;
+use crate::algebra::derivatives::{dependence, direction, links, rotation_variation};
+use crate::algebra::{
+    Algebra, Direction, Shortcuts, Translate, Value, frame, scalar, translate, via_slider,
+};
+use crate::forces::{Forces, quantities};
 use crate::model::{EvaluatorDef, Expr, ExprKind, Type, VECTORS_OF_PLANE, Variable};
 use crate::solve::Formulation;
 

@@ -6,15 +6,13 @@ mod forces;
 mod space;
 mod units;
 
-use crate::algebra::derivatives::preaccumulation;
 use linkage_core::numeric::continuation::Terms;
 use linkage_random::Random;
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, Graph, evaluate};
 use proc_macro2::TokenStream;
 
-use super::quantity::{Strategy, request};
-use super::state::State;
+use crate::algebra::derivatives::preaccumulation;
 use crate::algebra::{Algebra, Direction, Nominal, Shortcuts};
 use crate::assembly::assemble_reference;
 use crate::diagnostic::{Diagnostics, Reporter};
@@ -23,6 +21,9 @@ use crate::machine::Reference;
 use crate::model::{Library, Model};
 use crate::solve::Formulation;
 use crate::{lower, model, solve, structure, syntax};
+
+use super::quantity::{Strategy, request};
+use super::state::State;
 
 const ITEMS: &str =
     "unit mm; param a = 40mm; param b = 120mm; param c = 80mm; param d = 100mm; param e = 7mm;

@@ -1,9 +1,8 @@
 //! The directions along which terms change their length.
 
-use crate::algebra::scalar;
 use linkage_symbolic::{Ex, NodeId, Vn};
 
-use crate::algebra::{Translate, calls, derivatives::dependence};
+use crate::algebra::{Translate, calls, derivatives::dependence, scalar};
 use crate::model::{BinaryOp, Expr, ExprKind, Function, Type};
 use crate::picture::marks::Slide;
 use crate::picture::sketch::Sketch;

@@ -1,12 +1,11 @@
 //! Vectors written by their components, `(d + c * cos(psi), c * sin(psi))`: the sum of a fixed
 //! vector, of a point, and of steps, each with a length of its own.
 
-use crate::algebra::scalar;
 use std::collections::BTreeSet;
 
 use linkage_symbolic::{Ex, NodeId, Vn};
 
-use crate::algebra::Translate;
+use crate::algebra::{Translate, scalar};
 use crate::model::{BinaryOp, Expr, ExprKind, Name, Type};
 use crate::picture::marks::{Slide, StepPart, Title, Turn};
 use crate::picture::point_or_vector::Moves;

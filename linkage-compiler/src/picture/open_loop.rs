@@ -1,11 +1,10 @@
 //! The motion of points if nothing closes the loops: each unknown changes alone. So a link that is
 //! written as one is distinguished from points that only other links hold together.
 
-use crate::algebra::scalar;
 use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, SymbolId, Vn};
 
-use crate::algebra::{Algebra, Bound, Nominal, Translate};
+use crate::algebra::{Algebra, Bound, Nominal, Translate, scalar};
 use crate::machine::{Machine, Reference, other_inputs, scattered};
 use crate::model::{Dimension, Expr, ExprKind, Loop};
 use crate::picture::track::{self, Track};

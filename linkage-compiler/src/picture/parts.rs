@@ -1,9 +1,8 @@
 //! Vectors, turns and motions of one term.
 
-use crate::algebra::scalar;
 use linkage_symbolic::Vn;
 
-use crate::algebra::{Translate, Value, calls};
+use crate::algebra::{Translate, Value, calls, scalar};
 use crate::model::{Expr, ExprKind, Function};
 use crate::picture::marks::{Term, Turn};
 use crate::picture::point_or_vector::Moves;

@@ -1,9 +1,8 @@
 //! Lines and planes that are written as scalar products.
 
-use crate::algebra::scalar;
 use linkage_symbolic::{Ex, Vector, Vn};
 
-use crate::algebra::Translate;
+use crate::algebra::{Translate, scalar};
 use crate::model::{Expr, ExprKind, Function};
 use crate::picture::marks::{Line, Plane};
 use crate::picture::point_or_vector::Moves;

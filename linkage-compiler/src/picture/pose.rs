@@ -1,9 +1,8 @@
 //! Positions of the parts of a machine that are placed elsewhere.
 
-use crate::algebra::scalar;
 use linkage_symbolic::{Ex, NodeId, Vector, Vn};
 
-use crate::algebra::{Algebra, Translate, Value, calls};
+use crate::algebra::{Algebra, Translate, Value, calls, scalar};
 use crate::model::{Function, Placed};
 use crate::picture::point_or_vector::{Moves, Roles};
 

@@ -1,10 +1,9 @@
 //! The sketch: points and the segments between them, as they are found.
 
-use crate::algebra::scalar;
 use linkage_symbolic::Vn;
 use linkage_symbolic::lookup::Set;
 
-use crate::algebra::{Algebra, Translate};
+use crate::algebra::{Algebra, Translate, scalar};
 use crate::model::{Expr, JointKind};
 use crate::picture::marks::{Asked, Line, Mean, Plane, Segment, Shape, Spot, Title, Turn};
 use crate::picture::point_or_vector::{Moves, Roles};

@@ -25,7 +25,6 @@ use crate::solve::group_context::GroupContext;
 use crate::structure::Coupled;
 
 use super::plane::linear_gap;
-
 use newton::Plan;
 use prepared::Prepared;
 use state::StatePart;

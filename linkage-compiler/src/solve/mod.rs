@@ -36,6 +36,7 @@ use crate::structure::{Form, Structure};
 
 use closed::ClosedForm;
 use contour::{Contour, EarlierGroups};
+
 pub(crate) use coupled::prepared::{Prepared, Version};
 pub(crate) use formulation::{Formulation, Solved};
 use group_context::GroupContext;

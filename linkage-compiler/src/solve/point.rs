@@ -12,7 +12,6 @@ use crate::solve::group_context::GroupContext;
 use crate::structure::{Plane, Sphere};
 
 use super::plane::{defined_gap, gap, guarded};
-
 use geometry::{Ball, Level, PointOnSpheres};
 
 /// The length of a vector as a share of the sum of its components, which needs no root: it is 0.58

@@ -2,6 +2,8 @@
 //! others, as a third crank on one rod does that stays parallel to the first two. Whether they do
 //! is found by numbers: all loops are closed together at several positions.
 
+use linkage_core::numeric::rank::are_independent;
+
 use crate::algebra::context::Algebra;
 use crate::algebra::{ALIKE, Bound, ConstantRatio, Nominal, constant_ratio};
 use crate::message_format::loop_list;
@@ -10,7 +12,6 @@ use crate::structure::analysis::Analysis;
 use crate::structure::equations;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::structure::simultaneous::{ACROSS, SimultaneousLoops};
-use linkage_core::numeric::rank::are_independent;
 
 /// Positions besides the reference, as shares of a small motion to both sides.
 const POSITIONS: [f64; 5] = [0.0, 0.5, 1.0, -0.5, -1.0];

@@ -1,11 +1,11 @@
 //! Systems of numbers with bodies in them, against the same systems with an order of their own.
 
-use crate::algebra::bodies;
-use crate::algebra::pivots;
 use linkage_symbolic::evaluate;
 
-use super::*;
 use crate::algebra::pivots::tests::numbers;
+use crate::algebra::{bodies, pivots};
+
+use super::*;
 
 /// A direction of length 1, or near it.
 fn unit([x, y, z]: [f64; 3]) -> [f64; 3] {

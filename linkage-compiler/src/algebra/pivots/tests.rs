@@ -1,7 +1,8 @@
 //! Systems of numbers, solved as expressions.
 
-use crate::algebra::pivots;
 use linkage_symbolic::evaluate;
+
+use crate::algebra::pivots;
 
 use super::*;
 

@@ -3,15 +3,13 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use crate::emit::array_types::Types;
+use crate::emit::array_types::{Types, coupled_name, starts_type};
 use crate::emit::load::Places;
 use crate::emit::outline::Outline;
 use crate::emit::{attribute, literal, winding};
 use crate::ir::{CompiledMechanism, Coupled};
 
 use super::description::description;
-use crate::emit::array_types::coupled_name;
-use crate::emit::array_types::starts_type;
 
 /// The groups on plain numbers, as the runtime prepares them.
 pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
