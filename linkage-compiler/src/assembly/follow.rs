@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use linkage_core::numeric::winding::{Centre, follow};
-use linkage_symbolic::program::Ternary;
+use linkage_symbolic::program::{Program, Ternary};
 
 use crate::algebra::{Algebra, Nominal, constant_ratio};
 use crate::machine::{Machine, followed_range};
@@ -29,30 +29,30 @@ pub(super) fn follow_angles(
     machine: &mut Machine,
     angles: &[(usize, usize)],
 ) -> Option<Unfollowed> {
-    let values = Vec::new();
-    let mut numbers = Numbers {
-        nominal,
-        machine,
-        values,
-    };
-    angles
-        .iter()
-        .find_map(|&(angle, output)| numbers.follow(algebra, angle, output))
+    angles.iter().find_map(|&(angle, output)| {
+        let direction = machine.part([output, output + 1]);
+        let mut numbers = Numbers {
+            nominal,
+            machine,
+            direction,
+        };
+        numbers.follow(algebra, angle)
+    })
 }
 
-/// The mechanism on numbers.
+/// The mechanism on numbers, with the program that computes cosine and sine of one angle.
 struct Numbers<'a> {
     nominal: &'a Nominal,
     machine: &'a mut Machine,
-    values: Vec<f64>,
+    direction: Program,
 }
 
 impl Numbers<'_> {
     /// Finds centre and windings of an angle, unless it cannot be followed.
-    fn follow(&mut self, algebra: &Algebra, angle: usize, output: usize) -> Option<Unfollowed> {
+    fn follow(&mut self, algebra: &Algebra, angle: usize) -> Option<Unfollowed> {
         let inputs = self.nominal.inputs.len();
         let estimate = algebra.names.angles[angle].estimate(self.nominal);
-        let here = self.angle(output, &self.nominal.inputs.clone(), estimate);
+        let here = self.angle(&self.nominal.inputs, estimate);
         let mut centre = Centre::new(here);
         for input in 0..inputs {
             let (low, high) = followed_range(algebra, self.nominal, input);
@@ -64,7 +64,7 @@ impl Numbers<'_> {
             let mut position = self.nominal.inputs.clone();
             let found = follow(low, high, at, here, &rates, |x| {
                 position[input] = x;
-                self.direction(output, &position)
+                self.direction(&position)
             });
             let Some(winding) = found else {
                 return Some(Unfollowed { angle, input });
@@ -74,27 +74,27 @@ impl Numbers<'_> {
         }
         self.machine.centres.insert(angle, centre.value());
         let declared = self.nominal.ranges.iter().flatten().count();
-        let strays = declared > 1 && !self.stays_near_its_guide(angle, output);
+        let strays = declared > 1 && !self.stays_near_its_guide(angle);
         strays.then(|| Unfollowed {
             angle,
             input: inputs - 1,
         })
     }
 
-    fn direction(&mut self, output: usize, inputs: &[f64]) -> [f64; 2] {
-        self.machine.run(&mut self.values, inputs);
-        [output, output + 1].map(|k| self.machine.output(&self.values, k))
+    fn direction(&self, inputs: &[f64]) -> [f64; 2] {
+        let outputs = self.machine.run_part(&self.direction, inputs);
+        [outputs[0], outputs[1]]
     }
 
     /// The angle at given inputs that is nearest to `guide`.
-    fn angle(&mut self, output: usize, inputs: &[f64], guide: f64) -> f64 {
-        let [cos, sin] = self.direction(output, inputs);
+    fn angle(&self, inputs: &[f64], guide: f64) -> f64 {
+        let [cos, sin] = self.direction(inputs);
         Ternary::AngleNear.apply([sin, cos, guide])
     }
 
     /// Checks for several inputs that the angle, followed from neighbour to neighbour over a grid,
     /// is the one nearest to its guide.
-    fn stays_near_its_guide(&mut self, angle: usize, output: usize) -> bool {
+    fn stays_near_its_guide(&self, angle: usize) -> bool {
         let all: Vec<usize> = (0..self.nominal.inputs.len()).collect();
         let grid = Grid::new(self.nominal, &all);
         let mut followed = Vec::with_capacity(grid.count);
@@ -109,7 +109,7 @@ impl Numbers<'_> {
             let near = grid
                 .before(position)
                 .map_or(guide, |before| followed[before]);
-            let value = self.angle(output, &inputs, near);
+            let value = self.angle(&inputs, near);
             if (value - guide).abs() > LIMIT {
                 return false;
             }

@@ -175,6 +175,22 @@ impl Machine {
         self.advance(values, 0, self.closing.program.instructions.len(), inputs);
     }
 
+    /// Returns the part of the program that computes some of its outputs.
+    pub(crate) fn part(&self, outputs: impl IntoIterator<Item = usize>) -> Program {
+        let whole = &self.closing.program;
+        let part = Program {
+            instructions: whole.instructions.clone(),
+            outputs: outputs.into_iter().map(|k| whole.outputs[k]).collect(),
+        };
+        part.without_unused()
+    }
+
+    /// Returns the outputs of a part of the program at given inputs.
+    pub(crate) fn run_part(&self, part: &Program, inputs: &[f64]) -> Vec<f64> {
+        let states = self.states(inputs);
+        run(part, |source| self.load(source, inputs, &states))
+    }
+
     /// An output's value.
     pub(crate) fn output(&self, values: &[f64], output: usize) -> f64 {
         let Value(place) = self.closing.program.outputs[output];
