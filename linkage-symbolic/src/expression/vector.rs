@@ -24,8 +24,12 @@ impl<'g, const N: usize> Vector<'g, N> {
 
     /// Another value for each component.
     #[must_use]
-    pub fn map(self, other: impl FnMut(Ex<'g>) -> Ex<'g>) -> Self {
-        Self(self.0.map(other))
+    pub fn map(mut self, mut other: impl FnMut(Ex<'g>) -> Ex<'g>) -> Self {
+        // In place: `map` of arrays compiles to several times the code, in a hundred callers.
+        for component in &mut self.0 {
+            *component = other(*component);
+        }
+        self
     }
 
     /// The components in order.
@@ -34,7 +38,11 @@ impl<'g, const N: usize> Vector<'g, N> {
     }
 
     fn zip(self, other: Self, join: impl Fn(Ex<'g>, Ex<'g>) -> Ex<'g>) -> Self {
-        Self(from_fn(|k| join(self.0[k], other.0[k])))
+        let mut joined = self;
+        for (a, b) in joined.0.iter_mut().zip(other.0) {
+            *a = join(*a, b);
+        }
+        joined
     }
 
     /// True if every component is the constant 0.
