@@ -309,12 +309,13 @@ pub mod __private {
     };
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::support::{
-        Arguments, Block, Box, Inputs, Kernel, Sets, Vec, assemblies, fill, fill_or_call,
-        fill_slices, in_row, next_vectors, one, rows,
+        Arguments, Box, Inputs, OverInputs, OverSets, RowNumbersMut, SetStages, Sets, Vec,
+        assemblies, fill, fill_or_call, fill_slices, in_row, one,
     };
     pub use linkage_runtime::support::{
-        AssemblyData as Sealed, Dispatch as Single, as_in_sweeps, close, dispatch as single,
-        explained, finite, inlined, named,
+        AssemblyData as Sealed, Block, Dispatch as Single, FinishedRows, RowNumbers, RunStages,
+        Stage, StageRow, Staged, as_in_sweeps, close, dispatch as single, explained, finite,
+        inlined, named, once,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::support::{

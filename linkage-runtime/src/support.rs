@@ -15,6 +15,7 @@ mod named;
 mod revolutions;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod settle;
+mod stages;
 #[cfg(feature = "alloc")]
 mod sweep;
 
@@ -56,10 +57,13 @@ pub use linkage_core::{Enclosure, Level};
 pub use named::{Named, named};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use revolutions::{Along, Angle, Revolutions, revolutions, wind, wind_one};
+pub use stages::{
+    Block, FinishedRows, Memory, RowNumbers, RunStages, Stage, StageRow, Staged, once,
+};
 #[cfg(feature = "alloc")]
 pub use sweep::{
-    Arguments, Block, Inputs, Kernel, Sets, fill, fill_or_call, fill_slices, in_row, next_vectors,
-    rows,
+    Arguments, Inputs, Kernel, OverInputs, OverSets, RowNumbersMut, SetStages, Sets, fill,
+    fill_or_call, fill_slices, in_row,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use sweep::{Extended, Followed, Moving, States, fill_followed};

@@ -1,18 +1,15 @@
 //! One function of the `impl` block: its result type, the method, and the program that it runs.
 
-use linkage_symbolic::passes::stages::Stage;
 use proc_macro2::{Ident, TokenStream};
-use quote::{ToTokens, format_ident, quote};
+use quote::{ToTokens, quote};
 
-use super::array_fields::{entries, entry};
-use super::body::Runs;
+use super::array_fields::entries;
 use super::docs::{behind_name, doc, documented, sentence, tokens, with_note};
-use super::load::{CARRIED, INPUT, Places, loader_by};
+use super::load::Places;
 use super::mechanism::{marker_field, marker_value};
 use super::outline::{Field, Function, Outline, plain};
 use super::spanned::type_at;
-use super::{assembly_data, attribute, body, coupled, debug, literal, result_module};
-use crate::ir::Body;
+use super::{assembly_data, attribute, coupled, debug, literal, result_module, stages};
 
 /// The result type.
 pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
@@ -138,9 +135,13 @@ pub(super) fn value(
         true => Version::Beside,
         false => Version::Called,
     };
+    let runtime = &outline.runtime;
+    let data = &outline.core;
+    let count = literal::index(Places::of_function(outline, function).width());
+    let width = literal::index(function.width());
     let [refined, row] = [refining, plain].map(|version| {
-        let kernel = kernel_name(function, version);
-        quote!(#core.#kernel::<__FUSED>(__x))
+        let stages = stages::name(outline, function, version);
+        quote!(#runtime::once::<#stages, T, #data<T>, __FUSED, #count, #width>(#core, __x))
     });
     let row = match refining == plain {
         true => row,
@@ -174,66 +175,6 @@ impl Version {
     }
 }
 
-/// The method that runs a program.
-fn kernel_name(function: &Function, version: Version) -> Ident {
-    let kernel = &function.kernel;
-    let word = version.word();
-    format_ident!("{kernel}{word}")
-}
-
-/// The methods that run the program, stage by stage and as a whole.
-pub(super) fn kernel(
-    outline: &Outline,
-    function: &Function,
-    body: &Body,
-    version: Version,
-) -> TokenStream {
-    let Outline { runtime, core, .. } = outline;
-    let stages = &body.stages;
-    let runs = match body.compares_sines {
-        true => Runs::InRows,
-        false => Runs::InRowsOrAlone,
-    };
-    let kernel = kernel_name(function, version);
-    let split = attribute::split(function.attributes);
-    let everywhere = &split.everywhere;
-    let places = Places::of_function(outline, function);
-    let count = literal::index(places.width());
-    let width = literal::index(function.width());
-    let methods = (0..stages.len())
-        .map(|index| stage(outline, function, (&stages[index], runs), index, version));
-    let calls = (0..stages.len()).map(|index| {
-        let method = stage_name(function, index, version);
-        let stage = &stages[index];
-        let results = results(index, stage);
-        let [taken, kept] = [&stage.taken, &stage.kept].map(|places| in_memory(places));
-        let read = places.read(&stage.program).into_iter().map(literal::index);
-        quote! {
-            let ([#(#kept),*], [#(#results),*]) =
-                self.#method::<__FUSED, false>([#(__x[#read]),*], [#(#taken),*]);
-        }
-    });
-    let mut outputs = vec![TokenStream::new(); function.width()];
-    for (index, stage) in stages.iter().enumerate() {
-        for (name, &result) in results(index, stage).into_iter().zip(&stage.results) {
-            outputs[result] = name.into_token_stream();
-        }
-    }
-    let allow = attribute::allow();
-    quote! {
-        #(#everywhere)*
-        #allow
-        impl<T: #runtime::Scalar> #core<T> {
-            #[inline(always)]
-            fn #kernel<const __FUSED: ::core::primitive::bool>(&self, __x: [T; #count]) -> [T; #width] {
-                #(#calls)*
-                [#(#outputs),*]
-            }
-            #(#methods)*
-        }
-    }
-}
-
 /// The way from a program's outputs to the result type.
 pub(super) fn from_row(outline: &Outline, function: &Function) -> TokenStream {
     let runtime = &outline.runtime;
@@ -250,70 +191,6 @@ pub(super) fn from_row(outline: &Outline, function: &Function) -> TokenStream {
         impl<T: #runtime::Scalar> #result<T> {
             #[inline(always)]
             #private fn __from_row([#(#row),*]: [T; #width]) -> Self { Self { #fields } }
-        }
-    }
-}
-
-/// The method that runs a stage.
-pub(super) fn stage_name(function: &Function, index: usize, version: Version) -> Ident {
-    let name = function.name;
-    let word = version.word();
-    format_ident!("__stage{index}{word}_of_{name}")
-}
-
-/// The variables that hold the values that a stage has finished.
-fn results(index: usize, stage: &Stage) -> Vec<Ident> {
-    entries(&format!("__results{index}_"), stage.results.len())
-}
-
-/// The variables for places of the stages' memory.
-fn in_memory(places: &[usize]) -> Vec<Ident> {
-    places
-        .iter()
-        .map(|&place| entry("__memory", place))
-        .collect()
-}
-
-/// A function from the inputs and states that the stage reads, and the values that it takes from
-/// earlier stages, to the values that it keeps for later stages, and results.
-fn stage(
-    outline: &Outline,
-    function: &Function,
-    (stage, runs): (&Stage, Runs),
-    index: usize,
-    version: Version,
-) -> TokenStream {
-    let Stage {
-        program,
-        taken,
-        kept,
-        results,
-    } = stage;
-    let method = stage_name(function, index, version);
-    let places = Places::of_function(outline, function);
-    let input = |place| entry(INPUT, place).into_token_stream();
-    let load = loader_by(outline, &places, input);
-    let statements = body::statements(program, runs, &load);
-    let read = places.read(program);
-    let inputs: Vec<_> = read.iter().map(|&place| entry(INPUT, place)).collect();
-    let (next, finished) = program.outputs.split_at(kept.len());
-    let [next, finished] = [next, finished].map(|values| {
-        let names = values.iter().map(|value| body::name(*value));
-        quote!([#(#names),*])
-    });
-    let entries = entries(CARRIED, taken.len());
-    let [count, taken, kept, results] =
-        [read.len(), taken.len(), kept.len(), results.len()].map(literal::index);
-    quote! {
-        #[inline(always)]
-        fn #method<const __FUSED: ::core::primitive::bool, const __ROWS: ::core::primitive::bool>(
-            &self,
-            [#(#inputs),*]: [T; #count],
-            [#(#entries),*]: [T; #taken],
-        ) -> ([T; #kept], [T; #results]) {
-            let Self { __mechanism: __m, __modes, __prepared, .. } = self;
-            #statements
-            (#next, #finished)
         }
     }
 }

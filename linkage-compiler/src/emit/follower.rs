@@ -11,10 +11,10 @@ use crate::model::METHODS_OF_FOLLOWER;
 
 use super::array_types::Types;
 use super::docs::doc;
-use super::evaluator::{Version, kernel};
+use super::evaluator::Version;
 use super::load::Places;
 use super::outline::{Outline, plain};
-use super::{assembly_data, attribute, literal};
+use super::{assembly_data, attribute, literal, stages};
 use functions::{method, single_of};
 
 /// The follower of a mechanism of which a coupled group depends on several inputs: tables over one
@@ -29,7 +29,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
     for (function, own) in outline.functions.iter().zip(&unit.functions) {
         let version = match &own.settled {
             Some(settled) => {
-                items.extend(kernel(outline, function, settled, Version::Settled));
+                items.extend(stages::items(outline, function, settled, Version::Settled));
                 Version::Settled
             }
             None => Version::Called,

@@ -132,9 +132,9 @@ fn conversions(outline: &Outline) -> TokenStream {
     let lane = convert(outline, &|field| quote!(T::lane(self.#field, __lane)));
     let mut scalars = (0..outline.scalar_fields().len()).map(|index| {
         let index = literal::index(index);
-        quote!(__rows.at(#index, __lane))
+        quote!(__row.number(#index))
     });
-    let at_lane = outline.body(from_scalars(outline, &mut scalars));
+    let of_row = outline.body(from_scalars(outline, &mut scalars));
     let allow = attribute::allow();
     quote! {
         #allow
@@ -152,12 +152,9 @@ fn conversions(outline: &Outline) -> TokenStream {
         #runtime::if_alloc! {
             #allow
             impl<T: #runtime::Scalar> #name<T> {
-                /// The dimensions in one lane of the first rows.
+                /// The dimensions, which are the first numbers of a row.
                 #[inline(always)]
-                fn __at_lane<const __BLOCK: ::core::primitive::usize, const __ROWS: ::core::primitive::usize>(
-                    __rows: &#runtime::Block<T, __BLOCK, __ROWS>,
-                    __lane: ::core::primitive::usize,
-                ) -> Self { #at_lane }
+                fn __of_row(__row: &impl #runtime::RowNumbers<T>) -> Self { #of_row }
             }
         }
     }

@@ -10,7 +10,6 @@ mod array_types;
 mod assembly;
 mod assembly_data;
 mod attribute;
-mod blocks;
 mod body;
 mod circuits;
 mod closing;
@@ -28,7 +27,6 @@ mod guess;
 mod kernels;
 mod literal;
 mod load;
-mod loops;
 mod mechanism;
 mod outline;
 mod picture;
@@ -39,6 +37,7 @@ mod shape;
 mod skeleton;
 mod slots;
 mod spanned;
+mod stages;
 mod structure;
 mod survey;
 mod sweeps;
@@ -119,12 +118,14 @@ fn function(
         (own.beside.as_ref(), Version::Beside),
     ];
     for (body, version) in versions {
-        items.extend(body.map(|body| evaluator::kernel(outline, function, body, version)));
+        items.extend(body.map(|body| stages::items(outline, function, body, version)));
     }
-    let stages = &own.called.stages;
-    let beside = own.beside.as_ref().map(|body| &body.stages[..]);
     items.extend(sweeps::items(outline, function));
     items.extend(table::items(outline, function, &own.columns));
-    items.extend(kernels::items(outline, function, stages, beside, prepare));
+    let of_sets = match &own.beside {
+        Some(beside) => (&beside.stages[..], Version::Beside),
+        None => (&own.called.stages[..], Version::Called),
+    };
+    items.extend(kernels::items(outline, function, of_sets, prepare));
     items
 }

@@ -79,8 +79,6 @@ pub(super) struct Function<'a> {
     /// The result type, and the type of a column of results.
     pub result: &'a Ident,
     pub columns: Ident,
-    /// The method that computes all scalars of the result.
-    pub kernel: Ident,
     pub arguments: Vec<&'a Ident>,
     /// The inputs that they are, among those of the mechanism.
     pub positions: Vec<usize>,
@@ -251,7 +249,6 @@ pub(super) fn function<'a>(def: &'a FunctionDef, fields: Vec<Field<'a>>) -> Func
         name: &def.name,
         result: &def.result,
         columns: format_ident!("{}{COLUMNS}", def.result),
-        kernel: format_ident!("__evaluate_{}", def.name),
         arguments: def.inputs.iter().collect(),
         positions: Vec::new(),
         states: Vec::new(),

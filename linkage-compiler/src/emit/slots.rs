@@ -50,13 +50,13 @@ impl Slots {
         self.used.len()
     }
 
-    /// Stores them for the `__mechanism` of `__lane`, by `__modes` and `__turns`.
+    /// Stores them in the row `__slots` for its `__mechanism`, by `__modes` and `__turns`.
     pub(super) fn prepare(&self, outline: &Outline) -> TokenStream {
         let assembly = &outline.assembly;
         let stores = self.used.iter().enumerate().map(|(place, &slot)| {
             let place = literal::index(place);
             let value = entry("__value", slot);
-            quote!(__slots.set(#place, __lane, #value);)
+            quote!(__slots.put(#place, #value);)
         });
         let values = match &self.own {
             Some(program) => {
@@ -75,18 +75,18 @@ impl Slots {
                     None => quote!(_),
                 });
                 quote! {
-                    let [#(#values),*] = #assembly::__prepare::<__FUSED>(&__mechanism, &__modes, &__turns);
+                    let [#(#values),*] = #assembly::__prepare::<__FUSED>(&__mechanism, __modes, __turns);
                 }
             }
         };
         quote!(#values #(#stores)*)
     }
 
-    /// All slots of `__lane`; unused slots are zero.
+    /// All slots of the row `__slots`; unused slots are zero.
     pub(super) fn all(&self, outline: &Outline) -> TokenStream {
         let stored = |place: usize| {
             let place = literal::index(place);
-            quote!(__slots.at(#place, __lane))
+            quote!(__slots.number(#place))
         };
         if self.own.is_none() {
             let all = (0..outline.prepared).map(|slot| match self.place(slot) {

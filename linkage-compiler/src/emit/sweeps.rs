@@ -10,9 +10,10 @@ use quote::{format_ident, quote};
 
 use super::docs::doc;
 use super::evaluator::Version;
+use super::load::Places;
 use super::outline::{Function, Outline, plain};
 use super::shape::field_scalars;
-use super::{attribute, coupled, literal, result_module};
+use super::{assembly_data, attribute, coupled, literal, result_module, stages};
 use crate::model::Sweep;
 use crate::syntax::Word;
 
@@ -20,22 +21,10 @@ use crate::syntax::Word;
 struct Sweeps<'a> {
     outline: &'a Outline<'a>,
     function: &'a Function<'a>,
-    /// The private method that gives the kernel over mechanisms.
-    over_sets: Ident,
     /// Names of arguments that no input has.
     columns: Ident,
     slices: Ident,
     sets: Ident,
-}
-
-/// The private method that gives the kernel over inputs.
-pub(super) fn over_inputs(function: &Function, version: Version) -> Ident {
-    format_ident!("__over_inputs{}_of_{}", version.word(), function.name)
-}
-
-/// The private method that gives the kernel over mechanisms and inputs.
-pub(super) fn over_sets(function: &Function) -> Ident {
-    format_ident!("__over_sets_of_{}", function.name)
 }
 
 /// All sweeps of a function; nothing for one without inputs.
@@ -51,7 +40,6 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
     let sweeps = Sweeps {
         outline,
         function,
-        over_sets: over_sets(function),
         columns: argument("columns"),
         slices: argument("slices"),
         sets: argument("sets"),
@@ -108,7 +96,7 @@ impl Sweeps<'_> {
         let behind = self.behind(Sweep::Into);
         let rows = self.inputs(quote!(__title));
         let fill = self.outline.body(self.with_kernel(|kernel| {
-            let given = quote!(&self.#kernel(), &#rows, #ty::__of_mut(#columns));
+            let given = quote!(&#kernel, &#rows, #ty::__of_mut(#columns));
             let one = self.one();
             quote!(#runtime::fill_or_call(#given, |__at| #one);)
         }));
@@ -132,9 +120,9 @@ impl Sweeps<'_> {
         let sweep_slices = self.method(
             Sweep::Slices,
             quote!((&self, #inputs, #slices: [&mut [T]; #width])),
-            self.with_kernel(|kernel| {
-                quote!(#runtime::fill_slices(#title, &self.#kernel(), &#inputs_slices, #slices);)
-            }),
+            self.with_kernel(
+                |kernel| quote!(#runtime::fill_slices(#title, &#kernel, &#inputs_slices, #slices);),
+            ),
         );
         let title = self.title(Sweep::ParallelInto);
         let inputs_parallel = self.inputs(quote!(#title));
@@ -145,7 +133,7 @@ impl Sweeps<'_> {
                 where T: ::core::marker::Send + ::core::marker::Sync
             },
             self.with_kernel(|kernel| {
-                quote!(#runtime::fill_parallel(&self.#kernel(), &#inputs_parallel, #ty::__of_mut(#columns));)
+                quote!(#runtime::fill_parallel(&#kernel, &#inputs_parallel, #ty::__of_mut(#columns));)
             }),
         );
         quote! {
@@ -177,13 +165,36 @@ impl Sweeps<'_> {
     }
 
     /// A sweep by the kernel over inputs, or by the one that does not rely on the digits of tables.
-    fn with_kernel(&self, sweep: impl Fn(Ident) -> TokenStream) -> TokenStream {
-        let called = sweep(over_inputs(self.function, Version::Called));
-        if !self.function.beside {
-            return called;
+    fn with_kernel(&self, sweep: impl Fn(TokenStream) -> TokenStream) -> TokenStream {
+        let [called, beside] = [Version::Called, Version::Beside].map(|version| {
+            let runtime = &self.outline.runtime;
+            let stages = stages::name(self.outline, self.function, version);
+            let core = assembly_data::core(self.outline, &quote!(self));
+            sweep(quote!(#runtime::OverInputs::<_, #stages>::new(#core)))
+        });
+        match self.function.beside {
+            true => quote!(if T::REFINES { #beside } else { #called }),
+            false => called,
         }
-        let beside = sweep(over_inputs(self.function, Version::Beside));
-        quote!(if T::REFINES { #beside } else { #called })
+    }
+
+    /// The kernel over mechanisms and inputs. Its dimensions are not those of tables.
+    fn kernel_over_sets(&self) -> TokenStream {
+        let Self {
+            outline, function, ..
+        } = *self;
+        let runtime = &outline.runtime;
+        let version = match function.beside {
+            true => Version::Beside,
+            false => Version::Called,
+        };
+        let stages = stages::name(outline, function, version);
+        let core = assembly_data::core(outline, &quote!(self));
+        let dimensions = outline.scalar_fields().len();
+        let arguments = Places::of_function(outline, function).width();
+        let [dimensions, arguments, row] =
+            [dimensions, arguments, dimensions + arguments].map(literal::index);
+        quote!(#runtime::OverSets::<_, #stages, #dimensions, #arguments, #row>::new(#core))
     }
 
     fn over_sets(&self) -> TokenStream {
@@ -191,7 +202,7 @@ impl Sweeps<'_> {
         let mechanism = self.outline.name;
         let arguments = &self.function.arguments;
         let ty = result_module::columns(self.outline, self.function);
-        let (columns, sets, kernel) = (&self.columns, &self.sets, &self.over_sets);
+        let (columns, sets, kernel) = (&self.columns, &self.sets, self.kernel_over_sets());
         let inputs = quote!(#sets: &[#mechanism<T>], #(#arguments: &[T]),*);
         let follow = !self.function.states.is_empty();
         let behind = self.behind(Sweep::SetsInto);
@@ -207,7 +218,7 @@ impl Sweeps<'_> {
             ],
             false => [quote!(#runtime::fill), quote!(#runtime::fill_parallel)],
         };
-        let fill = quote!(#all(&self.#kernel(), &#rows, #followed #ty::__of_mut(#columns)););
+        let fill = quote!(#all(&#kernel, &#rows, #followed #ty::__of_mut(#columns)););
         let fill = self.outline.body(fill);
         let [owned, into] = [Sweep::Sets, Sweep::SetsInto].map(|sweep| self.title(sweep));
         let sweep = self.method(
@@ -233,7 +244,7 @@ impl Sweeps<'_> {
                 where T: ::core::marker::Send + ::core::marker::Sync
             },
             quote! {
-                #all_parallel(&self.#kernel(), &#source, #followed #ty::__of_mut(#columns));
+                #all_parallel(&#kernel, &#source, #followed #ty::__of_mut(#columns));
             },
         );
         quote! {

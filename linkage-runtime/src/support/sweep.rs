@@ -11,9 +11,9 @@ mod instruction_set;
 mod kernel;
 #[cfg(feature = "rayon")]
 mod parallel;
+mod staged;
 
 pub use arguments::{Arguments, Inputs, Sets};
-pub use blocks::{Block, next_vectors, rows};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use extended::{Extended, States};
 pub use fill::{fill, fill_or_call, fill_slices, in_row};
@@ -24,3 +24,4 @@ pub use followed::{Followed, Moving, fill_followed};
 pub use kernel::Kernel;
 #[cfg(feature = "rayon")]
 pub use parallel::fill_parallel;
+pub use staged::{OverInputs, OverSets, RowNumbersMut, SetStages};

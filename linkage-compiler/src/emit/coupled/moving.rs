@@ -8,7 +8,7 @@ use crate::emit::array_fields::entries;
 use crate::emit::array_types::Types;
 use crate::emit::load::Places;
 use crate::emit::outline::{Function, Outline};
-use crate::emit::{assembly_data, attribute, blocks, literal};
+use crate::emit::{assembly_data, attribute, literal};
 use crate::ir::CompiledMechanism;
 
 /// The type of the mechanism that changes its dimensions.
@@ -51,7 +51,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
                 quote!(#number)
             }
         };
-        quote!(#pattern => #runtime::fill(&#kernel(self), __rows, __columns),)
+        quote!(#pattern => #runtime::fill(&#runtime::OverInputs::<_, #kernel>::new(&self), __rows, __columns),)
     });
     let core = assembly_data::core(outline, &quote!(self));
     let allow = attribute::allow();
@@ -118,42 +118,43 @@ fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
     let width = literal::index(own.end);
     let arguments = own.map(|column| {
         let column = literal::index(column);
-        quote!(__x.at(#column, __lane))
+        quote!(__row.number(#column))
     });
     let found = entries("__found", outputs);
-    let columns = (0..outputs).map(literal::index);
-    let columns: Vec<_> = columns.collect();
+    let columns: Vec<_> = (0..outputs).map(literal::index).collect();
     let outputs = literal::index(outputs);
-    let one = quote! {
-        let __m = #name::<#float>::__at_lane(&__x, __lane);
-        let __prepared = #assembly::<#float>::__prepare::<__FUSED>(&__m, __modes, __turns);
-        let [#(#found),*] = #assembly::<#float>::#method::<__FUSED>(
-            &__m, __modes, &__prepared, [#(#arguments),*],
-        );
-        #(__done.set(#columns, __lane - __start, #found);)*
-    };
-    let write = quote!(#(__done.write(#columns, &mut __results, #columns, __row + __start);)*);
-    let loops = blocks::over_blocks(outline, &blocks::over_vectors(&one, &write));
     let allow = attribute::allow();
     quote! {
         #allow
-        struct #kernel<'a>(&'a #moving);
+        struct #kernel;
         #allow
-        impl #runtime::Kernel<#float, #width, #outputs> for #kernel<'_> {
+        impl<'a> #runtime::Staged<#float, &'a #moving, #width, #outputs> for #kernel {
             const WIDE: ::core::primitive::bool = !::core::cfg!(debug_assertions);
+            type Memory<const __BLOCK: #size> = #runtime::Block<#float, __BLOCK, 0>;
 
             #[inline(always)]
-            fn evaluate<const __FUSED: ::core::primitive::bool, const __LANES: #size, const __BLOCK: #size>(
-                &self,
-                __arguments: &impl #runtime::Arguments<#float, #width>,
-                __first: #size,
-                mut __results: [&mut [#float]; #outputs],
-            ) {
-                let #moving { __modes, __turns, .. } = self.0;
-                let mut __x = #runtime::Block::<#float, __BLOCK, #width>::filled(0.0);
-                let mut __done = #runtime::Block::<#float, __LANES, #outputs>::filled(0.0);
-                #loops
+            fn run(__stages: &mut impl #runtime::RunStages<#float, &'a #moving, Self>) {
+                __stages.stage::<0>();
             }
+        }
+        #allow
+        impl<'a> #runtime::Stage<#float, &'a #moving, 0> for #kernel {
+            #[inline(always)]
+            fn row<const __FUSED: ::core::primitive::bool, const __ROWS: ::core::primitive::bool>(
+                __moving: &&'a #moving,
+                __row: &mut impl #runtime::StageRow<#float>,
+            ) {
+                let #moving { __modes, __turns, .. } = *__moving;
+                let __m = #name::<#float>::__of_row(__row);
+                let __prepared = #assembly::<#float>::__prepare::<__FUSED>(&__m, __modes, __turns);
+                let [#(#found),*] = #assembly::<#float>::#method::<__FUSED>(
+                    &__m, __modes, &__prepared, [#(#arguments),*],
+                );
+                #(__row.finish(#columns, #found);)*
+            }
+
+            #[inline(always)]
+            fn write(__rows: &mut impl #runtime::FinishedRows) { #(__rows.write(#columns);)* }
         }
     }
 }

@@ -2,57 +2,15 @@
 
 use linkage_core::Scalar;
 
-/// `N` columns of `B` rows, where no vector crosses a cache line.
-#[derive(Clone, Copy, Debug)]
-#[repr(align(64))]
-pub struct Block<T, const B: usize, const N: usize>(
-    /// The columns.
-    pub [[T; B]; N],
-);
-
-/// Generated code reads and writes through these: rustc takes ten times as long for the types of an
-/// index into an array of arrays.
-impl<T: Copy, const B: usize, const N: usize> Block<T, B, N> {
-    /// All numbers are `value`.
-    #[inline(always)]
-    pub fn filled(value: T) -> Self {
-        Self([[value; B]; N])
-    }
-
-    /// The number in a column and row.
-    #[inline(always)]
-    pub fn at(&self, column: usize, row: usize) -> T {
-        self.0[column][row]
-    }
-
-    /// Changes the number in a column and row.
-    #[inline(always)]
-    pub fn set(&mut self, column: usize, row: usize, value: T) {
-        self.0[column][row] = value;
-    }
-
-    /// Writes a column into one of the results from `row` on.
-    #[inline(always)]
-    pub fn write<const W: usize>(
-        &self,
-        column: usize,
-        results: &mut [&mut [T]; W],
-        result: usize,
-        row: usize,
-    ) {
-        put(results[result], row, &self.0[column]);
-    }
-}
-
 /// The number of rows of the columns.
 #[inline(always)]
-pub fn rows<T, const W: usize>(columns: &[&mut [T]; W]) -> usize {
+pub(super) fn rows<T, const W: usize>(columns: &[&mut [T]; W]) -> usize {
     columns.first().map_or(0, |column| column.len())
 }
 
 /// Writes lanes into a column from `row` on.
 #[inline(always)]
-fn put<T: Copy, const V: usize>(column: &mut [T], row: usize, lanes: &[T; V]) {
+pub(super) fn put<T: Copy, const V: usize>(column: &mut [T], row: usize, lanes: &[T; V]) {
     if let Some(vector) = column
         .get_mut(row..)
         .and_then(|rest| rest.first_chunk_mut())
@@ -64,7 +22,7 @@ fn put<T: Copy, const V: usize>(column: &mut [T], row: usize, lanes: &[T; V]) {
 /// The number of vectors of `V` rows in the next block, if `left` of `count` rows remain: at least
 /// one, and at most `B` rows. The last block may repeat rows that are done already.
 #[inline(always)]
-pub fn next_vectors<const V: usize, const B: usize>(left: usize, count: usize) -> usize {
+pub(super) fn next_vectors<const V: usize, const B: usize>(left: usize, count: usize) -> usize {
     let (vectors, most) = (left.div_ceil(V), B / V);
     // A block of one vector takes as long as one of two: every operation waits for the one before.
     // So the last two blocks share.

@@ -1,0 +1,146 @@
+//! The program of a function as its stages, which calls and sweeps run.
+
+use linkage_symbolic::passes::stages::{Stage, memory};
+use linkage_symbolic::program::Value;
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+use super::array_fields::entry;
+use super::body::{self, Runs};
+use super::evaluator::Version;
+use super::load::{CARRIED, INPUT, Places, loader_by};
+use super::outline::{Function, Outline};
+use super::{attribute, literal};
+use crate::ir::Body;
+
+/// The type that stands for a program of a function.
+pub(super) fn name(outline: &Outline, function: &Function, version: Version) -> Ident {
+    let (name, word) = (function.name, version.word());
+    format_ident!("__{}_{name}{word}_stages", outline.name)
+}
+
+/// The runtime's `Staged` of a program, and each of its stages.
+pub(super) fn items(
+    outline: &Outline,
+    function: &Function,
+    body: &Body,
+    version: Version,
+) -> TokenStream {
+    let Outline { runtime, core, .. } = outline;
+    let runs = match body.compares_sines {
+        true => Runs::InRows,
+        false => Runs::InRowsOrAlone,
+    };
+    let staged = Staged {
+        outline,
+        function,
+        name: name(outline, function, version),
+        runs,
+    };
+    let name = &staged.name;
+    let everywhere = &attribute::split(function.attributes).everywhere;
+    let [count, width, memory] = [
+        Places::of_function(outline, function).width(),
+        function.width(),
+        memory(&body.stages),
+    ]
+    .map(literal::index);
+    let numbers = (0..body.stages.len()).map(literal::index);
+    let stages = body.stages.iter().enumerate();
+    let stages = stages.map(|(number, stage)| staged.stage(number, stage));
+    let allow = attribute::allow();
+    quote! {
+        #(#everywhere)*
+        #allow
+        struct #name;
+
+        #(#everywhere)*
+        #allow
+        impl<T: #runtime::Scalar> #runtime::Staged<T, #core<T>, #count, #width> for #name {
+            const WIDE: ::core::primitive::bool = !::core::cfg!(debug_assertions);
+            type Memory<const __BLOCK: ::core::primitive::usize> = #runtime::Block<T, __BLOCK, #memory>;
+
+            #[inline(always)]
+            fn run(__stages: &mut impl #runtime::RunStages<T, #core<T>, Self>) {
+                #(__stages.stage::<#numbers>();)*
+            }
+        }
+        #(#stages)*
+    }
+}
+
+/// A program whose stages are printed.
+struct Staged<'a> {
+    outline: &'a Outline<'a>,
+    function: &'a Function<'a>,
+    name: Ident,
+    runs: Runs,
+}
+
+impl Staged<'_> {
+    /// From the arguments that the stage reads and the values that earlier stages keep to the
+    /// values that it keeps for later stages, and results.
+    fn stage(&self, number: usize, stage: &Stage) -> TokenStream {
+        let Self {
+            outline,
+            function,
+            name,
+            runs,
+        } = self;
+        let Outline { runtime, core, .. } = outline;
+        let Stage {
+            program,
+            taken,
+            kept,
+            results,
+        } = stage;
+        let everywhere = &attribute::split(function.attributes).everywhere;
+        let places = Places::of_function(outline, function);
+        let input = |place| entry(INPUT, place).into_token_stream();
+        let load = loader_by(outline, &places, input);
+        let statements = body::statements(program, *runs, &load);
+        let read = places.read(program).into_iter().map(|place| {
+            let (name, place) = (entry(INPUT, place), literal::index(place));
+            quote!(let #name = __row.number(#place);)
+        });
+        let take = taken.iter().enumerate().map(|(index, &place)| {
+            let (name, place) = (entry(CARRIED, index), literal::index(place));
+            quote!(let #name = __row.kept(#place);)
+        });
+        let (next, finished) = program.outputs.split_at(kept.len());
+        let put = |method: &str, values: &[Value], places: &[usize]| -> TokenStream {
+            let method = format_ident!("{method}");
+            let puts = values.iter().zip(places).map(|(&value, &place)| {
+                let (value, place) = (body::name(value), literal::index(place));
+                quote!(__row.#method(#place, #value);)
+            });
+            puts.collect()
+        };
+        let keep = put("keep", next, kept);
+        let finish = put("finish", finished, results);
+        let written = results.iter().map(|&result| literal::index(result));
+        let number = literal::index(number);
+        let allow = attribute::allow();
+        quote! {
+            #(#everywhere)*
+            #allow
+            impl<T: #runtime::Scalar> #runtime::Stage<T, #core<T>, #number> for #name {
+                #[inline(always)]
+                fn row<const __FUSED: ::core::primitive::bool, const __ROWS: ::core::primitive::bool>(
+                    __core: &#core<T>,
+                    __row: &mut impl #runtime::StageRow<T>,
+                ) {
+                    let #core { __mechanism: __m, __modes, __prepared, .. } = __core;
+                    #(#read)*
+                    #(#take)*
+                    #statements
+                    #keep
+                    #finish
+                }
+
+                #[inline(always)]
+                fn write(__rows: &mut impl #runtime::FinishedRows) { #(__rows.write(#written);)* }
+            }
+        }
+    }
+}

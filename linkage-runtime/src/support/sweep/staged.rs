@@ -1,0 +1,355 @@
+//! The kernels of a function from its stages: over inputs, and over mechanisms with inputs.
+
+use core::borrow::Borrow;
+use core::marker::PhantomData;
+
+use linkage_core::Scalar;
+
+use super::arguments::Arguments;
+use super::blocks::{next_vectors, put, rows};
+use super::kernel::Kernel;
+use crate::support::stages::{
+    Block, FinishedRows, Memory, RowNumbers, RunStages, Stage, StageRow, Staged,
+};
+
+/// The numbers of a row, to write to.
+pub trait RowNumbersMut<T> {
+    /// Changes number `k`.
+    fn put(&mut self, k: usize, value: T);
+}
+
+/// A function over mechanisms: the prepared numbers of each mechanism that the function uses.
+pub trait SetStages<T, C> {
+    /// The prepared numbers of `B` rows.
+    type Prepared<const B: usize>: Memory<T>;
+
+    /// Prepares the mechanism of a row, in the assembly that `core` is of.
+    fn prepare<const FUSED: bool>(
+        core: &C,
+        dimensions: &impl RowNumbers<T>,
+        prepared: &mut impl RowNumbersMut<T>,
+    );
+
+    /// The data of the assembly of a row, with the prepared numbers that the function uses.
+    fn core(core: &C, dimensions: &impl RowNumbers<T>, prepared: &impl RowNumbers<T>) -> C;
+}
+
+/// The kernel over inputs of the function `F`.
+#[derive(Debug)]
+pub struct OverInputs<'a, C, F>(&'a C, PhantomData<fn() -> F>);
+
+impl<'a, C, F> OverInputs<'a, C, F> {
+    /// For an assembly with the data `core`.
+    pub fn new(core: &'a C) -> Self {
+        Self(core, PhantomData)
+    }
+}
+
+impl<T, C, F, const N: usize, const W: usize> Kernel<T, N, W> for OverInputs<'_, C, F>
+where
+    T: Scalar,
+    C: Copy,
+    F: Staged<T, C, N, W>,
+{
+    const WIDE: bool = F::WIDE;
+
+    #[inline(always)]
+    fn evaluate<const FUSED: bool, const V: usize, const B: usize>(
+        &self,
+        arguments: &impl Arguments<T, N>,
+        first: usize,
+        mut columns: [&mut [T]; W],
+    ) {
+        let core = *self.0;
+        let zero = T::from_f64(0.0);
+        let mut x = Block::<T, B, N>::filled(zero);
+        let mut memory = F::Memory::<B>::filled(zero);
+        let count = rows(&columns);
+        let mut done = 0;
+        while done < count {
+            let vectors = next_vectors::<V, B>(count - done, count);
+            let row = done.min(count - vectors * V);
+            arguments.block::<FUSED, V, B>(first + row, vectors * V, &mut x.0);
+            F::run(&mut BlockStages::<_, _, _, FUSED, V, B, N, W, 0> {
+                cores: &OneCore(&core),
+                x: &x,
+                memory: &mut memory,
+                zero,
+                columns: &mut columns,
+                vectors,
+                row,
+            });
+            done = row + vectors * V;
+        }
+    }
+}
+
+/// The kernel over mechanisms of the function `F`: rows of `R` numbers, which are `P` dimensions
+/// and `N` arguments.
+#[derive(Debug)]
+pub struct OverSets<'a, C, F, const P: usize, const N: usize, const R: usize>(
+    &'a C,
+    PhantomData<fn() -> F>,
+);
+
+impl<'a, C, F, const P: usize, const N: usize, const R: usize> OverSets<'a, C, F, P, N, R> {
+    /// For mechanisms assembled as the one with the data `core`.
+    pub fn new(core: &'a C) -> Self {
+        Self(core, PhantomData)
+    }
+}
+
+impl<T, C, F, const P: usize, const N: usize, const R: usize, const W: usize> Kernel<T, R, W>
+    for OverSets<'_, C, F, P, N, R>
+where
+    T: Scalar,
+    C: Copy,
+    F: Staged<T, C, N, W> + SetStages<T, C>,
+{
+    const WIDE: bool = F::WIDE;
+
+    #[inline(always)]
+    fn evaluate<const FUSED: bool, const V: usize, const B: usize>(
+        &self,
+        arguments: &impl Arguments<T, R>,
+        first: usize,
+        mut columns: [&mut [T]; W],
+    ) {
+        const { assert!(R == P + N, "dimensions and arguments") };
+        let core = *self.0;
+        let zero = T::from_f64(0.0);
+        let mut x = Block::<T, B, R>::filled(zero);
+        let mut prepared = F::Prepared::<B>::filled(zero);
+        let mut memory = F::Memory::<B>::filled(zero);
+        let count = rows(&columns);
+        let mut done = 0;
+        while done < count {
+            let vectors = next_vectors::<V, B>(count - done, count);
+            let row = done.min(count - vectors * V);
+            arguments.block::<FUSED, V, B>(first + row, vectors * V, &mut x.0);
+            // All rows of the block, also those that are not asked for: only a loop of a fixed
+            // length becomes vectors of full width.
+            let mut lane = 0;
+            while lane < B {
+                let prepared = &mut prepared;
+                F::prepare::<FUSED>(&core, &Row(&x, lane), &mut RowMut(prepared, lane));
+                lane = lane.wrapping_add(1);
+            }
+            F::run(&mut BlockStages::<_, _, _, FUSED, V, B, R, W, P> {
+                cores: &SetCores::<_, _, _, F>(&core, &x, &prepared, PhantomData),
+                x: &x,
+                memory: &mut memory,
+                zero,
+                columns: &mut columns,
+                vectors,
+                row,
+            });
+            done = row + vectors * V;
+        }
+    }
+}
+
+/// Row `.1` of a block.
+struct Row<'a, M>(&'a M, usize);
+
+impl<T, M: Memory<T>> RowNumbers<T> for Row<'_, M> {
+    #[inline(always)]
+    fn number(&self, k: usize) -> T {
+        self.0.number(k, self.1)
+    }
+}
+
+/// Row `.2` of vector `.1` of a block.
+struct RowIn<'a, M, const V: usize>(&'a M, usize, usize);
+
+impl<T, M: Memory<T>, const V: usize> RowNumbers<T> for RowIn<'_, M, V> {
+    #[inline(always)]
+    fn number(&self, k: usize) -> T {
+        self.0.number_in::<V>(k, self.1, self.2)
+    }
+}
+
+/// Row `.1` of a block, to write to.
+struct RowMut<'a, M>(&'a mut M, usize);
+
+impl<T, M: Memory<T>> RowNumbersMut<T> for RowMut<'_, M> {
+    #[inline(always)]
+    fn put(&mut self, k: usize, value: T) {
+        self.0.put(k, self.1, value);
+    }
+}
+
+/// The data of the assembly of each row.
+trait Cores<T, C> {
+    /// For a row of the block.
+    fn at<const V: usize>(&self, vector: usize, lane: usize) -> impl Borrow<C>;
+}
+
+/// All rows are positions of one assembly.
+struct OneCore<'a, C>(&'a C);
+
+impl<T, C> Cores<T, C> for OneCore<'_, C> {
+    #[inline(always)]
+    fn at<const V: usize>(&self, _: usize, _: usize) -> impl Borrow<C> {
+        self.0
+    }
+}
+
+/// Each row is another mechanism.
+struct SetCores<'a, C, X, M, F>(&'a C, &'a X, &'a M, PhantomData<fn() -> F>);
+
+impl<T, C, X, M, F> Cores<T, C> for SetCores<'_, C, X, M, F>
+where
+    X: Memory<T>,
+    M: Memory<T>,
+    F: SetStages<T, C>,
+{
+    #[inline(always)]
+    fn at<const V: usize>(&self, vector: usize, lane: usize) -> impl Borrow<C> {
+        let x = RowIn::<_, V>(self.1, vector, lane);
+        F::core(self.0, &x, &RowIn::<_, V>(self.2, vector, lane))
+    }
+}
+
+/// The stages over a block of `B` rows, `V` of them side by side. The arguments begin at number
+/// `FIRST` of a row.
+struct BlockStages<
+    'a,
+    'c,
+    T,
+    S,
+    M,
+    const FUSED: bool,
+    const V: usize,
+    const B: usize,
+    const R: usize,
+    const W: usize,
+    const FIRST: usize,
+> {
+    cores: &'a S,
+    x: &'a Block<T, B, R>,
+    memory: &'a mut M,
+    zero: T,
+    columns: &'a mut [&'c mut [T]; W],
+    /// The number of vectors in the block.
+    vectors: usize,
+    /// The row of the columns at which the block begins.
+    row: usize,
+}
+
+impl<
+    T,
+    C,
+    F,
+    S,
+    M,
+    const FUSED: bool,
+    const V: usize,
+    const B: usize,
+    const R: usize,
+    const W: usize,
+    const FIRST: usize,
+> RunStages<T, C, F> for BlockStages<'_, '_, T, S, M, FUSED, V, B, R, W, FIRST>
+where
+    T: Copy,
+    S: Cores<T, C>,
+    M: Memory<T>,
+{
+    // The loop counts vectors and not rows, so that the optimiser knows that they fit. Wrapping
+    // arithmetic, here and in rows: with a branch for overflow there would be no vectors.
+    #[inline(always)]
+    fn stage<const K: usize>(&mut self)
+    where
+        F: Stage<T, C, K>,
+    {
+        let vectors = self.vectors;
+        let mut vector = 0;
+        while vector < vectors {
+            let mut finished = Block::<T, V, W>::filled(self.zero);
+            let mut lane = 0;
+            while lane < V {
+                let mut row = BlockRow::<_, _, B, V, R, W, FIRST> {
+                    x: self.x,
+                    memory: self.memory,
+                    finished: &mut finished,
+                    vector,
+                    lane,
+                };
+                F::row::<FUSED, true>(self.cores.at::<V>(vector, lane).borrow(), &mut row);
+                lane = lane.wrapping_add(1);
+            }
+            F::write(&mut FinishedVector {
+                finished: &finished,
+                columns: self.columns,
+                row: self.row + vector * V,
+            });
+            vector = vector.wrapping_add(1);
+        }
+    }
+}
+
+/// Row `lane` of a vector of a block.
+struct BlockRow<
+    'a,
+    T,
+    M,
+    const B: usize,
+    const V: usize,
+    const R: usize,
+    const W: usize,
+    const FIRST: usize,
+> {
+    x: &'a Block<T, B, R>,
+    memory: &'a mut M,
+    finished: &'a mut Block<T, V, W>,
+    vector: usize,
+    lane: usize,
+}
+
+impl<T, M, const B: usize, const V: usize, const R: usize, const W: usize, const FIRST: usize>
+    RowNumbers<T> for BlockRow<'_, T, M, B, V, R, W, FIRST>
+where
+    T: Copy,
+{
+    #[inline(always)]
+    fn number(&self, k: usize) -> T {
+        self.x
+            .number_in::<V>(FIRST.wrapping_add(k), self.vector, self.lane)
+    }
+}
+
+impl<T, M, const B: usize, const V: usize, const R: usize, const W: usize, const FIRST: usize>
+    StageRow<T> for BlockRow<'_, T, M, B, V, R, W, FIRST>
+where
+    T: Copy,
+    M: Memory<T>,
+{
+    #[inline(always)]
+    fn kept(&self, k: usize) -> T {
+        self.memory.number_in::<V>(k, self.vector, self.lane)
+    }
+
+    #[inline(always)]
+    fn keep(&mut self, k: usize, value: T) {
+        self.memory.put_in::<V>(k, self.vector, self.lane, value);
+    }
+
+    #[inline(always)]
+    fn finish(&mut self, k: usize, value: T) {
+        self.finished.put(k, self.lane, value);
+    }
+}
+
+/// The finished results of `V` rows, and the columns from `row` on that they belong into.
+struct FinishedVector<'a, 'c, T, const V: usize, const W: usize> {
+    finished: &'a Block<T, V, W>,
+    columns: &'a mut [&'c mut [T]; W],
+    row: usize,
+}
+
+impl<T: Copy, const V: usize, const W: usize> FinishedRows for FinishedVector<'_, '_, T, V, W> {
+    #[inline(always)]
+    fn write(&mut self, k: usize) {
+        put(self.columns[k], self.row, &self.finished.0[k]);
+    }
+}
