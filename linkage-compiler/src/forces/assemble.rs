@@ -15,7 +15,7 @@ use crate::model::Rotation;
 
 /// The system, made when it is first asked for.
 pub(super) fn system<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Rc<System<'m>> {
-    if let Some(known) = &mechanics.forces.system {
+    if let Some(known) = &mechanics.forces.memo.system {
         return known.clone();
     }
     let plain = assembled(mechanics, Vec::new());
@@ -26,7 +26,7 @@ pub(super) fn system<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Rc<System<'m>> {
         assembled(mechanics, links)
     };
     let system = Rc::new(system);
-    mechanics.forces.system = Some(system.clone());
+    mechanics.forces.memo.system = Some(system.clone());
     system
 }
 
@@ -66,7 +66,7 @@ pub(super) fn spins<'m>(mechanics: &Mechanics<'_, 'm>, axial: &[Axial]) -> Vec<U
         kind.rotation() == Rotation::Freely && axial.iter().all(|link| link.link != body)
     });
     let rods = rods.filter_map(|rod| {
-        let along = mechanics.forces.geometry.rod(rod)?;
+        let along = mechanics.forces.bodies.geometry.rod(rod)?;
         Some(Unknown::Spin { rod, along })
     });
     rods.collect()
@@ -77,10 +77,10 @@ pub(super) fn reactions<'m>(
     mechanics: &Mechanics<'_, 'm>,
     axial: &[Axial],
 ) -> (Vec<Component<'m>>, Vec<Component<'m>>) {
-    let geometry = &mechanics.forces.geometry;
+    let geometry = &mechanics.forces.bodies.geometry;
     let plane = geometry.is_plane();
     let (mut unknowns, mut equations) = (Vec::new(), Vec::new());
-    for &joint in &mechanics.forces.tree.closing {
+    for &joint in &mechanics.forces.bodies.tree.closing {
         let component = |is_moment| {
             move |direction| Component {
                 joint,

@@ -43,10 +43,10 @@ pub(super) fn moment_of_mass<'m>(
 ) -> Option<Vn<'m>> {
     let mechanism = mechanics.algebra.mechanism;
     let joint = &mechanism.joints[mechanism.bodies[body].joint];
-    let origin = mechanics.forces.geometry.origins[body];
+    let origin = mechanics.forces.bodies.geometry.origins[body];
     let rests = joint.on.is_none() && origin.iter().all(|x| x.is_fixed());
     let is_pin = joint.kind.rotation() == Rotation::AboutAxis && !joint.kind.slides();
-    if !mechanics.forces.geometry.is_plane() || !is_pin || !rests {
+    if !mechanics.forces.bodies.geometry.is_plane() || !is_pin || !rests {
         return None;
     }
     let gain = motion::angular_acceleration(mechanics, body);

@@ -53,7 +53,7 @@ fn check_system(mechanics: &mut Mechanics<'_, '_>, positions: &Positions, report
 /// Drives that drive nothing.
 fn report_still(mechanics: &Mechanics<'_, '_>, system: &System, reporter: &mut Reporter) {
     let mechanism = mechanics.algebra.mechanism;
-    let still = &mechanics.forces.still;
+    let still = &mechanics.forces.bodies.facts.still;
     let driven = system.driven.iter();
     for way in driven.filter(|way| still.contains(&(way.body, way.slides))) {
         let body = &mechanism.bodies[way.body];

@@ -6,7 +6,7 @@ use crate::forces::context::Mechanics;
 /// does, and 0 if neither or both do.
 pub(super) fn joins(mechanics: &Mechanics<'_, '_>, joint: usize, body: usize) -> i32 {
     let declared = &mechanics.algebra.mechanism.joints[joint];
-    let tree = &mechanics.forces.tree;
+    let tree = &mechanics.forces.bodies.tree;
     i32::from(tree.hangs_on(Some(declared.body), body))
         - i32::from(tree.hangs_on(declared.on, body))
 }
@@ -20,6 +20,6 @@ pub(super) fn at_ends(mechanics: &Mechanics<'_, '_>, joint: usize, body: usize) 
 /// True if both bodies of a cut joint hang on a body.
 pub(super) fn is_inside(mechanics: &Mechanics<'_, '_>, joint: usize, body: usize) -> bool {
     let declared = &mechanics.algebra.mechanism.joints[joint];
-    let tree = &mechanics.forces.tree;
+    let tree = &mechanics.forces.bodies.tree;
     tree.hangs_on(Some(declared.body), body) && tree.hangs_on(declared.on, body)
 }

@@ -8,7 +8,7 @@ use crate::forces::{equations, motion};
 /// A motion that the loops make steady may be driven, too: the length of a leg to a point that is
 /// an unknown. As long as motions lack a reaction, such ones are taken for driven.
 pub(super) fn drive_steady<'m>(mechanics: &mut Mechanics<'_, 'm>, system: &mut System<'m>) {
-    for (body, slides) in mechanics.forces.steady.clone() {
+    for (body, slides) in mechanics.forces.bodies.facts.steady.clone() {
         let is_this = |equation: &Equation| {
             let way = equation.motion();
             way.is_some_and(|way| (way.body, way.slides) == (body, slides))
@@ -36,7 +36,7 @@ pub(super) fn drive_steady<'m>(mechanics: &mut Mechanics<'_, 'm>, system: &mut S
 /// an equation, such motions are taken for held, those farthest from the frame first.
 pub(super) fn release_held<'m>(mechanics: &mut Mechanics<'_, 'm>, system: &mut System<'m>) {
     let mut candidates = system.driven.clone();
-    candidates.sort_by_key(|way| (mechanics.forces.tree.depth(way.body), way.body));
+    candidates.sort_by_key(|way| (mechanics.forces.bodies.tree.depth(way.body), way.body));
     while system.lacks_equations() && system.driven.len() > motion::drives(mechanics) {
         let Some(way) = candidates.pop() else { return };
         let before = system.clone();

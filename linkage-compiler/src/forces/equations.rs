@@ -50,7 +50,7 @@ pub(super) fn coefficient<'m>(
             way.direction.dot(*along)
         }
         (Equation::Motion(way), Unknown::Tie(tie)) if !way.slides => {
-            let tree = &mechanics.forces.tree;
+            let tree = &mechanics.forces.bodies.tree;
             let beyond = tie.couples.iter();
             let beyond = beyond.filter(|(body, _)| tree.hangs_on(Some(*body), way.body));
             let share = beyond.map(|(_, share)| share).sum();
@@ -72,7 +72,10 @@ pub(super) fn work<'m>(
         (true, true) => mechanics.algebra.zero(),
         (true, false) | (false, true) => way.direction.dot(unknown.direction),
         (false, false) => {
-            let arm = mechanics.arm(way.body, mechanics.forces.geometry.points[unknown.joint]);
+            let arm = mechanics.arm(
+                way.body,
+                mechanics.forces.bodies.geometry.points[unknown.joint],
+            );
             way.direction.dot(arm.moment_of(unknown.direction))
         }
     }

@@ -19,7 +19,7 @@ pub(super) fn across_link<'m>(mechanics: &mut Mechanics<'_, 'm>, axial: &Axial) 
     let loads = wrench(mechanics, axial.link, &[axial.joint], &[]);
     let v = links::link_vector(mechanics, axial);
     let square = v.square();
-    let across = if mechanics.forces.geometry.is_plane() {
+    let across = if mechanics.forces.bodies.geometry.is_plane() {
         loads.moment.at(0) * Vn::from(Vector([v.at(1), -v.at(0)]))
     } else {
         v.moment_of(loads.moment)
@@ -84,7 +84,7 @@ pub(super) fn solved<'m>(mechanics: &mut Mechanics<'_, 'm>, unknown: usize) -> E
         .map(|&equation| -known(mechanics, &system, equation, &found_here))
         .collect();
     let matrix = system.matrix_of(block);
-    let known = mechanics.forces.loop_values.determinant(block);
+    let known = mechanics.forces.bodies.loop_values.determinant(block);
     let determinant =
         known.unwrap_or_else(|| cofactors::determinant(mechanics.algebra.graph, &matrix));
     let numerators = cofactors::cofactor_products(mechanics.algebra.graph, &matrix, &right);
@@ -128,7 +128,7 @@ pub(super) fn wrench<'m>(
     inside: &[usize],
     open: &[usize],
 ) -> Wrench<'m> {
-    let closing = mechanics.forces.tree.closing.iter().copied();
+    let closing = mechanics.forces.bodies.tree.closing.iter().copied();
     let (inside, crossing): (Vec<usize>, Vec<usize>) = closing
         .filter(|&joint| {
             cut_joints::is_inside(mechanics, joint, body)
@@ -143,7 +143,7 @@ pub(super) fn wrench<'m>(
         Unknown::Spin { .. } => false,
         Unknown::Tie(tie) => {
             let mut bodies = tie.couples.iter();
-            bodies.any(|(tied, _)| mechanics.forces.tree.hangs_on(Some(*tied), body))
+            bodies.any(|(tied, _)| mechanics.forces.bodies.tree.hangs_on(Some(*tied), body))
         }
     };
     let open: Vec<usize> = open.iter().filter(touches).copied().collect();
@@ -160,7 +160,7 @@ pub(super) fn wrench<'m>(
         }
         let reaction = closing_wrench(mechanics, joint, open);
         let reaction = if sign < 0 { -reaction } else { reaction };
-        let point = mechanics.forces.geometry.points[joint];
+        let point = mechanics.forces.bodies.geometry.points[joint];
         sum = sum + reaction.with_arm(mechanics.arm(body, point));
     }
     for (index, unknown) in system.unknowns.iter().enumerate() {
@@ -171,12 +171,12 @@ pub(super) fn wrench<'m>(
             sum.moment = sum.moment + couple.into();
         }
     }
-    for child in mechanics.forces.tree.children[body].clone() {
+    for child in mechanics.forces.bodies.tree.children[body].clone() {
         let mut beyond = wrench(mechanics, child, inside, open);
         if open.is_empty() && is_balanced(mechanics, &system, child, inside) {
             beyond.moment = mechanics.zero_turn();
         }
-        let point = mechanics.forces.geometry.origins[child];
+        let point = mechanics.forces.bodies.geometry.origins[child];
         sum = sum + beyond.with_arm(mechanics.arm(body, point));
     }
     loads::case(mechanics).wrenches.insert(carried, sum);
@@ -192,7 +192,7 @@ pub(super) fn is_balanced<'m>(
     inside: &[usize],
 ) -> bool {
     let mut ways = system.equations.iter().filter_map(Equation::motion);
-    mechanics.forces.geometry.is_plane()
+    mechanics.forces.bodies.geometry.is_plane()
         && ways.any(|way| way.body == body && !way.slides)
         && inside
             .iter()

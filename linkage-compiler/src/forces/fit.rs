@@ -88,8 +88,11 @@ fn pairs<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Vec<Pair<'m>> {
 
 fn pair_of_points<'m>(mechanics: &mut Mechanics<'_, 'm>, joint: usize, input: usize) -> Pair<'m> {
     let declared = &mechanics.algebra.mechanism.joints[joint];
-    let (point, by) = (mechanics.forces.geometry.points[joint], By::Input(input));
-    let direction = mechanics.forces.geometry.directions[joint];
+    let (point, by) = (
+        mechanics.forces.bodies.geometry.points[joint],
+        By::Input(input),
+    );
+    let direction = mechanics.forces.bodies.geometry.directions[joint];
     Pair {
         input,
         first: motion::velocity_of(mechanics, Some(declared.body), point, by),
@@ -108,7 +111,7 @@ fn pair_of_turns<'m>(
     let declared = &mechanics.algebra.mechanism.joints[joint];
     let except = match declared.kind.rotation() {
         Rotation::Not => None,
-        Rotation::AboutAxis => Some(mechanics.forces.geometry.directions[joint]?),
+        Rotation::AboutAxis => Some(mechanics.forces.bodies.geometry.directions[joint]?),
         Rotation::Freely => return None,
     };
     let by = By::Input(input);

@@ -23,7 +23,7 @@ const RATIO: f64 = 1e-9;
 pub(super) fn motions<'m>(mechanics: &mut Mechanics<'_, 'm>, held: usize) -> Motions<'m> {
     let unknowns = unknown_variables(mechanics.algebra);
     let mut motions = Motions::default();
-    for body in mechanics.forces.tree.order.clone() {
+    for body in mechanics.forces.bodies.tree.order.clone() {
         for way in ways(mechanics, body) {
             let is_held = unknowns.iter().all(|&unknown| {
                 let rate = relative_rate(mechanics, &way, unknown);
@@ -36,7 +36,7 @@ pub(super) fn motions<'m>(mechanics: &mut Mechanics<'_, 'm>, held: usize) -> Mot
             }
         }
     }
-    if mechanics.forces.geometry.is_plane() && motions.free.len() > held {
+    if mechanics.forces.bodies.geometry.is_plane() && motions.free.len() > held {
         motions.ties = ties(
             mechanics,
             &motions.free,
@@ -56,7 +56,7 @@ fn ties<'m>(
     unknowns: &[By],
 ) -> Vec<Tie> {
     let alike = alike(mechanics);
-    let mut seen = vec![alike[mechanics.forces.tree.parent.len()]];
+    let mut seen = vec![alike[mechanics.forces.bodies.tree.parent.len()]];
     let mut basis: Vec<(usize, Vec<f64>)> = Vec::new();
     let mut ties = Vec::new();
     for way in free.iter().filter(|way| !way.slides) {
@@ -84,7 +84,7 @@ fn ties<'m>(
 /// For each body and, last, for the frame: a number that those share which slides and `fixed`
 /// joints let turn alike only.
 fn alike(mechanics: &Mechanics<'_, '_>) -> Vec<usize> {
-    let frame = mechanics.forces.tree.parent.len();
+    let frame = mechanics.forces.bodies.tree.parent.len();
     let mut alike: Vec<usize> = (0..=frame).collect();
     for joint in &mechanics.algebra.mechanism.joints {
         if joint.kind.rotation() == Rotation::Not {
@@ -123,7 +123,7 @@ pub(super) fn tie_rate<'m>(mechanics: &mut Mechanics<'_, 'm>, tie: &Tie, input: 
 pub(super) fn ways<'m>(mechanics: &Mechanics<'_, 'm>, body: usize) -> Vec<JointMotion<'m>> {
     let joint = mechanics.algebra.mechanism.bodies[body].joint;
     let kind = mechanics.algebra.mechanism.joints[joint].kind;
-    let geometry = &mechanics.forces.geometry;
+    let geometry = &mechanics.forces.bodies.geometry;
     let direction = geometry.directions[joint];
     let way = |slides, direction| JointMotion {
         body,
@@ -154,9 +154,9 @@ pub(super) fn relative_rate<'m>(
     way: &JointMotion<'m>,
     by: By,
 ) -> Ex<'m> {
-    let on = mechanics.forces.tree.parent[way.body];
+    let on = mechanics.forces.bodies.tree.parent[way.body];
     let relative = if way.slides {
-        let origin = mechanics.forces.geometry.origins[way.body];
+        let origin = mechanics.forces.bodies.geometry.origins[way.body];
         motion::moved(mechanics, origin, by) - motion::velocity_of(mechanics, on, origin, by)
     } else {
         motion::turn(mechanics, Some(way.body), by) - motion::turn(mechanics, on, by)
@@ -181,5 +181,5 @@ fn unknown_variables(algebra: &mut Algebra) -> Vec<By> {
 
 /// True for a slender rod.
 pub(super) fn is_rod(mechanics: &Mechanics<'_, '_>, body: usize) -> bool {
-    mechanics.forces.geometry.rod(body).is_some()
+    mechanics.forces.bodies.geometry.rod(body).is_some()
 }

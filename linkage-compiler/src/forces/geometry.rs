@@ -84,6 +84,16 @@ impl<'m> Geometry<'m> {
         if self.is_plane() { 1 } else { 3 }
     }
 
+    /// No force, no velocity.
+    pub(super) fn zero_vector(&self, graph: &'m Graph) -> Vn<'m> {
+        graph.zeros(self.dimensions)
+    }
+
+    /// No moment, no angular velocity.
+    pub(super) fn zero_turn(&self, graph: &'m Graph) -> Vn<'m> {
+        graph.zeros(self.turns())
+    }
+
     /// Unit vectors along the axes of coordinates.
     pub(super) fn units(&self, graph: &'m Graph) -> Vec<Vn<'m>> {
         let (one, zero) = (graph.one(), graph.zero());

@@ -25,7 +25,7 @@ pub(super) fn inertia_couple<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize)
     }
     let turned = turned(mechanics, body);
     let couple = inertia_times(mechanics, body, &turned, turned.gain);
-    if mechanics.forces.geometry.is_plane() {
+    if mechanics.forces.bodies.geometry.is_plane() {
         return Some(couple);
     }
     let momentum = inertia_times(mechanics, body, &turned, turned.velocity);
@@ -48,7 +48,7 @@ pub(super) fn twice_turning_energy<'m>(mechanics: &mut Mechanics<'_, 'm>, body: 
 
 /// The rotation of a body at the speeds that are listed.
 fn turned<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Turned<'m> {
-    match mechanics.forces.geometry.turning[body] {
+    match mechanics.forces.bodies.geometry.turning[body] {
         BodyTurn::Frame(axes) => turned_in_axes(mechanics, axes),
         BodyTurn::Rod(along) => turned_rod(mechanics, body, along),
         BodyTurn::Along | BodyTurn::Angle(_) | BodyTurn::About(..) => Turned {
@@ -81,7 +81,7 @@ fn turned_in_axes<'m>(mechanics: &mut Mechanics<'_, 'm>, axes: [Vn<'m>; 3]) -> T
 fn turned_rod<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize, v: Vn<'m>) -> Turned<'m> {
     let velocity = motion::angular_velocity(mechanics, body);
     let mut across = v.moment_of(motion::point_acceleration(mechanics, v));
-    if !mechanics.forces.rigid_rods.contains(&body) {
+    if !mechanics.forces.bodies.facts.rigid_rods.contains(&body) {
         let moved = motion::point_velocity(mechanics, v);
         across = across - (2.0 * v.dot(moved)) * velocity;
     }
@@ -116,7 +116,7 @@ fn inertia_times<'m>(
         };
         sum = sum + whole;
         let Some(about) = about else { continue };
-        let points = match (inertia, mechanics.forces.geometry.axis(body)) {
+        let points = match (inertia, mechanics.forces.bodies.geometry.axis(body)) {
             // The number says nothing of the masses' products of inertia.
             (Inertia::Scalar(_), Some(axis)) => {
                 let turn = turn.along(axis);
@@ -148,7 +148,7 @@ fn points_about<'m>(
             Some(axes) => Vector(axes.map(|axis| axis.dot(arm))).into(),
             None => arm,
         };
-        let part = if mechanics.forces.geometry.is_plane() {
+        let part = if mechanics.forces.bodies.geometry.is_plane() {
             arm.square() * turn
         } else {
             arm.moment_of(turn.sweeping(arm))
@@ -167,7 +167,7 @@ fn scalar_inertia<'m>(
     turn: Vn<'m>,
 ) -> Vn<'m> {
     let inertia = mechanics.algebra.translate_number(inertia);
-    match mechanics.forces.geometry.axis(body) {
+    match mechanics.forces.bodies.geometry.axis(body) {
         Some(axis) => inertia * turn.along(axis),
         None => inertia * turn,
     }

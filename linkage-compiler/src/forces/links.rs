@@ -10,15 +10,15 @@ use crate::forces::{cut_joints, freedom};
 /// Links of large blocks that one cut joint holds, and all rods.
 pub(super) fn links(mechanics: &Mechanics<'_, '_>, system: &System) -> Vec<Axial> {
     let mut links: Vec<Axial> = Vec::new();
-    for &joint in &mechanics.forces.tree.closing {
+    for &joint in &mechanics.forces.bodies.tree.closing {
         let declared = &mechanics.algebra.mechanism.joints[joint];
-        let plane = mechanics.forces.geometry.is_plane();
+        let plane = mechanics.forces.bodies.geometry.is_plane();
         if !declared.kind.transmits_no_moment(plane) {
             continue;
         }
         let mut links_here = Vec::new();
         for end in [Some(declared.body), declared.on] {
-            let tree = &mechanics.forces.tree;
+            let tree = &mechanics.forces.bodies.tree;
             let up = std::iter::successors(end, |&body| tree.parent[body]);
             links_here.extend(up.filter(|&body| is_link(mechanics, system, body, joint)));
         }
@@ -39,7 +39,7 @@ pub(super) fn links(mechanics: &Mechanics<'_, '_>, system: &System) -> Vec<Axial
 fn is_link(mechanics: &Mechanics<'_, '_>, system: &System, body: usize, joint: usize) -> bool {
     let mechanism = mechanics.algebra.mechanism;
     let body_joint = &mechanism.joints[mechanism.bodies[body].joint];
-    let tree = &mechanics.forces.tree;
+    let tree = &mechanics.forces.bodies.tree;
     let hangs = |other: usize| tree.hangs_on(Some(other), body);
     let cuts = |other: &usize| {
         let declared = &mechanism.joints[*other];
@@ -49,7 +49,7 @@ fn is_link(mechanics: &Mechanics<'_, '_>, system: &System, body: usize, joint: u
     let mut moves = system.equations.iter().filter_map(Equation::motion);
     body_joint
         .kind
-        .transmits_no_moment(mechanics.forces.geometry.is_plane())
+        .transmits_no_moment(mechanics.forces.bodies.geometry.is_plane())
         && cut.all(|&other| other == joint)
         && cut_joints::joins(mechanics, joint, body) != 0
         && !moves.any(|way| way.body != body && hangs(way.body))
@@ -58,5 +58,8 @@ fn is_link(mechanics: &Mechanics<'_, '_>, system: &System, body: usize, joint: u
 
 /// The vector from a link's origin to the cut joint at its other end.
 pub(super) fn link_vector<'m>(mechanics: &Mechanics<'_, 'm>, axial: &Axial) -> Vn<'m> {
-    mechanics.arm(axial.link, mechanics.forces.geometry.points[axial.joint])
+    mechanics.arm(
+        axial.link,
+        mechanics.forces.bodies.geometry.points[axial.joint],
+    )
 }

@@ -15,7 +15,12 @@ use crate::model::{Between, Element, ElementKind, Expr};
 
 /// The forces at the speeds that are listed, the loads at least.
 pub(super) fn case<'c, 'm>(mechanics: &'c mut Mechanics<'_, 'm>) -> &'c mut Case<'m> {
-    if !mechanics.forces.cases.contains_key(&mechanics.speeds) {
+    if !mechanics
+        .forces
+        .memo
+        .cases
+        .contains_key(&mechanics.question.speeds)
+    {
         let case = Case {
             loads: Rc::new(all_loads(mechanics)),
             wrenches: Map::new(),
@@ -23,10 +28,15 @@ pub(super) fn case<'c, 'm>(mechanics: &'c mut Mechanics<'_, 'm>) -> &'c mut Case
         };
         mechanics
             .forces
+            .memo
             .cases
-            .insert(mechanics.speeds.clone(), case);
+            .insert(mechanics.question.speeds.clone(), case);
     }
-    let case = mechanics.forces.cases.get_mut(&mechanics.speeds);
+    let case = mechanics
+        .forces
+        .memo
+        .cases
+        .get_mut(&mechanics.question.speeds);
     case.expect("just made")
 }
 
@@ -62,7 +72,7 @@ pub(super) fn all_loads<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Loads<'m> {
 
 /// A force as a vector; a torque as a turn.
 fn load_vector<'m>(mechanics: &mut Mechanics<'_, 'm>, value: &Expr, is_force: bool) -> Vn<'m> {
-    if is_force || !mechanics.forces.geometry.is_plane() {
+    if is_force || !mechanics.forces.bodies.geometry.is_plane() {
         geometry::vector_of(mechanics.algebra, value)
     } else {
         Vector([mechanics.algebra.translate_number(value)]).into()
@@ -172,7 +182,7 @@ fn joint_element<'m>(
     };
     let strength = -(rate * coordinate);
     let mut wrench = context::zero_wrench(mechanics);
-    match mechanics.forces.geometry.directions[joint] {
+    match mechanics.forces.bodies.geometry.directions[joint] {
         Some(guide) if acts_along_guide(mechanics, joint) => wrench.force = strength * guide,
         Some(axis) => wrench.moment = strength * axis,
         None => wrench.moment = Vector([strength]).into(),
@@ -190,7 +200,7 @@ fn acts_along_guide(mechanics: &Mechanics<'_, '_>, joint: usize) -> bool {
 pub(super) fn joint_coordinate<'m>(mechanics: &Mechanics<'_, 'm>, joint: usize) -> Ex<'m> {
     let declared = &mechanics.algebra.mechanism.joints[joint];
     let (body, on) = (declared.body, declared.on);
-    let geometry = &mechanics.forces.geometry;
+    let geometry = &mechanics.forces.bodies.geometry;
     if let Some(guide) = geometry.directions[joint].filter(|_| acts_along_guide(mechanics, joint)) {
         let point = geometry.points[joint];
         return guide.dot(on.map_or(point, |on| mechanics.arm(on, point)));
@@ -199,7 +209,7 @@ pub(super) fn joint_coordinate<'m>(mechanics: &Mechanics<'_, 'm>, joint: usize) 
         return scalar::value_of(mechanics.algebra, angle);
     }
     let [angle, other] = [Some(body), on]
-        .map(|body| geometry.angle(mechanics.algebra, &mechanics.forces.tree, body));
+        .map(|body| geometry.angle(mechanics.algebra, &mechanics.forces.bodies.tree, body));
     scalar::value_of(mechanics.algebra, &angle.combined(&other, -1.0))
 }
 
@@ -208,18 +218,18 @@ fn joint_speed<'m>(mechanics: &mut Mechanics<'_, 'm>, joint: usize) -> Ex<'m> {
     let declared = &mechanics.algebra.mechanism.joints[joint];
     let (body, on) = (Some(declared.body), declared.on);
     let relative = if acts_along_guide(mechanics, joint) {
-        let point = mechanics.forces.geometry.points[joint];
+        let point = mechanics.forces.bodies.geometry.points[joint];
         motion::in_time(mechanics, point.len(), |mechanics, by| {
             motion::velocity_of(mechanics, body, point, by)
                 - motion::velocity_of(mechanics, on, point, by)
         })
     } else {
-        let count = mechanics.forces.geometry.turns();
+        let count = mechanics.forces.bodies.geometry.turns();
         motion::in_time(mechanics, count, |mechanics, by| {
             motion::turn(mechanics, body, by) - motion::turn(mechanics, on, by)
         })
     };
-    match mechanics.forces.geometry.directions[joint] {
+    match mechanics.forces.bodies.geometry.directions[joint] {
         Some(way) => way.dot(relative),
         None => relative.at(0),
     }

@@ -23,7 +23,7 @@ pub(super) fn find_links(
     let links = groups.flat_map(|group| group.links.iter().flatten());
     let links: Vec<Vn> = links.map(|link| link.vector.into()).collect();
     let ends: Vec<(usize, Vn)> = ends_of_arms(mechanics);
-    if links.is_empty() || ends.is_empty() || !mechanics.forces.geometry.is_plane() {
+    if links.is_empty() || ends.is_empty() || !mechanics.forces.bodies.geometry.is_plane() {
         return;
     }
     let arms = ends.iter().map(|&(body, point)| mechanics.arm(body, point));
@@ -43,14 +43,17 @@ pub(super) fn find_links(
         });
         if let Some(arm) = found {
             let key = (body, point.ids().to_vec());
-            mechanics.forces.loop_values.arms.insert(key, arm);
+            mechanics.forces.bodies.loop_values.arms.insert(key, arm);
         }
     }
 }
 
 /// The bodies with points that arms from their own joints lead to.
 pub(super) fn ends_of_arms<'m>(mechanics: &Mechanics<'_, 'm>) -> Vec<(usize, Vn<'m>)> {
-    let (tree, geometry) = (&mechanics.forces.tree, &mechanics.forces.geometry);
+    let (tree, geometry) = (
+        &mechanics.forces.bodies.tree,
+        &mechanics.forces.bodies.geometry,
+    );
     let cut = tree.closing.iter().flat_map(|&joint| {
         let declared = &mechanics.algebra.mechanism.joints[joint];
         let bodies = [Some(declared.body), declared.on].into_iter().flatten();
@@ -99,7 +102,7 @@ pub(super) fn find_determinants<'m>(
             })
         });
         if let Some(determinant) = found {
-            let determinants = &mut mechanics.forces.loop_values.determinants;
+            let determinants = &mut mechanics.forces.bodies.loop_values.determinants;
             determinants.insert((*block).clone(), determinant);
         }
     }

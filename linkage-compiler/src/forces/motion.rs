@@ -16,11 +16,11 @@ pub(super) fn drives(mechanics: &Mechanics<'_, '_>) -> usize {
 
 /// The speed of an input, if it is listed.
 pub(super) fn speed<'m>(mechanics: &Mechanics<'_, 'm>, input: usize) -> Option<Ex<'m>> {
-    mechanics.speeds.speeds[input].map(|argument| mechanics.algebra.input(argument))
+    mechanics.question.speeds.speeds[input].map(|argument| mechanics.algebra.input(argument))
 }
 
 fn acceleration<'m>(mechanics: &Mechanics<'_, 'm>, input: usize) -> Option<Ex<'m>> {
-    mechanics.speeds.accelerations[input].map(|argument| mechanics.algebra.input(argument))
+    mechanics.question.speeds.accelerations[input].map(|argument| mechanics.algebra.input(argument))
 }
 
 /// True if anything moves in time.
@@ -49,11 +49,11 @@ pub(super) fn turn<'m>(mechanics: &mut Mechanics<'_, 'm>, body: Option<usize>, b
     let Some(body) = body else {
         return mechanics.zero_turn();
     };
-    if let Some(&known) = mechanics.forces.motion.turns.get(&(body, by)) {
+    if let Some(&known) = mechanics.forces.memo.turns.get(&(body, by)) {
         return known;
     }
-    let on = mechanics.forces.tree.parent[body];
-    let turn = match mechanics.forces.geometry.turning[body].clone() {
+    let on = mechanics.forces.bodies.tree.parent[body];
+    let turn = match mechanics.forces.bodies.geometry.turning[body].clone() {
         BodyTurn::Along => turn(mechanics, on, by),
         BodyTurn::Angle(angle) => {
             let angle = scalar::value_of(mechanics.algebra, &angle);
@@ -74,7 +74,7 @@ pub(super) fn turn<'m>(mechanics: &mut Mechanics<'_, 'm>, body: Option<usize>, b
         // V x V' / V^2
         BodyTurn::Rod(v) => v.moment_of(moved(mechanics, v, by)) / v.square(),
     };
-    mechanics.forces.motion.turns.insert((body, by), turn);
+    mechanics.forces.memo.turns.insert((body, by), turn);
     turn
 }
 
@@ -88,7 +88,11 @@ pub(super) fn velocity_of<'m>(
     let Some(number) = body else {
         return mechanics.graph().zeros(point.len());
     };
-    let moved = moved(mechanics, mechanics.forces.geometry.origins[number], by);
+    let moved = moved(
+        mechanics,
+        mechanics.forces.bodies.geometry.origins[number],
+        by,
+    );
     let arm = mechanics.arm(number, point);
     moved + turn(mechanics, body, by).sweeping(arm)
 }
@@ -109,7 +113,8 @@ pub(super) fn in_time<'m>(
 /// The number of factors of [`gain`]: accelerations, and products of two speeds.
 pub(super) fn factors_of_gain(mechanics: &Mechanics<'_, '_>) -> usize {
     let count = |arguments: &[Option<usize>]| arguments.iter().flatten().count();
-    count(&mechanics.speeds.accelerations) + count(&mechanics.speeds.speeds).pow(2)
+    count(&mechanics.question.speeds.accelerations)
+        + count(&mechanics.question.speeds.speeds).pow(2)
 }
 
 /// The rate of a velocity, given the quantity's derivatives with respect to the inputs:
@@ -180,7 +185,7 @@ pub(super) fn point_momentum_gain<'m>(
 
 /// The angular velocity of a body, in time.
 pub(super) fn angular_velocity<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Vn<'m> {
-    let count = mechanics.forces.geometry.turns();
+    let count = mechanics.forces.bodies.geometry.turns();
     in_time(mechanics, count, |mechanics, by| {
         turn(mechanics, Some(body), by)
     })
@@ -188,7 +193,7 @@ pub(super) fn angular_velocity<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usiz
 
 /// The angular acceleration of a body.
 pub(super) fn angular_acceleration<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Vn<'m> {
-    let count = mechanics.forces.geometry.turns();
+    let count = mechanics.forces.bodies.geometry.turns();
     gain(mechanics, count, |mechanics, by| {
         turn(mechanics, Some(body), by)
     })

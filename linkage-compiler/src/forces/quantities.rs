@@ -32,13 +32,13 @@ pub(crate) fn quantity<'m>(mechanics: &mut Mechanics<'_, 'm>, quantity: &Quantit
 /// The force and moment that a joint transmits to its body, without the part of a drive in its
 /// motion.
 fn reaction<'m>(mechanics: &mut Mechanics<'_, 'm>, joint: usize) -> Wrench<'m> {
-    if mechanics.forces.tree.closing.contains(&joint) {
+    if mechanics.forces.bodies.tree.closing.contains(&joint) {
         return equilibrium::closing_wrench(mechanics, joint, &[]);
     }
     let declared = &mechanics.algebra.mechanism.joints[joint];
     let (body, kind) = (declared.body, declared.kind);
     let mut reaction = -equilibrium::wrench(mechanics, body, &[], &[]);
-    let Some(direction) = mechanics.forces.geometry.directions[joint] else {
+    let Some(direction) = mechanics.forces.bodies.geometry.directions[joint] else {
         return reaction;
     };
     // Where nothing drives it, equilibrium leaves nothing along the guide or about the axis.
@@ -59,7 +59,7 @@ fn is_driven(mechanics: &mut Mechanics<'_, '_>, body: usize, slides: bool) -> bo
 
 /// The torque or force of a drive.
 fn drive<'m>(mechanics: &mut Mechanics<'_, 'm>, input: usize) -> Ex<'m> {
-    if mechanics.with_reactions {
+    if mechanics.question.with_reactions {
         drive_of_joints(mechanics, input)
     } else {
         drive_of_loads(mechanics, input)

@@ -16,10 +16,10 @@ pub(super) fn record_steady_motion(mechanics: &mut Mechanics<'_, '_>, positions:
         for way in freedom::ways(mechanics, body) {
             record_rate(mechanics, &way, positions);
         }
-        if let Some(along) = mechanics.forces.geometry.rod(body)
+        if let Some(along) = mechanics.forces.bodies.geometry.rod(body)
             && keeps_its_length(mechanics, along, positions)
         {
-            mechanics.forces.rigid_rods.push(body);
+            mechanics.forces.bodies.facts.rigid_rods.push(body);
         }
     }
 }
@@ -38,10 +38,10 @@ fn record_rate<'m>(
     let moves = rates.iter().flatten().any(|rate| rate.abs() > EQUAL);
     let way = (way.body, way.slides);
     if moves && all_alike(&rates) {
-        mechanics.forces.steady.push(way);
+        mechanics.forces.bodies.facts.steady.push(way);
     }
     if !moves && !rates.is_empty() && !hangs_freely(mechanics, way.0) {
-        mechanics.forces.still.push(way);
+        mechanics.forces.bodies.facts.still.push(way);
     }
 }
 
