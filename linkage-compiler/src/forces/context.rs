@@ -2,8 +2,8 @@
 
 use std::rc::Rc;
 
+use linkage_symbolic::Ex;
 use linkage_symbolic::lookup::Map;
-use linkage_symbolic::{Ex, Graph, Vn};
 
 use crate::algebra::Algebra;
 use crate::forces::body_loads::Loads;
@@ -72,55 +72,4 @@ impl Question {
             with_reactions,
         }
     }
-}
-
-/// The mechanics of one mechanism together with its algebra, for the time of one question.
-pub(crate) struct Mechanics<'a, 'm> {
-    pub(super) algebra: &'a mut Algebra<'m>,
-    pub(super) forces: &'a mut Forces<'m>,
-    pub(super) question: Question,
-}
-
-impl<'m> Forces<'m> {
-    /// For a function that lists these inputs and arguments: speeds that it does not list are zero.
-    /// Drives are found from the joints if reactions are asked for, too.
-    pub(crate) fn in_function<'a>(
-        &'a mut self,
-        algebra: &'a mut Algebra<'m>,
-        listed: &[usize],
-        with_reactions: bool,
-    ) -> Mechanics<'a, 'm> {
-        let question = Question::new(algebra.mechanism, listed, with_reactions);
-        Mechanics {
-            algebra,
-            forces: self,
-            question,
-        }
-    }
-}
-
-impl<'m> Mechanics<'_, 'm> {
-    pub(super) fn graph(&self) -> &'m Graph {
-        self.algebra.graph
-    }
-
-    /// No force, no velocity.
-    pub(super) fn zero_vector(&self) -> Vn<'m> {
-        self.forces.bodies.geometry.zero_vector(self.graph())
-    }
-
-    /// No moment, no angular velocity.
-    pub(super) fn zero_turn(&self) -> Vn<'m> {
-        self.forces.bodies.geometry.zero_turn(self.graph())
-    }
-
-    /// The vector from a body's origin to a point.
-    pub(super) fn arm(&self, body: usize, point: Vn<'m>) -> Vn<'m> {
-        self.forces.bodies.arm(body, point)
-    }
-}
-
-/// Neither force nor moment.
-pub(super) fn zero_wrench<'m>(mechanics: &Mechanics<'_, 'm>) -> Wrench<'m> {
-    Wrench::zero(mechanics.graph(), &mechanics.forces.bodies.geometry)
 }

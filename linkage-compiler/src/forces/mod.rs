@@ -69,5 +69,5 @@ mod tree;
 mod wrench;
 
 pub(crate) use check::check;
-pub(crate) use context::Forces;
+pub(crate) use context::{Forces, Question};
 pub(crate) use print::describe;

@@ -6,7 +6,7 @@ use crate::algebra::derivatives::{dependence, direction, links, rotation_variati
 use crate::algebra::{
     Algebra, Direction, Shortcuts, Translate, Value, frame, scalar, translate, via_slider,
 };
-use crate::forces::{Forces, quantities};
+use crate::forces::{Forces, Question, quantities};
 use crate::model::{EvaluatorDef, Expr, ExprKind, Type, VECTORS_OF_PLANE, Variable};
 use crate::solve::Formulation;
 
@@ -304,10 +304,8 @@ impl<'m> Translate<'m> for Request<'_, 'm> {
                 let mechanism = self.algebra.mechanism;
                 let motion = listed.iter().filter(|&&input| !mechanism.is_load(input));
                 self.requested.variables.extend(motion);
-                let mut mechanics =
-                    self.forces
-                        .in_function(self.algebra, listed, self.with_reactions);
-                quantities::quantity(&mut mechanics, quantity)
+                let question = Question::new(mechanism, listed, self.with_reactions);
+                quantities::quantity(self.algebra, self.forces, &question, quantity)
             }
             ExprKind::Picture(_) => {
                 let vectors = self.drawn.iter().copied();
