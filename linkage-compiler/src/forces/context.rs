@@ -1,4 +1,4 @@
-//! What is known of the mechanics of a mechanism, and the question that a function puts.
+//! The bodies with the results that are known already, and the question of a function.
 
 use std::rc::Rc;
 
@@ -13,8 +13,8 @@ use crate::forces::system::System;
 use crate::forces::wrench::{Carried, Wrench};
 use crate::model::Mechanism;
 
-/// The bodies, and the results that were computed for functions; the default for functions that
-/// ask for nothing of it.
+/// The bodies, and the results that were computed for functions. The default is for functions that
+/// ask for none.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Forces<'m> {
     pub(super) bodies: Multibody<'m>,
@@ -42,7 +42,7 @@ pub(super) struct Case<'m> {
     pub(super) solved: Map<usize, Ex<'m>>,
 }
 
-/// The question that a function puts.
+/// The speeds that a function lists, and the reactions that it asks for.
 pub(crate) struct Question {
     pub(super) speeds: Speeds,
     /// True if reactions are asked for: then drives are found from the joints, too.

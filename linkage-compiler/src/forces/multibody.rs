@@ -7,7 +7,7 @@ use crate::forces::geometry::Geometry;
 use crate::forces::loop_values::LoopValues;
 use crate::forces::tree::Tree;
 
-/// The bodies of a mechanism. Questions read it; the check of the bodies adds the facts.
+/// The bodies of a mechanism. Functions only read them, and the check of the bodies adds the facts.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Multibody<'m> {
     pub(super) tree: Tree,

@@ -12,6 +12,7 @@ use crate::forces::wrench::Wrench;
 use crate::forces::{assemble, equilibrium, freedom, geometry, inertia, loads, masses, motion};
 use crate::model::{Between, Element, ElementKind, MechanicalQuantity as Quantity, Rotation};
 
+/// The value of a quantity in a function.
 pub(crate) fn quantity<'m>(
     algebra: &mut Algebra<'m>,
     forces: &mut Forces<'m>,
