@@ -2,12 +2,13 @@
 
 use linkage_symbolic::Vn;
 
+use crate::algebra::Algebra;
 use crate::model::{Expr, ExprKind, Function, Name};
+use crate::picture::layout::Layout;
 use crate::picture::literals::Piece;
 use crate::picture::marks::{Slide, StepPart, Term, Title, Turn};
 use crate::picture::point_or_vector::Moves;
-use crate::picture::sketch::Sketch;
-use crate::picture::{directions, frames, literals, parts, titles, weights};
+use crate::picture::{directions, frames, layout, literals, parts, titles, weights};
 
 /// Longer sums are not looked at.
 pub(super) const MANY_TERMS: usize = 200;
@@ -17,7 +18,9 @@ pub(super) const CARRIED: u8 = 4;
 
 /// The terms of a literal; false if it is one step.
 pub(super) fn literal<'m>(
-    sketch: &mut Sketch<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    remoteness: u8,
     expr: &'m Expr,
     sign: f64,
     name: Option<&str>,
@@ -26,7 +29,7 @@ pub(super) fn literal<'m>(
     let ExprKind::Vector(components) = &expr.kind else {
         return false;
     };
-    let pieces = literals::pieces(sketch, components);
+    let pieces = literals::pieces(algebra, layout, remoteness, components);
     let are_pieces = !pieces.is_empty();
     terms.extend(pieces.into_iter().map(|piece| match piece {
         Piece::Point(point) => Term {
@@ -48,7 +51,9 @@ pub(super) fn literal<'m>(
 /// The terms of a turned sum, and of vectors that are turned more than once; false if it is one
 /// step about one axis.
 pub(super) fn turned<'m>(
-    sketch: &mut Sketch<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    remoteness: u8,
     expr: &'m Expr,
     sign: f64,
     name: Option<&str>,
@@ -58,12 +63,11 @@ pub(super) fn turned<'m>(
     else {
         return false;
     };
-    let mut inner = Vec::new();
-    collect_terms(sketch, &arguments[0], 1.0, None, &mut inner);
-    let moves = |term: &Term| parts::moves_of(sketch, term) != Moves::Not;
+    let inner = terms_of(algebra, layout, remoteness, &arguments[0]);
+    let moves = |term: &Term| parts::moves_of(&layout.roles, term) != Moves::Not;
     let has_points = inner
         .iter()
-        .any(|term| weights::weight_of(sketch, term) != 0.0);
+        .any(|term| weights::weight_of(algebra.mechanism, &layout.roles, term) != 0.0);
     let nested = |term: &Term| matches!(term.expr.kind, ExprKind::Call(Function::Turn, _));
     let is_one = match &inner[..] {
         [one] => one.part.is_none() && !nested(one),
@@ -73,7 +77,7 @@ pub(super) fn turned<'m>(
         return false;
     }
     for term in inner {
-        let part = turned_part(sketch, *function, arguments, &term);
+        let part = turned_part(algebra, layout, remoteness, *function, arguments, &term);
         let name = name.filter(|_| part.moves != Moves::Not);
         terms.push(Term {
             sign,
@@ -86,44 +90,46 @@ pub(super) fn turned<'m>(
 }
 
 pub(super) fn turned_part<'m>(
-    sketch: &mut Sketch<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    remoteness: u8,
     function: Function,
     arguments: &'m [Expr],
     inner: &Term<'m>,
 ) -> StepPart<'m> {
-    let step = parts::step_of(sketch, inner);
+    let step = parts::step_of(algebra, layout.dimension, inner);
     let step = if inner.sign > 0.0 { step } else { -step };
     let slide = match &inner.part {
         Some(part) => part.slide,
-        None => directions::direction_of(sketch, inner.expr),
+        None => directions::direction_of(algebra, layout.dimension, inner.expr),
     };
-    let mut turn = |v: Vn<'m>| parts::turned_vector(sketch, function, arguments, v);
+    let mut turn = |v: Vn<'m>| parts::turned_vector(algebra, function, arguments, v);
     let at = turn(step);
     let slide = slide.map(|slide| Slide {
         offset: slide.offset.map(&mut turn),
         along: turn(slide.along),
         input: slide.input,
     });
-    let within = parts::turns_of(sketch, inner);
+    let within = parts::turns_of(algebra, layout, inner);
     let mut turns = Vec::new();
-    if function == Function::Turn && sketch.moves(&arguments[2]) != Moves::Not {
+    if function == Function::Turn && layout.roles.moves(&arguments[2]) != Moves::Not {
         turns.push(Turn {
-            along: sketch.vector(&arguments[1]),
+            along: layout::vector(algebra, layout.dimension, &arguments[1]),
             by: Some(&arguments[2]),
         });
     }
     turns.extend(within.into_iter().map(|turn| Turn {
-        along: parts::turned_vector(sketch, function, arguments, turn.along),
+        along: parts::turned_vector(algebra, function, arguments, turn.along),
         ..turn
     }));
     let title = match &inner.part {
         Some(part) => part.title.clone(),
-        None => titles::title(sketch, inner.expr),
+        None => titles::title(algebra.mechanism, remoteness, inner.expr),
     };
     // What is turned along with a length is called after it only if nothing else is.
     let title = title.map(|title| Title {
         rank: title.rank
-            + if parts::moves_of(sketch, inner) == Moves::Not {
+            + if parts::moves_of(&layout.roles, inner) == Moves::Not {
                 CARRIED
             } else {
                 0
@@ -132,20 +138,34 @@ pub(super) fn turned_part<'m>(
     });
     let moves = arguments[1..]
         .iter()
-        .map(|argument| sketch.moves(argument))
+        .map(|argument| layout.roles.moves(argument))
         .max();
     StepPart {
         at,
         title,
         slide,
-        moves: parts::moves_of(sketch, inner).max(moves.unwrap_or(Moves::Not)),
+        moves: parts::moves_of(&layout.roles, inner).max(moves.unwrap_or(Moves::Not)),
         turns,
     }
 }
 
-/// Terms, named steps taken apart. A step of one term keeps its name.
-pub(super) fn collect_terms<'m>(
-    sketch: &mut Sketch<'_, 'm>,
+/// The terms of a sum, named steps taken apart.
+pub(super) fn terms_of<'m>(
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    remoteness: u8,
+    expr: &'m Expr,
+) -> Vec<Term<'m>> {
+    let mut terms = Vec::new();
+    collect_terms(algebra, layout, remoteness, expr, 1.0, None, &mut terms);
+    terms
+}
+
+/// Collects terms, named steps taken apart. A step of one term keeps its name.
+fn collect_terms<'m>(
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    remoteness: u8,
     expr: &'m Expr,
     sign: f64,
     name: Option<&str>,
@@ -155,7 +175,7 @@ pub(super) fn collect_terms<'m>(
         return;
     }
     let sign_of = |adds: bool| if adds { sign } else { -sign };
-    if frames::elsewhere(sketch, expr).is_some() {
+    if frames::elsewhere(algebra.mechanism, expr).is_some() {
         let (name, part) = (name.map(str::to_owned), None);
         return terms.push(Term {
             sign,
@@ -166,24 +186,48 @@ pub(super) fn collect_terms<'m>(
     }
     match (&expr.kind, &expr.summands()[..]) {
         (ExprKind::Number(0.0), _) => {}
-        (ExprKind::Name(name @ Name::Let(index)), _) if sketch.roles.is_step(*name) => {
-            let mechanism = sketch.algebra.mechanism;
+        (ExprKind::Name(name @ Name::Let(index)), _) if layout.roles.is_step(*name) => {
+            let mechanism = algebra.mechanism;
             let item = &mechanism.lets[*index];
-            collect_terms(sketch, &item.value, sign, Some(&item.name), terms);
+            collect_terms(
+                algebra,
+                layout,
+                remoteness,
+                &item.value,
+                sign,
+                Some(&item.name),
+                terms,
+            );
         }
         (_, [])
-            if literal(sketch, expr, sign, name, terms)
-                || turned(sketch, expr, sign, name, terms) => {}
+            if literal(algebra, layout, remoteness, expr, sign, name, terms)
+                || turned(algebra, layout, remoteness, expr, sign, name, terms) => {}
         (_, []) => terms.push(Term {
             sign,
             expr,
             name: name.map(str::to_owned),
             part: None,
         }),
-        (_, [(adds, only)]) => collect_terms(sketch, only, sign_of(*adds), name, terms),
+        (_, [(adds, only)]) => collect_terms(
+            algebra,
+            layout,
+            remoteness,
+            only,
+            sign_of(*adds),
+            name,
+            terms,
+        ),
         (_, summands) => {
             for (adds, summand) in summands {
-                collect_terms(sketch, summand, sign_of(*adds), None, terms);
+                collect_terms(
+                    algebra,
+                    layout,
+                    remoteness,
+                    summand,
+                    sign_of(*adds),
+                    None,
+                    terms,
+                );
             }
         }
     }
