@@ -16,52 +16,46 @@ pub(super) const MANY_TERMS: usize = 200;
 /// Lengths that are only turned stand behind all names in derived quantities that loops use.
 pub(super) const CARRIED: u8 = 4;
 
-/// The terms of a literal; false if it is one step.
-pub(super) fn literal<'m>(
+/// The terms of a literal; none if it is one step.
+fn literal<'m>(
     algebra: &mut Algebra<'m>,
     layout: &Layout<'m>,
     remoteness: u8,
-    expr: &'m Expr,
-    sign: f64,
-    name: Option<&str>,
-    terms: &mut Vec<Term<'m>>,
-) -> bool {
-    let ExprKind::Vector(components) = &expr.kind else {
-        return false;
+    whole: &Term<'m>,
+) -> Vec<Term<'m>> {
+    let ExprKind::Vector(components) = &whole.expr.kind else {
+        return Vec::new();
     };
     let pieces = literals::pieces(algebra, layout, remoteness, components);
-    let are_pieces = !pieces.is_empty();
-    terms.extend(pieces.into_iter().map(|piece| match piece {
+    let terms = pieces.into_iter().map(|piece| match piece {
         Piece::Point(point) => Term {
-            sign,
+            sign: whole.sign,
             expr: point,
             name: None,
             part: None,
         },
         Piece::Part(part) => Term {
-            sign,
-            expr,
-            name: name.filter(|_| part.moves != Moves::Not).map(str::to_owned),
+            sign: whole.sign,
+            expr: whole.expr,
+            name: whole.name.clone().filter(|_| part.moves != Moves::Not),
             part: Some(part),
         },
-    }));
-    are_pieces
+    });
+    terms.collect()
 }
 
-/// The terms of a turned sum, and of vectors that are turned more than once; false if it is one
-/// step about one axis.
-pub(super) fn turned<'m>(
+/// The terms of a turned sum, and of vectors that are turned more than once; none if it is one step
+/// about one axis.
+fn turned<'m>(
     algebra: &mut Algebra<'m>,
     layout: &Layout<'m>,
     remoteness: u8,
-    expr: &'m Expr,
-    sign: f64,
-    name: Option<&str>,
-    terms: &mut Vec<Term<'m>>,
-) -> bool {
-    let ExprKind::Call(function @ (Function::Rotate | Function::Turn), arguments) = &expr.kind
+    whole: &Term<'m>,
+) -> Vec<Term<'m>> {
+    let ExprKind::Call(function @ (Function::Rotate | Function::Turn), arguments) =
+        &whole.expr.kind
     else {
-        return false;
+        return Vec::new();
     };
     let inner = terms_of(algebra, layout, remoteness, &arguments[0]);
     let moves = |term: &Term| parts::moves_of(&layout.roles, term) != Moves::Not;
@@ -74,22 +68,23 @@ pub(super) fn turned<'m>(
         terms => !terms.iter().any(moves),
     };
     if is_one || has_points {
-        return false;
+        return Vec::new();
     }
-    for term in inner {
+    let terms = inner.into_iter().map(|term| {
         let part = turned_part(algebra, layout, remoteness, *function, arguments, &term);
-        let name = name.filter(|_| part.moves != Moves::Not);
-        terms.push(Term {
-            sign,
-            expr,
-            name: name.map(str::to_owned).or(term.name),
+        let name = whole.name.clone().filter(|_| part.moves != Moves::Not);
+        Term {
+            sign: whole.sign,
+            expr: whole.expr,
+            name: name.or(term.name),
             part: Some(part),
-        });
-    }
-    true
+        }
+    });
+    terms.collect()
 }
 
-pub(super) fn turned_part<'m>(
+/// The part that a term within a turned sum becomes.
+fn turned_part<'m>(
     algebra: &mut Algebra<'m>,
     layout: &Layout<'m>,
     remoteness: u8,
@@ -156,78 +151,72 @@ pub(super) fn terms_of<'m>(
     remoteness: u8,
     expr: &'m Expr,
 ) -> Vec<Term<'m>> {
+    let whole = Term {
+        sign: 1.0,
+        expr,
+        name: None,
+        part: None,
+    };
     let mut terms = Vec::new();
-    collect_terms(algebra, layout, remoteness, expr, 1.0, None, &mut terms);
+    collect_terms(algebra, layout, remoteness, whole, &mut terms);
     terms
 }
 
-/// Collects terms, named steps taken apart. A step of one term keeps its name.
+/// Collects the terms of one term, named steps taken apart. A step of one term keeps its name.
 fn collect_terms<'m>(
     algebra: &mut Algebra<'m>,
     layout: &Layout<'m>,
     remoteness: u8,
-    expr: &'m Expr,
-    sign: f64,
-    name: Option<&str>,
+    whole: Term<'m>,
     terms: &mut Vec<Term<'m>>,
 ) {
     if terms.len() > MANY_TERMS {
         return;
     }
+    let (sign, expr) = (whole.sign, whole.expr);
     let sign_of = |adds: bool| if adds { sign } else { -sign };
     if frames::elsewhere(algebra.mechanism, expr).is_some() {
-        let (name, part) = (name.map(str::to_owned), None);
-        return terms.push(Term {
-            sign,
-            expr,
-            name,
-            part,
-        });
+        return terms.push(whole);
     }
     match (&expr.kind, &expr.summands()[..]) {
         (ExprKind::Number(0.0), _) => {}
         (ExprKind::Name(name @ Name::Let(index)), _) if layout.roles.is_step(*name) => {
-            let mechanism = algebra.mechanism;
-            let item = &mechanism.lets[*index];
-            collect_terms(
-                algebra,
-                layout,
-                remoteness,
-                &item.value,
-                sign,
-                Some(&item.name),
-                terms,
-            );
+            let item = &algebra.mechanism.lets[*index];
+            let named = Term {
+                expr: &item.value,
+                name: Some(item.name.clone()),
+                ..whole
+            };
+            collect_terms(algebra, layout, remoteness, named, terms);
         }
-        (_, [])
-            if literal(algebra, layout, remoteness, expr, sign, name, terms)
-                || turned(algebra, layout, remoteness, expr, sign, name, terms) => {}
-        (_, []) => terms.push(Term {
-            sign,
-            expr,
-            name: name.map(str::to_owned),
-            part: None,
-        }),
-        (_, [(adds, only)]) => collect_terms(
-            algebra,
-            layout,
-            remoteness,
-            only,
-            sign_of(*adds),
-            name,
-            terms,
-        ),
+        (_, []) => {
+            let mut within = literal(algebra, layout, remoteness, &whole);
+            if within.is_empty() {
+                within = turned(algebra, layout, remoteness, &whole);
+            }
+            if within.is_empty() {
+                terms.push(whole);
+            } else {
+                terms.extend(within);
+            }
+        }
+        (_, [(adds, only)]) => {
+            let only = Term {
+                sign: sign_of(*adds),
+                expr: only,
+                ..whole
+            };
+            collect_terms(algebra, layout, remoteness, only, terms);
+        }
         (_, summands) => {
             for (adds, summand) in summands {
-                collect_terms(
-                    algebra,
-                    layout,
-                    remoteness,
-                    summand,
-                    sign_of(*adds),
-                    None,
-                    terms,
-                );
+                let summand = Term {
+                    sign: sign_of(*adds),
+                    expr: summand,
+                    name: None,
+                    part: None,
+                };
+                collect_terms(algebra, layout, remoteness, summand, terms);
             }
         }
     }
