@@ -5,9 +5,9 @@ use linkage_symbolic::{Ex, SymbolId, V3, Vector, collect, numerically_equal};
 use crate::algebra::Bound;
 use crate::algebra::context::Algebra;
 use crate::model::unknown_frames;
-use crate::structure::analysis::Analysis;
 use crate::structure::circle::Held;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
+use crate::structure::reductions::Substitutions;
 use crate::structure::{distance, equations, point};
 
 /// An unknown frame: its origin and two axes `p` and `q`; the third one is `p x q`.
@@ -46,17 +46,16 @@ impl<'m> Body<'m> {
 
 /// A frame of which both axes are open, and two coordinates of the origin at least.
 pub(crate) fn body<'m>(
-    analysis: &Analysis<'_, 'm>,
+    algebra: &Algebra<'m>,
+    substitutions: &Substitutions<'m>,
     unknowns: &[usize],
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<Body<'m>> {
-    let symbols = unknowns
-        .iter()
-        .map(|&k| match &analysis.algebra.names.bound[k] {
-            Bound::Lengths(symbols) => symbols.iter().map(|(symbol, _)| *symbol).collect(),
-            Bound::Angle(_) => Vec::new(),
-        });
+    let symbols = unknowns.iter().map(|&k| match &algebra.names.bound[k] {
+        Bound::Lengths(symbols) => symbols.iter().map(|(symbol, _)| *symbol).collect(),
+        Bound::Angle(_) => Vec::new(),
+    });
     let symbols: Vec<SymbolId> = symbols.collect::<Vec<Vec<_>>>().concat();
     let open = |symbol: &SymbolId| {
         let kind = CoordinateKind::Length(*symbol);
@@ -68,12 +67,12 @@ pub(crate) fn body<'m>(
     // A coordinate that is no unknown any more is known, or another expression by now.
     let mut others = of_origin.iter().zip(&open_of_origin);
     let replaced =
-        others.any(|(symbol, open)| open.is_none() && analysis.substitutions.contains_key(symbol));
+        others.any(|(symbol, open)| open.is_none() && substitutions.contains_key(symbol));
     let count = open_of_origin.iter().flatten().count();
     if axes.len() != 6 || replaced || count < 2 {
         return None;
     }
-    let mechanism = analysis.algebra.mechanism;
+    let mechanism = algebra.mechanism;
     let is_own = |equation: &Equation<'m>| {
         let written = equation
             .loops
@@ -81,7 +80,7 @@ pub(crate) fn body<'m>(
             .all(|&k| unknown_frames::is_loop_of_frame(mechanism, k));
         let about = coordinates
             .iter()
-            .filter(|c| equations::contains(analysis.algebra, equation.rows[0], c));
+            .filter(|c| equations::contains(algebra, equation.rows[0], c));
         let mut about = about;
         written && equation.rows.len() == 1 && about.all(|c| axes.contains(c))
     };
@@ -90,7 +89,7 @@ pub(crate) fn body<'m>(
     if places.len() != 3 {
         return None;
     }
-    let graph = analysis.algebra.graph;
+    let graph = algebra.graph;
     let part =
         |first: usize| Vector([0, 1, 2].map(|k| graph.ex(graph.symbol_node(symbols[first + k]))));
     let [origin, p, q] = [part(0), part(3), part(6)];

@@ -5,25 +5,27 @@ use linkage_symbolic::{Ex, V2, collect};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::{Atom, StandsFor, scalar};
-use crate::structure::analysis::Analysis;
 use crate::structure::distance::Distance;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
+use crate::structure::reductions::Reductions;
 use crate::structure::{classify, distance, explicit, polynomials};
 
 /// An angle that turns vectors twice as fast only: they turn with its double, which is solved for.
 pub(crate) fn double_angle<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
     let [equation] = equations else { return None };
-    by_double_angle(analysis, equation, coordinates)
+    by_double_angle(algebra, reductions, equation, coordinates)
 }
 
 /// A distance between points that go around one centre on ellipses, as the foot of scissors and a
 /// point of an arm: its square contains products of two of cosine and sine only.
 pub(crate) fn distance_of_double_angle<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -33,24 +35,25 @@ pub(crate) fn distance_of_double_angle<'m>(
     let &[row] = &equation.rows[..] else {
         return None;
     };
-    let Distance { vector, length } = distance::distance(analysis.algebra, row, coordinates)?;
-    let polynomials = polynomials::polynomials(analysis.algebra, &vector, coordinates)?;
+    let Distance { vector, length } = distance::distance(algebra, row, coordinates)?;
+    let polynomials = polynomials::polynomials(algebra, &vector, coordinates)?;
     let mut monomials = polynomials.rows.iter().flat_map(|row| row.keys());
     if !monomials.all(|powers| powers.iter().sum::<u8>() == 1) {
         return None;
     }
-    let zero = analysis.algebra.zero();
+    let zero = algebra.zero();
     let square = vector.iter().fold(zero, |sum, x| sum + x.square());
     let squared = Equation {
         rows: vec![0.5 * (square / length - length)],
         relation: None,
         ..equation.clone()
     };
-    by_double_angle(analysis, &squared, coordinates)
+    by_double_angle(algebra, reductions, &squared, coordinates)
 }
 
 fn by_double_angle<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    reductions: &mut Reductions<'m>,
     equation: &Equation<'m>,
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -58,18 +61,18 @@ fn by_double_angle<'m>(
         let CoordinateKind::Angle(half) = coordinate.kind else {
             continue;
         };
-        let Some(rows) = squares_of(analysis.algebra, half, equation) else {
+        let Some(rows) = squares_of(algebra, half, equation) else {
             continue;
         };
-        let double = analysis.algebra.names.add_angle("double", None);
-        let angle = &analysis.algebra.names.angles[half];
+        let double = algebra.names.add_angle("double", None);
+        let angle = &algebra.names.angles[half];
         let summands = angle.summands().into_iter();
         let summands = summands
             .map(|(unknown, sign)| (unknown, 2.0 * sign))
             .collect();
         let stands_for = angle.meant().map(|unknown| StandsFor { unknown, summands });
-        analysis.algebra.names.angles[double].stands_for = stands_for;
-        let unit = analysis.algebra.names.angles[double].unit;
+        algebra.names.angles[double].stands_for = stands_for;
+        let unit = algebra.names.angles[double].unit;
         let rows = rows.into_iter().map(|row| row.turned_with(unit));
         let mut changed = Equation {
             rows: rows.collect(),
@@ -82,9 +85,9 @@ fn by_double_angle<'m>(
             kind: CoordinateKind::Angle(double),
             unknown: None,
         };
-        if classify::classify(analysis.algebra, &changed, &coordinates).is_some() {
-            let value = scalar::atom(analysis.algebra, Atom::Angle(double)).scaled(0.5);
-            explicit::replace_angle(analysis, half, &value);
+        if classify::classify(algebra, &changed, &coordinates).is_some() {
+            let value = scalar::atom(algebra, Atom::Angle(double)).scaled(0.5);
+            explicit::replace_angle(algebra, reductions, half, &value);
             return Some((vec![changed], coordinates));
         }
     }

@@ -1,13 +1,13 @@
 //! Equations and coordinates: the two sides of the bipartite graph.
 
-use linkage_symbolic::{Ex, NodeId, SymbolId, substitute};
+use linkage_symbolic::{Ex, Graph, NodeId, SymbolId, substitute};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::translate::Translate;
 use crate::algebra::{Bound, Scalar, Value, scalar, translate};
 use crate::model::Loop;
-use crate::structure::analysis::Analysis;
 use crate::structure::elements::SpaceLink;
+use crate::structure::reductions::Substitutions;
 use crate::structure::scope::Scope;
 
 /// A loop, or an equation that was made of loops: one to three scalar equations `row = 0`.
@@ -142,12 +142,12 @@ pub(crate) fn contains<'m>(algebra: &Algebra<'m>, x: Ex<'m>, coordinate: &Coordi
 
 /// Replaces eliminated symbols in an equation.
 pub(crate) fn substituted<'m>(
-    analysis: &Analysis<'_, 'm>,
+    graph: &'m Graph,
+    substitutions: &Substitutions<'m>,
     equation: &Equation<'m>,
 ) -> Equation<'m> {
-    let graph = analysis.algebra.graph;
-    graph.substitute_lengths(&equation.rows, &analysis.substitutions);
-    let rows = substitute(&equation.rows, &analysis.substitutions);
+    graph.substitute_lengths(&equation.rows, substitutions);
+    let rows = substitute(&equation.rows, substitutions);
     let relation = equation.relation.clone().filter(|_| rows == equation.rows);
     Equation {
         rows,

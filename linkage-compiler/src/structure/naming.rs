@@ -1,4 +1,4 @@
-//! Names of coordinates and unknowns in messages.
+//! Algebra of coordinates and unknowns in messages.
 
 use crate::algebra::context::Algebra;
 use crate::structure::equations::{Coordinate, CoordinateKind};
@@ -9,7 +9,7 @@ pub(crate) fn unknown_names<'c>(
     coordinates: impl Iterator<Item = &'c Coordinate>,
 ) -> String {
     let coordinates: Vec<&Coordinate> = coordinates.filter(|c| c.unknown.is_some()).collect();
-    let mut names: Vec<(usize, String)> = Vec::new();
+    let mut named: Vec<(usize, String)> = Vec::new();
     for coordinate in &coordinates {
         let Some(unknown) = coordinate.unknown else {
             continue;
@@ -20,20 +20,16 @@ pub(crate) fn unknown_names<'c>(
         } else {
             coordinate_name(algebra, coordinate)
         };
-        names.push((unknown, format!("`{name}`")));
+        named.push((unknown, format!("`{name}`")));
     }
-    names.sort_by_key(|(unknown, _)| *unknown);
-    names.dedup();
-    let names: Vec<String> = names.into_iter().map(|(_, name)| name).collect();
-    names.join(", ")
+    named.sort_by_key(|(unknown, _)| *unknown);
+    named.dedup();
+    let texts: Vec<String> = named.into_iter().map(|(_, name)| name).collect();
+    texts.join(", ")
 }
 
 /// True if these are not all components of the first one's unknown.
-pub(crate) fn is_component(
-    _algebra: &Algebra<'_>,
-    indices: &[usize],
-    coordinates: &[Coordinate],
-) -> bool {
+pub(crate) fn is_component(indices: &[usize], coordinates: &[Coordinate]) -> bool {
     let Some(unknown) = indices.first().and_then(|&k| coordinates[k].unknown) else {
         return false;
     };

@@ -5,9 +5,9 @@ use linkage_symbolic::{Ex, SymbolId, Vector, collect};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::{Atom, StandsFor, scalar};
-use crate::structure::analysis::Analysis;
 use crate::structure::distance::Distance;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
+use crate::structure::reductions::Reductions;
 use crate::structure::{classify, distance, equations, explicit, space};
 
 /// Two scalar loops, the components of one vector loop.
@@ -117,7 +117,8 @@ pub(crate) fn split_along_guide<'m>(
 
 /// Angles measured from link to link: their sum is the angle of the second link.
 pub(crate) fn relative_angle<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -129,18 +130,15 @@ pub(crate) fn relative_angle<'m>(
     };
     for (base, relative, kept) in [(first, second, a), (second, first, b)] {
         for sign in [1.0, -1.0] {
-            let sum = analysis.algebra.names.add_angle("sum", None);
-            analysis.algebra.names.angles[sum].stands_for =
-                sum_of(analysis.algebra, base, relative, sign);
-            let mut value = scalar::atom(analysis.algebra, Atom::Angle(sum));
+            let sum = algebra.names.add_angle("sum", None);
+            algebra.names.angles[sum].stands_for = sum_of(algebra, base, relative, sign);
+            let mut value = scalar::atom(algebra, Atom::Angle(sum));
             value.terms.insert(0, (Atom::Angle(base), -sign));
             value.terms.sort_by_key(|(atom, _)| *atom);
-            let saved = (
-                analysis.substitutions.clone(),
-                analysis.structure.explicit.len(),
-            );
-            explicit::replace_angle(analysis, relative, &value);
-            let mut changed = equations::substituted(analysis, equation);
+            let replacements = explicit::replacements_of_angle(algebra, relative, &value);
+            let mut substitutions = reductions.substitutions.clone();
+            substitutions.extend(replacements);
+            let mut changed = equations::substituted(algebra.graph, &substitutions, equation);
             changed
                 .eliminated
                 .extend([a, b].iter().filter_map(|c| c.unknown));
@@ -149,11 +147,12 @@ pub(crate) fn relative_angle<'m>(
                 unknown: None,
             };
             let coordinates = vec![kept.clone(), summed];
-            if classify::classify(analysis.algebra, &changed, &coordinates).is_some() {
+            if classify::classify(algebra, &changed, &coordinates).is_some() {
+                for (symbol, value) in replacements {
+                    explicit::make_explicit(reductions, symbol, value);
+                }
                 return Some((vec![changed], coordinates));
             }
-            analysis.substitutions = saved.0;
-            analysis.structure.explicit.truncate(saved.1);
         }
     }
     None

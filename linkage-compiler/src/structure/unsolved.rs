@@ -9,10 +9,10 @@ use crate::algebra::{Value, scalar};
 use crate::diagnostic::OriginId;
 use crate::message_format::loop_list;
 use crate::model::Expr;
-use crate::structure::analysis::Analysis;
 use crate::structure::coupled::classify_coupled;
 use crate::structure::coupled::classify_coupled::MOST_CORE;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
+use crate::structure::fault::StructureFault;
 use crate::structure::{equations, naming, polynomials};
 
 /// The text that marks every limit of the compiler.
@@ -22,12 +22,12 @@ pub(crate) const OURS: &str = "this is a limit of linkage, not a mistake of your
 const MAY_STAND: &str = "an unknown angle may stand in `polar`, `dir`, `rotate`, `turn`, `sin`, `cos`, an unknown length may be \
                          multiplied by known quantities or by a direction";
 
-/// A group without a closed form that is no coupled one.
-pub(crate) fn report_unsolved<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+/// Returns the fault of a group without a closed form that is no coupled one.
+pub(crate) fn unsolved_group<'m>(
+    algebra: &mut Algebra<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
-) {
+) -> StructureFault {
     let loops = loop_list(equations.iter().flat_map(|e| &e.loops));
     let found = coordinates.iter().filter_map(|c| c.unknown);
     let eliminated = equations.iter().flat_map(|e| e.eliminated.iter().copied());
@@ -36,43 +36,40 @@ pub(crate) fn report_unsolved<'m>(
     unknowns.dedup();
     let count: usize = unknowns
         .iter()
-        .map(|&k| analysis.algebra.names.components_of(k))
+        .map(|&k| algebra.names.components_of(k))
         .sum();
-    let names = naming::unknown_list(analysis.algebra, unknowns);
+    let unknown_names = naming::unknown_list(algebra, unknowns);
     let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
     let (subject, check) = match rows {
-        0..=2 => (format!("no closed form for {names} in {loops}"), ""),
+        0..=2 => (format!("no closed form for {unknown_names} in {loops}"), ""),
         _ => (
-            format!("a group of {count} unknowns ({names}) in {loops} cannot be solved"),
+            format!("a group of {count} unknowns ({unknown_names}) in {loops} cannot be solved"),
             "; check that the loops need to be coupled",
         ),
     };
-    let whole = analysis.algebra.mechanism.loops[equations[0].loops[0]].origin;
-    let valued = angles_with_values(analysis.algebra, equations, coordinates);
+    let whole = algebra.mechanism.loops[equations[0].loops[0]].origin;
+    let valued = angles_with_values(algebra, equations, coordinates);
     let body = a_body_by_angles(equations, coordinates);
-    let (origin, message) = if let Some((origin, why)) =
-        worst_obstacle(analysis.algebra, equations, coordinates)
+    let (origin, text) = if let Some((origin, why)) =
+        worst_obstacle(algebra, equations, coordinates)
     {
-        let message = format!("{subject}: {why}{check}{body}");
-        (origin.unwrap_or(whole), message)
+        let text = format!("{subject}: {why}{check}{body}");
+        (origin.unwrap_or(whole), text)
     } else if !valued.is_empty() {
         (
             whole,
-            format!(
-                "{subject}: {}",
-                obstacle_of_values(analysis.algebra, &valued, rows)
-            ),
+            format!("{subject}: {}", obstacle_of_values(algebra, &valued, rows)),
         )
     } else {
-        let core = core_of(analysis.algebra, equations, coordinates);
-        let message = format!(
+        let core = core_of(algebra, equations, coordinates);
+        let text = format!(
             "{subject}: {core} unknowns remain when links between two joints are left out, and {MOST_CORE} are the most that are \
                  solved together; {OURS}\n\
                  help: check that the loops need to be coupled; an input instead of an unknown may split them{body}"
         );
-        (whole, message)
+        (whole, text)
     };
-    analysis.reporter.error(origin, message);
+    StructureFault { origin, text }
 }
 
 /// Returns the reason why an equation is no polynomial that is solved, with the remedy, and the
@@ -128,15 +125,15 @@ fn worst_obstacle<'m>(
 
 /// Returns the text about angles that stand for themselves.
 fn obstacle_of_values(algebra: &Algebra<'_>, valued: &[usize], rows: usize) -> String {
-    let names = naming::unknown_list(algebra, valued.to_vec());
+    let angle_names = naming::unknown_list(algebra, valued.to_vec());
     if rows <= 2 {
         return format!(
-            "the angle {names} itself stands in it, and not its direction alone; {OURS}\nhelp: {MAY_STAND}"
+            "the angle {angle_names} itself stands in it, and not its direction alone; {OURS}\nhelp: {MAY_STAND}"
         );
     }
     let each = match valued {
-        [_] => format!("{names} stands"),
-        _ => format!("each of {names} stands"),
+        [_] => format!("{angle_names} stands"),
+        _ => format!("each of {angle_names} stands"),
     };
     format!(
         "{each} for an angle, and the angle itself, not its direction, stands in a loop\n\
