@@ -213,7 +213,8 @@ impl<'m> DeadPoint<'_, 'm> {
             if !matches!(ty, Type::Vector(2, _)) {
                 return None;
             }
-            let Value::Vector(vector) = translate::value_of_name(self.algebra, name) else {
+            let Value::Vector(vector) = translate::value_of_name(&mut self.algebra.names, name)
+            else {
                 return None;
             };
             let components: Vec<Ex> = vector.iter().collect();

@@ -30,7 +30,11 @@ impl<'m> Ranges<'_, 'm> {
         let words = MessageFormat::new(algebra.mechanism);
         let input = &algebra.mechanism.inputs[at.input];
         let solved = &self.formulation.groups[at.place.group];
-        let concerned = dependence::inputs_below(algebra, &[solved.closed.slack]);
+        let concerned = dependence::inputs_below(
+            algebra.graph,
+            &mut algebra.derivatives.dependence,
+            &[solved.closed.slack],
+        );
         let place = words.inputs(&at.place.inputs, &concerned);
         let loops = loop_numbers(&solved.group.loops);
         let unknowns = words.unknowns(&solved.group.unknowns);
@@ -91,7 +95,11 @@ impl<'m> Ranges<'_, 'm> {
     ) -> Apart {
         let words = MessageFormat::new(algebra.mechanism);
         let solved = &self.formulation.groups[at.group];
-        let concerned = dependence::inputs_below(algebra, &[solved.closed.slack]);
+        let concerned = dependence::inputs_below(
+            algebra.graph,
+            &mut algebra.derivatives.dependence,
+            &[solved.closed.slack],
+        );
         let loops = loop_numbers(&solved.group.loops);
         let unknowns = words.unknowns(&solved.group.unknowns);
         let group = Comes {
@@ -168,7 +176,7 @@ impl<'m> Ranges<'_, 'm> {
                 Ternary::AngleNear.apply([sin, cos, near])
             };
             let here = angle(self, from, estimate);
-            let rate = constant_ratio::candidate_rates(algebra, at.input)
+            let rate = constant_ratio::candidate_rates(&algebra.names, at.input)
                 .into_iter()
                 .find(|rate| {
                     // Short of the change point itself, where digits are lost.

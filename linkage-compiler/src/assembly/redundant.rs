@@ -41,7 +41,7 @@ pub(crate) fn check_redundant(
     for equation in &mechanism.redundant {
         // This evaluation must not change the code of functions.
         let miss = algebra.tried(|algebra| {
-            let sides = difference(algebra, equation);
+            let sides = difference(&mut algebra.names, equation);
             let found = positions
                 .iter()
                 .map(|inputs| missed(equation, reference.machine.evaluate(&sides, inputs), inputs));

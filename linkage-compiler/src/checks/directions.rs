@@ -7,7 +7,7 @@ mod asked;
 use linkage_symbolic::Graph;
 use linkage_symbolic::lookup::Map;
 
-use crate::algebra::{Algebra, Nominal, nominal, translate};
+use crate::algebra::{Names, Nominal, nominal, translate};
 use crate::diagnostic::Reporter;
 use crate::message_format::MessageFormat;
 use crate::model::{BinaryOp, Expr, ExprKind, Function, Mechanism, Name};
@@ -25,12 +25,12 @@ pub(crate) fn check_directions(mechanism: &Mechanism, nominal: &Nominal, reporte
     // A separate graph: nodes made in another order would change the written form of the
     // mechanism's sums.
     let graph = Graph::new();
-    let mut algebra = Algebra::new(mechanism, &graph);
-    translate::translate_lets(&mut algebra);
+    let mut names = Names::new(mechanism, &graph);
+    translate::translate_lets(&mut names);
     let mut check = Check {
         mechanism,
         nominal,
-        algebra,
+        names,
         inputs: &[],
         sizes: Map::new(),
     };
@@ -58,7 +58,7 @@ pub(crate) fn check_directions(mechanism: &Mechanism, nominal: &Nominal, reporte
 struct Check<'a, 'm> {
     mechanism: &'m Mechanism,
     nominal: &'a Nominal,
-    algebra: Algebra<'m>,
+    names: Names<'m>,
     /// The inputs' values, if they count as known.
     inputs: &'a [f64],
     sizes: Map<Name, f64>,
@@ -77,10 +77,8 @@ impl<'a> Check<'a, '_> {
     }
 
     fn value(&mut self, expr: &Expr) -> Vec<f64> {
-        let Self {
-            algebra, nominal, ..
-        } = self;
-        nominal::evaluated(algebra, expr, &nominal.parameters, self.inputs)
+        let Self { names, nominal, .. } = self;
+        nominal::evaluated(names, expr, &nominal.parameters, self.inputs)
     }
 
     fn is_zero(&mut self, vector: &Expr) -> bool {

@@ -5,7 +5,7 @@ mod ends;
 
 use linkage_symbolic::Graph;
 
-use crate::algebra::{Algebra, Nominal, nominal, translate};
+use crate::algebra::{Names, Nominal, nominal, translate};
 use crate::diagnostic::{OriginId, Reporter};
 use crate::message_format::MessageFormat;
 use crate::model::{Expr, ExprKind, Mechanism, MotionLaw, MotionLawKind, Name, Repeats, Type};
@@ -41,8 +41,8 @@ pub(crate) fn check_motion_laws(mechanism: &Mechanism, nominal: &Nominal, report
     // A separate graph: nodes made in another order would change the written form of the
     // mechanism's sums.
     let graph = Graph::new();
-    let mut algebra = Algebra::new(mechanism, &graph);
-    translate::translate_lets(&mut algebra);
+    let mut names = Names::new(mechanism, &graph);
+    translate::translate_lets(&mut names);
     let mut seen: Vec<OriginId> = Vec::new();
     for expr in courses {
         let ExprKind::MotionLaw(course) = &expr.kind else {
@@ -54,8 +54,8 @@ pub(crate) fn check_motion_laws(mechanism: &Mechanism, nominal: &Nominal, report
         }
         seen.push(course.knots[0].origin);
         let mut number = |expression: &Expr| {
-            let scale = translate::internal_per_unit(&algebra, &expression.ty);
-            nominal::evaluated(&mut algebra, expression, &nominal.parameters, &[])[0] / scale
+            let scale = translate::internal_per_unit(&names, &expression.ty);
+            nominal::evaluated(&mut names, expression, &nominal.parameters, &[])[0] / scale
         };
         let knots: Vec<At> = course
             .knots

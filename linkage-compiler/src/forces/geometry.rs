@@ -54,9 +54,9 @@ impl<'m> Geometry<'m> {
                 continue;
             };
             turning[body] = match algebra.translate(turns) {
-                Value::Array(parts) => {
-                    BodyTurn::Frame([1, 2, 3].map(|axis| scalar::vector(algebra, &parts[axis])))
-                }
+                Value::Array(parts) => BodyTurn::Frame(
+                    [1, 2, 3].map(|axis| scalar::vector(&algebra.names, &parts[axis])),
+                ),
                 Value::Vector(along) => BodyTurn::Rod(along),
                 Value::Scalar(angle) => match directions[declared.joint] {
                     Some(axis) if dimensions == 3 => BodyTurn::About(angle, axis),
@@ -141,7 +141,7 @@ impl<'m> Geometry<'m> {
 /// A point or vector.
 pub(super) fn vector_of<'m>(algebra: &mut Algebra<'m>, expr: &Expr) -> Vn<'m> {
     let value = algebra.translate(expr);
-    scalar::vector(algebra, &value)
+    scalar::vector(&algebra.names, &value)
 }
 
 /// The direction of a vector.

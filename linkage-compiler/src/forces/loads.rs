@@ -244,10 +244,10 @@ pub(super) fn joint_coordinate<'m>(
         return guide.dot(on.map_or(point, |on| bodies.arm(on, point)));
     }
     if let BodyTurn::About(angle, _) = &geometry.turning[body] {
-        return scalar::value_of(algebra, angle);
+        return scalar::value_of(&algebra.names, angle);
     }
     let [angle, other] = [Some(body), on].map(|body| geometry.angle(algebra, &bodies.tree, body));
-    scalar::value_of(algebra, &angle.combined(&other, -1.0))
+    scalar::value_of(&algebra.names, &angle.combined(&other, -1.0))
 }
 
 /// The rate of that coordinate.

@@ -57,11 +57,11 @@ pub(super) fn turn<'m>(
     let turn = match bodies.geometry.turning[body].clone() {
         BodyTurn::Along => turn(algebra, bodies, turns, on, by),
         BodyTurn::Angle(angle) => {
-            let angle = scalar::value_of(algebra, &angle);
+            let angle = scalar::value_of(&algebra.names, &angle);
             Vector([slope(algebra, angle, by)]).into()
         }
         BodyTurn::About(angle, axis) => {
-            let angle = scalar::value_of(algebra, &angle);
+            let angle = scalar::value_of(&algebra.names, &angle);
             let relative = slope(algebra, angle, by) * axis;
             turn(algebra, bodies, turns, on, by) + relative
         }

@@ -52,7 +52,7 @@ pub(super) fn signature<'m>(
         reference: nominal.inputs[index],
         range: nominal.ranges[index],
         followed: followed_range(algebra, nominal, index),
-        rates: constant_ratio::candidate_rates(algebra, index),
+        rates: constant_ratio::candidate_rates(&algebra.names, index),
     });
     let arguments = mechanism.arguments.iter().enumerate();
     let arguments = arguments.map(|(index, argument)| Argument {
@@ -110,7 +110,7 @@ fn own_parameters(algebra: &Algebra, formulation: &Formulation) -> Vec<Vec<usize
             needs.extend(coefficients.flat_map(|x| x.components()));
         }
         // The dependencies of earlier groups have been visited.
-        let symbols = dependence::add_symbols_below(algebra, &needs, &mut seen).into_iter();
+        let symbols = dependence::add_symbols_below(algebra.graph, &needs, &mut seen).into_iter();
         let mut parameters: Vec<usize> = symbols
             .filter_map(|symbol| match algebra.graph.symbol(symbol).source {
                 Some(Source::Parameter(index)) => Some(index),

@@ -45,10 +45,10 @@ fn expect_agreement(items: &str, function: &str) {
 
     let graph = Graph::new();
     let mut algebra = Algebra::new(&mechanism, &graph);
-    let mut nominal = Nominal::from_mechanism(&mut algebra);
+    let mut nominal = Nominal::from_mechanism(&mut algebra.names);
     let mut reporter = Reporter::new(&origins, &mut diagnostics);
     let structure = structure::decompose(
-        &mut algebra,
+        &mut algebra.names,
         &nominal,
         &structure::Scope::all(&mechanism),
         reporter.reborrow(),

@@ -22,9 +22,9 @@ pub(super) fn direction_of<'m>(
     match &term.kind {
         ExprKind::Call(Function::Polar, arguments) => {
             let angle = algebra.translate(&arguments[1]);
-            let unit = calls::call(algebra, Function::Dir, vec![angle]);
+            let unit = calls::call(&mut algebra.names, Function::Dir, vec![angle]);
             // In a picture of space, the plane is that of x and y.
-            let along = scalar::vector(algebra, &unit).resized(dimension);
+            let along = scalar::vector(&algebra.names, &unit).resized(dimension);
             Some(straight(along))
         }
         ExprKind::Binary(BinaryOp::Mul, a, b) => {
@@ -66,12 +66,19 @@ pub(super) fn varying<'m>(
     let numbers: Vec<Ex> = numbers
         .map(|component| {
             let value = algebra.translate(component);
-            scalar::number(algebra, &value)
+            scalar::number(&algebra.names, &value)
         })
         .collect();
     let changes = 0..numbers.len();
     let changes: Vec<usize> = changes
-        .filter(|&k| !dependence::inputs_below(algebra, &[numbers[k]]).is_empty())
+        .filter(|&k| {
+            !dependence::inputs_below(
+                algebra.graph,
+                &mut algebra.derivatives.dependence,
+                &[numbers[k]],
+            )
+            .is_empty()
+        })
         .collect();
     let [varying] = changes[..] else { return None };
     let mut rest: Vec<NodeId> = numbers.into_iter().map(Ex::id).collect();

@@ -61,5 +61,5 @@ pub(super) fn axis_of(graph: &Graph, dimension: usize, component: usize) -> Vn<'
 /// A vector with as many components as the drawing has dimensions.
 pub(super) fn vector<'m>(algebra: &mut Algebra<'m>, dimension: usize, expr: &Expr) -> Vn<'m> {
     let value = algebra.translate(expr);
-    scalar::vector(algebra, &value).resized(dimension)
+    scalar::vector(&algebra.names, &value).resized(dimension)
 }

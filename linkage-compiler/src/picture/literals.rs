@@ -247,7 +247,7 @@ fn assembled<'m>(
     for (component, summand) in &group.summands {
         let mut number = |expr: &Expr| {
             let value = algebra.translate(expr);
-            scalar::number(algebra, &value)
+            scalar::number(&algebra.names, &value)
         };
         let factors = summand.factors.iter();
         let factors = factors.filter(|factor| without.is_none_or(|other| ***factor != *other));

@@ -19,8 +19,8 @@ pub(super) fn turned_vector<'m>(
     for argument in &arguments[1..] {
         values.push(algebra.translate(argument));
     }
-    let value = calls::call(algebra, function, values);
-    scalar::vector(algebra, &value)
+    let value = calls::call(&mut algebra.names, function, values);
+    scalar::vector(&algebra.names, &value)
 }
 
 /// The rotations of a term in space, from outside to inside.

@@ -40,7 +40,7 @@ pub(super) fn look_for_line<'m>(
         if layout.dimension == 3 {
             if is_dot && layout.roles.moves(other) == Moves::Not {
                 let offset = algebra.translate(other);
-                let offset = scalar::number(algebra, &offset);
+                let offset = scalar::number(&algebra.names, &offset);
                 let plane = Plane {
                     difference: layout::vector(algebra, layout.dimension, &arguments[vector]),
                     frames: statement.frames.to_vec(),
@@ -61,7 +61,7 @@ pub(super) fn look_for_line<'m>(
             }
         } else if through {
             let value = algebra.translate(&arguments[direction]);
-            let unit = scalar::vector(algebra, &value).unit();
+            let unit = scalar::vector(&algebra.names, &value).unit();
             let unit = Vector([unit.at(0), unit.at(1)]);
             // Across what the product is taken with, or along it.
             let along = if is_dot { unit.perp() } else { unit }.into();

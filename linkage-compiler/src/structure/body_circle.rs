@@ -8,7 +8,7 @@
 use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, Graph, V3, Vector, substitute};
 
-use crate::algebra::{Algebra, Nominal};
+use crate::algebra::{Names, Nominal};
 use crate::model::unknown_frames;
 use crate::structure::body::{Body, Joint};
 use crate::structure::equations::{Coordinate, Equation, System};
@@ -21,15 +21,15 @@ const ON_A_LINE: f64 = 1e-3;
 
 /// One body of which points run on circles: three, or the first.
 pub(crate) fn body_to_circles<'m>(
-    algebra: &mut Algebra<'m>,
+    names: &mut Names<'m>,
     nominal: &Nominal,
     reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
-    for (_, unknowns) in unknown_frames::bodies_of_space(algebra.mechanism) {
+    for (_, unknowns) in unknown_frames::bodies_of_space(names.mechanism) {
         let Some(body) = body::body(
-            algebra,
+            names,
             &reductions.substitutions,
             &unknowns,
             equations,
@@ -37,12 +37,12 @@ pub(crate) fn body_to_circles<'m>(
         ) else {
             continue;
         };
-        let joints = body::joints(algebra, &body, equations, coordinates);
+        let joints = body::joints(names, &body, equations, coordinates);
         if body.of_origin().len() == 3
             && let Some(three) = three_of(nominal, &joints)
         {
             return Some(on_three_circles(
-                algebra,
+                names,
                 nominal,
                 reductions,
                 &body,
@@ -53,7 +53,7 @@ pub(crate) fn body_to_circles<'m>(
         }
         if let Some(joint) = joints.first() {
             return Some(on_one_circle(
-                algebra,
+                names,
                 nominal,
                 reductions,
                 &body,
@@ -84,7 +84,7 @@ fn three_of<'m, 'j>(nominal: &Nominal, joints: &'j [Joint<'m>]) -> Option<[&'j J
 
 /// The frame by three of its points, which run on circles and keep their distances.
 fn on_three_circles<'m>(
-    algebra: &mut Algebra<'m>,
+    names: &mut Names<'m>,
     nominal: &Nominal,
     reductions: &mut Reductions<'m>,
     body: &Body<'m>,
@@ -94,7 +94,7 @@ fn on_three_circles<'m>(
 ) -> System<'m> {
     let running = joints.map(|joint| {
         let place = body.origin + body.arm(joint);
-        circle::running(algebra, nominal, place, [&joint.rods[0], &joint.rods[1]])
+        circle::running(names, nominal, place, [&joint.rods[0], &joint.rods[1]])
     });
     let points = [0, 1, 2].map(|k| running[k].point);
     let locals = joints.map(|joint| joint.local);
@@ -107,7 +107,7 @@ fn on_three_circles<'m>(
     let rods = joints.iter().flat_map(|joint| &joint.rods);
     let solved = rods.map(|rod| rod.place).chain(body.rows_of_body.clone());
     let mut kept = kept(
-        algebra.graph,
+        names.graph,
         &reductions.substitutions,
         solved.collect(),
         &explained,
@@ -131,7 +131,7 @@ fn on_three_circles<'m>(
 
 /// Replaces the origin by one of its points, which runs on a circle; the axes stay unknowns.
 fn on_one_circle<'m>(
-    algebra: &mut Algebra<'m>,
+    names: &mut Names<'m>,
     nominal: &Nominal,
     reductions: &mut Reductions<'m>,
     body: &Body<'m>,
@@ -141,12 +141,12 @@ fn on_one_circle<'m>(
 ) -> System<'m> {
     let [first, second] = [0, 1].map(|k| &joint.rods[k]);
     let arm = body.arm(joint);
-    let running = circle::running(algebra, nominal, body.origin + arm, [first, second]);
+    let running = circle::running(names, nominal, body.origin + arm, [first, second]);
     let origin = running.point - arm;
     let of_origin = body.of_origin();
     // The rest of the position is no unknown: where it is an expression by now, a row that
     // remembers it would be about itself.
-    let zero = algebra.zero();
+    let zero = names.zero();
     let given = Vector([0, 1, 2].map(|k| match body.open[k] {
         Some(_) => zero,
         None => body.origin[k],
@@ -159,7 +159,7 @@ fn on_one_circle<'m>(
             Some(_) => explicit::make_explicit(reductions, symbol, component),
             None => {
                 known.insert(symbol, component);
-                rows.push(circle::along(algebra, place).product(origin - given));
+                rows.push(circle::along(names, place).product(origin - given));
             }
         }
     }
@@ -167,7 +167,7 @@ fn on_one_circle<'m>(
     let mut rod = equations[first.place].clone();
     rod.absorb(&equations[second.place], &of_origin);
     let mut kept = kept(
-        algebra.graph,
+        names.graph,
         &reductions.substitutions,
         vec![first.place, second.place],
         &of_origin,
@@ -175,7 +175,7 @@ fn on_one_circle<'m>(
     );
     for equation in &mut kept {
         // The point counts as unknown: the body carries all points of the loops together.
-        algebra.graph.substitute_lengths(&equation.rows, &known);
+        names.graph.substitute_lengths(&equation.rows, &known);
         equation.rows = substitute(&equation.rows, &known);
     }
     kept.extend(rows.into_iter().map(|row| Equation {

@@ -3,7 +3,7 @@
 
 use linkage_symbolic::{Ex, SymbolId, V3, Vector};
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::algebra::{Nominal, nominal};
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
 use crate::structure::reductions::Reductions;
@@ -31,7 +31,7 @@ pub(crate) struct Running<'m> {
 
 /// An unknown point that two distances from fixed points hold, and other loops determine.
 pub(crate) fn point_to_circle<'m>(
-    algebra: &mut Algebra<'m>,
+    names: &mut Names<'m>,
     nominal: &Nominal,
     reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
@@ -41,11 +41,11 @@ pub(crate) fn point_to_circle<'m>(
         let Some(symbols) = equations::point_symbols(point) else {
             continue;
         };
-        let held = held_by(algebra, &symbols, equations, coordinates);
+        let held = held_by(names, &symbols, equations, coordinates);
         let [first, second] = &held[..] else { continue };
         if equations.len() > 2
             && let Some(system) = on_circle(
-                algebra,
+                names,
                 nominal,
                 reductions,
                 [first, second],
@@ -62,7 +62,7 @@ pub(crate) fn point_to_circle<'m>(
 
 /// The distances from fixed points that contain nothing but this point.
 fn held_by<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     point: &[SymbolId],
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -70,10 +70,10 @@ fn held_by<'m>(
     let mut held = Vec::new();
     for (place, equation) in equations.iter().enumerate() {
         let [row] = equation.rows[..] else { continue };
-        let Some((vector, length)) = distance::space_distance(algebra, row, coordinates) else {
+        let Some((vector, length)) = distance::space_distance(names, row, coordinates) else {
             continue;
         };
-        let Some((places, factor, known)) = point::moved_point(algebra, vector, point) else {
+        let Some((places, factor, known)) = point::moved_point(names, vector, point) else {
             continue;
         };
         let is_whole = factor.constant_value().is_some_and(|x| x.abs() == 1.0);
@@ -87,7 +87,7 @@ fn held_by<'m>(
 }
 
 fn on_circle<'m>(
-    algebra: &mut Algebra<'m>,
+    names: &mut Names<'m>,
     nominal: &Nominal,
     reductions: &mut Reductions<'m>,
     [first, second]: [&Held<'m>; 2],
@@ -96,9 +96,9 @@ fn on_circle<'m>(
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
     let symbols = equations::point_symbols(point)?;
-    let graph = algebra.graph;
+    let graph = names.graph;
     let symbols_of_point = Vector([0, 1, 2].map(|k| graph.ex(graph.symbol_node(symbols[k]))));
-    let running = running(algebra, nominal, symbols_of_point, [first, second]);
+    let running = running(names, nominal, symbols_of_point, [first, second]);
     for (symbol, value) in symbols.into_iter().zip(running.point.0) {
         explicit::make_explicit(reductions, symbol, value);
     }
@@ -119,16 +119,16 @@ fn on_circle<'m>(
 /// A point that two distances hold, by the angle on its circle; `point` is its expression in the
 /// unknowns so far.
 pub(crate) fn running<'m>(
-    algebra: &mut Algebra<'m>,
+    names: &mut Names<'m>,
     nominal: &Nominal,
     point: V3<'m>,
     held: [&Held<'m>; 2],
 ) -> Running<'m> {
-    let circle = circle(algebra, nominal, held[0], held[1]);
-    let angle = algebra.names.add_angle("circle", None);
-    algebra.names.angles[angle].estimated = angle_at_estimate(algebra, nominal, point, &circle);
+    let circle = circle(names, nominal, held[0], held[1]);
+    let angle = names.add_angle("circle", None);
+    names.angles[angle].estimated = angle_at_estimate(names, nominal, point, &circle);
     let Circle { middle, axes } = circle;
-    let Vector([cos, sin]) = algebra.names.angles[angle].unit;
+    let Vector([cos, sin]) = names.angles[angle].unit;
     Running {
         point: middle + axes[0].map(|x| cos * x) + axes[1].map(|x| sin * x),
         angle: Coordinate {
@@ -140,7 +140,7 @@ pub(crate) fn running<'m>(
 
 /// The circle in which two spheres meet.
 fn circle<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     nominal: &Nominal,
     first: &Held<'m>,
     second: &Held<'m>,
@@ -150,7 +150,7 @@ fn circle<'m>(
     let foot = 0.5 * (distance + shares);
     let square = (first.length - foot) * (first.length + foot);
     let radius = square.root(first.length.square());
-    let across = along.cross(least_along(algebra, nominal, along)).unit();
+    let across = along.cross(least_along(names, nominal, along)).unit();
     Circle {
         middle: first.end + foot * along,
         axes: [radius * across.cross(along), radius * across],
@@ -158,29 +158,29 @@ fn circle<'m>(
 }
 
 /// The axis of coordinates that is farthest from a direction, at the defaults.
-fn least_along<'m>(algebra: &Algebra<'m>, nominal: &Nominal, direction: V3<'m>) -> V3<'m> {
+fn least_along<'m>(names: &Names<'m>, nominal: &Nominal, direction: V3<'m>) -> V3<'m> {
     let values = nominal.evaluate(&direction.0);
     let sizes = values.iter().map(|x| x.abs()).enumerate();
     let least = sizes.min_by(|(_, a), (_, b)| a.total_cmp(b));
-    along(algebra, least.map_or(0, |(place, _)| place))
+    along(names, least.map_or(0, |(place, _)| place))
 }
 
 /// The direction of an axis of coordinates.
-pub(crate) fn along<'m>(algebra: &Algebra<'m>, place: usize) -> V3<'m> {
-    let (zero, one) = (algebra.zero(), algebra.one());
+pub(crate) fn along<'m>(names: &Names<'m>, place: usize) -> V3<'m> {
+    let (zero, one) = (names.zero(), names.one());
     Vector([0, 1, 2].map(|k| if k == place { one } else { zero }))
 }
 
 /// The angle at which the point is estimated; 0 if that is nowhere.
 fn angle_at_estimate<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     nominal: &Nominal,
     point: V3<'m>,
     circle: &Circle<'m>,
 ) -> f64 {
     let arm = point - circle.middle;
     let sides = circle.axes.map(|axis| arm.dot(axis));
-    let values = nominal::at_estimates(algebra, nominal, &sides);
+    let values = nominal::at_estimates(names, nominal, &sides);
     let angle = values[1].atan2(values[0]);
     if angle.is_finite() { angle } else { 0.0 }
 }

@@ -1,6 +1,6 @@
 //! Decomposition of a mechanism into groups that are solved one after the other.
 
-use crate::algebra::{Algebra, Nominal};
+use crate::algebra::{Names, Nominal};
 use crate::diagnostic::Reporter;
 use crate::model::{Mechanism, unknown_frames};
 use crate::structure::coupled::{classify_coupled, distance_polynomials};
@@ -15,7 +15,7 @@ use crate::structure::{classify, eliminate, equations, matching, mobility_check,
 
 /// The state of the analysis.
 struct Analysis<'a, 'm> {
-    algebra: &'a mut Algebra<'m>,
+    names: &'a mut Names<'m>,
     nominal: &'a Nominal,
     reporter: Reporter<'a>,
     /// The groups so far, in the order of their solution.
@@ -27,25 +27,25 @@ struct Analysis<'a, 'm> {
 
 /// Finds the groups of a scope, and reports those that cannot be solved.
 pub(crate) fn decompose<'m>(
-    algebra: &mut Algebra<'m>,
+    names: &mut Names<'m>,
     nominal: &Nominal,
     scope: &Scope,
     reporter: Reporter,
 ) -> Structure<'m> {
     let mut analysis = Analysis {
-        algebra,
+        names,
         nominal,
         reporter,
         groups: Vec::new(),
         reductions: Reductions::default(),
         steps: 0,
     };
-    let (equations, coordinates) = equations::equations(analysis.algebra, scope);
+    let (equations, coordinates) = equations::equations(analysis.names, scope);
     solve(&mut analysis, equations, coordinates);
     Structure {
         groups: analysis.groups,
         explicit: analysis.reductions.explicit,
-        mobility: analysis.algebra.mechanism.inputs.len(),
+        mobility: analysis.names.mechanism.inputs.len(),
     }
 }
 
@@ -60,12 +60,12 @@ fn solve<'m>(
 ) {
     let incidence: Vec<Vec<usize>> = equations
         .iter()
-        .map(|e| equations::incidence(analysis.algebra, e, &coordinates))
+        .map(|e| equations::incidence(analysis.names, e, &coordinates))
         .collect();
     let rows: Vec<usize> = equations.iter().map(|e| e.rows.len()).collect();
     let matching = matching::maximum(&rows, &incidence, coordinates.len());
     let MobilityCheck { complete, faults } = mobility_check::check_mobility(
-        analysis.algebra,
+        analysis.names,
         analysis.nominal,
         &equations,
         &coordinates,
@@ -75,7 +75,7 @@ fn solve<'m>(
     if !complete && faults.is_empty() {
         // Equations or unknowns that are missing here have been introduced here: the loop before
         // has no known form.
-        let fault = unsolved::unsolved_group(analysis.algebra, &equations, &coordinates);
+        let fault = unsolved::unsolved_group(analysis.names, &equations, &coordinates);
         report_fault(&mut analysis.reporter, fault);
     }
     for fault in faults {
@@ -102,8 +102,8 @@ fn solve_component<'m>(
     equations: Vec<Equation<'m>>,
     coordinates: Vec<Coordinate>,
 ) {
-    let mechanism = analysis.algebra.mechanism;
-    if let Some(form) = closed_form(analysis.algebra, analysis.nominal, &equations, &coordinates) {
+    let mechanism = analysis.names.mechanism;
+    if let Some(form) = closed_form(analysis.names, analysis.nominal, &equations, &coordinates) {
         let group = group(mechanism, &equations, &coordinates, form);
         return analysis.groups.push(group);
     }
@@ -111,7 +111,7 @@ fn solve_component<'m>(
     let allowed = analysis.steps <= STEPS_PER_LOOP * mechanism.loops.len();
     let reduced = if allowed {
         eliminate::reduce(
-            analysis.algebra,
+            analysis.names,
             analysis.nominal,
             &mut analysis.reductions,
             &equations,
@@ -124,14 +124,14 @@ fn solve_component<'m>(
         return solve(analysis, equations, coordinates);
     }
     let squared =
-        distance_polynomials::with_squared_distances(analysis.algebra, &equations, &coordinates);
-    match classify_coupled::classify_coupled(analysis.algebra, &squared, &coordinates) {
+        distance_polynomials::with_squared_distances(analysis.names, &equations, &coordinates);
+    match classify_coupled::classify_coupled(analysis.names, &squared, &coordinates) {
         Some(form) => {
             let group = group(mechanism, &equations, &coordinates, form);
             analysis.groups.push(group);
         }
         None => {
-            let fault = unsolved::unsolved_group(analysis.algebra, &squared, &coordinates);
+            let fault = unsolved::unsolved_group(analysis.names, &squared, &coordinates);
             report_fault(&mut analysis.reporter, fault);
         }
     }
@@ -139,16 +139,16 @@ fn solve_component<'m>(
 
 /// Returns the form in which a component is solved as it is; `None` if it has no closed form.
 fn closed_form<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     nominal: &Nominal,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<Form<'m>> {
     let single = match equations {
-        [equation] => classify::classify(algebra, equation, coordinates),
+        [equation] => classify::classify(names, equation, coordinates),
         _ => None,
     };
-    single.or_else(|| point::classify_point(algebra, nominal, equations, coordinates))
+    single.or_else(|| point::classify_point(names, nominal, equations, coordinates))
 }
 
 fn report_fault(reporter: &mut Reporter, fault: StructureFault) {

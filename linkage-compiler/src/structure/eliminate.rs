@@ -3,7 +3,7 @@
 
 use linkage_symbolic::{Ex, Graph, SymbolId, collect};
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::algebra::{Atom, Nominal, Scalar, scalar};
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
 use crate::structure::reductions::{Reductions, Substitutions};
@@ -11,14 +11,14 @@ use crate::structure::{body_circle, circle, double, equations, explicit, rewrite
 
 /// An angle relation (`psi = theta + 30deg`) shows which vectors turn together.
 fn eliminate_relation<'m>(
-    algebra: &mut Algebra<'m>,
+    names: &mut Names<'m>,
     reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
-    let (place, angle) = find_relation(algebra, equations, coordinates)?;
-    let value = explicit::solved_relation(algebra, &equations[place], angle)?;
-    explicit::replace_angle(algebra, reductions, angle, &value);
+    let (place, angle) = find_relation(names, equations, coordinates)?;
+    let value = explicit::solved_relation(names, &equations[place], angle)?;
+    explicit::replace_angle(names, reductions, angle, &value);
     let (gone, kept): (Vec<Coordinate>, Vec<Coordinate>) = coordinates
         .iter()
         .cloned()
@@ -28,12 +28,12 @@ fn eliminate_relation<'m>(
     for equation in &mut equations {
         match replaced_in_relation(equation, angle, &value) {
             Some(relation) => {
-                equation.rows = vec![scalar::value_of(algebra, &relation)];
+                equation.rows = vec![scalar::value_of(names, &relation)];
                 equation.relation = Some(relation);
                 equation.absorb(&eliminated, &gone);
             }
             None => explicit::substitute_in(
-                algebra.graph,
+                names.graph,
                 &reductions.substitutions,
                 equation,
                 &eliminated,
@@ -47,7 +47,7 @@ fn eliminate_relation<'m>(
 /// A relation between angles that contains no other unknown, and the angle it is best solved for:
 /// one that other loops use too, after whose removal the rest counts in whole multiples.
 fn find_relation<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<(usize, usize)> {
@@ -55,7 +55,7 @@ fn find_relation<'m>(
         let relation = equation.relation.as_ref()?;
         if coordinates
             .iter()
-            .any(|c| equations::contains(algebra, relation.rest, c))
+            .any(|c| equations::contains(names, relation.rest, c))
         {
             return None;
         }
@@ -63,7 +63,7 @@ fn find_relation<'m>(
             let others = equations.iter().enumerate().filter(|(k, _)| *k != place);
             others
                 .flat_map(|(_, e)| &e.rows)
-                .any(|&row| equations::contains(algebra, row, c))
+                .any(|&row| equations::contains(names, row, c))
         };
         let angles: Vec<usize> = coordinates
             .iter()
@@ -107,31 +107,31 @@ fn replaced_in_relation<'m>(
 
 /// One step towards known forms; `None` if there is none.
 pub(crate) fn reduce<'m>(
-    algebra: &mut Algebra<'m>,
+    names: &mut Names<'m>,
     nominal: &Nominal,
     reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
-    eliminate_relation(algebra, reductions, equations, coordinates)
-        .or_else(|| eliminate_point(algebra, reductions, equations, coordinates))
+    eliminate_relation(names, reductions, equations, coordinates)
+        .or_else(|| eliminate_point(names, reductions, equations, coordinates))
         .or_else(|| {
-            body_circle::body_to_circles(algebra, nominal, reductions, equations, coordinates)
+            body_circle::body_to_circles(names, nominal, reductions, equations, coordinates)
         })
-        .or_else(|| eliminate_slide(algebra, reductions, equations, coordinates))
-        .or_else(|| rewrite::join_rows(algebra, equations, coordinates))
-        .or_else(|| double::distance_of_double_angle(algebra, reductions, equations, coordinates))
-        .or_else(|| rewrite::distance_to_link(algebra, equations, coordinates))
-        .or_else(|| rewrite::split_along_guide(algebra, equations, coordinates))
-        .or_else(|| rewrite::split_across_guides(algebra, equations, coordinates))
-        .or_else(|| double::double_angle(algebra, reductions, equations, coordinates))
-        .or_else(|| rewrite::relative_angle(algebra, reductions, equations, coordinates))
-        .or_else(|| circle::point_to_circle(algebra, nominal, reductions, equations, coordinates))
+        .or_else(|| eliminate_slide(names, reductions, equations, coordinates))
+        .or_else(|| rewrite::join_rows(names, equations, coordinates))
+        .or_else(|| double::distance_of_double_angle(names, reductions, equations, coordinates))
+        .or_else(|| rewrite::distance_to_link(names, equations, coordinates))
+        .or_else(|| rewrite::split_along_guide(names, equations, coordinates))
+        .or_else(|| rewrite::split_across_guides(names, equations, coordinates))
+        .or_else(|| double::double_angle(names, reductions, equations, coordinates))
+        .or_else(|| rewrite::relative_angle(names, reductions, equations, coordinates))
+        .or_else(|| circle::point_to_circle(names, nominal, reductions, equations, coordinates))
 }
 
 /// `p + ... = 0` in one of several vector loops gives the unknown point `p`.
 fn eliminate_point<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -148,14 +148,14 @@ fn eliminate_point<'m>(
             let Some(symbols) = equations::point_symbols(point) else {
                 continue;
             };
-            let Some(values) = solve_point(algebra, equation, &symbols) else {
+            let Some(values) = solve_point(names, equation, &symbols) else {
                 continue;
             };
             for (symbol, value) in symbols.into_iter().zip(values) {
                 explicit::make_explicit(reductions, symbol, value);
             }
             return Some(without(
-                algebra.graph,
+                names.graph,
                 &reductions.substitutions,
                 equations,
                 coordinates,
@@ -170,11 +170,11 @@ fn eliminate_point<'m>(
 /// All components of a point that enters an equation as `k (x, y)` with a `k` that is known before
 /// the input.
 fn solve_point<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     equation: &Equation<'m>,
     point: &[SymbolId],
 ) -> Option<Vec<Ex<'m>>> {
-    let zero = algebra.zero();
+    let zero = names.zero();
     let mut values = Vec::new();
     for (row, &x) in equation.rows.iter().enumerate() {
         let mut terms = collect(x, point, &[])?;
@@ -192,7 +192,7 @@ fn solve_point<'m>(
 
 /// A scalar loop that is linear in a slide, with a constant factor, gives that slide.
 fn eliminate_slide<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -222,10 +222,10 @@ fn eliminate_slide<'m>(
             if factor.constant_value().is_none() {
                 continue;
             }
-            let rest = rest.unwrap_or(algebra.zero());
+            let rest = rest.unwrap_or(names.zero());
             explicit::make_explicit(reductions, symbol, -(rest / factor));
             return Some(without(
-                algebra.graph,
+                names.graph,
                 &reductions.substitutions,
                 equations,
                 coordinates,

@@ -2,7 +2,7 @@
 
 use linkage_symbolic::{Ex, Graph, SymbolId};
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::algebra::{Atom, Scalar, scalar};
 use crate::structure::equations;
 use crate::structure::equations::{Coordinate, Equation};
@@ -11,14 +11,14 @@ use crate::structure::reductions::{Reductions, Substitutions};
 
 /// An angle relation solved for one angle.
 pub(crate) fn solved_relation<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     equation: &Equation<'m>,
     angle: usize,
 ) -> Option<Scalar<'m>> {
     let relation = equation.relation.clone()?;
     let factor = relation.coefficient(Atom::Angle(angle));
-    let own_symbols = algebra.names.angles[angle].symbols();
-    let present = equations::symbols_of(algebra, &[relation.rest]);
+    let own_symbols = names.angles[angle].symbols();
+    let present = equations::symbols_of(names, &[relation.rest]);
     if factor == 0.0 || own_symbols.iter().any(|s| present.contains(s)) {
         return None;
     }
@@ -29,25 +29,25 @@ pub(crate) fn solved_relation<'m>(
 
 /// Makes an angle an explicit expression of others.
 pub(crate) fn replace_angle<'m>(
-    algebra: &mut Algebra<'m>,
+    names: &mut Names<'m>,
     reductions: &mut Reductions<'m>,
     angle: usize,
     value: &Scalar<'m>,
 ) {
-    for (symbol, value) in replacements_of_angle(algebra, angle, value) {
+    for (symbol, value) in replacements_of_angle(names, angle, value) {
         make_explicit(reductions, symbol, value);
     }
 }
 
 /// Returns the symbols of an angle that is given by others, with the expressions that replace them.
 pub(crate) fn replacements_of_angle<'m>(
-    algebra: &mut Algebra<'m>,
+    names: &mut Names<'m>,
     angle: usize,
     value: &Scalar<'m>,
 ) -> [(SymbolId, Ex<'m>); 3] {
-    let [cos, sin] = scalar::direction(algebra, value).0;
-    let number = scalar::value_of(algebra, value);
-    let symbols = algebra.names.angles[angle].symbols();
+    let [cos, sin] = scalar::direction(names, value).0;
+    let number = scalar::value_of(names, value);
+    let symbols = names.angles[angle].symbols();
     [0, 1, 2].map(|k| (symbols[k], [cos, sin, number][k]))
 }
 

@@ -1,7 +1,7 @@
 //! Messages about unknown frames: a body in space has six freedoms, one in the plane three,
 //! whatever unknowns and loops of its own it is made of.
 
-use crate::algebra::{Algebra, Nominal};
+use crate::algebra::{Names, Nominal};
 use crate::message_format::{MessageFormat, loop_list};
 use crate::mobility::{Position, freedom, overconstrained};
 use crate::model::{Mechanism, unknown_frames};
@@ -70,7 +70,7 @@ pub(crate) struct FrameFaults {
 
 /// Returns the bodies that too few loops hold, or too many.
 pub(crate) fn frame_faults<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     nominal: &Nominal,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -78,7 +78,7 @@ pub(crate) fn frame_faults<'m>(
     matching: &Matching,
 ) -> FrameFaults {
     let mut found_faults = FrameFaults::default();
-    for found in unknown_frames(algebra.mechanism) {
+    for found in unknown_frames(names.mechanism) {
         let is_own = |&k: &usize| {
             let unknown = coordinates[k].unknown;
             unknown.is_some_and(|unknown| found.unknowns.contains(&unknown))
@@ -98,7 +98,7 @@ pub(crate) fn frame_faults<'m>(
         if !open.is_empty() {
             let (open_count, count) = (open.len(), coordinates.len());
             found_faults.faults.push(open_frame(
-                algebra, nominal, &found, open_count, count, equations,
+                names, nominal, &found, open_count, count, equations,
             ));
             let undetermined = |&k: &usize| matching::undetermined_with(k, incidence, matching).0;
             found_faults
@@ -106,7 +106,7 @@ pub(crate) fn frame_faults<'m>(
                 .extend(open.iter().flat_map(undetermined));
             found_faults.coordinates.extend(members);
         } else if surplus > 0 && found_faults.coordinates.is_empty() {
-            let fault = frame_held_twice(algebra, nominal, &found, surplus, coordinates, equations);
+            let fault = frame_held_twice(names, nominal, &found, surplus, coordinates, equations);
             found_faults.faults.extend(fault);
             found_faults.coordinates.extend(members);
         }
@@ -115,7 +115,7 @@ pub(crate) fn frame_faults<'m>(
 }
 
 fn open_frame<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     nominal: &Nominal,
     found: &UnknownFrame,
     open: usize,
@@ -129,7 +129,7 @@ fn open_frame<'m>(
         freedoms,
         example,
     } = found;
-    let mechanism = algebra.mechanism;
+    let mechanism = names.mechanism;
     let inputs = mechanism.inputs.len();
     let held = freedoms.saturating_sub(open);
     let example = example.replace("BODY", name);
@@ -144,7 +144,7 @@ fn open_frame<'m>(
     let motion = if loops.is_empty() {
         None
     } else {
-        position(algebra, nominal, &nominal.estimates, freedom::motion_left)
+        position(names, nominal, &nominal.estimates, freedom::motion_left)
     };
     let motion = motion.map_or_else(String::new, |motion| {
         format!("; where the estimates are, {motion}")
@@ -162,7 +162,7 @@ fn open_frame<'m>(
 }
 
 fn frame_held_twice<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     nominal: &Nominal,
     found: &UnknownFrame,
     surplus: usize,
@@ -175,7 +175,7 @@ fn frame_held_twice<'m>(
         freedoms,
         ..
     } = found;
-    let mechanism = algebra.mechanism;
+    let mechanism = names.mechanism;
     let last = loops.last()?;
     let inputs = mechanism.inputs.len();
     let about = equations
@@ -184,7 +184,7 @@ fn frame_held_twice<'m>(
     let rows: usize = about.map(|e| e.rows.len()).sum();
     let all: usize = equations.iter().map(|e| e.rows.len()).sum();
     let mobility = (inputs + coordinates.len()) as isize - all as isize;
-    let too_many = too_many(algebra, nominal, surplus, equations, coordinates);
+    let too_many = too_many(names, nominal, surplus, equations, coordinates);
     let text = format!(
         "more equations than unknowns: the frame `{name}` has {freedoms} freedoms, and {} {} {rows} equations about it, {surplus} \
              too many (mobility {mobility}, driven inputs {inputs}){}\n\
@@ -202,15 +202,15 @@ fn frame_held_twice<'m>(
 
 /// Returns the loops about a frame that depend on others, and the remedy.
 fn too_many<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     nominal: &Nominal,
     surplus: usize,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> HeldTwice {
-    let closed = redundant::all_closed(algebra, nominal, equations, coordinates);
+    let closed = redundant::all_closed(names, nominal, equations, coordinates);
     let at = closed.as_ref().unwrap_or(&nominal.estimates);
-    let Some(found) = position(algebra, nominal, at, |at| overconstrained::surplus(at)) else {
+    let Some(found) = position(names, nominal, at, |at| overconstrained::surplus(at)) else {
         return HeldTwice {
             fact: String::new(),
             help: "remove a loop, or make a dimension or an input of one an `unknown`".to_owned(),
@@ -248,12 +248,12 @@ fn too_many<'m>(
 
 /// Runs a check of the loops where the unknowns have these values; nothing if one has no estimate.
 fn position<'m, R>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     nominal: &Nominal,
     values: &[Vec<f64>],
     question: impl FnOnce(&Position<'_, 'm>) -> Option<R>,
 ) -> Option<R> {
-    let mechanism = algebra.mechanism;
+    let mechanism = names.mechanism;
     let mut unknowns = mechanism.unknowns.iter();
     if unknowns.any(|unknown| unknown.estimate.is_none()) {
         return None;
@@ -262,7 +262,7 @@ fn position<'m, R>(
     question(&Position::new(
         &words,
         nominal,
-        redundant::longest(algebra, nominal),
+        redundant::longest(names, nominal),
         values.to_vec(),
     ))
 }

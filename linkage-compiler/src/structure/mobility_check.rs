@@ -1,6 +1,6 @@
 //! Messages about the numbers of unknowns and equations.
 
-use crate::algebra::{Algebra, Nominal};
+use crate::algebra::{Names, Nominal};
 use crate::message_format::loop_list;
 use crate::structure::equations::{Coordinate, Equation};
 use crate::structure::fault::StructureFault;
@@ -19,7 +19,7 @@ pub(crate) struct MobilityCheck {
 
 /// Finds unknowns without equations, and equations without unknowns.
 pub(crate) fn check_mobility<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     nominal: &Nominal,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -29,14 +29,7 @@ pub(crate) fn check_mobility<'m>(
     let FrameFaults {
         mut faults,
         coordinates: mut reported,
-    } = frames::frame_faults(
-        algebra,
-        nominal,
-        equations,
-        coordinates,
-        incidence,
-        matching,
-    );
+    } = frames::frame_faults(names, nominal, equations, coordinates, incidence, matching);
     let mut complete = reported.is_empty();
     for (k, coordinate) in coordinates.iter().enumerate() {
         if matching.equation_of[k].is_some() || reported.contains(&k) {
@@ -45,7 +38,7 @@ pub(crate) fn check_mobility<'m>(
         complete = false;
         let (undetermined, sharing) = matching::undetermined_with(k, incidence, matching);
         faults.extend(undetermined_unknowns(
-            algebra,
+            names,
             coordinate,
             &undetermined,
             &sharing,
@@ -56,13 +49,13 @@ pub(crate) fn check_mobility<'m>(
     }
     for (k, equation) in equations.iter().enumerate() {
         let surplus = equation.rows.len() - matching.coordinates_of[k].len();
-        if incidence[k].is_empty() && is_reported(algebra, equation, &reported, coordinates) {
+        if incidence[k].is_empty() && is_reported(names, equation, &reported, coordinates) {
             continue;
         }
         if surplus > 0 && (complete || incidence[k].is_empty()) {
             complete = false;
             faults.push(surplus_equations(
-                algebra,
+                names,
                 nominal,
                 equation,
                 surplus,
@@ -77,19 +70,19 @@ pub(crate) fn check_mobility<'m>(
 
 /// True for a loop whose unknowns cancel out, if that has been said of one of them.
 fn is_reported<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     equation: &Equation<'m>,
     reported: &[usize],
     coordinates: &[Coordinate],
 ) -> bool {
-    let written = algebra.mechanism.usage(&equation.loops).unknowns;
+    let written = names.mechanism.usage(&equation.loops).unknowns;
     let mut reported = reported.iter().filter_map(|&k| coordinates[k].unknown);
     reported.any(|unknown| written[unknown])
 }
 
 /// Returns the fault of an unknown without an equation; `None` if the compiler introduced it.
 fn undetermined_unknowns<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     coordinate: &Coordinate,
     undetermined: &[usize],
     sharing: &[usize],
@@ -97,12 +90,12 @@ fn undetermined_unknowns<'m>(
     coordinates: &[Coordinate],
 ) -> Option<StructureFault> {
     let unknown = coordinate.unknown?;
-    let origin = algebra.mechanism.unknowns[unknown].origin;
+    let origin = names.mechanism.unknowns[unknown].origin;
     let fault = |text| Some(StructureFault { origin, text });
-    let name = &algebra.mechanism.unknowns[unknown].name;
+    let name = &names.mechanism.unknowns[unknown].name;
     if sharing.is_empty() && naming::is_component(undetermined, coordinates) {
-        let component = naming::coordinate_name(algebra, coordinate);
-        let dimension = algebra.mechanism.unknowns[unknown].ty.dimension();
+        let component = naming::coordinate_name(names, coordinate);
+        let dimension = names.mechanism.unknowns[unknown].ty.dimension();
         let norm = if dimension.is_some_and(|d| d.half_lengths == 0) {
             format!("; the loop of a direction is `norm({name}) = 1`")
         } else {
@@ -112,8 +105,8 @@ fn undetermined_unknowns<'m>(
             "`{component}` is in no loop\nhelp: add a `loop` that contains it{norm}"
         ));
     }
-    let written: Vec<usize> = (0..algebra.mechanism.loops.len())
-        .filter(|&k| algebra.mechanism.usage(&[k]).unknowns[unknown])
+    let written: Vec<usize> = (0..names.mechanism.loops.len())
+        .filter(|&k| names.mechanism.usage(&[k]).unknowns[unknown])
         .collect();
     if sharing.is_empty() && !written.is_empty() {
         let loops = loop_list(&written);
@@ -130,12 +123,12 @@ fn undetermined_unknowns<'m>(
     }
     let rows: usize = sharing.iter().map(|&k| equations[k].rows.len()).sum();
     let surplus = undetermined.len() - rows;
-    let inputs = algebra.mechanism.inputs.len();
+    let inputs = names.mechanism.inputs.len();
     fault(format!(
         "more unknowns than equations: {} ({}) but {} from {}; mobility {}, driven inputs {inputs}\n\
              help: add a loop, or make {}",
         naming::counted(undetermined.len(), "unknown"),
-        naming::unknown_names(algebra, undetermined.iter().map(|&k| &coordinates[k])),
+        naming::unknown_names(names, undetermined.iter().map(|&k| &coordinates[k])),
         naming::counted(rows, "equation"),
         loop_list(sharing.iter().flat_map(|&k| &equations[k].loops)),
         inputs + surplus,
@@ -149,7 +142,7 @@ fn undetermined_unknowns<'m>(
 
 /// Returns the fault of a loop with more equations than unknowns.
 fn surplus_equations<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     nominal: &Nominal,
     equation: &Equation<'m>,
     surplus: usize,
@@ -158,7 +151,7 @@ fn surplus_equations<'m>(
     coordinates: &[Coordinate],
 ) -> StructureFault {
     let number = equation.loops[0];
-    let origin = algebra.mechanism.loops[number].origin;
+    let origin = names.mechanism.loops[number].origin;
     let loops = loop_list(&equation.loops);
     let text = if contained.is_empty() {
         format!(
@@ -166,17 +159,17 @@ fn surplus_equations<'m>(
         )
     } else {
         let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
-        let inputs = algebra.mechanism.inputs.len();
+        let inputs = names.mechanism.inputs.len();
         let mobility = (inputs + coordinates.len()) as isize - rows as isize;
         let unknowns: Vec<Coordinate> = contained.iter().map(|&k| coordinates[k].clone()).collect();
-        let short = closest_approach::short_of(algebra, nominal, equation, &unknowns);
+        let short = closest_approach::short_of(names, nominal, equation, &unknowns);
         let short = short.map_or_else(String::new, |short| format!(": {short}"));
         let link = match equation.rows.len() {
             3 => "; a link between two ball joints is one equation, `distance(a, b) = length`",
             _ => "",
         };
         let repeated =
-            redundant::redundant_loops(algebra, nominal, equation, surplus, equations, coordinates);
+            redundant::redundant_loops(names, nominal, equation, surplus, equations, coordinates);
         let RedundantLoops { fact, help } = repeated.unwrap_or_else(|| RedundantLoops {
                 fact: short,
                 help: format!(
@@ -192,7 +185,7 @@ fn surplus_equations<'m>(
             } else {
                 format!("has {surplus} equations")
             },
-            naming::unknown_names(algebra, contained.iter().map(|&k| &coordinates[k])),
+            naming::unknown_names(names, contained.iter().map(|&k| &coordinates[k])),
             naming::counted(rows, "equation"),
             naming::counted(coordinates.len(), "unknown"),
         )

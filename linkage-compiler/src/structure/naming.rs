@@ -1,11 +1,11 @@
-//! Algebra of coordinates and unknowns in messages.
+//! Names of coordinates and unknowns in messages.
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::structure::equations::{Coordinate, CoordinateKind};
 
 /// The unknowns behind coordinates; of a vector that is not there as a whole, the components.
 pub(crate) fn unknown_names<'c>(
-    algebra: &Algebra<'_>,
+    names: &Names<'_>,
     coordinates: impl Iterator<Item = &'c Coordinate>,
 ) -> String {
     let coordinates: Vec<&Coordinate> = coordinates.filter(|c| c.unknown.is_some()).collect();
@@ -15,10 +15,10 @@ pub(crate) fn unknown_names<'c>(
             continue;
         };
         let of_it = coordinates.iter().filter(|c| c.unknown == Some(unknown));
-        let name = if of_it.count() == algebra.names.components_of(unknown) {
-            algebra.mechanism.unknowns[unknown].name.clone()
+        let name = if of_it.count() == names.components_of(unknown) {
+            names.mechanism.unknowns[unknown].name.clone()
         } else {
-            coordinate_name(algebra, coordinate)
+            coordinate_name(names, coordinate)
         };
         named.push((unknown, format!("`{name}`")));
     }
@@ -41,20 +41,20 @@ pub(crate) fn is_component(indices: &[usize], coordinates: &[Coordinate]) -> boo
 }
 
 /// `theta`, or a component: `p.x`.
-pub(crate) fn coordinate_name(algebra: &Algebra<'_>, coordinate: &Coordinate) -> String {
+pub(crate) fn coordinate_name(names: &Names<'_>, coordinate: &Coordinate) -> String {
     match coordinate.kind {
-        CoordinateKind::Length(symbol) => algebra.graph.symbol(symbol).name,
+        CoordinateKind::Length(symbol) => names.graph.symbol(symbol).name,
         CoordinateKind::Angle(angle) => {
-            let value = algebra.names.angles[angle].value;
-            algebra.graph.symbol(value).name
+            let value = names.angles[angle].value;
+            names.graph.symbol(value).name
         }
     }
 }
 
-pub(crate) fn unknown_list(algebra: &Algebra<'_>, mut unknowns: Vec<usize>) -> String {
+pub(crate) fn unknown_list(names: &Names<'_>, mut unknowns: Vec<usize>) -> String {
     unknowns.sort_unstable();
     unknowns.dedup();
-    let name = |&k: &usize| format!("`{}`", algebra.mechanism.unknowns[k].name);
+    let name = |&k: &usize| format!("`{}`", names.mechanism.unknowns[k].name);
     unknowns.iter().map(name).collect::<Vec<_>>().join(", ")
 }
 

@@ -3,7 +3,7 @@
 use linkage_symbolic::{Ex, SymbolId, V3, Vector, numerically_equal};
 
 use crate::algebra::Nominal;
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::structure::elements::{Plane, Sphere};
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::structure::form::Form;
@@ -11,7 +11,7 @@ use crate::structure::{distance, space};
 
 /// Two or three numbers given by distances in space and planes: a point, or a direction.
 pub(crate) fn classify_point<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     nominal: &Nominal,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -32,11 +32,11 @@ pub(crate) fn classify_point<'m>(
     let mut linear = Vec::new();
     for equation in equations {
         let row = equation.rows[0];
-        let Some((vector, radius)) = distance::space_distance(algebra, row, coordinates) else {
-            linear.push(space::linear_row(algebra, row, &symbols)?);
+        let Some((vector, radius)) = distance::space_distance(names, row, coordinates) else {
+            linear.push(space::linear_row(names, row, &symbols)?);
             continue;
         };
-        let (columns, factor, known) = moved_point(algebra, vector, &symbols)?;
+        let (columns, factor, known) = moved_point(names, vector, &symbols)?;
         if places.get_or_insert_with(|| columns.clone()) != &columns {
             return None;
         }
@@ -51,7 +51,7 @@ pub(crate) fn classify_point<'m>(
     }
     let places = places?;
     smallest_first(nominal, &mut spheres);
-    let zero = algebra.zero();
+    let zero = names.zero();
     let planes = linear.into_iter().map(|(factors, offset)| {
         let mut normal = Vector([zero; 3]);
         for (&place, factor) in places.iter().zip(factors) {
@@ -78,15 +78,15 @@ fn smallest_first(nominal: &Nominal, spheres: &mut [Sphere]) {
 
 /// `k + f p`, where each symbol is a component of `p`: the components, `f` and `k`.
 pub(crate) fn moved_point<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     vector: V3<'m>,
     symbols: &[SymbolId],
 ) -> Option<(Vec<usize>, Ex<'m>, V3<'m>)> {
     let mut places = vec![None; symbols.len()];
     let mut factor = None;
-    let mut known = Vector([algebra.zero(); 3]);
+    let mut known = Vector([names.zero(); 3]);
     for (component, row) in vector.components().enumerate() {
-        let (factors, rest) = space::linear_row(algebra, row, symbols)?;
+        let (factors, rest) = space::linear_row(names, row, symbols)?;
         known.0[component] = rest;
         for (place, entry) in places.iter_mut().zip(factors) {
             if entry.is_zero() {

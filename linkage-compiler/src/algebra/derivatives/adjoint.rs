@@ -10,7 +10,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use linkage_symbolic::{Ex, SymbolId, V2, Vector};
+use linkage_symbolic::{Ex, Graph, SymbolId, V2, Vector};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::by_rule::GroupRates;
@@ -19,6 +19,7 @@ use crate::algebra::derivatives::{
 };
 use crate::algebra::memo::{Flow, Multiplier};
 use crate::algebra::rules::DerivativeRule;
+use crate::algebra::solutions::Solutions;
 use crate::algebra::systems::{Solved, System};
 
 pub(crate) fn flow_to<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> Rc<Flow<'m>> {
@@ -91,7 +92,12 @@ pub(crate) fn sweep<'m>(
         add(algebra, &mut open, solved, weight);
     }
     while let Some((system, weights)) = open.pop_last() {
-        let factors = solve_transposed(algebra, system.group, &weights);
+        let factors = solve_transposed(
+            algebra.graph,
+            &mut algebra.solutions,
+            system.group,
+            &weights,
+        );
         if factors.iter().all(|factor| factor.is_zero()) {
             continue;
         }
@@ -165,13 +171,14 @@ fn slope_of_row<'m>(
 /// the scaled weights, of which there are fewer; differentiated as the quotients, whose derivatives
 /// stay in range for lengths of any unit.
 pub(crate) fn solve_transposed<'m>(
-    algebra: &mut Algebra<'m>,
+    graph: &'m Graph,
+    solutions: &mut Solutions<'m>,
     group: usize,
     weights: &[Ex<'m>],
 ) -> Vec<Ex<'m>> {
-    let solution = algebra.solutions.groups[group].clone();
+    let solution = solutions.groups[group].clone();
     if solution.elimination.is_some() {
-        return elimination::eliminate_transposed(algebra, group, weights);
+        return elimination::eliminate_transposed(graph, &solution, weights);
     }
     let determinant = solution.determinant;
     let &[first, second] = weights else {
@@ -189,7 +196,13 @@ pub(crate) fn solve_transposed<'m>(
                 return quotient;
             }
             let name = format!("multiplier {group}.{row}");
-            by_rule::symbol_for_value(algebra, name, value, DerivativeRule::Follow(quotient))
+            by_rule::symbol_for_value(
+                graph,
+                solutions,
+                name,
+                value,
+                DerivativeRule::Follow(quotient),
+            )
         })
         .to_vec()
 }

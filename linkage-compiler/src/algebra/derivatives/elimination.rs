@@ -7,11 +7,12 @@
 //! and no division but the last. They grow with the factorial of the size: larger matrices are
 //! eliminated in an order that is known before (`pivots`).
 
-use linkage_symbolic::{Ex, SymbolId};
+use linkage_symbolic::{Ex, Graph, SymbolId};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::rotation_variation::BodyRotations;
 use crate::algebra::derivatives::{rotation_variation, written_rows};
+use crate::algebra::equations::Solution;
 use crate::algebra::{bodies, cofactors};
 
 /// The unknowns of `J r = right`, the core first: derivatives by some variables.
@@ -67,7 +68,12 @@ pub(crate) fn eliminate<'m>(
             }
             solved.solution
         }
-        None => solve_core(algebra, &elimination.matrix, &core, solution.determinant),
+        None => solve_core(
+            algebra.graph,
+            &elimination.matrix,
+            &core,
+            solution.determinant,
+        ),
     };
     let mut rates = Vec::new();
     for (position, quotient) in quotients.into_iter().enumerate() {
@@ -90,16 +96,15 @@ pub(crate) fn eliminate<'m>(
 
 /// The multipliers of `J^T l = weights`.
 pub(crate) fn eliminate_transposed<'m>(
-    algebra: &Algebra<'m>,
-    group: usize,
+    graph: &'m Graph,
+    solution: &Solution<'m>,
     weights: &[Ex<'m>],
 ) -> Vec<Ex<'m>> {
-    let solution = algebra.solutions.groups[group].clone();
     let Some(elimination) = &solution.elimination else {
         unreachable!("closed forms are solved by Cramer's rule");
     };
     let count = elimination.units.len();
-    let zero = algebra.zero();
+    let zero = graph.number(0.0);
     let mut multipliers = vec![zero; solution.jacobian[0].len()];
     for (k, private) in elimination.privates.iter().enumerate() {
         let factor = weights[count + k] / private.square;
@@ -109,21 +114,19 @@ pub(crate) fn eliminate_transposed<'m>(
     }
     let core: Vec<Ex> = (0..count)
         .map(|position| {
-            let known =
-                cofactors::product_sum(algebra.graph, &multipliers, &solution.jacobian[position]);
+            let known = cofactors::product_sum(graph, &multipliers, &solution.jacobian[position]);
             elimination.units[position] * (weights[position] - known)
         })
         .collect();
     let factors: Vec<Ex> = match &elimination.scheme {
         Some(scheme) => {
-            bodies::solve_transposed_by_scheme(algebra.graph, scheme, &elimination.matrix, &core)
+            bodies::solve_transposed_by_scheme(graph, scheme, &elimination.matrix, &core)
         }
         None => {
             let transposed: Vec<Vec<Ex>> = (0..count)
                 .map(|column| elimination.matrix.iter().map(|row| row[column]).collect())
                 .collect();
-            let numerators =
-                cofactors::cofactor_products(algebra.graph, &transposed, &core).into_iter();
+            let numerators = cofactors::cofactor_products(graph, &transposed, &core).into_iter();
             numerators
                 .map(|numerator| numerator / solution.determinant)
                 .collect()
@@ -139,7 +142,7 @@ pub(crate) fn eliminate_transposed<'m>(
 
 /// Solves a linear system. A right-hand side that is mostly 0 is divided by the determinant itself.
 fn solve_core<'m>(
-    algebra: &Algebra<'m>,
+    graph: &'m Graph,
     matrix: &[Vec<Ex<'m>>],
     right: &[Ex<'m>],
     determinant: Ex<'m>,
@@ -147,9 +150,9 @@ fn solve_core<'m>(
     let entries = right.iter().filter(|x| !x.is_zero()).count();
     if entries < right.len() {
         let right: Vec<Ex> = right.iter().map(|&x| x / determinant).collect();
-        return cofactors::cofactor_products(algebra.graph, matrix, &right);
+        return cofactors::cofactor_products(graph, matrix, &right);
     }
-    let numerators = cofactors::cofactor_products(algebra.graph, matrix, right).into_iter();
+    let numerators = cofactors::cofactor_products(graph, matrix, right).into_iter();
     numerators
         .map(|numerator| numerator / determinant)
         .collect()

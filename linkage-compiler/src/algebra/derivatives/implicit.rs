@@ -130,7 +130,16 @@ fn solve<'m>(
             group,
             right,
             by,
-            &mut |algebra, position, rate| by_rule::rate_symbol(algebra, group, position, by, rate),
+            &mut |algebra, position, rate| {
+                by_rule::rate_symbol(
+                    algebra.graph,
+                    &mut algebra.solutions,
+                    group,
+                    position,
+                    by,
+                    rate,
+                )
+            },
         );
     }
     let numerators = match *right {
@@ -149,7 +158,14 @@ fn solve<'m>(
     let mut rates: Vec<Ex> = (0..count)
         .map(|position| {
             let quotient = numerators[position] / determinant;
-            by_rule::rate_symbol(algebra, group, position, by, quotient)
+            by_rule::rate_symbol(
+                algebra.graph,
+                &mut algebra.solutions,
+                group,
+                position,
+                by,
+                quotient,
+            )
         })
         .collect();
     // The determinant alone shows whether the loop closes where the other one does not change.
@@ -158,7 +174,14 @@ fn solve<'m>(
     {
         let other = jacobian[1 - alone][row] * rates[1 - alone];
         let quotient = (right[row] - other) / jacobian[alone][row];
-        rates[alone] = by_rule::rate_symbol(algebra, group, alone, by, quotient);
+        rates[alone] = by_rule::rate_symbol(
+            algebra.graph,
+            &mut algebra.solutions,
+            group,
+            alone,
+            by,
+            quotient,
+        );
     }
     rates
 }

@@ -63,7 +63,8 @@ fn rates_of_rod<'m>(
     let second = known_y + rate_y * rod.slope;
     let right = (rate_x * rate_y) * rod.across - rod.vector.dot(known_xy) - first.dot(second);
     Some(vec![by_rule::rate_symbol(
-        algebra,
+        algebra.graph,
+        &mut algebra.solutions,
         group,
         0,
         by,
@@ -106,7 +107,14 @@ pub(crate) fn rates_by_products<'m>(
     let along2 = right.dot(second.vector) + turned1 * second.across + turned2 * second.square;
     let numerators = [along2, -along1].into_iter().enumerate();
     let rates = numerators.map(|(position, numerator)| {
-        by_rule::rate_symbol(algebra, group, position, by, numerator / determinant)
+        by_rule::rate_symbol(
+            algebra.graph,
+            &mut algebra.solutions,
+            group,
+            position,
+            by,
+            numerator / determinant,
+        )
     });
     Some(rates.collect())
 }

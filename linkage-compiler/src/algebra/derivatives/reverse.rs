@@ -225,7 +225,8 @@ fn system_back<'m>(algebra: &mut Algebra<'m>, weights: &mut Weights<'m>, system:
     let Some(found) = weights.systems.get(system).cloned() else {
         return;
     };
-    let multipliers = adjoint::solve_transposed(algebra, system.group, &found);
+    let multipliers =
+        adjoint::solve_transposed(algebra.graph, &mut algebra.solutions, system.group, &found);
     let solution = algebra.solutions.groups[system.group].clone();
     let rates = if system.by.is_empty() {
         None

@@ -20,7 +20,7 @@ pub(crate) fn slope_of_body_vector(
     if algebra.derivatives.held > 0 {
         return None;
     }
-    let carried = algebra.solutions.body_vectors.get(&node)?.clone();
+    let carried = algebra.names.body_vectors.get(&node)?.clone();
     algebra.derivatives.offered.turns = true;
     if !algebra.solutions.shortcuts.turns {
         return None;
@@ -95,7 +95,7 @@ pub(crate) fn rotation_of_frame<'m>(
     frame: &Value<'m>,
     variable: SymbolId,
 ) -> Option<Value<'m>> {
-    let [_, axes @ ..] = frame::frame_parts(algebra, frame);
+    let [_, axes @ ..] = frame::frame_parts(&algebra.names, frame);
     let turn = rotation_of_body_with(algebra, &axes, variable)?;
     Some(Value::Vector(turn.into()))
 }
@@ -188,7 +188,8 @@ fn rotation_as_symbol<'m>(
     }
     let name = format!("turn {:?}", turn.id());
     let symbol = by_rule::symbol_for_value(
-        algebra,
+        algebra.graph,
+        &mut algebra.solutions,
         name,
         turn,
         DerivativeRule::Rotation(Box::new(rule)),
