@@ -44,7 +44,9 @@ pub(super) fn request<'m>(
     definition: &EvaluatorDef,
     strategy: Strategy,
 ) -> Requested<'m> {
-    if links::use_shortcuts(state.algebra, strategy.shortcuts) {
+    let algebra = &mut *state.algebra;
+    let (solutions, derivatives) = (&mut algebra.solutions, &mut algebra.derivatives);
+    if links::use_shortcuts(solutions, derivatives, strategy.shortcuts) {
         state.forces.forget_derivatives();
     }
     let mut request = Request {

@@ -35,8 +35,9 @@ pub(crate) fn flow_to<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> Rc<Flow<'m>> 
 
 /// The derivatives by the unknowns and rates in an expression.
 pub(crate) fn weights_of<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> Vec<(Solved, Ex<'m>)> {
-    let mentioned = mentioned::mentioned_in(algebra, &[x]).into_iter();
-    let weights = mentioned.map(|solved| {
+    let memo = &mut algebra.derivatives.partials.mentioned;
+    let mentioned = mentioned::mentioned_in(algebra.graph, &algebra.solutions, memo, &[x]);
+    let weights = mentioned.into_iter().map(|solved| {
         let variable = partial::symbol_for(algebra, &solved);
         (solved, partial::partial(algebra, x, variable))
     });
@@ -75,21 +76,21 @@ fn minus_slope<'m>(
 pub(crate) fn sweep<'m>(
     algebra: &mut Algebra<'m>,
     weights: Vec<(Solved, Ex<'m>)>,
-    is_end: impl Fn(&Algebra<'m>, &Solved) -> bool,
+    is_end: impl Fn(&Solutions<'m>, &Solved) -> bool,
 ) -> Flow<'m> {
     let zero = algebra.zero();
     let mut open: BTreeMap<System, Vec<Ex<'m>>> = BTreeMap::new();
     let mut flow = Flow::default();
     let mut add =
-        |algebra: &Algebra<'m>, open: &mut BTreeMap<_, _>, solved: Solved, weight: Ex<'m>| {
-            if is_end(algebra, &solved) {
+        |solutions: &Solutions<'m>, open: &mut BTreeMap<_, _>, solved: Solved, weight: Ex<'m>| {
+            if is_end(solutions, &solved) {
                 *flow.ends.entry(solved).or_insert(zero) += weight;
             } else {
-                add_weight(algebra, open, solved, weight);
+                add_weight(solutions, open, solved, weight);
             }
         };
     for (solved, weight) in weights {
-        add(algebra, &mut open, solved, weight);
+        add(&algebra.solutions, &mut open, solved, weight);
     }
     while let Some((system, weights)) = open.pop_last() {
         let factors = solve_transposed(
@@ -109,7 +110,7 @@ pub(crate) fn sweep<'m>(
         for solved in mentioned::mentioned_by(algebra, &found.system) {
             let variable = partial::symbol_for(algebra, &solved);
             let weight = minus_slope(algebra, zero, &found, variable);
-            add(algebra, &mut open, solved, weight);
+            add(&algebra.solutions, &mut open, solved, weight);
         }
         flow.multipliers.push(found);
     }
@@ -123,13 +124,13 @@ pub(crate) fn sweep<'m>(
 }
 
 fn add_weight<'m>(
-    algebra: &Algebra<'m>,
+    solutions: &Solutions<'m>,
     open: &mut BTreeMap<System, Vec<Ex<'m>>>,
     solved: Solved,
     weight: Ex<'m>,
 ) {
-    let count = algebra.solutions.groups[solved.system.group].jacobian.len();
-    let zero = algebra.zero();
+    let count = solutions.groups[solved.system.group].jacobian.len();
+    let zero = weight.number(0.0);
     let weights = open
         .entry(solved.system)
         .or_insert_with(|| vec![zero; count]);
@@ -145,18 +146,19 @@ fn slope_of_row<'m>(
 ) -> Ex<'m> {
     let solution = algebra.solutions.groups[system.group].clone();
     if system.by.is_empty() {
-        let mut slope = |algebra: &mut Algebra<'m>, x| partial::partial(algebra, x, variable);
+        let links = links::terms_of_links(&algebra.solutions, system.group);
+        let zero = algebra.zero();
+        let mut slope = |x| partial::partial(algebra, x, variable);
         let written = solution
             .rows
             .get(row)
             .and_then(|written| written.links.as_ref());
         if let Some(links) = written {
-            return written_rows::slope_of_squares(algebra, links, &mut slope);
+            return written_rows::slope_of_squares(links, &mut slope);
         }
         // Those of links are found by themselves.
-        let links = links::terms_of_links(algebra, system.group);
         let terms = &solution.terms[links..];
-        return partial::sum_of_slopes(algebra, terms, row, |a, b| a + b, &mut slope);
+        return partial::sum_of_slopes(zero, terms, row, |a, b| a + b, &mut slope);
     }
     // J r - right
     let rates = algebra.rates(system.group, system.by.clone());

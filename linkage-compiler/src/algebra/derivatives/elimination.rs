@@ -11,7 +11,7 @@ use linkage_symbolic::{Ex, Graph, SymbolId};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::rotation_variation::BodyRotations;
-use crate::algebra::derivatives::{rotation_variation, written_rows};
+use crate::algebra::derivatives::{by_rule, rotation_variation, written_rows};
 use crate::algebra::equations::Solution;
 use crate::algebra::{bodies, cofactors};
 
@@ -21,18 +21,18 @@ pub(crate) fn eliminate<'m>(
     group: usize,
     right: &[Ex<'m>],
     by: &[SymbolId],
-    name: &mut dyn FnMut(&mut Algebra<'m>, usize, Ex<'m>) -> Ex<'m>,
 ) -> Vec<Ex<'m>> {
     let solution = algebra.solutions.groups[group].clone();
     let Some(elimination) = &solution.elimination else {
         unreachable!("closed forms are solved by Cramer's rule");
     };
-    let of_core = |algebra: &Algebra<'m>, right: &[Ex<'m>]| -> Vec<Ex<'m>> {
+    let graph = algebra.graph;
+    let of_core = |right: &[Ex<'m>]| -> Vec<Ex<'m>> {
         let rows = elimination.rows.iter();
-        rows.map(|row| cofactors::product_sum(algebra.graph, &row.factors, &right[row.first..]))
+        rows.map(|row| cofactors::product_sum(graph, &row.factors, &right[row.first..]))
             .collect()
     };
-    let core = of_core(algebra, right);
+    let core = of_core(right);
     let quotients = match &elimination.scheme {
         Some(scheme) if by.len() > 1 && elimination.privates.is_empty() => {
             let turns = rotation_variation::rotations_by_both(algebra, group, by);
@@ -50,8 +50,8 @@ pub(crate) fn eliminate<'m>(
             let pairs = elimination.units.iter().zip(&held);
             let held = pairs.map(|(&unit, &shift)| unit * shift).collect();
             let left = written_rows::right_of_rows(algebra, group, by, held, turns.as_ref());
-            let left = of_core(algebra, &left);
-            let solved = bodies::solve_left_by_scheme(algebra.graph, scheme, &shifts, &left);
+            let left = of_core(&left);
+            let solved = bodies::solve_left_by_scheme(graph, scheme, &shifts, &left);
             if let Some(BodyRotations { by, .. }) = turns {
                 let second = &mut algebra.derivatives.second_rotations;
                 second.insert((group, by), solved.turns);
@@ -59,7 +59,7 @@ pub(crate) fn eliminate<'m>(
             solved.solution
         }
         Some(scheme) => {
-            let solved = bodies::solve_by_scheme(algebra.graph, scheme, &elimination.matrix, &core);
+            let solved = bodies::solve_by_scheme(graph, scheme, &elimination.matrix, &core);
             if let (&[variable], Some(turns)) = (by, solved.turns) {
                 algebra
                     .derivatives
@@ -78,7 +78,14 @@ pub(crate) fn eliminate<'m>(
     let mut rates = Vec::new();
     for (position, quotient) in quotients.into_iter().enumerate() {
         let rate = elimination.units[position] * quotient;
-        rates.push(name(algebra, position, rate));
+        rates.push(by_rule::rate_symbol(
+            graph,
+            &mut algebra.solutions,
+            group,
+            position,
+            by,
+            rate,
+        ));
     }
     let count = rates.len();
     for (k, private) in elimination.privates.iter().enumerate() {
@@ -88,8 +95,15 @@ pub(crate) fn eliminate<'m>(
             columns.fold(right[row], |sum, (column, &rate)| sum - column[row] * rate)
         });
         let column = rows.map(|row| solution.jacobian[count + k][row]);
-        let rate = cofactors::product_sum(algebra.graph, &column, &left) / private.square;
-        rates.push(name(algebra, count + k, rate));
+        let rate = cofactors::product_sum(graph, &column, &left) / private.square;
+        rates.push(by_rule::rate_symbol(
+            graph,
+            &mut algebra.solutions,
+            group,
+            count + k,
+            by,
+            rate,
+        ));
     }
     rates
 }

@@ -16,7 +16,9 @@ pub(crate) fn gradient_by<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>, parameter: S
         let ends = reverse::gradient(algebra, x);
         let mut acting = ByParameter::default();
         for (place, (end, _)) in ends.iter().enumerate() {
-            acting.add(place, &acting::acting_in(algebra, &[*end]));
+            let memo = &mut algebra.derivatives.partials.acting;
+            let symbols = acting::acting_in(algebra.graph, &algebra.solutions, memo, &[*end]);
+            acting.add(place, &symbols);
         }
         let gradient = Rc::new(Gradient { ends, acting });
         let all = &mut algebra.derivatives.gradients;

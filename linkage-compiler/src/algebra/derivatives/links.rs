@@ -10,23 +10,22 @@ use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::by_rule::{GroupRates, RuleCalculus};
 use crate::algebra::derivatives::{by_rule, partial};
 use crate::algebra::memo::{DerivativeMemos, Multiplier};
-use crate::algebra::solutions::Shortcuts;
+use crate::algebra::solutions::{Shortcuts, Solutions};
 
 /// Sets the shortcuts of derivatives from here on. A new choice forgets all derivatives and returns
 /// true, for callers that remember some themselves.
 #[must_use]
-pub(crate) fn use_shortcuts(algebra: &mut Algebra<'_>, shortcuts: Shortcuts) -> bool {
-    let is_new = algebra.solutions.shortcuts != shortcuts;
+pub(crate) fn use_shortcuts(
+    solutions: &mut Solutions,
+    derivatives: &mut DerivativeMemos,
+    shortcuts: Shortcuts,
+) -> bool {
+    let is_new = solutions.shortcuts != shortcuts;
     if is_new {
-        algebra.solutions.shortcuts = shortcuts;
-        algebra.derivatives = DerivativeMemos::default();
+        solutions.shortcuts = shortcuts;
+        *derivatives = DerivativeMemos::default();
     }
     is_new
-}
-
-/// Returns the shortcuts that would change a derivative that was found.
-pub(crate) fn offered_shortcuts(algebra: &Algebra<'_>) -> Shortcuts {
-    algebra.derivatives.offered
 }
 
 /// Returns second derivatives of a rod's unknown: with `V'` the rod's first derivative, `V . V'' +
@@ -163,9 +162,9 @@ pub(crate) fn slope_of_links<'m>(
 
 /// Returns the number of a group's terms that belong to its links: those that [`slope_of_links`]
 /// covers.
-pub(crate) fn terms_of_links(algebra: &Algebra<'_>, group: usize) -> usize {
-    let links = algebra.solutions.groups[group].links.iter().flatten();
-    if algebra.solutions.shortcuts.products {
+pub(crate) fn terms_of_links(solutions: &Solutions, group: usize) -> usize {
+    let links = solutions.groups[group].links.iter().flatten();
+    if solutions.shortcuts.products {
         2 * links.count()
     } else {
         0

@@ -13,6 +13,7 @@ use linkage_symbolic::{Ex, SymbolId};
 use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::{acting, adjoint, mentioned, partial};
 use crate::algebra::memo::{ByParameter, Flow, ThroughIntermediates};
+use crate::algebra::solutions::Solutions;
 use crate::algebra::systems::{Solved, System};
 
 /// A dependent of an unknown or a rate: a result, or an intermediate behind it.
@@ -28,7 +29,9 @@ enum Behind {
 pub(crate) fn find_intermediates<'m>(algebra: &mut Algebra<'m>, results: &[Ex<'m>]) {
     let mut hanging: BTreeMap<Solved, BTreeSet<Behind>> = BTreeMap::new();
     for (index, &result) in results.iter().enumerate() {
-        for solved in mentioned::mentioned_in(algebra, &[result]) {
+        let memo = &mut algebra.derivatives.partials.mentioned;
+        let graph = algebra.graph;
+        for solved in mentioned::mentioned_in(graph, &algebra.solutions, memo, &[result]) {
             let behind = hanging.entry(solved).or_default();
             behind.insert(Behind::Result(index));
         }
@@ -104,9 +107,7 @@ pub(crate) fn derivative_through<'m>(
 fn through_intermediates<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> ThroughIntermediates<'m> {
     let zero = algebra.zero();
     let weights = adjoint::weights_of(algebra, x);
-    let mut flow = adjoint::sweep(algebra, weights, |algebra, solved| {
-        is_intermediate(algebra, solved)
-    });
+    let mut flow = adjoint::sweep(algebra, weights, is_intermediate);
     let mut open = std::mem::take(&mut flow.ends);
     let mut places = BTreeMap::new();
     while let Some((place, weight)) = open.pop_last() {
@@ -131,8 +132,8 @@ fn through_intermediates<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> ThroughInt
     }
 }
 
-fn is_intermediate(algebra: &Algebra<'_>, solved: &Solved) -> bool {
-    algebra.solutions.intermediates.contains(solved)
+fn is_intermediate(solutions: &Solutions<'_>, solved: &Solved) -> bool {
+    solutions.intermediates.contains(solved)
 }
 
 /// Sweeps from an intermediate to those of earlier groups.
@@ -142,8 +143,8 @@ fn flow_of<'m>(algebra: &mut Algebra<'m>, place: &Solved) -> Rc<Flow<'m>> {
     }
     let group = place.system.group;
     let weights = vec![(place.clone(), algebra.one())];
-    let flow = Rc::new(adjoint::sweep(algebra, weights, |algebra, solved| {
-        solved.system.group < group && is_intermediate(algebra, solved)
+    let flow = Rc::new(adjoint::sweep(algebra, weights, |solutions, solved| {
+        solved.system.group < group && is_intermediate(solutions, solved)
     }));
     let all = &mut algebra.derivatives.adjoints.of_intermediates;
     all.insert(place.clone(), Rc::clone(&flow));
