@@ -2,7 +2,7 @@
 //! from them.
 
 use linkage_symbolic::program::{Binary, Source, Unary};
-use linkage_symbolic::{Ex, Node, V2, Vector, numerically_equal};
+use linkage_symbolic::{Ex, Graph, Node, V2, Vector, numerically_equal};
 
 use crate::algebra::equations::AnglePair;
 use crate::algebra::names::{AngleReference, Names, Phasor};
@@ -58,7 +58,10 @@ fn phasors<'m>(names: &Names<'m>, vector: V2<'m>) -> Option<Vec<Phasor<'m>>> {
         });
     }
     for (angles, part) in &parts.turning {
-        let rates: Vec<_> = angles.iter().map(|&angle| rate_of(names, angle)).collect();
+        let rates: Vec<_> = angles
+            .iter()
+            .map(|&angle| rate_of(names.graph, angle))
+            .collect();
         phasors.extend(part.phasors(&rates));
     }
     let fixed = phasors.iter().all(|phasor| phasor.coefficient.is_fixed());
@@ -66,16 +69,16 @@ fn phasors<'m>(names: &Names<'m>, vector: V2<'m>) -> Option<Vec<Phasor<'m>>> {
 }
 
 /// The input that an angle is a multiple of, and the factor.
-fn rate_of(names: &Names<'_>, (cosine, _): AnglePair) -> Option<(usize, f64)> {
-    let Node::Unary(Unary::Cos, argument) = names.graph.ex(cosine).node() else {
+fn rate_of(graph: &Graph, (cosine, _): AnglePair) -> Option<(usize, f64)> {
+    let Node::Unary(Unary::Cos, argument) = graph.ex(cosine).node() else {
         return None;
     };
-    let (mut factor, mut argument) = (1.0, names.graph.ex(argument));
+    let (mut factor, mut argument) = (1.0, graph.ex(argument));
     loop {
-        let ex = |id| names.graph.ex(id);
+        let ex = |id| graph.ex(id);
         match argument.node() {
             Node::Symbol(symbol) => {
-                return match names.graph.symbol(symbol).source {
+                return match graph.symbol(symbol).source {
                     Some(Source::Input(input)) => Some((input, factor)),
                     _ => None,
                 };

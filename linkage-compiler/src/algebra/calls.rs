@@ -1,7 +1,7 @@
 //! The functions of the language.
 
 use linkage_symbolic::program::{Binary, Unary};
-use linkage_symbolic::{Ex, V2, V3, Vector, Vn};
+use linkage_symbolic::{Ex, Graph, V2, V3, Vector, Vn};
 
 use crate::algebra::names::Names;
 use crate::algebra::value::Value;
@@ -68,7 +68,7 @@ pub(crate) fn call<'m>(
         Asin => number(0).unary(Unary::Asin).into(),
         Acos => number(0).unary(Unary::Acos).into(),
         Atan => number(0).unary(Unary::Atan).into(),
-        Sqrt => square_root(names, number(0)).into(),
+        Sqrt => square_root(names.graph, number(0)).into(),
         Abs => number(0).abs().into(),
         Atan2 => binary(Binary::Atan2, [0, 1].map(number)),
         Min => binary(Binary::Min, [0, 1].map(number)),
@@ -86,9 +86,9 @@ fn direction_of<'m>(names: &mut Names<'m>, angle: &Value<'m>) -> V2<'m> {
 }
 
 /// The root of `v . v` is known as a length.
-fn square_root<'m>(names: &Names<'m>, square: Ex<'m>) -> Ex<'m> {
-    match names.graph.vector_of_square(square.id()) {
-        Some(vector) if vector.len() == 3 => names.graph.components(&vector).length(),
+fn square_root<'m>(graph: &'m Graph, square: Ex<'m>) -> Ex<'m> {
+    match graph.vector_of_square(square.id()) {
+        Some(vector) if vector.len() == 3 => graph.components(&vector).length(),
         _ => square.sqrt(),
     }
 }

@@ -8,7 +8,7 @@ use crate::algebra::names::{Angle, Bound, Names};
 use crate::algebra::translate::Translate;
 use crate::algebra::value::Value;
 use crate::algebra::{scalar, translate};
-use crate::model::{Expr, ExprKind, Name, Type};
+use crate::model::{Expr, ExprKind, Mechanism, Name, Type};
 
 /// Values known at compile time.
 #[derive(Clone, Debug, Default)]
@@ -164,8 +164,8 @@ pub(crate) fn at_estimates(names: &Names<'_>, nominal: &Nominal, all: &[Ex]) -> 
 
 /// An expression of constants and parameters as numbers.
 fn numbers(names: &mut Names<'_>, expr: &Expr, wanted: Wanted, parameters: &[f64]) -> Vec<f64> {
-    let scale = translate::internal_per_unit(names, wanted.unit);
-    let mut numbers = match written(names, expr, scale) {
+    let scale = translate::internal_per_unit(names.mechanism, wanted.unit);
+    let mut numbers = match written(names.mechanism, expr, scale) {
         Some(numbers) => numbers,
         None => {
             let numbers = evaluated(names, expr, parameters, &[]).into_iter();
@@ -180,24 +180,24 @@ fn numbers(names: &mut Names<'_>, expr: &Expr, wanted: Wanted, parameters: &[f64
 
 /// Numbers as they are written, if an expression is nothing else, in a unit of this scale: not
 /// rounded again.
-fn written(names: &Names<'_>, expr: &Expr, scale: f64) -> Option<Vec<f64>> {
+fn written(mechanism: &Mechanism, expr: &Expr, scale: f64) -> Option<Vec<f64>> {
     match &expr.kind {
         ExprKind::Number(value) => {
-            (translate::internal_per_unit(names, &expr.ty) == scale).then(|| vec![*value])
+            (translate::internal_per_unit(mechanism, &expr.ty) == scale).then(|| vec![*value])
         }
         ExprKind::Negate(inner) => {
-            let numbers = written(names, inner, scale)?;
+            let numbers = written(mechanism, inner, scale)?;
             Some(numbers.into_iter().map(|number| -number).collect())
         }
         ExprKind::Vector(components) => {
             let components = components.iter();
             let numbers: Option<Vec<_>> = components
-                .map(|component| written(names, component, scale))
+                .map(|component| written(mechanism, component, scale))
                 .collect();
             Some(numbers?.concat())
         }
         ExprKind::Name(Name::Const(index)) => {
-            written(names, &names.mechanism.constants[*index].value, scale)
+            written(mechanism, &mechanism.constants[*index].value, scale)
         }
         _ => None,
     }

@@ -2,7 +2,7 @@
 //! tangent.
 
 use linkage_symbolic::program::{Binary, Unary};
-use linkage_symbolic::{Ex, Node, V2, Vector, Vn};
+use linkage_symbolic::{Ex, Graph, Node, V2, Vector, Vn};
 
 use crate::algebra::names::Names;
 use crate::algebra::value::{Atom, Scalar, Value};
@@ -10,10 +10,10 @@ use crate::algebra::value::{Atom, Scalar, Value};
 /// Powers of a unit vector up to this one are products; beyond, the angle itself is cheaper.
 const MAX_POWER: f64 = 8.0;
 
-pub(crate) fn atom<'m>(names: &Names<'m>, atom: Atom) -> Scalar<'m> {
+pub(crate) fn atom<'m>(graph: &'m Graph, atom: Atom) -> Scalar<'m> {
     Scalar {
         terms: vec![(atom, 1.0)],
-        rest: names.zero(),
+        rest: graph.number(0.0),
     }
 }
 

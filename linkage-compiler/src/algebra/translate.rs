@@ -6,7 +6,7 @@ use linkage_symbolic::{Ex, NodeId, Vn};
 use crate::algebra::names::{Bound, Names};
 use crate::algebra::value::{Atom, Scalar, Value};
 use crate::algebra::{calls, motion_law, scalar};
-use crate::model::{BinaryOp, Expr, ExprKind, Name, Type};
+use crate::model::{BinaryOp, Expr, ExprKind, Mechanism, Name, Type};
 
 /// Translation of expressions. Parts that only quantities may contain (derivatives, margins) go to
 /// [`Translate::quantity`].
@@ -19,7 +19,7 @@ pub(crate) trait Translate<'m> {
         match &expr.kind {
             ExprKind::Number(value) => {
                 let names = self.names();
-                let scale = internal_per_unit(names, &expr.ty);
+                let scale = internal_per_unit(names.mechanism, &expr.ty);
                 names.graph.number(value * scale).into()
             }
             ExprKind::Name(name) => value_of_name(self.names(), *name),
@@ -131,7 +131,7 @@ pub(crate) fn value_of_name<'m>(names: &mut Names<'m>, name: Name) -> Value<'m> 
         Name::Parameter(index) => {
             let parameter = &names.mechanism.parameters[index];
             let first = parameter.first_scalar.0;
-            let scale = internal_per_unit(names, &parameter.ty);
+            let scale = internal_per_unit(names.mechanism, &parameter.ty);
             match parameter.ty {
                 Type::Vector(count, _) | Type::Zero(count) if count > 1 => {
                     let components = first..first + count;
@@ -145,7 +145,7 @@ pub(crate) fn value_of_name<'m>(names: &mut Names<'m>, name: Name) -> Value<'m> 
         }
         Name::Input(index) => {
             if names.mechanism.inputs[index].dimension.half_lengths == 0 {
-                Value::Scalar(scalar::atom(names, Atom::Input(index)))
+                Value::Scalar(scalar::atom(names.graph, Atom::Input(index)))
             } else {
                 names.input(index).into()
             }
@@ -153,11 +153,11 @@ pub(crate) fn value_of_name<'m>(names: &mut Names<'m>, name: Name) -> Value<'m> 
         Name::Argument(index) => {
             let place = names.mechanism.inputs.len() + index;
             let ty = Type::Scalar(names.mechanism.arguments[index].dimension);
-            let scale = internal_per_unit(names, &ty);
+            let scale = internal_per_unit(names.mechanism, &ty);
             scaled(names, Source::Input(place), scale).into()
         }
         Name::Unknown(index) => match &names.bound[index] {
-            Bound::Angle(angle) => Value::Scalar(scalar::atom(names, Atom::Angle(*angle))),
+            Bound::Angle(angle) => Value::Scalar(scalar::atom(names.graph, Atom::Angle(*angle))),
             Bound::Lengths(symbols) => match symbols[..] {
                 [(_, length)] => length.into(),
                 _ => {
@@ -176,8 +176,8 @@ fn scaled<'m>(names: &Names<'m>, source: Source, internal_per_unit: f64) -> Ex<'
 }
 
 /// See [`Dimension::internal_per_unit`](crate::model::Dimension::internal_per_unit).
-pub(crate) fn internal_per_unit(names: &Names<'_>, ty: &Type) -> f64 {
-    let unit = names.mechanism.unit;
+pub(crate) fn internal_per_unit(mechanism: &Mechanism, ty: &Type) -> f64 {
+    let unit = mechanism.unit;
     ty.dimension()
         .map_or(1.0, |dimension| dimension.internal_per_unit(unit))
 }

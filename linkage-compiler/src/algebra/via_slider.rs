@@ -1,7 +1,7 @@
 //! A point at the end of a link by the other side of the loop that the link closes: along the guide
 //! that carries a slider there.
 
-use linkage_symbolic::{Ex, NodeId, V2, Vector};
+use linkage_symbolic::{Ex, Graph, NodeId, V2, Vector};
 
 use crate::algebra::equations::{AngleSum, ViaSlider};
 use crate::algebra::names::Names;
@@ -42,7 +42,7 @@ fn via_slider<'m>(
         return None;
     };
     let sign = names.graph.number(sign);
-    let rest = Vector([0, 1].map(|k| difference(names, rest[k], sign * side.known[k])));
+    let rest = Vector([0, 1].map(|k| difference(names.graph, rest[k], sign * side.known[k])));
     let zero = Vector([names.zero(); 2]);
     let (arm, rest) = rotating_frame::split(names, rest, &side.carried).unwrap_or((zero, rest));
     let arm = arm.turned(side.link_frame.start.conjugate());
@@ -57,11 +57,11 @@ fn via_slider<'m>(
 }
 
 /// The difference of two sums without the terms that both have.
-fn difference<'m>(names: &Names<'m>, a: Ex<'m>, b: Ex<'m>) -> Ex<'m> {
+fn difference<'m>(graph: &'m Graph, a: Ex<'m>, b: Ex<'m>) -> Ex<'m> {
     let mut terms: Vec<(NodeId, Ex)> = Vec::new();
     for (sum, sign) in [(a, 1.0), (b, -1.0)] {
         for (known, term) in terms_of_sum(sum) {
-            let known = names.graph.number(sign) * known;
+            let known = graph.number(sign) * known;
             match terms
                 .iter_mut()
                 .find(|(known_term, _)| *known_term == term.id())
@@ -73,8 +73,8 @@ fn difference<'m>(names: &Names<'m>, a: Ex<'m>, b: Ex<'m>) -> Ex<'m> {
     }
     let terms = terms.into_iter();
     let (early, late): (Vec<Ex>, Vec<Ex>) = terms
-        .map(|(term, factor)| factor * names.graph.ex(term))
+        .map(|(term, factor)| factor * graph.ex(term))
         .partition(|term| term.is_fixed());
     let all = early.into_iter().chain(late);
-    all.fold(names.zero(), |sum, term| sum + term)
+    all.fold(graph.number(0.0), |sum, term| sum + term)
 }

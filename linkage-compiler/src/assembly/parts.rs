@@ -44,7 +44,7 @@ pub(crate) fn inner_parts<'m>(
                 }
                 Name::Let(index) => {
                     let expression = &mechanism.lets[index].value;
-                    let scale = translate::internal_per_unit(&algebra.names, &expression.ty);
+                    let scale = translate::internal_per_unit(algebra.mechanism, &expression.ty);
                     let found = nominal::evaluated(
                         &mut algebra.names,
                         &named(mechanism, index),

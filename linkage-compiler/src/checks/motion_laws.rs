@@ -54,7 +54,7 @@ pub(crate) fn check_motion_laws(mechanism: &Mechanism, nominal: &Nominal, report
         }
         seen.push(course.knots[0].origin);
         let mut number = |expression: &Expr| {
-            let scale = translate::internal_per_unit(&names, &expression.ty);
+            let scale = translate::internal_per_unit(names.mechanism, &expression.ty);
             nominal::evaluated(&mut names, expression, &nominal.parameters, &[])[0] / scale
         };
         let knots: Vec<At> = course

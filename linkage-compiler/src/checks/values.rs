@@ -182,7 +182,7 @@ impl<'a, 'm> Check<'a, 'm> {
     }
 
     fn value(&mut self, expr: &Expr) -> Vec<f64> {
-        let scale = translate::internal_per_unit(&self.names, &expr.ty);
+        let scale = translate::internal_per_unit(self.mechanism, &expr.ty);
         let values =
             nominal::evaluated(&mut self.names, expr, &self.nominal.parameters, self.inputs);
         // Zero has no sign for a reader.

@@ -133,7 +133,7 @@ fn method(algebra: &Algebra, solved: &Solved, reference: &Reference) -> String {
         return solved.closed.method.to_owned();
     };
     let how = prepared.method();
-    let solutions = SolutionBound::of_group(algebra, &solved.group);
+    let solutions = SolutionBound::of_group(&algebra.names, &solved.group);
     format!("followed from the estimates; {solutions} not listed; {how}")
 }
 

@@ -136,7 +136,10 @@ impl<'m> Request<'_, 'm> {
                 let entries = entries.into_iter().zip(types);
                 Value::Array(entries.map(|(entry, ty)| self.in_unit(entry, ty)).collect())
             }
-            (value, ty) => divided(value, translate::internal_per_unit(&self.algebra.names, ty)),
+            (value, ty) => divided(
+                value,
+                translate::internal_per_unit(self.algebra.mechanism, ty),
+            ),
         }
     }
 
@@ -208,7 +211,7 @@ impl<'m> Request<'_, 'm> {
         let slope = self.slope(value, symbol, direction);
         // The derivative is with respect to the field, which is given in its own unit.
         let field_unit = ty.map_or(1.0, |ty| {
-            translate::internal_per_unit(&self.algebra.names, &ty)
+            translate::internal_per_unit(self.algebra.mechanism, &ty)
         });
         divided(slope, field_unit)
     }

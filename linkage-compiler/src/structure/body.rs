@@ -1,6 +1,6 @@
 //! Unknown frames whose place is open, and the rods that hold them.
 
-use linkage_symbolic::{Ex, SymbolId, V3, Vector, collect, numerically_equal};
+use linkage_symbolic::{Ex, Graph, SymbolId, V3, Vector, collect, numerically_equal};
 
 use crate::algebra::Bound;
 use crate::algebra::names::Names;
@@ -144,20 +144,20 @@ fn rod<'m>(
         return None;
     };
     let (vector, length) = distance::space_distance(names, row, coordinates)?;
-    let (places, factor, known) = point::moved_point(names, vector, &body.symbols[..3])?;
+    let (places, factor, known) = point::moved_point(names.graph, vector, &body.symbols[..3])?;
     let is_whole = factor.constant_value().is_some_and(|x| x.abs() == 1.0);
     if !is_whole || places != [0, 1, 2] {
         return None;
     }
-    let (local, end) = local(names, body, known / factor)?;
+    let (local, end) = local(names.graph, body, known / factor)?;
     let end = -end;
     let is_fixed = local.is_fixed() && end.is_fixed();
     is_fixed.then_some((local, Held { place, end, length }))
 }
 
 /// `a` and the rest of `a.x p + a.y q + a.z (p x q) + rest`.
-fn local<'m>(names: &Names<'m>, body: &Body<'m>, vector: V3<'m>) -> Option<(V3<'m>, V3<'m>)> {
-    let zero = names.zero();
+fn local<'m>(graph: &'m Graph, body: &Body<'m>, vector: V3<'m>) -> Option<(V3<'m>, V3<'m>)> {
+    let zero = graph.number(0.0);
     let mut found: [Option<Ex<'m>>; 3] = [None; 3];
     let mut rest = [zero; 3];
     for (k, row) in vector.components().enumerate() {

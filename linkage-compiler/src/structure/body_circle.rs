@@ -159,7 +159,7 @@ fn on_one_circle<'m>(
             Some(_) => explicit::make_explicit(reductions, symbol, component),
             None => {
                 known.insert(symbol, component);
-                rows.push(circle::along(names, place).product(origin - given));
+                rows.push(circle::along(names.graph, place).product(origin - given));
             }
         }
     }

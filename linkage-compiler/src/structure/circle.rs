@@ -1,7 +1,7 @@
 //! A point at given distances from two fixed points runs on a circle: three unknowns and two loops
 //! become one angle.
 
-use linkage_symbolic::{Ex, SymbolId, V3, Vector};
+use linkage_symbolic::{Ex, Graph, SymbolId, V3, Vector};
 
 use crate::algebra::names::Names;
 use crate::algebra::{Nominal, nominal};
@@ -73,7 +73,7 @@ fn held_by<'m>(
         let Some((vector, length)) = distance::space_distance(names, row, coordinates) else {
             continue;
         };
-        let Some((places, factor, known)) = point::moved_point(names, vector, point) else {
+        let Some((places, factor, known)) = point::moved_point(names.graph, vector, point) else {
             continue;
         };
         let is_whole = factor.constant_value().is_some_and(|x| x.abs() == 1.0);
@@ -124,7 +124,7 @@ pub(crate) fn running<'m>(
     point: V3<'m>,
     held: [&Held<'m>; 2],
 ) -> Running<'m> {
-    let circle = circle(names, nominal, held[0], held[1]);
+    let circle = circle(names.graph, nominal, held[0], held[1]);
     let angle = names.add_angle("circle", None);
     names.angles[angle].estimated = angle_at_estimate(names, nominal, point, &circle);
     let Circle { middle, axes } = circle;
@@ -140,7 +140,7 @@ pub(crate) fn running<'m>(
 
 /// The circle in which two spheres meet.
 fn circle<'m>(
-    names: &Names<'m>,
+    graph: &'m Graph,
     nominal: &Nominal,
     first: &Held<'m>,
     second: &Held<'m>,
@@ -150,7 +150,7 @@ fn circle<'m>(
     let foot = 0.5 * (distance + shares);
     let square = (first.length - foot) * (first.length + foot);
     let radius = square.root(first.length.square());
-    let across = along.cross(least_along(names, nominal, along)).unit();
+    let across = along.cross(least_along(graph, nominal, along)).unit();
     Circle {
         middle: first.end + foot * along,
         axes: [radius * across.cross(along), radius * across],
@@ -158,16 +158,16 @@ fn circle<'m>(
 }
 
 /// The axis of coordinates that is farthest from a direction, at the defaults.
-fn least_along<'m>(names: &Names<'m>, nominal: &Nominal, direction: V3<'m>) -> V3<'m> {
+fn least_along<'m>(graph: &'m Graph, nominal: &Nominal, direction: V3<'m>) -> V3<'m> {
     let values = nominal.evaluate(&direction.0);
     let sizes = values.iter().map(|x| x.abs()).enumerate();
     let least = sizes.min_by(|(_, a), (_, b)| a.total_cmp(b));
-    along(names, least.map_or(0, |(place, _)| place))
+    along(graph, least.map_or(0, |(place, _)| place))
 }
 
 /// The direction of an axis of coordinates.
-pub(crate) fn along<'m>(names: &Names<'m>, place: usize) -> V3<'m> {
-    let (zero, one) = (names.zero(), names.one());
+pub(crate) fn along<'m>(graph: &'m Graph, place: usize) -> V3<'m> {
+    let (zero, one) = (graph.number(0.0), graph.number(1.0));
     Vector([0, 1, 2].map(|k| if k == place { one } else { zero }))
 }
 

@@ -1,6 +1,6 @@
 //! Recognising a group by its mathematics: its loop as a polynomial in its unknowns.
 
-use linkage_symbolic::{Ex, SymbolId};
+use linkage_symbolic::{Ex, Graph, SymbolId};
 
 use crate::algebra::names::Names;
 use crate::structure::distance::Distance;
@@ -22,7 +22,7 @@ pub(crate) fn classify<'m>(
         return classify_scalar(names, equation, coordinate);
     }
     if equation.rows.len() == 3 {
-        return space::classify_three_slides(names, equation, coordinates);
+        return space::classify_three_slides(names.graph, equation, coordinates);
     }
     if equation.rows.len() != 2 || coordinates.len() != 2 {
         return None;
@@ -33,7 +33,7 @@ pub(crate) fn classify<'m>(
         (Angle(angle), Length(slide)) | (Length(slide), Angle(angle)) => {
             rotor_and_slide(names, polynomials, angle, slide)
         }
-        (Length(first), Length(second)) => two_slides(names, polynomials, [first, second]),
+        (Length(first), Length(second)) => two_slides(names.graph, polynomials, [first, second]),
     }
 }
 
@@ -93,11 +93,11 @@ fn rotor_and_slide<'m>(
 }
 
 fn two_slides<'m>(
-    names: &Names<'m>,
+    graph: &'m Graph,
     mut rest: Polynomials<'m>,
     slides: [SymbolId; 2],
 ) -> Option<Form<'m>> {
-    let zero = names.zero();
+    let zero = graph.number(0.0);
     let guides = slides.map(|slide| rest.take_pair(&[slide], zero));
     let known = rest.take_pair(&[], zero);
     rest.is_exhausted().then_some(Form::TwoSlides {
@@ -153,7 +153,7 @@ fn classify_scalar<'m>(
     let mut rest =
         polynomials::polynomials(names, &equation.rows, std::slice::from_ref(coordinate))?;
     if let CoordinateKind::Angle(_) = coordinate.kind {
-        polynomials::drop_cancelled(names, &mut rest);
+        polynomials::drop_cancelled(names.graph, &mut rest);
     }
     let zero = names.zero();
     let mut take = |symbols: &[SymbolId]| rest.take(symbols, zero)[0];

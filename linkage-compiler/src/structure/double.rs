@@ -86,7 +86,7 @@ fn by_double_angle<'m>(
             unknown: None,
         };
         if classify::classify(names, &changed, &coordinates).is_some() {
-            let value = scalar::atom(names, Atom::Angle(double)).scaled(0.5);
+            let value = scalar::atom(names.graph, Atom::Angle(double)).scaled(0.5);
             explicit::replace_angle(names, reductions, half, &value);
             return Some((vec![changed], coordinates));
         }

@@ -114,11 +114,11 @@ pub(crate) fn reduce<'m>(
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
     eliminate_relation(names, reductions, equations, coordinates)
-        .or_else(|| eliminate_point(names, reductions, equations, coordinates))
+        .or_else(|| eliminate_point(names.graph, reductions, equations, coordinates))
         .or_else(|| {
             body_circle::body_to_circles(names, nominal, reductions, equations, coordinates)
         })
-        .or_else(|| eliminate_slide(names, reductions, equations, coordinates))
+        .or_else(|| eliminate_slide(names.graph, reductions, equations, coordinates))
         .or_else(|| rewrite::join_rows(names, equations, coordinates))
         .or_else(|| double::distance_of_double_angle(names, reductions, equations, coordinates))
         .or_else(|| rewrite::distance_to_link(names, equations, coordinates))
@@ -131,7 +131,7 @@ pub(crate) fn reduce<'m>(
 
 /// `p + ... = 0` in one of several vector loops gives the unknown point `p`.
 fn eliminate_point<'m>(
-    names: &Names<'m>,
+    graph: &'m Graph,
     reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -148,14 +148,14 @@ fn eliminate_point<'m>(
             let Some(symbols) = equations::point_symbols(point) else {
                 continue;
             };
-            let Some(values) = solve_point(names, equation, &symbols) else {
+            let Some(values) = solve_point(graph, equation, &symbols) else {
                 continue;
             };
             for (symbol, value) in symbols.into_iter().zip(values) {
                 explicit::make_explicit(reductions, symbol, value);
             }
             return Some(without(
-                names.graph,
+                graph,
                 &reductions.substitutions,
                 equations,
                 coordinates,
@@ -170,11 +170,11 @@ fn eliminate_point<'m>(
 /// All components of a point that enters an equation as `k (x, y)` with a `k` that is known before
 /// the input.
 fn solve_point<'m>(
-    names: &Names<'m>,
+    graph: &'m Graph,
     equation: &Equation<'m>,
     point: &[SymbolId],
 ) -> Option<Vec<Ex<'m>>> {
-    let zero = names.zero();
+    let zero = graph.number(0.0);
     let mut values = Vec::new();
     for (row, &x) in equation.rows.iter().enumerate() {
         let mut terms = collect(x, point, &[])?;
@@ -192,7 +192,7 @@ fn solve_point<'m>(
 
 /// A scalar loop that is linear in a slide, with a constant factor, gives that slide.
 fn eliminate_slide<'m>(
-    names: &Names<'m>,
+    graph: &'m Graph,
     reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -222,10 +222,10 @@ fn eliminate_slide<'m>(
             if factor.constant_value().is_none() {
                 continue;
             }
-            let rest = rest.unwrap_or(names.zero());
+            let rest = rest.unwrap_or(graph.number(0.0));
             explicit::make_explicit(reductions, symbol, -(rest / factor));
             return Some(without(
-                names.graph,
+                graph,
                 &reductions.substitutions,
                 equations,
                 coordinates,

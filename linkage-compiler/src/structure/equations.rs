@@ -120,7 +120,7 @@ pub(crate) fn incidence<'m>(
     equation: &Equation<'m>,
     coordinates: &[Coordinate],
 ) -> Vec<usize> {
-    let present = symbols_of(names, &equation.rows);
+    let present = symbols_of(names.graph, &equation.rows);
     (0..coordinates.len())
         .filter(|&k| {
             symbols(names, &coordinates[k])
@@ -131,7 +131,7 @@ pub(crate) fn incidence<'m>(
 }
 
 pub(crate) fn contains<'m>(names: &Names<'m>, x: Ex<'m>, coordinate: &Coordinate) -> bool {
-    let present = symbols_of(names, &[x]);
+    let present = symbols_of(names.graph, &[x]);
     symbols(names, coordinate)
         .iter()
         .any(|s| present.contains(s))
@@ -154,9 +154,9 @@ pub(crate) fn substituted<'m>(
 }
 
 /// The symbols that expressions are made of.
-pub(crate) fn symbols_of<'m>(names: &Names<'m>, all: &[Ex<'m>]) -> Vec<SymbolId> {
+pub(crate) fn symbols_of<'m>(graph: &'m Graph, all: &[Ex<'m>]) -> Vec<SymbolId> {
     let nodes: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
-    names.graph.symbols_of(&nodes)
+    graph.symbols_of(&nodes)
 }
 
 /// Equations and the coordinates that they are solved for.

@@ -18,7 +18,7 @@ pub(crate) fn solved_relation<'m>(
     let relation = equation.relation.clone()?;
     let factor = relation.coefficient(Atom::Angle(angle));
     let own_symbols = names.angles[angle].symbols();
-    let present = equations::symbols_of(names, &[relation.rest]);
+    let present = equations::symbols_of(names.graph, &[relation.rest]);
     if factor == 0.0 || own_symbols.iter().any(|s| present.contains(s)) {
         return None;
     }

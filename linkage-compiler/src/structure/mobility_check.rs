@@ -2,6 +2,7 @@
 
 use crate::algebra::{Names, Nominal};
 use crate::message_format::loop_list;
+use crate::model::Mechanism;
 use crate::structure::equations::{Coordinate, Equation};
 use crate::structure::fault::StructureFault;
 use crate::structure::frames::FrameFaults;
@@ -49,7 +50,8 @@ pub(crate) fn check_mobility<'m>(
     }
     for (k, equation) in equations.iter().enumerate() {
         let surplus = equation.rows.len() - matching.coordinates_of[k].len();
-        if incidence[k].is_empty() && is_reported(names, equation, &reported, coordinates) {
+        if incidence[k].is_empty() && is_reported(names.mechanism, equation, &reported, coordinates)
+        {
             continue;
         }
         if surplus > 0 && (complete || incidence[k].is_empty()) {
@@ -70,12 +72,12 @@ pub(crate) fn check_mobility<'m>(
 
 /// True for a loop whose unknowns cancel out, if that has been said of one of them.
 fn is_reported<'m>(
-    names: &Names<'m>,
+    mechanism: &Mechanism,
     equation: &Equation<'m>,
     reported: &[usize],
     coordinates: &[Coordinate],
 ) -> bool {
-    let written = names.mechanism.usage(&equation.loops).unknowns;
+    let written = mechanism.usage(&equation.loops).unknowns;
     let mut reported = reported.iter().filter_map(|&k| coordinates[k].unknown);
     reported.any(|unknown| written[unknown])
 }

@@ -1,6 +1,7 @@
 //! Names of coordinates and unknowns in messages.
 
 use crate::algebra::names::Names;
+use crate::model::Mechanism;
 use crate::structure::equations::{Coordinate, CoordinateKind};
 
 /// The unknowns behind coordinates; of a vector that is not there as a whole, the components.
@@ -51,10 +52,10 @@ pub(crate) fn coordinate_name(names: &Names<'_>, coordinate: &Coordinate) -> Str
     }
 }
 
-pub(crate) fn unknown_list(names: &Names<'_>, mut unknowns: Vec<usize>) -> String {
+pub(crate) fn unknown_list(mechanism: &Mechanism, mut unknowns: Vec<usize>) -> String {
     unknowns.sort_unstable();
     unknowns.dedup();
-    let name = |&k: &usize| format!("`{}`", names.mechanism.unknowns[k].name);
+    let name = |&k: &usize| format!("`{}`", mechanism.unknowns[k].name);
     unknowns.iter().map(name).collect::<Vec<_>>().join(", ")
 }
 

@@ -1,6 +1,6 @@
 //! Recognising an unknown point, or a direction, by its distances from known points and planes.
 
-use linkage_symbolic::{Ex, SymbolId, V3, Vector, numerically_equal};
+use linkage_symbolic::{Ex, Graph, SymbolId, V3, Vector, numerically_equal};
 
 use crate::algebra::Nominal;
 use crate::algebra::names::Names;
@@ -33,10 +33,10 @@ pub(crate) fn classify_point<'m>(
     for equation in equations {
         let row = equation.rows[0];
         let Some((vector, radius)) = distance::space_distance(names, row, coordinates) else {
-            linear.push(space::linear_row(names, row, &symbols)?);
+            linear.push(space::linear_row(names.graph, row, &symbols)?);
             continue;
         };
-        let (columns, factor, known) = moved_point(names, vector, &symbols)?;
+        let (columns, factor, known) = moved_point(names.graph, vector, &symbols)?;
         if places.get_or_insert_with(|| columns.clone()) != &columns {
             return None;
         }
@@ -78,15 +78,15 @@ fn smallest_first(nominal: &Nominal, spheres: &mut [Sphere]) {
 
 /// `k + f p`, where each symbol is a component of `p`: the components, `f` and `k`.
 pub(crate) fn moved_point<'m>(
-    names: &Names<'m>,
+    graph: &'m Graph,
     vector: V3<'m>,
     symbols: &[SymbolId],
 ) -> Option<(Vec<usize>, Ex<'m>, V3<'m>)> {
     let mut places = vec![None; symbols.len()];
     let mut factor = None;
-    let mut known = Vector([names.zero(); 3]);
+    let mut known = Vector([graph.number(0.0); 3]);
     for (component, row) in vector.components().enumerate() {
-        let (factors, rest) = space::linear_row(names, row, symbols)?;
+        let (factors, rest) = space::linear_row(graph, row, symbols)?;
         known.0[component] = rest;
         for (place, entry) in places.iter_mut().zip(factors) {
             if entry.is_zero() {

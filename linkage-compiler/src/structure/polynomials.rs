@@ -1,7 +1,8 @@
 //! Equations as polynomials in the symbols of their coordinates.
 
 use linkage_symbolic::{
-    Ex, Polynomial, SymbolId, V2, V3, Vector, collect, numerically_equal, numerically_equal_within,
+    Ex, Graph, Polynomial, SymbolId, V2, V3, Vector, collect, numerically_equal,
+    numerically_equal_within,
 };
 
 use crate::algebra::names::Names;
@@ -92,8 +93,8 @@ pub(crate) fn polynomials<'m>(
 
 /// Removes terms in a direction whose coefficients are 0 in a spelling that constructors do not
 /// see, or by rounding.
-pub(crate) fn drop_cancelled<'m>(names: &Names<'m>, polynomials: &mut Polynomials<'m>) {
-    let zero = names.zero();
+pub(crate) fn drop_cancelled<'m>(graph: &'m Graph, polynomials: &mut Polynomials<'m>) {
+    let zero = graph.number(0.0);
     for row in &mut polynomials.rows {
         let squares = row.values().map(|coefficient| coefficient.square());
         let size = squares.fold(zero, |sum, square| sum + square).sqrt();

@@ -7,7 +7,7 @@ use linkage_core::numeric::rank::are_independent;
 use crate::algebra::names::Names;
 use crate::algebra::{ALIKE, Bound, ConstantRatio, Nominal, constant_ratio};
 use crate::message_format::loop_list;
-use crate::model::Dimension;
+use crate::model::{Dimension, Mechanism};
 use crate::structure::equations;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::structure::simultaneous::{ACROSS, SimultaneousLoops};
@@ -70,7 +70,7 @@ pub(crate) fn redundant_loops<'m>(
             if !even.is_empty() {
                 like = ", as a further crank on one rod does that stays parallel";
             }
-            match lets_for(names, &even) {
+            match lets_for(names.mechanism, &even) {
                 Some(lets) => format!("write {lets} and leave {loops} out"),
                 None => format!("leave {loops} out, or write `redundant` at its end"),
             }
@@ -123,8 +123,7 @@ fn found_by_itself<'m>(
 }
 
 /// `` `let chi = phi;` instead of the unknown``; nothing for none.
-fn lets_for(names: &Names<'_>, even: &[&ConstantRatio]) -> Option<String> {
-    let mechanism = names.mechanism;
+fn lets_for(mechanism: &Mechanism, even: &[&ConstantRatio]) -> Option<String> {
     let lets = even.iter().map(|ratio| {
         let unknown = &mechanism.unknowns[ratio.unknown].name;
         let input = &mechanism.inputs[0].name;

@@ -132,7 +132,7 @@ pub(crate) fn relative_angle<'m>(
         for sign in [1.0, -1.0] {
             let sum = names.add_angle("sum", None);
             names.angles[sum].stands_for = sum_of(names, base, relative, sign);
-            let mut value = scalar::atom(names, Atom::Angle(sum));
+            let mut value = scalar::atom(names.graph, Atom::Angle(sum));
             value.terms.insert(0, (Atom::Angle(base), -sign));
             value.terms.sort_by_key(|(atom, _)| *atom);
             let replacements = explicit::replacements_of_angle(names, relative, &value);
@@ -202,7 +202,7 @@ pub(crate) fn split_across_guides<'m>(
             CoordinateKind::Angle(_) => None,
         })
         .collect();
-    let (guides, rest) = space::guides(names, Vector([x, y, z]), &slides)?;
+    let (guides, rest) = space::guides(names.graph, Vector([x, y, z]), &slides)?;
     let &[first, second] = &guides[..] else {
         return None;
     };

@@ -8,7 +8,7 @@ use crate::algebra::translate::Translate;
 use crate::algebra::{Value, scalar};
 use crate::diagnostic::OriginId;
 use crate::message_format::loop_list;
-use crate::model::Expr;
+use crate::model::{Expr, Mechanism};
 use crate::structure::coupled::classify_coupled;
 use crate::structure::coupled::classify_coupled::MOST_CORE;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
@@ -35,7 +35,7 @@ pub(crate) fn unsolved_group<'m>(
     unknowns.sort_unstable();
     unknowns.dedup();
     let count: usize = unknowns.iter().map(|&k| names.components_of(k)).sum();
-    let unknown_names = naming::unknown_list(names, unknowns);
+    let unknown_names = naming::unknown_list(names.mechanism, unknowns);
     let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
     let (subject, check) = match rows {
         0..=2 => (format!("no closed form for {unknown_names} in {loops}"), ""),
@@ -54,7 +54,10 @@ pub(crate) fn unsolved_group<'m>(
     } else if !valued.is_empty() {
         (
             whole,
-            format!("{subject}: {}", obstacle_of_values(names, &valued, rows)),
+            format!(
+                "{subject}: {}",
+                obstacle_of_values(names.mechanism, &valued, rows)
+            ),
         )
     } else {
         let core = core_of(names, equations, coordinates);
@@ -120,8 +123,8 @@ fn worst_obstacle<'m>(
 }
 
 /// Returns the text about angles that stand for themselves.
-fn obstacle_of_values(names: &Names<'_>, valued: &[usize], rows: usize) -> String {
-    let angle_names = naming::unknown_list(names, valued.to_vec());
+fn obstacle_of_values(mechanism: &Mechanism, valued: &[usize], rows: usize) -> String {
+    let angle_names = naming::unknown_list(mechanism, valued.to_vec());
     if rows <= 2 {
         return format!(
             "the angle {angle_names} itself stands in it, and not its direction alone; {OURS}\nhelp: {MAY_STAND}"

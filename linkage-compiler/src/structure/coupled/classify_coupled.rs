@@ -4,7 +4,7 @@
 //! known, and one equation without it: a link keeps its length, or a point stays on its guide. The
 //! rest are the *core* unknowns, two for a triad, whatever its joints.
 
-use linkage_symbolic::{Ex, SymbolId, Vector, substitute};
+use linkage_symbolic::{Ex, Graph, SymbolId, Vector, substitute};
 
 use crate::algebra::names::Names;
 use crate::structure::coupled::group::{Block, Coupled, Private, Product};
@@ -77,7 +77,7 @@ pub(crate) fn classify_coupled<'m>(
     let blocks = blocks.collect();
     let core = core
         .into_iter()
-        .map(|k| core_unknowns::core_unknown(names, &coordinates[k]))
+        .map(|k| core_unknowns::core_unknown(names.mechanism, &coordinates[k]))
         .collect();
     Some(Form::Coupled(Box::new(Coupled {
         kind,
@@ -150,7 +150,7 @@ fn private_unknown<'m>(names: &Names<'m>, place: CoordinateInLoop<'_, 'm>) -> Op
                     }
                     let mut others = monomial.clone();
                     others[first] = 0;
-                    let factor = product_of_powers(names, polynomials.powers(&others));
+                    let factor = product_of_powers(names.graph, polynomials.powers(&others));
                     *sum += coefficient * factor;
                 }
             }
@@ -159,9 +159,8 @@ fn private_unknown<'m>(names: &Names<'m>, place: CoordinateInLoop<'_, 'm>) -> Op
     }
 }
 
-fn product_of_powers<'m>(names: &Names<'m>, powers: Vec<(SymbolId, u8)>) -> Ex<'m> {
-    let graph = names.graph;
-    let mut product = names.one();
+fn product_of_powers<'m>(graph: &'m Graph, powers: Vec<(SymbolId, u8)>) -> Ex<'m> {
+    let mut product = graph.number(1.0);
     for (symbol, power) in powers {
         for _ in 0..power {
             let factor = graph.ex(graph.symbol_node(symbol));
@@ -210,6 +209,6 @@ fn block<'m>(
         private,
         distance: equation.distance.clone(),
         product,
-        number: core_unknowns::is_number_loop(names, equation.written),
+        number: core_unknowns::is_number_loop(names.mechanism, equation.written),
     }
 }

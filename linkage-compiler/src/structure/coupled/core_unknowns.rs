@@ -1,11 +1,13 @@
 //! The unknowns of a core: angles, lengths and numbers, and the lengths that are a point together.
 
-use crate::algebra::names::Names;
-use crate::model::{Dimension, Type};
+use crate::model::{Dimension, Mechanism, Type};
 use crate::structure::coupled::group::Core;
 use crate::structure::equations::{Coordinate, CoordinateKind};
 
-pub(crate) fn core_unknown(names: &Names<'_>, coordinate: &Coordinate) -> (Core, Option<usize>) {
+pub(crate) fn core_unknown(
+    mechanism: &Mechanism,
+    coordinate: &Coordinate,
+) -> (Core, Option<usize>) {
     match coordinate.kind {
         CoordinateKind::Angle(angle) => (Core::Angle(angle), None),
         CoordinateKind::Length(symbol) => (
@@ -13,7 +15,7 @@ pub(crate) fn core_unknown(names: &Names<'_>, coordinate: &Coordinate) -> (Core,
                 symbol,
                 number: coordinate
                     .unknown
-                    .is_some_and(|k| is_number_unknown(names, k)),
+                    .is_some_and(|k| is_number_unknown(mechanism, k)),
                 component: None,
             },
             coordinate.unknown,
@@ -22,13 +24,13 @@ pub(crate) fn core_unknown(names: &Names<'_>, coordinate: &Coordinate) -> (Core,
 }
 
 /// True for an unknown without a length in it.
-fn is_number_unknown(names: &Names<'_>, unknown: usize) -> bool {
-    is_number(names.mechanism.unknowns[unknown].ty.dimension())
+fn is_number_unknown(mechanism: &Mechanism, unknown: usize) -> bool {
+    is_number(mechanism.unknowns[unknown].ty.dimension())
 }
 
 /// True for a loop without a length in it.
-pub(crate) fn is_number_loop(names: &Names<'_>, index: usize) -> bool {
-    let equation = &names.mechanism.loops[index];
+pub(crate) fn is_number_loop(mechanism: &Mechanism, index: usize) -> bool {
+    let equation = &mechanism.loops[index];
     let dimensions = [&equation.left.ty, &equation.right.ty].map(Type::dimension);
     is_number(dimensions.into_iter().flatten().next())
 }
