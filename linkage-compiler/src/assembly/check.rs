@@ -46,7 +46,7 @@ pub(crate) fn check_ranges<'m>(
         values: Vec::new(),
     };
     let machine = &mut ranges.reference.machine;
-    let needed = machine.closing.valued.clone();
+    let needed = machine.closure.valued.clone();
     if let Some(unfollowed) = follow_angles(algebra, nominal, machine, &needed) {
         return report_unfollowed(algebra, unfollowed, reporter);
     }

@@ -47,7 +47,7 @@ pub(super) fn close_followed<'m>(
     if !estimates::meets_estimates(assembly, solved, &[&found.position], Choice::Followed) {
         return false;
     }
-    let group = &mut assembly.machine.closing.coupled[prepared.number];
+    let group = &mut assembly.machine.closure.coupled[prepared.number];
     group.followed = true;
     group.terms.clear();
     coupled_state::prepare(assembly, solved, prepared, &found.state)
@@ -55,7 +55,7 @@ pub(super) fn close_followed<'m>(
 
 fn followed<'m>(assembly: &Assembly<'_, 'm>, prepared: &Prepared<'m>) -> Result<Candidate, Astray> {
     let (mut numbers, inputs) = assembly.coupled(prepared.number);
-    let group = &assembly.machine.closing.coupled[prepared.number];
+    let group = &assembly.machine.closure.coupled[prepared.number];
     let estimate = prepared.estimate_of_default(assembly.algebra, assembly.nominal);
     let state = from_estimate(&mut numbers, &group.variables, &inputs, &estimate)?;
     let placed = numbers.run(&group.placed, &state);
@@ -194,7 +194,7 @@ fn moved<'m>(
     states: &[Vec<f64>; 2],
 ) -> Vec<usize> {
     let (numbers, _) = assembly.coupled(prepared.number);
-    let group = &assembly.machine.closing.coupled[prepared.number];
+    let group = &assembly.machine.closure.coupled[prepared.number];
     let [a, b] = states.each_ref().map(|state| {
         let placed = numbers.run(&group.placed, state);
         coupled_state::candidate_of(assembly, group, state.clone(), &placed).position

@@ -32,7 +32,7 @@ pub(super) fn close_coupled<'m>(
     let unknowns = assembly.words.unknowns(&solved.group.unknowns);
     let place = assembly.words.at_reference(&assembly.nominal.inputs);
     let origin = assembly.algebra.mechanism.loops[solved.group.loops[0]].origin;
-    if assembly.machine.closing.coupled[prepared.number].followed {
+    if assembly.machine.closure.coupled[prepared.number].followed {
         return followed::close_followed(assembly, solved, prepared, None);
     }
     let Listed {
@@ -112,7 +112,7 @@ pub(super) fn close_coupled<'m>(
 /// All real assemblies.
 fn candidates(assembly: &mut Assembly<'_, '_>, number: usize) -> Result<Listed, Unlisted> {
     let (mut numbers, inputs) = assembly.coupled(number);
-    let group = &assembly.machine.closing.coupled[number];
+    let group = &assembly.machine.closure.coupled[number];
     let coefficients = numbers.run(&group.system, &[]);
     let coefficients: Vec<[f64; 2]> = coefficients.chunks(2).map(|c| [c[0], c[1]]).collect();
     let terms: Vec<Term> = group

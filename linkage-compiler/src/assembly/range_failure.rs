@@ -123,11 +123,11 @@ impl<'m> Ranges<'_, 'm> {
         let input = &algebra.mechanism.inputs[at.input];
         let reference = self.nominal.inputs[at.input];
         let (low, high) = self.nominal.ranges[at.input].unwrap_or((reference, reference));
-        let closing = &self.reference.machine.closing;
+        let closure = &self.reference.machine.closure;
         // Whole turns of an angle look alike, unless something is prepared over the range only.
         let turns = input.dimension.half_lengths == 0
-            && closing.coupled.is_empty()
-            && closing.valued.is_empty();
+            && closure.coupled.is_empty()
+            && closure.valued.is_empty();
         let (from, to) = match turns {
             true => (reference - TAU, reference + TAU),
             false => (low, high),
@@ -150,7 +150,7 @@ impl<'m> Ranges<'_, 'm> {
             return None;
         }
         let (from, to) = (self.nominal.inputs[at.input], at.place.inputs[at.input]);
-        let outputs = self.reference.machine.closing.groups[at.place.group]
+        let outputs = self.reference.machine.closure.groups[at.place.group]
             .unknowns
             .clone();
         let mut inputs = self.nominal.inputs.clone();

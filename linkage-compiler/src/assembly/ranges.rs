@@ -54,7 +54,7 @@ impl Ranges<'_, '_> {
         let machine = &self.reference.machine;
         machine.run(&mut self.values, inputs);
         let mut worst = (f64::INFINITY, 0);
-        for (group, stage) in machine.closing.groups.iter().enumerate() {
+        for (group, stage) in machine.closure.groups.iter().enumerate() {
             let slack = self.reference.scales[group] * machine.output(&self.values, stage.slack);
             if slack.is_nan() {
                 // A group before this one has come apart; that one counts.
@@ -130,7 +130,7 @@ impl Ranges<'_, '_> {
             inputs[at.input] = from + (end - from) * share;
             let machine = &ranges.reference.machine;
             machine.run(&mut ranges.values, &inputs);
-            machine.output(&ranges.values, machine.closing.groups[at.place.group].gap)
+            machine.output(&ranges.values, machine.closure.groups[at.place.group].gap)
         };
         let step = 1.0 / MISSES as f64;
         let mut worst = (0.0, 0.0);

@@ -88,12 +88,12 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
     let must_use = (!attribute::has(function.attributes, "must_use")).then(|| quote!(#[must_use]));
     let inline = (!attribute::has(function.attributes, "inline")).then(|| quote!(#[inline]));
     let result = result_module::result(outline, function);
-    let own = match function.states.is_empty() {
+    let inputs = match function.states.is_empty() {
         true => quote!([#(#arguments),*]),
         false => coupled::with_states(outline, function),
     };
     let core = assembly_data::core(outline, &quote!(self));
-    let body = outline.body(value(outline, function, &own, &core, Version::Called));
+    let body = outline.body(value(outline, function, &inputs, &core, Version::Called));
     let count = literal::index(arguments.len());
     let call = outline.body(match function.chooses {
         true => quote!(#runtime::single(self, [#(#arguments),*])),

@@ -23,12 +23,12 @@ const OTHERS: usize = 64;
 pub(super) struct Slots {
     used: Vec<usize>,
     /// Prepares them alone; `None` where that of all slots does it.
-    own: Option<Program>,
+    program: Option<Program>,
 }
 
 impl Slots {
     /// Those that stages load; `prepare` is the program of all.
-    pub(super) fn of(stages: &[Stage], prepare: &Program) -> Self {
+    pub(super) fn for_stages(stages: &[Stage], prepare: &Program) -> Self {
         let instructions = stages.iter().flat_map(|stage| &stage.program.instructions);
         let used = instructions.filter_map(|instruction| match instruction {
             Instruction::Load(Source::Prepared(slot)) => Some(*slot),
@@ -36,14 +36,14 @@ impl Slots {
         });
         let used: Vec<usize> = used.collect::<BTreeSet<usize>>().into_iter().collect();
         let others = prepare.outputs.len() - used.len();
-        let own = (others > OTHERS).then(|| {
+        let program = (others > OTHERS).then(|| {
             let program = Program {
                 instructions: prepare.instructions.clone(),
                 outputs: used.iter().map(|&slot| prepare.outputs[slot]).collect(),
             };
             program.without_unused()
         });
-        Self { used, own }
+        Self { used, program }
     }
 
     pub(super) fn count(&self) -> usize {
@@ -58,7 +58,7 @@ impl Slots {
             let value = entry("__value", slot);
             quote!(__slots.set(#place, __lane, #value);)
         });
-        let values = match &self.own {
+        let values = match &self.program {
             Some(program) => {
                 let values = self.used.iter().map(|&slot| entry("__value", slot));
                 let places = Places::all(outline);
@@ -88,7 +88,7 @@ impl Slots {
             let place = literal::index(place);
             quote!(__slots.at(#place, __lane))
         };
-        if self.own.is_none() {
+        if self.program.is_none() {
             let all = (0..outline.prepared).map(|slot| match self.place(slot) {
                 Some(place) => stored(place),
                 None => quote!(__zero),

@@ -18,7 +18,7 @@ pub(super) fn items(outline: &Outline, function: &Function, columns: &[Column]) 
     let arguments = function.arguments.iter().map(|argument| plain(argument));
     let first = columns
         .iter()
-        .position(|own| own.meaning == Meaning::Picture);
+        .position(|column| column.meaning == Meaning::Picture);
     let picture = first.map(|first| {
         let (first, mechanism) = (literal::index(first), outline.name);
         quote! {
@@ -26,7 +26,9 @@ pub(super) fn items(outline: &Outline, function: &Function, columns: &[Column]) 
         }
     });
     let picture = optional(picture);
-    let columns = columns.iter().map(|own| column(outline, own));
+    let columns = columns
+        .iter()
+        .map(|description| column(outline, description));
     let heading = outline.body(quote! {
         const __HEADING: &#runtime::Heading = &#runtime::Heading {
             function: #name,
