@@ -120,8 +120,8 @@ fn the_best_of_all_combinations_is_found() {
         for ((place, values), x) in catalogues.iter().zip(&found.x) {
             assert!(values.contains(x), "{x} is none of {values:?}");
             let above = values.partition_point(|value| *value < relaxed.x[*place]);
-            let own = values.iter().position(|value| value == x).unwrap_or(VALUES);
-            far_away |= own > above || own + 1 < above;
+            let below = values.iter().position(|value| value == x).unwrap_or(VALUES);
+            far_away |= below > above || below + 1 < above;
         }
         far += usize::from(far_away);
     }

@@ -111,8 +111,8 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         let Ok(start) = problem.start(&problem.limits, problem.first()) else {
             return false;
         };
-        let own = problem.tried(&start.x, |candidate| problem.known_by(&start, candidate));
-        own.is_some_and(|own| problem.is_known(&start, &own, assembly))
+        let numbers = problem.tried(&start.x, |candidate| problem.known_by(&start, candidate));
+        numbers.is_some_and(|numbers| problem.is_known(&start, &numbers, assembly))
     }
 
     /// With all parameters of catalogues at values of these.
@@ -153,11 +153,11 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             .find(|objective| objective.is_goal());
         let best = BestCycle {
             mechanism: problem.mechanism(x),
-            goal: goal.map_or(least, |objective| objective.told(least)),
-            own: start
-                .own
+            goal: goal.map_or(least, |objective| objective.reported_goal(least)),
+            auxiliary: start
+                .auxiliary
                 .iter()
-                .map(|own| x[own.clone()].to_vec())
+                .map(|indices| x[indices.clone()].to_vec())
                 .collect(),
             margin: branch.margin,
             margin_at: branch.at,

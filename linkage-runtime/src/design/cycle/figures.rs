@@ -117,10 +117,10 @@ impl<A, const N: usize> Figure<A, N> for Stroke<'_, A, N> {
         let mut pieces = vec![];
         for high in &highs {
             pieces.extend(lows.iter().map(|low| Piece {
-                place: high.place,
+                key: high.key,
                 value: high.value - low.value,
                 parameters: core::array::from_fn(|k| high.parameters[k] - low.parameters[k]),
-                own: Vec::new(),
+                auxiliary: Vec::new(),
             }));
         }
         Some(Pieces::Largest(pieces))

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::dwell::Dwell;
 use super::spread::SPARE;
-use super::{Motion, Piece, Place};
+use super::{Motion, Piece, PieceKey};
 use crate::summary::{Curve, Extreme, Kind};
 
 /// Evenly spaced positions of an interval from which its limits are searched: an interval is a part
@@ -49,15 +49,15 @@ impl<A, const N: usize> Dwell<'_, A, N> {
     ) -> Piece<N> {
         let (place, _) = motion.in_range(input);
         let speed = self.curve.jet(assembly, place)[1];
-        let (place_of, own) = match part {
-            Some((nth, part)) => (Place::Nth(nth), vec![speed, part * speed, 0.0, 0.0]),
-            None => (Place::At(input), vec![0.0; 4]),
+        let (place_of, auxiliary) = match part {
+            Some((nth, part)) => (PieceKey::Nth(nth), vec![speed, part * speed, 0.0, 0.0]),
+            None => (PieceKey::At(input), vec![0.0; 4]),
         };
         Piece {
-            place: place_of,
+            key: place_of,
             value,
             parameters: self.curve.slopes(assembly, place),
-            own,
+            auxiliary,
         }
     }
 
@@ -112,23 +112,23 @@ impl<A, const N: usize> Dwell<'_, A, N> {
     pub(super) fn nominal(
         &self,
         motion: &Motion<'_, A>,
-        own: [f64; 4],
+        auxiliary: [f64; 4],
     ) -> Option<[Vec<Piece<N>>; 2]> {
-        let [from, length, low, band] = own;
+        let [from, length, low, band] = auxiliary;
         let [mut highs, mut lows] = self.limits(motion, motion.assembly, [from, length])?;
-        let inside = |piece: &Piece<N>| matches!(piece.place, Place::At(_));
+        let inside = |piece: &Piece<N>| matches!(piece.key, PieceKey::At(_));
         highs.retain(inside);
         lows.retain(inside);
         let samples = self.samples(motion, [from, length]);
         let above = |piece: &Piece<N>| {
             let mut above = piece.times(1.0, -low - (1.0 - SPARE) * band);
-            above.own[2] = -1.0;
-            above.own[3] = SPARE - 1.0;
+            above.auxiliary[2] = -1.0;
+            above.auxiliary[3] = SPARE - 1.0;
             above
         };
         let below = |piece: &Piece<N>| {
             let mut below = piece.times(-1.0, low);
-            below.own[2] = 1.0;
+            below.auxiliary[2] = 1.0;
             below
         };
         Some([

@@ -5,7 +5,7 @@ use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::{Curve, Figure, Motion, Piece, Pieces, Place};
+use super::{Curve, Figure, Motion, Piece, PieceKey, Pieces};
 use crate::summary::Kind;
 
 type Rates<'a, A, const N: usize> = Box<dyn Fn(&A, f64) -> [f64; N] + Send + Sync + 'a>;
@@ -56,10 +56,10 @@ impl<A, const N: usize> Figure<A, N> for TimeRatio<'_, A, N> {
         let factor = (1.0 + value) / strokes.fall;
         let parameters = core::array::from_fn(|k| factor * (high[k] - low[k]));
         Some(Pieces::Largest(vec![Piece {
-            place: Place::Nth(0),
+            key: PieceKey::Nth(0),
             value,
             parameters,
-            own: Vec::new(),
+            auxiliary: Vec::new(),
         }]))
     }
 }

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use super::super::limits::Limits;
 use super::curvature::Curvature;
-use super::rows::{Groups, Search};
+use super::rows::{Groups, SearchSettings};
 use super::step::{Aim, Plan, fall, step};
 
 /// A step that gains less than this part of its promise is taken back; the smallest part that keeps
@@ -38,7 +38,7 @@ pub(super) enum End {
 /// A search on its way.
 pub(super) struct Walk<'w, E> {
     limits: &'w Limits,
-    search: &'w Search,
+    search: &'w SearchSettings,
     evaluate: E,
     pub(super) x: Vec<f64>,
     pub(super) here: Groups,
@@ -55,7 +55,7 @@ impl<'w, E: FnMut(&[f64]) -> Option<Groups>> Walk<'w, E> {
     pub(super) fn new(
         (start, here): (&[f64], Groups),
         limits: &'w Limits,
-        search: &'w Search,
+        search: &'w SearchSettings,
         evaluate: E,
     ) -> Self {
         let mut curvature = Curvature::new(&search.reach);

@@ -154,7 +154,7 @@ fn the_curve_of_four_poses_has_the_dyads_of_five() {
             };
             assert!(
                 curve
-                    .at((y - pole[1]).atan2(x - pole[0]))
+                    .points_at((y - pole[1]).atan2(x - pole[0]))
                     .iter()
                     .any(is_dyad)
             );
