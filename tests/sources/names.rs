@@ -11,13 +11,53 @@ mod tests;
 
 use avoided::{FILES, TYPES};
 
-/// Types and files that keep such a name, with the reason.
-const EXCEPTIONS: [(&str, &str, &str); 0] = [];
+/// Types, files and functions that keep such a name: the name, the start of their paths, and the
+/// reason.
+const EXCEPTIONS: [(&str, &str, &str); 8] = [
+    (
+        "at",
+        "linkage-cli/src/engine/",
+        "implements `Dispatch`, whose method generated code has",
+    ),
+    (
+        "at",
+        "linkage-compiler/src/emit/",
+        "generated code has the method of `Dispatch`",
+    ),
+    (
+        "at",
+        "linkage-runtime/src/support/coupled/",
+        "generated code calls `Coupled::at` and `CoupledGrid::at`",
+    ),
+    (
+        "at",
+        "linkage-runtime/src/support/dispatch.rs",
+        "generated code has the method of `Dispatch`",
+    ),
+    (
+        "at",
+        "linkage-runtime/src/support/sweep/blocks.rs",
+        "generated code calls `Block::at`",
+    ),
+    (
+        "at",
+        "linkage-symbolic/src/expression/any_vector.rs",
+        "the index of a vector of symbols, which is short in formulas",
+    ),
+    (
+        "of",
+        "linkage-runtime/src/screw.rs",
+        "generated code and programs of users call `Screw::of`",
+    ),
+    (
+        "of",
+        "linkage-runtime/src/support/coupled/initial_state.rs",
+        "generated code calls `Coupled::of` and `CoupledGrid::of`",
+    ),
+];
 
 /// Names of functions that a search cannot tell from other words.
-const FUNCTIONS: [&str; 3] = ["look", "of", "told"];
-/// These are reported, and no fault.
-const OTHER_FUNCTIONS: [&str; 1] = ["at"];
+const FUNCTIONS: [&str; 4] = ["at", "look", "of", "told"];
 
 /// The identifier that is counted, and others that are only reported.
 const IDENTIFIER: &str = "own";
@@ -33,11 +73,11 @@ const KNOWN_REPETITIONS: usize = 25;
 const KNOWN: [(&str, [usize; 4]); 9] = [
     ("linkage-c", [0, 0, 0, 0]),
     ("linkage-cli", [0, 0, 0, 0]),
-    ("linkage-compiler", [0, 1, 3, 131]),
+    ("linkage-compiler", [0, 0, 0, 0]),
     ("linkage-core", [0, 0, 0, 0]),
     ("linkage-js", [0, 0, 0, 0]),
     ("linkage-macros", [0, 0, 0, 0]),
-    ("linkage-runtime", [1, 6, 9, 113]),
+    ("linkage-runtime", [0, 0, 0, 0]),
     ("linkage-symbolic", [0, 0, 0, 0]),
     ("src", [0, 0, 0, 0]),
 ];
@@ -49,7 +89,6 @@ struct Faults {
     /// Line and name of types, and of functions.
     types: Vec<(usize, String)>,
     functions: Vec<(usize, String)>,
-    other_functions: Vec<(usize, String)>,
     own: Vec<usize>,
     others: BTreeMap<&'static str, usize>,
 }
@@ -79,10 +118,8 @@ fn faults(source: &Source) -> Faults {
             if !is_associated(tokens, index) && !excepted(token.text) {
                 faults.types.push(named());
             }
-        } else if before.is("fn") && FUNCTIONS.contains(&token.text) {
+        } else if before.is("fn") && FUNCTIONS.contains(&token.text) && !excepted(token.text) {
             faults.functions.push(named());
-        } else if before.is("fn") && OTHER_FUNCTIONS.contains(&token.text) {
-            faults.other_functions.push(named());
         }
     }
     faults
@@ -160,7 +197,7 @@ fn of_crate(home: usize, is_wanted: impl Fn(&str) -> bool) -> ([usize; 4], Strin
         if !is_wanted(source.path) {
             continue;
         }
-        let mut named = [faults.types, faults.functions, faults.other_functions].concat();
+        let mut named = [faults.types, faults.functions].concat();
         named.sort();
         for (line, name) in named {
             let _ = writeln!(text, "  {}:{line} {name}", source.path);

@@ -105,7 +105,7 @@ impl<const S: usize> Lookup<S> {
     /// with it. The state does not wait for that.
     #[must_use]
     #[inline(always)]
-    pub fn at(&self, x: f64) -> ([f64; S], f64) {
+    pub fn state_at(&self, x: f64) -> ([f64; S], f64) {
         self.at_with::<{ FUSED }>(x)
     }
 
