@@ -49,9 +49,9 @@ pub(crate) trait Translate<'m> {
             ExprKind::MotionLaw(course) => {
                 let argument = self.translate_number(&course.argument);
                 let knots = course.knots.iter().map(|knot| {
-                    let place = self.translate_number(&knot.place);
+                    let abscissa = self.translate_number(&knot.abscissa);
                     let value = self.translate_number(&knot.value);
-                    (place, value)
+                    (abscissa, value)
                 });
                 let knots: Vec<(Ex, Ex)> = knots.collect();
                 let slopes = course.knots.iter().filter_map(|knot| knot.slope.as_ref());
@@ -154,10 +154,10 @@ pub(crate) fn value_of_name<'m>(algebra: &mut Algebra<'m>, name: Name) -> Value<
             }
         }
         Name::Argument(index) => {
-            let place = algebra.mechanism.inputs.len() + index;
+            let input = algebra.mechanism.inputs.len() + index;
             let ty = Type::Scalar(algebra.mechanism.arguments[index].dimension);
             let scale = internal_per_unit(algebra, &ty);
-            scaled(algebra, Source::Input(place), scale).into()
+            scaled(algebra, Source::Input(input), scale).into()
         }
         Name::Unknown(index) => match &algebra.names.bound[index] {
             Bound::Angle(angle) => Value::Scalar(scalar::atom(algebra, Atom::Angle(*angle))),

@@ -99,8 +99,8 @@ impl AssembledPart {
                 _ => ways.map(|(from, to)| from + share * (to - from)).collect(),
             };
             machine.run(&mut values, &at);
-            for (numbers, place) in found.iter_mut().zip(&self.unknowns) {
-                let Some((output, is_angle)) = *place else {
+            for (numbers, unknown) in found.iter_mut().zip(&self.unknowns) {
+                let Some((output, is_angle)) = *unknown else {
                     continue;
                 };
                 let number = |k: usize| machine.output(&values, output + k);

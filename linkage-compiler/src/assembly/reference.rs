@@ -131,7 +131,7 @@ fn close<'m>(
     }
     let loops = loop_list(&solved.group.loops);
     let unknowns = assembly.words.unknowns(&solved.group.unknowns);
-    let place = assembly.words.at_reference(&assembly.nominal.inputs);
+    let position = assembly.words.at_reference(&assembly.nominal.inputs);
     let mut positions: Vec<&Position> = candidates.iter().map(|one| &one.position).collect();
     positions.sort_by(|a, b| a.distance.total_cmp(&b.distance));
     if nearest.ambiguous {
@@ -139,7 +139,7 @@ fn close<'m>(
             && !estimates::lacks_estimates(assembly, solved, &positions, Choice::Listed)
         {
             let message = format!(
-                "the start estimates of {unknowns} lie equally near to two assembly modes of {loops}{place}: \
+                "the start estimates of {unknowns} lie equally near to two assembly modes of {loops}{position}: \
                  `{}` at distance {:.4} and `{}` at distance {:.4}\n\
                  help: move the estimates towards the assembly that is meant",
                 estimates::shown(assembly, &a.position),

@@ -74,9 +74,9 @@ pub(super) fn in_unit(unit: &str) -> String {
 }
 
 /// `` `phi`, in rad ``, `` `omega`, the speed of `phi`, in rad/s ``
-pub(super) fn argument(name: &str, place: usize, unit: &CompiledMechanism) -> String {
-    let Some(argument) = place.checked_sub(unit.inputs.len()) else {
-        return format!("`{name}`{}", in_unit(&unit.inputs[place].unit));
+pub(super) fn argument(name: &str, index: usize, unit: &CompiledMechanism) -> String {
+    let Some(argument) = index.checked_sub(unit.inputs.len()) else {
+        return format!("`{name}`{}", in_unit(&unit.inputs[index].unit));
     };
     let argument = &unit.arguments[argument];
     let input = |input: usize| plain(&unit.inputs[input].name);

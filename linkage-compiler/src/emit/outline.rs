@@ -327,7 +327,7 @@ fn complete_function<'a>(
         .collect();
     let arguments = def.inputs.iter().zip(&compiled.arguments);
     let arguments: Vec<String> = arguments
-        .map(|(name, place)| docs::argument(&plain(name), *place, unit))
+        .map(|(name, position)| docs::argument(&plain(name), *position, unit))
         .collect();
     let mut notes = String::new();
     if !arguments.is_empty() {

@@ -53,10 +53,10 @@ impl Slots {
     /// Stores them for the `__mechanism` of `__lane`, by `__modes` and `__turns`.
     pub(super) fn prepare(&self, outline: &Outline) -> TokenStream {
         let assembly = &outline.assembly;
-        let stores = self.used.iter().enumerate().map(|(place, &slot)| {
-            let place = literal::index(place);
+        let stores = self.used.iter().enumerate().map(|(index, &slot)| {
+            let index = literal::index(index);
             let value = entry("__value", slot);
-            quote!(__slots.set(#place, __lane, #value);)
+            quote!(__slots.set(#index, __lane, #value);)
         });
         let values = match &self.program {
             Some(program) => {
@@ -70,7 +70,7 @@ impl Slots {
                 }
             }
             None => {
-                let values = (0..outline.prepared).map(|slot| match self.place(slot) {
+                let values = (0..outline.prepared).map(|slot| match self.index_of(slot) {
                     Some(_) => entry("__value", slot).into_token_stream(),
                     None => quote!(_),
                 });
@@ -84,20 +84,20 @@ impl Slots {
 
     /// All slots of `__lane`; unused slots are zero.
     pub(super) fn all(&self, outline: &Outline) -> TokenStream {
-        let stored = |place: usize| {
-            let place = literal::index(place);
-            quote!(__slots.at(#place, __lane))
+        let stored = |index: usize| {
+            let index = literal::index(index);
+            quote!(__slots.at(#index, __lane))
         };
         if self.program.is_none() {
-            let all = (0..outline.prepared).map(|slot| match self.place(slot) {
-                Some(place) => stored(place),
+            let all = (0..outline.prepared).map(|slot| match self.index_of(slot) {
+                Some(index) => stored(index),
                 None => quote!(__zero),
             });
             return quote!([#(#all),*]);
         }
         let count = literal::index(outline.prepared);
-        let used = self.used.iter().enumerate().map(|(place, &slot)| {
-            let (slot, stored) = (literal::index(slot), stored(place));
+        let used = self.used.iter().enumerate().map(|(index, &slot)| {
+            let (slot, stored) = (literal::index(slot), stored(index));
             quote!(__prepared[#slot] = #stored;)
         });
         quote! {{
@@ -108,7 +108,7 @@ impl Slots {
     }
 
     /// The index of a slot among those that are used.
-    fn place(&self, slot: usize) -> Option<usize> {
+    fn index_of(&self, slot: usize) -> Option<usize> {
         self.used.binary_search(&slot).ok()
     }
 }

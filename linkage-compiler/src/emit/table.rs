@@ -63,17 +63,18 @@ fn column(outline: &Outline, column: &Column) -> TokenStream {
         unit,
         meaning,
     } = column;
-    let place = |of: Option<usize>| optional(of.map(literal::index).map(|index| quote!(#index)));
+    let optional_index =
+        |of: Option<usize>| optional(of.map(literal::index).map(|index| quote!(#index)));
     let meaning = match *meaning {
         Meaning::Value => quote!(Value),
         Meaning::Margin => quote!(Margin),
         Meaning::Picture => quote!(Picture),
         Meaning::Rate { order, of } => {
-            let of = place(of);
+            let of = optional_index(of);
             quote!(Rate { order: #order, of: #of })
         }
         Meaning::Sensitivity { parameter, of } => {
-            let (parameter, of) = (literal::index(parameter), place(of));
+            let (parameter, of) = (literal::index(parameter), optional_index(of));
             quote!(Sensitivity { parameter: #parameter, of: #of })
         }
     };

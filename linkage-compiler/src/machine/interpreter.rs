@@ -197,7 +197,7 @@ impl Machine {
 
     /// An output's value.
     pub(crate) fn output(&self, values: &[f64], output: usize) -> f64 {
-        let Value(place) = self.closure.program.outputs[output];
-        values[place]
+        let Value(index) = self.closure.program.outputs[output];
+        values[index]
     }
 }

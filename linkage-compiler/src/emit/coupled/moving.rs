@@ -168,7 +168,7 @@ pub(in crate::emit) fn followed(outline: &Outline, function: &Function) -> Token
     });
     let dimensions = outline.scalar_fields().len();
     let places = function.positions.iter().copied().chain(states);
-    let places = places.map(|place| literal::index(dimensions + place));
+    let places = places.map(|position| literal::index(dimensions + position));
     let groups = function.states.iter().map(|&group| {
         let [number, first, size] = [
             group,

@@ -128,8 +128,8 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             Ok(least) => return Ok((start.clone(), least)),
             Err(missed) => missed,
         };
-        let place = start.x[..problem.varied.len()].to_vec();
-        let Ok(mut suited) = problem.start(&problem.limits, place) else {
+        let values = start.x[..problem.varied.len()].to_vec();
+        let Ok(mut suited) = problem.start(&problem.limits, values) else {
             return Err(missed);
         };
         suited.added.clone_from(&start.added);

@@ -39,7 +39,7 @@ pub(super) struct Optimum<M, A> {
     /// The value that the search makes least.
     least: f64,
     /// The parameters that vary.
-    place: Vec<f64>,
+    varied: Vec<f64>,
     /// The number of the assembly of the first mechanism that has the same modes.
     assembly: usize,
 }
@@ -57,7 +57,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
     pub(super) fn from(&self, index: usize) -> Result<Optimum<M, A>, DesignError> {
         let problem = &self.problem;
         let limits = &problem.limits;
-        let place: Vec<f64> = if index == 0 {
+        let values: Vec<f64> = if index == 0 {
             problem.first()
         } else {
             let unit = unit(self.seed, index, limits.lower.len());
@@ -67,7 +67,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
                 .map(|((low, high), part)| low + part * (high - low));
             parts.collect()
         };
-        let start = problem.start(limits, place)?;
+        let start = problem.start(limits, values)?;
         if index > 0 {
             let ended = self.descend(start)?;
             return self.certified(self.rounded(ended)?);
@@ -123,8 +123,8 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         }
         let (mut steps, mut evaluations) = (ended.steps, ended.evaluations);
         let descend = |limits: &Limits, near: &Ended| {
-            let place = near.at.x[..problem.varied.len()].to_vec();
-            let mut start = problem.start(limits, place).ok()?;
+            let values = near.at.x[..problem.varied.len()].to_vec();
+            let mut start = problem.start(limits, values).ok()?;
             start.added.clone_from(&near.at.added);
             let ended = self.descend(start).ok()?;
             steps += ended.steps;
@@ -168,11 +168,11 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             converged: ended.converged,
             hits: 1,
         };
-        let place = x[..problem.varied.len()].to_vec();
+        let varied = x[..problem.varied.len()].to_vec();
         Ok(Optimum {
             best,
             least,
-            place,
+            varied,
             assembly: self.assembly,
         })
     }
@@ -217,11 +217,11 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         let Limits { lower, upper, .. } = &self.problem.limits;
         // Neighbours in a catalogue are not the same, however near they are.
         let same = |a: &Optimum<M, A>, b: &Optimum<M, A>| {
-            let mut values = self.problem.catalogues.iter().map(|(place, _)| *place);
-            values.all(|place| a.place[place] == b.place[place])
+            let mut values = self.problem.catalogues.iter().map(|(index, _)| *index);
+            values.all(|index| a.varied[index] == b.varied[index])
         };
         let near = |a: &Optimum<M, A>, b: &Optimum<M, A>| {
-            let places = a.place.iter().zip(&b.place).zip(lower.iter().zip(upper));
+            let places = a.varied.iter().zip(&b.varied).zip(lower.iter().zip(upper));
             let mut places = places.into_iter();
             same(a, b)
                 && a.assembly == b.assembly

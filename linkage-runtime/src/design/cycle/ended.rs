@@ -18,7 +18,7 @@ pub(super) struct Ended {
 }
 
 impl Local for Ended {
-    fn place(&self) -> &[f64] {
+    fn varied(&self) -> &[f64] {
         &self.at.x
     }
 

@@ -145,7 +145,7 @@ impl<'a, A, const N: usize> ErrorOf<'a, A, N> {
         }
     }
 
-    fn piece(&self, assembly: &A, input: f64, place: PieceKey, measured: &Measured<N>) -> Piece<N> {
+    fn piece(&self, assembly: &A, input: f64, key: PieceKey, measured: &Measured<N>) -> Piece<N> {
         let second = (self.second)(assembly, input);
         let pairs = || measured.weights.iter().zip(&second);
         let of = |weights: &[f64; N], second: &[[f64; N]; N], j: usize| -> f64 {
@@ -157,7 +157,7 @@ impl<'a, A, const N: usize> ErrorOf<'a, A, N> {
                 .sum()
         };
         Piece {
-            key: place,
+            key,
             value: measured.value,
             parameters: core::array::from_fn(along),
             auxiliary: Vec::new(),
@@ -169,8 +169,8 @@ impl<'a, A, const N: usize> ErrorOf<'a, A, N> {
         let all = self.measure.candidates(&(self.slopes)(assembly, input));
         let piece = |measured: &Measured<N>| {
             let number = measured.way.wrapping_mul(self.inputs.len());
-            let place = PieceKey::Nth(number.wrapping_add(nth));
-            self.piece(assembly, input, place, measured)
+            let key = PieceKey::Nth(number.wrapping_add(nth));
+            self.piece(assembly, input, key, measured)
         };
         all.iter().map(piece).collect()
     }

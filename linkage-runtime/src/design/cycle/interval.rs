@@ -21,8 +21,8 @@ impl<A, const N: usize> Dwell<'_, A, N> {
         input: f64,
         advance: f64,
     ) -> [f64; 3] {
-        let (place, turns) = motion.in_range(input);
-        let [value, v, a] = self.curve.jet(assembly, place);
+        let (position, turns) = motion.in_range(input);
+        let [value, v, a] = self.curve.jet(assembly, position);
         [value + turns * advance, v, a]
     }
 
@@ -47,8 +47,8 @@ impl<A, const N: usize> Dwell<'_, A, N> {
         input: f64,
         part: Option<(usize, f64)>,
     ) -> Piece<N> {
-        let (place, _) = motion.in_range(input);
-        let speed = self.curve.jet(assembly, place)[1];
+        let (position, _) = motion.in_range(input);
+        let speed = self.curve.jet(assembly, position)[1];
         let (place_of, auxiliary) = match part {
             Some((nth, part)) => (PieceKey::Nth(nth), vec![speed, part * speed, 0.0, 0.0]),
             None => (PieceKey::At(input), vec![0.0; 4]),
@@ -56,7 +56,7 @@ impl<A, const N: usize> Dwell<'_, A, N> {
         Piece {
             key: place_of,
             value,
-            parameters: self.curve.slopes(assembly, place),
+            parameters: self.curve.slopes(assembly, position),
             auxiliary,
         }
     }

@@ -216,7 +216,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         let near = near.map(<[f64]>::to_vec);
         let places = core::iter::once(ladder.origin.clone()).chain(near);
         places
-            .map(|place| self.within(ladder, part, place))
+            .map(|values| self.within(ladder, part, values))
             .collect()
     }
 
@@ -245,18 +245,18 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
     }
 
     /// Searches within a part of the bounds from a place.
-    fn within(&self, ladder: &Ladder, part: f64, place: Vec<f64>) -> Result<Ended, DesignError> {
-        self.descend(self.start_within(ladder, part, place)?)
+    fn within(&self, ladder: &Ladder, part: f64, values: Vec<f64>) -> Result<Ended, DesignError> {
+        self.descend(self.start_within(ladder, part, values)?)
     }
 
     fn start_within(
         &self,
         ladder: &Ladder,
         part: f64,
-        place: Vec<f64>,
+        values: Vec<f64>,
     ) -> Result<SearchStart, DesignError> {
         let limits = narrowed(&self.problem.limits, &ladder.origin, part);
-        self.problem.start(&limits, place)
+        self.problem.start(&limits, values)
     }
 
     /// The first mechanism itself, if it holds all conditions.

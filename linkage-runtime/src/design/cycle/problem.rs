@@ -75,9 +75,9 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     pub(super) fn start(
         &self,
         limits: &Limits,
-        place: Vec<f64>,
+        values: Vec<f64>,
     ) -> Result<SearchStart, DesignError> {
-        let x = limits.nearest(&place).unwrap_or(place);
+        let x = limits.nearest(&values).unwrap_or(values);
         let reach = |j: usize| {
             let width = limits.upper[j] - limits.lower[j];
             // A parameter that its bounds hold has no width; it is measured by something.

@@ -96,7 +96,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         let bound = |(j, &index): (usize, &usize)| {
             let bounds = [self.limits.lower[j], self.limits.upper[j]];
             // The end of a catalogue is a value like all others.
-            let of_catalogue = self.catalogues.iter().any(|(place, _)| *place == j);
+            let of_catalogue = self.catalogues.iter().any(|(position, _)| *position == j);
             let mut bounds = bounds.into_iter().filter(|_| !of_catalogue);
             let reached = bounds.find(|bound| *bound == x[j])?;
             Some((M::PARAMETERS[index].name, reached))
@@ -108,7 +108,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     pub(super) fn of_catalogues(&self) -> Vec<String> {
         let names = self.catalogues.iter();
         names
-            .map(|(place, _)| M::PARAMETERS[self.varied[*place]].name.to_string())
+            .map(|(index, _)| M::PARAMETERS[self.varied[*index]].name.to_string())
             .collect()
     }
 

@@ -42,7 +42,7 @@ impl<A, const N: usize> Figure<A, N> for TimeRatio<'_, A, N> {
     fn pieces(&self, motion: &Motion<'_, A>) -> Option<Pieces<N>> {
         let course = self.curve.course(motion)?;
         let strokes = course.time_ratio()?;
-        let place = |kind: Kind| {
+        let slopes = |kind: Kind| {
             let limit = course
                 .position()
                 .limits()
@@ -50,7 +50,7 @@ impl<A, const N: usize> Figure<A, N> for TimeRatio<'_, A, N> {
             let [_, _, acceleration] = self.curve.jet(motion.assembly, limit.at);
             Some((self.rates)(motion.assembly, limit.at).map(|rate| -rate / acceleration))
         };
-        let (high, low) = (place(Kind::High)?, place(Kind::Low)?);
+        let (high, low) = (slopes(Kind::High)?, slopes(Kind::Low)?);
         let value = strokes.rise / strokes.fall;
         // The fall is shorter by as much as the rise is longer.
         let factor = (1.0 + value) / strokes.fall;

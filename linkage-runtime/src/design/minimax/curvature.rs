@@ -44,8 +44,8 @@ impl Curvature {
     }
 
     pub(super) fn entry(&self, i: usize, j: usize) -> f64 {
-        let place = i * self.reach.len() + j;
-        self.matrix[place] + self.known[place]
+        let index = i * self.reach.len() + j;
+        self.matrix[index] + self.known[index]
     }
 
     /// The slopes of a row by the variables in reaches.

@@ -135,13 +135,13 @@ impl<'w, E: FnMut(&[f64]) -> Option<Groups>> Walk<'w, E> {
         let Some(plan) = back(&self.x, &self.here, &self.aim()) else {
             return false;
         };
-        let place = moved(&self.x, &plan.d, self.limits, &self.search.reach);
+        let x = moved(&self.x, &plan.d, self.limits, &self.search.reach);
         self.evaluations += 1;
-        let there = (self.evaluate)(&place);
+        let there = (self.evaluate)(&x);
         let better = there.filter(|there| there.excess() < 0.5 * self.here.excess());
         let led = better.is_some();
         if let Some(there) = better {
-            self.go(place, there);
+            self.go(x, there);
         }
         led
     }
@@ -175,13 +175,13 @@ impl<'w, E: FnMut(&[f64]) -> Option<Groups>> Walk<'w, E> {
             .as_ref()
             .filter(|out| part < GOOD && out.excess() > self.search.tolerance)
         {
-            let place = back(&trial, out, &aim)
+            let x = back(&trial, out, &aim)
                 .map(|back| moved(&trial, &back.d, self.limits, &self.search.reach));
-            let again = place.as_deref().and_then(&mut self.evaluate);
+            let again = x.as_deref().and_then(&mut self.evaluate);
             self.evaluations += 1;
             if gain(&again) > part {
                 part = gain(&again);
-                trial = place.unwrap_or(trial);
+                trial = x.unwrap_or(trial);
                 there = again;
             }
         }
@@ -201,9 +201,9 @@ impl<'w, E: FnMut(&[f64]) -> Option<Groups>> Walk<'w, E> {
         }
     }
 
-    fn go(&mut self, place: Vec<f64>, there: Groups) {
+    fn go(&mut self, x: Vec<f64>, there: Groups) {
         self.curvature.see(&there);
-        (self.x, self.here) = (place, there);
+        (self.x, self.here) = (x, there);
     }
 }
 

@@ -111,7 +111,7 @@ impl CentreCurve {
         ways.sort_by(f64::total_cmp);
         let places = ways.into_iter().map(|way| start + direction.scaled(way));
         places
-            .filter_map(|place| self.point(place, (place - self.pole).angle().rem_euclid(PI)))
+            .filter_map(|point| self.point(point, (point - self.pole).angle().rem_euclid(PI)))
             .collect()
     }
 
