@@ -42,7 +42,7 @@ fn names_in_code_are_found() {
         [named(2, "struct Way"), named(4, "type Turns")]
     );
     assert_eq!(faults.functions, [named(5, "fn of"), named(5, "fn at")]);
-    assert_eq!(faults.own, [5, 5, 5]);
+    assert_eq!(faults.identifiers, [vec![5, 5, 5], vec![]]);
 }
 
 #[test]
