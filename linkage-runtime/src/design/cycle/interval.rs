@@ -49,12 +49,12 @@ impl<A, const N: usize> Dwell<'_, A, N> {
     ) -> Piece<N> {
         let (position, _) = motion.in_range(input);
         let speed = self.curve.jet(assembly, position)[1];
-        let (place_of, auxiliary) = match part {
+        let (key, auxiliary) = match part {
             Some((nth, part)) => (PieceKey::Nth(nth), vec![speed, part * speed, 0.0, 0.0]),
             None => (PieceKey::At(input), vec![0.0; 4]),
         };
         Piece {
-            key: place_of,
+            key,
             value,
             parameters: self.curve.slopes(assembly, position),
             auxiliary,

@@ -180,9 +180,9 @@ impl<const N: usize> Knots<N> {
             }
             let ahead = t - knot.t;
             let square = value * value;
-            let (of_place, of_tangent) = (square * (1.0 - 2.0 * slope * ahead), square * ahead);
+            let (of_point, of_tangent) = (square * (1.0 - 2.0 * slope * ahead), square * ahead);
             for ((number, &at), &tangent) in point.iter_mut().zip(&knot.point).zip(&knot.tangent) {
-                *number = *number + at.scaled(of_place) + tangent.scaled(of_tangent);
+                *number = *number + at.scaled(of_point) + tangent.scaled(of_tangent);
             }
         }
         point
