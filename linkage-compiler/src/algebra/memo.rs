@@ -69,11 +69,11 @@ pub(crate) struct ByParameter(Map<SymbolId, Vec<usize>>);
 
 impl ByParameter {
     /// Adds a place, which is not before those added already.
-    pub(crate) fn add(&mut self, place: usize, acting: &BTreeSet<SymbolId>) {
+    pub(crate) fn add(&mut self, position: usize, acting: &BTreeSet<SymbolId>) {
         for &symbol in acting {
             let places = self.0.entry(symbol).or_default();
-            if places.last() != Some(&place) {
-                places.push(place);
+            if places.last() != Some(&position) {
+                places.push(position);
             }
         }
     }

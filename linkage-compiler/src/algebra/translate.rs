@@ -48,9 +48,9 @@ pub(crate) trait Translate<'m> {
             ExprKind::MotionLaw(course) => {
                 let argument = self.translate_number(&course.argument);
                 let knots = course.knots.iter().map(|knot| {
-                    let place = self.translate_number(&knot.place);
+                    let abscissa = self.translate_number(&knot.abscissa);
                     let value = self.translate_number(&knot.value);
-                    (place, value)
+                    (abscissa, value)
                 });
                 let knots: Vec<(Ex, Ex)> = knots.collect();
                 let slopes = course.knots.iter().filter_map(|knot| knot.slope.as_ref());
@@ -151,10 +151,10 @@ pub(crate) fn value_of_name<'m>(names: &mut Names<'m>, name: Name) -> Value<'m> 
             }
         }
         Name::Argument(index) => {
-            let place = names.mechanism.inputs.len() + index;
+            let input = names.mechanism.inputs.len() + index;
             let ty = Type::Scalar(names.mechanism.arguments[index].dimension);
             let scale = internal_per_unit(names.mechanism, &ty);
-            scaled(names, Source::Input(place), scale).into()
+            scaled(names, Source::Input(input), scale).into()
         }
         Name::Unknown(index) => match &names.bound[index] {
             Bound::Angle(angle) => Value::Scalar(scalar::atom(names.graph, Atom::Angle(*angle))),

@@ -41,12 +41,12 @@ pub(crate) fn check_directions(mechanism: &Mechanism, nominal: &Nominal, reporte
             continue;
         }
         check.know(&[]);
-        let mut place = String::new();
-        let mut found = check.mistake(&asked, &place);
+        let mut position = String::new();
+        let mut found = check.mistake(&asked, &position);
         if found.is_none() && asked.in_loop {
             check.know(&nominal.inputs);
-            place = MessageFormat::new(mechanism).at_reference(&nominal.inputs);
-            found = check.mistake(&asked, &place);
+            position = MessageFormat::new(mechanism).at_reference(&nominal.inputs);
+            found = check.mistake(&asked, &position);
         }
         if let Some((fact, help)) = found {
             told.push(asked.vector.origin);
@@ -147,26 +147,26 @@ impl<'m> Check<'_, 'm> {
         }
     }
 
-    /// Returns the fault of a direction, and the advice. `place` is the position, if the fault is
+    /// Returns the fault of a direction, and the advice. `position` is set if the fault is
     /// not everywhere.
-    fn mistake(&mut self, asked: &Asked, place: &str) -> Option<(String, String)> {
+    fn mistake(&mut self, asked: &Asked, position: &str) -> Option<(String, String)> {
         let Asked {
             subject, vector, ..
         } = *asked;
         if self.is_zero(vector) {
             let (why, help) = self.reason(vector, "it");
-            let help = match place {
+            let help = match position {
                 "" => help,
                 _ => "choose a reference input at which it has a direction".to_owned(),
             };
-            return Some((format!("{subject} has no direction{place}: {why}"), help));
+            return Some((format!("{subject} has no direction{position}: {why}"), help));
         }
         let beside = asked
             .beside
             .filter(|beside| self.parallel(beside, vector))?;
         let both = self.words(&[beside, vector]);
-        let fact = format!("{subject} is parallel to its x axis{place}{both}");
-        let help = match place {
+        let fact = format!("{subject} is parallel to its x axis{position}{both}");
+        let help = match position {
             "" => "choose another vector: it lies in the plane of the x and z axes",
             _ => "choose a reference input at which they are not parallel",
         };

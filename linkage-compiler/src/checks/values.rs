@@ -25,11 +25,11 @@ pub(crate) fn check_values(mechanism: &Mechanism, nominal: &Nominal, reporter: &
     let used = mechanism.usage(&all).lets;
     for (index, item) in mechanism.lets.iter().enumerate() {
         check.fixed[index] = check.is_fixed(&item.value);
-        let place = match used[index] {
+        let occurrence = match used[index] {
             true => Occurrence::InLoop,
             false => Occurrence::Elsewhere,
         };
-        check.look_at(&item.value, place);
+        check.look_at(&item.value, occurrence);
     }
     for equation in &mechanism.loops {
         check.look_at(&equation.left, Occurrence::Term);
@@ -134,24 +134,24 @@ impl<'a, 'm> Check<'a, 'm> {
     }
 
     /// Searches the largest parts that are fixed.
-    fn look_at(&mut self, expr: &'m Expr, place: Occurrence) {
-        let mut open = vec![(expr, place)];
-        while let Some((expr, place)) = open.pop() {
+    fn look_at(&mut self, expr: &'m Expr, occurrence: Occurrence) {
+        let mut open = vec![(expr, occurrence)];
+        while let Some((expr, occurrence)) = open.pop() {
             if self.is_fixed(expr) {
-                self.blame(expr, place);
+                self.blame(expr, occurrence);
                 continue;
             }
-            let below = match (&expr.kind, place) {
-                (ExprKind::Vector(_), _) => place,
+            let below = match (&expr.kind, occurrence) {
+                (ExprKind::Vector(_), _) => occurrence,
                 (_, Occurrence::Term) if expr.summands().is_empty() => Occurrence::InLoop,
-                _ => place,
+                _ => occurrence,
             };
             open.extend(expr.operands().into_iter().map(|operand| (operand, below)));
         }
     }
 
     /// Finds the innermost parts that are not finite.
-    fn blame(&mut self, expr: &'m Expr, place: Occurrence) {
+    fn blame(&mut self, expr: &'m Expr, occurrence: Occurrence) {
         let mut open = vec![expr];
         while let Some(expr) = open.pop() {
             // A name is reported at its declaration.
@@ -167,7 +167,7 @@ impl<'a, 'm> Check<'a, 'm> {
                     .filter(|operand| !self.is_finite(operand)),
             );
             if open.len() == before {
-                let fatal = match place {
+                let fatal = match occurrence {
                     Occurrence::Term => true,
                     Occurrence::InLoop => self.value(expr).iter().any(|x| x.is_nan()),
                     Occurrence::Elsewhere => false,

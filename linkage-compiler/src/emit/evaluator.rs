@@ -88,12 +88,12 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
     let must_use = (!attribute::has(function.attributes, "must_use")).then(|| quote!(#[must_use]));
     let inline = (!attribute::has(function.attributes, "inline")).then(|| quote!(#[inline]));
     let result = result_module::result(outline, function);
-    let own = match function.states.is_empty() {
+    let inputs = match function.states.is_empty() {
         true => quote!([#(#arguments),*]),
         false => coupled::with_states(outline, function),
     };
     let core = assembly_data::core(outline, &quote!(self));
-    let body = outline.body(value(outline, function, &own, &core, Version::Called));
+    let body = outline.body(value(outline, function, &inputs, &core, Version::Called));
     let count = literal::index(arguments.len());
     let call = outline.body(match function.chooses {
         true => quote!(#runtime::single(self, [#(#arguments),*])),
@@ -270,7 +270,7 @@ fn results(index: usize, stage: &Stage) -> Vec<Ident> {
 fn in_memory(places: &[usize]) -> Vec<Ident> {
     places
         .iter()
-        .map(|&place| entry("__memory", place))
+        .map(|&index| entry("__memory", index))
         .collect()
 }
 
@@ -291,11 +291,11 @@ fn stage(
     } = stage;
     let method = stage_name(function, index, version);
     let places = Places::of_function(outline, function);
-    let input = |place| entry(INPUT, place).into_token_stream();
+    let input = |index| entry(INPUT, index).into_token_stream();
     let load = loader_by(outline, &places, input);
     let statements = body::statements(program, runs, &load);
     let read = places.read(program);
-    let inputs: Vec<_> = read.iter().map(|&place| entry(INPUT, place)).collect();
+    let inputs: Vec<_> = read.iter().map(|&index| entry(INPUT, index)).collect();
     let (next, finished) = program.outputs.split_at(kept.len());
     let [next, finished] = [next, finished].map(|values| {
         let names = values.iter().map(|value| body::name(*value));

@@ -26,8 +26,8 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
     }
     let mut items = shared(outline);
     items.extend(single(outline, unit));
-    for (function, own) in outline.functions.iter().zip(&unit.functions) {
-        let version = match &own.settled {
+    for (function, compiled) in outline.functions.iter().zip(&unit.functions) {
+        let version = match &compiled.settled {
             Some(settled) => {
                 items.extend(kernel(outline, function, settled, Version::Settled));
                 Version::Settled

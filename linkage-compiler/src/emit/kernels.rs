@@ -84,7 +84,7 @@ fn over_sets(
         core,
         ..
     } = outline;
-    let slots = Slots::of(stages, prepare);
+    let slots = Slots::for_stages(stages, prepare);
     let loops = Loops {
         outline,
         function,

@@ -146,18 +146,18 @@ impl Loops<'_> {
         };
         let method = stage_name(function, index, self.version);
         let inputs = Places::of_function(outline, function).read(&stage.program);
-        let inputs = inputs.into_iter().map(|place| {
-            let place = literal::index(self.before() + place);
-            quote!(__x.at(#place, __lane))
+        let inputs = inputs.into_iter().map(|position| {
+            let position = literal::index(self.before() + position);
+            quote!(__x.at(#position, __lane))
         });
-        let read = stage.taken.iter().map(|&place| {
-            let place = literal::index(place);
-            quote!(__memory.at(#place, __lane))
+        let read = stage.taken.iter().map(|&position| {
+            let position = literal::index(position);
+            quote!(__memory.at(#position, __lane))
         });
         let next = entries("__next", stage.kept.len());
-        let keep = next.iter().zip(&stage.kept).map(|(next, &place)| {
-            let place = literal::index(place);
-            quote!(__memory.set(#place, __lane, #next);)
+        let keep = next.iter().zip(&stage.kept).map(|(next, &position)| {
+            let position = literal::index(position);
+            quote!(__memory.set(#position, __lane, #next);)
         });
         let finished = entries("__finished", stage.results.len());
         let finish = finished.iter().enumerate().map(|(k, finished)| {

@@ -88,8 +88,8 @@ pub(crate) fn emit(
     assembled.extend(range_check::items(&outline, unit));
     assembled.extend(dimension_path::items(&outline, unit));
     assembled.extend(follower::items(&outline, unit));
-    for (function, own) in outline.functions.iter().zip(&unit.functions) {
-        assembled.extend(self::function(&outline, function, own, &unit.prepare));
+    for (function, compiled) in outline.functions.iter().zip(&unit.functions) {
+        assembled.extend(self::function(&outline, function, compiled, &unit.prepare));
     }
     match outline.starts.is_empty() {
         true => items.extend(assembled),
@@ -106,7 +106,7 @@ pub(crate) fn emit(
 fn function(
     outline: &Outline,
     function: &Function,
-    own: &ir::Function,
+    compiled: &ir::Function,
     prepare: &Program,
 ) -> TokenStream {
     let mut types = evaluator::result(outline, function);
@@ -115,16 +115,16 @@ fn function(
     let mut items = result_module::with_imports(outline, function, &types, &columns);
     items.extend(evaluator::method(outline, function));
     let versions = [
-        (Some(&own.called), Version::Called),
-        (own.beside.as_ref(), Version::Beside),
+        (Some(&compiled.called), Version::Called),
+        (compiled.beside.as_ref(), Version::Beside),
     ];
     for (body, version) in versions {
         items.extend(body.map(|body| evaluator::kernel(outline, function, body, version)));
     }
-    let stages = &own.called.stages;
-    let beside = own.beside.as_ref().map(|body| &body.stages[..]);
+    let stages = &compiled.called.stages;
+    let beside = compiled.beside.as_ref().map(|body| &body.stages[..]);
     items.extend(sweeps::items(outline, function));
-    items.extend(table::items(outline, function, &own.columns));
+    items.extend(table::items(outline, function, &compiled.columns));
     items.extend(kernels::items(outline, function, stages, beside, prepare));
     items
 }

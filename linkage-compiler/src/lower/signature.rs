@@ -127,7 +127,7 @@ fn own_parameters(algebra: &Algebra, formulation: &Formulation) -> Vec<Vec<usize
 /// Returns the method that solves a group: a group whose assemblies cannot be listed has another
 /// one than its form gives.
 fn method(algebra: &Algebra, solved: &Solved, reference: &Reference) -> String {
-    let coupled = &reference.machine.closing.coupled;
+    let coupled = &reference.machine.closure.coupled;
     let followed = |prepared: &&Prepared| coupled[prepared.number].followed;
     let Some(prepared) = solved.prepared.as_ref().filter(followed) else {
         return solved.closed.method.to_owned();

@@ -81,11 +81,11 @@ fn expect_agreement(items: &str, function: &str) {
         requested.scalars
     });
     let results: Vec<Vec<Ex>> = results.collect();
-    let closing = lower::closing(&mut algebra, &formulation, &nominal);
+    let closure = lower::closure_programs(&mut algebra, &formulation, &nominal);
     let reference = assemble_reference(
         &algebra,
         &formulation,
-        closing,
+        closure,
         &mut nominal,
         Vec::new(),
         reporter,

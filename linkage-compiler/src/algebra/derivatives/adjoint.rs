@@ -52,8 +52,8 @@ pub(crate) fn minus_slopes<'m>(
     parameter: SymbolId,
 ) -> Ex<'m> {
     let acting = flow.acting.positions_for(parameter).iter();
-    acting.fold(start, |sum, &place| {
-        minus_slope(algebra, sum, &flow.multipliers[place], parameter)
+    acting.fold(start, |sum, &index| {
+        minus_slope(algebra, sum, &flow.multipliers[index], parameter)
     })
 }
 
@@ -114,9 +114,9 @@ pub(crate) fn sweep<'m>(
         }
         flow.multipliers.push(found);
     }
-    for (place, multiplier) in flow.multipliers.iter().enumerate() {
+    for (index, multiplier) in flow.multipliers.iter().enumerate() {
         flow.acting.add(
-            place,
+            index,
             &acting::acting_on_system(algebra, &multiplier.system),
         );
     }

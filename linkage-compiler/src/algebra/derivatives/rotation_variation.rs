@@ -226,13 +226,13 @@ fn body_with<'m>(
     let group = places.iter().flatten().map(|(group, _)| *group).next()?;
     let elimination = solutions.groups[group].elimination.as_ref()?;
     let bodies = &elimination.scheme.as_ref()?.bodies.list;
-    let place = |columns: &[usize; 3]| {
+    let axis_of = |columns: &[usize; 3]| {
         places
             .iter()
             .position(|axis| *axis == Some((group, *columns)))
     };
     let mut found = bodies.iter().enumerate().filter_map(|(index, body)| {
-        let [u, w] = body.columns.each_ref().map(place);
+        let [u, w] = body.columns.each_ref().map(axis_of);
         Some((group, index, [axes[u?], axes[w?]]))
     });
     found.next()
@@ -240,13 +240,13 @@ fn body_with<'m>(
 
 /// The places of a direction's components among the unknowns of a group.
 fn positions_of(solutions: &Solutions, axis: V3) -> Option<(usize, [usize; 3])> {
-    let place = |k: usize| match axis[k].node() {
+    let unknown = |k: usize| match axis[k].node() {
         Node::Symbol(symbol) => match solutions.rule(symbol)? {
             DerivativeRule::Unknown { group, position } => Some((*group, *position)),
             _ => None,
         },
         _ => None,
     };
-    let [(group, x), (second, y), (third, z)] = [place(0)?, place(1)?, place(2)?];
+    let [(group, x), (second, y), (third, z)] = [unknown(0)?, unknown(1)?, unknown(2)?];
     (group == second && group == third).then_some((group, [x, y, z]))
 }
