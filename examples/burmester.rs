@@ -126,7 +126,9 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let pole = curve.pole();
     let ways = dyads.links().map(|link| {
         let [x, y] = link.fixed;
-        let places = curve.at((y - pole[1]).atan2(x - pole[0])).into_iter();
+        let places = curve
+            .points_at((y - pole[1]).atan2(x - pole[0]))
+            .into_iter();
         let ways = places.map(|own| (own.pivots.fixed[0] - x).hypot(own.pivots.fixed[1] - y));
         (ways.fold(f64::INFINITY, f64::min), 0.0)
     });

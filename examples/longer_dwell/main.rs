@@ -89,7 +89,10 @@ fn searched<'a>(
     tolerances: &Tolerances<N>,
     check: &mut Check,
 ) -> Result<Design<'a>, Box<dyn Error>> {
-    let (assembly, rest) = (&drive.assembly, [drive.own[0][0], drive.own[0][1]]);
+    let (assembly, rest) = (
+        &drive.assembly,
+        [drive.auxiliary[0][0], drive.auxiliary[0][1]],
+    );
     let band = worst(assembly, rest, tolerances, check)?;
     Ok(Design {
         name,

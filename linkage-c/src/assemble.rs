@@ -180,10 +180,10 @@ fn moved(surface: &Surface) -> String {
         .scalars()
         .map(|scalar| scalar.nominal)
         .collect();
-    let different = deciding(surface.unit).into_iter().map(|place| {
+    let different = deciding(surface.unit).into_iter().map(|index| {
         let (scalar, nominal) = (
-            &surface.scalars[place],
-            surface.real.literal(nominal[place]),
+            &surface.scalars[index],
+            surface.real.literal(nominal[index]),
         );
         format!("m->dimensions.{scalar} != {nominal}")
     });
@@ -204,9 +204,9 @@ fn finite(writer: &mut Writer) -> String {
     } = writer.surface;
     let mut checks = String::new();
     for (index, code) in codes.iter().enumerate() {
-        if let Why::NotFinite(place) = code.why {
+        if let Why::NotFinite(dimension) = code.why {
             writer.printer.helpers.need("infinite");
-            let scalar = &scalars[place];
+            let scalar = &scalars[dimension];
             let _ = writeln!(
                 checks,
                 "    if ({private}infinite(m->dimensions.{scalar})) return {};",

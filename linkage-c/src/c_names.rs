@@ -21,15 +21,15 @@ pub(crate) enum Namespace {
 /// The names of one place, each once.
 #[derive(Clone, Debug)]
 pub(crate) struct Names {
-    place: Namespace,
+    namespace: Namespace,
     taken: BTreeSet<String>,
 }
 
 impl Names {
     /// A place in which some names are taken.
-    pub(crate) fn new(place: Namespace, taken: &[&str]) -> Self {
+    pub(crate) fn new(namespace: Namespace, taken: &[&str]) -> Self {
         let taken = taken.iter().map(|&name| name.to_owned()).collect();
-        Self { place, taken }
+        Self { namespace, taken }
     }
 
     /// Returns the name in C of something of the user, which nothing else in this place gets. It is
@@ -37,7 +37,7 @@ impl Names {
     /// to compilers begin with an `x`.
     pub(crate) fn take(&mut self, wanted: &str) -> String {
         let mut name = plain(wanted);
-        if is_for_compilers(&name, self.place == Namespace::File) {
+        if is_for_compilers(&name, self.namespace == Namespace::File) {
             name.insert(0, 'x');
         }
         while self.is_taken(&name) {
@@ -51,7 +51,7 @@ impl Names {
         is_keyword(name)
             || is_macro(name)
             || self.taken.contains(name)
-            || match self.place {
+            || match self.namespace {
                 Namespace::Struct => false,
                 Namespace::File => is_declared(name),
                 Namespace::Function => is_mathematics(name) || is_temporary(name),

@@ -6,7 +6,7 @@ use linkage_symbolic::program::Source;
 
 use crate::states::look_up;
 use crate::surface::{Evaluator, Surface, places};
-use crate::writer::{Writer, place, used};
+use crate::writer::{Writer, source_expression, used};
 
 /// Writes a function of the user, and its sweep.
 pub(crate) fn evaluator(writer: &mut Writer, evaluator: &Evaluator) {
@@ -21,13 +21,13 @@ pub(crate) fn evaluator(writer: &mut Writer, evaluator: &Evaluator) {
     let program = &function.called.program;
     let printed = writer.printer.program(program, &|source| match source {
         Source::Input(index) => {
-            let place = function
+            let position = function
                 .arguments
                 .iter()
                 .position(|argument| *argument == index);
-            arguments[place.expect("a program uses only its inputs")].clone()
+            arguments[position.expect("a program uses only its inputs")].clone()
         }
-        other => place(surface, other),
+        other => source_expression(surface, other),
     });
     let mut body = states(surface, evaluator) + &printed.statements;
     let fields = evaluator.fields.iter();
@@ -69,14 +69,14 @@ fn states(surface: &Surface, evaluator: &Evaluator) -> String {
         .iter()
         .enumerate()
         .map(|(index, input)| {
-            let place = function
+            let position = function
                 .arguments
                 .iter()
                 .position(|argument| *argument == index);
             // What a function does not take, its groups do not depend on.
-            place.map_or_else(
+            position.map_or_else(
                 || surface.real.literal(input.reference),
-                |place| evaluator.arguments[place].clone(),
+                |position| evaluator.arguments[position].clone(),
             )
         });
     let inputs: Vec<String> = inputs.collect();

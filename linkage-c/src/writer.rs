@@ -42,7 +42,7 @@ impl Writer<'_> {
         let surface = self.surface;
         self.printer.program(program, &|source| match source {
             Source::Input(index) => format!("x[{index}]"),
-            other => place(surface, other),
+            other => source_expression(surface, other),
         })
     }
 }
@@ -72,7 +72,7 @@ pub(crate) fn used(parameters: &[&str], body: String) -> String {
 }
 
 /// Returns the expression of a number that is no input.
-pub(crate) fn place(surface: &Surface, source: Source) -> String {
+pub(crate) fn source_expression(surface: &Surface, source: Source) -> String {
     match source {
         Source::Parameter(index) => format!("m->dimensions.{}", surface.scalars[index]),
         Source::Mode(index) => {

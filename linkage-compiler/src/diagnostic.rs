@@ -233,7 +233,10 @@ impl Diagnostics {
 
     /// Returns the texts of all mistakes, without their places.
     pub(crate) fn texts(&self) -> Vec<String> {
-        self.mistakes.iter().map(|own| own.text.clone()).collect()
+        self.mistakes
+            .iter()
+            .map(|mistake| mistake.text.clone())
+            .collect()
     }
 
     /// Mistakes and warnings, in the order in which they were found.

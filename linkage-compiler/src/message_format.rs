@@ -127,7 +127,7 @@ impl<'m> MessageFormat<'m> {
     }
 
     pub(crate) fn scalar(&self, dimension: Dimension, x: f64) -> String {
-        range_check::place(x, dimension.half_lengths == 0, self.suffix(dimension))
+        range_check::position_as_written(x, dimension.half_lengths == 0, self.suffix(dimension))
     }
 
     /// The unit of a length; nothing for other scalars.

@@ -29,11 +29,11 @@ pub(crate) fn run(
     let graph = Graph::new();
     let mut algebra = Algebra::new(&model.mechanism, &graph);
     let algebra = &mut algebra;
-    let Some(nominal) = checks::dimensions(algebra, &mut reporter) else {
+    let Some(nominal) = checks::dimensions(&mut algebra.names, &mut reporter) else {
         return Default::default();
     };
     let scope = Scope::all(&model.mechanism);
-    let structure = structure::decompose(algebra, &nominal, &scope, reporter.reborrow());
+    let structure = structure::decompose(&mut algebra.names, &nominal, &scope, reporter.reborrow());
     observer.structure(algebra, &structure);
     if reporter.errors() > before {
         return Default::default();

@@ -45,7 +45,7 @@ pub fn trace(body: TokenStream) -> Trace {
     messages.extend(
         call.mechanisms
             .iter()
-            .flat_map(|own| own.diagnostics.texts()),
+            .flat_map(|mechanism| mechanism.diagnostics.texts()),
     );
     let mut trace = Trace {
         structure: middle.structure,
@@ -90,7 +90,7 @@ impl PhaseObserver for Middle {
         let text = program().to_string();
         let mut before = self.passes.iter().rev();
         if before
-            .find(|(own, ..)| *own == function)
+            .find(|(other, ..)| *other == function)
             .is_none_or(|(.., last)| *last != text)
         {
             self.passes.push((function, name, text));

@@ -10,7 +10,9 @@ pub use checked::{Driven, Unchecked, checked};
 pub use message::{
     Comes, PASSES_HELP, Reaches, listed, loop_list, not_finite, passes, with_apostrophes,
 };
-pub use numbers::{length_as_written, place, rounded_inwards, rounded_to, significant};
+pub use numbers::{
+    length_as_written, position_as_written, rounded_inwards, rounded_to, significant,
+};
 
 /// Samples for each turn of an input angle, or for a whole range of lengths. A search for dips
 /// covers the gaps between two of them.

@@ -38,7 +38,7 @@ impl Language for Script {
     }
 
     fn load(&mut self, index: usize, source: Source) -> String {
-        let value = place(source, self.inputs);
+        let value = source_expression(source, self.inputs);
         self.define(index, &value)
     }
 
@@ -63,7 +63,7 @@ impl Language for Script {
 }
 
 /// Returns the expression of a number that a program loads.
-fn place(source: Source, inputs: usize) -> String {
+fn source_expression(source: Source, inputs: usize) -> String {
     match source {
         Source::Parameter(index) => format!("d[{index}]"),
         Source::Input(index) => format!("x[{index}]"),

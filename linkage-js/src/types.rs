@@ -50,10 +50,10 @@ pub(crate) fn types(title: &str, name: &str, unit: &CompiledMechanism) -> String
 }
 
 fn arguments(unit: &CompiledMechanism, called: &Function) -> String {
-    let names = called.arguments.iter().map(|&place| {
-        let name = match place.checked_sub(unit.inputs.len()) {
-            None => &unit.inputs[place].name,
-            Some(place) => &unit.arguments[place].name,
+    let names = called.arguments.iter().map(|&index| {
+        let name = match index.checked_sub(unit.inputs.len()) {
+            None => &unit.inputs[index].name,
+            Some(index) => &unit.arguments[index].name,
         };
         plain(name)
     });

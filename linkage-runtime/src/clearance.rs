@@ -10,7 +10,7 @@ mod ascent;
 mod boxes;
 mod case;
 mod error;
-mod least;
+mod minima;
 mod nearest;
 mod phases;
 mod probe;
@@ -20,9 +20,9 @@ mod shape;
 mod slots;
 
 pub use error::PhaseError;
-pub use least::Clearance;
+pub use minima::Clearance;
 #[cfg(feature = "tolerance")]
-pub use least::Guaranteed;
+pub use minima::Guaranteed;
 pub use nearest::Nearest;
 pub use phases::Phases;
 pub use search::{BestPhase, Contact, Optimum};

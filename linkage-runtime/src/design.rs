@@ -49,9 +49,9 @@ mod violation;
 pub use builder::Design;
 pub use certificate::{Interrupted, Interruption};
 pub use cycle::{
-    BestCycle, Candidate, Check, Chosen, Compromise, Conditions, Curve, CycleDesign,
-    CycleObjective, Dwell, ErrorOf, Figure, Fit, Highest, Lowest, Motion, Own, Peak, Piece, Pieces,
-    Place, Requirement, RootMeanSquare, Stroke, TimeRatio, Verdict,
+    AuxiliaryVariable, BestCycle, Candidate, Check, Chosen, Compromise, Conditions, Curve,
+    CycleDesign, CycleObjective, Dwell, ErrorOf, Figure, Fit, Highest, Lowest, Motion, Peak, Piece,
+    PieceKey, Pieces, Requirement, RootMeanSquare, Stroke, TimeRatio, Verdict,
 };
 pub use designs::{DesignSearch, FoundDesign};
 pub use error::{DesignError, Refusals};

@@ -1,7 +1,7 @@
 //! Arguments of sweeps that are computed from others.
 
 use linkage_runtime::Columns;
-use linkage_runtime::support::{Arguments, Block, Extended, Inputs, Kernel, States, fill, rows};
+use linkage_runtime::support::{Arguments, Extended, Inputs, Kernel, States, fill};
 
 /// Twice an argument, and minus its square.
 struct Twice;
@@ -30,20 +30,18 @@ impl Kernel<f64, 3, 2> for Sum {
         &self,
         arguments: &impl Arguments<f64, 3>,
         start: usize,
-        mut columns: [&mut [f64]; 2],
+        columns: [&mut [f64]; 2],
     ) {
-        let len = rows(&columns);
+        let len = columns[0].len();
         let mut row = 0;
         while row < len {
             let first = row.min(len - V);
-            let mut block = Block::<f64, V, 3>::filled(0.0);
-            arguments.block::<FUSED, V, V>(start + first, V, &mut block.0);
-            let mut sum = Block::<f64, V, 1>::filled(0.0);
+            let mut block = [[0.0; V]; 3];
+            arguments.block::<FUSED, V, V>(start + first, V, &mut block);
             for lane in 0..V {
-                sum.set(0, lane, (0..3).map(|column| block.at(column, lane)).sum());
+                columns[0][first + lane] = block.iter().map(|column| column[lane]).sum();
+                columns[1][first + lane] = block[2][lane];
             }
-            sum.write(0, &mut columns, 0, first);
-            block.write(2, &mut columns, 1, first);
             row += V;
         }
     }

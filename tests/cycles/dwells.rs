@@ -41,7 +41,7 @@ fn a_dwell_in_the_worst_case_holds_for_all_corners() -> Result<(), DesignError> 
             .want(Dwell::longest(tip(), 1.0).in_worst_case(&tolerances))
             .run()?;
         assert!(found.goal < nominal.goal - 1e-3, "{}", found.goal);
-        let interval = [found.own[0][0], found.own[0][1]];
+        let interval = [found.auxiliary[0][0], found.auxiliary[0][1]];
         let band = widest(&found.mechanism, &tolerances, interval);
         assert!((1.0 - 1e-4..=1.0).contains(&band), "{band}");
     }
@@ -88,7 +88,7 @@ fn a_dwell_between_inputs() -> Result<(), DesignError> {
     let limit = course(&Rocker::default()).position().lowest.at;
     let (from, to) = (limit - 0.7, limit + 0.5);
     let longest = design().want(Dwell::longest(tip(), 1.0)).run()?;
-    let beside = longest.own[0][0];
+    let beside = longest.auxiliary[0][0];
     let inside =
         |from: f64| (from - limit).rem_euclid(TAU) < 0.5 || (limit - from).rem_euclid(TAU) < 0.7;
     assert!(!inside(beside), "{beside} {limit}");
@@ -96,7 +96,7 @@ fn a_dwell_between_inputs() -> Result<(), DesignError> {
         .want(Dwell::longest(tip(), 1.0).between(from, to))
         .want(Stroke(tip()).at_least(80.0))
         .run()?;
-    let [start, length] = [found.own[0][0], found.own[0][1]];
+    let [start, length] = [found.auxiliary[0][0], found.auxiliary[0][1]];
     assert!(start >= from && start + length <= to + 1e-9 && found.goal == length);
     assert!((band(&found.mechanism, [start, length]) - 1.0).abs() < 1e-4);
     // Exactly there, the band over the same interval is the narrowest one.
@@ -104,7 +104,10 @@ fn a_dwell_between_inputs() -> Result<(), DesignError> {
         .want(Dwell::narrowest(tip(), length).between(start, start + length))
         .want(Stroke(tip()).at_least(80.0))
         .run()?;
-    assert_eq!([there.own[0][0], there.own[0][1]], [start, length]);
+    assert_eq!(
+        [there.auxiliary[0][0], there.auxiliary[0][1]],
+        [start, length]
+    );
     assert!((there.goal - 1.0).abs() < 1e-4, "{}", there.goal);
 
     let none = design()

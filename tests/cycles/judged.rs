@@ -142,7 +142,7 @@ macro_rules! problems {
                     high - low
                 };
                 let kept = kept(stroke(of)) || kept(finely());
-                let interval = || [best.own[0][0], best.own[0][1]];
+                let interval = || [best.auxiliary[0][0], best.auxiliary[0][1]];
                 let rounding = 1e-11 * stroke(of);
                 let mut reasons = Vec::new();
                 let mut must = |holds: bool, reason: String| {

@@ -165,7 +165,7 @@ fn asked(wish: &dyn CycleObjective<Rocker, RockerAssembly, N>, place: &[f64]) ->
     let assemble = |other: &Rocker| other.assemble().ok();
     let candidate = Candidate::new(&mechanism, motion, &assemble);
     let chosen = Chosen {
-        own: &place[N..],
+        auxiliary: &place[N..],
         added: &[],
     };
     let asked = wish
@@ -189,13 +189,13 @@ fn slopes_of_pieces_agree(wish: &dyn CycleObjective<Rocker, RockerAssembly, N>, 
             let slope = if k < N {
                 piece.parameters[k]
             } else {
-                piece.own[k - N]
+                piece.auxiliary[k - N]
             };
             let difference = (up.value - down.value) / (2.0 * STEP);
             assert!(
                 (slope - difference).abs() < 1e-6 * (1.0 + slope.abs()),
                 "{k} {:?}: {slope} and {difference}",
-                piece.place
+                piece.key
             );
         }
     }

@@ -112,7 +112,7 @@ fn a_verdict_is_computed_from_the_mechanism() {
     let wish: &dyn CycleObjective<Rocker, RockerAssembly, N> = &Dwell::longest(tip(), 1.0);
     let verdict = |from: f64, length: f64| -> Verdict {
         let chosen = Chosen {
-            own: &[from, length, 0.0, 1.0],
+            auxiliary: &[from, length, 0.0, 1.0],
             added: &[],
         };
         wish.verify(&candidate, chosen).expect("it turns")

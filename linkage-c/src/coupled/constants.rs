@@ -127,8 +127,8 @@ fn indices(surface: &Surface, number: usize, all: impl Iterator<Item = usize>) -
         "static const {word} {}index_{number}[] = {{",
         surface.private
     );
-    for (place, cell) in all.iter().enumerate() {
-        text += if place % 24 == 0 { "\n    " } else { " " };
+    for (index, cell) in all.iter().enumerate() {
+        text += if index % 24 == 0 { "\n    " } else { " " };
         let _ = write!(text, "{cell},");
     }
     text + "\n};\n\n"

@@ -159,8 +159,8 @@ impl<'a> Surface<'a> {
 
     /// The number for a reason.
     pub(crate) fn code(&self, why: Why) -> usize {
-        let place = self.codes.iter().position(|entry| entry.why == why);
-        place.map_or(0, |place| place + 1)
+        let index = self.codes.iter().position(|entry| entry.why == why);
+        index.map_or(0, |index| index + 1)
     }
 
     /// The name of a constant or a macro.

@@ -45,11 +45,11 @@ pub(super) fn evaluator<'a>(
     let mut scope = Names::new(Namespace::Function, &others);
     let mut arguments = Vec::new();
     let mut argument_notes = Vec::new();
-    for &place in &function.arguments {
-        let (usual, note) = match place.checked_sub(unit.inputs.len()) {
-            None => (&unit.inputs[place].name, input_note(unit, place)),
-            Some(place) => {
-                let argument = &unit.arguments[place];
+    for &index in &function.arguments {
+        let (usual, note) = match index.checked_sub(unit.inputs.len()) {
+            None => (&unit.inputs[index].name, input_note(unit, index)),
+            Some(index) => {
+                let argument = &unit.arguments[index];
                 (&argument.name, argument.unit.clone())
             }
         };

@@ -3,8 +3,8 @@
 use linkage_compiler::ir::{Column, CompiledMechanism, Shape, in_degrees};
 
 /// `rad, from -90 deg to 630 deg`
-pub(super) fn input_note(unit: &CompiledMechanism, place: usize) -> String {
-    let input = &unit.inputs[place];
+pub(super) fn input_note(unit: &CompiledMechanism, index: usize) -> String {
+    let input = &unit.inputs[index];
     let words = if input.angle { "rad" } else { &input.unit };
     match input.range {
         Some((low, high)) => {

@@ -88,22 +88,26 @@ pub(crate) fn codes(title: &str, prefix: &str, unit: &CompiledMechanism) -> Vec<
         .collect();
     needed.sort_unstable();
     needed.dedup();
-    for place in needed {
+    for dimension in needed {
         let name = unit
             .scalars()
-            .nth(place)
+            .nth(dimension)
             .map_or("", |scalar| &scalar.name[..]);
         let text = format!("the dimension {name} is no finite number");
-        add(Why::NotFinite(place), &format!("{name}_not_finite"), text);
+        add(
+            Why::NotFinite(dimension),
+            &format!("{name}_not_finite"),
+            text,
+        );
     }
     for (index, group) in unit.groups.iter().enumerate() {
-        let (name, place) = (constant(index, group), place(index, group));
+        let (name, subject) = (constant(index, group), group_text(index, group));
         let gap = match &group.gap_unit[..] {
             "" => String::new(),
             unit => format!(", in {unit}"),
         };
         let text = format!(
-            "{place} cannot close at the reference input: by how much it misses stands in `miss`{gap}"
+            "{subject} cannot close at the reference input: by how much it misses stands in `miss`{gap}"
         );
         add(
             Why::CannotClose(index),
@@ -111,7 +115,7 @@ pub(crate) fn codes(title: &str, prefix: &str, unit: &CompiledMechanism) -> Vec<
             text,
         );
         let text = format!(
-            "{place} has no solution at the reference input: with these dimensions a root or an arc function is out of its range, \
+            "{subject} has no solution at the reference input: with these dimensions a root or an arc function is out of its range, \
              a length is negative, something is divided by zero, or joints or guides coincide"
         );
         add(Why::Undefined(index), &format!("{name}_undefined"), text);
@@ -128,9 +132,12 @@ pub(crate) fn codes(title: &str, prefix: &str, unit: &CompiledMechanism) -> Vec<
     }
     for (number, coupled) in unit.coupled.iter().enumerate() {
         let group = &unit.groups[coupled.group];
-        let (name, place) = (constant(coupled.group, group), place(coupled.group, group));
+        let (name, subject) = (
+            constant(coupled.group, group),
+            group_text(coupled.group, group),
+        );
         let text = format!(
-            "{place} is prepared as a table for the dimensions of the declaration, and these are too far from them for its Newton steps: \
+            "{subject} is prepared as a table for the dimensions of the declaration, and these are too far from them for its Newton steps: \
              a limit of exported C. Export it with these dimensions as defaults"
         );
         add(Why::TooFar(number), &format!("{name}_too_far"), text);
@@ -152,9 +159,9 @@ fn constant(index: usize, group: &Group) -> String {
 }
 
 /// `loop 1 (theta, psi; RRR)`
-fn place(index: usize, group: &Group) -> String {
+fn group_text(index: usize, group: &Group) -> String {
     let numbers: Vec<String> = group.loops.iter().map(|index| index.to_string()).collect();
-    let place = match &numbers[..] {
+    let loops = match &numbers[..] {
         [] => format!("group {}", index + 1),
         [only] => format!("loop {only}"),
         [first @ .., last] => format!("loops {} and {last}", first.join(", ")),
@@ -165,7 +172,7 @@ fn place(index: usize, group: &Group) -> String {
         .filter(|unknown| !unknown.is_empty())
         .collect();
     match about.is_empty() {
-        true => place,
-        false => format!("{place} ({})", about.join("; ")),
+        true => loops,
+        false => format!("{loops} ({})", about.join("; ")),
     }
 }

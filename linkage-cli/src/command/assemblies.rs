@@ -99,7 +99,12 @@ fn meeting(mechanism: &Mechanism, all: &[Assembly], at: &[f64]) -> Vec<String> {
                 Some((low, high)) if input.unit != "rad" => ASIDE * (high - low),
                 _ => ASIDE,
             };
-            let closes = |x: f64| assembly.places(&[x]).iter().all(|place| place.is_finite());
+            let closes = |x: f64| {
+                assembly
+                    .places(&[x])
+                    .iter()
+                    .all(|position| position.is_finite())
+            };
             Some(closes(at[0] - step) && closes(at[0] + step))
         }
         _ => None,

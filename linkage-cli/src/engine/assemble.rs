@@ -49,8 +49,8 @@ impl Assembly<'_> {
         let function = &unit.functions[function];
         assert_eq!(arguments.len(), function.arguments.len(), "its arguments");
         let mut inputs = vec![f64::NAN; unit.inputs.len() + unit.arguments.len()];
-        for (&place, x) in function.arguments.iter().zip(arguments) {
-            inputs[place] = *x;
+        for (&index, x) in function.arguments.iter().zip(arguments) {
+            inputs[index] = *x;
         }
         let states = self.states(&inputs);
         match function.called.is_worth_a_call() {

@@ -95,7 +95,7 @@ fn heading(
     let behind = unit.arguments.iter().map(|argument| argument.name.as_str());
     let all: Vec<&str> = inputs.chain(behind).collect();
     let arguments = function.arguments.iter();
-    let arguments = arguments.map(|&place| forever(plain(all[place])));
+    let arguments = arguments.map(|&index| forever(plain(all[index])));
     let mut meanings = function.columns.iter().map(|column| column.meaning);
     let first = meanings.position(|meaning| meaning == Meaning::Picture);
     let columns = function.columns.iter().map(|column| Column {

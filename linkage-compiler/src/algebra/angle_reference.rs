@@ -2,18 +2,17 @@
 //! from them.
 
 use linkage_symbolic::program::{Binary, Source, Unary};
-use linkage_symbolic::{Ex, Node, V2, Vector, numerically_equal};
+use linkage_symbolic::{Ex, Graph, Node, V2, Vector, numerically_equal};
 
-use crate::algebra::context::Algebra;
 use crate::algebra::equations::AnglePair;
-use crate::algebra::names::{AngleReference, Phasor};
+use crate::algebra::names::{AngleReference, Names, Phasor};
 use crate::algebra::turning_parts;
 use crate::algebra::turning_parts::TurningPart;
 
 impl<'m> AngleReference<'m> {
     /// Returns the vector as a sum of vectors of fixed lengths, each turning with a sum of angles.
     /// `None` if a length changes.
-    pub(crate) fn phasors(&self, algebra: &Algebra<'m>) -> Option<Vec<Phasor<'m>>> {
+    pub(crate) fn phasors(&self, names: &Names<'m>) -> Option<Vec<Phasor<'m>>> {
         let vector = if self.across {
             self.vector.perp()
         } else {
@@ -29,7 +28,7 @@ impl<'m> AngleReference<'m> {
             vector
         };
         let sign = if self.opposite { -self.mode } else { self.mode };
-        let mut phasors = phasors(algebra, vector)?;
+        let mut phasors = phasors(names, vector)?;
         for phasor in &mut phasors {
             phasor.coefficient = sign * phasor.coefficient;
         }
@@ -39,11 +38,11 @@ impl<'m> AngleReference<'m> {
 
 /// A vector as a sum of vectors of fixed lengths, each turning with a sum of angles; `None` if a
 /// length changes.
-fn phasors<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Option<Vec<Phasor<'m>>> {
+fn phasors<'m>(names: &Names<'m>, vector: V2<'m>) -> Option<Vec<Phasor<'m>>> {
     /// Products of more directions would be sums of too many.
     const MOST_ANGLES: usize = 3;
 
-    let parts = turning_parts::parts(algebra, vector);
+    let parts = turning_parts::parts(names, vector);
     let few = parts
         .turning
         .iter()
@@ -61,7 +60,7 @@ fn phasors<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Option<Vec<Phasor<'m>>>
     for (angles, part) in &parts.turning {
         let rates: Vec<_> = angles
             .iter()
-            .map(|&angle| rate_of(algebra, angle))
+            .map(|&angle| rate_of(names.graph, angle))
             .collect();
         phasors.extend(part.phasors(&rates));
     }
@@ -70,16 +69,16 @@ fn phasors<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Option<Vec<Phasor<'m>>>
 }
 
 /// The input that an angle is a multiple of, and the factor.
-fn rate_of(algebra: &Algebra<'_>, (cosine, _): AnglePair) -> Option<(usize, f64)> {
-    let Node::Unary(Unary::Cos, argument) = algebra.graph.ex(cosine).node() else {
+fn rate_of(graph: &Graph, (cosine, _): AnglePair) -> Option<(usize, f64)> {
+    let Node::Unary(Unary::Cos, argument) = graph.ex(cosine).node() else {
         return None;
     };
-    let (mut factor, mut argument) = (1.0, algebra.graph.ex(argument));
+    let (mut factor, mut argument) = (1.0, graph.ex(argument));
     loop {
-        let ex = |id| algebra.graph.ex(id);
+        let ex = |id| graph.ex(id);
         match argument.node() {
             Node::Symbol(symbol) => {
-                return match algebra.graph.symbol(symbol).source {
+                return match graph.symbol(symbol).source {
                     Some(Source::Input(input)) => Some((input, factor)),
                     _ => None,
                 };

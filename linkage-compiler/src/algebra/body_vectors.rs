@@ -6,13 +6,12 @@
 
 use linkage_symbolic::{Node, SymbolId, V3, Vector, numerically_equal, substitute};
 
-use crate::algebra::context::Algebra;
-use crate::algebra::solutions::BodyVector;
+use crate::algebra::names::{BodyVector, Names};
 use crate::model::unknown_frames;
 
 /// Notes that the body with two directions carries a vector.
 pub(crate) fn note_body_vector<'m>(
-    algebra: &mut Algebra<'m>,
+    names: &mut Names<'m>,
     vector: V3<'m>,
     coordinates: V3<'m>,
     axes: [V3<'m>; 2],
@@ -30,8 +29,7 @@ pub(crate) fn note_body_vector<'m>(
                 component,
                 coordinates,
             };
-            algebra
-                .solutions
+            names
                 .body_vectors
                 .insert(vector[component].id(), body_vector);
         }
@@ -64,21 +62,21 @@ pub(crate) fn coordinates<'m>(vector: V3<'m>, axes: [V3<'m>; 2]) -> Option<V3<'m
 }
 
 /// Notes that an unknown frame carries a vector, if it does.
-pub(crate) fn note_if_on_body<'m>(algebra: &mut Algebra<'m>, v: V3<'m>) {
-    if let Some((local, axes)) = coordinates_on_body(algebra, v) {
-        note_body_vector(algebra, v, local, axes);
+pub(crate) fn note_if_on_body<'m>(names: &mut Names<'m>, v: V3<'m>) {
+    if let Some((local, axes)) = coordinates_on_body(names, v) {
+        note_body_vector(names, v, local, axes);
     }
 }
 
 /// The coordinates of a vector that one of the unknown frames carries as it is, if they are
 /// dimensions, along two of its axes and across these.
 pub(crate) fn coordinates_on_body<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     v: V3<'m>,
 ) -> Option<(V3<'m>, [V3<'m>; 2])> {
-    let bodies = unknown_frames::bodies_of_space(algebra.mechanism).into_iter();
+    let bodies = unknown_frames::bodies_of_space(names.mechanism).into_iter();
     let mut found = bodies.filter_map(|(_, parts)| {
-        let axes = [parts[1], parts[2]].map(|axis| algebra.names.numbers_of(axis).try_into());
+        let axes = [parts[1], parts[2]].map(|axis| names.numbers_of(axis).try_into());
         let [Ok(first), Ok(second)] = axes else {
             return None;
         };

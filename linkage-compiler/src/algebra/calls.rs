@@ -1,35 +1,35 @@
 //! The functions of the language.
 
 use linkage_symbolic::program::{Binary, Unary};
-use linkage_symbolic::{Ex, V2, V3, Vector, Vn};
+use linkage_symbolic::{Ex, Graph, V2, V3, Vector, Vn};
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::algebra::value::Value;
-use crate::algebra::{frame, scalar};
+use crate::algebra::{frame, scalar, vanish};
 use crate::model::Function;
 
 pub(crate) fn call<'m>(
-    algebra: &mut Algebra<'m>,
+    names: &mut Names<'m>,
     function: Function,
     arguments: Vec<Value<'m>>,
 ) -> Value<'m> {
     use Function::*;
-    let number = |k: usize| scalar::number(algebra, &arguments[k]);
-    let vector = |k: usize| scalar::vector(algebra, &arguments[k]);
+    let number = |k: usize| scalar::number(names, &arguments[k]);
+    let vector = |k: usize| scalar::vector(names, &arguments[k]);
     match function {
         Polar => {
             let length = number(0);
-            in_plane(length * direction_of(algebra, &arguments[1]))
+            in_plane(length * direction_of(names, &arguments[1]))
         }
-        Dir => in_plane(direction_of(algebra, &arguments[0])),
+        Dir => in_plane(direction_of(names, &arguments[0])),
         Rotate => {
             let v = vector(0);
-            let unit = direction_of(algebra, &arguments[1]);
+            let unit = direction_of(names, &arguments[1]);
             in_plane(plane(v).turned(unit))
         }
         Turn => {
             let (v, axis) = (spatial(vector(0)), spatial(vector(1)));
-            turn(algebra, v, axis, &arguments[2])
+            turn(names, v, axis, &arguments[2])
         }
         Dot => {
             let (a, b) = (vector(0), vector(1));
@@ -50,7 +50,7 @@ pub(crate) fn call<'m>(
         Unit => {
             let v = vector(0);
             match v.in_space() {
-                Some(v) => in_space(frame::unit_in_space(algebra, v)),
+                Some(v) => in_space(frame::unit_in_space(names, v)),
                 None => in_plane(plane(v).length_and_unit().1),
             }
         }
@@ -59,48 +59,48 @@ pub(crate) fn call<'m>(
             v[1].atan2(v[0]).into()
         }
         TriangleAngle => triangle_angle([0, 1, 2].map(number)).into(),
-        Sin => direction_of(algebra, &arguments[0])[1].into(),
-        Cos => direction_of(algebra, &arguments[0])[0].into(),
+        Sin => direction_of(names, &arguments[0])[1].into(),
+        Cos => direction_of(names, &arguments[0])[0].into(),
         Tan => {
-            let unit = direction_of(algebra, &arguments[0]);
+            let unit = direction_of(names, &arguments[0]);
             (unit[1] / unit[0]).into()
         }
         Asin => number(0).unary(Unary::Asin).into(),
         Acos => number(0).unary(Unary::Acos).into(),
         Atan => number(0).unary(Unary::Atan).into(),
-        Sqrt => square_root(algebra, number(0)).into(),
+        Sqrt => square_root(names.graph, number(0)).into(),
         Abs => number(0).abs().into(),
         Atan2 => binary(Binary::Atan2, [0, 1].map(number)),
         Min => binary(Binary::Min, [0, 1].map(number)),
         Max => binary(Binary::Max, [0, 1].map(number)),
         Hypot => Vector([0, 1].map(number)).length().into(),
-        Frame => frame::frame(algebra, &arguments),
-        PointIn => frame::point_in(algebra, &arguments),
-        CoordinatesIn => frame::coordinates_in(algebra, &arguments),
+        Frame => frame::frame(names, &arguments),
+        PointIn => frame::point_in(names, &arguments),
+        CoordinatesIn => frame::coordinates_in(names, &arguments),
     }
 }
 
-fn direction_of<'m>(algebra: &mut Algebra<'m>, angle: &Value<'m>) -> V2<'m> {
-    let angle = scalar::scalar(algebra, angle);
-    scalar::direction(algebra, &angle)
+fn direction_of<'m>(names: &mut Names<'m>, angle: &Value<'m>) -> V2<'m> {
+    let angle = scalar::scalar(names, angle);
+    scalar::direction(names, &angle)
 }
 
 /// The root of `v . v` is known as a length.
-fn square_root<'m>(algebra: &Algebra<'m>, square: Ex<'m>) -> Ex<'m> {
-    match algebra.graph.vector_of_square(square.id()) {
-        Some(vector) if vector.len() == 3 => algebra.graph.components(&vector).length(),
+fn square_root<'m>(graph: &'m Graph, square: Ex<'m>) -> Ex<'m> {
+    match graph.vector_of_square(square.id()) {
+        Some(vector) if vector.len() == 3 => graph.components(&vector).length(),
         _ => square.sqrt(),
     }
 }
 
 /// Rodrigues: `v cos + (k x v) sin + k (k . v) (1 - cos)` about the unit axis `k`.
-fn turn<'m>(algebra: &mut Algebra<'m>, v: V3<'m>, axis: V3<'m>, angle: &Value<'m>) -> Value<'m> {
+fn turn<'m>(names: &mut Names<'m>, v: V3<'m>, axis: V3<'m>, angle: &Value<'m>) -> Value<'m> {
     let axis = axis.unit();
-    let Vector([cos, sin]) = direction_of(algebra, angle);
+    let Vector([cos, sin]) = direction_of(names, angle);
     let along = axis.dot(v);
     let sideways = axis.cross(v);
-    let (turning, sideways, along) = if algebra.vanishes(along) {
-        (v, sideways, algebra.zero())
+    let (turning, sideways, along) = if vanish::vanishes(along) {
+        (v, sideways, names.zero())
     } else if v.is_fixed() && axis.is_fixed() {
         // Only the part of a prepared vector across the axis turns: the rest of a long part along
         // it by rounding would tilt the circle.

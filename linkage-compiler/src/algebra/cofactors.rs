@@ -99,10 +99,10 @@ impl<'a, 'm> Minors<'a, 'm> {
         let row = rows.trailing_zeros() as usize;
         let mut sum = self.graph.number(0.0);
         let among = (0..self.matrix[row].len()).filter(|&column| columns >> column & 1 == 1);
-        for (place, column) in among.enumerate() {
+        for (index, column) in among.enumerate() {
             let below = self.minor(rows & !(1 << row), columns & !(1 << column));
             let product = self.matrix[row][column] * below;
-            sum = match place % 2 {
+            sum = match index % 2 {
                 0 => sum + product,
                 _ => sum - product,
             };

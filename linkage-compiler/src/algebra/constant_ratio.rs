@@ -2,7 +2,7 @@
 
 use linkage_core::range_check::significant;
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::algebra::value::Atom;
 
 /// Angles that differ by less turn alike.
@@ -40,14 +40,14 @@ impl ConstantRatio {
 
 /// Turns that an unknown angle may make for each turn of an input: the rates at which vectors turn
 /// with it, and simple multiples.
-pub(crate) fn candidate_rates(algebra: &Algebra<'_>, input: usize) -> Vec<f64> {
+pub(crate) fn candidate_rates(names: &Names<'_>, input: usize) -> Vec<f64> {
     let mut rates = vec![0.0];
-    if algebra.mechanism.inputs[input].dimension.half_lengths != 0 {
+    if names.mechanism.inputs[input].dimension.half_lengths != 0 {
         return rates;
     }
     for base in [1.0]
         .into_iter()
-        .chain(algebra.names.input_rates(Atom::Input(input)))
+        .chain(names.input_rates(Atom::Input(input)))
     {
         for factor in [1.0, -1.0, 2.0, -2.0, 0.5, -0.5] {
             let rate = base * factor;

@@ -6,8 +6,10 @@ use linkage_symbolic::{Ex, Graph, Snapshot, SymbolId};
 use crate::algebra::memo::DerivativeMemos;
 use crate::algebra::names::Names;
 use crate::algebra::solutions::Solutions;
+use crate::algebra::translate::Translate;
+use crate::algebra::value::Value;
 use crate::algebra::vanish;
-use crate::model::{Mechanism, Variable};
+use crate::model::{Expr, Mechanism, Variable};
 
 /// The graph and all that is known about its symbols.
 #[derive(Debug)]
@@ -20,6 +22,16 @@ pub(crate) struct Algebra<'m> {
     pub(crate) solutions: Solutions<'m>,
     /// Derivatives found already.
     pub(crate) derivatives: DerivativeMemos<'m>,
+}
+
+impl<'m> Translate<'m> for Algebra<'m> {
+    fn names(&mut self) -> &mut Names<'m> {
+        &mut self.names
+    }
+
+    fn quantity(&mut self, expr: &Expr) -> Value<'m> {
+        self.names.quantity(expr)
+    }
 }
 
 /// The state of an [`Algebra`] and its graph at some moment.
@@ -78,13 +90,14 @@ impl<'m> Algebra<'m> {
         self.graph.find_source(source).expect("just made")
     }
 
+    /// Returns the value of an input.
     pub(crate) fn input(&self, index: usize) -> Ex<'m> {
-        self.source(Source::Input(index))
+        self.names.input(index)
     }
 
     /// Returns the value that a program loads from `source`.
     pub(crate) fn source(&self, source: Source) -> Ex<'m> {
-        self.graph.ex(self.graph.source(source))
+        self.names.source(source)
     }
 
     pub(crate) fn zero(&self) -> Ex<'m> {

@@ -40,13 +40,16 @@ pub(crate) struct Rates<'m> {
     pub(crate) rates: Vec<Ex<'m>>,
 }
 
+/// The unknowns and rates that symbols mention, as far as they have been found.
+pub(crate) type Mentioned = Map<SymbolId, BTreeSet<Solved>>;
+
 /// Partial derivatives found already.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Partials {
     pub(crate) memo: DerivativeMemo,
     /// Symbols that stand for unknowns of groups as variables.
     pub(crate) unknowns: Map<(usize, usize), SymbolId>,
-    pub(crate) mentioned: Map<SymbolId, BTreeSet<Solved>>,
+    pub(crate) mentioned: Mentioned,
     pub(crate) acting: Acting,
 }
 
@@ -66,11 +69,11 @@ pub(crate) struct ByParameter(Map<SymbolId, Vec<usize>>);
 
 impl ByParameter {
     /// Adds a place, which is not before those added already.
-    pub(crate) fn add(&mut self, place: usize, acting: &BTreeSet<SymbolId>) {
+    pub(crate) fn add(&mut self, position: usize, acting: &BTreeSet<SymbolId>) {
         for &symbol in acting {
             let places = self.0.entry(symbol).or_default();
-            if places.last() != Some(&place) {
-                places.push(place);
+            if places.last() != Some(&position) {
+                places.push(position);
             }
         }
     }

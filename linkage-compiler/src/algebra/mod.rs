@@ -7,11 +7,12 @@
 //!
 //! 1. data: `value`, `names`, `rules`, `equations`, `systems`, `solutions`, `memo`, and linear
 //!    systems of expressions (`cofactors`, `pivots`, `bodies`);
-//! 2. `context`: the struct [`Algebra`] that holds them;
-//! 3. expressions of the language: `scalar`, `body_vectors`, `frame`, `calls`, `motion_law`, and
-//!    `translate` above them;
-//! 4. numbers at the reference: `nominal`, `finite_numbers`, `constant_ratio`;
-//! 5. vectors that turn: `turning_parts`, `angle_reference`, `rotating_frame`, `via_slider`;
+//! 2. expressions of the language, which use [`Names`] alone: `scalar`, `body_vectors`, `frame`,
+//!    `calls`, `motion_law`, and `translate` above them;
+//! 3. numbers at the reference: `nominal`, `finite_numbers`, `constant_ratio`;
+//! 4. vectors that turn, by [`Names`] and the rules in `solutions`: `turning_parts`,
+//!    `angle_reference`, `rotating_frame`, `via_slider`;
+//! 5. `context`: the struct [`Algebra`] that holds names, solutions and derivatives;
 //! 6. `derivatives`, with a page of their own.
 
 pub(crate) mod angle_reference;

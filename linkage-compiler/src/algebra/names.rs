@@ -1,6 +1,8 @@
 //! Names of the model in the graph: unknowns as symbols, derived names as values.
 
-use linkage_symbolic::{Ex, Graph, SymbolId, V2, Vector};
+use linkage_symbolic::lookup::Map;
+use linkage_symbolic::program::Source;
+use linkage_symbolic::{Ex, Graph, NodeId, SymbolId, V2, V3, Vector};
 
 use crate::algebra::value::{Atom, Value};
 use crate::model::{COMPONENTS, Mechanism, Type};
@@ -50,10 +52,22 @@ pub(crate) enum Bound<'m> {
     Lengths(Vec<(SymbolId, Ex<'m>)>),
 }
 
-/// The symbols and values of the model's names.
+/// A component of a vector that a body carries.
+#[derive(Clone, Debug)]
+pub(crate) struct BodyVector<'m> {
+    /// The body's two directions.
+    pub(crate) axes: [V3<'m>; 2],
+    pub(crate) vector: V3<'m>,
+    pub(crate) component: usize,
+    /// Its coordinates on the body.
+    pub(crate) coordinates: V3<'m>,
+}
+
+/// The symbols and values of the model's names: all that a translation of expressions uses.
 #[derive(Clone, Debug)]
 pub(crate) struct Names<'m> {
-    graph: &'m Graph,
+    pub(crate) mechanism: &'m Mechanism,
+    pub(crate) graph: &'m Graph,
     pub(crate) angles: Vec<Angle<'m>>,
     /// The symbols of each unknown.
     pub(crate) bound: Vec<Bound<'m>>,
@@ -61,17 +75,21 @@ pub(crate) struct Names<'m> {
     pub(crate) constants: Vec<Option<Value<'m>>>,
     /// Factors with which input angles turn vectors.
     turning: Vec<(Atom, f64)>,
+    /// The vectors that bodies carry, by component.
+    pub(crate) body_vectors: Map<NodeId, BodyVector<'m>>,
 }
 
 impl<'m> Names<'m> {
-    pub(crate) fn new(mechanism: &Mechanism, graph: &'m Graph) -> Self {
+    pub(crate) fn new(mechanism: &'m Mechanism, graph: &'m Graph) -> Self {
         let mut names = Self {
+            mechanism,
             graph,
             angles: Vec::new(),
             bound: Vec::new(),
             lets: vec![None; mechanism.lets.len()],
             constants: vec![None; mechanism.constants.len()],
             turning: Vec::new(),
+            body_vectors: Map::default(),
         };
         for (index, unknown) in mechanism.unknowns.iter().enumerate() {
             let name = &unknown.name;
@@ -95,6 +113,33 @@ impl<'m> Names<'m> {
             names.bound.push(bound);
         }
         names
+    }
+
+    /// Runs `question`, then undoes all its changes to the graph and to the names.
+    pub(crate) fn tried<R>(&mut self, question: impl FnOnce(&mut Self) -> R) -> R {
+        let (graph, names) = (self.graph.snapshot(), self.clone());
+        let answer = question(self);
+        self.graph.restore(graph);
+        *self = names;
+        answer
+    }
+
+    /// Returns the value of an input.
+    pub(crate) fn input(&self, index: usize) -> Ex<'m> {
+        self.source(Source::Input(index))
+    }
+
+    /// Returns the value that a program loads from `source`.
+    pub(crate) fn source(&self, source: Source) -> Ex<'m> {
+        self.graph.ex(self.graph.source(source))
+    }
+
+    pub(crate) fn zero(&self) -> Ex<'m> {
+        self.graph.number(0.0)
+    }
+
+    pub(crate) fn one(&self) -> Ex<'m> {
+        self.graph.number(1.0)
     }
 
     fn symbol(&self, name: String) -> (SymbolId, Ex<'m>) {

@@ -4,12 +4,11 @@ use linkage_symbolic::lookup::Map;
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, SymbolId, evaluate, evaluate_given};
 
-use crate::algebra::context::Algebra;
 use crate::algebra::names::{Angle, Bound, Names};
 use crate::algebra::translate::Translate;
 use crate::algebra::value::Value;
 use crate::algebra::{scalar, translate};
-use crate::model::{Expr, ExprKind, Name, Type};
+use crate::model::{Expr, ExprKind, Mechanism, Name, Type};
 
 /// Values known at compile time.
 #[derive(Clone, Debug, Default)]
@@ -33,12 +32,12 @@ struct Wanted<'t> {
 impl Nominal {
     /// Evaluates the numbers of a mechanism. Nothing of it stays in the graph: the order of its
     /// nodes is that of the mechanism's formulas.
-    pub(crate) fn from_mechanism(algebra: &mut Algebra) -> Self {
-        algebra.tried(Self::evaluate_written)
+    pub(crate) fn from_mechanism(names: &mut Names) -> Self {
+        names.tried(Self::evaluate_written)
     }
 
-    fn evaluate_written(algebra: &mut Algebra) -> Self {
-        let mechanism = algebra.mechanism;
+    fn evaluate_written(names: &mut Names) -> Self {
+        let mechanism = names.mechanism;
         let mut nominal = Self::default();
         for parameter in &mechanism.parameters {
             let count = parameter.tolerances.len();
@@ -47,17 +46,17 @@ impl Nominal {
                 unit: &parameter.ty,
             };
             let component = Wanted { count: 1, ..whole };
-            let nominals = numbers(algebra, &parameter.nominal, whole, &[]);
+            let nominals = numbers(names, &parameter.nominal, whole, &[]);
             nominal.parameters.extend(nominals);
             for tolerance in &parameter.tolerances {
                 let value = tolerance
                     .as_ref()
-                    .map_or(0.0, |t| numbers(algebra, t, component, &[])[0]);
+                    .map_or(0.0, |t| numbers(names, t, component, &[])[0]);
                 nominal.tolerances.push(value);
             }
         }
         for input in &mechanism.inputs {
-            let mut number = |expr| evaluated(algebra, expr, &[], &[])[0];
+            let mut number = |expr| evaluated(names, expr, &[], &[])[0];
             nominal.inputs.push(number(&input.reference));
             let range = input.range.as_ref();
             let range = range.map(|(low, high)| (number(low), number(high)));
@@ -65,11 +64,11 @@ impl Nominal {
         }
         for (unknown, item) in mechanism.unknowns.iter().enumerate() {
             let wanted = Wanted {
-                count: algebra.names.components_of(unknown),
+                count: names.components_of(unknown),
                 unit: &item.ty,
             };
             let estimate = match &item.estimate {
-                Some(estimate) => numbers(algebra, estimate, wanted, &nominal.parameters),
+                Some(estimate) => numbers(names, estimate, wanted, &nominal.parameters),
                 None => vec![0.0; wanted.count],
             };
             nominal.estimates.push(estimate);
@@ -146,14 +145,14 @@ impl Names<'_> {
 
 /// Expressions at the defaults and the reference position, with all unknowns where they are
 /// estimated.
-pub(crate) fn at_estimates(algebra: &Algebra<'_>, nominal: &Nominal, all: &[Ex]) -> Vec<f64> {
+pub(crate) fn at_estimates(names: &Names<'_>, nominal: &Nominal, all: &[Ex]) -> Vec<f64> {
     let mut unknowns: Map<SymbolId, f64> = Map::new();
-    for angle in &algebra.names.angles {
+    for angle in &names.angles {
         let estimate = angle.estimate(nominal);
         let values = [estimate.cos(), estimate.sin(), estimate];
         unknowns.extend(angle.symbols().into_iter().zip(values));
     }
-    for (bound, estimates) in algebra.names.bound.iter().zip(&nominal.estimates) {
+    for (bound, estimates) in names.bound.iter().zip(&nominal.estimates) {
         if let Bound::Lengths(symbols) = bound {
             let symbols = symbols.iter().map(|(symbol, _)| *symbol);
             unknowns.extend(symbols.zip(estimates.iter().copied()));
@@ -164,12 +163,12 @@ pub(crate) fn at_estimates(algebra: &Algebra<'_>, nominal: &Nominal, all: &[Ex])
 }
 
 /// An expression of constants and parameters as numbers.
-fn numbers(algebra: &mut Algebra<'_>, expr: &Expr, wanted: Wanted, parameters: &[f64]) -> Vec<f64> {
-    let scale = translate::internal_per_unit(algebra, wanted.unit);
-    let mut numbers = match written(algebra, expr, scale) {
+fn numbers(names: &mut Names<'_>, expr: &Expr, wanted: Wanted, parameters: &[f64]) -> Vec<f64> {
+    let scale = translate::internal_per_unit(names.mechanism, wanted.unit);
+    let mut numbers = match written(names.mechanism, expr, scale) {
         Some(numbers) => numbers,
         None => {
-            let numbers = evaluated(algebra, expr, parameters, &[]).into_iter();
+            let numbers = evaluated(names, expr, parameters, &[]).into_iter();
             numbers.map(|number| number / scale).collect()
         }
     };
@@ -181,24 +180,24 @@ fn numbers(algebra: &mut Algebra<'_>, expr: &Expr, wanted: Wanted, parameters: &
 
 /// Numbers as they are written, if an expression is nothing else, in a unit of this scale: not
 /// rounded again.
-fn written(algebra: &Algebra<'_>, expr: &Expr, scale: f64) -> Option<Vec<f64>> {
+fn written(mechanism: &Mechanism, expr: &Expr, scale: f64) -> Option<Vec<f64>> {
     match &expr.kind {
         ExprKind::Number(value) => {
-            (translate::internal_per_unit(algebra, &expr.ty) == scale).then(|| vec![*value])
+            (translate::internal_per_unit(mechanism, &expr.ty) == scale).then(|| vec![*value])
         }
         ExprKind::Negate(inner) => {
-            let numbers = written(algebra, inner, scale)?;
+            let numbers = written(mechanism, inner, scale)?;
             Some(numbers.into_iter().map(|number| -number).collect())
         }
         ExprKind::Vector(components) => {
             let components = components.iter();
             let numbers: Option<Vec<_>> = components
-                .map(|component| written(algebra, component, scale))
+                .map(|component| written(mechanism, component, scale))
                 .collect();
             Some(numbers?.concat())
         }
         ExprKind::Name(Name::Const(index)) => {
-            written(algebra, &algebra.mechanism.constants[*index].value, scale)
+            written(mechanism, &mechanism.constants[*index].value, scale)
         }
         _ => None,
     }
@@ -206,14 +205,14 @@ fn written(algebra: &Algebra<'_>, expr: &Expr, scale: f64) -> Option<Vec<f64>> {
 
 /// The components of an expression; NaN where one depends on something that is not given.
 pub(crate) fn evaluated(
-    algebra: &mut Algebra<'_>,
+    names: &mut Names<'_>,
     expr: &Expr,
     parameters: &[f64],
     inputs: &[f64],
 ) -> Vec<f64> {
-    let numbers = match algebra.translate(expr) {
+    let numbers = match names.translate(expr) {
         Value::Vector(vector) => vector.iter().collect(),
-        scalar => vec![scalar::number(algebra, &scalar)],
+        scalar => vec![scalar::number(names, &scalar)],
     };
     let given = |numbers: &[f64], index: usize| numbers.get(index).copied().unwrap_or(f64::NAN);
     evaluate(&numbers, |source| match source {

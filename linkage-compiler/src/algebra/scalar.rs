@@ -2,28 +2,28 @@
 //! tangent.
 
 use linkage_symbolic::program::{Binary, Unary};
-use linkage_symbolic::{Ex, Node, V2, Vector, Vn};
+use linkage_symbolic::{Ex, Graph, Node, V2, Vector, Vn};
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::algebra::value::{Atom, Scalar, Value};
 
 /// Powers of a unit vector up to this one are products; beyond, the angle itself is cheaper.
 const MAX_POWER: f64 = 8.0;
 
-pub(crate) fn atom<'m>(algebra: &Algebra<'m>, atom: Atom) -> Scalar<'m> {
+pub(crate) fn atom<'m>(graph: &'m Graph, atom: Atom) -> Scalar<'m> {
     Scalar {
         terms: vec![(atom, 1.0)],
-        rest: algebra.zero(),
+        rest: graph.number(0.0),
     }
 }
 
 /// The value as one expression; unknown angles enter by their values.
-pub(crate) fn value_of<'m>(algebra: &Algebra<'m>, scalar: &Scalar<'m>) -> Ex<'m> {
+pub(crate) fn value_of<'m>(names: &Names<'m>, scalar: &Scalar<'m>) -> Ex<'m> {
     let mut sum = scalar.rest;
     for &(atom, k) in &scalar.terms {
         let value = match atom {
-            Atom::Input(index) => algebra.input(index),
-            Atom::Angle(index) => algebra.names.angles[index].number,
+            Atom::Input(index) => names.input(index),
+            Atom::Angle(index) => names.angles[index].number,
         };
         sum += k * value;
     }
@@ -31,32 +31,32 @@ pub(crate) fn value_of<'m>(algebra: &Algebra<'m>, scalar: &Scalar<'m>) -> Ex<'m>
 }
 
 /// Cosine and sine.
-pub(crate) fn direction<'m>(algebra: &mut Algebra<'m>, angle: &Scalar<'m>) -> V2<'m> {
+pub(crate) fn direction<'m>(names: &mut Names<'m>, angle: &Scalar<'m>) -> V2<'m> {
     let mut rest = Scalar::from(angle.rest);
-    let mut result = Vector([algebra.one(), algebra.zero()]);
+    let mut result = Vector([names.one(), names.zero()]);
     for &(atom, k) in &angle.terms {
         match atom {
             Atom::Input(index) => {
-                algebra.names.add_rate(atom, k);
-                let turned = cos_sin(k * algebra.input(index));
+                names.add_rate(atom, k);
+                let turned = cos_sin(k * names.input(index));
                 result = result.turned(turned);
             }
             Atom::Angle(index) if k.fract() == 0.0 && k.abs() <= MAX_POWER => {
-                let power = unit_power(algebra, index, k as i32);
+                let power = unit_power(names, index, k as i32);
                 result = result.turned(power);
             }
             Atom::Angle(_) => rest.terms.push((atom, k)),
         }
     }
-    let argument = value_of(algebra, &rest);
+    let argument = value_of(names, &rest);
     let unit = cos_sin(argument).turned(result);
     unit.mark_unit();
     unit
 }
 
 /// The unit vector of an unknown angle to an integer power.
-fn unit_power<'m>(algebra: &Algebra<'m>, angle: usize, power: i32) -> V2<'m> {
-    let unit = algebra.names.angles[angle].unit;
+fn unit_power<'m>(names: &Names<'m>, angle: usize, power: i32) -> V2<'m> {
+    let unit = names.angles[angle].unit;
     let unit = if power < 0 { unit.conjugate() } else { unit };
     (1..power.unsigned_abs()).fold(unit, |product, _| product.turned(unit))
 }
@@ -172,28 +172,28 @@ fn quarter_turns(angle: f64) -> Option<[f64; 2]> {
 }
 
 /// A scalar value as one expression.
-pub(crate) fn number<'m>(algebra: &Algebra<'m>, value: &Value<'m>) -> Ex<'m> {
+pub(crate) fn number<'m>(names: &Names<'m>, value: &Value<'m>) -> Ex<'m> {
     match value {
-        Value::Scalar(scalar) => value_of(algebra, scalar),
+        Value::Scalar(scalar) => value_of(names, scalar),
         Value::Vector(vector) => vector.at(0),
-        Value::Array(entries) => number(algebra, &entries[0]),
+        Value::Array(entries) => number(names, &entries[0]),
     }
 }
 
-pub(crate) fn scalar<'m>(algebra: &Algebra<'m>, value: &Value<'m>) -> Scalar<'m> {
+pub(crate) fn scalar<'m>(names: &Names<'m>, value: &Value<'m>) -> Scalar<'m> {
     match value {
         Value::Scalar(scalar) => scalar.clone(),
-        other => number(algebra, other).into(),
+        other => number(names, other).into(),
     }
 }
 
 /// A vector value; a scalar (the literal 0 where a vector is meant) has two equal components.
-pub(crate) fn vector<'m>(algebra: &Algebra<'m>, value: &Value<'m>) -> Vn<'m> {
+pub(crate) fn vector<'m>(names: &Names<'m>, value: &Value<'m>) -> Vn<'m> {
     match value {
         Value::Vector(vector) => *vector,
         other => {
-            let number = number(algebra, other).id();
-            algebra.graph.components(&[number, number])
+            let number = number(names, other).id();
+            names.graph.components(&[number, number])
         }
     }
 }

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use linkage_symbolic::SymbolId;
 use linkage_symbolic::lookup::Map;
-use linkage_symbolic::{NodeId, SymbolId, V3};
 
 use crate::algebra::equations::{Solution, ViaSlider};
 use crate::algebra::rules::DerivativeRule;
@@ -28,8 +28,6 @@ pub(crate) struct Solutions<'m> {
     pub(crate) via_sliders: Vec<ViaSlider<'m>>,
     /// The shortcuts that derivatives take.
     pub(crate) shortcuts: Shortcuts,
-    /// The vectors that bodies carry, by component.
-    pub(crate) body_vectors: Map<NodeId, BodyVector<'m>>,
     /// The places between parameters and the results of a function that all paths of some groups
     /// lead through.
     pub(crate) intermediates: BTreeSet<Solved>,
@@ -45,15 +43,4 @@ impl<'m> Solutions<'m> {
     pub(crate) fn rule(&self, symbol: SymbolId) -> Option<&DerivativeRule<'m>> {
         self.rules.get(&symbol)
     }
-}
-
-/// A component of a vector that a body carries.
-#[derive(Clone, Debug)]
-pub(crate) struct BodyVector<'m> {
-    /// The body's two directions.
-    pub(crate) axes: [V3<'m>; 2],
-    pub(crate) vector: V3<'m>,
-    pub(crate) component: usize,
-    /// Its coordinates on the body.
-    pub(crate) coordinates: V3<'m>,
 }

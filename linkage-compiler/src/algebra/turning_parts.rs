@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use linkage_symbolic::program::{Binary, Unary};
 use linkage_symbolic::{Ex, Node, V2, Vector, numerically_equal};
 
-use crate::algebra::context::Algebra;
 use crate::algebra::equations::AnglePair;
+use crate::algebra::names::Names;
 
 /// A vector as a sum.
 #[derive(Clone, Debug)]
@@ -27,14 +27,14 @@ pub(crate) struct TurningPart<'m> {
 }
 
 /// The parts of a vector, by the angles that they turn with.
-pub(crate) fn parts<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Parts<'m> {
-    let zero = algebra.zero();
+pub(crate) fn parts<'m>(names: &Names<'m>, vector: V2<'m>) -> Parts<'m> {
+    let zero = names.zero();
     let mut fixed = Vector([zero; 2]);
     let mut rest_is_fixed = true;
     let mut turning: BTreeMap<Vec<AnglePair>, TurningPart<'m>> = BTreeMap::new();
     for (row, x) in vector.components().enumerate() {
         for (known, term) in terms_of_sum(x) {
-            let (angles, sines, factor) = factors(algebra, term);
+            let (angles, sines, factor) = factors(names, term);
             let signed = known * factor;
             if angles.is_empty() {
                 rest_is_fixed &= signed.is_fixed();
@@ -57,7 +57,7 @@ pub(crate) fn parts<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Parts<'m> {
 
 /// A product's angles, in order, which of them it has the sines of, and its other factors. A power
 /// of a cosine is no direction: it stays among the factors.
-pub(crate) fn factors<'m>(algebra: &Algebra<'m>, term: Ex<'m>) -> (Vec<AnglePair>, usize, Ex<'m>) {
+pub(crate) fn factors<'m>(names: &Names<'m>, term: Ex<'m>) -> (Vec<AnglePair>, usize, Ex<'m>) {
     let mut angles: Vec<(AnglePair, bool)> = Vec::new();
     let mut factor = term.number(1.0);
     let mut open = vec![term];
@@ -69,7 +69,7 @@ pub(crate) fn factors<'m>(algebra: &Algebra<'m>, term: Ex<'m>) -> (Vec<AnglePair
                 factor = -factor;
                 open.push(ex(a));
             }
-            _ => match angle_pair_of(algebra, x) {
+            _ => match angle_pair_of(names, x) {
                 Some((angle, sine)) if angles.iter().all(|(found, _)| *found != angle) => {
                     angles.push((angle, sine));
                 }
@@ -85,7 +85,7 @@ pub(crate) fn factors<'m>(algebra: &Algebra<'m>, term: Ex<'m>) -> (Vec<AnglePair
 }
 
 /// The angle whose cosine or, then true, sine this is, if it is known only in a call.
-fn angle_pair_of<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> Option<(AnglePair, bool)> {
+fn angle_pair_of<'m>(names: &Names<'m>, x: Ex<'m>) -> Option<(AnglePair, bool)> {
     if x.is_fixed() {
         return None;
     }
@@ -96,7 +96,7 @@ fn angle_pair_of<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> Option<(AnglePair, boo
             Some(((cos, sin), x.id() == sin))
         }
         Node::Symbol(symbol) => {
-            let mut angles = algebra.names.angles.iter();
+            let mut angles = names.angles.iter();
             let angle = angles.find(|angle| angle.cos == symbol || angle.sin == symbol)?;
             let [cos, sin] = angle.unit.0.map(Ex::id);
             Some(((cos, sin), angle.sin == symbol))

@@ -87,13 +87,13 @@ pub(crate) fn assemble<'m>(
         let formulation = solve::formulate(algebra, nominal, structure, terms);
         checks::check_names_of_follower(algebra.mechanism, &formulation, reporter);
         observer.formulated(algebra, &formulation, nominal);
-        let closing = lower::closing(algebra, &formulation, nominal);
+        let closure = lower::closure_programs(algebra, &formulation, nominal);
         let inner = inner_parts(algebra, nominal, parts);
         let mut complete = nominal.clone();
         let reference = assemble_reference(
             algebra,
             &formulation,
-            closing,
+            closure,
             &mut complete,
             inner,
             reporter.reborrow(),

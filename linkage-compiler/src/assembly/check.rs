@@ -46,7 +46,7 @@ pub(crate) fn check_ranges<'m>(
         values: Vec::new(),
     };
     let machine = &mut ranges.reference.machine;
-    let needed = machine.closing.valued.clone();
+    let needed = machine.closure.valued.clone();
     if let Some(unfollowed) = follow_angles(algebra, nominal, machine, &needed) {
         return report_unfollowed(algebra, unfollowed, reporter);
     }
@@ -131,14 +131,14 @@ fn warn_of_change_point(algebra: &mut Algebra, ranges: &mut Ranges, reporter: &m
     };
     let words = MessageFormat::new(algebra.mechanism);
     let group = &formulation.groups[group].group;
-    let place = words.inputs(&inputs, &[0]);
+    let position = words.inputs(&inputs, &[0]);
     let loops = loop_numbers(&group.loops);
     let unknowns = words.unknowns(&group.unknowns);
     let group = Comes {
         loops: &loops,
         unknowns: &unknowns,
     };
-    reporter.warning_with_help(input.origin, passes(group, &place), PASSES_HELP);
+    reporter.warning_with_help(input.origin, passes(group, &position), PASSES_HELP);
 }
 
 /// Says that an angle cannot be followed over the range of an input.

@@ -49,7 +49,7 @@ impl AssembledPart {
     pub(crate) fn new(algebra: &Algebra, reference: Reference, nominal: Nominal) -> Self {
         let mechanism = algebra.mechanism;
         let mut unknowns = vec![None; mechanism.unknowns.len()];
-        let outputs = reference.machine.closing.groups.iter();
+        let outputs = reference.machine.closure.groups.iter();
         for &(unknown, output) in outputs.flat_map(|group| &group.unknowns) {
             let is_angle = matches!(algebra.names.bound[unknown], Bound::Angle(_));
             unknowns[unknown] = Some((output, is_angle));
@@ -99,8 +99,8 @@ impl AssembledPart {
                 _ => ways.map(|(from, to)| from + share * (to - from)).collect(),
             };
             machine.run(&mut values, &at);
-            for (numbers, place) in found.iter_mut().zip(&self.unknowns) {
-                let Some((output, is_angle)) = *place else {
+            for (numbers, unknown) in found.iter_mut().zip(&self.unknowns) {
+                let Some((output, is_angle)) = *unknown else {
                     continue;
                 };
                 let number = |k: usize| machine.output(&values, output + k);

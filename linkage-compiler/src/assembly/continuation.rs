@@ -78,10 +78,10 @@ fn ends(assembly: &Assembly<'_, '_>, prepared: &Prepared, from: &[f64]) -> Vec<V
             places = vec![(at, false)];
         }
         let longer = ends.iter().flat_map(|(end, border)| {
-            let place = |(place, is_end): &(f64, bool)| {
-                ([end.as_slice(), &[*place]].concat(), *border || *is_end)
+            let with_input = |(input, is_end): &(f64, bool)| {
+                ([end.as_slice(), &[*input]].concat(), *border || *is_end)
             };
-            places.iter().map(place)
+            places.iter().map(with_input)
         });
         ends = longer.collect();
     }

@@ -153,7 +153,7 @@ impl<'m> DeadPoint<'_, 'm> {
         let [Some(left), Some(right)] = sides else {
             return String::new();
         };
-        let places = [left, right].map(|end| self.place(end));
+        let places = [left, right].map(|end| self.coordinates_of(end));
         let apart = (places[0][0] - places[1][0]).hypot(places[0][1] - places[1][1]);
         let size = places
             .iter()
@@ -188,11 +188,11 @@ impl<'m> DeadPoint<'_, 'm> {
 
     /// `` `a` at (1mm, 2mm)``
     fn point(&mut self, end: V2<'m>) -> String {
-        let place = self.place(end);
-        let size = place[0].hypot(place[1]);
-        let place = place.map(|x| if x.abs() < NOISE * size { 0.0 } else { x });
+        let position = self.coordinates_of(end);
+        let size = position[0].hypot(position[1]);
+        let position = position.map(|x| if x.abs() < NOISE * size { 0.0 } else { x });
         let dimension = self.solved.gap_dimension(self.algebra.mechanism);
-        let coordinates = self.words.vector(&Type::Vector(2, dimension), &place);
+        let coordinates = self.words.vector(&Type::Vector(2, dimension), &position);
         match self.name(end) {
             Some(name) => format!("`{name}` at {coordinates}"),
             None => coordinates,
@@ -213,7 +213,8 @@ impl<'m> DeadPoint<'_, 'm> {
             if !matches!(ty, Type::Vector(2, _)) {
                 return None;
             }
-            let Value::Vector(vector) = translate::value_of_name(self.algebra, name) else {
+            let Value::Vector(vector) = translate::value_of_name(&mut self.algebra.names, name)
+            else {
                 return None;
             };
             let components: Vec<Ex> = vector.iter().collect();
@@ -228,13 +229,13 @@ impl<'m> DeadPoint<'_, 'm> {
         })
     }
 
-    fn place(&self, end: V2<'m>) -> [f64; 2] {
+    fn coordinates_of(&self, end: V2<'m>) -> [f64; 2] {
         let numbers = self.numbers(&end.0);
         [numbers[0], numbers[1]]
     }
 
     fn length(&self, vector: V2<'m>) -> f64 {
-        let [x, y] = self.place(vector);
+        let [x, y] = self.coordinates_of(vector);
         norm([x, y, 0.0])
     }
 

@@ -60,7 +60,7 @@ impl Numbers<'_> {
             if low == high {
                 continue;
             }
-            let rates = constant_ratio::candidate_rates(algebra, input);
+            let rates = constant_ratio::candidate_rates(&algebra.names, input);
             let mut position = self.nominal.inputs.clone();
             let found = follow(low, high, at, here, &rates, |x| {
                 position[input] = x;

@@ -47,7 +47,7 @@ pub(super) fn close_followed<'m>(
     if !estimates::meets_estimates(assembly, solved, &[&found.position], Choice::Followed) {
         return false;
     }
-    let group = &mut assembly.machine.closing.coupled[prepared.number];
+    let group = &mut assembly.machine.closure.coupled[prepared.number];
     group.followed = true;
     group.terms.clear();
     coupled_state::prepare(assembly, solved, prepared, &found.state)
@@ -55,7 +55,7 @@ pub(super) fn close_followed<'m>(
 
 fn followed<'m>(assembly: &Assembly<'_, 'm>, prepared: &Prepared<'m>) -> Result<Candidate, Astray> {
     let (mut numbers, inputs) = assembly.coupled(prepared.number);
-    let group = &assembly.machine.closing.coupled[prepared.number];
+    let group = &assembly.machine.closure.coupled[prepared.number];
     let estimate = prepared.estimate_of_default(assembly.algebra, assembly.nominal);
     let state = from_estimate(&mut numbers, &group.variables, &inputs, &estimate)?;
     let placed = numbers.run(&group.placed, &state);
@@ -100,7 +100,7 @@ fn leads_nowhere<'m>(
     astray: Astray,
     unlisted: Option<Unlisted>,
 ) {
-    let place = assembly.words.at_reference(&assembly.nominal.inputs);
+    let position = assembly.words.at_reference(&assembly.nominal.inputs);
     let are = match solved.group.loops.len() {
         1 => "is",
         _ => "are",
@@ -115,7 +115,7 @@ fn leads_nowhere<'m>(
             return without_equations(assembly, solved);
         }
         Astray::Movable(ref states) => format!(
-            "{loops} ({unknowns}) cannot be solved{place}: where the estimates lead, {}\n\
+            "{loops} ({unknowns}) cannot be solved{position}: where the estimates lead, {}\n\
                  help: look for links that coincide, guides that are parallel, lengths that are zero, and a loop that repeats another",
             freedom::freedom(&at_state::standing(assembly, prepared, &states[0])).unwrap_or_else(
                 || {
@@ -130,14 +130,14 @@ fn leads_nowhere<'m>(
         Astray::DeadPoint { left, ref at } if left > NOTHING && left < ALL => {
             let Ends { fact, help } = way_ends(assembly, prepared, at);
             format!(
-                "{loops} ({unknowns}) {are} followed{place} from the estimates, and the way ends where {:.1} % of what the \
+                "{loops} ({unknowns}) {are} followed{position} from the estimates, and the way ends where {:.1} % of what the \
                      estimates miss by is taken back{fact}. The assemblies cannot be listed: {why}; {OURS}\n\
                      help: {help}",
                 100.0 * (1.0 - left),
             )
         }
         Astray::NoValue | Astray::DeadPoint { .. } | Astray::Singular(_) => format!(
-            "{loops} ({unknowns}) {are} singular{place} where the estimates {}{}; the assemblies cannot be listed: {why}\n\
+            "{loops} ({unknowns}) {are} singular{position} where the estimates {}{}; the assemblies cannot be listed: {why}\n\
                  help: look for links that coincide, guides that are parallel, lengths that are zero, and a loop that repeats another; or write \
                  estimates, or a reference input, away from a dead point",
             match astray {
@@ -194,7 +194,7 @@ fn moved<'m>(
     states: &[Vec<f64>; 2],
 ) -> Vec<usize> {
     let (numbers, _) = assembly.coupled(prepared.number);
-    let group = &assembly.machine.closing.coupled[prepared.number];
+    let group = &assembly.machine.closure.coupled[prepared.number];
     let [a, b] = states.each_ref().map(|state| {
         let placed = numbers.run(&group.placed, state);
         coupled_state::candidate_of(assembly, group, state.clone(), &placed).position
@@ -206,16 +206,16 @@ fn moved<'m>(
 pub(super) fn without_equations<'m>(assembly: &mut Assembly<'_, 'm>, solved: &Solved<'m>) {
     let loops = loop_list(&solved.group.loops);
     let unknowns = assembly.words.unknowns(&solved.group.unknowns);
-    let place = assembly.words.at_reference(&assembly.nominal.inputs);
+    let position = assembly.words.at_reference(&assembly.nominal.inputs);
     if let Some((part, fact)) = refusal::loops_without_value(assembly, &solved.group.loops) {
-        let fact = format!("{loops} ({unknowns}) cannot be solved{place}: {fact}");
+        let fact = format!("{loops} ({unknowns}) cannot be solved{position}: {fact}");
         return assembly.reporter.error_with_help(part, fact, WITHIN_RANGE);
     }
     let origin = assembly.algebra.mechanism.loops[solved.group.loops[0]].origin;
     assembly.reporter.error(
             origin,
             format!(
-                "{loops} ({unknowns}) cannot be solved{place}: what is known of it is not a finite number\n\
+                "{loops} ({unknowns}) cannot be solved{position}: what is known of it is not a finite number\n\
                  help: look for a division by zero, or a root or an arc function out of its range"
             ),
         );

@@ -30,9 +30,9 @@ pub(super) fn close_coupled<'m>(
 ) -> bool {
     let loops = loop_list(&solved.group.loops);
     let unknowns = assembly.words.unknowns(&solved.group.unknowns);
-    let place = assembly.words.at_reference(&assembly.nominal.inputs);
+    let position = assembly.words.at_reference(&assembly.nominal.inputs);
     let origin = assembly.algebra.mechanism.loops[solved.group.loops[0]].origin;
-    if assembly.machine.closing.coupled[prepared.number].followed {
+    if assembly.machine.closure.coupled[prepared.number].followed {
         return followed::close_followed(assembly, solved, prepared, None);
     }
     let Listed {
@@ -73,7 +73,7 @@ pub(super) fn close_coupled<'m>(
         assembly.reporter.error(
                 origin,
                 format!(
-                    "{loops} ({unknowns}) cannot close{place}: no assembly is real\n\
+                    "{loops} ({unknowns}) cannot close{position}: no assembly is real\n\
                      help: change a length, or give a reference input at which the links reach each other"
                 ),
             );
@@ -93,7 +93,7 @@ pub(super) fn close_coupled<'m>(
         assembly.reporter.error(
                 unknown_origin.unwrap_or(origin),
                 format!(
-                    "the start estimates of {unknowns} lie equally near to two assemblies of {loops}{place}; there are {}{}{}: \
+                    "the start estimates of {unknowns} lie equally near to two assemblies of {loops}{position}; there are {}{}{}: \
                      {listed}\n\
                      help: move the estimates towards the assembly that is meant",
                     candidates.len(),
@@ -112,7 +112,7 @@ pub(super) fn close_coupled<'m>(
 /// All real assemblies.
 fn candidates(assembly: &mut Assembly<'_, '_>, number: usize) -> Result<Listed, Unlisted> {
     let (mut numbers, inputs) = assembly.coupled(number);
-    let group = &assembly.machine.closing.coupled[number];
+    let group = &assembly.machine.closure.coupled[number];
     let coefficients = numbers.run(&group.system, &[]);
     let coefficients: Vec<[f64; 2]> = coefficients.chunks(2).map(|c| [c[0], c[1]]).collect();
     let terms: Vec<Term> = group

@@ -1,7 +1,7 @@
 //! The assembly at the reference inputs: closing the loops, following angles, running through
 //! ranges.
 //!
-//! The interpreter runs the programs of a [`Closing`](crate::ir::Closing). [`assemble`] returns the
+//! The interpreter runs [`ClosurePrograms`](crate::ir::ClosurePrograms). [`assemble`] returns the
 //! assembly that the start estimates choose.
 
 mod assemble;

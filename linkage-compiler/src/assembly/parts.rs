@@ -30,7 +30,7 @@ pub(crate) fn inner_parts<'m>(
         let inputs = part.inputs.iter();
         let inputs = inputs.map(|&input| match algebra.translate(&named(mechanism, input)) {
             Value::Vector(vector) => vector.iter().next().unwrap_or(algebra.zero()),
-            scalar => scalar::number(algebra, &scalar),
+            scalar => scalar::number(&algebra.names, &scalar),
         });
         let inputs = inputs.collect();
         let mut numbers = Vec::new();
@@ -44,9 +44,9 @@ pub(crate) fn inner_parts<'m>(
                 }
                 Name::Let(index) => {
                     let expression = &mechanism.lets[index].value;
-                    let scale = translate::internal_per_unit(algebra, &expression.ty);
+                    let scale = translate::internal_per_unit(algebra.mechanism, &expression.ty);
                     let found = nominal::evaluated(
-                        algebra,
+                        &mut algebra.names,
                         &named(mechanism, index),
                         &nominal.parameters,
                         &[],

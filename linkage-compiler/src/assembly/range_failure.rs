@@ -29,19 +29,23 @@ impl<'m> Ranges<'_, 'm> {
     pub(super) fn apart(&mut self, algebra: &mut Algebra<'m>, at: Break) -> Apart {
         let words = MessageFormat::new(algebra.mechanism);
         let input = &algebra.mechanism.inputs[at.input];
-        let solved = &self.formulation.groups[at.place.group];
-        let concerned = dependence::inputs_below(algebra, &[solved.closed.slack]);
-        let place = words.inputs(&at.place.inputs, &concerned);
+        let solved = &self.formulation.groups[at.dead_point.group];
+        let concerned = dependence::inputs_below(
+            algebra.graph,
+            &mut algebra.derivatives.dependence,
+            &[solved.closed.slack],
+        );
+        let position = words.inputs(&at.dead_point.inputs, &concerned);
         let loops = loop_numbers(&solved.group.loops);
         let unknowns = words.unknowns(&solved.group.unknowns);
         let group = Comes {
             loops: &loops,
             unknowns: &unknowns,
         };
-        if !at.place.finite {
+        if !at.dead_point.finite {
             return Apart {
                 origins: range_of(input),
-                message: with_help(&not_finite(group, &place, "")),
+                message: with_help(&not_finite(group, &position, "")),
             };
         }
         let miss = self.largest_miss(&at);
@@ -53,7 +57,7 @@ impl<'m> Ranges<'_, 'm> {
         let reaches = |picture| Reaches {
             group,
             change: miss == 0.0,
-            place: &place,
+            position: &position,
             picture,
             works: works.fact.each_ref().map(String::as_str),
             range: works.range.each_ref().map(String::as_str),
@@ -66,7 +70,7 @@ impl<'m> Ranges<'_, 'm> {
                     machine: &self.reference.machine,
                     words: &words,
                     solved,
-                    inputs: &at.place.inputs,
+                    inputs: &at.dead_point.inputs,
                     reference: &self.nominal.inputs,
                     miss,
                 }
@@ -91,7 +95,11 @@ impl<'m> Ranges<'_, 'm> {
     ) -> Apart {
         let words = MessageFormat::new(algebra.mechanism);
         let solved = &self.formulation.groups[at.group];
-        let concerned = dependence::inputs_below(algebra, &[solved.closed.slack]);
+        let concerned = dependence::inputs_below(
+            algebra.graph,
+            &mut algebra.derivatives.dependence,
+            &[solved.closed.slack],
+        );
         let loops = loop_numbers(&solved.group.loops);
         let unknowns = words.unknowns(&solved.group.unknowns);
         let group = Comes {
@@ -102,15 +110,15 @@ impl<'m> Ranges<'_, 'm> {
         let input = declared.clone().find(|k| concerned.contains(k));
         let input = input.or_else(|| declared.next());
         let origin = algebra.mechanism.loops[solved.group.written].origin;
-        let place = words.inputs(&at.inputs, &concerned);
+        let position = words.inputs(&at.inputs, &concerned);
         let how = format!(" (found on a grid of at most {GRID} positions)");
         let message = match at.finite {
             true => format!(
-                "{} a dead point at {place}{how}\n\
+                "{} a dead point at {position}{how}\n\
                  help: restrict the range, or change the lengths so that the links reach each other all the way",
                 group.apart(),
             ),
-            false => with_help(&not_finite(group, &place, &how)),
+            false => with_help(&not_finite(group, &position, &how)),
         };
         Apart {
             origins: input.map_or([origin; 2], |&k| range_of(&algebra.mechanism.inputs[k])),
@@ -123,11 +131,11 @@ impl<'m> Ranges<'_, 'm> {
         let input = &algebra.mechanism.inputs[at.input];
         let reference = self.nominal.inputs[at.input];
         let (low, high) = self.nominal.ranges[at.input].unwrap_or((reference, reference));
-        let closing = &self.reference.machine.closing;
+        let closure = &self.reference.machine.closure;
         // Whole turns of an angle look alike, unless something is prepared over the range only.
         let turns = input.dimension.half_lengths == 0
-            && closing.coupled.is_empty()
-            && closing.valued.is_empty();
+            && closure.coupled.is_empty()
+            && closure.valued.is_empty();
         let (from, to) = match turns {
             true => (reference - TAU, reference + TAU),
             false => (low, high),
@@ -149,8 +157,11 @@ impl<'m> Ranges<'_, 'm> {
         if mechanism.inputs[at.input].dimension.half_lengths != 0 {
             return None;
         }
-        let (from, to) = (self.nominal.inputs[at.input], at.place.inputs[at.input]);
-        let outputs = self.reference.machine.closing.groups[at.place.group]
+        let (from, to) = (
+            self.nominal.inputs[at.input],
+            at.dead_point.inputs[at.input],
+        );
+        let outputs = self.reference.machine.closure.groups[at.dead_point.group]
             .unknowns
             .clone();
         let mut inputs = self.nominal.inputs.clone();
@@ -168,7 +179,7 @@ impl<'m> Ranges<'_, 'm> {
                 Ternary::AngleNear.apply([sin, cos, near])
             };
             let here = angle(self, from, estimate);
-            let rate = constant_ratio::candidate_rates(algebra, at.input)
+            let rate = constant_ratio::candidate_rates(&algebra.names, at.input)
                 .into_iter()
                 .find(|rate| {
                     // Short of the change point itself, where digits are lost.
@@ -231,7 +242,7 @@ fn parallelogram(
          line and it may go on as a crossed one; {}\n\
          help: if it stays a parallelogram, write {} instead of the {instead} and leave {loops} out; else {}",
         reaches.group.unknowns,
-        words.inputs(&at.place.inputs, &[at.input]),
+        words.inputs(&at.dead_point.inputs, &[at.input]),
         reaches.works(),
         relations.join(" and "),
         reaches.range(),

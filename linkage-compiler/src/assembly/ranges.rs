@@ -34,7 +34,7 @@ pub(super) struct Broken {
 pub(super) struct Break {
     pub(super) input: usize,
     /// The dead point.
-    pub(super) place: Broken,
+    pub(super) dead_point: Broken,
     /// True if the mechanism fails above that value; otherwise it fails below.
     above: bool,
 }
@@ -54,7 +54,7 @@ impl Ranges<'_, '_> {
         let machine = &self.reference.machine;
         machine.run(&mut self.values, inputs);
         let mut worst = (f64::INFINITY, 0);
-        for (group, stage) in machine.closing.groups.iter().enumerate() {
+        for (group, stage) in machine.closure.groups.iter().enumerate() {
             let slack = self.reference.scales[group] * machine.output(&self.values, stage.slack);
             if slack.is_nan() {
                 // A group before this one has come apart; that one counts.
@@ -95,7 +95,7 @@ impl Ranges<'_, '_> {
         inputs[input] = self.dead_point(input, failure);
         Some(Break {
             input,
-            place: Broken {
+            dead_point: Broken {
                 inputs,
                 group: group.min(self.formulation.groups.len() - 1),
                 finite: !slack.is_nan(),
@@ -122,15 +122,18 @@ impl Ranges<'_, '_> {
     /// Returns the largest distance by which a group misses between its dead point and the next
     /// position at which it closes, or the end of the range; 0 if it only touches its dead point.
     pub(super) fn largest_miss(&mut self, at: &Break) -> f64 {
-        let from = at.place.inputs[at.input];
+        let from = at.dead_point.inputs[at.input];
         let (low, high) = self.nominal.ranges[at.input].unwrap_or((from, from));
         let end = if at.above { high } else { low };
-        let mut inputs = at.place.inputs.clone();
+        let mut inputs = at.dead_point.inputs.clone();
         let mut miss = |ranges: &mut Self, share: f64| {
             inputs[at.input] = from + (end - from) * share;
             let machine = &ranges.reference.machine;
             machine.run(&mut ranges.values, &inputs);
-            machine.output(&ranges.values, machine.closing.groups[at.place.group].gap)
+            machine.output(
+                &ranges.values,
+                machine.closure.groups[at.dead_point.group].gap,
+            )
         };
         let step = 1.0 / MISSES as f64;
         let mut worst = (0.0, 0.0);

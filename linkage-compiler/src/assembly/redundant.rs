@@ -41,7 +41,7 @@ pub(crate) fn check_redundant(
     for equation in &mechanism.redundant {
         // This evaluation must not change the code of functions.
         let miss = algebra.tried(|algebra| {
-            let sides = difference(algebra, equation);
+            let sides = difference(&mut algebra.names, equation);
             let found = positions
                 .iter()
                 .map(|inputs| missed(equation, reference.machine.evaluate(&sides, inputs), inputs));
@@ -66,13 +66,13 @@ pub(crate) fn check_redundant(
         }
         let words = MessageFormat::new(mechanism);
         let all: Vec<usize> = (0..miss.inputs.len()).collect();
-        let place = match all.is_empty() {
+        let position = match all.is_empty() {
             true => String::new(),
             false => format!("at {} ", words.inputs(&miss.inputs, &all)),
         };
         let by = words.value(&equation.left.ty, &miss.difference);
         let fact = format!(
-            "this loop does not follow from the others: {place}its sides differ by {by} (looked at {} positions)",
+            "this loop does not follow from the others: {position}its sides differ by {by} (looked at {} positions)",
             positions.len()
         );
         let help = "correct the dimensions by which it should follow, or make it a loop that holds something: without `redundant`, with an \

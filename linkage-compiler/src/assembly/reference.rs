@@ -6,7 +6,7 @@ use linkage_core::numeric::choose_assembly::{Ambiguity, choose_assembly};
 use crate::algebra::{Algebra, Bound, Nominal};
 use crate::assembly::{estimates, listing, parts, refusal};
 use crate::diagnostic::Reporter;
-use crate::ir::{Closing, Outputs};
+use crate::ir::{ClosurePrograms, Outputs};
 use crate::machine::{Machine, Reference};
 use crate::message_format::{MessageFormat, loop_list};
 use crate::solve::{Formulation, Prepared, Solved};
@@ -26,13 +26,13 @@ use super::sizes::Sizes;
 pub(crate) fn assemble_reference<'m>(
     algebra: &Algebra<'m>,
     formulation: &Formulation<'m>,
-    closing: Closing,
+    closure: ClosurePrograms,
     nominal: &mut Nominal,
     parts: Vec<InnerPart<'m>>,
     reporter: Reporter,
 ) -> Option<Reference> {
-    let machine = Machine::new(closing, formulation, nominal);
-    let Sizes { longest, largest } = Sizes::of(algebra, formulation, nominal);
+    let machine = Machine::new(closure, formulation, nominal);
+    let Sizes { longest, largest } = Sizes::new(algebra, formulation, nominal);
     let mut assembly = Assembly {
         words: MessageFormat::new(algebra.mechanism),
         algebra,
@@ -52,7 +52,7 @@ pub(crate) fn assemble_reference<'m>(
     let mut start = 0;
     for (index, solved) in formulation.groups.iter().enumerate() {
         parts::settle_parts(&mut assembly, formulation, index);
-        let stage = assembly.machine.closing.groups[index].clone();
+        let stage = assembly.machine.closure.groups[index].clone();
         closed &= close(&mut assembly, solved, &stage, start, closed);
         let slack = assembly.output(stage.slack);
         let scale = assembly.output(stage.slack_scale);
@@ -131,7 +131,7 @@ fn close<'m>(
     }
     let loops = loop_list(&solved.group.loops);
     let unknowns = assembly.words.unknowns(&solved.group.unknowns);
-    let place = assembly.words.at_reference(&assembly.nominal.inputs);
+    let position = assembly.words.at_reference(&assembly.nominal.inputs);
     let mut positions: Vec<&Position> = candidates.iter().map(|one| &one.position).collect();
     positions.sort_by(|a, b| a.distance.total_cmp(&b.distance));
     if nearest.ambiguous {
@@ -139,7 +139,7 @@ fn close<'m>(
             && !estimates::lacks_estimates(assembly, solved, &positions, Choice::Listed)
         {
             let message = format!(
-                "the start estimates of {unknowns} lie equally near to two assembly modes of {loops}{place}: \
+                "the start estimates of {unknowns} lie equally near to two assembly modes of {loops}{position}: \
                  `{}` at distance {:.4} and `{}` at distance {:.4}\n\
                  help: move the estimates towards the assembly that is meant",
                 estimates::shown(assembly, &a.position),
@@ -163,9 +163,9 @@ fn close<'m>(
 
 /// Finds the turns of angles on which a coupled group depends; false if that was not possible.
 fn follow_before<'m>(assembly: &mut Assembly<'_, 'm>, prepared: &Prepared) -> bool {
-    let closing = &assembly.machine.closing;
-    let count = closing.coupled[prepared.number].turning;
-    let angles = closing.valued[..count].to_vec();
+    let closure = &assembly.machine.closure;
+    let count = closure.coupled[prepared.number].turning;
+    let angles = closure.valued[..count].to_vec();
     let unfollowed = follow_angles(
         assembly.algebra,
         assembly.nominal,

@@ -32,15 +32,15 @@ pub(super) fn refuse<'m>(assembly: &mut Assembly<'_, 'm>, solved: &Solved<'m>, v
     let origin = assembly.algebra.mechanism.loops[solved.group.loops[0]].origin;
     let loops = loop_list(&solved.group.loops);
     let unknowns = assembly.words.unknowns(&solved.group.unknowns);
-    let place = assembly.words.at_reference(&assembly.nominal.inputs);
+    let position = assembly.words.at_reference(&assembly.nominal.inputs);
     if let Some((fact, help)) = degenerate::degenerate(assembly, solved) {
-        let fact = format!("{loops} cannot be solved for {unknowns}{place}: {fact}");
+        let fact = format!("{loops} cannot be solved for {unknowns}{position}: {fact}");
         return assembly.reporter.error_with_help(origin, fact, help);
     }
     if assembly.size > LARGEST && !matches!(verdict, Verdict::Open(_)) {
         let size = assembly.words.scalar(Dimension::LENGTH, assembly.size);
         let fact = format!(
-            "{loops} ({unknowns}) cannot be solved{place}: the mechanism has a length of {size}, and the square of a number above \
+            "{loops} ({unknowns}) cannot be solved{position}: the mechanism has a length of {size}, and the square of a number above \
                  {LARGEST:e} is beyond the largest one"
         );
         let help = "choose a length unit in which the numbers are smaller";
@@ -51,13 +51,13 @@ pub(super) fn refuse<'m>(assembly: &mut Assembly<'_, 'm>, solved: &Solved<'m>, v
         Verdict::Open(_) | Verdict::Singular => None,
     };
     if let Some((part, fact)) = without_value {
-        let fact = format!("{loops} ({unknowns}) cannot be solved{place}: {fact}");
+        let fact = format!("{loops} ({unknowns}) cannot be solved{position}: {fact}");
         return assembly.reporter.error_with_help(part, fact, WITHIN_RANGE);
     }
     let (fact, help) = match verdict {
         Verdict::NotFinite => (
             format!(
-                "{loops} ({unknowns}) cannot be solved{place}: what is known of it is not a finite number"
+                "{loops} ({unknowns}) cannot be solved{position}: what is known of it is not a finite number"
             ),
             format!(
                 "look for {}a division by zero, or a root or an arc function out of its range",
@@ -74,18 +74,18 @@ pub(super) fn refuse<'m>(assembly: &mut Assembly<'_, 'm>, solved: &Solved<'m>, v
                 .half_lengths
                 == 0;
             let what = if number { "dimension" } else { "length" };
-            let other = match place.is_empty() {
+            let other = match position.is_empty() {
                 true => "",
                 false => ", or give a reference input at which the links reach each other",
             };
             (
-                format!("{loops} ({unknowns}) cannot close{place}: misses by {miss}"),
+                format!("{loops} ({unknowns}) cannot close{position}: misses by {miss}"),
                 format!("change a {what}{other}"),
             )
         }
         Verdict::Singular => (
             format!(
-                "{loops} ({unknowns}) {} singular{place}, a dead point{}: its margin is below {SINGULAR:e}",
+                "{loops} ({unknowns}) {} singular{position}, a dead point{}: its margin is below {SINGULAR:e}",
                 if solved.group.loops.len() == 1 {
                     "is"
                 } else {

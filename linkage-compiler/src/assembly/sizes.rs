@@ -17,7 +17,7 @@ pub(super) struct Sizes {
 }
 
 impl Sizes {
-    pub(super) fn of<'m>(
+    pub(super) fn new<'m>(
         algebra: &Algebra<'m>,
         formulation: &Formulation<'m>,
         nominal: &Nominal,

@@ -21,7 +21,7 @@ pub(super) fn refused<'m>(
         1 => ["reaches", "comes", "is"],
         _ => ["reach", "come", "are"],
     };
-    let place = assembly.words.at_reference(&assembly.nominal.inputs);
+    let position = assembly.words.at_reference(&assembly.nominal.inputs);
     let mechanism = assembly.algebra.mechanism;
     let at_input = |at: f64| {
         let mut inputs = assembly.nominal.inputs.clone();
@@ -50,7 +50,7 @@ pub(super) fn refused<'m>(
             at_input(at)
         ),
         _ => format!(
-            "{loops} ({unknowns}) {are} singular{place}, a dead point\n\
+            "{loops} ({unknowns}) {are} singular{position}, a dead point\n\
                  help: choose a reference input or lengths away from the dead point"
         ),
     };

@@ -7,7 +7,7 @@ mod asked;
 use linkage_symbolic::Graph;
 use linkage_symbolic::lookup::Map;
 
-use crate::algebra::{Algebra, Nominal, nominal, translate};
+use crate::algebra::{Names, Nominal, nominal, translate};
 use crate::diagnostic::Reporter;
 use crate::message_format::MessageFormat;
 use crate::model::{BinaryOp, Expr, ExprKind, Function, Mechanism, Name};
@@ -25,12 +25,12 @@ pub(crate) fn check_directions(mechanism: &Mechanism, nominal: &Nominal, reporte
     // A separate graph: nodes made in another order would change the written form of the
     // mechanism's sums.
     let graph = Graph::new();
-    let mut algebra = Algebra::new(mechanism, &graph);
-    translate::translate_lets(&mut algebra);
+    let mut names = Names::new(mechanism, &graph);
+    translate::translate_lets(&mut names);
     let mut check = Check {
         mechanism,
         nominal,
-        algebra,
+        names,
         inputs: &[],
         sizes: Map::new(),
     };
@@ -41,12 +41,12 @@ pub(crate) fn check_directions(mechanism: &Mechanism, nominal: &Nominal, reporte
             continue;
         }
         check.know(&[]);
-        let mut place = String::new();
-        let mut found = check.mistake(&asked, &place);
+        let mut position = String::new();
+        let mut found = check.mistake(&asked, &position);
         if found.is_none() && asked.in_loop {
             check.know(&nominal.inputs);
-            place = MessageFormat::new(mechanism).at_reference(&nominal.inputs);
-            found = check.mistake(&asked, &place);
+            position = MessageFormat::new(mechanism).at_reference(&nominal.inputs);
+            found = check.mistake(&asked, &position);
         }
         if let Some((fact, help)) = found {
             told.push(asked.vector.origin);
@@ -58,7 +58,7 @@ pub(crate) fn check_directions(mechanism: &Mechanism, nominal: &Nominal, reporte
 struct Check<'a, 'm> {
     mechanism: &'m Mechanism,
     nominal: &'a Nominal,
-    algebra: Algebra<'m>,
+    names: Names<'m>,
     /// The inputs' values, if they count as known.
     inputs: &'a [f64],
     sizes: Map<Name, f64>,
@@ -77,10 +77,8 @@ impl<'a> Check<'a, '_> {
     }
 
     fn value(&mut self, expr: &Expr) -> Vec<f64> {
-        let Self {
-            algebra, nominal, ..
-        } = self;
-        nominal::evaluated(algebra, expr, &nominal.parameters, self.inputs)
+        let Self { names, nominal, .. } = self;
+        nominal::evaluated(names, expr, &nominal.parameters, self.inputs)
     }
 
     fn is_zero(&mut self, vector: &Expr) -> bool {
@@ -149,26 +147,26 @@ impl<'m> Check<'_, 'm> {
         }
     }
 
-    /// Returns the fault of a direction, and the advice. `place` is the position, if the fault is
+    /// Returns the fault of a direction, and the advice. `position` is set if the fault is
     /// not everywhere.
-    fn mistake(&mut self, asked: &Asked, place: &str) -> Option<(String, String)> {
+    fn mistake(&mut self, asked: &Asked, position: &str) -> Option<(String, String)> {
         let Asked {
             subject, vector, ..
         } = *asked;
         if self.is_zero(vector) {
             let (why, help) = self.reason(vector, "it");
-            let help = match place {
+            let help = match position {
                 "" => help,
                 _ => "choose a reference input at which it has a direction".to_owned(),
             };
-            return Some((format!("{subject} has no direction{place}: {why}"), help));
+            return Some((format!("{subject} has no direction{position}: {why}"), help));
         }
         let beside = asked
             .beside
             .filter(|beside| self.parallel(beside, vector))?;
         let both = self.words(&[beside, vector]);
-        let fact = format!("{subject} is parallel to its x axis{place}{both}");
-        let help = match place {
+        let fact = format!("{subject} is parallel to its x axis{position}{both}");
+        let help = match position {
             "" => "choose another vector: it lies in the plane of the x and z axes",
             _ => "choose a reference input at which they are not parallel",
         };

@@ -6,7 +6,7 @@ mod motion_laws;
 mod unused;
 mod values;
 
-use crate::algebra::{Algebra, Nominal};
+use crate::algebra::{Names, Nominal};
 use crate::diagnostic::Reporter;
 
 pub(crate) use follower_names::check_names_of_follower;
@@ -17,9 +17,9 @@ pub(crate) use values::without_value;
 ///
 /// Returns `None` if a direction has no length: everything computed with it would be reported as
 /// not finite.
-pub(crate) fn dimensions(algebra: &mut Algebra, reporter: &mut Reporter) -> Option<Nominal> {
-    let mechanism = algebra.mechanism;
-    let nominal = Nominal::from_mechanism(algebra);
+pub(crate) fn dimensions(names: &mut Names, reporter: &mut Reporter) -> Option<Nominal> {
+    let mechanism = names.mechanism;
+    let nominal = Nominal::from_mechanism(names);
     let before = reporter.errors();
     directions::check_directions(mechanism, &nominal, reporter);
     if reporter.errors() > before {

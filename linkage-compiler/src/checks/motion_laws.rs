@@ -5,7 +5,7 @@ mod ends;
 
 use linkage_symbolic::Graph;
 
-use crate::algebra::{Algebra, Nominal, nominal, translate};
+use crate::algebra::{Names, Nominal, nominal, translate};
 use crate::diagnostic::{OriginId, Reporter};
 use crate::message_format::MessageFormat;
 use crate::model::{Expr, ExprKind, Mechanism, MotionLaw, MotionLawKind, Name, Repeats, Type};
@@ -41,8 +41,8 @@ pub(crate) fn check_motion_laws(mechanism: &Mechanism, nominal: &Nominal, report
     // A separate graph: nodes made in another order would change the written form of the
     // mechanism's sums.
     let graph = Graph::new();
-    let mut algebra = Algebra::new(mechanism, &graph);
-    translate::translate_lets(&mut algebra);
+    let mut names = Names::new(mechanism, &graph);
+    translate::translate_lets(&mut names);
     let mut seen: Vec<OriginId> = Vec::new();
     for expr in courses {
         let ExprKind::MotionLaw(course) = &expr.kind else {
@@ -54,20 +54,20 @@ pub(crate) fn check_motion_laws(mechanism: &Mechanism, nominal: &Nominal, report
         }
         seen.push(course.knots[0].origin);
         let mut number = |expression: &Expr| {
-            let scale = translate::internal_per_unit(&algebra, &expression.ty);
-            nominal::evaluated(&mut algebra, expression, &nominal.parameters, &[])[0] / scale
+            let scale = translate::internal_per_unit(names.mechanism, &expression.ty);
+            nominal::evaluated(&mut names, expression, &nominal.parameters, &[])[0] / scale
         };
         let knots: Vec<At> = course
             .knots
             .iter()
             .map(|knot| At {
-                place: number(&knot.place),
+                abscissa: number(&knot.abscissa),
                 value: number(&knot.value),
             })
             .collect();
         let known = knots
             .iter()
-            .all(|knot| knot.place.is_finite() && knot.value.is_finite());
+            .all(|knot| knot.abscissa.is_finite() && knot.value.is_finite());
         // Values that move, or that are reported elsewhere as no number, are left to run time.
         if known {
             let words = MessageFormat::new(mechanism);
@@ -86,7 +86,7 @@ pub(crate) fn check_motion_laws(mechanism: &Mechanism, nominal: &Nominal, report
 /// A knot in numbers.
 #[derive(Clone, Copy)]
 struct At {
-    place: f64,
+    abscissa: f64,
     value: f64,
 }
 
@@ -111,7 +111,7 @@ impl Check<'_, '_> {
         }
     }
 
-    fn place(&self, at: f64) -> String {
+    fn abscissa_text(&self, at: f64) -> String {
         self.words.value(&self.course.argument_type(), &[at])
     }
 
@@ -121,15 +121,15 @@ impl Check<'_, '_> {
 
     fn order(&self, reporter: &mut Reporter) {
         for (k, pair) in self.knots.windows(2).enumerate() {
-            let (first, second) = (pair[0].place, pair[1].place);
+            let (first, second) = (pair[0].abscissa, pair[1].abscissa);
             if second > first {
                 continue;
             }
-            let [before, behind] = [first, second].map(|at| self.place(at));
+            let [before, behind] = [first, second].map(|at| self.abscissa_text(at));
             let fact = match second == first {
                 true => format!("two knots stand at {before}"),
                 false => {
-                    let overlap = self.place(first - second);
+                    let overlap = self.abscissa_text(first - second);
                     format!(
                         "the knot at {behind} stands behind that at {before}: the pieces overlap by {overlap}"
                     )
@@ -151,7 +151,7 @@ impl Check<'_, '_> {
         }
         let ends = [self.knots[0], self.knots[self.knots.len() - 1]];
         let [from, to] = ends.map(|knot| self.value(knot.value));
-        let [begins, closes] = ends.map(|knot| self.place(knot.place));
+        let [begins, closes] = ends.map(|knot| self.abscissa_text(knot.abscissa));
         let fact = match ends[0].value == ends[1].value {
             true => format!(
                 "at {closes} it is another expression than at {begins}: for other dimensions it jumps"
@@ -174,7 +174,7 @@ impl Check<'_, '_> {
                 continue;
             }
             let [from, to] = [self.knots[k], self.knots[k + 1]];
-            let [begin, end] = [from, to].map(|knot| self.place(knot.place));
+            let [begin, end] = [from, to].map(|knot| self.abscissa_text(knot.abscissa));
             let fact = match from.value == to.value {
                 true => format!(
                     "no law leads from {begin} to {end}, and their values are different expressions"
@@ -220,7 +220,7 @@ impl Check<'_, '_> {
                 }
                 // Zero has no sign for a reader.
                 let [from, to] = [from, to].map(|value| self.rate(value + 0.0, order + 1));
-                let at = self.place(self.knots[k].place);
+                let at = self.abscissa_text(self.knots[k].abscissa);
                 let fact = format!("the {name} of this course jumps at {at}, from {from} to {to}");
                 let help = match order {
                     _ if matches!(self.course.kind, MotionLawKind::Spline(..)) => {
@@ -243,7 +243,7 @@ impl Check<'_, '_> {
     /// Returns true if the argument comes to both sides of a knot; the first and the last one may
     /// be the ends of an input's range.
     fn is_reached(&self, knot: usize) -> bool {
-        let at = self.knots[knot].place;
+        let at = self.knots[knot].abscissa;
         let Some(Name::Input(input)) = self.course.argument.as_name() else {
             return true;
         };
@@ -255,7 +255,7 @@ impl Check<'_, '_> {
     /// Returns the approximate size of a derivative.
     fn size(&self, order: usize) -> f64 {
         let pieces = self.knots.windows(2).map(|pair| {
-            let width = pair[1].place - pair[0].place;
+            let width = pair[1].abscissa - pair[0].abscissa;
             (pair[1].value - pair[0].value).abs() / width.powi(order as i32)
         });
         pieces.fold(0.0, f64::max)

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use linkage_symbolic::Graph;
 
-use crate::algebra::{Algebra, Nominal, nominal, translate};
+use crate::algebra::{Names, Nominal, nominal, translate};
 use crate::diagnostic::{OriginId, Reporter};
 use crate::message_format::MessageFormat;
 use crate::model::{BinaryOp, Expr, ExprKind, Mechanism, Name};
@@ -18,18 +18,18 @@ pub(crate) fn check_values(mechanism: &Mechanism, nominal: &Nominal, reporter: &
     // A separate graph: nodes made in another order would change the written form of the
     // mechanism's sums.
     let graph = Graph::new();
-    let mut algebra = Algebra::new(mechanism, &graph);
-    translate::translate_lets(&mut algebra);
-    let mut check = Check::new(algebra, nominal, &[]);
+    let mut names = Names::new(mechanism, &graph);
+    translate::translate_lets(&mut names);
+    let mut check = Check::new(names, nominal, &[]);
     let all: Vec<usize> = (0..mechanism.loops.len()).collect();
     let used = mechanism.usage(&all).lets;
     for (index, item) in mechanism.lets.iter().enumerate() {
         check.fixed[index] = check.is_fixed(&item.value);
-        let place = match used[index] {
+        let occurrence = match used[index] {
             true => Occurrence::InLoop,
             false => Occurrence::Elsewhere,
         };
-        check.look_at(&item.value, place);
+        check.look_at(&item.value, occurrence);
     }
     for equation in &mechanism.loops {
         check.look_at(&equation.left, Occurrence::Term);
@@ -65,9 +65,9 @@ pub(crate) fn without_value(
     loops: &[usize],
 ) -> Option<(OriginId, String)> {
     let graph = Graph::new();
-    let mut algebra = Algebra::new(mechanism, &graph);
-    translate::translate_lets(&mut algebra);
-    let mut check = Check::new(algebra, nominal, inputs);
+    let mut names = Names::new(mechanism, &graph);
+    translate::translate_lets(&mut names);
+    let mut check = Check::new(names, nominal, inputs);
     let used = mechanism.usage(loops).lets;
     for (index, item) in mechanism.lets.iter().enumerate() {
         check.fixed[index] = check.is_fixed(&item.value);
@@ -104,20 +104,20 @@ struct Check<'a, 'm> {
     nominal: &'a Nominal,
     /// The inputs, if they are considered, too; else empty.
     inputs: &'a [f64],
-    algebra: Algebra<'m>,
+    names: Names<'m>,
     /// For each derived quantity, true if it depends on dimensions alone.
     fixed: Vec<bool>,
     found: Vec<NotFinite<'m>>,
 }
 
 impl<'a, 'm> Check<'a, 'm> {
-    fn new(algebra: Algebra<'m>, nominal: &'a Nominal, inputs: &'a [f64]) -> Self {
-        let mechanism = algebra.mechanism;
+    fn new(names: Names<'m>, nominal: &'a Nominal, inputs: &'a [f64]) -> Self {
+        let mechanism = names.mechanism;
         Self {
             mechanism,
             nominal,
             inputs,
-            algebra,
+            names,
             fixed: vec![false; mechanism.lets.len()],
             found: Vec::new(),
         }
@@ -134,24 +134,24 @@ impl<'a, 'm> Check<'a, 'm> {
     }
 
     /// Searches the largest parts that are fixed.
-    fn look_at(&mut self, expr: &'m Expr, place: Occurrence) {
-        let mut open = vec![(expr, place)];
-        while let Some((expr, place)) = open.pop() {
+    fn look_at(&mut self, expr: &'m Expr, occurrence: Occurrence) {
+        let mut open = vec![(expr, occurrence)];
+        while let Some((expr, occurrence)) = open.pop() {
             if self.is_fixed(expr) {
-                self.blame(expr, place);
+                self.blame(expr, occurrence);
                 continue;
             }
-            let below = match (&expr.kind, place) {
-                (ExprKind::Vector(_), _) => place,
+            let below = match (&expr.kind, occurrence) {
+                (ExprKind::Vector(_), _) => occurrence,
                 (_, Occurrence::Term) if expr.summands().is_empty() => Occurrence::InLoop,
-                _ => place,
+                _ => occurrence,
             };
             open.extend(expr.operands().into_iter().map(|operand| (operand, below)));
         }
     }
 
     /// Finds the innermost parts that are not finite.
-    fn blame(&mut self, expr: &'m Expr, place: Occurrence) {
+    fn blame(&mut self, expr: &'m Expr, occurrence: Occurrence) {
         let mut open = vec![expr];
         while let Some(expr) = open.pop() {
             // A name is reported at its declaration.
@@ -167,7 +167,7 @@ impl<'a, 'm> Check<'a, 'm> {
                     .filter(|operand| !self.is_finite(operand)),
             );
             if open.len() == before {
-                let fatal = match place {
+                let fatal = match occurrence {
                     Occurrence::Term => true,
                     Occurrence::InLoop => self.value(expr).iter().any(|x| x.is_nan()),
                     Occurrence::Elsewhere => false,
@@ -182,13 +182,9 @@ impl<'a, 'm> Check<'a, 'm> {
     }
 
     fn value(&mut self, expr: &Expr) -> Vec<f64> {
-        let scale = translate::internal_per_unit(&self.algebra, &expr.ty);
-        let values = nominal::evaluated(
-            &mut self.algebra,
-            expr,
-            &self.nominal.parameters,
-            self.inputs,
-        );
+        let scale = translate::internal_per_unit(self.mechanism, &expr.ty);
+        let values =
+            nominal::evaluated(&mut self.names, expr, &self.nominal.parameters, self.inputs);
         // Zero has no sign for a reader.
         values
             .into_iter()

@@ -56,15 +56,15 @@ fn levels(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let (input_name, reference) = (&input.name, literal::float(input.reference));
     let count = literal::index(unit.survey.outputs.len());
     let levels = survey::levels(outline, unit);
-    let unknowns = unit.surveyed.iter().map(|own| {
-        let unknown = &unit.unknowns[own.unknown];
+    let unknowns = unit.surveyed.iter().map(|surveyed| {
+        let unknown = &unit.unknowns[surveyed.unknown];
         let name = &unknown.name;
-        let angle = own.angle;
+        let angle = surveyed.angle;
         let unit = match angle {
             true => "",
             false => &unknown.unit,
         };
-        let numbers = literal::index(own.numbers);
+        let numbers = literal::index(surveyed.numbers);
         quote!(#runtime::SurveyedUnknown { name: #name, unit: #unit, angle: #angle, numbers: #numbers })
     });
     let [mode_count, coupled_count] =

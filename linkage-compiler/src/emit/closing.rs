@@ -21,7 +21,7 @@ pub(super) fn finite(outline: &Outline, unit: &CompiledMechanism) -> TokenStream
     if needed.peek().is_none() {
         return quote!(::core::result::Result::Ok(()));
     }
-    let needed = needed.map(|&place| literal::index(place));
+    let needed = needed.map(|&index| literal::index(index));
     quote! {
         #runtime::finite(
             #title,

@@ -97,7 +97,7 @@ fn lookups(outline: &Outline) -> TokenStream {
 fn extend(outline: &Outline) -> TokenStream {
     let inputs: Vec<usize> = (0..outline.inputs.len()).collect();
     let groups: Vec<usize> = (0..outline.starts.len()).collect();
-    let own = inputs.iter().map(|&k| {
+    let values = inputs.iter().map(|&k| {
         let k = literal::index(k);
         quote!(__x[#k])
     });
@@ -105,7 +105,7 @@ fn extend(outline: &Outline) -> TokenStream {
     let runtime = &outline.runtime;
     let fused = quote!({ #runtime::FUSED });
     let (looked_up, states) = look_up(outline, &inputs, &groups, &starts, &fused);
-    quote!(#looked_up [#(#own,)* #(#states),*])
+    quote!(#looked_up [#(#values,)* #(#states),*])
 }
 
 /// The programs of all groups as functions of the plumbing's arguments.

@@ -74,16 +74,16 @@ pub(super) fn in_unit(unit: &str) -> String {
 }
 
 /// `` `phi`, in rad ``, `` `omega`, the speed of `phi`, in rad/s ``
-pub(super) fn argument(name: &str, place: usize, unit: &CompiledMechanism) -> String {
-    let Some(argument) = place.checked_sub(unit.inputs.len()) else {
-        return format!("`{name}`{}", in_unit(&unit.inputs[place].unit));
+pub(super) fn argument(name: &str, index: usize, unit: &CompiledMechanism) -> String {
+    let Some(argument) = index.checked_sub(unit.inputs.len()) else {
+        return format!("`{name}`{}", in_unit(&unit.inputs[index].unit));
     };
-    let own = &unit.arguments[argument];
+    let argument = &unit.arguments[argument];
     let input = |input: usize| plain(&unit.inputs[input].name);
-    let role = match own.role {
+    let role = match argument.role {
         Role::Speed(of) => format!(", the speed of `{}`", input(of)),
         Role::Acceleration(of) => format!(", the acceleration of `{}`", input(of)),
         Role::Load => String::new(),
     };
-    format!("`{name}`{role}{}", in_unit(&own.unit))
+    format!("`{name}`{role}{}", in_unit(&argument.unit))
 }

@@ -9,6 +9,7 @@ use super::load::Places;
 use super::mechanism::{marker_field, marker_value};
 use super::outline::{Field, Function, Outline, plain};
 use super::spanned::type_at;
+use super::stages::Version;
 use super::{assembly_data, attribute, coupled, debug, literal, result_module, stages};
 
 /// The result type.
@@ -85,12 +86,12 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
     let must_use = (!attribute::has(function.attributes, "must_use")).then(|| quote!(#[must_use]));
     let inline = (!attribute::has(function.attributes, "inline")).then(|| quote!(#[inline]));
     let result = result_module::result(outline, function);
-    let own = match function.states.is_empty() {
+    let inputs = match function.states.is_empty() {
         true => quote!([#(#arguments),*]),
         false => coupled::with_states(outline, function),
     };
     let core = assembly_data::core(outline, &quote!(self));
-    let body = outline.body(value(outline, function, &own, &core, Version::Called));
+    let body = outline.body(value(outline, function, &inputs, &core, Version::Called));
     let count = literal::index(arguments.len());
     let call = outline.body(match function.chooses {
         true => quote!(#runtime::single(self, [#(#arguments),*])),
@@ -150,28 +151,6 @@ pub(super) fn value(
     quote! {
         let __x = #arguments;
         #result::__from_row(#row)
-    }
-}
-
-/// The programs that a function can have.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Version {
-    /// The one of calls.
-    Called,
-    /// The one for dimensions, derivatives or digits that tables do not know.
-    Beside,
-    /// The one at the position of a follower, whose states are solutions.
-    Settled,
-}
-
-impl Version {
-    /// The part that the version has in names of items.
-    pub(super) fn word(self) -> &'static str {
-        match self {
-            Self::Called => "",
-            Self::Beside => "_beside",
-            Self::Settled => "_settled",
-        }
     }
 }
 

@@ -11,9 +11,9 @@ use crate::model::METHODS_OF_FOLLOWER;
 
 use super::array_types::Types;
 use super::docs::doc;
-use super::evaluator::Version;
 use super::load::Places;
 use super::outline::{Outline, plain};
+use super::stages::Version;
 use super::{assembly_data, attribute, literal, stages};
 use functions::{method, single_of};
 
@@ -26,8 +26,8 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
     }
     let mut items = shared(outline);
     items.extend(single(outline, unit));
-    for (function, own) in outline.functions.iter().zip(&unit.functions) {
-        let version = match &own.settled {
+    for (function, compiled) in outline.functions.iter().zip(&unit.functions) {
+        let version = match &compiled.settled {
             Some(settled) => {
                 items.extend(stages::items(outline, function, settled, Version::Settled));
                 Version::Settled

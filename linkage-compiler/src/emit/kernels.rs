@@ -6,9 +6,9 @@ use linkage_symbolic::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::evaluator::Version;
 use super::outline::{Function, Outline};
 use super::slots::Slots;
+use super::stages::Version;
 use super::{attribute, literal, stages};
 
 /// The runtime's `SetStages` for the program `stages` of a function; nothing for a function without
@@ -30,7 +30,7 @@ pub(super) fn items(
     } = outline;
     let everywhere = &attribute::split(function.attributes).everywhere;
     let marker = stages::name(outline, function, version);
-    let slots = Slots::of(stages, prepare);
+    let slots = Slots::for_stages(stages, prepare);
     let prepare = (slots.count() > 0).then(|| {
         let prepare = slots.prepare(outline);
         quote! {

@@ -97,9 +97,9 @@ pub(super) fn loader<'a>(
     outline: &'a Outline,
     places: &'a Places,
 ) -> impl Fn(Source) -> TokenStream + 'a {
-    loader_by(outline, places, |place| {
-        let place = literal::index(place);
-        quote!(__x[#place])
+    loader_by(outline, places, |position| {
+        let position = literal::index(position);
+        quote!(__x[#position])
     })
 }
 

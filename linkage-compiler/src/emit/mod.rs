@@ -52,8 +52,8 @@ use quote::quote;
 
 pub(crate) use self::skeleton::skeleton;
 
-use self::evaluator::Version;
 use self::outline::{Function, Outline};
+use self::stages::Version;
 use crate::ir::{self, CompiledMechanism};
 use crate::syntax::MechanismDef;
 
@@ -87,8 +87,8 @@ pub(crate) fn emit(
     assembled.extend(range_check::items(&outline, unit));
     assembled.extend(dimension_path::items(&outline, unit));
     assembled.extend(follower::items(&outline, unit));
-    for (function, own) in outline.functions.iter().zip(&unit.functions) {
-        assembled.extend(self::function(&outline, function, own, &unit.prepare));
+    for (function, compiled) in outline.functions.iter().zip(&unit.functions) {
+        assembled.extend(self::function(&outline, function, compiled, &unit.prepare));
     }
     match outline.starts.is_empty() {
         true => items.extend(assembled),
@@ -105,7 +105,7 @@ pub(crate) fn emit(
 fn function(
     outline: &Outline,
     function: &Function,
-    own: &ir::Function,
+    compiled: &ir::Function,
     prepare: &Program,
 ) -> TokenStream {
     let mut types = evaluator::result(outline, function);
@@ -114,17 +114,17 @@ fn function(
     let mut items = result_module::with_imports(outline, function, &types, &columns);
     items.extend(evaluator::method(outline, function));
     let versions = [
-        (Some(&own.called), Version::Called),
-        (own.beside.as_ref(), Version::Beside),
+        (Some(&compiled.called), Version::Called),
+        (compiled.beside.as_ref(), Version::Beside),
     ];
     for (body, version) in versions {
         items.extend(body.map(|body| stages::items(outline, function, body, version)));
     }
     items.extend(sweeps::items(outline, function));
-    items.extend(table::items(outline, function, &own.columns));
-    let of_sets = match &own.beside {
+    items.extend(table::items(outline, function, &compiled.columns));
+    let of_sets = match &compiled.beside {
         Some(beside) => (&beside.stages[..], Version::Beside),
-        None => (&own.called.stages[..], Version::Called),
+        None => (&compiled.called.stages[..], Version::Called),
     };
     items.extend(kernels::items(outline, function, of_sets, prepare));
     items

@@ -120,7 +120,7 @@ impl<'a> Outline<'a> {
             reference: input.reference,
             range: input.range,
         });
-        let own: Vec<&ParamItem> = params(def).collect();
+        let declared: Vec<&ParamItem> = params(def).collect();
         let parameters = unit.parameters.iter().enumerate();
         let functions = def.functions.iter().zip(&unit.functions);
         let starts = unit.coupled.iter().map(|group| PreparedGroup {
@@ -131,7 +131,9 @@ impl<'a> Outline<'a> {
         });
         Self {
             parameters: parameters
-                .map(|(index, parameter)| complete_parameter(own.get(index).copied(), parameter))
+                .map(|(index, parameter)| {
+                    complete_parameter(declared.get(index).copied(), parameter)
+                })
                 .collect(),
             functions: functions
                 .map(|(def, function)| complete_function(def, function, unit))
@@ -307,31 +309,37 @@ pub(super) fn of_part<'a>(name: &str, documentation: &str) -> (Ident, Cow<'a, [A
 
 fn complete_function<'a>(
     def: &'a FunctionDef,
-    own: &ir::Function,
+    compiled: &ir::Function,
     unit: &CompiledMechanism,
 ) -> Function<'a> {
-    let quantities = def.quantities.iter().zip(&own.fields);
+    let quantities = def.quantities.iter().zip(&compiled.fields);
     let fields = quantities
-        .map(|(quantity, own)| field(quantity, own.shape.clone(), own.description()))
+        .map(|(quantity, compiled_field)| {
+            field(
+                quantity,
+                compiled_field.shape.clone(),
+                compiled_field.description(),
+            )
+        })
         .collect();
-    let arguments = def.inputs.iter().zip(&own.arguments);
+    let arguments = def.inputs.iter().zip(&compiled.arguments);
     let arguments: Vec<String> = arguments
-        .map(|(name, place)| docs::argument(&plain(name), *place, unit))
+        .map(|(name, position)| docs::argument(&plain(name), *position, unit))
         .collect();
     let mut notes = String::new();
     if !arguments.is_empty() {
         notes = format!("Takes {}.\n\n", arguments.join("; "));
     }
-    let count = count::words(&own.called.count);
+    let count = count::words(&compiled.called.count);
     notes.push_str("A quantity that depends on something which cannot be assembled is NaN.\n\n");
-    let direction = own.direction_note();
+    let direction = compiled.direction_note();
     notes.push_str(&format!("Operations: {count}.{direction}"));
     Function {
         notes,
-        positions: own.arguments.clone(),
-        states: own.states.clone(),
-        beside: own.beside.is_some(),
-        chooses: own.called.is_worth_a_call(),
+        positions: compiled.arguments.clone(),
+        states: compiled.states.clone(),
+        beside: compiled.beside.is_some(),
+        chooses: compiled.called.is_worth_a_call(),
         ..function(def, fields)
     }
 }

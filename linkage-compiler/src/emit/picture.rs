@@ -111,7 +111,7 @@ fn literal(outline: &Outline, picture: &Picture) -> TokenStream {
     let parts = picture.parts.iter().map(|part| {
         let name = &part.name;
         let [points, links, guides] = [&part.points, &part.links, &part.guides].map(|all| {
-            let all = all.iter().map(|&own| literal::index(own));
+            let all = all.iter().map(|&index| literal::index(index));
             quote!(&[#(#all),*])
         });
         quote!(#runtime::PicturePart { name: #name, points: #points, links: #links, guides: #guides })

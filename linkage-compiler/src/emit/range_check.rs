@@ -37,7 +37,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         }
     };
     let core = &outline.core;
-    let own = assembly_data::core(outline, &quote!(self));
+    let fields = assembly_data::core(outline, &quote!(self));
     method(
         outline,
         quote! {
@@ -52,7 +52,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
                 },
                 &|__x| ::core::convert::From::from(self.__survey::<{ #runtime::FUSED }>(#inputs)),
                 &|__x| {
-                    let #core { __mechanism: __m, __modes, __prepared, .. } = #own;
+                    let #core { __mechanism: __m, __modes, __prepared, .. } = #fields;
                     ::core::convert::From::from(Self::__gaps::<{ #runtime::FUSED }>(__m, __modes, __prepared, #x))
                 },
             )
@@ -73,7 +73,10 @@ fn method(outline: &Outline, body: TokenStream) -> TokenStream {
         functions,
         ..
     } = outline;
-    if functions.iter().any(|own| plain(own.name) == "check_range") {
+    if functions
+        .iter()
+        .any(|function| plain(function.name) == "check_range")
+    {
         return TokenStream::new();
     }
     let (allow, body) = (attribute::allow(), outline.body(body));

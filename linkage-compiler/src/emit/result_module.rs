@@ -19,8 +19,8 @@ use super::outline::{Function, Outline};
 
 /// The module of a function's types.
 fn module(outline: &Outline, function: &Function) -> Option<Ident> {
-    let own = attribute::split(function.attributes).result.is_empty();
-    own.then(|| format_ident!("__{}_{}", outline.name, function.name))
+    let has_module = attribute::split(function.attributes).result.is_empty();
+    has_module.then(|| format_ident!("__{}_{}", outline.name, function.name))
 }
 
 /// The result type of a function, for items outside of its module.
@@ -62,7 +62,7 @@ pub(super) fn with_imports(
         name.set_span(word);
         let mut module = module.clone();
         module.set_span(word);
-        let visibility = at(function.visibility, word);
+        let visibility = with_span(function.visibility, word);
         let import = quote_spanned!(word=> #visibility use #module::#name;);
         quote! {
             #(#everywhere)*
@@ -90,7 +90,7 @@ pub(super) fn with_imports(
 
 /// The visibility of a type of a function, at the word of the user.
 pub(super) fn visibility(outline: &Outline, function: &Function) -> TokenStream {
-    let visibility = at(function.visibility, function.result.span());
+    let visibility = with_span(function.visibility, function.result.span());
     match module(outline, function) {
         Some(_) => from_below(visibility),
         None => visibility,
@@ -103,7 +103,7 @@ pub(super) fn private(outline: &Outline, function: &Function) -> TokenStream {
     module.map_or_else(TokenStream::new, |_| quote!(pub(super)))
 }
 
-fn at(tokens: &TokenStream, span: proc_macro2::Span) -> TokenStream {
+fn with_span(tokens: &TokenStream, span: proc_macro2::Span) -> TokenStream {
     let tokens = tokens.clone().into_iter().map(|mut token| {
         token.set_span(span);
         token

@@ -127,8 +127,11 @@ fn sketch<'a>(
 }
 
 /// The fields of parts, if they are known.
-fn parameters_of_parts<'a>(own: &[Parameter], mechanism: Option<&Mechanism>) -> Vec<Parameter<'a>> {
-    let all = mechanism.iter().flat_map(|own| &own.parameters);
+fn parameters_of_parts<'a>(
+    declared: &[Parameter],
+    mechanism: Option<&Mechanism>,
+) -> Vec<Parameter<'a>> {
+    let all = mechanism.iter().flat_map(|mechanism| &mechanism.parameters);
     let of_parts = all.filter(|parameter| parameter.name.contains('.'));
     let fields = of_parts.map(|parameter| {
         let (name, attributes) = outline::of_part(&parameter.name, &parameter.documentation);
@@ -141,7 +144,7 @@ fn parameters_of_parts<'a>(own: &[Parameter], mechanism: Option<&Mechanism>) -> 
         }
     });
     fields
-        .filter(|field| own.iter().all(|own| own.name != field.name))
+        .filter(|field| declared.iter().all(|declared| declared.name != field.name))
         .collect()
 }
 

@@ -23,12 +23,12 @@ const OTHERS: usize = 64;
 pub(super) struct Slots {
     used: Vec<usize>,
     /// Prepares them alone; `None` where that of all slots does it.
-    own: Option<Program>,
+    program: Option<Program>,
 }
 
 impl Slots {
     /// Those that stages load; `prepare` is the program of all.
-    pub(super) fn of(stages: &[Stage], prepare: &Program) -> Self {
+    pub(super) fn for_stages(stages: &[Stage], prepare: &Program) -> Self {
         let instructions = stages.iter().flat_map(|stage| &stage.program.instructions);
         let used = instructions.filter_map(|instruction| match instruction {
             Instruction::Load(Source::Prepared(slot)) => Some(*slot),
@@ -36,14 +36,14 @@ impl Slots {
         });
         let used: Vec<usize> = used.collect::<BTreeSet<usize>>().into_iter().collect();
         let others = prepare.outputs.len() - used.len();
-        let own = (others > OTHERS).then(|| {
+        let program = (others > OTHERS).then(|| {
             let program = Program {
                 instructions: prepare.instructions.clone(),
                 outputs: used.iter().map(|&slot| prepare.outputs[slot]).collect(),
             };
             program.without_unused()
         });
-        Self { used, own }
+        Self { used, program }
     }
 
     pub(super) fn count(&self) -> usize {
@@ -53,12 +53,12 @@ impl Slots {
     /// Stores them in the row `__slots` for its `__mechanism`, by `__modes` and `__turns`.
     pub(super) fn prepare(&self, outline: &Outline) -> TokenStream {
         let assembly = &outline.assembly;
-        let stores = self.used.iter().enumerate().map(|(place, &slot)| {
-            let place = literal::index(place);
+        let stores = self.used.iter().enumerate().map(|(index, &slot)| {
+            let index = literal::index(index);
             let value = entry("__value", slot);
-            quote!(__slots.put(#place, #value);)
+            quote!(__slots.put(#index, #value);)
         });
-        let values = match &self.own {
+        let values = match &self.program {
             Some(program) => {
                 let values = self.used.iter().map(|&slot| entry("__value", slot));
                 let places = Places::all(outline);
@@ -70,7 +70,7 @@ impl Slots {
                 }
             }
             None => {
-                let values = (0..outline.prepared).map(|slot| match self.place(slot) {
+                let values = (0..outline.prepared).map(|slot| match self.index_of(slot) {
                     Some(_) => entry("__value", slot).into_token_stream(),
                     None => quote!(_),
                 });
@@ -84,20 +84,20 @@ impl Slots {
 
     /// All slots of the row `__slots`; unused slots are zero.
     pub(super) fn all(&self, outline: &Outline) -> TokenStream {
-        let stored = |place: usize| {
-            let place = literal::index(place);
-            quote!(__slots.number(#place))
+        let stored = |index: usize| {
+            let index = literal::index(index);
+            quote!(__slots.number(#index))
         };
-        if self.own.is_none() {
-            let all = (0..outline.prepared).map(|slot| match self.place(slot) {
-                Some(place) => stored(place),
+        if self.program.is_none() {
+            let all = (0..outline.prepared).map(|slot| match self.index_of(slot) {
+                Some(index) => stored(index),
                 None => quote!(__zero),
             });
             return quote!([#(#all),*]);
         }
         let count = literal::index(outline.prepared);
-        let used = self.used.iter().enumerate().map(|(place, &slot)| {
-            let (slot, stored) = (literal::index(slot), stored(place));
+        let used = self.used.iter().enumerate().map(|(index, &slot)| {
+            let (slot, stored) = (literal::index(slot), stored(index));
             quote!(__prepared[#slot] = #stored;)
         });
         quote! {{
@@ -108,7 +108,7 @@ impl Slots {
     }
 
     /// The index of a slot among those that are used.
-    fn place(&self, slot: usize) -> Option<usize> {
+    fn index_of(&self, slot: usize) -> Option<usize> {
         self.used.binary_search(&slot).ok()
     }
 }

@@ -7,11 +7,32 @@ use quote::{ToTokens, format_ident, quote};
 
 use super::array_fields::entry;
 use super::body::{self, Runs};
-use super::evaluator::Version;
 use super::load::{CARRIED, INPUT, Places, loader_by};
 use super::outline::{Function, Outline};
 use super::{attribute, literal};
 use crate::ir::Body;
+
+/// The programs that a function can have.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Version {
+    /// The one of calls.
+    Called,
+    /// The one for dimensions, derivatives or digits that tables do not know.
+    Beside,
+    /// The one at the position of a follower, whose states are solutions.
+    Settled,
+}
+
+impl Version {
+    /// The part that the version has in names of items.
+    pub(super) fn word(self) -> &'static str {
+        match self {
+            Self::Called => "",
+            Self::Beside => "_beside",
+            Self::Settled => "_settled",
+        }
+    }
+}
 
 /// The type that stands for a program of a function.
 pub(super) fn name(outline: &Outline, function: &Function, version: Version) -> Ident {
@@ -96,23 +117,23 @@ impl Staged<'_> {
         } = stage;
         let everywhere = &attribute::split(function.attributes).everywhere;
         let places = Places::of_function(outline, function);
-        let input = |place| entry(INPUT, place).into_token_stream();
+        let input = |index| entry(INPUT, index).into_token_stream();
         let load = loader_by(outline, &places, input);
         let statements = body::statements(program, *runs, &load);
-        let read = places.read(program).into_iter().map(|place| {
-            let (name, place) = (entry(INPUT, place), literal::index(place));
-            quote!(let #name = __row.number(#place);)
+        let read = places.read(program).into_iter().map(|index| {
+            let (name, index) = (entry(INPUT, index), literal::index(index));
+            quote!(let #name = __row.number(#index);)
         });
-        let take = taken.iter().enumerate().map(|(index, &place)| {
-            let (name, place) = (entry(CARRIED, index), literal::index(place));
-            quote!(let #name = __row.kept(#place);)
+        let take = taken.iter().enumerate().map(|(value, &index)| {
+            let (name, index) = (entry(CARRIED, value), literal::index(index));
+            quote!(let #name = __row.kept(#index);)
         });
         let (next, finished) = program.outputs.split_at(kept.len());
-        let put = |method: &str, values: &[Value], places: &[usize]| -> TokenStream {
+        let put = |method: &str, values: &[Value], indices: &[usize]| -> TokenStream {
             let method = format_ident!("{method}");
-            let puts = values.iter().zip(places).map(|(&value, &place)| {
-                let (value, place) = (body::name(value), literal::index(place));
-                quote!(__row.#method(#place, #value);)
+            let puts = values.iter().zip(indices).map(|(&value, &index)| {
+                let (value, index) = (body::name(value), literal::index(index));
+                quote!(__row.#method(#index, #value);)
             });
             puts.collect()
         };

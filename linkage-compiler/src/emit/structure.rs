@@ -12,11 +12,11 @@ use crate::ir::{CompiledMechanism, Group};
 pub(super) fn literal(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let runtime = &outline.runtime;
     let mobility = literal::index(unit.mobility);
-    let groups = unit.groups.iter().map(|own| group(outline, own));
+    let groups = unit.groups.iter().map(|solved| group(outline, solved));
     let functions = outline.functions.iter().zip(&unit.functions);
-    let functions = functions.map(|(function, own)| {
+    let functions = functions.map(|(function, compiled)| {
         let name = plain(function.name);
-        let operations = count::literal(&outline.runtime, &own.called.count);
+        let operations = count::literal(&outline.runtime, &compiled.called.count);
         quote!(#runtime::FunctionInfo { name: #name, operations: #operations })
     });
     let prepare = count::literal(&outline.runtime, &Count::of_program(&unit.prepare));

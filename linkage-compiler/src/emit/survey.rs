@@ -37,7 +37,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
             quote!(Self::__extend(#starts, __x))
         }
     };
-    let own = assembly_data::core(outline, &quote!(self));
+    let fields = assembly_data::core(outline, &quote!(self));
     let surveyor = surveyor(outline, unit);
     // For `circuits()`, of mechanisms with one input.
     let without_starts = (unit.inputs.len() == 1).then(|| without_starts(outline));
@@ -49,7 +49,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
                 /// The smallest margin, the slack of every group, and where every unknown is.
                 fn __survey<const __FUSED: ::core::primitive::bool>(&self, __x: #inputs) -> [T; #count] {
                     let __x: #arguments = #x;
-                    let #core { __mechanism: __m, __modes, __prepared, .. } = #own;
+                    let #core { __mechanism: __m, __modes, __prepared, .. } = #fields;
                     #statements
                     #outputs
                 }
@@ -69,13 +69,13 @@ fn without_starts(outline: &Outline) -> TokenStream {
         ..
     } = outline;
     let float = quote!(::core::primitive::f64);
-    let own = assembly_data::core(outline, &quote!(__of));
+    let fields = assembly_data::core(outline, &quote!(__of));
     let starts = (!outline.starts.is_empty())
         .then(|| quote!(let __starts = Self::__starts(&#runtime::nothing(T::LANES));));
     let made = assembly_data::made(outline);
     quote! {
         fn __without_starts(__of: &#assembly<#float>) -> Self {
-            let #core { __mechanism, __modes, __turns, .. } = #own;
+            let #core { __mechanism, __modes, __turns, .. } = #fields;
             let (__m, __modes, __turns) = (&__mechanism.cast::<T>(), *__modes, __turns.cast::<T>());
             let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
             #starts

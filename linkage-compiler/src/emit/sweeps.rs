@@ -9,10 +9,10 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::docs::doc;
-use super::evaluator::Version;
 use super::load::Places;
 use super::outline::{Function, Outline, plain};
 use super::shape::field_scalars;
+use super::stages::Version;
 use super::{assembly_data, attribute, coupled, literal, result_module, stages};
 use crate::model::Sweep;
 use crate::syntax::Word;

@@ -18,7 +18,7 @@ pub(super) fn items(outline: &Outline, function: &Function, columns: &[Column]) 
     let arguments = function.arguments.iter().map(|argument| plain(argument));
     let first = columns
         .iter()
-        .position(|own| own.meaning == Meaning::Picture);
+        .position(|column| column.meaning == Meaning::Picture);
     let picture = first.map(|first| {
         let (first, mechanism) = (literal::index(first), outline.name);
         quote! {
@@ -26,7 +26,9 @@ pub(super) fn items(outline: &Outline, function: &Function, columns: &[Column]) 
         }
     });
     let picture = optional(picture);
-    let columns = columns.iter().map(|own| column(outline, own));
+    let columns = columns
+        .iter()
+        .map(|description| column(outline, description));
     let heading = outline.body(quote! {
         const __HEADING: &#runtime::Heading = &#runtime::Heading {
             function: #name,
@@ -61,17 +63,18 @@ fn column(outline: &Outline, column: &Column) -> TokenStream {
         unit,
         meaning,
     } = column;
-    let place = |of: Option<usize>| optional(of.map(literal::index).map(|index| quote!(#index)));
+    let optional_index =
+        |of: Option<usize>| optional(of.map(literal::index).map(|index| quote!(#index)));
     let meaning = match *meaning {
         Meaning::Value => quote!(Value),
         Meaning::Margin => quote!(Margin),
         Meaning::Picture => quote!(Picture),
         Meaning::Rate { order, of } => {
-            let of = place(of);
+            let of = optional_index(of);
             quote!(Rate { order: #order, of: #of })
         }
         Meaning::Sensitivity { parameter, of } => {
-            let (parameter, of) = (literal::index(parameter), place(of));
+            let (parameter, of) = (literal::index(parameter), optional_index(of));
             quote!(Sensitivity { parameter: #parameter, of: #of })
         }
     };

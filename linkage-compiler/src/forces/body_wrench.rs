@@ -2,27 +2,35 @@
 
 use linkage_symbolic::{Ex, Vn};
 
-use crate::forces::context::Mechanics;
+use crate::algebra::Algebra;
+use crate::forces::context::Memo;
+use crate::forces::multibody::Multibody;
+use crate::forces::speeds::{AngularVelocities, Speeds};
 use crate::forces::wrench::Wrench;
-use crate::forces::{context, loads, masses, motion};
+use crate::forces::{loads, masses, motion};
 use crate::model::Rotation;
 
 /// The loads on a body alone.
-pub(super) fn own_wrench<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Wrench<'m> {
-    let loads = loads::loads(mechanics);
+pub(super) fn own_wrench<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    memo: &mut Memo<'m>,
+    speeds: &Speeds,
+    body: usize,
+) -> Wrench<'m> {
+    let loads = loads::loads(algebra, bodies, memo, speeds);
     let body_loads = &loads.bodies[body];
-    let mut sum = context::zero_wrench(mechanics);
+    let mut sum = Wrench::zero(algebra.graph, &bodies.geometry);
     for load in &body_loads.forces {
-        let arm = mechanics.arm(body, load.point);
+        let arm = bodies.arm(body, load.point);
         let force = Wrench {
             force: load.force,
-            ..context::zero_wrench(mechanics)
+            ..Wrench::zero(algebra.graph, &bodies.geometry)
         };
         sum = sum
-            + match load
-                .mass
-                .and_then(|mass| moment_of_mass(mechanics, body, mass, arm))
-            {
+            + match load.mass.and_then(|mass| {
+                moment_of_mass(algebra, bodies, &mut memo.turns, speeds, body, mass, arm)
+            }) {
                 Some(moment) => Wrench { moment, ..force },
                 None => force.with_arm(arm),
             };
@@ -36,25 +44,30 @@ pub(super) fn own_wrench<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> 
 /// The moment of a mass, its inertia and weight, about its body's own joint, if that is a pin of
 /// the plane on the frame. A body that turns at a constant speed has only the moment of its weight.
 pub(super) fn moment_of_mass<'m>(
-    mechanics: &mut Mechanics<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    speeds: &Speeds,
     body: usize,
     mass: Ex<'m>,
     arm: Vn<'m>,
 ) -> Option<Vn<'m>> {
-    let mechanism = mechanics.algebra.mechanism;
+    let mechanism = algebra.mechanism;
     let joint = &mechanism.joints[mechanism.bodies[body].joint];
-    let origin = mechanics.forces.geometry.origins[body];
+    let origin = bodies.geometry.origins[body];
     let rests = joint.on.is_none() && origin.iter().all(|x| x.is_fixed());
     let is_pin = joint.kind.rotation() == Rotation::AboutAxis && !joint.kind.slides();
-    if !mechanics.forces.geometry.is_plane() || !is_pin || !rests {
+    if !bodies.geometry.is_plane() || !is_pin || !rests {
         return None;
     }
-    let gain = motion::angular_acceleration(mechanics, body);
+    let gain = motion::angular_acceleration(algebra, bodies, turns, speeds, body);
     let square = arm.square();
     if !gain.is_zero() && !square.is_fixed() {
         return None;
     }
-    let weight = masses::gravity(mechanics.algebra).map(|gravity| mass * gravity);
-    let weighs = weight.map_or(mechanics.zero_turn(), |weight| arm.moment_of(weight));
+    let weight = masses::gravity(algebra).map(|gravity| mass * gravity);
+    let weighs = weight.map_or(bodies.geometry.zero_turn(algebra.graph), |weight| {
+        arm.moment_of(weight)
+    });
     Some(weighs - (mass * square) * gain)
 }

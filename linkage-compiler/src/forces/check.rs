@@ -2,7 +2,8 @@
 
 use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::Reporter;
-use crate::forces::context::{Forces, Mechanics};
+use crate::forces::context::Forces;
+use crate::forces::multibody::Multibody;
 use crate::forces::positions::Positions;
 use crate::forces::system::{Equation, LARGEST_BLOCK, System};
 use crate::forces::{assemble, ends, fit, loop_matches, names, rank, steady};
@@ -23,37 +24,45 @@ pub(crate) fn check<'m>(
         return;
     }
     let positions = Positions::new(mechanism, reference, nominal);
-    let mut mechanics = forces.in_function(algebra, &[], false);
+    let Forces { bodies, memo } = forces;
     let before = reporter.errors();
-    fit::check_fit(&mut mechanics, &positions, reporter);
-    ends::check_lengths(&mut mechanics, &positions, reporter);
-    steady::record_steady_motion(&mut mechanics, &positions);
+    fit::check_fit(algebra, bodies, &mut memo.turns, &positions, reporter);
+    ends::check_lengths(algebra, &positions, reporter);
+    bodies.facts = steady::steady_motion(algebra, bodies, &mut memo.turns, &positions);
     let mut functions = mechanism.evaluators.iter();
     if reporter.errors() == before && functions.any(EvaluatorDef::asks_for_reactions) {
-        loop_matches::find_links(&mut mechanics, &positions, nominal);
-        check_system(&mut mechanics, &positions, reporter);
-        let system = assemble::system(&mut mechanics);
-        loop_matches::find_determinants(&mut mechanics, &system, &positions, nominal);
+        bodies.loop_values.arms = loop_matches::link_arms(algebra, bodies, &positions, nominal);
+        let system = assemble::system(algebra, bodies, memo);
+        check_system(mechanism, bodies, &system, &positions, reporter);
+        bodies.loop_values.determinants =
+            loop_matches::loop_determinants(algebra, &system, &positions, nominal);
     }
 }
 
 /// Are there as many reactions as motions to be held, and is each in its place?
-fn check_system(mechanics: &mut Mechanics<'_, '_>, positions: &Positions, reporter: &mut Reporter) {
-    let mechanism = mechanics.algebra.mechanism;
-    let system = assemble::system(mechanics);
+fn check_system(
+    mechanism: &Mechanism,
+    bodies: &Multibody,
+    system: &System,
+    positions: &Positions,
+    reporter: &mut Reporter,
+) {
     let before = reporter.errors();
-    report_still(mechanics, &system, reporter);
-    report_loose(mechanism, &system, reporter);
-    report_untold(mechanism, &system, reporter);
+    report_still(mechanism, &bodies.facts.still, system, reporter);
+    report_loose(mechanism, system, reporter);
+    report_untold(mechanism, system, reporter);
     if reporter.errors() == before {
-        report_blocks(mechanism, &system, positions, reporter);
+        report_blocks(mechanism, system, positions, reporter);
     }
 }
 
 /// Drives that drive nothing.
-fn report_still(mechanics: &Mechanics<'_, '_>, system: &System, reporter: &mut Reporter) {
-    let mechanism = mechanics.algebra.mechanism;
-    let still = &mechanics.forces.still;
+fn report_still(
+    mechanism: &Mechanism,
+    still: &[(usize, bool)],
+    system: &System,
+    reporter: &mut Reporter,
+) {
     let driven = system.driven.iter();
     for way in driven.filter(|way| still.contains(&(way.body, way.slides))) {
         let body = &mechanism.bodies[way.body];

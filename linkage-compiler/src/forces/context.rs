@@ -1,38 +1,37 @@
-//! The mechanics of a mechanism, and the context in which one question about it is answered.
+//! The bodies with the results that are known already, and the question of a function.
 
 use std::rc::Rc;
 
+use linkage_symbolic::Ex;
 use linkage_symbolic::lookup::Map;
-use linkage_symbolic::{Ex, Graph, Vn};
 
 use crate::algebra::Algebra;
 use crate::forces::body_loads::Loads;
-use crate::forces::geometry::Geometry;
-use crate::forces::loop_values::LoopValues;
-use crate::forces::speeds::{Motion, Speeds};
+use crate::forces::multibody::Multibody;
+use crate::forces::speeds::{AngularVelocities, Speeds};
 use crate::forces::system::System;
-use crate::forces::tree::Tree;
 use crate::forces::wrench::{Carried, Wrench};
+use crate::model::Mechanism;
 
-/// All that is known of the mechanics, made when it is asked for; the default for functions that
-/// ask for nothing of it.
+/// The bodies, and the results that were computed for functions. The default is for functions that
+/// ask for none.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Forces<'m> {
-    pub(super) tree: Tree,
-    pub(super) geometry: Geometry<'m>,
-    pub(super) motion: Motion<'m>,
-    /// Ways of bodies (which, and whether they slide) whose rates by the inputs are the same at all
-    /// positions.
-    pub(super) steady: Vec<(usize, bool)>,
-    /// Ways of pins, slides and cylinders in which nothing moves.
-    pub(super) still: Vec<(usize, bool)>,
-    /// Bodies that turn with a vector whose length does not change.
-    pub(super) rigid_rods: Vec<usize>,
-    pub(super) loop_values: LoopValues<'m>,
+    pub(super) bodies: Multibody<'m>,
+    pub(super) memo: Memo<'m>,
+}
+
+/// Results that were computed already.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Memo<'m> {
+    pub(super) turns: AngularVelocities<'m>,
     pub(super) system: Option<Rc<System<'m>>>,
     /// The forces for each set of speeds and accelerations that functions list.
-    pub(super) cases: Map<Speeds, Case<'m>>,
+    pub(super) cases: Cases<'m>,
 }
+
+/// The forces for each set of speeds and accelerations.
+pub(super) type Cases<'m> = Map<Speeds, Case<'m>>;
 
 /// The forces at some speeds.
 #[derive(Clone, Debug)]
@@ -43,84 +42,34 @@ pub(super) struct Case<'m> {
     pub(super) solved: Map<usize, Ex<'m>>,
 }
 
-/// The mechanics of one mechanism together with its algebra, for the time of one question.
-pub(crate) struct Mechanics<'a, 'm> {
-    pub(super) algebra: &'a mut Algebra<'m>,
-    pub(super) forces: &'a mut Forces<'m>,
+/// The speeds that a function lists, and the reactions that it asks for.
+pub(crate) struct Question {
     pub(super) speeds: Speeds,
-    /// True if reactions are asked for.
+    /// True if reactions are asked for: then drives are found from the joints, too.
     pub(super) with_reactions: bool,
 }
 
 impl<'m> Forces<'m> {
     /// Nothing is computed yet but the geometry.
     pub(crate) fn new(algebra: &mut Algebra<'m>) -> Self {
-        let tree = Tree::new(algebra.mechanism);
-        let geometry = Geometry::new(algebra, &tree);
         Self {
-            tree,
-            geometry,
-            motion: Motion::default(),
-            steady: Vec::new(),
-            still: Vec::new(),
-            rigid_rods: Vec::new(),
-            loop_values: LoopValues::default(),
-            system: None,
-            cases: Map::new(),
+            bodies: Multibody::new(algebra),
+            memo: Memo::default(),
         }
     }
 
     /// Forgets all that was made of derivatives.
     pub(crate) fn forget_derivatives(&mut self) {
-        self.motion = Motion::default();
-        self.system = None;
-        self.cases = Map::new();
+        self.memo = Memo::default();
     }
+}
 
+impl Question {
     /// For a function that lists these inputs and arguments: speeds that it does not list are zero.
-    /// Drives are found from the joints if reactions are asked for, too.
-    pub(crate) fn in_function<'a>(
-        &'a mut self,
-        algebra: &'a mut Algebra<'m>,
-        listed: &[usize],
-        with_reactions: bool,
-    ) -> Mechanics<'a, 'm> {
-        let speeds = Speeds::listed(algebra.mechanism, listed);
-        Mechanics {
-            algebra,
-            forces: self,
-            speeds,
+    pub(crate) fn new(mechanism: &Mechanism, listed: &[usize], with_reactions: bool) -> Self {
+        Self {
+            speeds: Speeds::listed(mechanism, listed),
             with_reactions,
         }
-    }
-}
-
-impl<'m> Mechanics<'_, 'm> {
-    pub(super) fn graph(&self) -> &'m Graph {
-        self.algebra.graph
-    }
-
-    /// No force, no velocity.
-    pub(super) fn zero_vector(&self) -> Vn<'m> {
-        self.graph().zeros(self.forces.geometry.dimensions)
-    }
-
-    /// No moment, no angular velocity.
-    pub(super) fn zero_turn(&self) -> Vn<'m> {
-        self.graph().zeros(self.forces.geometry.turns())
-    }
-
-    /// The vector from a body's origin to a point.
-    pub(super) fn arm(&self, body: usize, point: Vn<'m>) -> Vn<'m> {
-        let known = self.forces.loop_values.arm(body, point);
-        known.unwrap_or_else(|| point - self.forces.geometry.origins[body])
-    }
-}
-
-/// Neither force nor moment.
-pub(super) fn zero_wrench<'m>(mechanics: &Mechanics<'_, 'm>) -> Wrench<'m> {
-    Wrench {
-        force: mechanics.zero_vector(),
-        moment: mechanics.zero_turn(),
     }
 }

@@ -1,14 +1,17 @@
 //! The motions that are driven, if their dependence does not determine it: as many equations are
 //! needed as there are unknowns.
 
-use crate::forces::context::Mechanics;
+use linkage_symbolic::Graph;
+
+use crate::forces::equations;
+use crate::forces::multibody::Multibody;
 use crate::forces::system::{Equation, System};
-use crate::forces::{equations, motion};
+use crate::model::Mechanism;
 
 /// A motion that the loops make steady may be driven, too: the length of a leg to a point that is
 /// an unknown. As long as motions lack a reaction, such ones are taken for driven.
-pub(super) fn drive_steady<'m>(mechanics: &mut Mechanics<'_, 'm>, system: &mut System<'m>) {
-    for (body, slides) in mechanics.forces.steady.clone() {
+pub(super) fn drive_steady<'m>(steady: &[(usize, bool)], system: &mut System<'m>) {
+    for (body, slides) in steady.iter().copied() {
         let is_this = |equation: &Equation| {
             let way = equation.motion();
             way.is_some_and(|way| (way.body, way.slides) == (body, slides))
@@ -34,13 +37,18 @@ pub(super) fn drive_steady<'m>(mechanics: &mut Mechanics<'_, 'm>, system: &mut S
 /// A motion that depends on inputs alone need not be driven: the block of a Scotch yoke turns
 /// against the crank by minus its angle, and the yoke's slot holds it. As long as a reaction lacks
 /// an equation, such motions are taken for held, those farthest from the frame first.
-pub(super) fn release_held<'m>(mechanics: &mut Mechanics<'_, 'm>, system: &mut System<'m>) {
+pub(super) fn release_held<'m>(
+    mechanism: &Mechanism,
+    graph: &'m Graph,
+    bodies: &Multibody<'m>,
+    system: &mut System<'m>,
+) {
     let mut candidates = system.driven.clone();
-    candidates.sort_by_key(|way| (mechanics.forces.tree.depth(way.body), way.body));
-    while system.lacks_equations() && system.driven.len() > motion::drives(mechanics) {
+    candidates.sort_by_key(|way| (bodies.tree.depth(way.body), way.body));
+    while system.lacks_equations() && system.driven.len() > mechanism.inputs.len() {
         let Some(way) = candidates.pop() else { return };
         let before = system.clone();
-        equations::add(mechanics, system, Equation::Motion(way));
+        equations::add(mechanism, graph, bodies, system, Equation::Motion(way));
         system.order();
         if system.found() > before.found() {
             system.driven.retain(|driven| *driven != way)

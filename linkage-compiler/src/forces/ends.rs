@@ -4,7 +4,6 @@ use linkage_symbolic::Vn;
 
 use crate::algebra::Algebra;
 use crate::diagnostic::Reporter;
-use crate::forces::context::Mechanics;
 use crate::forces::positions::Positions;
 use crate::forces::{geometry, names, positions};
 use crate::model::{Between, Element, ElementKind};
@@ -14,13 +13,9 @@ use crate::model::{Between, Element, ElementKind};
 const NOTHING: f64 = 1e-9;
 
 /// Reports the first spring or damper whose ends meet, so that its direction is undefined.
-pub(super) fn check_lengths(
-    mechanics: &mut Mechanics<'_, '_>,
-    positions: &Positions,
-    reporter: &mut Reporter,
-) {
-    let mechanism = mechanics.algebra.mechanism;
-    let spans = spans(mechanics.algebra);
+pub(super) fn check_lengths(algebra: &mut Algebra, positions: &Positions, reporter: &mut Reporter) {
+    let mechanism = algebra.mechanism;
+    let spans = spans(algebra);
     for position in positions.iter() {
         for &(element, between) in &spans {
             let length = positions::size(&positions::vector(position, between));

@@ -1,21 +1,24 @@
 //! The equations of the system: the coefficient of each unknown in each equation.
 
-use linkage_symbolic::Ex;
+use linkage_symbolic::{Ex, Graph};
 
-use crate::forces::context::Mechanics;
 use crate::forces::cut_joints;
 use crate::forces::joint_motion::JointMotion;
+use crate::forces::multibody::Multibody;
 use crate::forces::system::{Component, Equation, System, Unknown};
+use crate::model::Mechanism;
 
 /// Adds an equation, with a coefficient for each unknown.
 pub(super) fn add<'m>(
-    mechanics: &mut Mechanics<'_, 'm>,
+    mechanism: &Mechanism,
+    graph: &'m Graph,
+    bodies: &Multibody<'m>,
     system: &mut System<'m>,
     equation: Equation<'m>,
 ) {
     let unknowns = system.unknowns.iter();
     let row: Vec<Ex> = unknowns
-        .map(|unknown| coefficient(mechanics, &equation, unknown))
+        .map(|unknown| coefficient(mechanism, graph, bodies, &equation, unknown))
         .collect();
     let entries = (0..row.len()).filter(|&k| !row[k].is_zero());
     system.incidence.push(entries.collect());
@@ -25,11 +28,13 @@ pub(super) fn add<'m>(
 
 /// The coefficient of an unknown in an equation.
 pub(super) fn coefficient<'m>(
-    mechanics: &Mechanics<'_, 'm>,
+    mechanism: &Mechanism,
+    graph: &'m Graph,
+    bodies: &Multibody<'m>,
     equation: &Equation<'m>,
     unknown: &Unknown<'m>,
 ) -> Ex<'m> {
-    let zero = mechanics.algebra.zero();
+    let zero = graph.number(0.0);
     match (equation, unknown) {
         (Equation::Released(released), Unknown::Reaction(component)) => {
             if (released.joint, released.is_moment) == (component.joint, component.is_moment) {
@@ -39,8 +44,8 @@ pub(super) fn coefficient<'m>(
             }
         }
         (Equation::Motion(way), Unknown::Reaction(component)) => {
-            let work = work(mechanics, way, component);
-            match cut_joints::joins(mechanics, component.joint, way.body) {
+            let work = work(graph, bodies, way, component);
+            match cut_joints::joins(mechanism, &bodies.tree, component.joint, way.body) {
                 1 => work,
                 -1 => -work,
                 _ => zero,
@@ -50,11 +55,11 @@ pub(super) fn coefficient<'m>(
             way.direction.dot(*along)
         }
         (Equation::Motion(way), Unknown::Tie(tie)) if !way.slides => {
-            let tree = &mechanics.forces.tree;
+            let tree = &bodies.tree;
             let beyond = tie.couples.iter();
             let beyond = beyond.filter(|(body, _)| tree.hangs_on(Some(*body), way.body));
             let share = beyond.map(|(_, share)| share).sum();
-            mechanics.graph().number(share)
+            graph.number(share)
         }
         (Equation::Released(_) | Equation::Motion(_), Unknown::Spin { .. } | Unknown::Tie(_)) => {
             zero
@@ -64,15 +69,16 @@ pub(super) fn coefficient<'m>(
 
 /// The work of a reaction's component in a motion: `d . F`, `d . M`, `d . (r x F)`.
 pub(super) fn work<'m>(
-    mechanics: &Mechanics<'_, 'm>,
+    graph: &'m Graph,
+    bodies: &Multibody<'m>,
     way: &JointMotion<'m>,
     unknown: &Component<'m>,
 ) -> Ex<'m> {
     match (way.slides, unknown.is_moment) {
-        (true, true) => mechanics.algebra.zero(),
+        (true, true) => graph.number(0.0),
         (true, false) | (false, true) => way.direction.dot(unknown.direction),
         (false, false) => {
-            let arm = mechanics.arm(way.body, mechanics.forces.geometry.points[unknown.joint]);
+            let arm = bodies.arm(way.body, bodies.geometry.points[unknown.joint]);
             way.direction.dot(arm.moment_of(unknown.direction))
         }
     }

@@ -6,45 +6,65 @@
 
 use linkage_symbolic::{Ex, Vector, Vn};
 
-use crate::algebra::cofactors;
-use crate::forces::context::Mechanics;
+use crate::algebra::{Algebra, cofactors};
+use crate::forces::context::Memo;
+use crate::forces::multibody::Multibody;
+use crate::forces::speeds::Speeds;
 use crate::forces::system::{Axial, Equation, LARGEST_BLOCK, System, Unknown};
 use crate::forces::wrench::{Carried, Wrench};
-use crate::forces::{assemble, body_wrench, context, cut_joints, links, loads};
+use crate::forces::{assemble, body_wrench, cut_joints, links, loads};
+use crate::model::Mechanism;
 
 /// The part of a reaction that holds a link against its own loads: `-M perp(V) / V^2`, in space
 /// `(V x M) / V^2`.
-pub(super) fn across_link<'m>(mechanics: &mut Mechanics<'_, 'm>, axial: &Axial) -> Wrench<'m> {
+pub(super) fn across_link<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    memo: &mut Memo<'m>,
+    speeds: &Speeds,
+    axial: &Axial,
+) -> Wrench<'m> {
     // Without the reaction itself.
-    let loads = wrench(mechanics, axial.link, &[axial.joint], &[]);
-    let v = links::link_vector(mechanics, axial);
+    let loads = wrench(
+        algebra,
+        bodies,
+        memo,
+        speeds,
+        axial.link,
+        &[axial.joint],
+        &[],
+    );
+    let v = links::link_vector(bodies, axial);
     let square = v.square();
-    let across = if mechanics.forces.geometry.is_plane() {
+    let across = if bodies.geometry.is_plane() {
         loads.moment.at(0) * Vn::from(Vector([v.at(1), -v.at(0)]))
     } else {
         v.moment_of(loads.moment)
     };
     let force = across / square;
     Wrench {
-        force: if cut_joints::joins(mechanics, axial.joint, axial.link) < 0 {
+        force: if cut_joints::joins(algebra.mechanism, &bodies.tree, axial.joint, axial.link) < 0 {
             -force
         } else {
             force
         },
-        ..context::zero_wrench(mechanics)
+        ..Wrench::zero(algebra.graph, &bodies.geometry)
     }
 }
 
 /// The reaction of a cut joint on its body; unknowns in `open` count as 0.
 pub(super) fn closing_wrench<'m>(
-    mechanics: &mut Mechanics<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    memo: &mut Memo<'m>,
+    speeds: &Speeds,
     joint: usize,
     open: &[usize],
 ) -> Wrench<'m> {
-    let system = assemble::system(mechanics);
+    let system = assemble::system(algebra, bodies, memo);
     let mut sum = match system.axial.iter().find(|link| link.joint == joint) {
-        Some(axial) => across_link(mechanics, axial),
-        None => context::zero_wrench(mechanics),
+        Some(axial) => across_link(algebra, bodies, memo, speeds, axial),
+        None => Wrench::zero(algebra.graph, &bodies.geometry),
     };
     for (index, unknown) in system.unknowns.iter().enumerate() {
         let Unknown::Reaction(component) = unknown else {
@@ -53,7 +73,7 @@ pub(super) fn closing_wrench<'m>(
         if component.joint != joint || open.contains(&index) {
             continue;
         }
-        let part = solved(mechanics, index) * component.direction;
+        let part = solved(algebra, bodies, memo, speeds, index) * component.direction;
         if component.is_moment {
             sum.moment = sum.moment + part
         } else {
@@ -64,11 +84,20 @@ pub(super) fn closing_wrench<'m>(
 }
 
 /// The value of an unknown.
-pub(super) fn solved<'m>(mechanics: &mut Mechanics<'_, 'm>, unknown: usize) -> Ex<'m> {
-    if let Some(&known) = loads::case(mechanics).solved.get(&unknown) {
+pub(super) fn solved<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    memo: &mut Memo<'m>,
+    speeds: &Speeds,
+    unknown: usize,
+) -> Ex<'m> {
+    if let Some(&known) = loads::case(algebra, bodies, memo, speeds)
+        .solved
+        .get(&unknown)
+    {
         return known;
     }
-    let system = assemble::system(mechanics);
+    let system = assemble::system(algebra, bodies, memo);
     let equation = system.matching.equation_of[unknown];
     let block = system
         .blocks
@@ -76,30 +105,44 @@ pub(super) fn solved<'m>(mechanics: &mut Mechanics<'_, 'm>, unknown: usize) -> E
         .find(|block| equation.is_some_and(|e| block.contains(&e)));
     let Some(block) = block.filter(|block| block.len() <= LARGEST_BLOCK) else {
         // Reported by the check of bodies and joints.
-        return mechanics.graph().number(f64::NAN);
+        return algebra.graph.number(f64::NAN);
     };
     let found_here = system.unknowns_of(block);
     let right: Vec<Ex> = block
         .iter()
-        .map(|&equation| -known(mechanics, &system, equation, &found_here))
+        .map(|&equation| {
+            -known(
+                algebra,
+                bodies,
+                memo,
+                speeds,
+                &system,
+                equation,
+                &found_here,
+            )
+        })
         .collect();
     let matrix = system.matrix_of(block);
-    let known = mechanics.forces.loop_values.determinant(block);
-    let determinant =
-        known.unwrap_or_else(|| cofactors::determinant(mechanics.algebra.graph, &matrix));
-    let numerators = cofactors::cofactor_products(mechanics.algebra.graph, &matrix, &right);
+    let known = bodies.loop_values.determinant(block);
+    let determinant = known.unwrap_or_else(|| cofactors::determinant(algebra.graph, &matrix));
+    let numerators = cofactors::cofactor_products(algebra.graph, &matrix, &right);
     // The determinant is known long before the loads.
     let factor = 1.0 / determinant;
     for (&unknown, numerator) in found_here.iter().zip(numerators) {
         let value = numerator * factor;
-        loads::case(mechanics).solved.insert(unknown, value);
+        loads::case(algebra, bodies, memo, speeds)
+            .solved
+            .insert(unknown, value);
     }
-    loads::case(mechanics).solved[&unknown]
+    loads::case(algebra, bodies, memo, speeds).solved[&unknown]
 }
 
 /// The part of an equation that is known before its block is solved.
 pub(super) fn known<'m>(
-    mechanics: &mut Mechanics<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    memo: &mut Memo<'m>,
+    speeds: &Speeds,
     system: &System<'m>,
     equation: usize,
     block: &[usize],
@@ -109,92 +152,104 @@ pub(super) fn known<'m>(
     let open: Vec<usize> = (0..system.unknowns.len()).filter(is_open).collect();
     match &system.equations[equation] {
         Equation::Released(component) => {
-            let wrench = closing_wrench(mechanics, component.joint, &open);
+            let wrench = closing_wrench(algebra, bodies, memo, speeds, component.joint, &open);
             component.direction.dot(if component.is_moment {
                 wrench.moment
             } else {
                 wrench.force
             })
         }
-        Equation::Motion(way) => wrench(mechanics, way.body, &[], &open).along(way),
+        Equation::Motion(way) => {
+            wrench(algebra, bodies, memo, speeds, way.body, &[], &open).along(way)
+        }
     }
 }
 
 /// The wrench of a body and its descendants. Cut joints in `inside` join two of them and cancel;
 /// the unknowns in `open` count as 0.
 pub(super) fn wrench<'m>(
-    mechanics: &mut Mechanics<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    memo: &mut Memo<'m>,
+    speeds: &Speeds,
     body: usize,
     inside: &[usize],
     open: &[usize],
 ) -> Wrench<'m> {
-    let closing = mechanics.forces.tree.closing.iter().copied();
+    let closing = bodies.tree.closing.iter().copied();
     let (inside, crossing): (Vec<usize>, Vec<usize>) = closing
         .filter(|&joint| {
-            cut_joints::is_inside(mechanics, joint, body)
-                || cut_joints::joins(mechanics, joint, body) != 0
+            cut_joints::is_inside(algebra.mechanism, &bodies.tree, joint, body)
+                || cut_joints::joins(algebra.mechanism, &bodies.tree, joint, body) != 0
         })
         .partition(|&joint| {
-            cut_joints::is_inside(mechanics, joint, body) || inside.contains(&joint)
+            cut_joints::is_inside(algebra.mechanism, &bodies.tree, joint, body)
+                || inside.contains(&joint)
         });
-    let system = assemble::system(mechanics);
+    let system = assemble::system(algebra, bodies, memo);
     let touches = |unknown: &&usize| match &system.unknowns[**unknown] {
         Unknown::Reaction(component) => crossing.contains(&component.joint),
         Unknown::Spin { .. } => false,
         Unknown::Tie(tie) => {
-            let mut bodies = tie.couples.iter();
-            bodies.any(|(tied, _)| mechanics.forces.tree.hangs_on(Some(*tied), body))
+            let mut tied_bodies = tie.couples.iter();
+            tied_bodies.any(|(tied, _)| bodies.tree.hangs_on(Some(*tied), body))
         }
     };
     let open: Vec<usize> = open.iter().filter(touches).copied().collect();
     let carried = Carried { body, inside, open };
-    if let Some(&known) = loads::case(mechanics).wrenches.get(&carried) {
+    if let Some(&known) = loads::case(algebra, bodies, memo, speeds)
+        .wrenches
+        .get(&carried)
+    {
         return known;
     }
     let Carried { inside, open, .. } = &carried;
-    let mut sum = body_wrench::own_wrench(mechanics, body);
+    let mut sum = body_wrench::own_wrench(algebra, bodies, memo, speeds, body);
     for joint in crossing {
-        let sign = cut_joints::at_ends(mechanics, joint, body);
+        let sign = cut_joints::at_ends(algebra.mechanism, joint, body);
         if sign == 0 {
             continue;
         }
-        let reaction = closing_wrench(mechanics, joint, open);
+        let reaction = closing_wrench(algebra, bodies, memo, speeds, joint, open);
         let reaction = if sign < 0 { -reaction } else { reaction };
-        let point = mechanics.forces.geometry.points[joint];
-        sum = sum + reaction.with_arm(mechanics.arm(body, point));
+        let point = bodies.geometry.points[joint];
+        sum = sum + reaction.with_arm(bodies.arm(body, point));
     }
     for (index, unknown) in system.unknowns.iter().enumerate() {
         let Unknown::Tie(tie) = unknown else { continue };
         let couple = tie.couples.iter().find(|(tied, _)| *tied == body);
         if let Some(&(_, share)) = couple.filter(|_| !open.contains(&index)) {
-            let couple = Vector([share * solved(mechanics, index)]);
+            let couple = Vector([share * solved(algebra, bodies, memo, speeds, index)]);
             sum.moment = sum.moment + couple.into();
         }
     }
-    for child in mechanics.forces.tree.children[body].clone() {
-        let mut beyond = wrench(mechanics, child, inside, open);
-        if open.is_empty() && is_balanced(mechanics, &system, child, inside) {
-            beyond.moment = mechanics.zero_turn();
+    for child in bodies.tree.children[body].clone() {
+        let mut beyond = wrench(algebra, bodies, memo, speeds, child, inside, open);
+        if open.is_empty() && is_balanced(algebra.mechanism, bodies, &system, child, inside) {
+            beyond.moment = bodies.geometry.zero_turn(algebra.graph);
         }
-        let point = mechanics.forces.geometry.origins[child];
-        sum = sum + beyond.with_arm(mechanics.arm(body, point));
+        let point = bodies.geometry.origins[child];
+        sum = sum + beyond.with_arm(bodies.arm(body, point));
     }
-    loads::case(mechanics).wrenches.insert(carried, sum);
+    loads::case(algebra, bodies, memo, speeds)
+        .wrenches
+        .insert(carried, sum);
     sum
 }
 
 /// True if equilibrium leaves no moment about a body's own pin in the plane: the reactions of all
 /// cut joints beyond it count, and were found by that.
 pub(super) fn is_balanced<'m>(
-    mechanics: &Mechanics<'_, 'm>,
+    mechanism: &Mechanism,
+    bodies: &Multibody<'m>,
     system: &System<'m>,
     body: usize,
     inside: &[usize],
 ) -> bool {
     let mut ways = system.equations.iter().filter_map(Equation::motion);
-    mechanics.forces.geometry.is_plane()
+    bodies.geometry.is_plane()
         && ways.any(|way| way.body == body && !way.slides)
         && inside
             .iter()
-            .all(|&joint| cut_joints::joins(mechanics, joint, body) == 0)
+            .all(|&joint| cut_joints::joins(mechanism, &bodies.tree, joint, body) == 0)
 }

@@ -2,10 +2,11 @@
 
 use linkage_symbolic::Vn;
 
+use crate::algebra::Algebra;
 use crate::diagnostic::{OriginId, Reporter};
-use crate::forces::context::Mechanics;
+use crate::forces::multibody::Multibody;
 use crate::forces::positions::{EQUAL, Position, Positions, SLOW};
-use crate::forces::speeds::By;
+use crate::forces::speeds::{AngularVelocities, By};
 use crate::forces::{geometry, motion, names, positions};
 use crate::message_format::numbers;
 use crate::model::{Between, ElementKind, Expr, Mechanism, Rotation};
@@ -40,13 +41,15 @@ struct Point {
 }
 
 /// Reports each joint and point that does not move as declared, once.
-pub(super) fn check_fit(
-    mechanics: &mut Mechanics<'_, '_>,
+pub(super) fn check_fit<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
     positions: &Positions,
     reporter: &mut Reporter,
 ) {
-    let mechanism = mechanics.algebra.mechanism;
-    let pairs = pairs(mechanics);
+    let mechanism = algebra.mechanism;
+    let pairs = pairs(algebra, bodies, turns);
     let mut reported: Vec<OriginId> = Vec::new();
     for position in positions.iter() {
         for pair in &pairs {
@@ -63,21 +66,25 @@ pub(super) fn check_fit(
 }
 
 /// All that must move alike.
-fn pairs<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Vec<Pair<'m>> {
-    let mechanism = mechanics.algebra.mechanism;
+fn pairs<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+) -> Vec<Pair<'m>> {
+    let mechanism = algebra.mechanism;
     let mut pairs = Vec::new();
-    for input in 0..motion::drives(mechanics) {
+    for input in 0..algebra.mechanism.inputs.len() {
         let by = By::Input(input);
         for joint in 0..mechanism.joints.len() {
-            pairs.push(pair_of_points(mechanics, joint, input));
-            pairs.extend(pair_of_turns(mechanics, joint, input));
+            pairs.push(pair_of_points(algebra, bodies, turns, joint, input));
+            pairs.extend(pair_of_turns(algebra, bodies, turns, joint, input));
         }
         for (what, at) in carried_points(mechanism) {
-            let point = geometry::vector_of(mechanics.algebra, at);
+            let point = geometry::vector_of(algebra, at);
             pairs.push(Pair {
                 input,
-                first: motion::moved(mechanics, point, by),
-                second: motion::velocity_of(mechanics, what.body, point, by),
+                first: motion::moved(algebra, point, by),
+                second: motion::velocity_of(algebra, bodies, turns, what.body, point, by),
                 except: None,
                 what: What::Point(what),
             });
@@ -86,14 +93,20 @@ fn pairs<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Vec<Pair<'m>> {
     pairs
 }
 
-fn pair_of_points<'m>(mechanics: &mut Mechanics<'_, 'm>, joint: usize, input: usize) -> Pair<'m> {
-    let declared = &mechanics.algebra.mechanism.joints[joint];
-    let (point, by) = (mechanics.forces.geometry.points[joint], By::Input(input));
-    let direction = mechanics.forces.geometry.directions[joint];
+fn pair_of_points<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    joint: usize,
+    input: usize,
+) -> Pair<'m> {
+    let declared = &algebra.mechanism.joints[joint];
+    let (point, by) = (bodies.geometry.points[joint], By::Input(input));
+    let direction = bodies.geometry.directions[joint];
     Pair {
         input,
-        first: motion::velocity_of(mechanics, Some(declared.body), point, by),
-        second: motion::velocity_of(mechanics, declared.on, point, by),
+        first: motion::velocity_of(algebra, bodies, turns, Some(declared.body), point, by),
+        second: motion::velocity_of(algebra, bodies, turns, declared.on, point, by),
         except: direction.filter(|_| declared.kind.slides()),
         what: What::Joint(joint),
     }
@@ -101,21 +114,23 @@ fn pair_of_points<'m>(mechanics: &mut Mechanics<'_, 'm>, joint: usize, input: us
 
 /// Nothing for a ball joint, and for a pin of the plane.
 fn pair_of_turns<'m>(
-    mechanics: &mut Mechanics<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
     joint: usize,
     input: usize,
 ) -> Option<Pair<'m>> {
-    let declared = &mechanics.algebra.mechanism.joints[joint];
+    let declared = &algebra.mechanism.joints[joint];
     let except = match declared.kind.rotation() {
         Rotation::Not => None,
-        Rotation::AboutAxis => Some(mechanics.forces.geometry.directions[joint]?),
+        Rotation::AboutAxis => Some(bodies.geometry.directions[joint]?),
         Rotation::Freely => return None,
     };
     let by = By::Input(input);
     Some(Pair {
         input,
-        first: motion::turn(mechanics, Some(declared.body), by),
-        second: motion::turn(mechanics, declared.on, by),
+        first: motion::turn(algebra, bodies, turns, Some(declared.body), by),
+        second: motion::turn(algebra, bodies, turns, declared.on, by),
         except,
         what: What::Turns(joint),
     })

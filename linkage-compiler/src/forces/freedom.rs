@@ -5,14 +5,15 @@
 //! couples that are unknowns of their own.
 
 use linkage_core::numeric::rank::combination;
-use linkage_symbolic::{Ex, Vector};
+use linkage_symbolic::{Ex, Graph, Vector};
 
 use crate::algebra::{Algebra, derivatives::partial};
-use crate::forces::context::Mechanics;
+use crate::forces::geometry::Geometry;
 use crate::forces::joint_motion::{JointMotion, Motions, Tie};
 use crate::forces::motion;
-use crate::forces::speeds::By;
-use crate::model::{Rotation, Variable};
+use crate::forces::multibody::Multibody;
+use crate::forces::speeds::{AngularVelocities, By};
+use crate::model::{Mechanism, Rotation, Variable};
 
 /// Rates of turns that differ by less are equal. They are ratios of gears, numbers near 1 that
 /// rounding alone changes.
@@ -20,14 +21,19 @@ const RATIO: f64 = 1e-9;
 
 /// All motions. `held` is the number of them that reactions of cut joints can hold in the plane:
 /// the others are tied by gears.
-pub(super) fn motions<'m>(mechanics: &mut Mechanics<'_, 'm>, held: usize) -> Motions<'m> {
-    let unknowns = unknown_variables(mechanics.algebra);
+pub(super) fn motions<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    held: usize,
+) -> Motions<'m> {
+    let unknowns = unknown_variables(algebra);
     let mut motions = Motions::default();
-    for body in mechanics.forces.tree.order.clone() {
-        for way in ways(mechanics, body) {
+    for body in bodies.tree.order.clone() {
+        for way in ways(algebra.mechanism, algebra.graph, &bodies.geometry, body) {
             let is_held = unknowns.iter().all(|&unknown| {
-                let rate = relative_rate(mechanics, &way, unknown);
-                mechanics.algebra.vanishes(rate)
+                let rate = relative_rate(algebra, bodies, turns, &way, unknown);
+                algebra.vanishes(rate)
             });
             if is_held {
                 motions.driven.push(way)
@@ -36,9 +42,11 @@ pub(super) fn motions<'m>(mechanics: &mut Mechanics<'_, 'm>, held: usize) -> Mot
             }
         }
     }
-    if mechanics.forces.geometry.is_plane() && motions.free.len() > held {
+    if bodies.geometry.is_plane() && motions.free.len() > held {
         motions.ties = ties(
-            mechanics,
+            algebra,
+            bodies,
+            turns,
             &motions.free,
             motions.free.len() - held,
             &unknowns,
@@ -50,13 +58,15 @@ pub(super) fn motions<'m>(mechanics: &mut Mechanics<'_, 'm>, held: usize) -> Mot
 /// Up to `count` turns that are determined by others, all of them against the frame. Bodies that
 /// turn as another because of their joints are no case for gears.
 fn ties<'m>(
-    mechanics: &mut Mechanics<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
     free: &[JointMotion<'m>],
     count: usize,
     unknowns: &[By],
 ) -> Vec<Tie> {
-    let alike = alike(mechanics);
-    let mut seen = vec![alike[mechanics.forces.tree.parent.len()]];
+    let alike = alike(algebra.mechanism);
+    let mut seen = vec![alike[bodies.tree.parent.len()]];
     let mut basis: Vec<(usize, Vec<f64>)> = Vec::new();
     let mut ties = Vec::new();
     for way in free.iter().filter(|way| !way.slides) {
@@ -64,7 +74,7 @@ fn ties<'m>(
             continue;
         }
         seen.push(alike[way.body]);
-        let Some(rates) = constant_rates(mechanics, way.body, unknowns) else {
+        let Some(rates) = constant_rates(algebra, bodies, turns, way.body, unknowns) else {
             continue;
         };
         let known: Vec<&[f64]> = basis.iter().map(|(_, rates)| &rates[..]).collect();
@@ -83,10 +93,10 @@ fn ties<'m>(
 
 /// For each body and, last, for the frame: a number that those share which slides and `fixed`
 /// joints let turn alike only.
-fn alike(mechanics: &Mechanics<'_, '_>) -> Vec<usize> {
-    let frame = mechanics.forces.tree.parent.len();
+fn alike(mechanism: &Mechanism) -> Vec<usize> {
+    let frame = mechanism.bodies.len();
     let mut alike: Vec<usize> = (0..=frame).collect();
-    for joint in &mechanics.algebra.mechanism.joints {
+    for joint in &mechanism.joints {
         if joint.kind.rotation() == Rotation::Not {
             let [first, other] = [joint.body, joint.on.unwrap_or(frame)].map(|k| alike[k]);
             for number in alike.iter_mut().filter(|number| **number == other) {
@@ -98,32 +108,44 @@ fn alike(mechanics: &Mechanics<'_, '_>) -> Vec<usize> {
 }
 
 /// The rates at which a body of the plane turns with each unknown, if these are constants.
-fn constant_rates(
-    mechanics: &mut Mechanics<'_, '_>,
+fn constant_rates<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
     body: usize,
     unknowns: &[By],
 ) -> Option<Vec<f64>> {
     let rates = unknowns.iter().map(|&unknown| {
-        let turn = motion::turn(mechanics, Some(body), unknown);
+        let turn = motion::turn(algebra, bodies, turns, Some(body), unknown);
         turn.at(0).constant_value()
     });
     rates.collect()
 }
 
 /// The rate at which tied bodies would separate with an input if the unknowns stayed.
-pub(super) fn tie_rate<'m>(mechanics: &mut Mechanics<'_, 'm>, tie: &Tie, input: usize) -> Ex<'m> {
-    let input = By::Alone(mechanics.algebra.variable(Variable::Input(input)));
+pub(super) fn tie_rate<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    tie: &Tie,
+    input: usize,
+) -> Ex<'m> {
+    let input = By::Alone(algebra.variable(Variable::Input(input)));
     let couples = tie.couples.iter();
-    couples.fold(mechanics.algebra.zero(), |sum, &(body, share)| {
-        sum + share * motion::turn(mechanics, Some(body), input).at(0)
+    couples.fold(algebra.zero(), |sum, &(body, share)| {
+        sum + share * motion::turn(algebra, bodies, turns, Some(body), input).at(0)
     })
 }
 
 /// The ways in which a body's own joint lets it move.
-pub(super) fn ways<'m>(mechanics: &Mechanics<'_, 'm>, body: usize) -> Vec<JointMotion<'m>> {
-    let joint = mechanics.algebra.mechanism.bodies[body].joint;
-    let kind = mechanics.algebra.mechanism.joints[joint].kind;
-    let geometry = &mechanics.forces.geometry;
+pub(super) fn ways<'m>(
+    mechanism: &Mechanism,
+    graph: &'m Graph,
+    geometry: &Geometry<'m>,
+    body: usize,
+) -> Vec<JointMotion<'m>> {
+    let joint = mechanism.bodies[body].joint;
+    let kind = mechanism.joints[joint].kind;
     let direction = geometry.directions[joint];
     let way = |slides, direction| JointMotion {
         body,
@@ -137,11 +159,11 @@ pub(super) fn ways<'m>(mechanics: &Mechanics<'_, 'm>, body: usize) -> Vec<JointM
     match kind.rotation() {
         Rotation::Not => {}
         Rotation::AboutAxis => {
-            let in_plane = Vector([mechanics.algebra.one()]).into();
+            let in_plane = Vector([graph.number(1.0)]).into();
             ways.push(way(false, direction.unwrap_or(in_plane)));
         }
         Rotation::Freely => {
-            let axes = geometry.units(mechanics.graph()).into_iter();
+            let axes = geometry.units(graph).into_iter();
             ways.extend(axes.map(|axis| way(false, axis)));
         }
     }
@@ -150,16 +172,20 @@ pub(super) fn ways<'m>(mechanics: &Mechanics<'_, 'm>, body: usize) -> Vec<JointM
 
 /// The rate at which a body moves in its own joint.
 pub(super) fn relative_rate<'m>(
-    mechanics: &mut Mechanics<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
     way: &JointMotion<'m>,
     by: By,
 ) -> Ex<'m> {
-    let on = mechanics.forces.tree.parent[way.body];
+    let on = bodies.tree.parent[way.body];
     let relative = if way.slides {
-        let origin = mechanics.forces.geometry.origins[way.body];
-        motion::moved(mechanics, origin, by) - motion::velocity_of(mechanics, on, origin, by)
+        let origin = bodies.geometry.origins[way.body];
+        motion::moved(algebra, origin, by)
+            - motion::velocity_of(algebra, bodies, turns, on, origin, by)
     } else {
-        motion::turn(mechanics, Some(way.body), by) - motion::turn(mechanics, on, by)
+        motion::turn(algebra, bodies, turns, Some(way.body), by)
+            - motion::turn(algebra, bodies, turns, on, by)
     };
     way.direction.dot(relative)
 }
@@ -177,9 +203,4 @@ fn unknown_variables(algebra: &mut Algebra) -> Vec<By> {
         }
     }
     variables
-}
-
-/// True for a slender rod.
-pub(super) fn is_rod(mechanics: &Mechanics<'_, '_>, body: usize) -> bool {
-    mechanics.forces.geometry.rod(body).is_some()
 }

@@ -54,9 +54,9 @@ impl<'m> Geometry<'m> {
                 continue;
             };
             turning[body] = match algebra.translate(turns) {
-                Value::Array(parts) => {
-                    BodyTurn::Frame([1, 2, 3].map(|axis| scalar::vector(algebra, &parts[axis])))
-                }
+                Value::Array(parts) => BodyTurn::Frame(
+                    [1, 2, 3].map(|axis| scalar::vector(&algebra.names, &parts[axis])),
+                ),
                 Value::Vector(along) => BodyTurn::Rod(along),
                 Value::Scalar(angle) => match directions[declared.joint] {
                     Some(axis) if dimensions == 3 => BodyTurn::About(angle, axis),
@@ -82,6 +82,16 @@ impl<'m> Geometry<'m> {
     /// The number of components of a turn.
     pub(super) fn turns(&self) -> usize {
         if self.is_plane() { 1 } else { 3 }
+    }
+
+    /// No force, no velocity.
+    pub(super) fn zero_vector(&self, graph: &'m Graph) -> Vn<'m> {
+        graph.zeros(self.dimensions)
+    }
+
+    /// No moment, no angular velocity.
+    pub(super) fn zero_turn(&self, graph: &'m Graph) -> Vn<'m> {
+        graph.zeros(self.turns())
     }
 
     /// Unit vectors along the axes of coordinates.
@@ -131,7 +141,7 @@ impl<'m> Geometry<'m> {
 /// A point or vector.
 pub(super) fn vector_of<'m>(algebra: &mut Algebra<'m>, expr: &Expr) -> Vn<'m> {
     let value = algebra.translate(expr);
-    scalar::vector(algebra, &value)
+    scalar::vector(&algebra.names, &value)
 }
 
 /// The direction of a vector.

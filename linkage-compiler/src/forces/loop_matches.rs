@@ -4,34 +4,38 @@
 
 use linkage_symbolic::{Ex, Vn};
 
-use crate::algebra::{Nominal, cofactors};
-use crate::forces::context::Mechanics;
+use crate::algebra::{Algebra, Nominal, cofactors};
+use crate::forces::loop_values::{Arms, Determinants};
+use crate::forces::multibody::Multibody;
 use crate::forces::positions::Positions;
 use crate::forces::system::System;
+use crate::model::Mechanism;
 
 /// Numbers that differ by a smaller share of the largest are equal: far above rounding, far below
 /// the effect of altered dimensions.
 pub(super) const EQUAL: f64 = 1e-9;
 
 /// Finds the arms from the joints of bodies to others that are links.
-pub(super) fn find_links(
-    mechanics: &mut Mechanics<'_, '_>,
+pub(super) fn link_arms<'m>(
+    algebra: &Algebra<'m>,
+    bodies: &Multibody<'m>,
     positions: &Positions,
     nominal: &Nominal,
-) {
-    let groups = mechanics.algebra.solutions.groups.iter();
+) -> Arms<'m> {
+    let mut found_arms = Arms::default();
+    let groups = algebra.solutions.groups.iter();
     let links = groups.flat_map(|group| group.links.iter().flatten());
     let links: Vec<Vn> = links.map(|link| link.vector.into()).collect();
-    let ends: Vec<(usize, Vn)> = ends_of_arms(mechanics);
-    if links.is_empty() || ends.is_empty() || !mechanics.forces.geometry.is_plane() {
-        return;
+    let ends: Vec<(usize, Vn)> = ends_of_arms(algebra.mechanism, bodies);
+    if links.is_empty() || ends.is_empty() || !bodies.geometry.is_plane() {
+        return found_arms;
     }
-    let arms = ends.iter().map(|&(body, point)| mechanics.arm(body, point));
+    let arms = ends.iter().map(|&(body, point)| bodies.arm(body, point));
     let expressions: Vec<Ex> = arms
         .chain(links.iter().copied())
         .flat_map(|v| v.iter())
         .collect();
-    let numbers = positions.numbers_anyhow(mechanics.algebra.mechanism, nominal, &expressions);
+    let numbers = positions.numbers_anyhow(algebra.mechanism, nominal, &expressions);
     for (index, &(body, point)) in ends.iter().enumerate() {
         let found = links.iter().enumerate().find_map(|(link, &vector)| {
             let other = ends.len() + link;
@@ -43,18 +47,22 @@ pub(super) fn find_links(
         });
         if let Some(arm) = found {
             let key = (body, point.ids().to_vec());
-            mechanics.forces.loop_values.arms.insert(key, arm);
+            found_arms.insert(key, arm);
         }
     }
+    found_arms
 }
 
 /// The bodies with points that arms from their own joints lead to.
-pub(super) fn ends_of_arms<'m>(mechanics: &Mechanics<'_, 'm>) -> Vec<(usize, Vn<'m>)> {
-    let (tree, geometry) = (&mechanics.forces.tree, &mechanics.forces.geometry);
+pub(super) fn ends_of_arms<'m>(
+    mechanism: &Mechanism,
+    bodies: &Multibody<'m>,
+) -> Vec<(usize, Vn<'m>)> {
+    let (tree, geometry) = (&bodies.tree, &bodies.geometry);
     let cut = tree.closing.iter().flat_map(|&joint| {
-        let declared = &mechanics.algebra.mechanism.joints[joint];
-        let bodies = [Some(declared.body), declared.on].into_iter().flatten();
-        bodies.map(move |body| (body, geometry.points[joint]))
+        let declared = &mechanism.joints[joint];
+        let both = [Some(declared.body), declared.on].into_iter().flatten();
+        both.map(move |body| (body, geometry.points[joint]))
     });
     let children = tree
         .children
@@ -66,29 +74,30 @@ pub(super) fn ends_of_arms<'m>(mechanics: &Mechanics<'_, 'm>) -> Vec<(usize, Vn<
                 .map(move |&child| (body, geometry.origins[child]))
         });
     let ends = cut.chain(children);
-    ends.filter(|&(body, point)| !mechanics.arm(body, point).is_zero())
+    ends.filter(|&(body, point)| !bodies.arm(body, point).is_zero())
         .collect()
 }
 
 /// Finds the blocks of equations whose determinants are those of loops.
-pub(super) fn find_determinants<'m>(
-    mechanics: &mut Mechanics<'_, 'm>,
+pub(super) fn loop_determinants<'m>(
+    algebra: &Algebra<'m>,
     system: &System<'m>,
     positions: &Positions,
     nominal: &Nominal,
-) {
-    let groups = mechanics.algebra.solutions.groups.iter();
+) -> Determinants<'m> {
+    let mut found_determinants = Determinants::default();
+    let groups = algebra.solutions.groups.iter();
     let known: Vec<Ex> = groups.map(|group| group.determinant).collect();
     let blocks = system.blocks.iter().filter(|block| block.len() == 2);
     let blocks: Vec<&Vec<usize>> = blocks.collect();
     if known.is_empty() || blocks.is_empty() {
-        return;
+        return found_determinants;
     }
     let determinants = blocks
         .iter()
-        .map(|block| cofactors::determinant(mechanics.algebra.graph, &system.matrix_of(block)));
+        .map(|block| cofactors::determinant(algebra.graph, &system.matrix_of(block)));
     let expressions: Vec<Ex> = determinants.chain(known.iter().copied()).collect();
-    let numbers = positions.numbers_anyhow(mechanics.algebra.mechanism, nominal, &expressions);
+    let numbers = positions.numbers_anyhow(algebra.mechanism, nominal, &expressions);
     for (index, block) in blocks.iter().enumerate() {
         let found = known.iter().enumerate().find_map(|(group, &determinant)| {
             let sign = sign(&numbers, index, blocks.len() + group)?;
@@ -99,10 +108,10 @@ pub(super) fn find_determinants<'m>(
             })
         });
         if let Some(determinant) = found {
-            let determinants = &mut mechanics.forces.loop_values.determinants;
-            determinants.insert((*block).clone(), determinant);
+            found_determinants.insert((*block).clone(), determinant);
         }
     }
+    found_determinants
 }
 
 /// True if two numbers are equal at all positions, or opposite: 1 or -1.

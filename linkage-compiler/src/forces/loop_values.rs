@@ -3,13 +3,17 @@
 use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, NodeId, Vn};
 
+/// Arms, for each body and the point that the arm leads to.
+pub(super) type Arms<'m> = Map<(usize, Vec<NodeId>), Vn<'m>>;
+
+/// The determinants of blocks of equations.
+pub(super) type Determinants<'m> = Map<Vec<usize>, Ex<'m>>;
+
 /// Values that the closed forms compute.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LoopValues<'m> {
-    /// For each body, and the point that the arm leads to.
-    pub(super) arms: Map<(usize, Vec<NodeId>), Vn<'m>>,
-    /// The determinants of blocks of equations.
-    pub(super) determinants: Map<Vec<usize>, Ex<'m>>,
+    pub(super) arms: Arms<'m>,
+    pub(super) determinants: Determinants<'m>,
 }
 
 impl<'m> LoopValues<'m> {

@@ -16,7 +16,8 @@
 //! | `geometry` | origins, angles, axes as expressions, and the motions that joints allow |
 //! | `positions` | the positions at which numbers are checked |
 //! | `joint_motion`, `speeds`, `wrench`, `body_loads`, `loop_values`, `system` | types |
-//! | `context` | the mechanics of a mechanism, and of one question |
+//! | `multibody` | the bodies, and facts about them that numbers show |
+//! | `context` | the bodies with the results that are known, and the question of a function |
 //! | `names` | joints, bodies and elements as messages name them |
 //! | `motion` | velocities and accelerations of points and bodies |
 //! | `masses`, `inertia` | masses, and moments of inertia when a body turns |
@@ -55,6 +56,7 @@ mod loop_matches;
 mod loop_values;
 mod masses;
 mod motion;
+mod multibody;
 mod names;
 mod positions;
 mod print;
@@ -67,5 +69,5 @@ mod tree;
 mod wrench;
 
 pub(crate) use check::check;
-pub(crate) use context::Forces;
+pub(crate) use context::{Forces, Question};
 pub(crate) use print::describe;

@@ -3,151 +3,160 @@
 
 use linkage_symbolic::{Ex, Vector, Vn};
 
-use crate::algebra::{Direction, derivatives::direction, derivatives::partial, scalar};
-use crate::forces::context::Mechanics;
+use crate::algebra::{Algebra, Direction, derivatives::direction, derivatives::partial, scalar};
 use crate::forces::geometry::BodyTurn;
-use crate::forces::speeds::By;
+use crate::forces::multibody::Multibody;
+use crate::forces::speeds::{AngularVelocities, By, Speeds};
 use crate::model::Variable;
 
-/// The number of inputs.
-pub(super) fn drives(mechanics: &Mechanics<'_, '_>) -> usize {
-    mechanics.algebra.mechanism.inputs.len()
-}
-
 /// The speed of an input, if it is listed.
-pub(super) fn speed<'m>(mechanics: &Mechanics<'_, 'm>, input: usize) -> Option<Ex<'m>> {
-    mechanics.speeds.speeds[input].map(|argument| mechanics.algebra.input(argument))
+pub(super) fn speed<'m>(algebra: &Algebra<'m>, speeds: &Speeds, input: usize) -> Option<Ex<'m>> {
+    speeds.speeds[input].map(|argument| algebra.input(argument))
 }
 
-fn acceleration<'m>(mechanics: &Mechanics<'_, 'm>, input: usize) -> Option<Ex<'m>> {
-    mechanics.speeds.accelerations[input].map(|argument| mechanics.algebra.input(argument))
+fn acceleration<'m>(algebra: &Algebra<'m>, speeds: &Speeds, input: usize) -> Option<Ex<'m>> {
+    speeds.accelerations[input].map(|argument| algebra.input(argument))
 }
 
 /// True if anything moves in time.
-pub(super) fn moves(mechanics: &Mechanics<'_, '_>) -> bool {
-    factors_of_gain(mechanics) > 0
+pub(super) fn moves(speeds: &Speeds) -> bool {
+    factors_of_gain(speeds) > 0
 }
 
 /// The derivative of a number.
-pub(super) fn slope<'m>(mechanics: &mut Mechanics<'_, 'm>, x: Ex<'m>, by: By) -> Ex<'m> {
+pub(super) fn slope<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>, by: By) -> Ex<'m> {
     match by {
         By::Input(input) => {
-            let variable = mechanics.algebra.variable(Variable::Input(input));
-            direction::derivative(mechanics.algebra, x, variable, Direction::Forward)
+            let variable = algebra.variable(Variable::Input(input));
+            direction::derivative(algebra, x, variable, Direction::Forward)
         }
-        By::Alone(variable) => partial::partial(mechanics.algebra, x, variable),
+        By::Alone(variable) => partial::partial(algebra, x, variable),
     }
 }
 
 /// The derivative of a point or vector that is part of the motion.
-pub(super) fn moved<'m>(mechanics: &mut Mechanics<'_, 'm>, v: Vn<'m>, by: By) -> Vn<'m> {
-    v.map(|x| slope(mechanics, x, by))
+pub(super) fn moved<'m>(algebra: &mut Algebra<'m>, v: Vn<'m>, by: By) -> Vn<'m> {
+    v.map(|x| slope(algebra, x, by))
 }
 
 /// The angular velocity of a body; the frame does not turn.
-pub(super) fn turn<'m>(mechanics: &mut Mechanics<'_, 'm>, body: Option<usize>, by: By) -> Vn<'m> {
+pub(super) fn turn<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    body: Option<usize>,
+    by: By,
+) -> Vn<'m> {
     let Some(body) = body else {
-        return mechanics.zero_turn();
+        return bodies.geometry.zero_turn(algebra.graph);
     };
-    if let Some(&known) = mechanics.forces.motion.turns.get(&(body, by)) {
+    if let Some(&known) = turns.get(&(body, by)) {
         return known;
     }
-    let on = mechanics.forces.tree.parent[body];
-    let turn = match mechanics.forces.geometry.turning[body].clone() {
-        BodyTurn::Along => turn(mechanics, on, by),
+    let on = bodies.tree.parent[body];
+    let turn = match bodies.geometry.turning[body].clone() {
+        BodyTurn::Along => turn(algebra, bodies, turns, on, by),
         BodyTurn::Angle(angle) => {
-            let angle = scalar::value_of(mechanics.algebra, &angle);
-            Vector([slope(mechanics, angle, by)]).into()
+            let angle = scalar::value_of(&algebra.names, &angle);
+            Vector([slope(algebra, angle, by)]).into()
         }
         BodyTurn::About(angle, axis) => {
-            let angle = scalar::value_of(mechanics.algebra, &angle);
-            let relative = slope(mechanics, angle, by) * axis;
-            turn(mechanics, on, by) + relative
+            let angle = scalar::value_of(&algebra.names, &angle);
+            let relative = slope(algebra, angle, by) * axis;
+            turn(algebra, bodies, turns, on, by) + relative
         }
         BodyTurn::Frame(axes) => {
             // (y' . z) x + (z' . x) y + (x' . y) z
-            (0..3).fold(mechanics.zero_turn(), |sum, k| {
+            (0..3).fold(bodies.geometry.zero_turn(algebra.graph), |sum, k| {
                 let [x, y, z] = [k, k + 1, k + 2].map(|k| axes[k % 3]);
-                sum + moved(mechanics, y, by).dot(z) * x
+                sum + moved(algebra, y, by).dot(z) * x
             })
         }
         // V x V' / V^2
-        BodyTurn::Rod(v) => v.moment_of(moved(mechanics, v, by)) / v.square(),
+        BodyTurn::Rod(v) => v.moment_of(moved(algebra, v, by)) / v.square(),
     };
-    mechanics.forces.motion.turns.insert((body, by), turn);
+    turns.insert((body, by), turn);
     turn
 }
 
 /// The velocity of a body's point: `O' + w x (P - O)`.
 pub(super) fn velocity_of<'m>(
-    mechanics: &mut Mechanics<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
     body: Option<usize>,
     point: Vn<'m>,
     by: By,
 ) -> Vn<'m> {
     let Some(number) = body else {
-        return mechanics.graph().zeros(point.len());
+        return algebra.graph.zeros(point.len());
     };
-    let moved = moved(mechanics, mechanics.forces.geometry.origins[number], by);
-    let arm = mechanics.arm(number, point);
-    moved + turn(mechanics, body, by).sweeping(arm)
+    let moved = moved(algebra, bodies.geometry.origins[number], by);
+    let arm = bodies.arm(number, point);
+    moved + turn(algebra, bodies, turns, body, by).sweeping(arm)
 }
 
 /// Derivatives by the inputs times their speeds: `sum q_i w_i`.
 pub(super) fn in_time<'m>(
-    mechanics: &mut Mechanics<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    speeds: &Speeds,
     count: usize,
-    mut derivative: impl FnMut(&mut Mechanics<'_, 'm>, By) -> Vn<'m>,
+    mut derivative: impl FnMut(&mut Algebra<'m>, By) -> Vn<'m>,
 ) -> Vn<'m> {
-    let zero = mechanics.graph().zeros(count);
-    (0..drives(mechanics)).fold(zero, |sum, input| match speed(mechanics, input) {
-        None => sum,
-        Some(speed) => sum + speed * derivative(mechanics, By::Input(input)),
+    let zero = algebra.graph.zeros(count);
+    (0..algebra.mechanism.inputs.len()).fold(zero, |sum, input| {
+        match speed(algebra, speeds, input) {
+            None => sum,
+            Some(speed) => sum + speed * derivative(algebra, By::Input(input)),
+        }
     })
 }
 
 /// The number of factors of [`gain`]: accelerations, and products of two speeds.
-pub(super) fn factors_of_gain(mechanics: &Mechanics<'_, '_>) -> usize {
+pub(super) fn factors_of_gain(speeds: &Speeds) -> usize {
     let count = |arguments: &[Option<usize>]| arguments.iter().flatten().count();
-    count(&mechanics.speeds.accelerations) + count(&mechanics.speeds.speeds).pow(2)
+    count(&speeds.accelerations) + count(&speeds.speeds).pow(2)
 }
 
 /// The rate of a velocity, given the quantity's derivatives with respect to the inputs:
 /// `sum q_ij w_i w_j + sum q_i e_i`.
 pub(super) fn gain<'m>(
-    mechanics: &mut Mechanics<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    speeds: &Speeds,
     count: usize,
-    derivative: impl FnMut(&mut Mechanics<'_, 'm>, By) -> Vn<'m>,
+    derivative: impl FnMut(&mut Algebra<'m>, By) -> Vn<'m>,
 ) -> Vn<'m> {
-    let one = mechanics.algebra.one();
-    gain_times(mechanics, one, count, derivative)
+    let one = algebra.one();
+    gain_times(algebra, speeds, one, count, derivative)
 }
 
 /// The same times a number, which goes to the speeds.
 fn gain_times<'m>(
-    mechanics: &mut Mechanics<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    speeds: &Speeds,
     factor: Ex<'m>,
     count: usize,
-    mut derivative: impl FnMut(&mut Mechanics<'_, 'm>, By) -> Vn<'m>,
+    mut derivative: impl FnMut(&mut Algebra<'m>, By) -> Vn<'m>,
 ) -> Vn<'m> {
-    let mut sum = mechanics.graph().zeros(count);
-    for i in 0..drives(mechanics) {
-        let (first_speed, second_rate) = (speed(mechanics, i), acceleration(mechanics, i));
+    let mut sum = algebra.graph.zeros(count);
+    for i in 0..algebra.mechanism.inputs.len() {
+        let (first_speed, second_rate) =
+            (speed(algebra, speeds, i), acceleration(algebra, speeds, i));
         if first_speed.is_none() && second_rate.is_none() {
             continue;
         }
-        let first = derivative(mechanics, By::Input(i));
+        let first = derivative(algebra, By::Input(i));
         if let Some(acceleration) = second_rate {
             sum = sum + (factor * acceleration) * first;
         }
         let Some(first_speed) = first_speed else {
             continue;
         };
-        for j in 0..drives(mechanics) {
-            let Some(other) = speed(mechanics, j) else {
+        for j in 0..algebra.mechanism.inputs.len() {
+            let Some(other) = speed(algebra, speeds, j) else {
                 continue;
             };
-            let second = moved(mechanics, first, By::Input(j));
+            let second = moved(algebra, first, By::Input(j));
             sum = sum + (factor * (first_speed * other)) * second;
         }
     }
@@ -155,41 +164,62 @@ fn gain_times<'m>(
 }
 
 /// The velocity of a point that is part of the motion, in time.
-pub(super) fn point_velocity<'m>(mechanics: &mut Mechanics<'_, 'm>, point: Vn<'m>) -> Vn<'m> {
-    in_time(mechanics, point.len(), |mechanics, by| {
-        moved(mechanics, point, by)
+pub(super) fn point_velocity<'m>(
+    algebra: &mut Algebra<'m>,
+    speeds: &Speeds,
+    point: Vn<'m>,
+) -> Vn<'m> {
+    in_time(algebra, speeds, point.len(), |algebra, by| {
+        moved(algebra, point, by)
     })
 }
 
 /// Its acceleration.
-pub(super) fn point_acceleration<'m>(mechanics: &mut Mechanics<'_, 'm>, point: Vn<'m>) -> Vn<'m> {
-    gain(mechanics, point.len(), |mechanics, by| {
-        moved(mechanics, point, by)
+pub(super) fn point_acceleration<'m>(
+    algebra: &mut Algebra<'m>,
+    speeds: &Speeds,
+    point: Vn<'m>,
+) -> Vn<'m> {
+    gain(algebra, speeds, point.len(), |algebra, by| {
+        moved(algebra, point, by)
     })
 }
 
 /// The rate of momentum of a mass at the point.
 pub(super) fn point_momentum_gain<'m>(
-    mechanics: &mut Mechanics<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    speeds: &Speeds,
     mass: Ex<'m>,
     point: Vn<'m>,
 ) -> Vn<'m> {
-    let moved = |mechanics: &mut Mechanics<'_, 'm>, by| moved(mechanics, point, by);
-    gain_times(mechanics, mass, point.len(), moved)
+    let moved = |algebra: &mut Algebra<'m>, by| moved(algebra, point, by);
+    gain_times(algebra, speeds, mass, point.len(), moved)
 }
 
 /// The angular velocity of a body, in time.
-pub(super) fn angular_velocity<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Vn<'m> {
-    let count = mechanics.forces.geometry.turns();
-    in_time(mechanics, count, |mechanics, by| {
-        turn(mechanics, Some(body), by)
+pub(super) fn angular_velocity<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    speeds: &Speeds,
+    body: usize,
+) -> Vn<'m> {
+    let count = bodies.geometry.turns();
+    in_time(algebra, speeds, count, |algebra, by| {
+        turn(algebra, bodies, turns, Some(body), by)
     })
 }
 
 /// The angular acceleration of a body.
-pub(super) fn angular_acceleration<'m>(mechanics: &mut Mechanics<'_, 'm>, body: usize) -> Vn<'m> {
-    let count = mechanics.forces.geometry.turns();
-    gain(mechanics, count, |mechanics, by| {
-        turn(mechanics, Some(body), by)
+pub(super) fn angular_acceleration<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    speeds: &Speeds,
+    body: usize,
+) -> Vn<'m> {
+    let count = bodies.geometry.turns();
+    gain(algebra, speeds, count, |algebra, by| {
+        turn(algebra, bodies, turns, Some(body), by)
     })
 }

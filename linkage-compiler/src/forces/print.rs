@@ -18,7 +18,7 @@ pub(crate) fn describe(algebra: &mut Algebra) -> String {
         return text;
     }
     let mut forces = Forces::new(algebra);
-    let system = assemble::system(&mut forces.in_function(algebra, &[], true));
+    let system = assemble::system(algebra, &forces.bodies, &mut forces.memo);
     let driven: Vec<String> = system
         .driven
         .iter()

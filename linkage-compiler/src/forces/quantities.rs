@@ -2,87 +2,125 @@
 
 use linkage_symbolic::{Ex, Vn};
 
-use crate::algebra::{Translate, Value};
-use crate::forces::context::Mechanics;
-use crate::forces::speeds::By;
-use crate::forces::system::Unknown;
+use crate::algebra::{Algebra, Translate, Value};
+use crate::forces::context::{Forces, Memo, Question};
+use crate::forces::geometry::Geometry;
+use crate::forces::multibody::Multibody;
+use crate::forces::speeds::{AngularVelocities, By, Speeds};
+use crate::forces::system::{System, Unknown};
 use crate::forces::wrench::Wrench;
 use crate::forces::{assemble, equilibrium, freedom, geometry, inertia, loads, masses, motion};
 use crate::model::{Between, Element, ElementKind, MechanicalQuantity as Quantity, Rotation};
 
-pub(crate) fn quantity<'m>(mechanics: &mut Mechanics<'_, 'm>, quantity: &Quantity) -> Value<'m> {
+/// The value of a quantity in a function.
+pub(crate) fn quantity<'m>(
+    algebra: &mut Algebra<'m>,
+    forces: &mut Forces<'m>,
+    question: &Question,
+    quantity: &Quantity,
+) -> Value<'m> {
+    let Forces { bodies, memo } = forces;
+    let bodies = &*bodies;
+    let speeds = &question.speeds;
     match quantity {
-        Quantity::Reaction(joint) => reaction(mechanics, *joint).force.into(),
-        Quantity::Moment(joint) => turn_value(reaction(mechanics, *joint).moment),
-        Quantity::Drive(input) => drive(mechanics, *input).into(),
-        Quantity::Power => power(mechanics).into(),
-        Quantity::KineticEnergy => kinetic_energy(mechanics).into(),
-        Quantity::PotentialEnergy => potential_energy(mechanics).into(),
-        Quantity::ShakingForce => shaking_force(mechanics).into(),
+        Quantity::Reaction(joint) => reaction(algebra, bodies, memo, speeds, *joint).force.into(),
+        Quantity::Moment(joint) => {
+            turn_value(reaction(algebra, bodies, memo, speeds, *joint).moment)
+        }
+        Quantity::Drive(input) => drive(algebra, bodies, memo, question, *input).into(),
+        Quantity::Power => power(algebra, bodies, memo, question).into(),
+        Quantity::KineticEnergy => kinetic_energy(algebra, bodies, &mut memo.turns, speeds).into(),
+        Quantity::PotentialEnergy => potential_energy(algebra, bodies).into(),
+        Quantity::ShakingForce => shaking_force(algebra, &bodies.geometry, speeds).into(),
         Quantity::ShakingMoment(about) => {
             let about = match about {
-                Some(about) => geometry::vector_of(mechanics.algebra, about),
-                None => mechanics.zero_vector(),
+                Some(about) => geometry::vector_of(algebra, about),
+                None => bodies.geometry.zero_vector(algebra.graph),
             };
-            turn_value(shaking_moment(mechanics, about))
+            turn_value(shaking_moment(
+                algebra,
+                bodies,
+                &mut memo.turns,
+                speeds,
+                about,
+            ))
         }
     }
 }
 
 /// The force and moment that a joint transmits to its body, without the part of a drive in its
 /// motion.
-fn reaction<'m>(mechanics: &mut Mechanics<'_, 'm>, joint: usize) -> Wrench<'m> {
-    if mechanics.forces.tree.closing.contains(&joint) {
-        return equilibrium::closing_wrench(mechanics, joint, &[]);
+fn reaction<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    memo: &mut Memo<'m>,
+    speeds: &Speeds,
+    joint: usize,
+) -> Wrench<'m> {
+    if bodies.tree.closing.contains(&joint) {
+        return equilibrium::closing_wrench(algebra, bodies, memo, speeds, joint, &[]);
     }
-    let declared = &mechanics.algebra.mechanism.joints[joint];
+    let declared = &algebra.mechanism.joints[joint];
     let (body, kind) = (declared.body, declared.kind);
-    let mut reaction = -equilibrium::wrench(mechanics, body, &[], &[]);
-    let Some(direction) = mechanics.forces.geometry.directions[joint] else {
+    let mut reaction = -equilibrium::wrench(algebra, bodies, memo, speeds, body, &[], &[]);
+    let Some(direction) = bodies.geometry.directions[joint] else {
         return reaction;
     };
+    let system = assemble::system(algebra, bodies, memo);
     // Where nothing drives it, equilibrium leaves nothing along the guide or about the axis.
-    if kind.slides() && is_driven(mechanics, body, true) {
+    if kind.slides() && is_driven(&system, body, true) {
         reaction.force = reaction.force.across(direction);
     }
-    if kind.rotation() == Rotation::AboutAxis && is_driven(mechanics, body, false) {
+    if kind.rotation() == Rotation::AboutAxis && is_driven(&system, body, false) {
         reaction.moment = reaction.moment.across(direction);
     }
     reaction
 }
 
-fn is_driven(mechanics: &mut Mechanics<'_, '_>, body: usize, slides: bool) -> bool {
-    let system = assemble::system(mechanics);
+fn is_driven(system: &System, body: usize, slides: bool) -> bool {
     let mut driven = system.driven.iter();
     driven.any(|way| way.body == body && way.slides == slides)
 }
 
 /// The torque or force of a drive.
-fn drive<'m>(mechanics: &mut Mechanics<'_, 'm>, input: usize) -> Ex<'m> {
-    if mechanics.with_reactions {
-        drive_of_joints(mechanics, input)
+fn drive<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    memo: &mut Memo<'m>,
+    question: &Question,
+    input: usize,
+) -> Ex<'m> {
+    if question.with_reactions {
+        drive_of_joints(algebra, bodies, memo, &question.speeds, input)
     } else {
-        drive_of_loads(mechanics, input)
+        drive_of_loads(algebra, bodies, memo, &question.speeds, input)
     }
 }
 
 /// The force or torque that holds the driven joints against everything beyond them. It costs little
 /// if reactions are computed anyway.
-fn drive_of_joints<'m>(mechanics: &mut Mechanics<'_, 'm>, input: usize) -> Ex<'m> {
-    let system = assemble::system(mechanics);
-    let mut sum = mechanics.algebra.zero();
+fn drive_of_joints<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    memo: &mut Memo<'m>,
+    speeds: &Speeds,
+    input: usize,
+) -> Ex<'m> {
+    let system = assemble::system(algebra, bodies, memo);
+    let mut sum = algebra.zero();
     for way in &system.driven {
-        let rate = freedom::relative_rate(mechanics, way, By::Input(input));
+        let rate = freedom::relative_rate(algebra, bodies, &mut memo.turns, way, By::Input(input));
         if !rate.is_zero() {
-            sum -= rate * equilibrium::wrench(mechanics, way.body, &[], &[]).along(way);
+            sum -= rate
+                * equilibrium::wrench(algebra, bodies, memo, speeds, way.body, &[], &[]).along(way);
         }
     }
     // Gears that run on a driven shaft load it.
     for (index, unknown) in system.unknowns.iter().enumerate() {
         let Unknown::Tie(tie) = unknown else { continue };
-        let rate = freedom::tie_rate(mechanics, tie, input);
+        let rate = freedom::tie_rate(algebra, bodies, &mut memo.turns, tie, input);
         if !rate.is_zero() {
-            sum += rate * equilibrium::solved(mechanics, index);
+            sum += rate * equilibrium::solved(algebra, bodies, memo, speeds, index);
         }
     }
     sum
@@ -90,90 +128,128 @@ fn drive_of_joints<'m>(mechanics: &mut Mechanics<'_, 'm>, input: usize) -> Ex<'m
 
 /// The work of the loads per motion of the input, with the opposite sign:
 /// `-(sum F . p' + sum M . w)`.
-fn drive_of_loads<'m>(mechanics: &mut Mechanics<'_, 'm>, input: usize) -> Ex<'m> {
+fn drive_of_loads<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    memo: &mut Memo<'m>,
+    speeds: &Speeds,
+    input: usize,
+) -> Ex<'m> {
     let input = By::Input(input);
-    let loads = loads::loads(mechanics);
-    let mut work = mechanics.algebra.zero();
+    let loads = loads::loads(algebra, bodies, memo, speeds);
+    let mut work = algebra.zero();
     for (body, body_loads) in loads.bodies.iter().enumerate() {
         for load in &body_loads.forces {
             let moved = match load.mass {
-                Some(_) => motion::moved(mechanics, load.point, input),
-                None => motion::velocity_of(mechanics, Some(body), load.point, input),
+                Some(_) => motion::moved(algebra, load.point, input),
+                None => motion::velocity_of(
+                    algebra,
+                    bodies,
+                    &mut memo.turns,
+                    Some(body),
+                    load.point,
+                    input,
+                ),
             };
             work += load.force.dot(moved);
         }
         for couple in &body_loads.couples {
-            work += couple.dot(motion::turn(mechanics, Some(body), input));
+            work += couple.dot(motion::turn(
+                algebra,
+                bodies,
+                &mut memo.turns,
+                Some(body),
+                input,
+            ));
         }
     }
     -work
 }
 
 /// `sum Q w`
-fn power<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Ex<'m> {
-    let zero = mechanics.algebra.zero();
-    (0..motion::drives(mechanics)).fold(zero, |sum, input| match motion::speed(mechanics, input) {
-        None => sum,
-        Some(speed) => sum + drive(mechanics, input) * speed,
+fn power<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    memo: &mut Memo<'m>,
+    question: &Question,
+) -> Ex<'m> {
+    let zero = algebra.zero();
+    (0..algebra.mechanism.inputs.len()).fold(zero, |sum, input| {
+        match motion::speed(algebra, &question.speeds, input) {
+            None => sum,
+            Some(speed) => sum + drive(algebra, bodies, memo, question, input) * speed,
+        }
     })
 }
 
 /// `1/2 (sum m v^2 + sum w . I w)`
-fn kinetic_energy<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Ex<'m> {
-    let mut twice = mechanics.algebra.zero();
-    for body in 0..mechanics.algebra.mechanism.bodies.len() {
-        for (mass, point) in masses::masses(mechanics.algebra, body) {
-            twice += mass * motion::point_velocity(mechanics, point).square();
+fn kinetic_energy<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    speeds: &Speeds,
+) -> Ex<'m> {
+    let mut twice = algebra.zero();
+    for body in 0..algebra.mechanism.bodies.len() {
+        for (mass, point) in masses::masses(algebra, body) {
+            twice += mass * motion::point_velocity(algebra, speeds, point).square();
         }
-        twice += inertia::twice_turning_energy(mechanics, body);
+        twice += inertia::twice_turning_energy(algebra, bodies, turns, speeds, body);
     }
     0.5 * twice
 }
 
 /// The potential energy of weights, zero at the origin, and of springs, zero without force:
 /// `1/2 sum c (l - l_0)^2 - sum m g . p`.
-fn potential_energy<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Ex<'m> {
-    let mut sum = mechanics.algebra.zero();
-    if let Some(gravity) = masses::gravity(mechanics.algebra) {
-        for body in 0..mechanics.algebra.mechanism.bodies.len() {
-            for (mass, point) in masses::masses(mechanics.algebra, body) {
+fn potential_energy<'m>(algebra: &mut Algebra<'m>, bodies: &Multibody<'m>) -> Ex<'m> {
+    let mut sum = algebra.zero();
+    if let Some(gravity) = masses::gravity(algebra) {
+        for body in 0..algebra.mechanism.bodies.len() {
+            for (mass, point) in masses::masses(algebra, body) {
                 sum -= mass * gravity.dot(point);
             }
         }
     }
-    for element in &mechanics.algebra.mechanism.elements {
+    for element in &algebra.mechanism.elements {
         sum += match element.kind {
-            ElementKind::Damper => mechanics.algebra.zero(),
-            ElementKind::Spring => spring_energy(mechanics, element),
+            ElementKind::Damper => algebra.zero(),
+            ElementKind::Spring => spring_energy(algebra, bodies, element),
         };
     }
     sum
 }
 
 /// `1/2 c (l - l_0)^2`
-fn spring_energy<'m>(mechanics: &mut Mechanics<'_, 'm>, spring: &Element) -> Ex<'m> {
+fn spring_energy<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    spring: &Element,
+) -> Ex<'m> {
     let length = match &spring.between {
-        Between::Joint(joint) => loads::joint_coordinate(mechanics, *joint),
+        Between::Joint(joint) => loads::joint_coordinate(algebra, bodies, *joint),
         Between::Points([from, to]) => {
-            let [start, end] =
-                [&from.1, &to.1].map(|at| geometry::vector_of(mechanics.algebra, at));
+            let [start, end] = [&from.1, &to.1].map(|at| geometry::vector_of(algebra, at));
             (end - start).length()
         }
     };
     let free = match &spring.free {
-        Some(free) => mechanics.algebra.translate_number(free),
-        None => mechanics.algebra.zero(),
+        Some(free) => algebra.translate_number(free),
+        None => algebra.zero(),
     };
-    let stiffness = mechanics.algebra.translate_number(&spring.value);
+    let stiffness = algebra.translate_number(&spring.value);
     0.5 * (stiffness * (length - free).square())
 }
 
 /// `-sum m a`
-fn shaking_force<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Vn<'m> {
-    let mut sum = mechanics.zero_vector();
-    for body in 0..mechanics.algebra.mechanism.bodies.len() {
-        for (mass, point) in masses::masses(mechanics.algebra, body) {
-            sum = sum - mass * motion::point_acceleration(mechanics, point);
+fn shaking_force<'m>(
+    algebra: &mut Algebra<'m>,
+    geometry: &Geometry<'m>,
+    speeds: &Speeds,
+) -> Vn<'m> {
+    let mut sum = geometry.zero_vector(algebra.graph);
+    for body in 0..algebra.mechanism.bodies.len() {
+        for (mass, point) in masses::masses(algebra, body) {
+            sum = sum - mass * motion::point_acceleration(algebra, speeds, point);
         }
     }
     sum
@@ -181,14 +257,20 @@ fn shaking_force<'m>(mechanics: &mut Mechanics<'_, 'm>) -> Vn<'m> {
 
 /// Minus the rate of the moment of momentum about a fixed point: `-sum (p - o) x m a`, and the
 /// couples of the bodies' rotations.
-fn shaking_moment<'m>(mechanics: &mut Mechanics<'_, 'm>, about: Vn<'m>) -> Vn<'m> {
-    let mut sum = mechanics.zero_turn();
-    for body in 0..mechanics.algebra.mechanism.bodies.len() {
-        for (mass, point) in masses::masses(mechanics.algebra, body) {
-            let force = mass * motion::point_acceleration(mechanics, point);
+fn shaking_moment<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    speeds: &Speeds,
+    about: Vn<'m>,
+) -> Vn<'m> {
+    let mut sum = bodies.geometry.zero_turn(algebra.graph);
+    for body in 0..algebra.mechanism.bodies.len() {
+        for (mass, point) in masses::masses(algebra, body) {
+            let force = mass * motion::point_acceleration(algebra, speeds, point);
             sum = sum - (point - about).moment_of(force);
         }
-        if let Some(couple) = inertia::inertia_couple(mechanics, body) {
+        if let Some(couple) = inertia::inertia_couple(algebra, bodies, turns, speeds, body) {
             sum = sum - couple;
         }
     }

@@ -23,10 +23,7 @@ pub(super) enum By {
 }
 
 /// Angular velocities of bodies, made when they are asked for.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Motion<'m> {
-    pub(super) turns: Map<(usize, By), Vn<'m>>,
-}
+pub(super) type AngularVelocities<'m> = Map<(usize, By), Vn<'m>>;
 
 impl Speeds {
     /// Those among the arguments that a function lists.

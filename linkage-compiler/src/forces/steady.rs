@@ -3,67 +3,73 @@
 
 use linkage_symbolic::{Ex, Vn};
 
-use crate::forces::context::Mechanics;
+use crate::algebra::Algebra;
 use crate::forces::joint_motion::JointMotion;
+use crate::forces::multibody::{Multibody, NumericFacts};
 use crate::forces::positions::{EQUAL, Positions, SLOW};
-use crate::forces::speeds::By;
+use crate::forces::speeds::{AngularVelocities, By};
 use crate::forces::{freedom, motion};
-use crate::model::Rotation;
+use crate::model::{Mechanism, Rotation};
 
-/// Looks at some positions; those that do not close count for nothing.
-pub(super) fn record_steady_motion(mechanics: &mut Mechanics<'_, '_>, positions: &Positions) {
-    for body in 0..mechanics.algebra.mechanism.bodies.len() {
-        for way in freedom::ways(mechanics, body) {
-            record_rate(mechanics, &way, positions);
+/// Finds the facts at some positions; those that do not close count for nothing.
+pub(super) fn steady_motion<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    positions: &Positions,
+) -> NumericFacts {
+    let mut facts = NumericFacts::default();
+    for body in 0..algebra.mechanism.bodies.len() {
+        for way in freedom::ways(algebra.mechanism, algebra.graph, &bodies.geometry, body) {
+            record_rate(algebra, bodies, turns, &mut facts, &way, positions);
         }
-        if let Some(along) = mechanics.forces.geometry.rod(body)
-            && keeps_its_length(mechanics, along, positions)
+        if let Some(along) = bodies.geometry.rod(body)
+            && keeps_its_length(algebra, along, positions)
         {
-            mechanics.forces.rigid_rods.push(body);
+            facts.rigid_rods.push(body);
         }
     }
+    facts
 }
 
-/// True if a body moves in its own joint, and at a steady rate.
+/// Records that a body moves at a steady rate in its joint, or that it rests there.
 fn record_rate<'m>(
-    mechanics: &mut Mechanics<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    facts: &mut NumericFacts,
     way: &JointMotion<'m>,
     positions: &Positions,
 ) {
-    let drives = 0..motion::drives(mechanics);
+    let drives = 0..algebra.mechanism.inputs.len();
     let rates: Vec<Ex> = drives
-        .map(|input| freedom::relative_rate(mechanics, way, By::Input(input)))
+        .map(|input| freedom::relative_rate(algebra, bodies, turns, way, By::Input(input)))
         .collect();
     let rates = positions.numbers(&rates);
     let moves = rates.iter().flatten().any(|rate| rate.abs() > EQUAL);
     let way = (way.body, way.slides);
     if moves && all_alike(&rates) {
-        mechanics.forces.steady.push(way);
+        facts.steady.push(way);
     }
-    if !moves && !rates.is_empty() && !hangs_freely(mechanics, way.0) {
-        mechanics.forces.still.push(way);
+    if !moves && !rates.is_empty() && !hangs_freely(algebra.mechanism, way.0) {
+        facts.still.push(way);
     }
 }
 
 /// True if a body's own joint lets it turn in every way: which of them rest says nothing of the
 /// others.
-fn hangs_freely(mechanics: &Mechanics<'_, '_>, body: usize) -> bool {
-    let mechanism = mechanics.algebra.mechanism;
+fn hangs_freely(mechanism: &Mechanism, body: usize) -> bool {
     let joint = &mechanism.joints[mechanism.bodies[body].joint];
     joint.kind.rotation() == Rotation::Freely
 }
 
 /// True if `(V^2)'` is nothing beside `V^2`.
-fn keeps_its_length<'m>(
-    mechanics: &mut Mechanics<'_, 'm>,
-    along: Vn<'m>,
-    positions: &Positions,
-) -> bool {
+fn keeps_its_length<'m>(algebra: &mut Algebra<'m>, along: Vn<'m>, positions: &Positions) -> bool {
     let square = along.square();
     let mut numbers = vec![square];
     numbers.extend(
-        (0..motion::drives(mechanics))
-            .map(|input| motion::slope(mechanics, square, By::Input(input))),
+        (0..algebra.mechanism.inputs.len())
+            .map(|input| motion::slope(algebra, square, By::Input(input))),
     );
     let keeps = |numbers: &Vec<f64>| {
         let (square, slopes) = (numbers[0], &numbers[1..]);

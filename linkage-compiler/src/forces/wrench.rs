@@ -2,8 +2,9 @@
 
 use std::ops::{Add, Neg};
 
-use linkage_symbolic::{Ex, Vn};
+use linkage_symbolic::{Ex, Graph, Vn};
 
+use crate::forces::geometry::Geometry;
 use crate::forces::joint_motion::JointMotion;
 
 /// A force and a moment about a point.
@@ -24,6 +25,14 @@ pub(super) struct Carried {
 }
 
 impl<'m> Wrench<'m> {
+    /// Neither force nor moment.
+    pub(super) fn zero(graph: &'m Graph, geometry: &Geometry<'m>) -> Self {
+        Self {
+            force: geometry.zero_vector(graph),
+            moment: geometry.zero_turn(graph),
+        }
+    }
+
     /// About a point from which the force has an arm: `F`, `M + r x F`.
     pub(super) fn with_arm(self, arm: Vn<'m>) -> Self {
         Self {

@@ -74,7 +74,9 @@ pub fn plain(name: &str) -> &str {
 impl CompiledMechanism {
     /// The scalars of all parameters, as programs count them.
     pub fn scalars(&self) -> impl Iterator<Item = &Scalar> {
-        self.parameters.iter().flat_map(|own| &own.scalars)
+        self.parameters
+            .iter()
+            .flat_map(|parameter| &parameter.scalars)
     }
 
     /// Returns the way in which a number of a coupled group is shown and measured.
@@ -126,10 +128,10 @@ impl CompiledMechanism {
         let mut slacks = self.survey.clone();
         let outputs = self.survey.outputs.iter().skip(1).copied();
         slacks.outputs = outputs.take(self.groups.len()).collect();
-        for (number, own) in self.coupled.iter().enumerate() {
+        for (number, coupled) in self.coupled.iter().enumerate() {
             let state = slacks.push(Instruction::Load(Source::State(number, 0)));
             // A unit of single programs has no survey.
-            if let Some(output) = slacks.outputs.get_mut(own.group) {
+            if let Some(output) = slacks.outputs.get_mut(coupled.group) {
                 *output = state;
             }
         }
@@ -143,10 +145,10 @@ impl CompiledMechanism {
         if self.groups.is_empty() {
             return None;
         }
-        let inputs = self.inputs.iter().map(|own| Driven {
-            angle: own.angle,
-            reference: own.reference,
-            range: own.range,
+        let inputs = self.inputs.iter().map(|input| Driven {
+            angle: input.angle,
+            reference: input.reference,
+            range: input.range,
         });
         range_check::checked(inputs, !self.coupled.is_empty()).ok()
     }

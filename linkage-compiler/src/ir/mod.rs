@@ -5,7 +5,7 @@
 //! that one of them must know of a mechanism is here. Data that only Rust needs (visibility,
 //! attributes, spans) stays in `syntax` and is joined by index.
 
-mod closing;
+mod closure_programs;
 mod dump;
 mod format;
 mod function;
@@ -17,7 +17,7 @@ mod picture_words;
 mod signature;
 
 pub use crate::model::{COMPONENTS, Shape};
-pub use closing::{Closing, Outputs};
+pub use closure_programs::{ClosurePrograms, Outputs};
 pub use dump::dump;
 pub use format::in_degrees;
 pub use function::{Body, Column, Field, Function, Meaning};

@@ -7,8 +7,8 @@ use super::picture::{DriveOn, GuideOn, GuideShape, Member, Picture};
 impl Display for Picture {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         let point = |index: usize| &self.points[index].name;
-        for own in &self.points {
-            writeln!(f, "point {}: {:?}", own.name, own.kind)?;
+        for point in &self.points {
+            writeln!(f, "point {}: {:?}", point.name, point.kind)?;
         }
         for link in &self.links {
             let names: Vec<&str> = link.points.iter().map(|&k| point(k).as_str()).collect();
@@ -31,7 +31,7 @@ impl Display for Picture {
             writeln!(f, "axis in {}: {}", point(at), self.directions[direction])?;
         }
         for joint in &self.joints {
-            let members = joint.between.iter().map(|own| self.member(*own));
+            let members = joint.between.iter().map(|member| self.member(*member));
             let members: Vec<String> = members.collect();
             let kind = format!("{:?}", joint.shape).to_lowercase();
             writeln!(f, "{kind} {}: {}", point(joint.point), members.join(", "))?;
@@ -50,17 +50,20 @@ impl Display for Picture {
         }
         for part in &self.parts {
             let names = [
-                part.points.iter().map(|&own| point(own).as_str()).collect(),
+                part.points
+                    .iter()
+                    .map(|&index| point(index).as_str())
+                    .collect(),
                 part.links
                     .iter()
-                    .map(|&own| self.links[own].name.as_str())
+                    .map(|&link| self.links[link].name.as_str())
                     .collect(),
                 part.guides
                     .iter()
-                    .map(|&own| self.guides[own].name.as_str())
+                    .map(|&guide| self.guides[guide].name.as_str())
                     .collect::<Vec<_>>(),
             ];
-            let names: Vec<String> = names.iter().map(|own| own.join(", ")).collect();
+            let names: Vec<String> = names.iter().map(|names| names.join(", ")).collect();
             writeln!(f, "part {}: {}", part.name, names.join("; "))?;
         }
         Ok(())
@@ -68,8 +71,8 @@ impl Display for Picture {
 }
 
 impl Picture {
-    fn member(&self, own: Member) -> String {
-        match own {
+    fn member(&self, member: Member) -> String {
+        match member {
             Member::Frame => "frame".to_owned(),
             Member::Link(link) => self.links[link].name.clone(),
             Member::Rail(guide) => match self.guides[guide].shape {

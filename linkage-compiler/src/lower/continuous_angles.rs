@@ -15,7 +15,9 @@ pub(super) fn continuous_angles<'m>(
     let mut coefficients = Vec::new();
     let angles = angles.iter().map(|&index| {
         let angle = algebra.names.angles[index].clone();
-        let phasors = angle.reference.and_then(|bearing| bearing.phasors(algebra));
+        let phasors = angle
+            .reference
+            .and_then(|bearing| bearing.phasors(&algebra.names));
         let phasors = phasors.unwrap_or_default();
         coefficients.extend(
             phasors
@@ -24,7 +26,11 @@ pub(super) fn continuous_angles<'m>(
         );
         ContinuousAngle {
             unknown: angle.meant().unwrap_or(0),
-            inputs: dependence::inputs_below(algebra, &angle.unit.0),
+            inputs: dependence::inputs_below(
+                algebra.graph,
+                &mut algebra.derivatives.dependence,
+                &angle.unit.0,
+            ),
             estimate: angle.estimate(nominal),
             phases: phasors
                 .iter()

@@ -34,9 +34,9 @@ pub(crate) fn mechanism<'m>(
     let gaps = formulation.groups.iter().map(|group| group.closed.gap);
     let gaps = plain(&mut inliner, &gaps.collect::<Vec<_>>());
     let survey = plain(&mut inliner, &survey(algebra, formulation));
-    let closing = &at.reference.machine.closing;
+    let closure = &at.reference.machine.closure;
     let nodes = group_nodes(algebra, formulation, at.nominal, &mut inliner, |prepared| {
-        if closing.coupled[prepared.number].followed {
+        if closure.coupled[prepared.number].followed {
             AssemblySource::Estimates
         } else {
             AssemblySource::Listing

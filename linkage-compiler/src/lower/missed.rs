@@ -32,7 +32,10 @@ pub(super) fn missed<'m>(
         prepared.define(algebra.graph, Version::Raw);
         let (loops, mut sides) = differences(algebra, solved, unit.longest);
         for frame in loops_of_frames(algebra.mechanism, formulation, index) {
-            sides.extend(difference(algebra, &algebra.mechanism.loops[frame]));
+            sides.extend(difference(
+                &mut algebra.names,
+                &algebra.mechanism.loops[frame],
+            ));
         }
         let sides = plain(inliner, &sides);
         // Values of angles take turns that are not followed to where estimates are.
@@ -71,7 +74,7 @@ fn differences<'m>(
     let (mut missed, mut sides) = (Vec::new(), Vec::new());
     for index in written {
         let equation = &mechanism.loops[index];
-        let difference = difference(algebra, equation);
+        let difference = difference(&mut algebra.names, equation);
         // A side that is 0 may be of any dimension.
         let dimensions = [&equation.left.ty, &equation.right.ty].into_iter();
         let dimensions = dimensions.filter_map(|ty| ty.dimension());

@@ -1,9 +1,10 @@
 //! Lowering of expressions to programs: definitions inlined, values shared, sliced and ordered.
 //!
-//! [`mechanism`] makes all programs of a compiled mechanism. [`closing`] makes those that close the
-//! loops at the reference inputs, which are run by the interpreter before functions are looked at.
+//! [`mechanism`] makes all programs of a compiled mechanism. [`closure_programs`] makes those that
+//! close the loops at the reference inputs, which are run by the interpreter before functions are
+//! looked at.
 
-mod closing;
+mod closure_programs;
 mod continuous_angles;
 mod formulas;
 mod functions;
@@ -15,7 +16,7 @@ mod plain;
 mod signature;
 mod survey;
 
-pub(crate) use closing::closing;
+pub(crate) use closure_programs::closure_programs;
 pub(crate) use formulas::Formulas;
 pub(crate) use functions::FunctionExpressions;
 pub(crate) use mechanism::mechanism;

@@ -52,7 +52,7 @@ pub(super) fn signature<'m>(
         reference: nominal.inputs[index],
         range: nominal.ranges[index],
         followed: followed_range(algebra, nominal, index),
-        rates: constant_ratio::candidate_rates(algebra, index),
+        rates: constant_ratio::candidate_rates(&algebra.names, index),
     });
     let arguments = mechanism.arguments.iter().enumerate();
     let arguments = arguments.map(|(index, argument)| Argument {
@@ -110,7 +110,7 @@ fn own_parameters(algebra: &Algebra, formulation: &Formulation) -> Vec<Vec<usize
             needs.extend(coefficients.flat_map(|x| x.components()));
         }
         // The dependencies of earlier groups have been visited.
-        let symbols = dependence::add_symbols_below(algebra, &needs, &mut seen).into_iter();
+        let symbols = dependence::add_symbols_below(algebra.graph, &needs, &mut seen).into_iter();
         let mut parameters: Vec<usize> = symbols
             .filter_map(|symbol| match algebra.graph.symbol(symbol).source {
                 Some(Source::Parameter(index)) => Some(index),
@@ -127,13 +127,13 @@ fn own_parameters(algebra: &Algebra, formulation: &Formulation) -> Vec<Vec<usize
 /// Returns the method that solves a group: a group whose assemblies cannot be listed has another
 /// one than its form gives.
 fn method(algebra: &Algebra, solved: &Solved, reference: &Reference) -> String {
-    let coupled = &reference.machine.closing.coupled;
+    let coupled = &reference.machine.closure.coupled;
     let followed = |prepared: &&Prepared| coupled[prepared.number].followed;
     let Some(prepared) = solved.prepared.as_ref().filter(followed) else {
         return solved.closed.method.to_owned();
     };
     let how = prepared.method();
-    let solutions = SolutionBound::of_group(algebra, &solved.group);
+    let solutions = SolutionBound::of_group(&algebra.names, &solved.group);
     format!("followed from the estimates; {solutions} not listed; {how}")
 }
 

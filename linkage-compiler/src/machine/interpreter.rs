@@ -8,13 +8,13 @@ use linkage_symbolic::program::{Program, Source, Value};
 use linkage_symbolic::{Ex, SymbolId, evaluate, evaluate_given};
 
 use crate::algebra::{Algebra, Bound, Nominal};
-use crate::ir::{Closing, ContinuousAngle, Coupled, Generated, PreparedTable};
+use crate::ir::{ClosurePrograms, ContinuousAngle, Coupled, Generated, PreparedTable};
 use crate::solve::Formulation;
 
 /// The programs with their data.
 #[derive(Clone, Debug)]
 pub(crate) struct Machine {
-    pub(crate) closing: Closing,
+    pub(crate) closure: ClosurePrograms,
     parameters: Vec<f64>,
     pub(crate) modes: Vec<f64>,
     pub(crate) centres: Map<usize, f64>,
@@ -36,14 +36,18 @@ fn state(start: &PreparedTable, group: &Coupled, inputs: &[f64]) -> Vec<f64> {
 }
 
 impl Machine {
-    pub(crate) fn new(closing: Closing, formulation: &Formulation, nominal: &Nominal) -> Self {
+    pub(crate) fn new(
+        closure: ClosurePrograms,
+        formulation: &Formulation,
+        nominal: &Nominal,
+    ) -> Self {
         Self {
             parameters: nominal.parameters.clone(),
             modes: vec![1.0; formulation.modes()],
             centres: Map::new(),
             windings: Map::new(),
-            starts: vec![None; closing.coupled.len()],
-            closing,
+            starts: vec![None; closure.coupled.len()],
+            closure,
         }
     }
 
@@ -54,7 +58,7 @@ impl Machine {
         asked: &[ContinuousAngle],
     ) -> Vec<(usize, usize)> {
         let outputs = self
-            .closing
+            .closure
             .groups
             .iter()
             .flat_map(|group_outputs| &group_outputs.unknowns);
@@ -65,7 +69,7 @@ impl Machine {
                 Bound::Lengths(_) => None,
             })
             .filter(|(angle, _)| {
-                self.closing
+                self.closure
                     .valued
                     .iter()
                     .all(|(valued, _)| valued != angle)
@@ -76,7 +80,7 @@ impl Machine {
     /// The values of the instructions `from..to` at given inputs; `values` holds those before.
     pub(crate) fn advance(&self, values: &mut Vec<f64>, from: usize, to: usize, inputs: &[f64]) {
         let states = self.states(inputs);
-        run_steps(&self.closing.program, from, to, values, |source| {
+        run_steps(&self.closure.program, from, to, values, |source| {
             self.load(source, inputs, &states)
         });
     }
@@ -116,7 +120,7 @@ impl Machine {
 
     /// Returns the prepared states of all coupled groups near some inputs.
     pub(crate) fn states(&self, inputs: &[f64]) -> Vec<Vec<f64>> {
-        let starts = self.starts.iter().zip(&self.closing.coupled);
+        let starts = self.starts.iter().zip(&self.closure.coupled);
         starts
             .map(|(start, group)| {
                 start
@@ -172,12 +176,12 @@ impl Machine {
     /// All values at given inputs.
     pub(crate) fn run(&self, values: &mut Vec<f64>, inputs: &[f64]) {
         values.clear();
-        self.advance(values, 0, self.closing.program.instructions.len(), inputs);
+        self.advance(values, 0, self.closure.program.instructions.len(), inputs);
     }
 
     /// Returns the part of the program that computes some of its outputs.
     pub(crate) fn part(&self, outputs: impl IntoIterator<Item = usize>) -> Program {
-        let whole = &self.closing.program;
+        let whole = &self.closure.program;
         let part = Program {
             instructions: whole.instructions.clone(),
             outputs: outputs.into_iter().map(|k| whole.outputs[k]).collect(),
@@ -193,7 +197,7 @@ impl Machine {
 
     /// An output's value.
     pub(crate) fn output(&self, values: &[f64], output: usize) -> f64 {
-        let Value(place) = self.closing.program.outputs[output];
-        values[place]
+        let Value(index) = self.closure.program.outputs[output];
+        values[index]
     }
 }

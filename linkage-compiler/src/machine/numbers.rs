@@ -18,7 +18,7 @@ pub(crate) struct Numbers<'a> {
 impl<'a> Numbers<'a> {
     /// A coupled group at these inputs of the mechanism, and those of them that are its own.
     pub(crate) fn new(machine: &'a Machine, number: usize, inputs: &[f64]) -> (Self, Vec<f64>) {
-        let group_inputs = &machine.closing.coupled[number].inputs;
+        let group_inputs = &machine.closure.coupled[number].inputs;
         let group_inputs = group_inputs.iter().map(|&input| inputs[input]).collect();
         let inputs = inputs.to_vec();
         let numbers = Self {
@@ -30,13 +30,13 @@ impl<'a> Numbers<'a> {
     }
 
     fn group(&self) -> &Coupled {
-        &self.machine.closing.coupled[self.number]
+        &self.machine.closure.coupled[self.number]
     }
 
     /// All inputs of the mechanism; the group's own are `x`.
-    fn at(&mut self, x: &[f64]) {
+    fn set_inputs(&mut self, x: &[f64]) {
         let machine = self.machine;
-        let group_inputs = &machine.closing.coupled[self.number].inputs;
+        let group_inputs = &machine.closure.coupled[self.number].inputs;
         for (&input, &value) in group_inputs.iter().zip(x) {
             self.inputs[input] = value;
         }
@@ -50,7 +50,7 @@ impl<'a> Numbers<'a> {
 
 impl Correction for Numbers<'_> {
     fn correct(&mut self, x: &[f64], state: &mut [f64]) -> Step {
-        self.at(x);
+        self.set_inputs(x);
         let outputs = self.run(&self.group().correct, state);
         let (next, rest) = outputs.split_at(state.len());
         state.copy_from_slice(next);
@@ -63,7 +63,7 @@ impl Correction for Numbers<'_> {
 
 impl Residuals for Numbers<'_> {
     fn residuals(&mut self, x: &[f64], state: &[Enclosure]) -> Vec<Enclosure> {
-        self.at(x);
+        self.set_inputs(x);
         let program = &self.group().residuals;
         self.machine
             .run_over(self.number, program, &self.inputs, state)

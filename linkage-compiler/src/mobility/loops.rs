@@ -3,13 +3,13 @@
 use linkage_symbolic::program::Source;
 use linkage_symbolic::{Ex, Graph, SymbolId, evaluate_given, lookup::Map};
 
-use crate::algebra::{Algebra, Bound, Translate, Value, scalar, translate};
+use crate::algebra::{Bound, Names, Translate, Value, scalar, translate};
 use crate::mobility::position::{Position, halves};
 use crate::model::{Loop, Mechanism, unknown_frames};
 
 /// The differences of the sides of all loops, one for each component.
 pub(crate) struct Loops<'g> {
-    algebra: Algebra<'g>,
+    names: Names<'g>,
     sides: Vec<Ex<'g>>,
     /// The loop of each row, and the dimension of its sides in halves of lengths.
     rows: Vec<(usize, i32)>,
@@ -19,24 +19,20 @@ impl<'g> Loops<'g> {
     /// In a graph of their own: nodes made in another order would change how sums of the mechanism
     /// are written.
     pub(crate) fn new(mechanism: &'g Mechanism, graph: &'g Graph) -> Self {
-        let mut algebra = Algebra::new(mechanism, graph);
-        translate::translate_lets(&mut algebra);
+        let mut names = Names::new(mechanism, graph);
+        translate::translate_lets(&mut names);
         let (mut sides, mut rows) = (Vec::new(), Vec::new());
         for (index, equation) in mechanism.loops.iter().enumerate() {
             if unknown_frames::is_loop_of_frame(mechanism, index) {
                 continue;
             }
             let halves = halves(&equation.left.ty).max(halves(&equation.right.ty));
-            for row in difference(&mut algebra, equation) {
+            for row in difference(&mut names, equation) {
                 rows.push((index, halves));
                 sides.push(row);
             }
         }
-        Self {
-            algebra,
-            sides,
-            rows,
-        }
+        Self { names, sides, rows }
     }
 
     /// The loop that a row is of.
@@ -54,10 +50,10 @@ impl<'g> Loops<'g> {
     pub(crate) fn missed(&self, position: &Position, values: &[Vec<f64>]) -> Vec<f64> {
         let nominal = position.nominal;
         let mut known: Map<SymbolId, f64> = Map::new();
-        for (bound, value) in self.algebra.names.bound.iter().zip(values) {
+        for (bound, value) in self.names.bound.iter().zip(values) {
             match bound {
                 Bound::Angle(angle) => {
-                    let symbols = &self.algebra.names.angles[*angle];
+                    let symbols = &self.names.angles[*angle];
                     let (sin, cos) = value[0].sin_cos();
                     known.extend([
                         (symbols.cos, cos),
@@ -84,14 +80,14 @@ impl<'g> Loops<'g> {
 }
 
 /// The left side of a loop without the right one, by component.
-pub(crate) fn difference<'m>(algebra: &mut Algebra<'m>, equation: &Loop) -> Vec<Ex<'m>> {
-    let [left, right] = [&equation.left, &equation.right].map(|side| algebra.translate(side));
+pub(crate) fn difference<'m>(names: &mut Names<'m>, equation: &Loop) -> Vec<Ex<'m>> {
+    let [left, right] = [&equation.left, &equation.right].map(|side| names.translate(side));
     match (&left, &right) {
         (Value::Scalar(_), Value::Scalar(_)) => {
-            vec![scalar::number(algebra, &left) - scalar::number(algebra, &right)]
+            vec![scalar::number(names, &left) - scalar::number(names, &right)]
         }
         _ => {
-            let difference = scalar::vector(algebra, &left) - scalar::vector(algebra, &right);
+            let difference = scalar::vector(names, &left) - scalar::vector(names, &right);
             difference.iter().collect()
         }
     }

@@ -71,13 +71,13 @@ fn motion_text(position: &Position<'_, '_>, vector: &[f64], rows: &LoopRows) -> 
         let changes = unknowns
             .iter()
             .enumerate()
-            .map(|(place, (unknown, change))| {
+            .map(|(index, (unknown, change))| {
                 let item = &position.mechanism.unknowns[*unknown];
                 let change: Vec<f64> = change
                     .iter()
                     .map(|x| shown(position, *unknown, *x))
                     .collect();
-                let can = if place == 0 { " can change" } else { "" };
+                let can = if index == 0 { " can change" } else { "" };
                 let change = position.words.coordinate(&item.ty, &change);
                 format!("`{}`{can} by {change}", item.name)
             });
@@ -168,10 +168,10 @@ fn simple(mut all: Vec<Vec<f64>>, rows: &LoopRows, position: &Position) -> Vec<V
     // Turns are eliminated from one motion after the other, the largest first: the rest only
     // shifts.
     let mut turning = Vec::new();
-    while let Some((index, place)) = largest_of(&all, &turns) {
+    while let Some((index, column)) = largest_of(&all, &turns) {
         let turn = all.swap_remove(index);
         for other in all.iter_mut().chain(&mut turning) {
-            let factor = other[place] / turn[place];
+            let factor = other[column] / turn[column];
             take(other, factor, &turn);
         }
         turning.push(turn);
@@ -199,8 +199,8 @@ fn simple(mut all: Vec<Vec<f64>>, rows: &LoopRows, position: &Position) -> Vec<V
 
 /// The motion and the place of the largest turn; nothing if none turns.
 fn largest_of(all: &[Vec<f64>], turns: &[usize]) -> Option<(usize, usize)> {
-    let places = (0..all.len()).flat_map(|index| turns.iter().map(move |&place| (index, place)));
-    let share = |&(index, place): &(usize, usize)| all[index][place].abs() / largest(&all[index]);
+    let places = (0..all.len()).flat_map(|index| turns.iter().map(move |&column| (index, column)));
+    let share = |&(index, column): &(usize, usize)| all[index][column].abs() / largest(&all[index]);
     let best = places.max_by(|a, b| share(a).total_cmp(&share(b)))?;
     (share(&best) > LITTLE).then_some(best)
 }

@@ -12,10 +12,10 @@ pub(crate) fn rows(position: &Position<'_, '_>, loops: &Loops) -> Option<LoopRow
     let kept: Vec<usize> = (0..here.len()).filter(|&k| here[k].is_finite()).collect();
     let columns = position.columns();
     let mut matrix = vec![vec![0.0; columns.len()]; kept.len()];
-    for (place, &column) in columns.iter().enumerate() {
+    for (index, &column) in columns.iter().enumerate() {
         let [before, after] = [-STEP, STEP].map(|step| at(&position.moved(column, step)));
         for (row, &k) in matrix.iter_mut().zip(&kept) {
-            row[place] = (after[k] - before[k]) / (2.0 * STEP);
+            row[index] = (after[k] - before[k]) / (2.0 * STEP);
         }
     }
     let finite = matrix.iter().flatten().all(|x| x.is_finite());

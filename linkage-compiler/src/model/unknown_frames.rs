@@ -12,8 +12,12 @@ pub(crate) fn is_loop_of_frame(mechanism: &Mechanism, index: usize) -> bool {
 /// The bodies of space that are unknowns, each with its name, its origin and two of its axes.
 pub(crate) fn bodies_of_space(mechanism: &Mechanism) -> Vec<(String, Vec<usize>)> {
     let lets = mechanism.lets.iter();
-    let frames =
-        lets.filter_map(|own| Some((own.name.clone(), unknowns_of(mechanism, &own.value)?)));
+    let frames = lets.filter_map(|binding| {
+        Some((
+            binding.name.clone(),
+            unknowns_of(mechanism, &binding.value)?,
+        ))
+    });
     frames.filter(|(_, parts)| parts.len() == 3).collect()
 }
 

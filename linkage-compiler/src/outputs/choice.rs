@@ -5,7 +5,7 @@ use linkage_symbolic::inline::Inliner;
 use linkage_symbolic::{Ex, NodeId};
 
 use crate::algebra::Direction;
-use crate::algebra::derivatives::{links, preaccumulation};
+use crate::algebra::derivatives::preaccumulation;
 use crate::lower::Formulas;
 use crate::model::EvaluatorDef;
 
@@ -84,7 +84,7 @@ impl<'m> Choice<'m> {
             };
             self.try_strategy(state, inliner, definition, strategy, 0.0);
         }
-        let offered = links::offered_shortcuts(state.algebra);
+        let offered = state.algebra.derivatives.offered;
         if offered.turns {
             let mut strategy = self.strategy;
             strategy.shortcuts.turns = true;

@@ -20,8 +20,16 @@ pub(super) fn check_inputs<'m>(
         true => "input",
         false => "argument",
     };
-    let mut needed = dependence::inputs_below(algebra, &requested.underlying);
-    let computed = dependence::inputs_below(algebra, &requested.scalars);
+    let mut needed = dependence::inputs_below(
+        algebra.graph,
+        &mut algebra.derivatives.dependence,
+        &requested.underlying,
+    );
+    let computed = dependence::inputs_below(
+        algebra.graph,
+        &mut algebra.derivatives.dependence,
+        &requested.scalars,
+    );
     needed.extend(&requested.variables);
     for (&input, &origin) in definition.inputs.iter().zip(&definition.input_origins) {
         if !needed.contains(&input) {

@@ -51,7 +51,7 @@ impl<'m> PartGraph<'m> {
         // All diagnostics have been reported for the whole mechanism.
         let mut diagnostics = Diagnostics::default();
         let silent = Reporter::new(reporter.origins(), &mut diagnostics);
-        let structure = decompose(&mut part_algebra, at.written, scope, silent);
+        let structure = decompose(&mut part_algebra.names, at.written, scope, silent);
         if !diagnostics.is_empty() {
             return None;
         }

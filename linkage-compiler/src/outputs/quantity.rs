@@ -4,9 +4,9 @@ use linkage_symbolic::{Ex, SymbolId, Vector, Vn};
 
 use crate::algebra::derivatives::{dependence, direction, links, rotation_variation};
 use crate::algebra::{
-    Algebra, Direction, Shortcuts, Translate, Value, frame, scalar, translate, via_slider,
+    Algebra, Direction, Names, Shortcuts, Translate, Value, frame, scalar, translate, via_slider,
 };
-use crate::forces::{Forces, quantities};
+use crate::forces::{Forces, Question, quantities};
 use crate::model::{EvaluatorDef, Expr, ExprKind, Type, VECTORS_OF_PLANE, Variable};
 use crate::solve::Formulation;
 
@@ -44,7 +44,9 @@ pub(super) fn request<'m>(
     definition: &EvaluatorDef,
     strategy: Strategy,
 ) -> Requested<'m> {
-    if links::use_shortcuts(state.algebra, strategy.shortcuts) {
+    let algebra = &mut *state.algebra;
+    let (solutions, derivatives) = (&mut algebra.solutions, &mut algebra.derivatives);
+    if links::use_shortcuts(solutions, derivatives, strategy.shortcuts) {
         state.forces.forget_derivatives();
     }
     let mut request = Request {
@@ -110,7 +112,14 @@ impl<'m> Request<'_, 'm> {
             value if !self.strategy.other_sides => value,
             Value::Vector(vector) if vector.len() == 2 => {
                 let plane = Vector([vector.at(0), vector.at(1)]);
-                Value::Vector(via_slider::via_sliders(self.algebra, plane).into())
+                Value::Vector(
+                    via_slider::via_sliders(
+                        &self.algebra.names,
+                        &mut self.algebra.solutions,
+                        plane,
+                    )
+                    .into(),
+                )
             }
             Value::Array(entries) => {
                 let entries = entries.into_iter();
@@ -127,13 +136,16 @@ impl<'m> Request<'_, 'm> {
                 let entries = entries.into_iter().zip(types);
                 Value::Array(entries.map(|(entry, ty)| self.in_unit(entry, ty)).collect())
             }
-            (value, ty) => divided(value, translate::internal_per_unit(self.algebra, ty)),
+            (value, ty) => divided(
+                value,
+                translate::internal_per_unit(self.algebra.mechanism, ty),
+            ),
         }
     }
 
     fn flatten(&self, value: &Value<'m>, scalars: &mut Vec<Ex<'m>>) {
         match value {
-            Value::Scalar(scalar) => scalars.push(scalar::value_of(self.algebra, scalar)),
+            Value::Scalar(scalar) => scalars.push(scalar::value_of(&self.algebra.names, scalar)),
             Value::Vector(vector) => scalars.extend(vector.iter()),
             Value::Array(entries) => entries
                 .iter()
@@ -151,7 +163,11 @@ impl<'m> Request<'_, 'm> {
             let listed = &self.definition.inputs;
             let all = 0..formulation.groups.len();
             let mut determined = |group: &usize| {
-                let inputs = dependence::inputs_below(self.algebra, &[margin_of(*group)]);
+                let inputs = dependence::inputs_below(
+                    self.algebra.graph,
+                    &mut self.algebra.derivatives.dependence,
+                    &[margin_of(*group)],
+                );
                 inputs.iter().all(|input| listed.contains(input))
             };
             groups = all.clone().filter(&mut determined).collect();
@@ -194,7 +210,9 @@ impl<'m> Request<'_, 'm> {
         };
         let slope = self.slope(value, symbol, direction);
         // The derivative is with respect to the field, which is given in its own unit.
-        let field_unit = ty.map_or(1.0, |ty| translate::internal_per_unit(self.algebra, &ty));
+        let field_unit = ty.map_or(1.0, |ty| {
+            translate::internal_per_unit(self.algebra.mechanism, &ty)
+        });
         divided(slope, field_unit)
     }
 
@@ -202,7 +220,7 @@ impl<'m> Request<'_, 'm> {
         let algebra = &mut *self.algebra;
         match value {
             Value::Scalar(scalar) => {
-                let x = scalar::value_of(algebra, scalar);
+                let x = scalar::value_of(&algebra.names, scalar);
                 direction::derivative(algebra, x, variable, direction).into()
             }
             Value::Vector(vector) => Value::Vector(
@@ -248,7 +266,7 @@ impl<'m> Request<'_, 'm> {
                     Some(turn) => turn,
                     None => {
                         let slope = request.derivative(frame, Variable::Input(input));
-                        frame::turning_of_frame(request.algebra, frame, &slope)
+                        frame::turning_of_frame(&request.algebra.names, frame, &slope)
                     }
                 };
             request.by_inputs(&turning, order - 1)
@@ -271,8 +289,8 @@ impl<'m> Request<'_, 'm> {
 }
 
 impl<'m> Translate<'m> for Request<'_, 'm> {
-    fn algebra(&mut self) -> &mut Algebra<'m> {
-        self.algebra
+    fn names(&mut self) -> &mut Names<'m> {
+        &mut self.algebra.names
     }
 
     fn quantity(&mut self, expr: &Expr) -> Value<'m> {
@@ -304,10 +322,8 @@ impl<'m> Translate<'m> for Request<'_, 'm> {
                 let mechanism = self.algebra.mechanism;
                 let motion = listed.iter().filter(|&&input| !mechanism.is_load(input));
                 self.requested.variables.extend(motion);
-                let mut mechanics =
-                    self.forces
-                        .in_function(self.algebra, listed, self.with_reactions);
-                quantities::quantity(&mut mechanics, quantity)
+                let question = Question::new(mechanism, listed, self.with_reactions);
+                quantities::quantity(self.algebra, self.forces, &question, quantity)
             }
             ExprKind::Picture(_) => {
                 let vectors = self.drawn.iter().copied();

@@ -45,10 +45,10 @@ fn expect_agreement(items: &str, function: &str) {
 
     let graph = Graph::new();
     let mut algebra = Algebra::new(&mechanism, &graph);
-    let mut nominal = Nominal::from_mechanism(&mut algebra);
+    let mut nominal = Nominal::from_mechanism(&mut algebra.names);
     let mut reporter = Reporter::new(&origins, &mut diagnostics);
     let structure = structure::decompose(
-        &mut algebra,
+        &mut algebra.names,
         &nominal,
         &structure::Scope::all(&mechanism),
         reporter.reborrow(),
@@ -81,11 +81,11 @@ fn expect_agreement(items: &str, function: &str) {
         requested.scalars
     });
     let results: Vec<Vec<Ex>> = results.collect();
-    let closing = lower::closing(&mut algebra, &formulation, &nominal);
+    let closure = lower::closure_programs(&mut algebra, &formulation, &nominal);
     let reference = assemble_reference(
         &algebra,
         &formulation,
-        closing,
+        closure,
         &mut nominal,
         Vec::new(),
         reporter,

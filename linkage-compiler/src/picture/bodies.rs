@@ -1,22 +1,29 @@
 //! Points and segments of bodies and joints.
 
+use crate::algebra::Algebra;
 use crate::model::Joint;
+use crate::picture::layout::Layout;
 use crate::picture::marks::{Line, Shape, Title};
 use crate::picture::sketch::Sketch;
-use crate::picture::{chains, parts, titles};
+use crate::picture::statement::Statement;
+use crate::picture::{chains, layout, parts, titles};
 
 /// The joints of each body are points of it.
-pub(super) fn look_at_bodies(sketch: &mut Sketch<'_, '_>) {
-    let mechanism = sketch.algebra.mechanism;
+pub(super) fn look_at_bodies<'m>(
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    sketch: &mut Sketch<'m>,
+) {
+    let mechanism = algebra.mechanism;
     let points: Vec<Option<usize>> = mechanism
         .joints
         .iter()
-        .map(|joint| chains::point_of(sketch, &joint.at))
+        .map(|joint| chains::point_of(algebra, layout, sketch, Statement::default(), &joint.at))
         .collect();
     for (joint, point) in mechanism.joints.iter().zip(&points) {
         if let (Some(text), Some(point)) = (&joint.name, point) {
             let text = text.clone();
-            titles::call(sketch, *point, Title { rank: 3, text });
+            titles::call(&mut sketch.points[*point], Title { rank: 3, text });
         }
     }
     for (index, body) in mechanism.bodies.iter().enumerate() {
@@ -29,8 +36,8 @@ pub(super) fn look_at_bodies(sketch: &mut Sketch<'_, '_>) {
             if let (true, Some(point)) = (carries || joint.body == index, point) {
                 let text = body.name.clone();
                 sketch.segment(
-                    origin,
-                    *point,
+                    &[],
+                    [origin, *point],
                     Some(Title { rank: 0, text }),
                     Shape::Body(Some(index)),
                 );
@@ -40,13 +47,15 @@ pub(super) fn look_at_bodies(sketch: &mut Sketch<'_, '_>) {
     for (joint, point) in mechanism.joints.iter().zip(&points) {
         if let Some(point) = point {
             sketch.joints.push((*point, joint.kind));
-            look_at_direction(sketch, joint, *point, &points);
+            look_at_direction(algebra, layout.dimension, sketch, joint, *point, &points);
         }
     }
 }
 
 fn look_at_direction<'m>(
-    sketch: &mut Sketch<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    dimension: usize,
+    sketch: &mut Sketch<'m>,
     joint: &'m Joint,
     point: usize,
     points: &[Option<usize>],
@@ -54,10 +63,10 @@ fn look_at_direction<'m>(
     let Some(direction) = &joint.direction else {
         return;
     };
-    let mechanism = sketch.algebra.mechanism;
-    let along = sketch.vector(direction);
+    let mechanism = algebra.mechanism;
+    let along = layout::vector(algebra, dimension, direction);
     if !joint.kind.slides() {
-        return parts::axis(sketch, point, along);
+        return parts::axis(&mut sketch.axes, point, along);
     }
     let along = along.unit();
     let carrier = joint

@@ -4,11 +4,17 @@ use crate::diagnostic::text::list;
 use crate::diagnostic::{OriginId, Reporter};
 use crate::ir::{Picture, PointKind};
 use crate::message_format::numbers;
-use crate::picture::marks::Asked;
+use crate::model::Mechanism;
+use crate::picture::marks::{Asked, Spot};
 use crate::picture::samples::Samples;
 use crate::picture::sketch::Sketch;
 
-pub(super) fn check_lists(sketch: &Sketch, samples: &Samples, reporter: &mut Reporter) {
+pub(super) fn check_lists(
+    mechanism: &Mechanism,
+    sketch: &Sketch,
+    samples: &Samples,
+    reporter: &mut Reporter,
+) {
     for asked in &sketch.asked {
         let first = samples.same[asked.points[0]];
         if asked
@@ -18,7 +24,7 @@ pub(super) fn check_lists(sketch: &Sketch, samples: &Samples, reporter: &mut Rep
         {
             let fact = "these points are always at the same place: this is no link";
             reporter.error_with_help(asked.origin, fact, "list different points of the link");
-        } else if let Some(fact) = stretched(sketch, samples, asked) {
+        } else if let Some(fact) = stretched(mechanism, &sketch.points, samples, asked) {
             let help = "a link is rigid: list points that keep their distances";
             reporter.error_with_help(asked.origin, fact, help);
         } else if asked.points.iter().all(|&point| samples.is_fixed(point)) {
@@ -71,9 +77,14 @@ pub(super) fn warn_of_loose_points(picture: &Picture, origin: OriginId, reporter
 }
 
 /// Two points of a list whose distance changes, with the numbers.
-fn stretched(sketch: &Sketch, samples: &Samples, asked: &Asked) -> Option<String> {
+fn stretched(
+    mechanism: &Mechanism,
+    points: &[Spot],
+    samples: &Samples,
+    asked: &Asked,
+) -> Option<String> {
     let name = |index: usize| {
-        let title = sketch.points[asked.points[index]].name.as_ref();
+        let title = points[asked.points[index]].name.as_ref();
         title.map_or_else(
             || format!("point {}", index + 1),
             |title| format!("`{}`", title.text),
@@ -93,7 +104,7 @@ fn stretched(sketch: &Sketch, samples: &Samples, asked: &Asked) -> Option<String
                 far
             }
         });
-        let unit = sketch.algebra.mechanism.unit.name();
+        let unit = mechanism.unit.name();
         let lengths = numbers(&[distances[0], other]);
         return Some(format!(
             "a link that stretches: from {} to {} it is {} {unit} at the reference input, {} {unit} elsewhere",

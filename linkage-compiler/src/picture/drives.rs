@@ -4,16 +4,15 @@ use std::collections::BTreeSet;
 
 use linkage_symbolic::lookup::{Map, Set};
 use linkage_symbolic::program::Source;
-use linkage_symbolic::{SymbolId, Vn};
+use linkage_symbolic::{Graph, SymbolId, Vn};
 
-use crate::algebra::Bound;
+use crate::algebra::{Algebra, Bound, Names};
 use crate::ir::{Drive, DriveOn, Gear, Picture, PicturePart};
 use crate::model::{Loop, Name};
 use crate::picture::by_point::ByPoint;
 use crate::picture::marks::{Segment, Shape};
 use crate::picture::open_loop;
 use crate::picture::samples::Samples;
-use crate::picture::sketch::Sketch;
 
 /// A link that turns about a point of the frame by one angle alone.
 struct Wheel {
@@ -26,15 +25,16 @@ struct Wheel {
 /// For each input a link that it turns, or the guide that is called after it. Points are those of
 /// the picture, `place` tells which.
 pub(super) fn drives(
-    sketch: &Sketch<'_, '_>,
+    algebra: &Algebra,
+    segments: &[Segment],
     picture: &Picture,
     index_of: &dyn Fn(usize) -> Option<usize>,
 ) -> Vec<Drive> {
     let links = &ByPoint::of_lists(picture.links.iter().map(|link| &link.points));
     // What turns each step, and the steps that each symbol turns.
-    let steps = sketch.segments.iter().filter_map(|segment| {
+    let steps = segments.iter().filter_map(|segment| {
         let ends = ends(segment, picture, links, index_of)?;
-        Some((turning(sketch, segment.step), ends))
+        Some((turning(algebra.graph, segment.step), ends))
     });
     let steps: Vec<(BTreeSet<SymbolId>, [usize; 2])> = steps.collect();
     let mut turned: Map<SymbolId, Vec<usize>> = Map::new();
@@ -45,12 +45,12 @@ pub(super) fn drives(
     }
     // The ends of the step that fewest others turn, too.
     let turned_by = |input: usize| {
-        let symbol = sketch.algebra.graph.find_source(Source::Input(input))?;
+        let symbol = algebra.graph.find_source(Source::Input(input))?;
         let turned_steps = turned.get(&symbol)?.iter().map(|&index| &steps[index]);
         let (_, ends) = turned_steps.min_by_key(|(angle, _)| angle.len())?;
         Some(*ends)
     };
-    let inputs = sketch.algebra.mechanism.inputs.iter().enumerate();
+    let inputs = algebra.mechanism.inputs.iter().enumerate();
     let drives = inputs.filter_map(|(input, declared)| {
         let mut guides = picture.guides.iter();
         let slides = guides.position(|guide| guide.name == declared.name);
@@ -66,16 +66,17 @@ pub(super) fn drives(
 /// Wheels that turn by one angle, or by angles with a relation between them. The first one of
 /// several turns the others.
 pub(super) fn gears(
-    sketch: &Sketch<'_, '_>,
+    algebra: &Algebra,
+    segments: &[Segment],
     picture: &Picture,
     index_of: &dyn Fn(usize) -> Option<usize>,
     samples: &Samples,
 ) -> Vec<Gear> {
-    let wheels = wheels(sketch, picture, index_of, samples);
-    let loops = sketch.algebra.mechanism.loops.iter();
+    let wheels = wheels(algebra, segments, picture, index_of, samples);
+    let loops = algebra.mechanism.loops.iter();
     let relations: Vec<BTreeSet<SymbolId>> = loops
         .filter(|equation| open_loop::relates_angles(equation))
-        .map(|equation| related(sketch, equation))
+        .map(|equation| related(algebra.graph, &algebra.names, equation))
         .collect();
     let belong = |a: &Wheel, b: &Wheel| {
         // Links that turn alike are held together by something else than wheels.
@@ -104,7 +105,8 @@ pub(super) fn gears(
 
 /// The links that turn about points of the frame, one for each point.
 fn wheels(
-    sketch: &Sketch<'_, '_>,
+    algebra: &Algebra,
+    segments: &[Segment],
     picture: &Picture,
     index_of: &dyn Fn(usize) -> Option<usize>,
     samples: &Samples,
@@ -112,7 +114,7 @@ fn wheels(
     let links = &ByPoint::of_lists(picture.links.iter().map(|link| &link.points));
     let mut wheels: Vec<Wheel> = Vec::new();
     let mut centres: Set<usize> = Set::new();
-    for segment in sketch.segments.iter() {
+    for segment in segments.iter() {
         // A distance does not say what turns it.
         let is_step = matches!(segment.shape, Shape::Term(..) | Shape::Part(..));
         if !is_step || !samples.is_fixed(segment.from) {
@@ -121,8 +123,8 @@ fn wheels(
         let Some([centre, end]) = ends(segment, picture, links, index_of) else {
             continue;
         };
-        let angle = turning(sketch, segment.step);
-        if !centres.contains(&centre) && is_one_angle(sketch, &angle) {
+        let angle = turning(algebra.graph, segment.step);
+        if !centres.contains(&centre) && is_one_angle(algebra.graph, &algebra.names, &angle) {
             centres.insert(centre);
             wheels.push(Wheel {
                 centre,
@@ -136,8 +138,7 @@ fn wheels(
 }
 
 /// The symbols that turn a step.
-fn turning(sketch: &Sketch<'_, '_>, step: Vn) -> BTreeSet<SymbolId> {
-    let graph = sketch.algebra.graph;
+fn turning(graph: &Graph, step: Vn) -> BTreeSet<SymbolId> {
     let symbols = graph.symbols_of(step.ids()).into_iter();
     let moves = |symbol: &SymbolId| {
         let source = graph.symbol(*symbol).source;
@@ -146,17 +147,11 @@ fn turning(sketch: &Sketch<'_, '_>, step: Vn) -> BTreeSet<SymbolId> {
     symbols.filter(moves).collect()
 }
 
-fn is_one_angle(sketch: &Sketch<'_, '_>, symbols: &BTreeSet<SymbolId>) -> bool {
+fn is_one_angle(graph: &Graph, names: &Names, symbols: &BTreeSet<SymbolId>) -> bool {
     // An angle has three symbols.
     let few = symbols.len() <= 3;
-    let mut angles = sketch
-        .algebra
-        .names
-        .angles
-        .iter()
-        .map(|angle| angle.symbols());
+    let mut angles = names.angles.iter().map(|angle| angle.symbols());
     let is_unknown = few && angles.any(|angle| symbols.iter().all(|symbol| angle.contains(symbol)));
-    let graph = sketch.algebra.graph;
     let mut sources = symbols.iter().map(|symbol| graph.symbol(*symbol).source);
     let is_input =
         symbols.len() == 1 && sources.all(|source| matches!(source, Some(Source::Input(_))));
@@ -164,13 +159,12 @@ fn is_one_angle(sketch: &Sketch<'_, '_>, symbols: &BTreeSet<SymbolId>) -> bool {
 }
 
 /// All symbols of the angles that an equation names.
-fn related(sketch: &Sketch<'_, '_>, equation: &Loop) -> BTreeSet<SymbolId> {
-    let names = &sketch.algebra.names;
+fn related(graph: &Graph, names: &Names, equation: &Loop) -> BTreeSet<SymbolId> {
     let parts = equation.left.parts().chain(equation.right.parts());
     let symbols = parts.filter_map(|part| match part.as_name()? {
         Name::Input(input) => {
             let source = Source::Input(input);
-            Some(vec![sketch.algebra.graph.find_source(source)?])
+            Some(vec![graph.find_source(source)?])
         }
         Name::Unknown(unknown) => match names.bound[unknown] {
             Bound::Angle(angle) => Some(names.angles[angle].symbols().to_vec()),

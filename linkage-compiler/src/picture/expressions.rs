@@ -1,7 +1,7 @@
 //! Facts about expressions that depend on the mechanism alone.
 
 use crate::model::{BinaryOp, Dimension, Expr, ExprKind, Loop, Mechanism, Name, Type};
-use crate::picture::sketch::Sketch;
+use crate::picture::point_or_vector::Roles;
 use crate::picture::weights;
 
 /// The input that is a length in an expression.
@@ -17,19 +17,17 @@ pub(super) fn driving(mechanism: &Mechanism, expr: &Expr) -> Option<usize> {
 
 /// True if a loop is one of the plane made of components of vectors of space: it is not known where
 /// in space it lies.
-pub(super) fn is_anywhere(sketch: &Sketch<'_, '_>, equation: &Loop) -> bool {
+pub(super) fn is_anywhere(mechanism: &Mechanism, dimension: usize, equation: &Loop) -> bool {
     let sides = [&equation.left, &equation.right];
     let is_vector = matches!(equation.left.ty, Type::Vector(..));
     is_vector
-        && sides.iter().all(|side| is_flat(sketch, side))
-        && sides
-            .iter()
-            .any(|side| is_projection(sketch.algebra.mechanism, side))
+        && sides.iter().all(|side| is_flat(dimension, side))
+        && sides.iter().any(|side| is_projection(mechanism, side))
 }
 
 /// True if it lies in a plane of a mechanism of space.
-pub(super) fn is_flat(sketch: &Sketch<'_, '_>, expr: &Expr) -> bool {
-    sketch.dimension == 3 && matches!(expr.ty, Type::Vector(2, _) | Type::Zero(_))
+pub(super) fn is_flat(dimension: usize, expr: &Expr) -> bool {
+    dimension == 3 && matches!(expr.ty, Type::Vector(2, _) | Type::Zero(_))
 }
 
 /// True if a vector of the plane has components of vectors of space: it may lie in any plane.
@@ -57,10 +55,10 @@ pub(super) fn difference<'m>(
 }
 
 /// The names of points in an expression.
-pub(super) fn points_in<'m>(sketch: &Sketch<'_, 'm>, expr: &'m Expr) -> Vec<&'m Expr> {
+pub(super) fn points_in<'m>(mechanism: &Mechanism, roles: &Roles, expr: &'m Expr) -> Vec<&'m Expr> {
     let names = expr.parts().filter(|part| part.as_name().is_some());
     names
-        .filter(|name| weights::weight(sketch, name) == Some(1.0))
+        .filter(|name| weights::weight(mechanism, roles, name) == Some(1.0))
         .collect()
 }
 

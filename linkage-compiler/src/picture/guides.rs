@@ -2,9 +2,11 @@
 
 use linkage_symbolic::Vn;
 
+use crate::algebra::Algebra;
 use crate::ir::GuideOn;
+use crate::picture::layout::Layout;
 use crate::picture::links::Links;
-use crate::picture::marks::{Line, Segment, Shape, Slide};
+use crate::picture::marks::{Line, Segment, Shape, Slide, Spot};
 use crate::picture::samples::Samples;
 use crate::picture::sketch::Sketch;
 use crate::picture::track::Track;
@@ -43,19 +45,31 @@ struct Candidate<'m> {
 }
 
 impl<'m> Guides<'m> {
-    pub(super) fn find(sketch: &mut Sketch<'_, 'm>, samples: &mut Samples, links: &Links) -> Self {
+    pub(super) fn find(
+        algebra: &mut Algebra<'m>,
+        layout: &Layout<'m>,
+        sketch: &mut Sketch<'m>,
+        samples: &mut Samples,
+        links: &Links,
+    ) -> Self {
+        let Sketch {
+            points,
+            segments,
+            lines,
+            ..
+        } = sketch;
         let mut candidates = Vec::new();
-        for segment in sketch.segments.clone() {
+        for segment in segments.iter() {
             let (from, to) = (samples.same[segment.from], samples.same[segment.to]);
-            if from != to && !links::is_rigid(&segment, samples) {
-                candidates.extend(slide(sketch, &segment, samples));
+            if from != to && !links::is_rigid(segment, samples) {
+                candidates.extend(slide(algebra, layout, points, segment, samples));
             }
         }
-        for line in sketch.lines.clone() {
-            candidates.push(candidate(sketch, line));
+        for line in lines.iter() {
+            candidates.push(candidate(algebra, layout, points, line));
         }
         let known = samples.same.len();
-        samples.add(&sketch.points[known..]);
+        samples.add(&points[known..]);
 
         let mut guides = Self { all: Vec::new() };
         let ways: Vec<Vn> = candidates.iter().map(|candidate| candidate.along).collect();
@@ -123,18 +137,20 @@ impl<'m> Guides<'m> {
 
 /// The guide of a segment that changes its length.
 fn slide<'m>(
-    sketch: &mut Sketch<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    points: &mut Vec<Spot<'m>>,
     segment: &Segment<'m>,
     samples: &Samples,
 ) -> Option<Candidate<'m>> {
     let (mut origin, mut slider) = (segment.from, segment.to);
-    let from = sketch.points[segment.from].at;
+    let from = points[segment.from].at;
     let (sign, slide) = match segment.shape {
         Shape::Term(sign, term) => {
-            let slide = directions::direction_of(sketch, term)?;
-            (sign, seen_slide(sketch, slide, segment))
+            let slide = directions::direction_of(algebra, layout.dimension, term)?;
+            (sign, seen_slide(algebra, layout, &segment.frames, slide))
         }
-        Shape::Part(sign, slide) => (sign, seen_slide(sketch, slide?, segment)),
+        Shape::Part(sign, slide) => (sign, seen_slide(algebra, layout, &segment.frames, slide?)),
         Shape::Distance => {
             // A cylinder hangs on its fixed end.
             if samples.is_fixed(slider) {
@@ -142,7 +158,7 @@ fn slide<'m>(
             }
             let slide = Slide {
                 offset: None,
-                along: (sketch.points[slider].at - sketch.points[origin].at).unit(),
+                along: (points[slider].at - points[origin].at).unit(),
                 input: None,
             };
             (1.0, slide)
@@ -158,9 +174,9 @@ fn slide<'m>(
     let signed = |vector: Vn<'m>| if sign > 0.0 { vector } else { -vector };
     let (offset, along) = (offset.map(signed), signed(along));
     if let Some(offset) = offset {
-        origin = sketch.point(from + offset);
+        origin = sketch::point(algebra, layout, points, &[], from + offset);
     }
-    let inputs = &sketch.algebra.mechanism.inputs;
+    let inputs = &algebra.mechanism.inputs;
     let name = match (input, &segment.title) {
         (Some(input), _) => inputs[input].name.clone(),
         (None, Some(title)) => title.text.clone(),
@@ -179,25 +195,32 @@ fn slide<'m>(
 
 /// In the drawing.
 fn seen_slide<'m>(
-    sketch: &mut Sketch<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    frames: &[usize],
     slide: Slide<'m>,
-    segment: &Segment<'m>,
 ) -> Slide<'m> {
-    sketch::within(sketch, segment.frames.clone(), |sketch| Slide {
-        offset: slide.offset.map(|offset| sketch::seen_way(sketch, offset)),
-        along: sketch::seen_way(sketch, slide.along),
+    let mut seen = |way| layout.seen_way(algebra, frames, way);
+    Slide {
+        offset: slide.offset.map(&mut seen),
+        along: seen(slide.along),
         input: slide.input,
-    })
+    }
 }
 
 /// A guide whose origin is a point that the line goes through, or the one that is nearest to the
 /// carrier's point.
-fn candidate<'m>(sketch: &mut Sketch<'_, 'm>, line: Line<'m>) -> Candidate<'m> {
+fn candidate<'m>(
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    points: &mut Vec<Spot<'m>>,
+    line: &Line<'m>,
+) -> Candidate<'m> {
     let base = match line.carrier {
-        Some(carrier) => sketch.points[carrier].at,
-        None => sketch.algebra.graph.zeros(sketch.dimension),
+        Some(carrier) => points[carrier].at,
+        None => algebra.graph.zeros(layout.dimension),
     };
-    let slider = sketch.points[line.slider].at;
+    let slider = points[line.slider].at;
     let origin = match (line.carrier, line.foot) {
         (Some(carrier), Some(foot))
             if foot
@@ -206,14 +229,14 @@ fn candidate<'m>(sketch: &mut Sketch<'_, 'm>, line: Line<'m>) -> Candidate<'m> {
         {
             carrier
         }
-        (_, Some(foot)) => sketch.point(base + foot),
+        (_, Some(foot)) => sketch::point(algebra, layout, points, &[], base + foot),
         (_, None) => {
             let reach = (slider - base).dot(line.along);
-            sketch.point(slider - reach * line.along)
+            sketch::point(algebra, layout, points, &[], slider - reach * line.along)
         }
     };
     Candidate {
-        name: line.name,
+        name: line.name.clone(),
         origin,
         slider: line.slider,
         along: line.along,

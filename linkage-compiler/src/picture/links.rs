@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 
 use linkage_symbolic::lookup::{Map, Set};
 
+use crate::model::Mechanism;
 use crate::picture::joining::Joining;
-use crate::picture::marks::{Segment, Shape};
+use crate::picture::marks::{Mean, Segment, Shape, Spot};
 use crate::picture::ownership::Ownership;
 use crate::picture::raw_link::{self, Frame, RawLink};
 use crate::picture::rigid_bodies::Welds;
@@ -17,9 +18,15 @@ pub(super) struct Links<'m> {
 }
 
 impl<'m> Links<'m> {
-    pub(super) fn find(sketch: &Sketch<'_, 'm>, samples: &Samples, ownership: &Ownership) -> Self {
+    pub(super) fn find(
+        mechanism: &Mechanism,
+        dimension: usize,
+        sketch: &Sketch<'m>,
+        samples: &Samples,
+        ownership: &Ownership,
+    ) -> Self {
         let mut links = Self { all: Vec::new() };
-        let welds = Welds::new(sketch, samples);
+        let welds = Welds::new(dimension, &sketch.points, samples);
         let first = |point: usize| samples.same[point];
         for asked in &sketch.asked {
             let points = raw_link::distinct(asked.points.iter().map(|&point| first(point)));
@@ -69,10 +76,10 @@ impl<'m> Links<'m> {
             }
         }
         links.join(samples, &welds);
-        links.take_means(sketch, samples);
+        links.take_means(&sketch.means, samples);
         links.join(samples, &welds);
-        if !sketch.algebra.mechanism.inputs.is_empty() {
-            links.attach(sketch, samples, ownership);
+        if !mechanism.inputs.is_empty() {
+            links.attach(&sketch.points, samples, ownership);
         }
         links
     }
@@ -85,14 +92,14 @@ impl<'m> Links<'m> {
     }
 
     /// Adds points that are computed from points of a link to the link.
-    fn take_means(&mut self, sketch: &Sketch, samples: &Samples) {
+    fn take_means(&mut self, means: &[Mean], samples: &Samples) {
         let mut at: Map<usize, BTreeSet<usize>> = Map::new();
         for (index, link) in self.all.iter().enumerate() {
             for &point in &link.points {
                 at.entry(point).or_default().insert(index);
             }
         }
-        for mean in &sketch.means {
+        for mean in means {
             let point = samples.same[mean.point];
             let sources: Vec<usize> = mean
                 .sources
@@ -120,10 +127,10 @@ impl<'m> Links<'m> {
     }
 
     /// Named points that move with a link belong to it.
-    fn attach(&mut self, sketch: &Sketch, samples: &Samples, ownership: &Ownership) {
-        let points = self.all.iter().flat_map(|link| &link.points);
-        let mut taken: Set<usize> = points.copied().collect();
-        for (index, spot) in sketch.points.iter().enumerate() {
+    fn attach(&mut self, points: &[Spot<'m>], samples: &Samples, ownership: &Ownership) {
+        let linked = self.all.iter().flat_map(|link| &link.points);
+        let mut taken: Set<usize> = linked.copied().collect();
+        for (index, spot) in points.iter().enumerate() {
             let point = samples.same[index];
             if !spot.wanted
                 || spot.name.is_none()

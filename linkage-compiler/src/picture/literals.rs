@@ -5,12 +5,12 @@ use std::collections::BTreeSet;
 
 use linkage_symbolic::{Ex, NodeId, Vn};
 
-use crate::algebra::{Translate, scalar};
-use crate::model::{BinaryOp, Expr, ExprKind, Name, Type};
+use crate::algebra::{Algebra, Translate, scalar};
+use crate::model::{BinaryOp, Expr, ExprKind, Mechanism, Name, Type};
+use crate::picture::layout::Layout;
 use crate::picture::marks::{Slide, StepPart, Title, Turn};
-use crate::picture::point_or_vector::Moves;
-use crate::picture::sketch::Sketch;
-use crate::picture::{expressions, sketch, weights};
+use crate::picture::point_or_vector::{Moves, Roles};
+use crate::picture::{expressions, layout, weights};
 
 /// A product within a component.
 #[derive(Clone)]
@@ -43,12 +43,23 @@ struct Group<'m> {
 }
 
 /// The points and steps that a literal is the sum of; nothing if it is one of them.
-pub(super) fn pieces<'m>(sketch: &mut Sketch<'_, 'm>, components: &'m [Expr]) -> Vec<Piece<'m>> {
+pub(super) fn pieces<'m>(
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    remoteness: u8,
+    components: &'m [Expr],
+) -> Vec<Piece<'m>> {
     let mut groups: Vec<Group<'m>> = Vec::new();
     for (component, expr) in components.iter().enumerate() {
         let mut steps: Vec<Step> = Vec::new();
-        for summand in expanded(sketch, expr) {
-            let step = step_of_summand(sketch, component, &summand, &steps);
+        for summand in expanded(algebra.mechanism, expr) {
+            let step = step_of_summand(
+                algebra.mechanism,
+                &layout.roles,
+                component,
+                &summand,
+                &steps,
+            );
             steps.push(step.clone());
             let summand = (component, summand);
             match groups.iter_mut().find(|group| group.step == step) {
@@ -81,31 +92,33 @@ pub(super) fn pieces<'m>(sketch: &mut Sketch<'_, 'm>, components: &'m [Expr]) ->
     });
     let pieces = groups.into_iter().map(|group| match group.step {
         Step::Point(point) => Piece::Point(point),
-        Step::Fixed | Step::Long(..) => Piece::Part(part(sketch, &group, components.len())),
+        Step::Fixed | Step::Long(..) => {
+            Piece::Part(part(algebra, layout, remoteness, &group, components.len()))
+        }
     });
     pieces.collect()
 }
 
 /// The products that a number is the sum of.
-fn expanded<'m>(sketch: &Sketch<'_, 'm>, expr: &'m Expr) -> Vec<Summand<'m>> {
+fn expanded<'m>(mechanism: &'m Mechanism, expr: &'m Expr) -> Vec<Summand<'m>> {
     let negative = |summand: Summand<'m>| Summand {
         sign: -summand.sign,
         ..summand
     };
     match &expr.kind {
         ExprKind::Number(0.0) => Vec::new(),
-        ExprKind::Negate(a) => expanded(sketch, a).into_iter().map(negative).collect(),
+        ExprKind::Negate(a) => expanded(mechanism, a).into_iter().map(negative).collect(),
         ExprKind::Binary(BinaryOp::Add, a, b) => {
-            let both = [expanded(sketch, a), expanded(sketch, b)];
+            let both = [expanded(mechanism, a), expanded(mechanism, b)];
             both.concat()
         }
         ExprKind::Binary(BinaryOp::Sub, a, b) => {
-            let mut summands = expanded(sketch, a);
-            summands.extend(expanded(sketch, b).into_iter().map(negative));
+            let mut summands = expanded(mechanism, a);
+            summands.extend(expanded(mechanism, b).into_iter().map(negative));
             summands
         }
         ExprKind::Binary(BinaryOp::Mul, a, b) => {
-            let (a, b) = (expanded(sketch, a), expanded(sketch, b));
+            let (a, b) = (expanded(mechanism, a), expanded(mechanism, b));
             let products = a.iter().flat_map(|a| {
                 b.iter().map(|b| Summand {
                     sign: a.sign * b.sign,
@@ -116,7 +129,7 @@ fn expanded<'m>(sketch: &Sketch<'_, 'm>, expr: &'m Expr) -> Vec<Summand<'m>> {
             products.collect()
         }
         ExprKind::Binary(BinaryOp::Div, a, b) => {
-            let summands = expanded(sketch, a).into_iter();
+            let summands = expanded(mechanism, a).into_iter();
             let divided = summands.map(|mut summand| {
                 summand.divisors.push(b);
                 summand
@@ -124,7 +137,7 @@ fn expanded<'m>(sketch: &Sketch<'_, 'm>, expr: &'m Expr) -> Vec<Summand<'m>> {
             divided.collect()
         }
         ExprKind::Name(Name::Let(index)) => {
-            let within = expanded(sketch, &sketch.algebra.mechanism.lets[*index].value);
+            let within = expanded(mechanism, &mechanism.lets[*index].value);
             match within.len() {
                 0 | 1 => vec![single(expr)],
                 _ => within,
@@ -135,20 +148,21 @@ fn expanded<'m>(sketch: &Sketch<'_, 'm>, expr: &'m Expr) -> Vec<Summand<'m>> {
 }
 
 fn step_of_summand<'m>(
-    sketch: &Sketch<'_, 'm>,
+    mechanism: &Mechanism,
+    roles: &Roles,
     component: usize,
     summand: &Summand<'m>,
     before: &[Step<'m>],
 ) -> Step<'m> {
     let factors = || summand.factors.iter().chain(&summand.divisors);
-    if factors().all(|factor| sketch.moves(factor) == Moves::Not) {
+    if factors().all(|factor| roles.moves(factor) == Moves::Not) {
         return Step::Fixed;
     }
     if let ([factor], []) = (&summand.factors[..], &summand.divisors[..])
         && let ExprKind::Component(point, index) = &factor.kind
         && *index == component
         && summand.sign > 0.0
-        && weights::weight(sketch, point) == Some(1.0)
+        && weights::weight(mechanism, roles, point) == Some(1.0)
     {
         return Step::Point(point);
     }
@@ -165,26 +179,31 @@ fn step_of_summand<'m>(
     Step::Long(lengths, number)
 }
 
-fn part<'m>(sketch: &mut Sketch<'_, 'm>, group: &Group<'m>, count: usize) -> StepPart<'m> {
+fn part<'m>(
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    remoteness: u8,
+    group: &Group<'m>,
+    count: usize,
+) -> StepPart<'m> {
     let summands = || group.summands.iter();
     let factors = || summands().flat_map(|(_, summand)| summand.factors.iter().copied());
-    let moves = factors().map(|factor| sketch.moves(factor)).max();
-    let rank = 2 + sketch.remoteness;
-    let title =
-        factors().find_map(|factor| expressions::dimension_in(sketch.algebra.mechanism, factor));
+    let moves = factors().map(|factor| layout.roles.moves(factor)).max();
+    let rank = 2 + remoteness;
+    let title = factors().find_map(|factor| expressions::dimension_in(algebra.mechanism, factor));
     let title = title.map(|text| Title { rank, text });
-    let at = assembled(sketch, group, count, None);
+    let at = assembled(algebra, layout.dimension, group, count, None);
     let slides = |factor: &&Expr| {
         let dimension = factor.ty.dimension();
         let is_length = dimension.is_some_and(|dimension| dimension.half_lengths == 2);
         is_length && matches!(factor.as_name(), Some(Name::Unknown(_) | Name::Input(_)))
     };
     let slide = factors().find(slides).map(|length| {
-        let along = assembled(sketch, group, count, Some(length)).unit();
+        let along = assembled(algebra, layout.dimension, group, count, Some(length)).unit();
         Slide {
             offset: None,
             along,
-            input: expressions::driving(sketch.algebra.mechanism, length),
+            input: expressions::driving(algebra.mechanism, length),
         }
     });
     let components: BTreeSet<usize> = summands().map(|(component, _)| *component).collect();
@@ -192,16 +211,16 @@ fn part<'m>(sketch: &mut Sketch<'_, 'm>, group: &Group<'m>, count: usize) -> Ste
     let slide = match (slide, &components[..]) {
         (None, [component]) => Some(Slide {
             offset: None,
-            along: sketch::axis_of(sketch, *component),
+            along: layout::axis_of(algebra.graph, layout.dimension, *component),
             input: None,
         }),
         (slide, _) => slide,
     };
-    let third = (0..sketch.dimension).filter(|axis| !components.contains(axis));
+    let third = (0..layout.dimension).filter(|axis| !components.contains(axis));
     let turns = match (slide, &third.collect::<Vec<_>>()[..]) {
         // What turns in the plane of two coordinates turns about the third.
-        (None, [third]) if sketch.dimension == 3 => vec![Turn {
-            along: sketch::axis_of(sketch, *third),
+        (None, [third]) if layout.dimension == 3 => vec![Turn {
+            along: layout::axis_of(algebra.graph, layout.dimension, *third),
             by: None,
         }],
         _ => Vec::new(),
@@ -217,17 +236,18 @@ fn part<'m>(sketch: &mut Sketch<'_, 'm>, group: &Group<'m>, count: usize) -> Ste
 
 /// The vector of a group, without one of its factors.
 fn assembled<'m>(
-    sketch: &mut Sketch<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    dimension: usize,
     group: &Group<'m>,
     count: usize,
     without: Option<&Expr>,
 ) -> Vn<'m> {
-    let graph = sketch.algebra.graph;
-    let mut components = vec![sketch.algebra.zero(); count];
+    let graph = algebra.graph;
+    let mut components = vec![algebra.zero(); count];
     for (component, summand) in &group.summands {
         let mut number = |expr: &Expr| {
-            let value = sketch.algebra.translate(expr);
-            scalar::number(sketch.algebra, &value)
+            let value = algebra.translate(expr);
+            scalar::number(&algebra.names, &value)
         };
         let factors = summand.factors.iter();
         let factors = factors.filter(|factor| without.is_none_or(|other| ***factor != *other));
@@ -238,7 +258,7 @@ fn assembled<'m>(
         components[*component] += quotient;
     }
     let ids: Vec<NodeId> = components.into_iter().map(Ex::id).collect();
-    graph.components(&ids).resized(sketch.dimension)
+    graph.components(&ids).resized(dimension)
 }
 
 fn single(expr: &Expr) -> Summand<'_> {

@@ -1,93 +1,120 @@
 //! Links in loops, derived names, bodies and joints.
 
+use linkage_symbolic::lookup::Set;
 use linkage_symbolic::{Ex, NodeId};
 
+use crate::algebra::Algebra;
 use crate::model::{Expr, ExprKind, Function, Let, Loop, Mechanism, Name, Type};
+use crate::picture::layout::Layout;
 use crate::picture::marks::{Asked, Shape, Term, Title};
+use crate::picture::point_or_vector::Roles;
 use crate::picture::sketch::Sketch;
+use crate::picture::statement::Statement;
 use crate::picture::{
-    bodies, chains, expressions, frames, parts, planes, sketch, terms, titles, weights,
+    bodies, chains, expressions, frames, layout, parts, planes, sketch, terms, titles, weights,
 };
 
 /// UniqueNames in derived quantities stand behind those in loops, and where no loop uses the
 /// quantity behind all others.
 const LET: [u8; 2] = [3, 6];
 
-/// All that the program says of points and links.
-pub(super) fn collect(sketch: &mut Sketch<'_, '_>) {
-    look_at_lets(sketch);
-    look_at_unknowns(sketch);
-    for (index, equation) in sketch.algebra.mechanism.loops.iter().enumerate() {
-        if expressions::is_anywhere(sketch, equation) {
-            sketch.undrawn.push(index + 1);
+/// Collects all that the program says of points and links. Returns the loops that are not drawn, by
+/// number from 1.
+pub(super) fn collect<'m>(
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    sketch: &mut Sketch<'m>,
+) -> Vec<usize> {
+    let mut undrawn = Vec::new();
+    // Derived names in which rods have been looked for.
+    let mut searched = Set::new();
+    look_at_lets(algebra, layout, sketch);
+    look_at_unknowns(algebra, layout, sketch);
+    for (index, equation) in algebra.mechanism.loops.iter().enumerate() {
+        if expressions::is_anywhere(algebra.mechanism, layout.dimension, equation) {
+            undrawn.push(index + 1);
         } else {
-            let frames = frames::frames_of_loop(sketch, index);
-            sketch::within(sketch, frames, |sketch| look_at_loop(sketch, equation));
+            let frames = frames::frames_of_loop(algebra.mechanism, index);
+            let statement = Statement::default().within(&frames);
+            look_at_loop(algebra, layout, sketch, statement, &mut searched, equation);
         }
     }
-    bodies::look_at_bodies(sketch);
+    bodies::look_at_bodies(algebra, layout, sketch);
+    undrawn
 }
 
 /// Named points, those aside that are centres of mass only.
-fn look_at_lets(sketch: &mut Sketch<'_, '_>) {
-    let mechanism = sketch.algebra.mechanism;
+fn look_at_lets<'m>(algebra: &mut Algebra<'m>, layout: &Layout<'m>, sketch: &mut Sketch<'m>) {
+    let mechanism = algebra.mechanism;
     let loops: Vec<usize> = (0..mechanism.loops.len()).collect();
     let usage = mechanism.usage(&loops);
     for (index, item) in mechanism.lets.iter().enumerate() {
         let is_centre = !usage.lets[index] && is_mass_centre(mechanism, index);
-        if sketch.roles.is_step(Name::Let(index)) || is_centre {
+        if layout.roles.is_step(Name::Let(index)) || is_centre {
             continue;
         }
-        sketch.remoteness = LET[usize::from(!usage.lets[index])];
-        let frames = frames::frames_of(sketch, Name::Let(index));
-        sketch::within(sketch, frames, |sketch| look_at_let(sketch, item));
+        let statement = Statement {
+            frames: &frames::frames_of(mechanism, Name::Let(index)),
+            remoteness: LET[usize::from(!usage.lets[index])],
+        };
+        look_at_let(algebra, layout, sketch, statement, item);
     }
-    sketch.remoteness = 0;
 }
 
-fn look_at_let<'m>(sketch: &mut Sketch<'_, 'm>, item: &'m Let) {
-    if let Some(point) = chains::point_of(sketch, &item.value) {
-        let at = sketch.vector(&item.value);
-        let named = sketch.point(at);
+fn look_at_let<'m>(
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    sketch: &mut Sketch<'m>,
+    statement: Statement<'_>,
+    item: &'m Let,
+) {
+    if let Some(point) = chains::point_of(algebra, layout, sketch, statement, &item.value) {
+        let at = layout::vector(algebra, layout.dimension, &item.value);
+        let named = sketch::point(algebra, layout, &mut sketch.points, statement.frames, at);
         for point in [point, named] {
             let text = item.name.clone();
-            titles::call(sketch, point, Title { rank: 0, text });
+            titles::call(&mut sketch.points[point], Title { rank: 0, text });
         }
         sketch.points[named].wanted = true;
     }
 }
 
 /// Unknown points.
-fn look_at_unknowns(sketch: &mut Sketch<'_, '_>) {
-    let mechanism = sketch.algebra.mechanism;
+fn look_at_unknowns<'m>(algebra: &mut Algebra<'m>, layout: &Layout<'m>, sketch: &mut Sketch<'m>) {
+    let mechanism = algebra.mechanism;
     for (index, unknown) in mechanism.unknowns.iter().enumerate() {
         let Type::Vector(count, dimension) = unknown.ty else {
             continue;
         };
-        let is_point = count == sketch.dimension && dimension.half_lengths == 2;
-        if is_point && !sketch.roles.is_step(Name::Unknown(index)) {
-            let numbers = sketch.algebra.names.numbers_of(index).into_iter();
+        let is_point = count == layout.dimension && dimension.half_lengths == 2;
+        if is_point && !layout.roles.is_step(Name::Unknown(index)) {
+            let numbers = algebra.names.numbers_of(index).into_iter();
             let numbers: Vec<NodeId> = numbers.map(Ex::id).collect();
-            let at = sketch.algebra.graph.components(&numbers);
-            let frames = frames::frames_of(sketch, Name::Unknown(index));
-            let point = sketch::within(sketch, frames, |sketch| sketch.point(at));
+            let at = algebra.graph.components(&numbers);
+            let frames = frames::frames_of(algebra.mechanism, Name::Unknown(index));
+            let point = sketch::point(algebra, layout, &mut sketch.points, &frames, at);
             let text = unknown.name.clone();
-            titles::call(sketch, point, Title { rank: 1, text });
+            titles::call(&mut sketch.points[point], Title { rank: 1, text });
             sketch.points[point].wanted = true;
         }
     }
 }
 
 /// The links that `picture` lists.
-pub(super) fn add_lists<'m>(sketch: &mut Sketch<'_, 'm>, lists: &'m [Vec<Expr>]) {
+pub(super) fn add_lists<'m>(
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    sketch: &mut Sketch<'m>,
+    lists: &'m [Vec<Expr>],
+) {
     for list in lists {
         let points: Vec<usize> = list
             .iter()
             .map(|expr| {
-                let at = sketch.vector(expr);
-                let found = chains::point_of(sketch, expr);
-                let point = sketch.point(at);
-                titles::name(sketch, point, 0, expr);
+                let at = layout::vector(algebra, layout.dimension, expr);
+                let found = chains::point_of(algebra, layout, sketch, Statement::default(), expr);
+                let point = sketch::point(algebra, layout, &mut sketch.points, &[], at);
+                titles::name(algebra.mechanism, &mut sketch.points[point], 0, expr);
                 sketch.points[point].wanted = true;
                 found.unwrap_or(point)
             })
@@ -97,16 +124,27 @@ pub(super) fn add_lists<'m>(sketch: &mut Sketch<'_, 'm>, lists: &'m [Vec<Expr>])
     }
 }
 
-fn look_at_loop<'m>(sketch: &mut Sketch<'_, 'm>, equation: &'m Loop) {
+fn look_at_loop<'m>(
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    sketch: &mut Sketch<'m>,
+    statement: Statement<'_>,
+    searched: &mut Set<usize>,
+    equation: &'m Loop,
+) {
     match equation.left.ty {
         Type::Vector(..) => {
-            let is_flat = expressions::is_flat(sketch, &equation.left)
-                && expressions::is_flat(sketch, &equation.right);
-            for side in sides(sketch, equation) {
-                if let Some(end) = chains::chain(sketch, side) {
+            let is_flat = expressions::is_flat(layout.dimension, &equation.left)
+                && expressions::is_flat(layout.dimension, &equation.right);
+            for side in sides(algebra, layout, statement.remoteness, equation) {
+                if let Some(end) = chains::chain(algebra, layout, sketch, statement, side) {
                     sketch.points[end].wanted = true;
                     if is_flat {
-                        parts::axis(sketch, end, sketch::axis_of(sketch, 2));
+                        parts::axis(
+                            &mut sketch.axes,
+                            end,
+                            layout::axis_of(algebra.graph, layout.dimension, 2),
+                        );
                     }
                 }
             }
@@ -116,10 +154,10 @@ fn look_at_loop<'m>(sketch: &mut Sketch<'_, 'm>, equation: &'m Loop) {
                 (&equation.left, &equation.right),
                 (&equation.right, &equation.left),
             ] {
-                let title = expressions::spoken(sketch.algebra.mechanism, other)
+                let title = expressions::spoken(algebra.mechanism, other)
                     .map(|text| Title { rank: 2, text });
-                look_for_rods(sketch, side, title);
-                planes::look_for_line(sketch, side, other);
+                look_for_rods(algebra, layout, sketch, statement, searched, side, title);
+                planes::look_for_line(algebra, layout, sketch, statement, side, other);
             }
         }
     }
@@ -127,21 +165,31 @@ fn look_at_loop<'m>(sketch: &mut Sketch<'_, 'm>, equation: &'m Loop) {
 
 /// The two ways from one point to another that a vector loop consists of, each in the order in
 /// which it is written.
-fn sides<'m>(sketch: &mut Sketch<'_, 'm>, equation: &'m Loop) -> [Vec<Term<'m>>; 2] {
+fn sides<'m>(
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    remoteness: u8,
+    equation: &'m Loop,
+) -> [Vec<Term<'m>>; 2] {
     let [left, right] = [&equation.left, &equation.right].map(|side| {
-        let mut terms = Vec::new();
-        terms::collect_terms(sketch, side, 1.0, None, &mut terms);
+        let terms = terms::terms_of(algebra, layout, remoteness, side);
         terms.into_iter().partition(|term| term.sign > 0.0)
     });
     let ((left, left_minus), (right, right_minus)) = (left, right);
-    [(left, right_minus), (right, left_minus)].map(|(added, moved)| side(sketch, added, moved))
+    [(left, right_minus), (right, left_minus)]
+        .map(|(added, moved)| side(algebra.mechanism, &layout.roles, added, moved))
 }
 
 /// The terms that one side adds and the other one subtracts: a way to the start of the difference,
 /// unless this side has a point to begin with.
-fn side<'m>(sketch: &Sketch<'_, 'm>, added: Vec<Term<'m>>, moved: Vec<Term<'m>>) -> Vec<Term<'m>> {
+fn side<'m>(
+    mechanism: &Mechanism,
+    roles: &Roles,
+    added: Vec<Term<'m>>,
+    moved: Vec<Term<'m>>,
+) -> Vec<Term<'m>> {
     let moved = moved.into_iter().map(|term| Term { sign: 1.0, ..term });
-    let is_start = |term: &Term| weights::weight_of(sketch, term) == 1.0;
+    let is_start = |term: &Term| weights::weight_of(mechanism, roles, term) == 1.0;
     let mut terms: Vec<Term> = if added.iter().any(is_start) {
         added.into_iter().chain(moved).collect()
     } else {
@@ -152,47 +200,75 @@ fn side<'m>(sketch: &Sketch<'_, 'm>, added: Vec<Term<'m>>, moved: Vec<Term<'m>>)
 }
 
 /// Distances between points.
-fn look_for_rods<'m>(sketch: &mut Sketch<'_, 'm>, expr: &'m Expr, title: Option<Title>) {
+fn look_for_rods<'m>(
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    sketch: &mut Sketch<'m>,
+    statement: Statement<'_>,
+    searched: &mut Set<usize>,
+    expr: &'m Expr,
+    title: Option<Title>,
+) {
     match &expr.kind {
         ExprKind::Call(Function::Distance, ends) => {
             if let (Some(from), Some(to)) = (
-                chains::point_of(sketch, &ends[0]),
-                chains::point_of(sketch, &ends[1]),
+                chains::point_of(algebra, layout, sketch, statement, &ends[0]),
+                chains::point_of(algebra, layout, sketch, statement, &ends[1]),
             ) {
-                sketch.segment(from, to, title, Shape::Distance);
+                sketch.segment(statement.frames, [from, to], title, Shape::Distance);
             }
         }
-        ExprKind::Call(Function::Norm, vector) => look_for_rod(sketch, &vector[0], title),
+        ExprKind::Call(Function::Norm, vector) => {
+            look_for_rod(algebra, layout, sketch, statement, &vector[0], title)
+        }
         ExprKind::Call(Function::Dot, vectors) => {
-            let both = (sketch.vector(&vectors[0]), sketch.vector(&vectors[1]));
+            let both = (
+                layout::vector(algebra, layout.dimension, &vectors[0]),
+                layout::vector(algebra, layout.dimension, &vectors[1]),
+            );
             if both.0 == both.1 {
-                look_for_rod(sketch, &vectors[0], title);
+                look_for_rod(algebra, layout, sketch, statement, &vectors[0], title);
             }
         }
         ExprKind::Name(Name::Let(index)) => {
-            if sketch.searched.insert(*index) {
-                let value = &sketch.algebra.mechanism.lets[*index].value;
-                let frames = frames::frames_of(sketch, Name::Let(*index));
-                sketch::within(sketch, frames, |sketch| look_for_rods(sketch, value, title));
+            if searched.insert(*index) {
+                let value = &algebra.mechanism.lets[*index].value;
+                let frames = frames::frames_of(algebra.mechanism, Name::Let(*index));
+                let statement = statement.within(&frames);
+                look_for_rods(algebra, layout, sketch, statement, searched, value, title);
             }
         }
         _ => {
             for operand in expr.operands() {
-                look_for_rods(sketch, operand, title.clone());
+                look_for_rods(
+                    algebra,
+                    layout,
+                    sketch,
+                    statement,
+                    searched,
+                    operand,
+                    title.clone(),
+                );
             }
         }
     }
 }
 
 /// `q - p`, a rod between two points; a point alone is as far from the origin.
-fn look_for_rod<'m>(sketch: &mut Sketch<'_, 'm>, vector: &'m Expr, title: Option<Title>) {
-    let mut terms = Vec::new();
-    terms::collect_terms(sketch, vector, 1.0, None, &mut terms);
+fn look_for_rod<'m>(
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    sketch: &mut Sketch<'m>,
+    statement: Statement<'_>,
+    vector: &'m Expr,
+    title: Option<Title>,
+) {
+    let terms = terms::terms_of(algebra, layout, statement.remoteness, vector);
     let (plus, mut minus): (Vec<_>, Vec<_>) = terms.into_iter().partition(|term| term.sign > 0.0);
     minus.iter_mut().for_each(|term| term.sign = 1.0);
     let weight = |side: &[Term]| {
         side.iter()
-            .map(|term| weights::weight_of(sketch, term))
+            .map(|term| weights::weight_of(algebra.mechanism, &layout.roles, term))
             .sum::<f64>()
     };
     let ends = [weight(&plus), weight(&minus)];
@@ -200,8 +276,11 @@ fn look_for_rod<'m>(sketch: &mut Sketch<'_, 'm>, vector: &'m Expr, title: Option
     if !is_point || ends.iter().any(|weight| ![0.0, 1.0].contains(weight)) {
         return;
     }
-    if let (Some(to), Some(from)) = (chains::chain(sketch, plus), chains::chain(sketch, minus)) {
-        sketch.segment(from, to, title, Shape::Distance);
+    if let (Some(to), Some(from)) = (
+        chains::chain(algebra, layout, sketch, statement, plus),
+        chains::chain(algebra, layout, sketch, statement, minus),
+    ) {
+        sketch.segment(statement.frames, [from, to], title, Shape::Distance);
     }
 }
 

@@ -10,6 +10,8 @@
 //! |---|---|
 //! | `point_or_vector` | the names that are points, and those that are steps between points |
 //! | `pose` | positions of parts that are placed elsewhere |
+//! | `layout` | the parts as they are placed in the drawing |
+//! | `statement` | the statement of the program that is drawn |
 //! | `marks`, `sketch` | the points and segments that are found |
 //! | `expressions`, `weights`, `titles` | facts about expressions, and names of points and links |
 //! | `frames` | the coordinates in which names and loops are written |
@@ -39,6 +41,7 @@ mod frames;
 mod guides;
 mod joining;
 mod joints;
+mod layout;
 mod links;
 mod literals;
 mod loops;
@@ -55,6 +58,7 @@ mod raw_link;
 mod rigid_bodies;
 mod samples;
 mod sketch;
+mod statement;
 mod terms;
 #[cfg(test)]
 mod tests;
@@ -68,9 +72,10 @@ use linkage_symbolic::lookup::Set;
 use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::Reporter;
 use crate::machine::Reference;
-use crate::model::{AskedPicture, Expr, Type};
+use crate::model::{AskedPicture, Expr, Mechanism, Type};
 
 use guides::Guides;
+use layout::Layout;
 use links::Links;
 use ownership::Ownership;
 use samples::Samples;
@@ -86,12 +91,13 @@ pub(crate) fn find<'m>(
     asked: AskedPicture<'m>,
     reporter: &mut Reporter,
 ) -> FoundPicture<'m> {
-    let dimension = dimension(algebra, asked.links);
-    let mut sketch = Sketch::new(algebra, dimension);
-    loops::collect(&mut sketch);
-    loops::add_lists(&mut sketch, asked.links);
-    let mut samples = Samples::new(sketch.algebra, &sketch.points, reference, nominal);
-    if samples.places() < 2 && !sketch.algebra.mechanism.inputs.is_empty() {
+    let dimension = dimension(algebra.mechanism, asked.links);
+    let layout = Layout::new(algebra, dimension);
+    let mut sketch = Sketch::default();
+    let undrawn = loops::collect(algebra, &layout, &mut sketch);
+    loops::add_lists(algebra, &layout, &mut sketch, asked.links);
+    let mut samples = Samples::new(algebra, &sketch.points, reference, nominal);
+    if samples.places() < 2 && !algebra.mechanism.inputs.is_empty() {
         reporter.error_with_help(
             asked.origin,
             "links cannot be told from what stretches: the mechanism closes at none of the other positions looked at",
@@ -99,10 +105,10 @@ pub(crate) fn find<'m>(
         );
         return FoundPicture::default();
     }
-    check::check_lists(&sketch, &samples, reporter);
-    let ownership = Ownership::new(&sketch, &samples);
-    let mut links = Links::find(&sketch, &samples, &ownership);
-    let guides = Guides::find(&mut sketch, &mut samples, &links);
+    check::check_lists(algebra.mechanism, &sketch, &samples, reporter);
+    let ownership = Ownership::new(algebra.mechanism, &sketch.points, &samples);
+    let mut links = Links::find(algebra.mechanism, dimension, &sketch, &samples, &ownership);
+    let guides = Guides::find(algebra, &layout, &mut sketch, &mut samples, &links);
     let axes = sketch.axes.iter().map(|(at, _)| samples.same[*at]);
     let needed = axes.chain(guides.ends());
     let needed: Set<usize> = needed.collect();
@@ -119,10 +125,12 @@ pub(crate) fn find<'m>(
             "name the points that links join: `picture([a, b], [b, c, d])`",
         );
     }
-    let mut found = names::named(&sketch, &samples, &links, &guides, &ownership);
+    let mut found = names::named(
+        algebra, dimension, &sketch, &samples, &links, &guides, &ownership,
+    );
     // Who lists links tells of what loops do not.
     if asked.links.is_empty() {
-        found.picture.undrawn = sketch.undrawn;
+        found.picture.undrawn = undrawn;
     }
     check::warn_of_undrawn_loops(&found.picture, asked.origin, reporter);
     check::warn_of_loose_points(&found.picture, asked.origin, reporter);
@@ -130,8 +138,7 @@ pub(crate) fn find<'m>(
 }
 
 /// Returns 3 if loops, joints or lists lie in space; without loops, if anything does.
-fn dimension(algebra: &Algebra, lists: &[Vec<Expr>]) -> usize {
-    let mechanism = algebra.mechanism;
+fn dimension(mechanism: &Mechanism, lists: &[Vec<Expr>]) -> usize {
     let sides = || {
         mechanism
             .loops

@@ -3,12 +3,14 @@
 use linkage_symbolic::Vn;
 use linkage_symbolic::lookup::Map;
 
+use crate::algebra::Algebra;
 use crate::ir::{Guide, GuideOn, GuideShape, Link, Picture, Point, PointKind};
 use crate::picture::drives;
 use crate::picture::found_picture::FoundPicture;
 use crate::picture::guides::Guides;
 use crate::picture::joints::JointFinder;
 use crate::picture::links::Links;
+use crate::picture::marks::Spot;
 use crate::picture::meeting::Meeting;
 use crate::picture::ownership::Ownership;
 use crate::picture::samples::Samples;
@@ -16,7 +18,9 @@ use crate::picture::sketch::Sketch;
 use crate::picture::unique_names::UniqueNames;
 
 pub(super) fn named<'m>(
-    sketch: &Sketch<'_, 'm>,
+    algebra: &Algebra<'m>,
+    dimension: usize,
+    sketch: &Sketch<'m>,
     samples: &Samples,
     links: &Links<'m>,
     guides: &Guides<'m>,
@@ -24,7 +28,7 @@ pub(super) fn named<'m>(
 ) -> FoundPicture<'m> {
     let axes = sketch.axes.iter().map(|(at, _)| samples.same[*at]);
     let namer = Namer {
-        sketch,
+        points: &sketch.points,
         samples,
         guides,
         link_names: link_names(links),
@@ -47,7 +51,7 @@ pub(super) fn named<'m>(
         Point { name, kind }
     });
     let mut picture = Picture {
-        dimension: sketch.dimension,
+        dimension,
         points: points.collect(),
         ..Picture::default()
     };
@@ -110,10 +114,10 @@ pub(super) fn named<'m>(
         declared: declared.collect(),
     };
     picture.joints = turning.joints(&picture);
-    picture.drives = drives::drives(sketch, &picture, &index_of);
+    picture.drives = drives::drives(algebra, &sketch.segments, &picture, &index_of);
     let kept_points: Vec<usize> = kept.iter().map(|(point, _)| *point).collect();
     picture.parts = ownership.parts(&picture, &links.all, &kept_points);
-    picture.gears = drives::gears(sketch, &picture, &index_of, samples);
+    picture.gears = drives::gears(algebra, &sketch.segments, &picture, &index_of, samples);
     let vectors = kept.iter().map(|(point, _)| sketch.points[*point].at);
     FoundPicture {
         vectors: vectors.chain(directions).collect(),
@@ -121,15 +125,15 @@ pub(super) fn named<'m>(
     }
 }
 
-struct Namer<'a, 'b, 'm> {
-    sketch: &'a Sketch<'b, 'm>,
+struct Namer<'a, 'm> {
+    points: &'a [Spot<'m>],
     samples: &'a Samples<'a>,
     guides: &'a Guides<'m>,
     link_names: Vec<String>,
     meeting: Meeting,
 }
 
-impl Namer<'_, '_, '_> {
+impl Namer<'_, '_> {
     /// The kind of a point; `None` if nothing needs it.
     fn kind(&self, point: usize) -> Option<PointKind> {
         let links = self.meeting.links.at_point(point).len();
@@ -140,7 +144,7 @@ impl Namer<'_, '_, '_> {
         let pivots = guides.any(|guide| guide.on == GuideOn::Itself);
         let has_axis = self.meeting.axes.contains(&point);
         let mut aliases = self.samples.aliases(point);
-        let wanted = aliases.any(|other| self.sketch.points[other].wanted);
+        let wanted = aliases.any(|other| self.points[other].wanted);
         if !self.samples.is_known(point) {
             return None;
         }
@@ -169,14 +173,14 @@ impl Namer<'_, '_, '_> {
 
     fn has_name(&self, point: usize) -> bool {
         let mut aliases = self.samples.aliases(point);
-        aliases.any(|alias| self.sketch.points[alias].name.is_some())
+        aliases.any(|alias| self.points[alias].name.is_some())
     }
 
     /// The best name among those of points that coincide; otherwise the names of the members that
     /// meet there.
     fn name(&self, point: usize) -> String {
         let aliases = self.samples.aliases(point);
-        let titles = aliases.filter_map(|other| self.sketch.points[other].name.as_ref());
+        let titles = aliases.filter_map(|other| self.points[other].name.as_ref());
         if let Some(title) = titles.min_by_key(|title| title.rank) {
             return title.text.clone();
         }

@@ -58,7 +58,7 @@ impl<'a> OpenLoop<'a> {
             .map(|equation| {
                 let [left, right] = [&equation.left, &equation.right].map(|side| {
                     let value = algebra.translate(side);
-                    scalar::number(algebra, &value)
+                    scalar::number(&algebra.names, &value)
                 });
                 left - right
             })

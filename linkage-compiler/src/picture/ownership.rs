@@ -2,9 +2,10 @@
 //! begin with its name.
 
 use crate::ir::{Picture, PicturePart};
+use crate::model::Mechanism;
+use crate::picture::marks::Spot;
 use crate::picture::raw_link::RawLink;
 use crate::picture::samples::Samples;
-use crate::picture::sketch::Sketch;
 
 pub(super) struct Ownership {
     parts: Vec<String>,
@@ -15,12 +16,12 @@ pub(super) struct Ownership {
 }
 
 impl Ownership {
-    pub(super) fn new(sketch: &Sketch, samples: &Samples) -> Self {
-        let parts = sketch.algebra.mechanism.parts.iter();
+    pub(super) fn new(mechanism: &Mechanism, points: &[Spot], samples: &Samples) -> Self {
+        let parts = mechanism.parts.iter();
         let parts: Vec<String> = parts.map(|part| part.name.clone()).collect();
         let of_points = (0..samples.same.len()).map(|point| {
             let here = samples.aliases(point);
-            let titles = here.filter_map(|alias| sketch.points[alias].name.as_ref());
+            let titles = here.filter_map(|alias| points[alias].name.as_ref());
             titles.map(|title| owner(&parts, &title.text)).collect()
         });
         // Where there are no parts, nobody asks.

@@ -2,16 +2,25 @@
 
 use linkage_symbolic::{Ex, Vector, Vn};
 
-use crate::algebra::{Translate, scalar};
+use crate::algebra::{Algebra, Translate, scalar};
 use crate::model::{Expr, ExprKind, Function};
+use crate::picture::layout::Layout;
 use crate::picture::marks::{Line, Plane};
 use crate::picture::point_or_vector::Moves;
 use crate::picture::sketch::Sketch;
-use crate::picture::{chains, expressions, sketch};
+use crate::picture::statement::Statement;
+use crate::picture::{chains, expressions, layout};
 
 /// `dot(p - q, u) = 0` and `cross(p - q, u) = 0` in the plane: `p` stays on a line. In space two
 /// planes do the same.
-pub(super) fn look_for_line<'m>(sketch: &mut Sketch<'_, 'm>, side: &'m Expr, other: &'m Expr) {
+pub(super) fn look_for_line<'m>(
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    sketch: &mut Sketch<'m>,
+    statement: Statement<'_>,
+    side: &'m Expr,
+    other: &'m Expr,
+) {
     let (is_dot, arguments) = match &side.kind {
         ExprKind::Call(Function::Dot, arguments) => (true, arguments),
         ExprKind::Call(Function::Cross, arguments) => (false, arguments),
@@ -19,37 +28,46 @@ pub(super) fn look_for_line<'m>(sketch: &mut Sketch<'_, 'm>, side: &'m Expr, oth
     };
     let through = matches!(other.kind, ExprKind::Number(0.0));
     for (vector, direction) in [(0, 1), (1, 0)] {
-        let Some((p, q)) = expressions::difference(sketch.algebra.mechanism, &arguments[vector])
-        else {
+        let Some((p, q)) = expressions::difference(algebra.mechanism, &arguments[vector]) else {
             continue;
         };
-        let (Some(slider), Some(carrier)) =
-            (chains::point_of(sketch, p), chains::point_of(sketch, q))
-        else {
+        let (Some(slider), Some(carrier)) = (
+            chains::point_of(algebra, layout, sketch, statement, p),
+            chains::point_of(algebra, layout, sketch, statement, q),
+        ) else {
             continue;
         };
-        if sketch.dimension == 3 {
-            if is_dot && sketch.moves(other) == Moves::Not {
-                let offset = sketch.algebra.translate(other);
-                let offset = scalar::number(sketch.algebra, &offset);
+        if layout.dimension == 3 {
+            if is_dot && layout.roles.moves(other) == Moves::Not {
+                let offset = algebra.translate(other);
+                let offset = scalar::number(&algebra.names, &offset);
                 let plane = Plane {
-                    difference: sketch.vector(&arguments[vector]),
-                    frames: sketch.frames.clone(),
-                    normal: sketch.vector(&arguments[direction]),
+                    difference: layout::vector(algebra, layout.dimension, &arguments[vector]),
+                    frames: statement.frames.to_vec(),
+                    normal: layout::vector(algebra, layout.dimension, &arguments[direction]),
                     offset,
                     is_used: false,
                 };
-                let name = expressions::spoken(sketch.algebra.mechanism, &arguments[vector]);
-                meet(sketch, plane, [slider, carrier], name);
+                let name = expressions::spoken(algebra.mechanism, &arguments[vector]);
+                meet(
+                    algebra,
+                    layout,
+                    sketch,
+                    statement.frames,
+                    plane,
+                    [slider, carrier],
+                    name,
+                );
             }
         } else if through {
-            let value = sketch.algebra.translate(&arguments[direction]);
-            let unit = scalar::vector(sketch.algebra, &value).unit();
+            let value = algebra.translate(&arguments[direction]);
+            let unit = scalar::vector(&algebra.names, &value).unit();
             let unit = Vector([unit.at(0), unit.at(1)]);
             // Across what the product is taken with, or along it.
             let along = if is_dot { unit.perp() } else { unit }.into();
-            let foot = sketch.algebra.graph.zeros(sketch.dimension);
-            line(sketch, [slider, carrier], foot, along, None);
+            let foot = algebra.graph.zeros(layout.dimension);
+            let ways = [foot, along].map(|way| layout.seen_way(algebra, statement.frames, way));
+            line(sketch, [slider, carrier], ways, None);
         }
         return;
     }
@@ -57,7 +75,10 @@ pub(super) fn look_for_line<'m>(sketch: &mut Sketch<'_, 'm>, side: &'m Expr, oth
 
 /// Remembers a plane, or the line in which it meets another one of the same point.
 fn meet<'m>(
-    sketch: &mut Sketch<'_, 'm>,
+    algebra: &mut Algebra<'m>,
+    layout: &Layout<'m>,
+    sketch: &mut Sketch<'m>,
+    frames: &[usize],
     plane: Plane<'m>,
     [slider, carrier]: [usize; 2],
     name: Option<String>,
@@ -74,28 +95,26 @@ fn meet<'m>(
     if let [Some(a), Some(b)] = normals {
         let along = a.cross(b);
         let foot = match [first, second].map(Ex::constant_value) {
-            [Some(0.0), Some(0.0)] => sketch.algebra.graph.zeros(3),
+            [Some(0.0), Some(0.0)] => algebra.graph.zeros(3),
             // At right angles to the line it reaches both planes.
             _ => {
                 let foot = first * b.cross(along) + second * along.cross(a);
                 (foot / along.dot(along)).into()
             }
         };
-        line(sketch, [slider, carrier], foot, along.unit().into(), name);
+        let ways = [foot, along.unit().into()];
+        let ways = ways.map(|way| layout.seen_way(algebra, frames, way));
+        line(sketch, [slider, carrier], ways, name);
     }
 }
 
+/// Remembers a line by its foot and its direction in the drawing.
 fn line<'m>(
-    sketch: &mut Sketch<'_, 'm>,
+    sketch: &mut Sketch<'m>,
     [slider, carrier]: [usize; 2],
-    foot: Vn<'m>,
-    along: Vn<'m>,
+    [foot, along]: [Vn<'m>; 2],
     name: Option<String>,
 ) {
-    let (foot, along) = (
-        sketch::seen_way(sketch, foot),
-        sketch::seen_way(sketch, along),
-    );
     let title = sketch.points[slider].name.as_ref();
     let point_name = title.map_or_else(|| "slide".to_owned(), |title| title.text.clone());
     sketch.lines.push(Line {

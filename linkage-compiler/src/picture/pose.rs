@@ -31,10 +31,10 @@ impl<'m> Pose<'m> {
         let moves = both.map(|expr| roles.moves(expr)).max();
         let placement = placed.at.as_ref().map(|at| match algebra.translate(at) {
             Value::Array(parts) => {
-                let axes = [1, 2, 3].map(|axis| scalar::vector(algebra, &parts[axis]));
+                let axes = [1, 2, 3].map(|axis| scalar::vector(&algebra.names, &parts[axis]));
                 Placement::Frame(Value::Array(parts), axes)
             }
-            value => Placement::Point(scalar::vector(algebra, &value)),
+            value => Placement::Point(scalar::vector(&algebra.names, &value)),
         });
         Self {
             placement,
@@ -49,11 +49,11 @@ impl<'m> Pose<'m> {
             Some(Placement::Point(at)) => at.resized(point.len()) + self.way(point, algebra),
             Some(Placement::Frame(frame, _)) => {
                 let seen = calls::call(
-                    algebra,
+                    &mut algebra.names,
                     Function::PointIn,
                     vec![frame.clone(), point.into()],
                 );
-                scalar::vector(algebra, &seen)
+                scalar::vector(&algebra.names, &seen)
             }
         }
     }
@@ -62,9 +62,12 @@ impl<'m> Pose<'m> {
     pub(super) fn way(&self, step: Vn<'m>, algebra: &mut Algebra<'m>) -> Vn<'m> {
         match (&self.turned, &self.placement) {
             (Some(angle), _) => {
-                let turned =
-                    calls::call(algebra, Function::Rotate, vec![step.into(), angle.clone()]);
-                let turned = scalar::vector(algebra, &turned);
+                let turned = calls::call(
+                    &mut algebra.names,
+                    Function::Rotate,
+                    vec![step.into(), angle.clone()],
+                );
+                let turned = scalar::vector(&algebra.names, &turned);
                 // In a picture of space it turns about z.
                 let third = step.iter().skip(2);
                 let components: Vec<NodeId> = turned.iter().chain(third).map(Ex::id).collect();

@@ -7,7 +7,6 @@ use linkage_symbolic::{Ex, Vn};
 use crate::picture::marks::Spot;
 use crate::picture::raw_link::Frame;
 use crate::picture::samples::Samples;
-use crate::picture::sketch::Sketch;
 use crate::picture::track::{self, Track};
 
 /// A point lies on the line through two others if it is nearer to it than this share of their
@@ -21,10 +20,10 @@ pub(super) struct Welds<'a, 's, 'm> {
 }
 
 impl<'a, 's, 'm> Welds<'a, 's, 'm> {
-    pub(super) fn new(sketch: &'s Sketch<'_, 'm>, samples: &'s Samples<'a>) -> Self {
+    pub(super) fn new(dimension: usize, points: &'s [Spot<'m>], samples: &'s Samples<'a>) -> Self {
         Self {
-            dimension: sketch.dimension,
-            points: &sketch.points,
+            dimension,
+            points,
             samples,
         }
     }

@@ -170,7 +170,7 @@ pub(super) fn ways_to<'m>(
     earlier: &EarlierGroups<'m>,
     vector: V2<'m>,
 ) -> Vec<V2<'m>> {
-    let below = dependence::symbols_below(algebra, &vector.0);
+    let below = dependence::symbols_below(algebra.graph, &vector.0);
     let contours: Vec<&Contour> = earlier.contours.iter().collect();
     let behind = contours
         .iter()

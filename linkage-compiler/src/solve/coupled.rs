@@ -44,7 +44,8 @@ pub(super) fn coupled<'m>(
     let system = System::new(algebra, &equations);
 
     let rows: Vec<Ex> = form.blocks.iter().flat_map(|b| b.rows.clone()).collect();
-    let inputs = dependence::inputs_below(algebra, &rows);
+    let inputs =
+        dependence::inputs_below(algebra.graph, &mut algebra.derivatives.dependence, &rows);
     let looked_up = state::prepared_state(algebra, group, &form.core);
     let size = looked_up.iter().flat_map(|part| part.numbers()).count();
     let floor = state::prepared_number(algebra, group, size);

@@ -157,7 +157,8 @@ pub(super) fn direction_from_carrier<'m>(
 
 /// `centre + sum of winding * input`: within half a turn of the angle's value over the whole range.
 fn guide<'m>(algebra: &mut Algebra<'m>, angle: usize, unit: V2<'m>) -> Ex<'m> {
-    let inputs = dependence::inputs_below(algebra, &unit.0);
+    let inputs =
+        dependence::inputs_below(algebra.graph, &mut algebra.derivatives.dependence, &unit.0);
     let mut guide = algebra.source(Source::Centre(angle));
     for input in inputs {
         let winding = algebra.source(Source::Winding(angle, input));
@@ -176,7 +177,13 @@ pub(super) fn alias<'m>(
 ) -> Ex<'m> {
     let name = format!("{name} {}", group.index);
     let rule = DerivativeRule::Follow(equal);
-    by_rule::symbol_for_value(algebra, name, definition, rule)
+    by_rule::symbol_for_value(
+        algebra.graph,
+        &mut algebra.solutions,
+        name,
+        definition,
+        rule,
+    )
 }
 
 /// The vector `z u` that turns with unknown `position`, computed as `value`.

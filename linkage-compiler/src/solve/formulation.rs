@@ -84,7 +84,7 @@ impl<'m> Formulation<'m> {
 
     /// The groups that expressions are computed from, in order.
     pub(crate) fn groups_of(&self, algebra: &Algebra<'m>, expressions: &[Ex<'m>]) -> Vec<usize> {
-        let symbols = dependence::symbols_below(algebra, expressions);
+        let symbols = dependence::symbols_below(algebra.graph, expressions);
         let mut groups: Vec<usize> = symbols
             .iter()
             .filter_map(|symbol| self.group_of.get(symbol).copied())

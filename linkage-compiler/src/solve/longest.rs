@@ -47,7 +47,7 @@ pub(super) fn root_margin<'m>(
 /// The sum of the lengths of a vector's parts, if they can all point the same way: each turns, and
 /// keeps its length.
 fn longest<'m>(algebra: &Algebra<'m>, vector: V2<'m>) -> Option<Ex<'m>> {
-    let parts = turning_parts::parts(algebra, vector);
+    let parts = turning_parts::parts(&algebra.names, vector);
     let mut turning = parts.turning.iter().map(|(_, part)| part);
     let rigid = turning.all(|part| part.is_rotor() && part.arm().is_fixed());
     let arms = parts.turning.iter().map(|(_, part)| part.arm().length());

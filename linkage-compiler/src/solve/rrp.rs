@@ -26,11 +26,18 @@ pub(super) fn rrp<'m>(
     let (stretch, g) = guide.length_and_unit();
     let w = definitions::mode_sign(algebra, group);
 
-    let carried = rotating_frame::in_rotating_frame(algebra, guide, g, c);
+    let carried =
+        rotating_frame::in_rotating_frame(&algebra.names, &mut algebra.solutions, guide, g, c);
     // What the guide carries has a size of its own.
     let (from_guide, size) = match &carried {
         Some(carried) => (
-            carried.arm + rotating_frame::to_frame(algebra, carried.link_frame, carried.rest),
+            carried.arm
+                + rotating_frame::to_frame(
+                    algebra.graph,
+                    &mut algebra.solutions,
+                    carried.link_frame,
+                    carried.rest,
+                ),
             r + carried.arm.length(),
         ),
         None => (Vector([g.dot(c), g.cross(c)]), r),

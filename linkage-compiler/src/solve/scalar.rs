@@ -55,8 +55,8 @@ pub(super) fn relation<'m>(
     angle: usize,
     value: &Scalar<'m>,
 ) -> ClosedForm<'m> {
-    let [cos, sin] = scalar::direction(algebra, value).0;
-    let number = scalar::value_of(algebra, value);
+    let [cos, sin] = scalar::direction(&mut algebra.names, value).0;
+    let number = scalar::value_of(&algebra.names, value);
     definitions::define_relation(algebra, angle, [cos, sin, number]);
     let one = algebra.one();
     plane::push_single(algebra, Vec::new(), one);

@@ -1,13 +1,13 @@
 //! Unknown frames whose place is open, and the rods that hold them.
 
-use linkage_symbolic::{Ex, SymbolId, V3, Vector, collect, numerically_equal};
+use linkage_symbolic::{Ex, Graph, SymbolId, V3, Vector, collect, numerically_equal};
 
 use crate::algebra::Bound;
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::model::unknown_frames;
-use crate::structure::analysis::Analysis;
 use crate::structure::circle::Held;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
+use crate::structure::reductions::Substitutions;
 use crate::structure::{distance, equations, point};
 
 /// An unknown frame: its origin and two axes `p` and `q`; the third one is `p x q`.
@@ -46,17 +46,16 @@ impl<'m> Body<'m> {
 
 /// A frame of which both axes are open, and two coordinates of the origin at least.
 pub(crate) fn body<'m>(
-    analysis: &Analysis<'_, 'm>,
+    names: &Names<'m>,
+    substitutions: &Substitutions<'m>,
     unknowns: &[usize],
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<Body<'m>> {
-    let symbols = unknowns
-        .iter()
-        .map(|&k| match &analysis.algebra.names.bound[k] {
-            Bound::Lengths(symbols) => symbols.iter().map(|(symbol, _)| *symbol).collect(),
-            Bound::Angle(_) => Vec::new(),
-        });
+    let symbols = unknowns.iter().map(|&k| match &names.bound[k] {
+        Bound::Lengths(symbols) => symbols.iter().map(|(symbol, _)| *symbol).collect(),
+        Bound::Angle(_) => Vec::new(),
+    });
     let symbols: Vec<SymbolId> = symbols.collect::<Vec<Vec<_>>>().concat();
     let open = |symbol: &SymbolId| {
         let kind = CoordinateKind::Length(*symbol);
@@ -68,12 +67,12 @@ pub(crate) fn body<'m>(
     // A coordinate that is no unknown any more is known, or another expression by now.
     let mut others = of_origin.iter().zip(&open_of_origin);
     let replaced =
-        others.any(|(symbol, open)| open.is_none() && analysis.substitutions.contains_key(symbol));
+        others.any(|(symbol, open)| open.is_none() && substitutions.contains_key(symbol));
     let count = open_of_origin.iter().flatten().count();
     if axes.len() != 6 || replaced || count < 2 {
         return None;
     }
-    let mechanism = analysis.algebra.mechanism;
+    let mechanism = names.mechanism;
     let is_own = |equation: &Equation<'m>| {
         let written = equation
             .loops
@@ -81,7 +80,7 @@ pub(crate) fn body<'m>(
             .all(|&k| unknown_frames::is_loop_of_frame(mechanism, k));
         let about = coordinates
             .iter()
-            .filter(|c| equations::contains(analysis.algebra, equation.rows[0], c));
+            .filter(|c| equations::contains(names, equation.rows[0], c));
         let mut about = about;
         written && equation.rows.len() == 1 && about.all(|c| axes.contains(c))
     };
@@ -90,7 +89,7 @@ pub(crate) fn body<'m>(
     if places.len() != 3 {
         return None;
     }
-    let graph = analysis.algebra.graph;
+    let graph = names.graph;
     let part =
         |first: usize| Vector([0, 1, 2].map(|k| graph.ex(graph.symbol_node(symbols[first + k]))));
     let [origin, p, q] = [part(0), part(3), part(6)];
@@ -106,14 +105,14 @@ pub(crate) fn body<'m>(
 
 /// Its points at which two rods from fixed points end.
 pub(crate) fn joints<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     body: &Body<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Vec<Joint<'m>> {
     let mut joints: Vec<Joint<'m>> = Vec::new();
     for (place, equation) in equations.iter().enumerate() {
-        let Some((local, held)) = rod(algebra, body, place, equation, coordinates) else {
+        let Some((local, held)) = rod(names, body, place, equation, coordinates) else {
             continue;
         };
         let same = |joint: &&mut Joint<'m>| {
@@ -135,7 +134,7 @@ pub(crate) fn joints<'m>(
 
 /// The point of the body at which a rod from a fixed point ends, and the rod.
 fn rod<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     body: &Body<'m>,
     place: usize,
     equation: &Equation<'m>,
@@ -144,21 +143,21 @@ fn rod<'m>(
     let [row] = equation.rows[..] else {
         return None;
     };
-    let (vector, length) = distance::space_distance(algebra, row, coordinates)?;
-    let (places, factor, known) = point::moved_point(algebra, vector, &body.symbols[..3])?;
+    let (vector, length) = distance::space_distance(names, row, coordinates)?;
+    let (places, factor, known) = point::moved_point(names.graph, vector, &body.symbols[..3])?;
     let is_whole = factor.constant_value().is_some_and(|x| x.abs() == 1.0);
     if !is_whole || places != [0, 1, 2] {
         return None;
     }
-    let (local, end) = local(algebra, body, known / factor)?;
+    let (local, end) = local(names.graph, body, known / factor)?;
     let end = -end;
     let is_fixed = local.is_fixed() && end.is_fixed();
     is_fixed.then_some((local, Held { place, end, length }))
 }
 
 /// `a` and the rest of `a.x p + a.y q + a.z (p x q) + rest`.
-fn local<'m>(algebra: &Algebra<'m>, body: &Body<'m>, vector: V3<'m>) -> Option<(V3<'m>, V3<'m>)> {
-    let zero = algebra.zero();
+fn local<'m>(graph: &'m Graph, body: &Body<'m>, vector: V3<'m>) -> Option<(V3<'m>, V3<'m>)> {
+    let zero = graph.number(0.0);
     let mut found: [Option<Ex<'m>>; 3] = [None; 3];
     let mut rest = [zero; 3];
     for (k, row) in vector.components().enumerate() {

@@ -6,12 +6,13 @@
 //! instead of its coordinates, and two loops less.
 
 use linkage_symbolic::lookup::Map;
-use linkage_symbolic::{Ex, V3, Vector, substitute};
+use linkage_symbolic::{Ex, Graph, V3, Vector, substitute};
 
+use crate::algebra::{Names, Nominal};
 use crate::model::unknown_frames;
-use crate::structure::analysis::Analysis;
 use crate::structure::body::{Body, Joint};
 use crate::structure::equations::{Coordinate, Equation, System};
+use crate::structure::reductions::{Reductions, Substitutions};
 use crate::structure::{body, circle, explicit};
 
 /// Points of which one is nearer to the line through the others than this share of their distance
@@ -20,20 +21,30 @@ const ON_A_LINE: f64 = 1e-3;
 
 /// One body of which points run on circles: three, or the first.
 pub(crate) fn body_to_circles<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    names: &mut Names<'m>,
+    nominal: &Nominal,
+    reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
-    for (_, unknowns) in unknown_frames::bodies_of_space(analysis.algebra.mechanism) {
-        let Some(body) = body::body(analysis, &unknowns, equations, coordinates) else {
+    for (_, unknowns) in unknown_frames::bodies_of_space(names.mechanism) {
+        let Some(body) = body::body(
+            names,
+            &reductions.substitutions,
+            &unknowns,
+            equations,
+            coordinates,
+        ) else {
             continue;
         };
-        let joints = body::joints(analysis.algebra, &body, equations, coordinates);
+        let joints = body::joints(names, &body, equations, coordinates);
         if body.of_origin().len() == 3
-            && let Some(three) = three_of(analysis, &joints)
+            && let Some(three) = three_of(nominal, &joints)
         {
             return Some(on_three_circles(
-                analysis,
+                names,
+                nominal,
+                reductions,
                 &body,
                 three,
                 equations,
@@ -42,7 +53,9 @@ pub(crate) fn body_to_circles<'m>(
         }
         if let Some(joint) = joints.first() {
             return Some(on_one_circle(
-                analysis,
+                names,
+                nominal,
+                reductions,
                 &body,
                 joint,
                 equations,
@@ -54,10 +67,7 @@ pub(crate) fn body_to_circles<'m>(
 }
 
 /// Three joints that are on no line at the defaults.
-fn three_of<'m, 'j>(
-    analysis: &Analysis<'_, 'm>,
-    joints: &'j [Joint<'m>],
-) -> Option<[&'j Joint<'m>; 3]> {
+fn three_of<'m, 'j>(nominal: &Nominal, joints: &'j [Joint<'m>]) -> Option<[&'j Joint<'m>; 3]> {
     let [first, second, others @ ..] = joints else {
         return None;
     };
@@ -65,7 +75,7 @@ fn three_of<'m, 'j>(
     let is_beside = |third: &&Joint<'m>| {
         let arm = third.local - first.local;
         let sizes = [along.cross(arm), along, arm].map(|v| v.length());
-        let sizes = analysis.nominal.evaluate(&sizes);
+        let sizes = nominal.evaluate(&sizes);
         sizes[0] > ON_A_LINE * sizes[1] * sizes[2]
     };
     let third = others.iter().find(is_beside)?;
@@ -74,7 +84,9 @@ fn three_of<'m, 'j>(
 
 /// The frame by three of its points, which run on circles and keep their distances.
 fn on_three_circles<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    names: &mut Names<'m>,
+    nominal: &Nominal,
+    reductions: &mut Reductions<'m>,
     body: &Body<'m>,
     joints: [&Joint<'m>; 3],
     equations: &[Equation<'m>],
@@ -82,19 +94,25 @@ fn on_three_circles<'m>(
 ) -> System<'m> {
     let running = joints.map(|joint| {
         let place = body.origin + body.arm(joint);
-        circle::running(analysis, place, [&joint.rods[0], &joint.rods[1]])
+        circle::running(names, nominal, place, [&joint.rods[0], &joint.rods[1]])
     });
     let points = [0, 1, 2].map(|k| running[k].point);
     let locals = joints.map(|joint| joint.local);
     let parts = frame_of(points, locals).into_iter();
     let values = parts.flat_map(|part| part.0);
     for (&symbol, value) in body.symbols.iter().zip(values) {
-        explicit::make_explicit(analysis, symbol, value);
+        explicit::make_explicit(reductions, symbol, value);
     }
     let explained = [body.of_origin(), body.of_axes.clone()].concat();
     let rods = joints.iter().flat_map(|joint| &joint.rods);
     let solved = rods.map(|rod| rod.place).chain(body.rows_of_body.clone());
-    let mut kept = kept(analysis, solved.collect(), &explained, equations);
+    let mut kept = kept(
+        names.graph,
+        &reductions.substitutions,
+        solved.collect(),
+        &explained,
+        equations,
+    );
     for [a, b] in [[0, 1], [1, 2], [2, 0]] {
         let apart = (points[b] - points[a]).length();
         let wanted = (locals[b] - locals[a]).length();
@@ -113,7 +131,9 @@ fn on_three_circles<'m>(
 
 /// Replaces the origin by one of its points, which runs on a circle; the axes stay unknowns.
 fn on_one_circle<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    names: &mut Names<'m>,
+    nominal: &Nominal,
+    reductions: &mut Reductions<'m>,
     body: &Body<'m>,
     joint: &Joint<'m>,
     equations: &[Equation<'m>],
@@ -121,12 +141,12 @@ fn on_one_circle<'m>(
 ) -> System<'m> {
     let [first, second] = [0, 1].map(|k| &joint.rods[k]);
     let arm = body.arm(joint);
-    let running = circle::running(analysis, body.origin + arm, [first, second]);
+    let running = circle::running(names, nominal, body.origin + arm, [first, second]);
     let origin = running.point - arm;
     let of_origin = body.of_origin();
     // The rest of the position is no unknown: where it is an expression by now, a row that
     // remembers it would be about itself.
-    let zero = analysis.algebra.zero();
+    let zero = names.zero();
     let given = Vector([0, 1, 2].map(|k| match body.open[k] {
         Some(_) => zero,
         None => body.origin[k],
@@ -136,28 +156,26 @@ fn on_one_circle<'m>(
     for (place, open) in body.open.iter().enumerate() {
         let (symbol, component) = (body.symbols[place], origin[place]);
         match open {
-            Some(_) => explicit::make_explicit(analysis, symbol, component),
+            Some(_) => explicit::make_explicit(reductions, symbol, component),
             None => {
                 known.insert(symbol, component);
-                rows.push(circle::along(analysis.algebra, place).product(origin - given));
+                rows.push(circle::along(names.graph, place).product(origin - given));
             }
         }
     }
-    analysis.kept_axes.extend(&body.symbols[3..]);
+    reductions.kept_axes.extend(&body.symbols[3..]);
     let mut rod = equations[first.place].clone();
     rod.absorb(&equations[second.place], &of_origin);
     let mut kept = kept(
-        analysis,
+        names.graph,
+        &reductions.substitutions,
         vec![first.place, second.place],
         &of_origin,
         equations,
     );
     for equation in &mut kept {
         // The point counts as unknown: the body carries all points of the loops together.
-        analysis
-            .algebra
-            .graph
-            .substitute_lengths(&equation.rows, &known);
+        names.graph.substitute_lengths(&equation.rows, &known);
         equation.rows = substitute(&equation.rows, &known);
     }
     kept.extend(rows.into_iter().map(|row| Equation {
@@ -172,7 +190,8 @@ fn on_one_circle<'m>(
 
 /// The equations without those that were solved, in which some unknowns are expressions now.
 fn kept<'m>(
-    analysis: &Analysis<'_, 'm>,
+    graph: &'m Graph,
+    substitutions: &Substitutions<'m>,
     solved: Vec<usize>,
     explained: &[Coordinate],
     equations: &[Equation<'m>],
@@ -185,7 +204,7 @@ fn kept<'m>(
     for (place, equation) in equations.iter().enumerate() {
         if !solved.contains(&place) {
             let mut equation = equation.clone();
-            explicit::substitute_in(analysis, &mut equation, &gone, explained);
+            explicit::substitute_in(graph, substitutions, &mut equation, &gone, explained);
             kept.push(equation);
         }
     }

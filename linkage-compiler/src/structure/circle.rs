@@ -1,12 +1,12 @@
 //! A point at given distances from two fixed points runs on a circle: three unknowns and two loops
 //! become one angle.
 
-use linkage_symbolic::{Ex, SymbolId, V3, Vector};
+use linkage_symbolic::{Ex, Graph, SymbolId, V3, Vector};
 
-use crate::algebra::context::Algebra;
-use crate::algebra::nominal;
-use crate::structure::analysis::Analysis;
+use crate::algebra::names::Names;
+use crate::algebra::{Nominal, nominal};
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
+use crate::structure::reductions::Reductions;
 use crate::structure::{distance, equations, explicit, point};
 
 /// A distance of an unknown point from a fixed one.
@@ -31,7 +31,9 @@ pub(crate) struct Running<'m> {
 
 /// An unknown point that two distances from fixed points hold, and other loops determine.
 pub(crate) fn point_to_circle<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    names: &mut Names<'m>,
+    nominal: &Nominal,
+    reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -39,11 +41,18 @@ pub(crate) fn point_to_circle<'m>(
         let Some(symbols) = equations::point_symbols(point) else {
             continue;
         };
-        let held = held_by(analysis.algebra, &symbols, equations, coordinates);
+        let held = held_by(names, &symbols, equations, coordinates);
         let [first, second] = &held[..] else { continue };
         if equations.len() > 2
-            && let Some(system) =
-                on_circle(analysis, [first, second], point, equations, coordinates)
+            && let Some(system) = on_circle(
+                names,
+                nominal,
+                reductions,
+                [first, second],
+                point,
+                equations,
+                coordinates,
+            )
         {
             return Some(system);
         }
@@ -53,7 +62,7 @@ pub(crate) fn point_to_circle<'m>(
 
 /// The distances from fixed points that contain nothing but this point.
 fn held_by<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     point: &[SymbolId],
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
@@ -61,10 +70,10 @@ fn held_by<'m>(
     let mut held = Vec::new();
     for (place, equation) in equations.iter().enumerate() {
         let [row] = equation.rows[..] else { continue };
-        let Some((vector, length)) = distance::space_distance(algebra, row, coordinates) else {
+        let Some((vector, length)) = distance::space_distance(names, row, coordinates) else {
             continue;
         };
-        let Some((places, factor, known)) = point::moved_point(algebra, vector, point) else {
+        let Some((places, factor, known)) = point::moved_point(names.graph, vector, point) else {
             continue;
         };
         let is_whole = factor.constant_value().is_some_and(|x| x.abs() == 1.0);
@@ -78,18 +87,20 @@ fn held_by<'m>(
 }
 
 fn on_circle<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    names: &mut Names<'m>,
+    nominal: &Nominal,
+    reductions: &mut Reductions<'m>,
     [first, second]: [&Held<'m>; 2],
     point: &[Coordinate],
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
     let symbols = equations::point_symbols(point)?;
-    let graph = analysis.algebra.graph;
+    let graph = names.graph;
     let symbols_of_point = Vector([0, 1, 2].map(|k| graph.ex(graph.symbol_node(symbols[k]))));
-    let running = running(analysis, symbols_of_point, [first, second]);
+    let running = running(names, nominal, symbols_of_point, [first, second]);
     for (symbol, value) in symbols.into_iter().zip(running.point.0) {
-        explicit::make_explicit(analysis, symbol, value);
+        explicit::make_explicit(reductions, symbol, value);
     }
     let mut gone = equations[first.place].clone();
     gone.absorb(&equations[second.place], &[]);
@@ -97,7 +108,7 @@ fn on_circle<'m>(
     let kept = kept.filter(|(place, _)| ![first.place, second.place].contains(place));
     let mut kept: Vec<Equation> = kept.map(|(_, equation)| equation.clone()).collect();
     for equation in &mut kept {
-        explicit::substitute_in(analysis, equation, &gone, point);
+        explicit::substitute_in(graph, &reductions.substitutions, equation, &gone, point);
     }
     let mut left: Vec<Coordinate> = coordinates.to_vec();
     left.retain(|coordinate| !point.contains(coordinate));
@@ -108,15 +119,16 @@ fn on_circle<'m>(
 /// A point that two distances hold, by the angle on its circle; `point` is its expression in the
 /// unknowns so far.
 pub(crate) fn running<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    names: &mut Names<'m>,
+    nominal: &Nominal,
     point: V3<'m>,
     held: [&Held<'m>; 2],
 ) -> Running<'m> {
-    let circle = circle(analysis, held[0], held[1]);
-    let angle = analysis.algebra.names.add_angle("circle", None);
-    analysis.algebra.names.angles[angle].estimated = angle_at_estimate(analysis, point, &circle);
+    let circle = circle(names.graph, nominal, held[0], held[1]);
+    let angle = names.add_angle("circle", None);
+    names.angles[angle].estimated = angle_at_estimate(names, nominal, point, &circle);
     let Circle { middle, axes } = circle;
-    let Vector([cos, sin]) = analysis.algebra.names.angles[angle].unit;
+    let Vector([cos, sin]) = names.angles[angle].unit;
     Running {
         point: middle + axes[0].map(|x| cos * x) + axes[1].map(|x| sin * x),
         angle: Coordinate {
@@ -127,13 +139,18 @@ pub(crate) fn running<'m>(
 }
 
 /// The circle in which two spheres meet.
-fn circle<'m>(analysis: &Analysis<'_, 'm>, first: &Held<'m>, second: &Held<'m>) -> Circle<'m> {
+fn circle<'m>(
+    graph: &'m Graph,
+    nominal: &Nominal,
+    first: &Held<'m>,
+    second: &Held<'m>,
+) -> Circle<'m> {
     let (distance, along) = (second.end - first.end).length_and_unit();
     let shares = first.length.difference_of_squares(second.length) / distance;
     let foot = 0.5 * (distance + shares);
     let square = (first.length - foot) * (first.length + foot);
     let radius = square.root(first.length.square());
-    let across = along.cross(least_along(analysis, along)).unit();
+    let across = along.cross(least_along(graph, nominal, along)).unit();
     Circle {
         middle: first.end + foot * along,
         axes: [radius * across.cross(along), radius * across],
@@ -141,24 +158,29 @@ fn circle<'m>(analysis: &Analysis<'_, 'm>, first: &Held<'m>, second: &Held<'m>) 
 }
 
 /// The axis of coordinates that is farthest from a direction, at the defaults.
-fn least_along<'m>(analysis: &Analysis<'_, 'm>, direction: V3<'m>) -> V3<'m> {
-    let values = analysis.nominal.evaluate(&direction.0);
+fn least_along<'m>(graph: &'m Graph, nominal: &Nominal, direction: V3<'m>) -> V3<'m> {
+    let values = nominal.evaluate(&direction.0);
     let sizes = values.iter().map(|x| x.abs()).enumerate();
     let least = sizes.min_by(|(_, a), (_, b)| a.total_cmp(b));
-    along(analysis.algebra, least.map_or(0, |(place, _)| place))
+    along(graph, least.map_or(0, |(place, _)| place))
 }
 
 /// The direction of an axis of coordinates.
-pub(crate) fn along<'m>(algebra: &Algebra<'m>, place: usize) -> V3<'m> {
-    let (zero, one) = (algebra.zero(), algebra.one());
+pub(crate) fn along<'m>(graph: &'m Graph, place: usize) -> V3<'m> {
+    let (zero, one) = (graph.number(0.0), graph.number(1.0));
     Vector([0, 1, 2].map(|k| if k == place { one } else { zero }))
 }
 
 /// The angle at which the point is estimated; 0 if that is nowhere.
-fn angle_at_estimate<'m>(analysis: &Analysis<'_, 'm>, point: V3<'m>, circle: &Circle<'m>) -> f64 {
+fn angle_at_estimate<'m>(
+    names: &Names<'m>,
+    nominal: &Nominal,
+    point: V3<'m>,
+    circle: &Circle<'m>,
+) -> f64 {
     let arm = point - circle.middle;
     let sides = circle.axes.map(|axis| arm.dot(axis));
-    let values = nominal::at_estimates(analysis.algebra, analysis.nominal, &sides);
+    let values = nominal::at_estimates(names, nominal, &sides);
     let angle = values[1].atan2(values[0]);
     if angle.is_finite() { angle } else { 0.0 }
 }

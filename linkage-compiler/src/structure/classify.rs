@@ -1,8 +1,8 @@
 //! Recognising a group by its mathematics: its loop as a polynomial in its unknowns.
 
-use linkage_symbolic::{Ex, SymbolId};
+use linkage_symbolic::{Ex, Graph, SymbolId};
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::structure::distance::Distance;
 use crate::structure::elements::Rotor;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
@@ -13,39 +13,39 @@ use crate::structure::{distance, explicit, polynomials, space};
 /// The form in which one equation is solved for all its coordinates, if it has one of the known
 /// forms.
 pub(crate) fn classify<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     equation: &Equation<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Form<'m>> {
     use CoordinateKind::{Angle, Length};
     if let ([coordinate], 1) = (coordinates, equation.rows.len()) {
-        return classify_scalar(algebra, equation, coordinate);
+        return classify_scalar(names, equation, coordinate);
     }
     if equation.rows.len() == 3 {
-        return space::classify_three_slides(algebra, equation, coordinates);
+        return space::classify_three_slides(names.graph, equation, coordinates);
     }
     if equation.rows.len() != 2 || coordinates.len() != 2 {
         return None;
     }
-    let polynomials = polynomials::polynomials(algebra, &equation.rows, coordinates)?;
+    let polynomials = polynomials::polynomials(names, &equation.rows, coordinates)?;
     match (coordinates[0].kind, coordinates[1].kind) {
-        (Angle(first), Angle(second)) => two_rotors(algebra, polynomials, first, second),
+        (Angle(first), Angle(second)) => two_rotors(names, polynomials, first, second),
         (Angle(angle), Length(slide)) | (Length(slide), Angle(angle)) => {
-            rotor_and_slide(algebra, polynomials, angle, slide)
+            rotor_and_slide(names, polynomials, angle, slide)
         }
-        (Length(first), Length(second)) => two_slides(algebra, polynomials, [first, second]),
+        (Length(first), Length(second)) => two_slides(names.graph, polynomials, [first, second]),
     }
 }
 
 fn two_rotors<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     mut rest: Polynomials<'m>,
     first: usize,
     second: usize,
 ) -> Option<Form<'m>> {
-    let first = polynomials::take_rotor(algebra, &mut rest, first, &[])?;
-    let second = polynomials::take_rotor(algebra, &mut rest, second, &[])?;
-    let zero = algebra.zero();
+    let first = polynomials::take_rotor(names, &mut rest, first, &[])?;
+    let second = polynomials::take_rotor(names, &mut rest, second, &[])?;
+    let zero = names.zero();
     let known = rest.take_pair(&[], zero);
     let complete = rest.is_exhausted() && !first.z.is_zero() && !second.z.is_zero();
     complete.then_some(Form::TwoRotors {
@@ -56,14 +56,14 @@ fn two_rotors<'m>(
 }
 
 fn rotor_and_slide<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     mut rest: Polynomials<'m>,
     angle: usize,
     slide: SymbolId,
 ) -> Option<Form<'m>> {
-    let zero = algebra.zero();
-    let rotor = polynomials::take_rotor(algebra, &mut rest, angle, &[])?;
-    let moving = polynomials::take_rotor(algebra, &mut rest, angle, &[slide])?;
+    let zero = names.zero();
+    let rotor = polynomials::take_rotor(names, &mut rest, angle, &[])?;
+    let moving = polynomials::take_rotor(names, &mut rest, angle, &[slide])?;
     let fixed = rest.take_pair(&[slide], zero);
     let known = rest.take_pair(&[], zero);
     if !rest.is_exhausted() {
@@ -93,11 +93,11 @@ fn rotor_and_slide<'m>(
 }
 
 fn two_slides<'m>(
-    algebra: &Algebra<'m>,
+    graph: &'m Graph,
     mut rest: Polynomials<'m>,
     slides: [SymbolId; 2],
 ) -> Option<Form<'m>> {
-    let zero = algebra.zero();
+    let zero = graph.number(0.0);
     let guides = slides.map(|slide| rest.take_pair(&[slide], zero));
     let known = rest.take_pair(&[], zero);
     rest.is_exhausted().then_some(Form::TwoSlides {
@@ -109,21 +109,21 @@ fn two_slides<'m>(
 
 /// True for a distance in the plane from a point that turns with an angle or slides along a line: a
 /// link, whether its length or the square of it is given.
-fn is_link<'m>(algebra: &Algebra<'m>, row: Ex<'m>, coordinate: &Coordinate) -> bool {
+fn is_link<'m>(names: &Names<'m>, row: Ex<'m>, coordinate: &Coordinate) -> bool {
     let coordinates = std::slice::from_ref(coordinate);
-    let Some(Distance { vector, length }) = distance::distance(algebra, row, coordinates) else {
+    let Some(Distance { vector, length }) = distance::distance(names, row, coordinates) else {
         return false;
     };
     if vector.len() != 2 || length.is_zero() {
         return false;
     }
-    let Some(mut rest) = polynomials::polynomials(algebra, &vector, coordinates) else {
+    let Some(mut rest) = polynomials::polynomials(names, &vector, coordinates) else {
         return false;
     };
-    let zero = algebra.zero();
+    let zero = names.zero();
     let moving = match coordinate.kind {
         CoordinateKind::Angle(angle) => {
-            let rotor = polynomials::take_rotor(algebra, &mut rest, angle, &[]);
+            let rotor = polynomials::take_rotor(names, &mut rest, angle, &[]);
             rotor.map(|rotor| rotor.z)
         }
         CoordinateKind::Length(slide) => Some(rest.take_pair(&[slide], zero)),
@@ -133,33 +133,33 @@ fn is_link<'m>(algebra: &Algebra<'m>, row: Ex<'m>, coordinate: &Coordinate) -> b
 }
 
 fn classify_scalar<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     equation: &Equation<'m>,
     coordinate: &Coordinate,
 ) -> Option<Form<'m>> {
     if let CoordinateKind::Angle(angle) = coordinate.kind
-        && let Some(value) = explicit::solved_relation(algebra, equation, angle)
+        && let Some(value) = explicit::solved_relation(names, equation, angle)
     {
         return Some(Form::Relation { angle, value });
     }
-    if let Some(form) = space::classify_distance(algebra, equation.rows[0], coordinate) {
+    if let Some(form) = space::classify_distance(names, equation.rows[0], coordinate) {
         return Some(form);
     }
-    if is_link(algebra, equation.rows[0], coordinate) {
+    if is_link(names, equation.rows[0], coordinate) {
         // Squares have another solution with another margin, less accurate where the link meets
         // others at a needle's angle.
         return None;
     }
     let mut rest =
-        polynomials::polynomials(algebra, &equation.rows, std::slice::from_ref(coordinate))?;
+        polynomials::polynomials(names, &equation.rows, std::slice::from_ref(coordinate))?;
     if let CoordinateKind::Angle(_) = coordinate.kind {
-        polynomials::drop_cancelled(algebra, &mut rest);
+        polynomials::drop_cancelled(names.graph, &mut rest);
     }
-    let zero = algebra.zero();
+    let zero = names.zero();
     let mut take = |symbols: &[SymbolId]| rest.take(symbols, zero)[0];
     let form = match coordinate.kind {
         CoordinateKind::Angle(angle) => {
-            let symbols = algebra.names.angles[angle].clone();
+            let symbols = names.angles[angle].clone();
             let (a, b) = (take(&[symbols.cos]), take(&[symbols.sin]));
             let (factor, c) = (take(&[symbols.value]), take(&[]));
             match (a.is_zero() && b.is_zero(), factor.is_zero()) {

@@ -3,8 +3,7 @@
 use linkage_symbolic::lookup::Map;
 use linkage_symbolic::{Ex, SymbolId, substitute};
 
-use crate::algebra::Bound;
-use crate::structure::analysis::Analysis;
+use crate::algebra::{Bound, Names, Nominal};
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::vector::{Vector as Direction, cross, dot, norm};
 
@@ -22,14 +21,15 @@ const DIGITS: f64 = 1000.0;
 /// Returns the directions in which no unknown moves a loop of three rows at their estimates: `none
 /// of them moves it along (0, 0, 1)`. Nothing if they move it in all directions.
 pub(crate) fn short_of<'m>(
-    analysis: &Analysis<'_, 'm>,
+    names: &Names<'m>,
+    nominal: &Nominal,
     equation: &Equation<'m>,
     unknowns: &[Coordinate],
 ) -> Option<String> {
     let rows: [Ex<'m>; 3] = equation.rows.clone().try_into().ok()?;
     let mut reached: Vec<Direction> = Vec::new();
     for coordinate in unknowns {
-        let column = column(analysis, rows, coordinate)?;
+        let column = column(names, nominal, rows, coordinate)?;
         let across = reached.iter().fold(column, |rest, unit| {
             let along = dot(rest, *unit);
             [0, 1, 2].map(|k| rest[k] - along * unit[k])
@@ -51,34 +51,36 @@ pub(crate) fn short_of<'m>(
 
 /// Returns the change of the rows with one coordinate, at the estimates.
 fn column<'m>(
-    analysis: &Analysis<'_, 'm>,
+    names: &Names<'m>,
+    nominal: &Nominal,
     rows: [Ex<'m>; 3],
     coordinate: &Coordinate,
 ) -> Option<Direction> {
     coordinate.unknown?;
-    let unknowns = &analysis.algebra.mechanism.unknowns;
+    let unknowns = &names.mechanism.unknowns;
     if unknowns.iter().any(|unknown| unknown.estimate.is_none()) {
         return None;
     }
-    let ahead = rows_at(analysis, rows, coordinate, STEP);
-    let behind = rows_at(analysis, rows, coordinate, -STEP);
+    let ahead = rows_at(names, nominal, rows, coordinate, STEP);
+    let behind = rows_at(names, nominal, rows, coordinate, -STEP);
     let column = [0, 1, 2].map(|k| (ahead[k] - behind[k]) / (2.0 * STEP));
     column.iter().all(|x| x.is_finite()).then_some(column)
 }
 
 /// The rows at the estimates with one coordinate moved: by radians, or by a share of the estimate.
 fn rows_at<'m>(
-    analysis: &Analysis<'_, 'm>,
+    names: &Names<'m>,
+    nominal: &Nominal,
     rows: [Ex<'m>; 3],
     moved: &Coordinate,
     step: f64,
 ) -> Vec<f64> {
     let mut values: Map<SymbolId, Ex<'m>> = Map::new();
-    for (unknown, bound) in analysis.algebra.names.bound.iter().enumerate() {
-        let estimate = &analysis.nominal.estimates[unknown];
+    for (unknown, bound) in names.bound.iter().enumerate() {
+        let estimate = &nominal.estimates[unknown];
         match bound {
             Bound::Angle(index) => {
-                let angle = &analysis.algebra.names.angles[*index];
+                let angle = &names.angles[*index];
                 let shift = if moved.kind == CoordinateKind::Angle(*index) {
                     step
                 } else {
@@ -86,7 +88,7 @@ fn rows_at<'m>(
                 };
                 let value = estimate[0] + shift;
                 let numbers = [value.cos(), value.sin(), value];
-                let numbers = numbers.map(|x| analysis.algebra.graph.number(x));
+                let numbers = numbers.map(|x| names.graph.number(x));
                 values.extend(angle.symbols().into_iter().zip(numbers));
             }
             Bound::Lengths(symbols) => {
@@ -96,14 +98,14 @@ fn rows_at<'m>(
                     } else {
                         0.0
                     };
-                    let value = analysis.algebra.graph.number(estimate + shift);
+                    let value = names.graph.number(estimate + shift);
                     values.insert(*symbol, value);
                 }
             }
         }
     }
     let rows = substitute(&rows, &values);
-    analysis.nominal.evaluate(&rows)
+    nominal.evaluate(&rows)
 }
 
 /// A unit vector to three digits; of the two signs, the one whose first component other than 0 is

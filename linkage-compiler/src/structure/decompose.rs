@@ -1,36 +1,52 @@
 //! Decomposition of a mechanism into groups that are solved one after the other.
 
-use crate::algebra::{Algebra, Nominal};
+use crate::algebra::{Names, Nominal};
 use crate::diagnostic::Reporter;
-use crate::model::unknown_frames;
-use crate::structure::analysis::Analysis;
+use crate::model::{Mechanism, unknown_frames};
 use crate::structure::coupled::{classify_coupled, distance_polynomials};
 use crate::structure::equations::{Coordinate, Equation};
+use crate::structure::fault::StructureFault;
 use crate::structure::form::Form;
 use crate::structure::group::{Group, Structure};
+use crate::structure::mobility_check::MobilityCheck;
+use crate::structure::reductions::Reductions;
 use crate::structure::scope::Scope;
-use crate::structure::{classify, eliminate, equations, matching, point, report, unsolved};
+use crate::structure::{classify, eliminate, equations, matching, mobility_check, point, unsolved};
+
+/// The state of the analysis.
+struct Analysis<'a, 'm> {
+    names: &'a mut Names<'m>,
+    nominal: &'a Nominal,
+    reporter: Reporter<'a>,
+    /// The groups so far, in the order of their solution.
+    groups: Vec<Group<'m>>,
+    reductions: Reductions<'m>,
+    /// The number of reductions so far.
+    steps: usize,
+}
 
 /// Finds the groups of a scope, and reports those that cannot be solved.
 pub(crate) fn decompose<'m>(
-    algebra: &mut Algebra<'m>,
+    names: &mut Names<'m>,
     nominal: &Nominal,
     scope: &Scope,
     reporter: Reporter,
 ) -> Structure<'m> {
     let mut analysis = Analysis {
-        algebra,
+        names,
         nominal,
         reporter,
-        structure: Structure::default(),
-        substitutions: Default::default(),
-        kept_axes: Vec::new(),
+        groups: Vec::new(),
+        reductions: Reductions::default(),
         steps: 0,
     };
-    analysis.structure.mobility = analysis.algebra.mechanism.inputs.len();
-    let (equations, coordinates) = equations::equations(analysis.algebra, scope);
+    let (equations, coordinates) = equations::equations(analysis.names, scope);
     solve(&mut analysis, equations, coordinates);
-    analysis.structure
+    Structure {
+        groups: analysis.groups,
+        explicit: analysis.reductions.explicit,
+        mobility: analysis.names.mechanism.inputs.len(),
+    }
 }
 
 /// No mechanism needs as many reductions for each of its loops.
@@ -44,17 +60,28 @@ fn solve<'m>(
 ) {
     let incidence: Vec<Vec<usize>> = equations
         .iter()
-        .map(|e| equations::incidence(analysis.algebra, e, &coordinates))
+        .map(|e| equations::incidence(analysis.names, e, &coordinates))
         .collect();
     let rows: Vec<usize> = equations.iter().map(|e| e.rows.len()).collect();
     let matching = matching::maximum(&rows, &incidence, coordinates.len());
-    let before = analysis.reporter.errors();
-    if !report::report_mobility(analysis, &equations, &coordinates, &incidence, &matching) {
-        if analysis.reporter.errors() == before {
-            // Equations or unknowns that are missing here have been introduced here: the loop
-            // before has no known form.
-            unsolved::report_unsolved(analysis, &equations, &coordinates);
-        }
+    let MobilityCheck { complete, faults } = mobility_check::check_mobility(
+        analysis.names,
+        analysis.nominal,
+        &equations,
+        &coordinates,
+        &incidence,
+        &matching,
+    );
+    if !complete && faults.is_empty() {
+        // Equations or unknowns that are missing here have been introduced here: the loop before
+        // has no known form.
+        let fault = unsolved::unsolved_group(analysis.names, &equations, &coordinates);
+        report_fault(&mut analysis.reporter, fault);
+    }
+    for fault in faults {
+        report_fault(&mut analysis.reporter, fault);
+    }
+    if !complete {
         return;
     }
     for component in matching::components(&incidence, &matching) {
@@ -75,18 +102,21 @@ fn solve_component<'m>(
     equations: Vec<Equation<'m>>,
     coordinates: Vec<Coordinate>,
 ) {
-    if let [equation] = &equations[..]
-        && let Some(form) = classify::classify(analysis.algebra, equation, &coordinates)
-    {
-        return push_group(analysis, &equations, &coordinates, form);
-    }
-    if let Some(form) = point::classify_point(analysis, &equations, &coordinates) {
-        return push_group(analysis, &equations, &coordinates, form);
+    let mechanism = analysis.names.mechanism;
+    if let Some(form) = closed_form(analysis.names, analysis.nominal, &equations, &coordinates) {
+        let group = group(mechanism, &equations, &coordinates, form);
+        return analysis.groups.push(group);
     }
     analysis.steps += 1;
-    let allowed = analysis.steps <= STEPS_PER_LOOP * analysis.algebra.mechanism.loops.len();
+    let allowed = analysis.steps <= STEPS_PER_LOOP * mechanism.loops.len();
     let reduced = if allowed {
-        eliminate::reduce(analysis, &equations, &coordinates)
+        eliminate::reduce(
+            analysis.names,
+            analysis.nominal,
+            &mut analysis.reductions,
+            &equations,
+            &coordinates,
+        )
     } else {
         None
     };
@@ -94,24 +124,48 @@ fn solve_component<'m>(
         return solve(analysis, equations, coordinates);
     }
     let squared =
-        distance_polynomials::with_squared_distances(analysis.algebra, &equations, &coordinates);
-    match classify_coupled::classify_coupled(analysis.algebra, &squared, &coordinates) {
-        Some(form) => push_group(analysis, &equations, &coordinates, form),
-        None => unsolved::report_unsolved(analysis, &squared, &coordinates),
+        distance_polynomials::with_squared_distances(analysis.names, &equations, &coordinates);
+    match classify_coupled::classify_coupled(analysis.names, &squared, &coordinates) {
+        Some(form) => {
+            let group = group(mechanism, &equations, &coordinates, form);
+            analysis.groups.push(group);
+        }
+        None => {
+            let fault = unsolved::unsolved_group(analysis.names, &squared, &coordinates);
+            report_fault(&mut analysis.reporter, fault);
+        }
     }
 }
 
-fn push_group<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+/// Returns the form in which a component is solved as it is; `None` if it has no closed form.
+fn closed_form<'m>(
+    names: &Names<'m>,
+    nominal: &Nominal,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> Option<Form<'m>> {
+    let single = match equations {
+        [equation] => classify::classify(names, equation, coordinates),
+        _ => None,
+    };
+    single.or_else(|| point::classify_point(names, nominal, equations, coordinates))
+}
+
+fn report_fault(reporter: &mut Reporter, fault: StructureFault) {
+    reporter.error(fault.origin, fault.text);
+}
+
+/// Builds a group from its equations, its coordinates and its form.
+fn group<'m>(
+    mechanism: &Mechanism,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
     form: Form<'m>,
-) {
+) -> Group<'m> {
     let found = coordinates.iter().filter_map(|c| c.unknown);
     let eliminated = equations.iter().flat_map(|e| e.eliminated.iter().copied());
     let loops = equations.iter().flat_map(|e| e.loops.iter().copied());
     let mut loops: Vec<usize> = loops.collect();
-    let mechanism = analysis.algebra.mechanism;
     if loops
         .iter()
         .any(|&k| !unknown_frames::is_loop_of_frame(mechanism, k))
@@ -125,10 +179,10 @@ fn push_group<'m>(
         numbers.dedup();
         numbers
     };
-    analysis.structure.groups.push(Group {
+    Group {
         loops: sorted(loops),
         written: equations[0].written,
         unknowns: sorted(found.chain(eliminated).collect()),
         form,
-    });
+    }
 }

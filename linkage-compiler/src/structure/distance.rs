@@ -3,7 +3,7 @@
 use linkage_symbolic::program::{Binary, Unary};
 use linkage_symbolic::{Ex, Node, V3, Vector};
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::structure::equations;
 use crate::structure::equations::Coordinate;
 
@@ -22,28 +22,28 @@ pub(crate) struct Sides<'m> {
 
 /// A row `|v| - l` or `v . v - l^2` (or its negative) with a known `l`.
 pub(crate) fn distance<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     row: Ex<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Distance<'m>> {
-    measured(algebra, row, coordinates).or_else(|| written_squares(algebra, row, coordinates))
+    measured(names, row, coordinates).or_else(|| written_squares(names, row, coordinates))
 }
 
 /// A length or its square on one side, known numbers on the other.
 fn measured<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     row: Ex<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Distance<'m>> {
     let mut sides = Sides {
         measured: row,
-        given: algebra.zero(),
+        given: names.zero(),
     };
     loop {
         // Squares of known values may belong to the vector: one term after the other.
-        sides = without_term(algebra, sides, coordinates)?;
-        let Sides { measured, given } = without_factors(algebra, sides, coordinates);
-        let graph = algebra.graph;
+        sides = without_term(names, sides, coordinates)?;
+        let Sides { measured, given } = without_factors(names, sides, coordinates);
+        let graph = names.graph;
         let lift = |vector: Vec<_>| vector.into_iter().map(|id| graph.ex(id)).collect();
         if let Some(vector) = graph.vector_of_length(measured.id()) {
             // No distance is negative.
@@ -61,7 +61,7 @@ fn measured<'m>(
 
 /// Both sides less a known term of the first.
 pub(crate) fn without_term<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     Sides { measured, given }: Sides<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Sides<'m>> {
@@ -74,11 +74,7 @@ pub(crate) fn without_term<'m>(
         return None;
     };
     let [a, b] = [a, b].map(ex);
-    let known = |x| {
-        !coordinates
-            .iter()
-            .any(|c| equations::contains(algebra, x, c))
-    };
+    let known = |x| !coordinates.iter().any(|c| equations::contains(names, x, c));
     match (op, known(a), known(b)) {
         (Binary::Add, _, true) => sides(a, given - b),
         (Binary::Add, true, _) => sides(b, given - a),
@@ -90,7 +86,7 @@ pub(crate) fn without_term<'m>(
 
 /// Both sides divided by the known factors of the first.
 fn without_factors<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     Sides {
         mut measured,
         mut given,
@@ -102,11 +98,7 @@ fn without_factors<'m>(
             return Sides { measured, given };
         };
         let [a, b] = [a, b].map(|id| measured.graph().ex(id));
-        let known = |x| {
-            !coordinates
-                .iter()
-                .any(|c| equations::contains(algebra, x, c))
-        };
+        let known = |x| !coordinates.iter().any(|c| equations::contains(names, x, c));
         match op {
             Binary::Div if known(b) => {
                 measured = a;
@@ -124,19 +116,15 @@ fn without_factors<'m>(
 
 /// `x x + y y - ...` or `x x + y y + z z - ...` with a known rest.
 fn written_squares<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     row: Ex<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Distance<'m>> {
-    let unknown = |x| {
-        coordinates
-            .iter()
-            .any(|c| equations::contains(algebra, x, c))
-    };
+    let unknown = |x| coordinates.iter().any(|c| equations::contains(names, x, c));
     let terms = summands(row);
     let sign = terms.iter().find(|(_, x)| unknown(*x))?.0;
     let mut vector = Vec::new();
-    let mut wanted = algebra.zero();
+    let mut wanted = names.zero();
     for (added, term) in terms {
         match term.node() {
             Node::Binary(Binary::Mul, a, b) if a == b && added == sign => {
@@ -153,11 +141,11 @@ fn written_squares<'m>(
 
 /// A row that is a distance in space.
 pub(crate) fn space_distance<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     row: Ex<'m>,
     coordinates: &[Coordinate],
 ) -> Option<(V3<'m>, Ex<'m>)> {
-    let Distance { vector, length } = distance(algebra, row, coordinates)?;
+    let Distance { vector, length } = distance(names, row, coordinates)?;
     let vector = vector.try_into().ok()?;
     Some((Vector(vector), length))
 }

@@ -3,27 +3,29 @@
 
 use linkage_symbolic::{Ex, V2, collect};
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::algebra::{Atom, StandsFor, scalar};
-use crate::structure::analysis::Analysis;
 use crate::structure::distance::Distance;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
+use crate::structure::reductions::Reductions;
 use crate::structure::{classify, distance, explicit, polynomials};
 
 /// An angle that turns vectors twice as fast only: they turn with its double, which is solved for.
 pub(crate) fn double_angle<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    names: &mut Names<'m>,
+    reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
     let [equation] = equations else { return None };
-    by_double_angle(analysis, equation, coordinates)
+    by_double_angle(names, reductions, equation, coordinates)
 }
 
 /// A distance between points that go around one centre on ellipses, as the foot of scissors and a
 /// point of an arm: its square contains products of two of cosine and sine only.
 pub(crate) fn distance_of_double_angle<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    names: &mut Names<'m>,
+    reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -33,24 +35,25 @@ pub(crate) fn distance_of_double_angle<'m>(
     let &[row] = &equation.rows[..] else {
         return None;
     };
-    let Distance { vector, length } = distance::distance(analysis.algebra, row, coordinates)?;
-    let polynomials = polynomials::polynomials(analysis.algebra, &vector, coordinates)?;
+    let Distance { vector, length } = distance::distance(names, row, coordinates)?;
+    let polynomials = polynomials::polynomials(names, &vector, coordinates)?;
     let mut monomials = polynomials.rows.iter().flat_map(|row| row.keys());
     if !monomials.all(|powers| powers.iter().sum::<u8>() == 1) {
         return None;
     }
-    let zero = analysis.algebra.zero();
+    let zero = names.zero();
     let square = vector.iter().fold(zero, |sum, x| sum + x.square());
     let squared = Equation {
         rows: vec![0.5 * (square / length - length)],
         relation: None,
         ..equation.clone()
     };
-    by_double_angle(analysis, &squared, coordinates)
+    by_double_angle(names, reductions, &squared, coordinates)
 }
 
 fn by_double_angle<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    names: &mut Names<'m>,
+    reductions: &mut Reductions<'m>,
     equation: &Equation<'m>,
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -58,18 +61,18 @@ fn by_double_angle<'m>(
         let CoordinateKind::Angle(half) = coordinate.kind else {
             continue;
         };
-        let Some(rows) = squares_of(analysis.algebra, half, equation) else {
+        let Some(rows) = squares_of(names, half, equation) else {
             continue;
         };
-        let double = analysis.algebra.names.add_angle("double", None);
-        let angle = &analysis.algebra.names.angles[half];
+        let double = names.add_angle("double", None);
+        let angle = &names.angles[half];
         let summands = angle.summands().into_iter();
         let summands = summands
             .map(|(unknown, sign)| (unknown, 2.0 * sign))
             .collect();
         let stands_for = angle.meant().map(|unknown| StandsFor { unknown, summands });
-        analysis.algebra.names.angles[double].stands_for = stands_for;
-        let unit = analysis.algebra.names.angles[double].unit;
+        names.angles[double].stands_for = stands_for;
+        let unit = names.angles[double].unit;
         let rows = rows.into_iter().map(|row| row.turned_with(unit));
         let mut changed = Equation {
             rows: rows.collect(),
@@ -82,9 +85,9 @@ fn by_double_angle<'m>(
             kind: CoordinateKind::Angle(double),
             unknown: None,
         };
-        if classify::classify(analysis.algebra, &changed, &coordinates).is_some() {
-            let value = scalar::atom(analysis.algebra, Atom::Angle(double)).scaled(0.5);
-            explicit::replace_angle(analysis, half, &value);
+        if classify::classify(names, &changed, &coordinates).is_some() {
+            let value = scalar::atom(names.graph, Atom::Angle(double)).scaled(0.5);
+            explicit::replace_angle(names, reductions, half, &value);
             return Some((vec![changed], coordinates));
         }
     }
@@ -94,13 +97,13 @@ fn by_double_angle<'m>(
 /// The rows of an equation, if they contain nothing of an angle but products of two of its cosine
 /// and sine.
 fn squares_of<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     angle: usize,
     equation: &Equation<'m>,
 ) -> Option<Vec<SquaresOf<'m>>> {
-    let angle = &algebra.names.angles[angle];
+    let angle = &names.angles[angle];
     let symbols = angle.symbols();
-    let zero = algebra.zero();
+    let zero = names.zero();
     let rows = equation.rows.iter().map(|&row| {
         let mut terms = collect(row, &symbols, &[])?;
         let mut take = |cos, sin| terms.remove(&vec![cos, sin, 0]).unwrap_or(zero);

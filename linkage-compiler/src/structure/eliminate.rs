@@ -1,23 +1,24 @@
 //! Bringing a coupled set of loops to known forms: unknowns that are explicit expressions of others
 //! go.
 
-use linkage_symbolic::{Ex, SymbolId, collect};
+use linkage_symbolic::{Ex, Graph, SymbolId, collect};
 
-use crate::algebra::context::Algebra;
-use crate::algebra::{Atom, Scalar, scalar};
-use crate::structure::analysis::Analysis;
+use crate::algebra::names::Names;
+use crate::algebra::{Atom, Nominal, Scalar, scalar};
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
+use crate::structure::reductions::{Reductions, Substitutions};
 use crate::structure::{body_circle, circle, double, equations, explicit, rewrite};
 
 /// An angle relation (`psi = theta + 30deg`) shows which vectors turn together.
 fn eliminate_relation<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    names: &mut Names<'m>,
+    reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
-    let (place, angle) = find_relation(analysis.algebra, equations, coordinates)?;
-    let value = explicit::solved_relation(analysis.algebra, &equations[place], angle)?;
-    explicit::replace_angle(analysis, angle, &value);
+    let (place, angle) = find_relation(names, equations, coordinates)?;
+    let value = explicit::solved_relation(names, &equations[place], angle)?;
+    explicit::replace_angle(names, reductions, angle, &value);
     let (gone, kept): (Vec<Coordinate>, Vec<Coordinate>) = coordinates
         .iter()
         .cloned()
@@ -25,13 +26,19 @@ fn eliminate_relation<'m>(
     let mut equations = equations.to_vec();
     let eliminated = equations.remove(place);
     for equation in &mut equations {
-        match replaced_in_relation(analysis.algebra, equation, angle, &value) {
+        match replaced_in_relation(equation, angle, &value) {
             Some(relation) => {
-                equation.rows = vec![scalar::value_of(analysis.algebra, &relation)];
+                equation.rows = vec![scalar::value_of(names, &relation)];
                 equation.relation = Some(relation);
                 equation.absorb(&eliminated, &gone);
             }
-            None => explicit::substitute_in(analysis, equation, &eliminated, &gone),
+            None => explicit::substitute_in(
+                names.graph,
+                &reductions.substitutions,
+                equation,
+                &eliminated,
+                &gone,
+            ),
         }
     }
     Some((equations, kept))
@@ -40,7 +47,7 @@ fn eliminate_relation<'m>(
 /// A relation between angles that contains no other unknown, and the angle it is best solved for:
 /// one that other loops use too, after whose removal the rest counts in whole multiples.
 fn find_relation<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<(usize, usize)> {
@@ -48,7 +55,7 @@ fn find_relation<'m>(
         let relation = equation.relation.as_ref()?;
         if coordinates
             .iter()
-            .any(|c| equations::contains(algebra, relation.rest, c))
+            .any(|c| equations::contains(names, relation.rest, c))
         {
             return None;
         }
@@ -56,7 +63,7 @@ fn find_relation<'m>(
             let others = equations.iter().enumerate().filter(|(k, _)| *k != place);
             others
                 .flat_map(|(_, e)| &e.rows)
-                .any(|&row| equations::contains(algebra, row, c))
+                .any(|&row| equations::contains(names, row, c))
         };
         let angles: Vec<usize> = coordinates
             .iter()
@@ -83,7 +90,6 @@ fn find_relation<'m>(
 
 /// A relation between angles stays a linear form when one of its angles is replaced.
 fn replaced_in_relation<'m>(
-    _algebra: &Algebra<'m>,
     equation: &Equation<'m>,
     angle: usize,
     value: &Scalar<'m>,
@@ -101,27 +107,32 @@ fn replaced_in_relation<'m>(
 
 /// One step towards known forms; `None` if there is none.
 pub(crate) fn reduce<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    names: &mut Names<'m>,
+    nominal: &Nominal,
+    reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
-    eliminate_relation(analysis, equations, coordinates)
-        .or_else(|| eliminate_point(analysis, equations, coordinates))
-        .or_else(|| body_circle::body_to_circles(analysis, equations, coordinates))
-        .or_else(|| eliminate_slide(analysis, equations, coordinates))
-        .or_else(|| rewrite::join_rows(analysis.algebra, equations, coordinates))
-        .or_else(|| double::distance_of_double_angle(analysis, equations, coordinates))
-        .or_else(|| rewrite::distance_to_link(analysis.algebra, equations, coordinates))
-        .or_else(|| rewrite::split_along_guide(analysis.algebra, equations, coordinates))
-        .or_else(|| rewrite::split_across_guides(analysis.algebra, equations, coordinates))
-        .or_else(|| double::double_angle(analysis, equations, coordinates))
-        .or_else(|| rewrite::relative_angle(analysis, equations, coordinates))
-        .or_else(|| circle::point_to_circle(analysis, equations, coordinates))
+    eliminate_relation(names, reductions, equations, coordinates)
+        .or_else(|| eliminate_point(names.graph, reductions, equations, coordinates))
+        .or_else(|| {
+            body_circle::body_to_circles(names, nominal, reductions, equations, coordinates)
+        })
+        .or_else(|| eliminate_slide(names.graph, reductions, equations, coordinates))
+        .or_else(|| rewrite::join_rows(names, equations, coordinates))
+        .or_else(|| double::distance_of_double_angle(names, reductions, equations, coordinates))
+        .or_else(|| rewrite::distance_to_link(names, equations, coordinates))
+        .or_else(|| rewrite::split_along_guide(names, equations, coordinates))
+        .or_else(|| rewrite::split_across_guides(names, equations, coordinates))
+        .or_else(|| double::double_angle(names, reductions, equations, coordinates))
+        .or_else(|| rewrite::relative_angle(names, reductions, equations, coordinates))
+        .or_else(|| circle::point_to_circle(names, nominal, reductions, equations, coordinates))
 }
 
 /// `p + ... = 0` in one of several vector loops gives the unknown point `p`.
 fn eliminate_point<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    graph: &'m Graph,
+    reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -137,13 +148,20 @@ fn eliminate_point<'m>(
             let Some(symbols) = equations::point_symbols(point) else {
                 continue;
             };
-            let Some(values) = solve_point(analysis.algebra, equation, &symbols) else {
+            let Some(values) = solve_point(graph, equation, &symbols) else {
                 continue;
             };
             for (symbol, value) in symbols.into_iter().zip(values) {
-                explicit::make_explicit(analysis, symbol, value);
+                explicit::make_explicit(reductions, symbol, value);
             }
-            return Some(without(analysis, equations, coordinates, place, point));
+            return Some(without(
+                graph,
+                &reductions.substitutions,
+                equations,
+                coordinates,
+                place,
+                point,
+            ));
         }
     }
     None
@@ -152,11 +170,11 @@ fn eliminate_point<'m>(
 /// All components of a point that enters an equation as `k (x, y)` with a `k` that is known before
 /// the input.
 fn solve_point<'m>(
-    algebra: &Algebra<'m>,
+    graph: &'m Graph,
     equation: &Equation<'m>,
     point: &[SymbolId],
 ) -> Option<Vec<Ex<'m>>> {
-    let zero = algebra.zero();
+    let zero = graph.number(0.0);
     let mut values = Vec::new();
     for (row, &x) in equation.rows.iter().enumerate() {
         let mut terms = collect(x, point, &[])?;
@@ -174,7 +192,8 @@ fn solve_point<'m>(
 
 /// A scalar loop that is linear in a slide, with a constant factor, gives that slide.
 fn eliminate_slide<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    graph: &'m Graph,
+    reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -190,7 +209,7 @@ fn eliminate_slide<'m>(
             let CoordinateKind::Length(symbol) = coordinate.kind else {
                 continue;
             };
-            if analysis.kept_axes.contains(&symbol) {
+            if reductions.kept_axes.contains(&symbol) {
                 continue;
             }
             let Some(mut terms) = collect(equation.rows[0], &[symbol], &[]) else {
@@ -203,10 +222,11 @@ fn eliminate_slide<'m>(
             if factor.constant_value().is_none() {
                 continue;
             }
-            let rest = rest.unwrap_or(analysis.algebra.zero());
-            explicit::make_explicit(analysis, symbol, -(rest / factor));
+            let rest = rest.unwrap_or(graph.number(0.0));
+            explicit::make_explicit(reductions, symbol, -(rest / factor));
             return Some(without(
-                analysis,
+                graph,
+                &reductions.substitutions,
                 equations,
                 coordinates,
                 place,
@@ -219,7 +239,8 @@ fn eliminate_slide<'m>(
 
 /// Returns the rest when one equation has given some coordinates.
 fn without<'m>(
-    analysis: &Analysis<'_, 'm>,
+    graph: &'m Graph,
+    substitutions: &Substitutions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
     place: usize,
@@ -228,7 +249,7 @@ fn without<'m>(
     let mut equations = equations.to_vec();
     let eliminated = equations.remove(place);
     for equation in &mut equations {
-        explicit::substitute_in(analysis, equation, &eliminated, gone);
+        explicit::substitute_in(graph, substitutions, equation, &eliminated, gone);
     }
     let kept = coordinates
         .iter()

@@ -1,13 +1,13 @@
 //! Equations and coordinates: the two sides of the bipartite graph.
 
-use linkage_symbolic::{Ex, NodeId, SymbolId, substitute};
+use linkage_symbolic::{Ex, Graph, NodeId, SymbolId, substitute};
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::algebra::translate::Translate;
 use crate::algebra::{Bound, Scalar, Value, scalar, translate};
 use crate::model::Loop;
-use crate::structure::analysis::Analysis;
 use crate::structure::elements::SpaceLink;
+use crate::structure::reductions::Substitutions;
 use crate::structure::scope::Scope;
 
 /// A loop, or an equation that was made of loops: one to three scalar equations `row = 0`.
@@ -54,18 +54,18 @@ pub(crate) enum CoordinateKind {
 
 /// Loops as equations, unknowns as coordinates.
 pub(crate) fn equations<'m>(
-    algebra: &mut Algebra<'m>,
+    names: &mut Names<'m>,
     scope: &Scope,
 ) -> (Vec<Equation<'m>>, Vec<Coordinate>) {
-    let mechanism = algebra.mechanism;
-    translate::translate_these_lets(algebra, |index| scope.lets[index]);
+    let mechanism = names.mechanism;
+    translate::translate_these_lets(names, |index| scope.lets[index]);
     let loops = mechanism.loops.iter().enumerate();
     let equations = loops
         .filter(|(index, _)| scope.loops[*index])
-        .map(|(index, item)| equation(algebra, index, item))
+        .map(|(index, item)| equation(names, index, item))
         .collect();
     let mut coordinates = Vec::new();
-    let bound = algebra.names.bound.iter().enumerate();
+    let bound = names.bound.iter().enumerate();
     for (unknown, bound) in bound.filter(|(unknown, _)| scope.unknowns[*unknown]) {
         let kinds: Vec<CoordinateKind> = match bound {
             Bound::Angle(angle) => vec![CoordinateKind::Angle(*angle)],
@@ -83,19 +83,16 @@ pub(crate) fn equations<'m>(
     (equations, coordinates)
 }
 
-fn equation<'m>(algebra: &mut Algebra<'m>, index: usize, item: &Loop) -> Equation<'m> {
-    let left = algebra.translate(&item.left);
-    let right = algebra.translate(&item.right);
+fn equation<'m>(names: &mut Names<'m>, index: usize, item: &Loop) -> Equation<'m> {
+    let left = names.translate(&item.left);
+    let right = names.translate(&item.right);
     let (rows, relation) = match (&left, &right) {
         (Value::Scalar(a), Value::Scalar(b)) => {
             let relation = a.combined(b, -1.0);
-            (vec![scalar::value_of(algebra, &relation)], Some(relation))
+            (vec![scalar::value_of(names, &relation)], Some(relation))
         }
         _ => {
-            let (a, b) = (
-                scalar::vector(algebra, &left),
-                scalar::vector(algebra, &right),
-            );
+            let (a, b) = (scalar::vector(names, &left), scalar::vector(names, &right));
             ((a - b).iter().collect(), None)
         }
     };
@@ -110,44 +107,44 @@ fn equation<'m>(algebra: &mut Algebra<'m>, index: usize, item: &Loop) -> Equatio
 }
 
 /// The symbols of a coordinate.
-pub(crate) fn symbols(algebra: &Algebra<'_>, coordinate: &Coordinate) -> Vec<SymbolId> {
+pub(crate) fn symbols(names: &Names<'_>, coordinate: &Coordinate) -> Vec<SymbolId> {
     match coordinate.kind {
         CoordinateKind::Length(symbol) => vec![symbol],
-        CoordinateKind::Angle(index) => algebra.names.angles[index].symbols().to_vec(),
+        CoordinateKind::Angle(index) => names.angles[index].symbols().to_vec(),
     }
 }
 
 /// Returns the coordinates that an equation contains.
 pub(crate) fn incidence<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     equation: &Equation<'m>,
     coordinates: &[Coordinate],
 ) -> Vec<usize> {
-    let present = symbols_of(algebra, &equation.rows);
+    let present = symbols_of(names.graph, &equation.rows);
     (0..coordinates.len())
         .filter(|&k| {
-            symbols(algebra, &coordinates[k])
+            symbols(names, &coordinates[k])
                 .iter()
                 .any(|s| present.contains(s))
         })
         .collect()
 }
 
-pub(crate) fn contains<'m>(algebra: &Algebra<'m>, x: Ex<'m>, coordinate: &Coordinate) -> bool {
-    let present = symbols_of(algebra, &[x]);
-    symbols(algebra, coordinate)
+pub(crate) fn contains<'m>(names: &Names<'m>, x: Ex<'m>, coordinate: &Coordinate) -> bool {
+    let present = symbols_of(names.graph, &[x]);
+    symbols(names, coordinate)
         .iter()
         .any(|s| present.contains(s))
 }
 
 /// Replaces eliminated symbols in an equation.
 pub(crate) fn substituted<'m>(
-    analysis: &Analysis<'_, 'm>,
+    graph: &'m Graph,
+    substitutions: &Substitutions<'m>,
     equation: &Equation<'m>,
 ) -> Equation<'m> {
-    let graph = analysis.algebra.graph;
-    graph.substitute_lengths(&equation.rows, &analysis.substitutions);
-    let rows = substitute(&equation.rows, &analysis.substitutions);
+    graph.substitute_lengths(&equation.rows, substitutions);
+    let rows = substitute(&equation.rows, substitutions);
     let relation = equation.relation.clone().filter(|_| rows == equation.rows);
     Equation {
         rows,
@@ -157,9 +154,9 @@ pub(crate) fn substituted<'m>(
 }
 
 /// The symbols that expressions are made of.
-pub(crate) fn symbols_of<'m>(algebra: &Algebra<'m>, all: &[Ex<'m>]) -> Vec<SymbolId> {
+pub(crate) fn symbols_of<'m>(graph: &'m Graph, all: &[Ex<'m>]) -> Vec<SymbolId> {
     let nodes: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
-    algebra.graph.symbols_of(&nodes)
+    graph.symbols_of(&nodes)
 }
 
 /// Equations and the coordinates that they are solved for.

@@ -1,24 +1,24 @@
 //! Unknowns that become explicit expressions of others.
 
-use linkage_symbolic::{Ex, SymbolId};
+use linkage_symbolic::{Ex, Graph, SymbolId};
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::algebra::{Atom, Scalar, scalar};
-use crate::structure::analysis::Analysis;
 use crate::structure::equations;
 use crate::structure::equations::{Coordinate, Equation};
 use crate::structure::group::Explicit;
+use crate::structure::reductions::{Reductions, Substitutions};
 
 /// An angle relation solved for one angle.
 pub(crate) fn solved_relation<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     equation: &Equation<'m>,
     angle: usize,
 ) -> Option<Scalar<'m>> {
     let relation = equation.relation.clone()?;
     let factor = relation.coefficient(Atom::Angle(angle));
-    let own_symbols = algebra.names.angles[angle].symbols();
-    let present = equations::symbols_of(algebra, &[relation.rest]);
+    let own_symbols = names.angles[angle].symbols();
+    let present = equations::symbols_of(names.graph, &[relation.rest]);
     if factor == 0.0 || own_symbols.iter().any(|s| present.contains(s)) {
         return None;
     }
@@ -28,29 +28,45 @@ pub(crate) fn solved_relation<'m>(
 }
 
 /// Makes an angle an explicit expression of others.
-pub(crate) fn replace_angle<'m>(analysis: &mut Analysis<'_, 'm>, angle: usize, value: &Scalar<'m>) {
-    let [cos, sin] = scalar::direction(analysis.algebra, value).0;
-    let number = scalar::value_of(analysis.algebra, value);
-    let symbols = analysis.algebra.names.angles[angle].symbols();
-    for (symbol, value) in symbols.into_iter().zip([cos, sin, number]) {
-        make_explicit(analysis, symbol, value);
+pub(crate) fn replace_angle<'m>(
+    names: &mut Names<'m>,
+    reductions: &mut Reductions<'m>,
+    angle: usize,
+    value: &Scalar<'m>,
+) {
+    for (symbol, value) in replacements_of_angle(names, angle, value) {
+        make_explicit(reductions, symbol, value);
     }
 }
 
-pub(crate) fn make_explicit<'m>(analysis: &mut Analysis<'_, 'm>, symbol: SymbolId, value: Ex<'m>) {
-    analysis.substitutions.insert(symbol, value);
-    analysis.structure.explicit.push(Explicit { symbol, value });
+/// Returns the symbols of an angle that is given by others, with the expressions that replace them.
+pub(crate) fn replacements_of_angle<'m>(
+    names: &mut Names<'m>,
+    angle: usize,
+    value: &Scalar<'m>,
+) -> [(SymbolId, Ex<'m>); 3] {
+    let [cos, sin] = scalar::direction(names, value).0;
+    let number = scalar::value_of(names, value);
+    let symbols = names.angles[angle].symbols();
+    [0, 1, 2].map(|k| (symbols[k], [cos, sin, number][k]))
+}
+
+/// Makes an unknown an explicit expression of others.
+pub(crate) fn make_explicit<'m>(reductions: &mut Reductions<'m>, symbol: SymbolId, value: Ex<'m>) {
+    reductions.substitutions.insert(symbol, value);
+    reductions.explicit.push(Explicit { symbol, value });
 }
 
 /// Substitutes in an equation; if that changes it, it also answers for the eliminated loop and
 /// unknowns.
 pub(crate) fn substitute_in<'m>(
-    analysis: &Analysis<'_, 'm>,
+    graph: &'m Graph,
+    substitutions: &Substitutions<'m>,
     equation: &mut Equation<'m>,
     eliminated: &Equation<'m>,
     gone: &[Coordinate],
 ) {
-    let changed = equations::substituted(analysis, equation);
+    let changed = equations::substituted(graph, substitutions, equation);
     if changed.rows != equation.rows {
         *equation = changed;
         equation.absorb(eliminated, gone);

@@ -1,11 +1,12 @@
 //! Messages about unknown frames: a body in space has six freedoms, one in the plane three,
 //! whatever unknowns and loops of its own it is made of.
 
+use crate::algebra::{Names, Nominal};
 use crate::message_format::{MessageFormat, loop_list};
 use crate::mobility::{Position, freedom, overconstrained};
 use crate::model::{Mechanism, unknown_frames};
-use crate::structure::analysis::Analysis;
 use crate::structure::equations::{Coordinate, Equation};
+use crate::structure::fault::StructureFault;
 use crate::structure::matching::Matching;
 use crate::structure::{matching, naming, redundant};
 
@@ -59,17 +60,25 @@ fn unknown_frames(mechanism: &Mechanism) -> Vec<UnknownFrame> {
     frames.collect()
 }
 
-/// Reports bodies that too few loops hold, or too many; the coordinates of which something has been
-/// said.
-pub(crate) fn report_frames<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+/// Bodies that too few loops hold, or too many.
+#[derive(Default)]
+pub(crate) struct FrameFaults {
+    pub(crate) faults: Vec<StructureFault>,
+    /// The coordinates that these are about.
+    pub(crate) coordinates: Vec<usize>,
+}
+
+/// Returns the bodies that too few loops hold, or too many.
+pub(crate) fn frame_faults<'m>(
+    names: &Names<'m>,
+    nominal: &Nominal,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
     incidence: &[Vec<usize>],
     matching: &Matching,
-) -> Vec<usize> {
-    let mut told = Vec::new();
-    for found in unknown_frames(analysis.algebra.mechanism) {
+) -> FrameFaults {
+    let mut found_faults = FrameFaults::default();
+    for found in unknown_frames(names.mechanism) {
         let is_own = |&k: &usize| {
             let unknown = coordinates[k].unknown;
             unknown.is_some_and(|unknown| found.unknowns.contains(&unknown))
@@ -87,25 +96,32 @@ pub(crate) fn report_frames<'m>(
         });
         let surplus: usize = surplus.sum();
         if !open.is_empty() {
-            report_open(analysis, &found, open.len(), coordinates.len(), equations);
+            let (open_count, count) = (open.len(), coordinates.len());
+            found_faults.faults.push(open_frame(
+                names, nominal, &found, open_count, count, equations,
+            ));
             let undetermined = |&k: &usize| matching::undetermined_with(k, incidence, matching).0;
-            told.extend(open.iter().flat_map(undetermined));
-            told.extend(members);
-        } else if surplus > 0 && told.is_empty() {
-            report_held_twice(analysis, &found, surplus, coordinates, equations);
-            told.extend(members);
+            found_faults
+                .coordinates
+                .extend(open.iter().flat_map(undetermined));
+            found_faults.coordinates.extend(members);
+        } else if surplus > 0 && found_faults.coordinates.is_empty() {
+            let fault = frame_held_twice(names, nominal, &found, surplus, coordinates, equations);
+            found_faults.faults.extend(fault);
+            found_faults.coordinates.extend(members);
         }
     }
-    told
+    found_faults
 }
 
-fn report_open<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+fn open_frame<'m>(
+    names: &Names<'m>,
+    nominal: &Nominal,
     found: &UnknownFrame,
     open: usize,
     coordinates: usize,
     equations: &[Equation<'m>],
-) {
+) -> StructureFault {
     let UnknownFrame {
         name,
         unknowns,
@@ -113,7 +129,7 @@ fn report_open<'m>(
         freedoms,
         example,
     } = found;
-    let mechanism = analysis.algebra.mechanism;
+    let mechanism = names.mechanism;
     let inputs = mechanism.inputs.len();
     let held = freedoms.saturating_sub(open);
     let example = example.replace("BODY", name);
@@ -128,39 +144,39 @@ fn report_open<'m>(
     let motion = if loops.is_empty() {
         None
     } else {
-        position(analysis, &analysis.nominal.estimates, freedom::motion_left)
+        position(names, nominal, &nominal.estimates, freedom::motion_left)
     };
     let motion = motion.map_or_else(String::new, |motion| {
         format!("; where the estimates are, {motion}")
     });
-    let message = format!(
+    let text = format!(
         "more unknowns than equations: the frame `{name}` has {freedoms} freedoms, and {by}; mobility {mobility}, driven \
              inputs {inputs}{motion}\n\
              help: add {}, like `{example}",
         naming::counted(open, "equation"),
     );
-    analysis
-        .reporter
-        .error(mechanism.unknowns[unknowns[0]].origin, message);
+    StructureFault {
+        origin: mechanism.unknowns[unknowns[0]].origin,
+        text,
+    }
 }
 
-fn report_held_twice<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+fn frame_held_twice<'m>(
+    names: &Names<'m>,
+    nominal: &Nominal,
     found: &UnknownFrame,
     surplus: usize,
     coordinates: &[Coordinate],
     equations: &[Equation<'m>],
-) {
+) -> Option<StructureFault> {
     let UnknownFrame {
         name,
         loops,
         freedoms,
         ..
     } = found;
-    let mechanism = analysis.algebra.mechanism;
-    let Some(last) = loops.last() else {
-        return;
-    };
+    let mechanism = names.mechanism;
+    let last = loops.last()?;
     let inputs = mechanism.inputs.len();
     let about = equations
         .iter()
@@ -168,8 +184,8 @@ fn report_held_twice<'m>(
     let rows: usize = about.map(|e| e.rows.len()).sum();
     let all: usize = equations.iter().map(|e| e.rows.len()).sum();
     let mobility = (inputs + coordinates.len()) as isize - all as isize;
-    let too_many = too_many(analysis, surplus, equations, coordinates);
-    let message = format!(
+    let too_many = too_many(names, nominal, surplus, equations, coordinates);
+    let text = format!(
         "more equations than unknowns: the frame `{name}` has {freedoms} freedoms, and {} {} {rows} equations about it, {surplus} \
              too many (mobility {mobility}, driven inputs {inputs}){}\n\
              help: {}",
@@ -178,21 +194,23 @@ fn report_held_twice<'m>(
         too_many.fact,
         too_many.help,
     );
-    analysis
-        .reporter
-        .error(mechanism.loops[*last].origin, message);
+    Some(StructureFault {
+        origin: mechanism.loops[*last].origin,
+        text,
+    })
 }
 
 /// Returns the loops about a frame that depend on others, and the remedy.
 fn too_many<'m>(
-    analysis: &Analysis<'_, 'm>,
+    names: &Names<'m>,
+    nominal: &Nominal,
     surplus: usize,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> HeldTwice {
-    let closed = redundant::all_closed(analysis, equations, coordinates);
-    let at = closed.as_ref().unwrap_or(&analysis.nominal.estimates);
-    let Some(found) = position(analysis, at, |at| overconstrained::surplus(at)) else {
+    let closed = redundant::all_closed(names, nominal, equations, coordinates);
+    let at = closed.as_ref().unwrap_or(&nominal.estimates);
+    let Some(found) = position(names, nominal, at, |at| overconstrained::surplus(at)) else {
         return HeldTwice {
             fact: String::new(),
             help: "remove a loop, or make a dimension or an input of one an `unknown`".to_owned(),
@@ -230,11 +248,12 @@ fn too_many<'m>(
 
 /// Runs a check of the loops where the unknowns have these values; nothing if one has no estimate.
 fn position<'m, R>(
-    analysis: &Analysis<'_, 'm>,
+    names: &Names<'m>,
+    nominal: &Nominal,
     values: &[Vec<f64>],
     question: impl FnOnce(&Position<'_, 'm>) -> Option<R>,
 ) -> Option<R> {
-    let mechanism = analysis.algebra.mechanism;
+    let mechanism = names.mechanism;
     let mut unknowns = mechanism.unknowns.iter();
     if unknowns.any(|unknown| unknown.estimate.is_none()) {
         return None;
@@ -242,8 +261,8 @@ fn position<'m, R>(
     let words = MessageFormat::new(mechanism);
     question(&Position::new(
         &words,
-        analysis.nominal,
-        redundant::longest(analysis),
+        nominal,
+        redundant::longest(names, nominal),
         values.to_vec(),
     ))
 }

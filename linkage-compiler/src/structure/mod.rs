@@ -8,17 +8,16 @@
 //!
 //! The files form floors, and each uses those of lower floors only:
 //!
-//! 1. data: `elements`, `coupled::group`, `form`, `group`, `scope`, and the state in `analysis`;
+//! 1. data: `elements`, `coupled::group`, `form`, `group`, `scope`, `reductions`, `fault`;
 //! 2. the two sides of the graph (`equations`) and its matching (`matching`);
 //! 3. expressions in unknowns: `polynomials`, `distance`, `space`, `explicit`;
 //! 4. recognition: `classify`, `point`, `coupled`;
 //! 5. reductions, one step of a coupled set towards known forms: `rewrite`, `double`, `circle`,
 //!    `body`, `body_circle`, chosen by `eliminate`;
-//! 6. messages: `naming`, `closest_approach`, `simultaneous`, `redundant`, `frames`, `report`,
-//!    `unsolved`;
+//! 6. messages: `naming`, `closest_approach`, `simultaneous`, `redundant`, `frames`,
+//!    `mobility_check`, `unsolved`;
 //! 7. `decompose`, the entry point.
 
-pub(crate) mod analysis;
 pub(crate) mod body;
 pub(crate) mod body_circle;
 pub(crate) mod circle;
@@ -32,15 +31,17 @@ pub(crate) mod elements;
 pub(crate) mod eliminate;
 pub(crate) mod equations;
 pub(crate) mod explicit;
+pub(crate) mod fault;
 pub(crate) mod form;
 pub(crate) mod frames;
 pub(crate) mod group;
 pub(crate) mod matching;
+pub(crate) mod mobility_check;
 pub(crate) mod naming;
 pub(crate) mod point;
 pub(crate) mod polynomials;
+pub(crate) mod reductions;
 pub(crate) mod redundant;
-pub(crate) mod report;
 pub(crate) mod rewrite;
 pub(crate) mod scope;
 pub(crate) mod simultaneous;
@@ -51,7 +52,6 @@ pub(crate) use coupled::group::{Block, Core, Coupled, Private, Product};
 pub(crate) use coupled::solution_bound::SolutionBound;
 pub(crate) use decompose::decompose;
 pub(crate) use elements::{Plane, Rotor, SpaceLink, Sphere};
-
 pub(crate) use form::Form;
 pub(crate) use group::{Group, Structure};
 pub(crate) use scope::Scope;

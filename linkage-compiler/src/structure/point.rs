@@ -1,9 +1,9 @@
 //! Recognising an unknown point, or a direction, by its distances from known points and planes.
 
-use linkage_symbolic::{Ex, SymbolId, V3, Vector, numerically_equal};
+use linkage_symbolic::{Ex, Graph, SymbolId, V3, Vector, numerically_equal};
 
-use crate::algebra::context::Algebra;
-use crate::structure::analysis::Analysis;
+use crate::algebra::Nominal;
+use crate::algebra::names::Names;
 use crate::structure::elements::{Plane, Sphere};
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::structure::form::Form;
@@ -11,7 +11,8 @@ use crate::structure::{distance, space};
 
 /// Two or three numbers given by distances in space and planes: a point, or a direction.
 pub(crate) fn classify_point<'m>(
-    analysis: &Analysis<'_, 'm>,
+    names: &Names<'m>,
+    nominal: &Nominal,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<Form<'m>> {
@@ -31,12 +32,11 @@ pub(crate) fn classify_point<'m>(
     let mut linear = Vec::new();
     for equation in equations {
         let row = equation.rows[0];
-        let Some((vector, radius)) = distance::space_distance(analysis.algebra, row, coordinates)
-        else {
-            linear.push(space::linear_row(analysis.algebra, row, &symbols)?);
+        let Some((vector, radius)) = distance::space_distance(names, row, coordinates) else {
+            linear.push(space::linear_row(names.graph, row, &symbols)?);
             continue;
         };
-        let (columns, factor, known) = moved_point(analysis.algebra, vector, &symbols)?;
+        let (columns, factor, known) = moved_point(names.graph, vector, &symbols)?;
         if places.get_or_insert_with(|| columns.clone()) != &columns {
             return None;
         }
@@ -50,8 +50,8 @@ pub(crate) fn classify_point<'m>(
         return Some(three_slides([*a, *b, *c], &linear));
     }
     let places = places?;
-    smallest_first(analysis, &mut spheres);
-    let zero = analysis.algebra.zero();
+    smallest_first(nominal, &mut spheres);
+    let zero = names.zero();
     let planes = linear.into_iter().map(|(factors, offset)| {
         let mut normal = Vector([zero; 3]);
         for (&place, factor) in places.iter().zip(factors) {
@@ -68,9 +68,9 @@ pub(crate) fn classify_point<'m>(
 
 /// The accuracy of the solution is that of the first sphere: at the defaults and the reference
 /// position, it is the smallest.
-fn smallest_first(analysis: &Analysis<'_, '_>, spheres: &mut [Sphere]) {
+fn smallest_first(nominal: &Nominal, spheres: &mut [Sphere]) {
     let size = |sphere: &Sphere| {
-        let values = analysis.nominal.evaluate(&[sphere.radius, sphere.factor]);
+        let values = nominal.evaluate(&[sphere.radius, sphere.factor]);
         (values[0] / values[1]).abs()
     };
     spheres.sort_by(|a, b| size(a).total_cmp(&size(b)));
@@ -78,15 +78,15 @@ fn smallest_first(analysis: &Analysis<'_, '_>, spheres: &mut [Sphere]) {
 
 /// `k + f p`, where each symbol is a component of `p`: the components, `f` and `k`.
 pub(crate) fn moved_point<'m>(
-    algebra: &Algebra<'m>,
+    graph: &'m Graph,
     vector: V3<'m>,
     symbols: &[SymbolId],
 ) -> Option<(Vec<usize>, Ex<'m>, V3<'m>)> {
     let mut places = vec![None; symbols.len()];
     let mut factor = None;
-    let mut known = Vector([algebra.zero(); 3]);
+    let mut known = Vector([graph.number(0.0); 3]);
     for (component, row) in vector.components().enumerate() {
-        let (factors, rest) = space::linear_row(algebra, row, symbols)?;
+        let (factors, rest) = space::linear_row(graph, row, symbols)?;
         known.0[component] = rest;
         for (place, entry) in places.iter_mut().zip(factors) {
             if entry.is_zero() {

@@ -1,10 +1,11 @@
 //! Equations as polynomials in the symbols of their coordinates.
 
 use linkage_symbolic::{
-    Ex, Polynomial, SymbolId, V2, V3, Vector, collect, numerically_equal, numerically_equal_within,
+    Ex, Graph, Polynomial, SymbolId, V2, V3, Vector, collect, numerically_equal,
+    numerically_equal_within,
 };
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::structure::elements::Rotor;
 use crate::structure::equations;
 use crate::structure::equations::{Coordinate, CoordinateKind};
@@ -71,7 +72,7 @@ impl<'m> Polynomials<'m> {
 /// The rows of an equation as polynomials in coordinates; `None` if they are none (a square root,
 /// an angle's value).
 pub(crate) fn polynomials<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     rows: &[Ex<'m>],
     coordinates: &[Coordinate],
 ) -> Option<Polynomials<'m>> {
@@ -81,7 +82,7 @@ pub(crate) fn polynomials<'m>(
         if let CoordinateKind::Angle(_) = coordinate.kind {
             unit_pairs.push((symbols.len(), symbols.len() + 1));
         }
-        symbols.extend(equations::symbols(algebra, coordinate));
+        symbols.extend(equations::symbols(names, coordinate));
     }
     let rows = rows
         .iter()
@@ -92,8 +93,8 @@ pub(crate) fn polynomials<'m>(
 
 /// Removes terms in a direction whose coefficients are 0 in a spelling that constructors do not
 /// see, or by rounding.
-pub(crate) fn drop_cancelled<'m>(algebra: &Algebra<'m>, polynomials: &mut Polynomials<'m>) {
-    let zero = algebra.zero();
+pub(crate) fn drop_cancelled<'m>(graph: &'m Graph, polynomials: &mut Polynomials<'m>) {
+    let zero = graph.number(0.0);
     for row in &mut polynomials.rows {
         let squares = row.values().map(|coefficient| coefficient.square());
         let size = squares.fold(zero, |sum, square| sum + square).sqrt();
@@ -107,14 +108,14 @@ pub(crate) fn drop_cancelled<'m>(algebra: &Algebra<'m>, polynomials: &mut Polyno
 
 /// The terms with an angle's unit vector (times `with`), if they are a vector turning with it.
 pub(crate) fn take_rotor<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     polynomials: &mut Polynomials<'m>,
     index: usize,
     with: &[SymbolId],
 ) -> Option<Rotor<'m>> {
-    let angle = &algebra.names.angles[index];
+    let angle = &names.angles[index];
     let (cos, sin) = (angle.cos, angle.sin);
-    let zero = algebra.zero();
+    let zero = names.zero();
     let along = polynomials.take_pair(&[&[cos], with].concat(), zero);
     let across = polynomials.take_pair(&[&[sin], with].concat(), zero);
     let perp = along.perp();
@@ -133,11 +134,7 @@ pub(crate) fn take_rotor<'m>(
 }
 
 /// The place of a coordinate's first symbol among the symbols of polynomials.
-pub(crate) fn first_symbol(
-    algebra: &Algebra<'_>,
-    coordinates: &[Coordinate],
-    index: usize,
-) -> usize {
+pub(crate) fn first_symbol(names: &Names<'_>, coordinates: &[Coordinate], index: usize) -> usize {
     let before = coordinates[..index].iter();
-    before.map(|c| equations::symbols(algebra, c).len()).sum()
+    before.map(|c| equations::symbols(names, c).len()).sum()
 }

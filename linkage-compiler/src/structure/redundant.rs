@@ -4,11 +4,10 @@
 
 use linkage_core::numeric::rank::are_independent;
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::algebra::{ALIKE, Bound, ConstantRatio, Nominal, constant_ratio};
 use crate::message_format::loop_list;
-use crate::model::Dimension;
-use crate::structure::analysis::Analysis;
+use crate::model::{Dimension, Mechanism};
 use crate::structure::equations;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::structure::simultaneous::{ACROSS, SimultaneousLoops};
@@ -31,26 +30,27 @@ pub(crate) struct RedundantLoops {
 /// Checks if a loop with more equations than it has unknowns of its own repeats the others, and
 /// returns the remedy.
 pub(crate) fn redundant_loops<'m>(
-    analysis: &Analysis<'_, 'm>,
+    names: &Names<'m>,
+    nominal: &Nominal,
     surplus: &Equation<'m>,
     too_many: usize,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<RedundantLoops> {
-    let places = positions(analysis);
-    let together = simultaneous_loops(analysis, equations, coordinates)?;
-    let found = closed_at(analysis, &together, &places)?;
-    let even = constant_ratios(analysis.algebra, &places, &found, coordinates);
+    let places = positions(names, nominal);
+    let together = simultaneous_loops(names, nominal, equations, coordinates)?;
+    let found = closed_at(nominal, &together, &places)?;
+    let even = constant_ratios(names, &places, &found, coordinates);
     let at = Nominal {
         inputs: places[0].clone(),
-        ..analysis.nominal.clone()
+        ..nominal.clone()
     };
     let slopes = together.slopes(&found[0], &at);
     // The loop itself first; another one where its equations find something better than those that
     // remain.
     let others = equations.iter().filter(|e| e.loops != surplus.loops);
     let spare = std::iter::once(surplus).chain(others).find_map(|left_out| {
-        let determined = found_by_itself(analysis.algebra, left_out, equations, coordinates);
+        let determined = found_by_itself(names, left_out, equations, coordinates);
         let fits = left_out.rows.len() == determined.len() + too_many;
         let even: Option<Vec<&ConstantRatio>> = determined
             .iter()
@@ -70,7 +70,7 @@ pub(crate) fn redundant_loops<'m>(
             if !even.is_empty() {
                 like = ", as a further crank on one rod does that stays parallel";
             }
-            match lets_for(analysis.algebra, &even) {
+            match lets_for(names.mechanism, &even) {
                 Some(lets) => format!("write {lets} and leave {loops} out"),
                 None => format!("leave {loops} out, or write `redundant` at its end"),
             }
@@ -90,13 +90,14 @@ pub(crate) fn redundant_loops<'m>(
 
 /// The unknowns with all components where all loops close, if they do so wherever the inputs go.
 pub(crate) fn all_closed<'m>(
-    analysis: &Analysis<'_, 'm>,
+    names: &Names<'m>,
+    nominal: &Nominal,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<Vec<Vec<f64>>> {
-    let together = simultaneous_loops(analysis, equations, coordinates)?;
-    let found = closed_at(analysis, &together, &positions(analysis))?;
-    let mut values: Vec<Vec<f64>> = vec![Vec::new(); analysis.nominal.estimates.len()];
+    let together = simultaneous_loops(names, nominal, equations, coordinates)?;
+    let found = closed_at(nominal, &together, &positions(names, nominal))?;
+    let mut values: Vec<Vec<f64>> = vec![Vec::new(); nominal.estimates.len()];
     for (coordinate, x) in coordinates.iter().zip(&found[0]) {
         values[coordinate.unknown?].push(*x);
     }
@@ -105,14 +106,14 @@ pub(crate) fn all_closed<'m>(
 
 /// The coordinates that no other equation contains.
 fn found_by_itself<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     equation: &Equation<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Vec<usize> {
     let within = |e: &Equation<'m>, k: usize| {
         let mut rows = e.rows.iter();
-        rows.any(|&row| equations::contains(algebra, row, &coordinates[k]))
+        rows.any(|&row| equations::contains(names, row, &coordinates[k]))
     };
     let alone = |k: &usize| {
         let mut others = equations.iter().filter(|e| e.loops != equation.loops);
@@ -122,8 +123,7 @@ fn found_by_itself<'m>(
 }
 
 /// `` `let chi = phi;` instead of the unknown``; nothing for none.
-fn lets_for(algebra: &Algebra<'_>, even: &[&ConstantRatio]) -> Option<String> {
-    let mechanism = algebra.mechanism;
+fn lets_for(mechanism: &Mechanism, even: &[&ConstantRatio]) -> Option<String> {
     let lets = even.iter().map(|ratio| {
         let unknown = &mechanism.unknowns[ratio.unknown].name;
         let input = &mechanism.inputs[0].name;
@@ -138,17 +138,17 @@ fn lets_for(algebra: &Algebra<'_>, even: &[&ConstantRatio]) -> Option<String> {
 }
 
 /// Inputs at the reference and around it. Several go their ways in different steps.
-fn positions(analysis: &Analysis<'_, '_>) -> Vec<Vec<f64>> {
-    let longest = longest(analysis);
-    let inputs = analysis.algebra.mechanism.inputs.iter().enumerate();
+fn positions(names: &Names<'_>, nominal: &Nominal) -> Vec<Vec<f64>> {
+    let longest = longest(names, nominal);
+    let inputs = names.mechanism.inputs.iter().enumerate();
     let ends: Vec<[f64; 3]> = inputs
         .map(|(k, input)| {
-            let at = analysis.nominal.inputs[k];
+            let at = nominal.inputs[k];
             let most = match input.dimension.half_lengths {
                 0 => TURN,
                 _ => SHIFT * longest,
             };
-            let (low, high) = analysis.nominal.ranges[k].unwrap_or((at - most, at + most));
+            let (low, high) = nominal.ranges[k].unwrap_or((at - most, at + most));
             [
                 at,
                 (0.5 * (at - low)).min(most),
@@ -170,16 +170,11 @@ fn positions(analysis: &Analysis<'_, '_>) -> Vec<Vec<f64>> {
 }
 
 /// The largest length among parameters and estimates.
-pub(crate) fn longest(analysis: &Analysis<'_, '_>) -> f64 {
-    let parameters = &analysis.algebra.mechanism.scalar_parameters;
-    let lengths = parameters.iter().zip(&analysis.nominal.parameters);
+pub(crate) fn longest(names: &Names<'_>, nominal: &Nominal) -> f64 {
+    let parameters = &names.mechanism.scalar_parameters;
+    let lengths = parameters.iter().zip(&nominal.parameters);
     let lengths = lengths.filter(|(p, _)| p.dimension.fits(Dimension::LENGTH));
-    let bound = analysis
-        .algebra
-        .names
-        .bound
-        .iter()
-        .zip(&analysis.nominal.estimates);
+    let bound = names.bound.iter().zip(&nominal.estimates);
     let slides = bound.filter(|(bound, _)| matches!(bound, Bound::Lengths(_)));
     let all = lengths
         .map(|(_, x)| *x)
@@ -191,18 +186,19 @@ pub(crate) fn longest(analysis: &Analysis<'_, '_>) -> f64 {
 /// The loops on numbers; `None` if there is an unknown that the compiler introduced, of which
 /// nothing is estimated.
 fn simultaneous_loops<'m, 'c>(
-    analysis: &Analysis<'_, 'm>,
+    names: &Names<'m>,
+    nominal: &Nominal,
     equations: &[Equation<'m>],
     coordinates: &'c [Coordinate],
 ) -> Option<SimultaneousLoops<'c, 'm>> {
-    let longest = longest(analysis);
+    let longest = longest(names, nominal);
     let mut estimates = Vec::new();
     let mut scales = Vec::new();
     for (k, coordinate) in coordinates.iter().enumerate() {
         let unknown = coordinate.unknown?;
         let before = coordinates[..k].iter();
         let component = before.filter(|c| c.unknown == Some(unknown)).count();
-        estimates.push(*analysis.nominal.estimates[unknown].get(component)?);
+        estimates.push(*nominal.estimates[unknown].get(component)?);
         scales.push(match coordinate.kind {
             CoordinateKind::Angle(_) => 1.0,
             CoordinateKind::Length(_) => longest,
@@ -213,7 +209,7 @@ fn simultaneous_loops<'m, 'c>(
         coordinates,
         symbols: coordinates
             .iter()
-            .map(|c| equations::symbols(analysis.algebra, c))
+            .map(|c| equations::symbols(names, c))
             .collect(),
         estimates,
         scales,
@@ -222,7 +218,7 @@ fn simultaneous_loops<'m, 'c>(
 
 /// The coordinates at all positions, if every loop closes at each.
 fn closed_at(
-    analysis: &Analysis<'_, '_>,
+    nominal: &Nominal,
     together: &SimultaneousLoops,
     places: &[Vec<f64>],
 ) -> Option<Vec<Vec<f64>>> {
@@ -232,7 +228,7 @@ fn closed_at(
     for inputs in places {
         let at = Nominal {
             inputs: inputs.clone(),
-            ..analysis.nominal.clone()
+            ..nominal.clone()
         };
         let near = found.first().unwrap_or(&together.estimates).clone();
         found.push(together.closed(near, &at)?);
@@ -242,12 +238,12 @@ fn closed_at(
 
 /// The angles that turn evenly with the only input.
 fn constant_ratios(
-    algebra: &Algebra<'_>,
+    names: &Names<'_>,
     places: &[Vec<f64>],
     found: &[Vec<f64>],
     coordinates: &[Coordinate],
 ) -> Vec<ConstantRatio> {
-    if algebra.mechanism.inputs.len() != 1 {
+    if names.mechanism.inputs.len() != 1 {
         return Vec::new();
     }
     let even = coordinates
@@ -258,7 +254,7 @@ fn constant_ratios(
                 return None;
             };
             let (x, angle) = (places[0][0], found[0][k]);
-            let rates = constant_ratio::candidate_rates(algebra, 0).into_iter();
+            let rates = constant_ratio::candidate_rates(names, 0).into_iter();
             let rate = rates.into_iter().find(|rate| {
                 let mut all = places.iter().zip(found);
                 all.all(|(place, angles)| (angles[k] - angle - rate * (place[0] - x)).abs() < ALIKE)

@@ -3,16 +3,16 @@
 
 use linkage_symbolic::{Ex, SymbolId, Vector, collect};
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::algebra::{Atom, StandsFor, scalar};
-use crate::structure::analysis::Analysis;
 use crate::structure::distance::Distance;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
+use crate::structure::reductions::Reductions;
 use crate::structure::{classify, distance, equations, explicit, space};
 
 /// Two scalar loops, the components of one vector loop.
 pub(crate) fn join_rows<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -31,13 +31,13 @@ pub(crate) fn join_rows<'m>(
     });
     joined
         .into_iter()
-        .find(|equation| classify::classify(algebra, equation, coordinates).is_some())
+        .find(|equation| classify::classify(names, equation, coordinates).is_some())
         .map(|equation| (vec![equation], coordinates.to_vec()))
 }
 
 /// `distance(a, b) = l` is a link of length `l` between `a` and `b`, at an angle of its own.
 pub(crate) fn distance_to_link<'m>(
-    algebra: &mut Algebra<'m>,
+    names: &mut Names<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -47,7 +47,7 @@ pub(crate) fn distance_to_link<'m>(
         .filter(|(_, e)| e.rows.len() == 1)
     {
         let Some(Distance { vector, length }) =
-            distance::distance(algebra, equation.rows[0], coordinates)
+            distance::distance(names, equation.rows[0], coordinates)
         else {
             continue;
         };
@@ -56,8 +56,8 @@ pub(crate) fn distance_to_link<'m>(
         }
         let mut equations = equations.to_vec();
         let mut coordinates = coordinates.to_vec();
-        let angle = algebra.names.add_angle("link", None);
-        let unit = algebra.names.angles[angle].unit;
+        let angle = names.add_angle("link", None);
+        let unit = names.angles[angle].unit;
         let rows = (0..2).map(|k| vector[k] - length * unit[k]);
         equations[place].rows = rows.collect();
         equations[place].relation = None;
@@ -73,7 +73,7 @@ pub(crate) fn distance_to_link<'m>(
 /// An angle whose vectors do not simply turn, with a slide: the equation across the guide contains
 /// the angle alone.
 pub(crate) fn split_along_guide<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -88,7 +88,7 @@ pub(crate) fn split_along_guide<'m>(
     let [x, y] = equation.rows[..] else {
         return None;
     };
-    let zero = algebra.zero();
+    let zero = names.zero();
     let mut guide = Vector([zero; 2]);
     for (row, direction) in [x, y].into_iter().zip(&mut guide.0) {
         let terms = collect(row, &[slide], &[])?;
@@ -99,7 +99,7 @@ pub(crate) fn split_along_guide<'m>(
     }
     if guide
         .components()
-        .any(|g| equations::contains(algebra, g, angle))
+        .any(|g| equations::contains(names, g, angle))
     {
         return None;
     }
@@ -117,7 +117,8 @@ pub(crate) fn split_along_guide<'m>(
 
 /// Angles measured from link to link: their sum is the angle of the second link.
 pub(crate) fn relative_angle<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+    names: &mut Names<'m>,
+    reductions: &mut Reductions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -129,18 +130,15 @@ pub(crate) fn relative_angle<'m>(
     };
     for (base, relative, kept) in [(first, second, a), (second, first, b)] {
         for sign in [1.0, -1.0] {
-            let sum = analysis.algebra.names.add_angle("sum", None);
-            analysis.algebra.names.angles[sum].stands_for =
-                sum_of(analysis.algebra, base, relative, sign);
-            let mut value = scalar::atom(analysis.algebra, Atom::Angle(sum));
+            let sum = names.add_angle("sum", None);
+            names.angles[sum].stands_for = sum_of(names, base, relative, sign);
+            let mut value = scalar::atom(names.graph, Atom::Angle(sum));
             value.terms.insert(0, (Atom::Angle(base), -sign));
             value.terms.sort_by_key(|(atom, _)| *atom);
-            let saved = (
-                analysis.substitutions.clone(),
-                analysis.structure.explicit.len(),
-            );
-            explicit::replace_angle(analysis, relative, &value);
-            let mut changed = equations::substituted(analysis, equation);
+            let replacements = explicit::replacements_of_angle(names, relative, &value);
+            let mut substitutions = reductions.substitutions.clone();
+            substitutions.extend(replacements);
+            let mut changed = equations::substituted(names.graph, &substitutions, equation);
             changed
                 .eliminated
                 .extend([a, b].iter().filter_map(|c| c.unknown));
@@ -149,19 +147,20 @@ pub(crate) fn relative_angle<'m>(
                 unknown: None,
             };
             let coordinates = vec![kept.clone(), summed];
-            if classify::classify(analysis.algebra, &changed, &coordinates).is_some() {
+            if classify::classify(names, &changed, &coordinates).is_some() {
+                for (symbol, value) in replacements {
+                    explicit::make_explicit(reductions, symbol, value);
+                }
                 return Some((vec![changed], coordinates));
             }
-            analysis.substitutions = saved.0;
-            analysis.structure.explicit.truncate(saved.1);
         }
     }
     None
 }
 
 /// The sum of an angle and the one it is measured from stands for the former.
-fn sum_of(algebra: &Algebra<'_>, base: usize, relative: usize, sign: f64) -> Option<StandsFor> {
-    let [base, relative] = [base, relative].map(|k| &algebra.names.angles[k]);
+fn sum_of(names: &Names<'_>, base: usize, relative: usize, sign: f64) -> Option<StandsFor> {
+    let [base, relative] = [base, relative].map(|k| &names.angles[k]);
     let mut summands = relative.summands();
     let base = base.summands().into_iter();
     summands.extend(base.map(|(unknown, factor)| (unknown, sign * factor)));
@@ -186,7 +185,7 @@ fn linear_part(row: Ex, slide: SymbolId) -> Option<Ex> {
 /// Two slides and an angle in a loop of three rows: the equation across both guides contains the
 /// angle alone, those across one of them the other slide.
 pub(crate) fn split_across_guides<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -203,16 +202,12 @@ pub(crate) fn split_across_guides<'m>(
             CoordinateKind::Angle(_) => None,
         })
         .collect();
-    let (guides, rest) = space::guides(algebra, Vector([x, y, z]), &slides)?;
+    let (guides, rest) = space::guides(names.graph, Vector([x, y, z]), &slides)?;
     let &[first, second] = &guides[..] else {
         return None;
     };
     let mut across = first.cross(second);
-    let turns = |x| {
-        coordinates
-            .iter()
-            .any(|c| equations::contains(algebra, x, c))
-    };
+    let turns = |x| coordinates.iter().any(|c| equations::contains(names, x, c));
     if !across.components().any(turns) {
         across = across.unit();
     }
@@ -220,7 +215,7 @@ pub(crate) fn split_across_guides<'m>(
     for (slide, guide, other) in [(0, first, second), (1, second, first)] {
         let direction = other.cross(across);
         let factor = direction.dot(guide);
-        let graph = algebra.graph;
+        let graph = names.graph;
         let slide = graph.ex(graph.symbol_node(slides[slide]));
         rows.push(factor * slide + direction.dot(rest));
     }
@@ -233,6 +228,6 @@ pub(crate) fn split_across_guides<'m>(
         ..equation.clone()
     };
     let rows: Vec<Equation> = rows.into_iter().map(row).collect();
-    classify::classify(algebra, &rows[0], std::slice::from_ref(angle))?;
+    classify::classify(names, &rows[0], std::slice::from_ref(angle))?;
     Some((rows, coordinates.to_vec()))
 }

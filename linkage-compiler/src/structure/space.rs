@@ -1,8 +1,8 @@
 //! Recognising groups in space: distances to a point that turns or slides, loops of three rows.
 
-use linkage_symbolic::{Ex, SymbolId, V3, Vector, Vn, collect};
+use linkage_symbolic::{Ex, Graph, SymbolId, V3, Vector, Vn, collect};
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::structure::form::Form;
 use crate::structure::{distance, polynomials};
@@ -10,17 +10,17 @@ use crate::structure::{distance, polynomials};
 /// A link with two ball joints to a point that turns about an axis (RSSR) or slides along a line
 /// (RSSP).
 pub(crate) fn classify_distance<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     row: Ex<'m>,
     coordinate: &Coordinate,
 ) -> Option<Form<'m>> {
     let coordinates = std::slice::from_ref(coordinate);
-    let (vector, length) = distance::space_distance(algebra, row, coordinates)?;
-    let mut rest = polynomials::polynomials(algebra, &vector.0, coordinates)?;
-    let zero = algebra.zero();
+    let (vector, length) = distance::space_distance(names, row, coordinates)?;
+    let mut rest = polynomials::polynomials(names, &vector.0, coordinates)?;
+    let zero = names.zero();
     match coordinate.kind {
         CoordinateKind::Angle(angle) => {
-            let symbols = algebra.names.angles[angle].clone();
+            let symbols = names.angles[angle].clone();
             let cosine = rest.take_space(&[symbols.cos], zero);
             let sine = rest.take_space(&[symbols.sin], zero);
             let known = rest.take_space(&[], zero);
@@ -48,11 +48,11 @@ pub(crate) fn classify_distance<'m>(
 
 /// A row that is linear in some symbols: their factors and the rest.
 pub(crate) fn linear_row<'m>(
-    algebra: &Algebra<'m>,
+    graph: &'m Graph,
     row: Ex<'m>,
     symbols: &[SymbolId],
 ) -> Option<(Vec<Ex<'m>>, Ex<'m>)> {
-    let zero = algebra.zero();
+    let zero = graph.number(0.0);
     let mut terms = collect(row, symbols, &[])?;
     let factors = (0..symbols.len())
         .map(|k| {
@@ -67,7 +67,7 @@ pub(crate) fn linear_row<'m>(
 
 /// A vector loop with three slides.
 pub(crate) fn classify_three_slides<'m>(
-    algebra: &Algebra<'m>,
+    graph: &'m Graph,
     equation: &Equation<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Form<'m>> {
@@ -82,7 +82,7 @@ pub(crate) fn classify_three_slides<'m>(
         }
     }
     let slides: [SymbolId; 3] = slides.try_into().ok()?;
-    let (guides, known) = guides(algebra, Vector([x, y, z]), &slides)?;
+    let (guides, known) = guides(graph, Vector([x, y, z]), &slides)?;
     Some(Form::ThreeSlides {
         slides,
         guides: guides.try_into().ok()?,
@@ -92,14 +92,14 @@ pub(crate) fn classify_three_slides<'m>(
 
 /// Three rows that are linear in slides: the guide of each, and the rest.
 pub(crate) fn guides<'m>(
-    algebra: &Algebra<'m>,
+    graph: &'m Graph,
     rows: V3<'m>,
     slides: &[SymbolId],
 ) -> Option<(Vec<V3<'m>>, V3<'m>)> {
-    let mut known = Vector([algebra.zero(); 3]);
+    let mut known = Vector([graph.number(0.0); 3]);
     let mut guides = vec![known; slides.len()];
     for (row, x) in rows.components().enumerate() {
-        let (factors, rest) = linear_row(algebra, x, slides)?;
+        let (factors, rest) = linear_row(graph, x, slides)?;
         known.0[row] = rest;
         for (guide, factor) in guides.iter_mut().zip(factors) {
             guide.0[row] = factor;

@@ -3,16 +3,16 @@
 
 use linkage_symbolic::{MAX_DEGREE, Obstacle, SymbolId, obstacle};
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::algebra::translate::Translate;
 use crate::algebra::{Value, scalar};
 use crate::diagnostic::OriginId;
 use crate::message_format::loop_list;
-use crate::model::Expr;
-use crate::structure::analysis::Analysis;
+use crate::model::{Expr, Mechanism};
 use crate::structure::coupled::classify_coupled;
 use crate::structure::coupled::classify_coupled::MOST_CORE;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
+use crate::structure::fault::StructureFault;
 use crate::structure::{equations, naming, polynomials};
 
 /// The text that marks every limit of the compiler.
@@ -22,86 +22,82 @@ pub(crate) const OURS: &str = "this is a limit of linkage, not a mistake of your
 const MAY_STAND: &str = "an unknown angle may stand in `polar`, `dir`, `rotate`, `turn`, `sin`, `cos`, an unknown length may be \
                          multiplied by known quantities or by a direction";
 
-/// A group without a closed form that is no coupled one.
-pub(crate) fn report_unsolved<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+/// Returns the fault of a group without a closed form that is no coupled one.
+pub(crate) fn unsolved_group<'m>(
+    names: &mut Names<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
-) {
+) -> StructureFault {
     let loops = loop_list(equations.iter().flat_map(|e| &e.loops));
     let found = coordinates.iter().filter_map(|c| c.unknown);
     let eliminated = equations.iter().flat_map(|e| e.eliminated.iter().copied());
     let mut unknowns: Vec<usize> = found.chain(eliminated).collect();
     unknowns.sort_unstable();
     unknowns.dedup();
-    let count: usize = unknowns
-        .iter()
-        .map(|&k| analysis.algebra.names.components_of(k))
-        .sum();
-    let names = naming::unknown_list(analysis.algebra, unknowns);
+    let count: usize = unknowns.iter().map(|&k| names.components_of(k)).sum();
+    let unknown_names = naming::unknown_list(names.mechanism, unknowns);
     let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
     let (subject, check) = match rows {
-        0..=2 => (format!("no closed form for {names} in {loops}"), ""),
+        0..=2 => (format!("no closed form for {unknown_names} in {loops}"), ""),
         _ => (
-            format!("a group of {count} unknowns ({names}) in {loops} cannot be solved"),
+            format!("a group of {count} unknowns ({unknown_names}) in {loops} cannot be solved"),
             "; check that the loops need to be coupled",
         ),
     };
-    let whole = analysis.algebra.mechanism.loops[equations[0].loops[0]].origin;
-    let valued = angles_with_values(analysis.algebra, equations, coordinates);
+    let whole = names.mechanism.loops[equations[0].loops[0]].origin;
+    let valued = angles_with_values(names, equations, coordinates);
     let body = a_body_by_angles(equations, coordinates);
-    let (origin, message) = if let Some((origin, why)) =
-        worst_obstacle(analysis.algebra, equations, coordinates)
+    let (origin, text) = if let Some((origin, why)) = worst_obstacle(names, equations, coordinates)
     {
-        let message = format!("{subject}: {why}{check}{body}");
-        (origin.unwrap_or(whole), message)
+        let text = format!("{subject}: {why}{check}{body}");
+        (origin.unwrap_or(whole), text)
     } else if !valued.is_empty() {
         (
             whole,
             format!(
                 "{subject}: {}",
-                obstacle_of_values(analysis.algebra, &valued, rows)
+                obstacle_of_values(names.mechanism, &valued, rows)
             ),
         )
     } else {
-        let core = core_of(analysis.algebra, equations, coordinates);
-        let message = format!(
+        let core = core_of(names, equations, coordinates);
+        let text = format!(
             "{subject}: {core} unknowns remain when links between two joints are left out, and {MOST_CORE} are the most that are \
                  solved together; {OURS}\n\
                  help: check that the loops need to be coupled; an input instead of an unknown may split them{body}"
         );
-        (whole, message)
+        (whole, text)
     };
-    analysis.reporter.error(origin, message);
+    StructureFault { origin, text }
 }
 
 /// Returns the reason why an equation is no polynomial that is solved, with the remedy, and the
 /// term of a loop at fault, if there is one.
 fn worst_obstacle<'m>(
-    algebra: &mut Algebra<'m>,
+    names: &mut Names<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<(Option<OriginId>, String)> {
     let symbols: Vec<SymbolId> = coordinates
         .iter()
-        .flat_map(|c| equations::symbols(algebra, c))
+        .flat_map(|c| equations::symbols(names, c))
         .collect();
     let worst = |obstacles: Vec<Obstacle>| obstacles.into_iter().max_by_key(weight);
     for equation in equations {
         // Terms that cancel make no degree.
-        if polynomials::polynomials(algebra, &equation.rows, coordinates).is_some() {
+        if polynomials::polynomials(names, &equation.rows, coordinates).is_some() {
             continue;
         }
         let rows = equation.rows.iter();
         let Some(found) = worst(rows.filter_map(|&row| obstacle(row, &symbols)).collect()) else {
             continue;
         };
-        let written = &algebra.mechanism.loops[equation.written];
+        let written = &names.mechanism.loops[equation.written];
         let terms = [&written.left, &written.right].map(terms).concat();
         let term = terms.into_iter().find(|term| {
-            let rows = match algebra.translate(term) {
+            let rows = match names.translate(term) {
                 Value::Vector(vector) => vector.iter().collect(),
-                scalar => vec![scalar::number(algebra, &scalar)],
+                scalar => vec![scalar::number(names, &scalar)],
             };
             rows.into_iter()
                 .any(|row| obstacle(row, &symbols) == Some(found))
@@ -127,16 +123,16 @@ fn worst_obstacle<'m>(
 }
 
 /// Returns the text about angles that stand for themselves.
-fn obstacle_of_values(algebra: &Algebra<'_>, valued: &[usize], rows: usize) -> String {
-    let names = naming::unknown_list(algebra, valued.to_vec());
+fn obstacle_of_values(mechanism: &Mechanism, valued: &[usize], rows: usize) -> String {
+    let angle_names = naming::unknown_list(mechanism, valued.to_vec());
     if rows <= 2 {
         return format!(
-            "the angle {names} itself stands in it, and not its direction alone; {OURS}\nhelp: {MAY_STAND}"
+            "the angle {angle_names} itself stands in it, and not its direction alone; {OURS}\nhelp: {MAY_STAND}"
         );
     }
     let each = match valued {
-        [_] => format!("{names} stands"),
-        _ => format!("each of {names} stands"),
+        [_] => format!("{angle_names} stands"),
+        _ => format!("each of {angle_names} stands"),
     };
     format!(
         "{each} for an angle, and the angle itself, not its direction, stands in a loop\n\
@@ -146,16 +142,16 @@ fn obstacle_of_values(algebra: &Algebra<'_>, valued: &[usize], rows: usize) -> S
 
 /// The unknown angles of which polynomial loops contain the value.
 fn angles_with_values<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Vec<usize> {
     let polynomials: Vec<_> = equations
         .iter()
-        .filter_map(|e| polynomials::polynomials(algebra, &e.rows, coordinates))
+        .filter_map(|e| polynomials::polynomials(names, &e.rows, coordinates))
         .collect();
     let angles = coordinates.iter().enumerate().filter(|(k, coordinate)| {
-        let value = polynomials::first_symbol(algebra, coordinates, *k) + 2;
+        let value = polynomials::first_symbol(names, coordinates, *k) + 2;
         matches!(coordinate.kind, CoordinateKind::Angle(_))
             && polynomials.iter().any(|p| p.mention(value))
     });
@@ -163,16 +159,12 @@ fn angles_with_values<'m>(
 }
 
 /// Returns the number of unknowns of polynomial loops in the core.
-fn core_of<'m>(
-    algebra: &Algebra<'m>,
-    equations: &[Equation<'m>],
-    coordinates: &[Coordinate],
-) -> usize {
+fn core_of<'m>(names: &Names<'m>, equations: &[Equation<'m>], coordinates: &[Coordinate]) -> usize {
     let polynomials: Vec<_> = equations
         .iter()
-        .filter_map(|e| polynomials::polynomials(algebra, &e.rows, coordinates))
+        .filter_map(|e| polynomials::polynomials(names, &e.rows, coordinates))
         .collect();
-    classify_coupled::private_and_core(algebra, &polynomials, coordinates)
+    classify_coupled::private_and_core(names, &polynomials, coordinates)
         .1
         .len()
 }

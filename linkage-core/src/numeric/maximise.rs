@@ -24,14 +24,14 @@ pub fn maximise(
     mut figure: impl FnMut(f64) -> f64,
 ) -> Option<Maximum> {
     let last = positions - 1;
-    let place = |i: usize| {
+    let position = |i: usize| {
         if i == last {
             high
         } else {
             low + (high - low) * (i as f64 / last as f64)
         }
     };
-    let xs: Vec<f64> = (0..positions).map(place).collect();
+    let xs: Vec<f64> = (0..positions).map(position).collect();
     let values: Vec<f64> = xs.iter().map(|&x| figure(x)).collect();
     let mut best = highest_of(&xs, &values)?;
     let point = |i: usize| Point {

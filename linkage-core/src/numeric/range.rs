@@ -53,13 +53,13 @@ pub fn first_failure(
     let grid = Grid::new(lo, hi, start, samples);
     let margin = &mut margin;
 
-    let mut middle = Point::evaluate(grid.at(0), margin);
+    let mut middle = Point::evaluate(grid.position(0), margin);
     if fails(middle) {
         return Some(start_of_work(&grid, middle, margin));
     }
     let mut before = middle;
     for index in 1..=grid.intervals() {
-        let next = Point::evaluate(grid.at(index), margin);
+        let next = Point::evaluate(grid.position(index), margin);
         if fails(next) {
             return Some(boundary(&grid, middle, next, margin));
         }
@@ -94,13 +94,13 @@ pub fn minimum(lo: f64, hi: f64, samples: usize, mut margin: impl FnMut(f64) -> 
     let margin = &mut margin;
     let undefined = |point: Point| point.margin.is_nan();
 
-    let mut middle = Point::evaluate(grid.at(0), margin);
+    let mut middle = Point::evaluate(grid.position(0), margin);
     let (mut before, mut best) = (middle, middle);
     for index in 1..=grid.intervals() {
         if undefined(best) {
             return (best.x, best.margin);
         }
-        let next = Point::evaluate(grid.at(index), margin);
+        let next = Point::evaluate(grid.position(index), margin);
         best = best.lower(next);
         if dips(before, middle, next) {
             best = best.lower(descend(before, next, margin, undefined));
@@ -128,7 +128,7 @@ fn fails(point: Point) -> bool {
 fn start_of_work(grid: &Grid, first: Point, margin: &mut impl FnMut(f64) -> f64) -> Failure {
     let mut last = first;
     for index in 1..=grid.intervals() {
-        let next = Point::evaluate(grid.at(index), margin);
+        let next = Point::evaluate(grid.position(index), margin);
         if !fails(next) {
             return boundary(grid, next, last, margin);
         }
@@ -201,7 +201,7 @@ impl Grid {
         self.below + self.above
     }
 
-    fn at(&self, index: usize) -> f64 {
+    fn position(&self, index: usize) -> f64 {
         let between = |a: f64, b: f64, step: usize, steps: usize| {
             // Exact at both ends.
             if step == steps {
@@ -218,7 +218,7 @@ impl Grid {
 
     fn interval_of(&self, x: f64) -> usize {
         (1..self.intervals())
-            .take_while(|&index| self.at(index) <= x)
+            .take_while(|&index| self.position(index) <= x)
             .count()
     }
 

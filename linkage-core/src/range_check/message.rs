@@ -41,7 +41,7 @@ pub struct Reaches<'a> {
     /// True if the mechanism closes on both sides: a change point.
     pub change: bool,
     /// The input there: `` `phi = 30deg` ``.
-    pub place: &'a str,
+    pub position: &'a str,
     /// More about the dead point, after a comma; may be empty.
     pub picture: &'a str,
     /// The ends of the stretch around the reference that works.
@@ -64,7 +64,7 @@ impl Reaches<'_> {
         format!(
             "{} a {point} point at {}{}{beyond}; {}",
             self.group.apart(),
-            self.place,
+            self.position,
             self.picture,
             self.works()
         )
@@ -97,10 +97,10 @@ impl Reaches<'_> {
 
 /// Returns the text and the help for equations of a group without a finite value at a place.
 #[must_use]
-pub fn not_finite(group: Comes, place: &str, how: &str) -> [String; 2] {
+pub fn not_finite(group: Comes, position: &str, how: &str) -> [String; 2] {
     [
         format!(
-            "{} a division by zero, or a root or an arc function out of its range at {place}{how}",
+            "{} a division by zero, or a root or an arc function out of its range at {position}{how}",
             group.apart()
         ),
         "restrict the range, or change what is not a finite number beyond it".to_string(),
@@ -109,9 +109,9 @@ pub fn not_finite(group: Comes, place: &str, how: &str) -> [String; 2] {
 
 /// A mechanism whose input has no range passes through a change point.
 #[must_use]
-pub fn passes(group: Comes, place: &str) -> String {
+pub fn passes(group: Comes, position: &str) -> String {
     format!(
-        "at {place} the mechanism passes through a change point: from there {} ({}) can go on in another assembly",
+        "at {position} the mechanism passes through a change point: from there {} ({}) can go on in another assembly",
         loop_list(group.loops),
         group.unknowns
     )

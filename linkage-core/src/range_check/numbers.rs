@@ -10,7 +10,7 @@ const INSIDE: f64 = 1e-4;
 
 /// A position of an input: `30deg` for an angle, `12mm` for a length.
 #[must_use]
-pub fn place(x: f64, angle: bool, unit: &str) -> String {
+pub fn position_as_written(x: f64, angle: bool, unit: &str) -> String {
     match angle {
         true => format!("{}deg", significant(x.to_degrees())),
         false => length(x, unit),
@@ -143,7 +143,7 @@ fn floor(x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{length, place, rounded_inwards, rounded_to, significant};
+    use super::{length, position_as_written, rounded_inwards, rounded_to, significant};
     use core::f64::consts::PI;
 
     #[test]
@@ -160,8 +160,8 @@ mod tests {
             "NaN",
         ];
         assert_eq!(shown, expected);
-        assert_eq!(place(PI, true, "rad"), "180deg");
-        assert_eq!(place(12.5, false, "mm"), "12.5mm");
+        assert_eq!(position_as_written(PI, true, "rad"), "180deg");
+        assert_eq!(position_as_written(12.5, false, "mm"), "12.5mm");
     }
 
     #[test]

@@ -83,7 +83,7 @@ fn undercuts(follower: &Follower, figures: &impl Fn(f64) -> Figures, peak: f64) 
     let left = |angle: f64| left(follower, figures(angle).bend.value);
     let limits = stationary(figures, |figures| figures.bend)
         .into_iter()
-        .map(|place| place.angle);
+        .map(|position| position.angle);
     let mut angles_checked: Vec<f64> = angles().chain(limits).chain([peak]).collect();
     angles_checked.sort_by(f64::total_cmp);
     let mut open = (left(0.0) < 0.0).then_some(0.0);

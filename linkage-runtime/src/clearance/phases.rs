@@ -1,7 +1,7 @@
 //! Two members on one shaft, of which one can be turned ahead.
 
 use super::PhaseError;
-use super::least::Clearance;
+use super::minima::Clearance;
 use super::nearest::{Nearest, foot_point};
 use super::probe::{Limits, Line, Probe};
 use super::shape::{Jet, Pair, plain};

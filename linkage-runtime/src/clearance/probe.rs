@@ -1,6 +1,6 @@
 //! The least distance at one phase, and its bounds for phases nearby.
 
-use super::least::Clearance;
+use super::minima::Clearance;
 use linkage_core::math::double::sqrt;
 
 /// A minimum over the cycle as a function of the phase: half the square of its distance, with slope

@@ -17,7 +17,7 @@ mod tests;
 /// An end of a branch.
 pub(crate) trait Local {
     /// The parameters that vary, first of all variables.
-    fn place(&self) -> &[f64];
+    fn varied(&self) -> &[f64];
 
     /// The minimised value.
     fn least(&self) -> f64;
@@ -69,8 +69,8 @@ impl<O: Local, F: FnMut(&Limits, &O) -> Option<O>> Branches<'_, O, F> {
             self.best = Some(optimum);
             return;
         };
-        let (place, values) = &self.catalogues[number];
-        let (place, x) = (*place, optimum.place()[*place]);
+        let (index, values) = &self.catalogues[number];
+        let (index, x) = (*index, optimum.varied()[*index]);
         let [first, last] = [*open[number].start(), *open[number].end()];
         let mut sides = [first..=above - 1, above..=last];
         // The nearer side first: its optimum is likely to cut the other one off.
@@ -82,7 +82,7 @@ impl<O: Local, F: FnMut(&Limits, &O) -> Option<O>> Branches<'_, O, F> {
                 return;
             }
             let (mut limits, mut open) = (limits.clone(), open.clone());
-            (limits.lower[place], limits.upper[place]) =
+            (limits.lower[index], limits.upper[index]) =
                 (values[*side.start()], values[*side.end()]);
             open[number] = side;
             if let Some(next) = (self.descend)(&limits, &optimum) {
@@ -94,8 +94,8 @@ impl<O: Local, F: FnMut(&Limits, &O) -> Option<O>> Branches<'_, O, F> {
     /// The parameter that is farthest from a value of its list, as a part of the gap between two,
     /// and the number of the value above it; `None` if all are at one.
     fn farthest(&self, open: &[RangeInclusive<usize>], optimum: &O) -> Option<(usize, usize)> {
-        let between = |(number, (place, values)): (usize, &(usize, Vec<f64>))| {
-            let x = optimum.place()[*place];
+        let between = |(number, (index, values)): (usize, &(usize, Vec<f64>))| {
+            let x = optimum.varied()[*index];
             let above = values.partition_point(|value| *value < x);
             let inside = *open[number].start() < above && above <= *open[number].end();
             (inside && values[above] != x).then(|| {

@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 use linkage_core::Cycle;
 
 use super::DesignError;
-use super::cycle::{self, Chosen, Conditions, CycleObjective, Piece, Place};
+use super::cycle::{self, Chosen, Conditions, CycleObjective, Piece, PieceKey};
 use super::objective::{Candidates, Evaluate, Objective, Rows};
 use crate::data::Parameter;
 
@@ -84,10 +84,10 @@ where
     ) -> Option<Conditions<N>> {
         let (value, slopes) = (self.function)(candidate.mechanism);
         let piece = Piece {
-            place: Place::Nth(0),
+            key: PieceKey::Nth(0),
             value,
             parameters: slopes,
-            own: Vec::new(),
+            auxiliary: Vec::new(),
         };
         Some(Conditions {
             conditions: vec![vec![piece.times(-1.0, 0.0)]],

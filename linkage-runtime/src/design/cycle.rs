@@ -29,8 +29,8 @@ mod verdict;
 mod verify;
 
 pub use builder::CycleDesign;
-pub use candidate::{Candidate, Chosen, CycleObjective, Motion, Own};
-pub use conditions::{Conditions, Piece, Place};
+pub use candidate::{AuxiliaryVariable, Candidate, Chosen, CycleObjective, Motion};
+pub use conditions::{Conditions, Piece, PieceKey};
 pub use curve::Curve;
 pub use dwell::Dwell;
 pub use error_of::ErrorOf;

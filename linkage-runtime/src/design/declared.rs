@@ -92,7 +92,7 @@ where
 
     fn is_of_catalogues(&self, x: &[f64]) -> bool {
         let mut lists = self.problem.catalogues.iter();
-        lists.all(|(place, values)| values.contains(&x[*place]))
+        lists.all(|(index, values)| values.contains(&x[*index]))
     }
 
     /// The mean sum of squares at the first starts, where there is one.
@@ -101,9 +101,9 @@ where
         let mut sums = Vec::new();
         for assembly in self.assemblies {
             evaluator.evaluate(assembly, places.iter().map(|x| &x[..]));
-            for place in 0..places.len() {
+            for index in 0..places.len() {
                 let mut normal = Normal::new(self.problem.limits.len());
-                evaluator.normal(place, &mut normal);
+                evaluator.normal(index, &mut normal);
                 sums.extend(Some(normal.sum).filter(|sum| sum.is_finite()));
             }
         }

@@ -60,8 +60,8 @@ impl Pose {
 
     /// Returns the point of the body that is at a place.
     #[must_use]
-    pub fn point_at(&self, place: [f64; 2]) -> [f64; 2] {
-        let way = Complex::from(place) - self.point.into();
+    pub fn point_at(&self, position: [f64; 2]) -> [f64; 2] {
+        let way = Complex::from(position) - self.point.into();
         (Complex::polar(-self.angle) * way).into()
     }
 }

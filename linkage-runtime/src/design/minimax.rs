@@ -22,7 +22,7 @@ mod walk;
 
 use alloc::vec::Vec;
 
-pub(crate) use rows::{Groups, Key, Row, Search, largest};
+pub(crate) use rows::{FunctionRow, Groups, Key, SearchSettings, largest};
 
 use super::limits::Limits;
 use walk::{End, Walk};
@@ -48,7 +48,7 @@ pub(crate) struct Minimum {
 pub(crate) fn minimise(
     start: &[f64],
     limits: &Limits,
-    search: &Search,
+    search: &SearchSettings,
     mut evaluate: impl FnMut(&[f64]) -> Option<Groups>,
     stopped: impl Fn() -> bool,
 ) -> Option<Minimum> {

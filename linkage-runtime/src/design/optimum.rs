@@ -23,7 +23,7 @@ pub(crate) struct Optimum {
 }
 
 impl Local for Optimum {
-    fn place(&self) -> &[f64] {
+    fn varied(&self) -> &[f64] {
         &self.x
     }
 

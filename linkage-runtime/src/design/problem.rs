@@ -117,12 +117,12 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
     }
 
     /// A place within the bounds from numbers between 0 and 1.
-    fn place(&self, unit: &[f64]) -> Vec<f64> {
-        let place = |(u, &(low, high)): (&f64, &(f64, f64))| match low > 0.0 && high > WIDE * low {
+    fn within_bounds(&self, unit: &[f64]) -> Vec<f64> {
+        let value = |(u, &(low, high)): (&f64, &(f64, f64))| match low > 0.0 && high > WIDE * low {
             true => low * (high / low).powf(*u),
             false => low + (high - low) * u,
         };
-        let mut x: Vec<f64> = unit.iter().zip(&self.starts).map(place).collect();
+        let mut x: Vec<f64> = unit.iter().zip(&self.starts).map(value).collect();
         for (objective, free) in self.free.iter().enumerate() {
             if let Some(free) = free {
                 x.extend(free.start(&unit[self.inputs(objective)]));
@@ -134,7 +134,7 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
     /// A start from numbers between 0 and 1, on all equalities; or the relations that it
     /// contradicts.
     pub(crate) fn start(&self, unit: &[f64]) -> Result<Vec<f64>, Vec<usize>> {
-        let x = self.place(unit);
+        let x = self.within_bounds(unit);
         let Some(x) = self.limits.on_equalities(x.clone()) else {
             return Err(self.limits.broken(&x));
         };
@@ -254,14 +254,14 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Evaluator<'a, M, A, N> {
     }
 
     /// Fills the sum of squares of a place, after the last evaluation.
-    pub(crate) fn normal(&mut self, place: usize, normal: &mut Normal) {
+    pub(crate) fn normal(&mut self, start: usize, normal: &mut Normal) {
         normal.clear();
         let varied = &self.problem.varied;
         for (index, (_, rows)) in self.objectives.iter().enumerate() {
             let inputs = self.problem.inputs(index);
             let condition = self.problem.objectives[index].is_condition();
             for row in 0..rows.count() {
-                let (value, parameters, free) = rows.row(place, row);
+                let (value, parameters, free) = rows.row(start, row);
                 self.places.clear();
                 self.slopes.clear();
                 for (j, &parameter) in varied.iter().enumerate() {

@@ -17,12 +17,12 @@ pub(crate) fn certify_optimum<M: Dimensions<N> + Copy, A, const N: usize>(
     optimum: &Optimum,
     circuits: &dyn Fn(&M) -> Result<Circuits<A>, AssemblyError>,
 ) -> Result<Branch<A>, Interruption> {
-    let place = || core::iter::once(&optimum.x[..]);
-    evaluator.evaluate(assembly, place());
+    let optimum_x = || core::iter::once(&optimum.x[..]);
+    evaluator.evaluate(assembly, optimum_x());
     let expected = values(problem, evaluator);
     let sizes = sizes(problem, evaluator);
     certify(circuits(&problem.mechanism(&optimum.x)), |branch| {
-        evaluator.evaluate(&branch.assembly, place());
+        evaluator.evaluate(&branch.assembly, optimum_x());
         alike(
             &expected,
             &values(problem, evaluator),

@@ -181,8 +181,8 @@ impl Quadratic {
                 }
                 return true;
             }
-            if let Some(place) = leaving {
-                self.remove(place);
+            if let Some(position) = leaving {
+                self.remove(position);
             }
         }
     }
@@ -224,22 +224,22 @@ impl Quadratic {
 
     fn first_to_leave(&self, faces: &[Face], duals: &[f64]) -> (f64, Option<usize>) {
         let mut first = (f64::INFINITY, None);
-        for (place, dual) in duals.iter().enumerate() {
-            if *dual > 0.0 && !faces[self.active[place]].equality {
-                let step = self.multipliers[place].max(0.0) / dual;
+        for (position, dual) in duals.iter().enumerate() {
+            if *dual > 0.0 && !faces[self.active[position]].equality {
+                let step = self.multipliers[position].max(0.0) / dual;
                 if step < first.0 {
-                    first = (step, Some(place));
+                    first = (step, Some(position));
                 }
             }
         }
         first
     }
 
-    fn remove(&mut self, place: usize) {
-        self.active.remove(place);
-        self.multipliers.remove(place);
+    fn remove(&mut self, position: usize) {
+        self.active.remove(position);
+        self.multipliers.remove(position);
         let images = {
-            self.images.remove(place);
+            self.images.remove(position);
             core::mem::take(&mut self.images)
         };
         self.basis.clear();

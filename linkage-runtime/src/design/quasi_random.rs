@@ -11,10 +11,10 @@ const DIMENSIONS: u32 = sobol_burley::NUM_DIMENSIONS;
 /// same.
 pub(crate) fn unit(seed: u64, index: usize, count: usize) -> Vec<f64> {
     let sequence = index as u64 / SEQUENCE;
-    let place = (index as u64 % SEQUENCE) as u32;
+    let term = (index as u64 % SEQUENCE) as u32;
     let number = |dimension: u32| {
         let seed = mixed(mixed(seed ^ mixed(sequence)) ^ u64::from(dimension / DIMENSIONS)) as u32;
-        f64::from(sobol_burley::sample(place, dimension % DIMENSIONS, seed))
+        f64::from(sobol_burley::sample(term, dimension % DIMENSIONS, seed))
     };
     (0..count as u32).map(number).collect()
 }

@@ -324,8 +324,8 @@ where
                 .flat_map(|&rate| self.columns.column(rate).iter().enumerate())
             {
                 let free = &candidates.free[at / positions * each..];
-                if let Some((place, by)) = timing.input(free, at % positions).1 {
-                    rows.nth_mut(at * width + k).2[place] = by * weight * slope;
+                if let Some((index, by)) = timing.input(free, at % positions).1 {
+                    rows.nth_mut(at * width + k).2[index] = by * weight * slope;
                 }
             }
         }

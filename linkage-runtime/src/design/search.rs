@@ -72,7 +72,7 @@ pub(crate) fn block<M: Dimensions<N> + Copy, A, const N: usize>(
         let descents = begun
             .iter()
             .enumerate()
-            .map(|(place, (_, x))| (place, Descent::new(x.clone(), most)));
+            .map(|(start, (_, x))| (start, Descent::new(x.clone(), most)));
         let mut running: Vec<(usize, Descent)> = descents.collect();
         // The sums of starts that hold all conditions.
         let mut first = alloc::vec![None; begun.len()];
@@ -83,10 +83,10 @@ pub(crate) fn block<M: Dimensions<N> + Copy, A, const N: usize>(
                 running.iter().map(|(_, descent)| &descent.trial[..]),
             );
             block.evaluations += running.len();
-            let mut place = 0;
+            let mut index = 0;
             running.retain_mut(|(start, descent)| {
-                evaluator.normal(place, &mut there);
-                place += 1;
+                evaluator.normal(index, &mut there);
+                index += 1;
                 let state = descent.advance(&problem.limits, &mut there);
                 if descent.count == 1 && problem.meets(&descent.here) {
                     first[*start] = Some(descent.here.sum).filter(|sum| sum.is_finite());

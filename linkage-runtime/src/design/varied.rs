@@ -134,7 +134,7 @@ impl Freedom {
                 errors.push(DesignError::NoParameter { name, known });
                 continue;
             };
-            if places.iter().any(|place| place.0 == index) {
+            if places.iter().any(|parameter| parameter.0 == index) {
                 errors.push(DesignError::Twice { name });
                 continue;
             }
@@ -150,13 +150,13 @@ impl Freedom {
     pub(crate) fn varied(&self, parameters: &[Parameter], values: &[f64]) -> Varied {
         let known = names(parameters);
         let (mut places, mut errors) = self.places(parameters, false);
-        places.sort_by_key(|place| place.0);
-        let indices: Vec<usize> = places.iter().map(|place| place.0).collect();
+        places.sort_by_key(|parameter| parameter.0);
+        let indices: Vec<usize> = places.iter().map(|parameter| parameter.0).collect();
         let of = |relation: &Relation| linear(relation, &known, &indices, values, &mut errors);
         let limits = Limits {
             relations: self.relations.iter().map(of).collect(),
-            lower: places.iter().map(|place| place.1).collect(),
-            upper: places.iter().map(|place| place.2).collect(),
+            lower: places.iter().map(|parameter| parameter.1).collect(),
+            upper: places.iter().map(|parameter| parameter.2).collect(),
         };
         if self.bounds.is_empty() {
             errors.push(DesignError::Nothing {
@@ -166,8 +166,8 @@ impl Freedom {
         }
         let catalogues = self.catalogues.iter().filter_map(|(name, values)| {
             let index = known.iter().position(|known| known == name)?;
-            let place = indices.iter().position(|known| *known == index)?;
-            Some((place, values.clone()))
+            let position = indices.iter().position(|known| *known == index)?;
+            Some((position, values.clone()))
         });
         Varied {
             limits,
@@ -225,7 +225,7 @@ fn linear(
             continue;
         };
         match varied.iter().position(|varied| *varied == index) {
-            Some(place) => linear.terms.push((place, *factor)),
+            Some(position) => linear.terms.push((position, *factor)),
             None => linear.most -= factor * values[index],
         }
     }

@@ -8,8 +8,8 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt;
 use linkage_core::range_check::{
-    Comes, PASSES_HELP, Reaches, listed, not_finite, passes, place, rounded_inwards, rounded_to,
-    significant, with_apostrophes,
+    Comes, PASSES_HELP, Reaches, listed, not_finite, passes, position_as_written, rounded_inwards,
+    rounded_to, significant, with_apostrophes,
 };
 
 /// A message of the check of a range.
@@ -57,7 +57,13 @@ impl RangeReport {
             unknowns: &unknowns,
         };
         let angle = input.unit == "rad";
-        let at = |x: f64| format!("`{} = {}`", input.name, place(x, angle, input.unit));
+        let at = |x: f64| {
+            format!(
+                "`{} = {}`",
+                input.name,
+                position_as_written(x, angle, input.unit)
+            )
+        };
         let positions: Vec<String> = alike.iter().map(|finding| at(finding.from)).collect();
         let positions = listed(&positions);
         let change = finding.kind == RangeFindingKind::ChangePoint;
@@ -88,7 +94,7 @@ impl RangeReport {
         let reaches = Reaches {
             group,
             change,
-            place: &positions,
+            position: &positions,
             picture: &picture,
             works: works.each_ref().map(String::as_str),
             range: range.each_ref().map(String::as_str),
@@ -111,7 +117,7 @@ impl fmt::Display for RangeReport {
         if let (Some(input), true) = (self.input, messages.is_empty()) {
             let [low, high] = self
                 .range
-                .map(|x| place(x, input.unit == "rad", input.unit));
+                .map(|x| position_as_written(x, input.unit == "rad", input.unit));
             return write!(
                 f,
                 "{name}: no change point and no dead point for `{}` in {low}..{high}",

@@ -125,8 +125,8 @@ impl Tags {
         let [closed, spatial] = [closed, spatial].map(u8::from);
         self.entity("POLYLINE", layer).put(66, 1);
         self.coordinates(0, [0.0; 3]).put(70, closed + 8 * spatial);
-        for place in places {
-            self.entity("VERTEX", layer).coordinates(0, place);
+        for point in places {
+            self.entity("VERTEX", layer).coordinates(0, point);
             self.put(70, 32 * spatial);
         }
         self.entity("SEQEND", layer);
@@ -150,8 +150,8 @@ impl Tags {
     }
 
     /// Three components, of the first or of a further place of an entity.
-    fn coordinates(&mut self, which: u8, place: [f64; 3]) -> &mut Self {
-        for (axis, component) in [10, 20, 30].into_iter().zip(place) {
+    fn coordinates(&mut self, which: u8, point: [f64; 3]) -> &mut Self {
+        for (axis, component) in [10, 20, 30].into_iter().zip(point) {
             self.number(axis + which, component);
         }
         self

@@ -11,9 +11,9 @@ const ROUNDOFF: f64 = 1e-12;
 
 /// A unit that numbers are printed in.
 #[derive(Clone, Copy)]
-struct Unit<'a>(&'a str);
+struct PrintUnit<'a>(&'a str);
 
-impl Unit<'_> {
+impl PrintUnit<'_> {
     /// The number with its unit: radians as degrees.
     fn print(self, value: f64) -> impl fmt::Display {
         printed(move |f| match self.0 {
@@ -30,14 +30,14 @@ pub(super) fn describe<'a, const N: usize, F: Fn(f64) -> [f64; N]>(
     unit: &'a str,
     input: &'a str,
 ) -> impl fmt::Display + 'a {
-    printed(move |f| print(curve, f, Unit(unit), Unit(input)))
+    printed(move |f| print(curve, f, PrintUnit(unit), PrintUnit(input)))
 }
 
 fn print<const N: usize, F: Fn(f64) -> [f64; N]>(
     curve: &Curve<N, F>,
     f: &mut fmt::Formatter<'_>,
-    unit: Unit<'_>,
-    input: Unit<'_>,
+    unit: PrintUnit<'_>,
+    input: PrintUnit<'_>,
 ) -> fmt::Result {
     let position = curve.position();
     let (low, high) = curve.range();
@@ -85,7 +85,7 @@ fn extremes(
     name: &str,
     extremes: &Extremes,
     unit: &impl fmt::Display,
-    (input, range): (Unit<'_>, f64),
+    (input, range): (PrintUnit<'_>, f64),
 ) -> fmt::Result {
     for (which, Extreme { at, value, .. }) in
         [("least", extremes.lowest), ("most", extremes.highest)]

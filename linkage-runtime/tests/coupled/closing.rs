@@ -73,7 +73,7 @@ fn half_a_cell_is_served_beyond_the_ends() {
     ] {
         let mut state = [0.0];
         let floor = table.state(x, &mut state);
-        let ([length], same) = lookup.at(x);
+        let ([length], same) = lookup.state_at(x);
         assert_eq!(floor.is_finite() && state[0].is_finite(), served, "{x}");
         assert_eq!(same.is_finite() && length.is_finite(), served, "{x}");
         assert!(

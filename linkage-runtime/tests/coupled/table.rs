@@ -26,7 +26,7 @@ fn the_look_up_of_generated_code_is_the_same() {
     let mut random = Random::new(3);
     for _ in 0..1000 {
         let x = random.between(-10.0, 10.0);
-        let (state, floor) = lookup.at(x);
+        let (state, floor) = lookup.state_at(x);
         let mut checked = [0.0; 4];
         assert_eq!(
             floor,
@@ -52,7 +52,7 @@ fn many_look_ups_are_the_same() {
         let mut columns = [[f64::NEG_INFINITY; ROWS]; 5];
         lookup.fill::<f64, FUSED, 8, ROWS>(&x, vectors, &mut columns);
         for (row, x) in x.into_iter().enumerate() {
-            let (state, floor) = lookup.at(x);
+            let (state, floor) = lookup.state_at(x);
             let numbers = state.into_iter().chain([floor]);
             for (number, column) in numbers.zip(columns) {
                 let expected = match row < 8 * vectors {
@@ -74,7 +74,7 @@ fn states_are_those_of_the_references() {
     let lookup = lookup.lookup::<4>().unwrap();
     let mut triad = EyeNeedle::MACHINE;
     for [x, leg, link] in EyeNeedle::PLACES {
-        let (mut state, _) = lookup.at(x);
+        let (mut state, _) = lookup.state_at(x);
         triad.correct(&[x], &mut state);
         let expected = [unit(leg), unit(link)].concat();
         for (a, b) in state.iter().zip(expected) {
@@ -84,7 +84,7 @@ fn states_are_those_of_the_references() {
     let table = Table::build(&mut TwoCranks, 0.0, &TwoCranks::start(), TURN, false).unwrap();
     let lookup = table.lookup::<3>().unwrap();
     for [x, slide, link] in TwoCranks::PLACES {
-        let (mut state, _) = lookup.at(x);
+        let (mut state, _) = lookup.state_at(x);
         TwoCranks.correct(&[x], &mut state);
         let [c, s] = unit(link);
         for (a, b) in state.iter().zip([c, s, slide / 64.0]) {
@@ -101,12 +101,12 @@ fn many_turns_and_no_numbers() {
     for turns in [1e3, -1e3, 1e6, -1e6] {
         for part in [0.0, 0.3, 0.5, 0.77] {
             let x = TAU * turns + TAU * part;
-            let (mut state, floor) = lookup.at(x);
+            let (mut state, floor) = lookup.state_at(x);
             assert!(certified(triad.correct(&[x], &mut state), floor), "{x}");
         }
     }
     for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let (state, floor) = lookup.at(x);
+        let (state, floor) = lookup.state_at(x);
         assert!(
             floor.is_nan() && state.iter().all(|number| number.is_nan()),
             "{x}"
@@ -114,7 +114,7 @@ fn many_turns_and_no_numbers() {
     }
     // So far away that nothing is left of the place in the turn: any state, but no panic.
     for x in [1e18, -1e300, f64::MAX] {
-        let _ = lookup.at(x);
+        let _ = lookup.state_at(x);
     }
 }
 
@@ -141,7 +141,7 @@ fn turning_points_are_refused_or_end_the_table() {
     let lookup = table.lookup::<4>().unwrap();
     for beyond in [0.1, 1.0, 2.0] {
         // What is extrapolated is told by the floor.
-        assert!(lookup.at(high + beyond).1.is_nan(), "{beyond}");
+        assert!(lookup.state_at(high + beyond).1.is_nan(), "{beyond}");
     }
     for beyond in [1e-9, 1e-6, 1e-3, 0.1, 1.0, 2.0] {
         let mut state = [0.0; 4];

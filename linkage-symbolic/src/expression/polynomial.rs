@@ -81,9 +81,9 @@ pub fn collect<'g>(
             Node::Constant(_) => continue,
             Node::Symbol(symbol) => match symbols.iter().position(|&s| s == symbol) {
                 None => continue,
-                Some(place) => {
+                Some(index) => {
                     let mut monomial = free.clone();
-                    monomial[place] = 1;
+                    monomial[index] = 1;
                     Polynomial::from([(monomial, graph.number(1.0))])
                 }
             },

@@ -113,7 +113,7 @@ fn split(a: Vec<NodeId>, mut b: Vec<NodeId>) -> (Vec<NodeId>, [Vec<NodeId>; 2]) 
     let (mut shared, mut rest) = (Vec::new(), Vec::new());
     for x in a {
         match b.iter().position(|&y| y == x) {
-            Some(place) => shared.push(b.remove(place)),
+            Some(index) => shared.push(b.remove(index)),
             None => rest.push(x),
         }
     }

@@ -16,13 +16,13 @@ pub fn share(program: Program) -> Program {
         whole: &program,
         halves: &halves,
         program: Program::default(),
-        places: vec![None; program.instructions.len()],
+        copies: vec![None; program.instructions.len()],
         pairs: BTreeMap::new(),
     };
     for index in 0..program.instructions.len() {
-        builder.place(Value(index));
+        builder.copy(Value(index));
     }
-    let outputs = program.outputs.iter().map(|&x| builder.place(x));
+    let outputs = program.outputs.iter().map(|&x| builder.copy(x));
     builder.program.outputs = outputs.collect();
     builder.program.without_unused()
 }
@@ -77,17 +77,17 @@ struct Builder<'a> {
     halves: &'a Halves,
     program: Program,
     /// The new positions of the values of the whole program.
-    places: Vec<Option<Value>>,
+    copies: Vec<Option<Value>>,
     /// Sine and cosine of angles, by angle of the whole program.
     pairs: BTreeMap<Value, [Value; 2]>,
 }
 
 impl Builder<'_> {
-    fn place(&mut self, value: Value) -> Value {
-        if let Some(place) = self.places[value.0] {
-            return place;
+    fn copy(&mut self, value: Value) -> Value {
+        if let Some(copy) = self.copies[value.0] {
+            return copy;
         }
-        let place = match self.whole.instructions[value.0] {
+        let copy = match self.whole.instructions[value.0] {
             Instruction::SinCos(angle) => self.pair(angle)[0],
             Instruction::Second(pair) => {
                 let Instruction::SinCos(angle) = self.whole.instructions[pair.0] else {
@@ -98,15 +98,15 @@ impl Builder<'_> {
             instruction => {
                 let operands: Vec<Value> = instruction.operands().collect();
                 operands.iter().for_each(|&x| {
-                    self.place(x);
+                    self.copy(x);
                 });
-                let places = &self.places;
-                let moved = instruction.with_operands(|x| places[x.0].unwrap_or(x));
+                let copies = &self.copies;
+                let moved = instruction.with_operands(|x| copies[x.0].unwrap_or(x));
                 self.program.push(moved)
             }
         };
-        self.places[value.0] = Some(place);
-        place
+        self.copies[value.0] = Some(copy);
+        copy
     }
 
     /// Sine and cosine of an angle.
@@ -117,7 +117,7 @@ impl Builder<'_> {
         let pair = match self.halves.get(&angle) {
             Some(&(sign, half)) => self.doubled(sign, half),
             None => {
-                let operand = self.place(angle);
+                let operand = self.copy(angle);
                 let sine = self.program.push(Instruction::SinCos(operand));
                 [sine, self.program.push(Instruction::Second(sine))]
             }

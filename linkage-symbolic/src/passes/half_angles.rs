@@ -50,22 +50,22 @@ impl<'a> Halves<'a> {
             _ => None,
         };
         // By angle: the last place in the list, and that of the last half of it with its factor.
-        let mut places: Map<NodeId, usize> = Map::new();
+        let mut indices: Map<NodeId, usize> = Map::new();
         let mut halved: Map<NodeId, (usize, f64)> = Map::new();
-        for (place, &half) in angles.iter().enumerate() {
-            places.insert(half, place);
+        for (index, &half) in angles.iter().enumerate() {
+            indices.insert(half, index);
             if let Some((k, angle)) = multiple(half).filter(|(k, _)| k.abs() == 0.5) {
-                halved.insert(angle, (place, k));
+                halved.insert(angle, (index, k));
             }
         }
         let mut halves: Map<NodeId, (NodeId, bool)> = Map::new();
         for &angle in &angles {
             let by_half = halved.get(&angle).copied();
             let by_double = multiple(angle).filter(|(k, _)| k.abs() == 2.0);
-            let by_double = by_double.and_then(|(k, half)| Some((*places.get(&half)?, k)));
+            let by_double = by_double.and_then(|(k, half)| Some((*indices.get(&half)?, k)));
             let found = by_double.into_iter().chain(by_half);
-            if let Some((place, k)) = found.max_by_key(|(place, _)| *place) {
-                halves.insert(angle, (angles[place], k < 0.0));
+            if let Some((index, k)) = found.max_by_key(|(index, _)| *index) {
+                halves.insert(angle, (angles[index], k < 0.0));
             }
         }
         // Halves are not halved again.

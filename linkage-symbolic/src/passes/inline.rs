@@ -54,7 +54,7 @@ impl Inliner {
                 let symbol = source.symbol(symbol);
                 match (symbol.definition, symbol.source) {
                     (Some(definition), _) => new(definition),
-                    (None, Some(place)) => target.source(place),
+                    (None, Some(source)) => target.source(source),
                     (None, None) => unreachable!("symbol {} has no meaning", symbol.name),
                 }
             }

@@ -18,13 +18,13 @@ pub fn share(program: Program) -> Program {
     }
     let mut rewriter = Rewriter::default();
     for instruction in &program.instructions {
-        let place = match *instruction {
+        let copy = match *instruction {
             Instruction::Binary(Binary::Div, a, b) if shared.contains(&b) => {
                 let reciprocal = rewriter.reciprocal(b);
                 match program.instructions[a.0] {
                     Instruction::Constant(1.0) => reciprocal,
                     _ => {
-                        let factor = rewriter.places[a.0];
+                        let factor = rewriter.copies[a.0];
                         rewriter
                             .program
                             .push(Instruction::Binary(Binary::Mul, factor, reciprocal))
@@ -32,15 +32,15 @@ pub fn share(program: Program) -> Program {
                 }
             }
             _ => {
-                let places = &rewriter.places;
+                let copies = &rewriter.copies;
                 rewriter
                     .program
-                    .push(instruction.with_operands(|x| places[x.0]))
+                    .push(instruction.with_operands(|x| copies[x.0]))
             }
         };
-        rewriter.places.push(place);
+        rewriter.copies.push(copy);
     }
-    let outputs = program.outputs.iter().map(|x| rewriter.places[x.0]);
+    let outputs = program.outputs.iter().map(|x| rewriter.copies[x.0]);
     rewriter.program.outputs = outputs.collect();
     rewriter.program.without_unused()
 }
@@ -64,7 +64,7 @@ fn shared_divisors(program: &Program) -> BTreeSet<Value> {
 struct Rewriter {
     program: Program,
     /// The new positions of the values of the whole program.
-    places: Vec<Value>,
+    copies: Vec<Value>,
     /// The reciprocals, by divisor of the whole program.
     reciprocals: BTreeMap<Value, Value>,
     /// The constant 1, once it is asked for.
@@ -82,7 +82,7 @@ impl Rewriter {
             known.map_or_else(|| self.program.push(Instruction::Constant(1.0)), Value)
         });
         self.one = Some(one);
-        let divided = Instruction::Binary(Binary::Div, one, self.places[divisor.0]);
+        let divided = Instruction::Binary(Binary::Div, one, self.copies[divisor.0]);
         let reciprocal = self.program.push(divided);
         self.reciprocals.insert(divisor, reciprocal);
         reciprocal

@@ -15,13 +15,13 @@ pub fn pair(program: Program) -> Program {
         }
     }
     let mut paired = Program::default();
-    let mut places: Vec<Value> = Vec::with_capacity(program.instructions.len());
+    let mut copies: Vec<Value> = Vec::with_capacity(program.instructions.len());
     for instruction in &program.instructions {
-        let place = match *instruction {
+        let copy = match *instruction {
             Instruction::Unary(op @ (Unary::Sin | Unary::Cos), angle) => {
                 let used = turned.get_mut(&angle).expect("all were listed");
                 let [sine, cosine] = *used.pair.get_or_insert_with(|| {
-                    let sine = paired.push(Instruction::SinCos(places[angle.0]));
+                    let sine = paired.push(Instruction::SinCos(copies[angle.0]));
                     let cosine = match used.cosine {
                         true => paired.push(Instruction::Second(sine)),
                         false => sine,
@@ -30,11 +30,11 @@ pub fn pair(program: Program) -> Program {
                 });
                 if op == Unary::Cos { cosine } else { sine }
             }
-            _ => paired.push(instruction.with_operands(|x| places[x.0])),
+            _ => paired.push(instruction.with_operands(|x| copies[x.0])),
         };
-        places.push(place);
+        copies.push(copy);
     }
-    paired.outputs = program.outputs.iter().map(|x| places[x.0]).collect();
+    paired.outputs = program.outputs.iter().map(|x| copies[x.0]).collect();
     paired
 }
 

@@ -52,7 +52,7 @@ pub fn split(program: &Program) -> Vec<Stage> {
 #[derive(Default)]
 struct Memory {
     /// The places of values that are still needed.
-    places: BTreeMap<usize, usize>,
+    slots: BTreeMap<usize, usize>,
     /// Places that nothing needs any more.
     free: BTreeSet<usize>,
     /// The number of positions.
@@ -62,15 +62,15 @@ struct Memory {
 impl Memory {
     /// A place for `value`.
     fn keep(&mut self, value: usize) -> usize {
-        let place = self.free.pop_first().unwrap_or(self.size);
-        self.size = self.size.max(place + 1);
-        self.places.insert(value, place);
-        place
+        let slot = self.free.pop_first().unwrap_or(self.size);
+        self.size = self.size.max(slot + 1);
+        self.slots.insert(value, slot);
+        slot
     }
 
     /// Forgets `value`.
     fn drop(&mut self, value: usize) {
-        self.free.extend(self.places.remove(&value));
+        self.free.extend(self.slots.remove(&value));
     }
 }
 
@@ -109,24 +109,24 @@ fn stage(
         range: range.clone(),
         program: Program::default(),
         taken: Vec::new(),
-        places: BTreeMap::new(),
+        copies: BTreeMap::new(),
     };
     let operations: Vec<usize> = range
         .filter(|&index| !program.instructions[index].is_free())
         .collect();
     for &index in &operations {
-        builder.place(index);
+        builder.copy(index);
     }
     let next: Vec<usize> = operations
         .into_iter()
         .filter(|&index| last_uses[index] >= end)
         .collect();
     let outputs = next.iter().chain(results.iter().map(|(_, value)| value));
-    builder.program.outputs = outputs.map(|&value| builder.place(value)).collect();
+    builder.program.outputs = outputs.map(|&value| builder.copy(value)).collect();
     let taken = builder
         .taken
         .iter()
-        .map(|value| memory.places[value])
+        .map(|value| memory.slots[value])
         .collect();
     for &value in builder
         .taken
@@ -150,33 +150,33 @@ struct Builder<'a> {
     /// Values of stages before that are needed here.
     taken: Vec<usize>,
     /// The positions of the values of the whole program in this one.
-    places: BTreeMap<usize, Value>,
+    copies: BTreeMap<usize, Value>,
 }
 
 impl Builder<'_> {
     /// Returns the position of a value, and appends it if it is missing: an instruction of this
     /// stage after its operands, a free instruction, or a load of a value from a stage before.
-    fn place(&mut self, value: usize) -> Value {
-        if let Some(&place) = self.places.get(&value) {
-            return place;
+    fn copy(&mut self, value: usize) -> Value {
+        if let Some(&copy) = self.copies.get(&value) {
+            return copy;
         }
         let instruction = self.whole.instructions[value];
         let instruction = match self.range.contains(&value) || instruction.is_free() {
             true => {
                 let operands: Vec<Value> = instruction.operands().collect();
                 operands.iter().for_each(|operand| {
-                    self.place(operand.0);
+                    self.copy(operand.0);
                 });
-                instruction.with_operands(|operand| self.places[&operand.0])
+                instruction.with_operands(|operand| self.copies[&operand.0])
             }
             false => {
                 self.taken.push(value);
                 Instruction::Load(Source::Carried(self.taken.len() - 1))
             }
         };
-        let place = self.program.push(instruction);
-        self.places.insert(value, place);
-        place
+        let copy = self.program.push(instruction);
+        self.copies.insert(value, copy);
+        copy
     }
 }
 
@@ -185,14 +185,14 @@ fn loads_first(program: &Program) -> Program {
     let (free, others): (Vec<usize>, Vec<usize>) =
         (0..program.instructions.len()).partition(|&k| program.instructions[k].is_free());
     let order = [free, others].concat();
-    let mut places = vec![Value(0); order.len()];
-    for (place, &index) in order.iter().enumerate() {
-        places[index] = Value(place);
+    let mut positions = vec![Value(0); order.len()];
+    for (position, &index) in order.iter().enumerate() {
+        positions[index] = Value(position);
     }
-    let moved = |index: &usize| program.instructions[*index].with_operands(|x| places[x.0]);
+    let moved = |index: &usize| program.instructions[*index].with_operands(|x| positions[x.0]);
     Program {
         instructions: order.iter().map(moved).collect(),
-        outputs: program.outputs.iter().map(|x| places[x.0]).collect(),
+        outputs: program.outputs.iter().map(|x| positions[x.0]).collect(),
     }
 }
 
@@ -231,15 +231,15 @@ mod tests {
     /// All results, stage after stage.
     fn run_stages(stages: &[Stage], x: f64, count: usize) -> Vec<f64> {
         let mut results = vec![f64::NAN; count];
-        let mut places = vec![f64::NAN; memory(stages)];
+        let mut slots = vec![f64::NAN; memory(stages)];
         for stage in stages {
             let outputs = run(&stage.program, |source| match source {
-                Source::Carried(index) => places[stage.taken[index]],
+                Source::Carried(index) => slots[stage.taken[index]],
                 _ => x,
             });
             let (kept, finished) = outputs.split_at(stage.kept.len());
-            for (&place, &value) in stage.kept.iter().zip(kept) {
-                places[place] = value;
+            for (&slot, &value) in stage.kept.iter().zip(kept) {
+                slots[slot] = value;
             }
             for (&result, &value) in stage.results.iter().zip(finished) {
                 results[result] = value;

@@ -49,8 +49,8 @@ impl Slots {
         match node {
             Node::Constant(_) => store.intern(node),
             Node::Symbol(symbol) => {
-                let place = source.symbol(symbol).source;
-                store.source(place.expect("symbols of a plain graph have sources"))
+                let symbol_source = source.symbol(symbol).source;
+                store.source(symbol_source.expect("symbols of a plain graph have sources"))
             }
             Node::Unary(op, a) => store.intern(Node::Unary(op, new(a))),
             Node::Binary(op, a, b) => {

@@ -9,12 +9,12 @@ pub(super) static PRODUCT: &[RewriteRule<Binary, 2>] = &[
     rule("p (x y) = x (p y)", |g, _, [p, rate]| {
         let mut factors = factors(g, rate);
         let known = factors.iter().enumerate();
-        let mut known = known.filter_map(|(place, &x)| Some((place, g.known_product(p, x)?)));
-        let (place, vector) = known.next()?;
+        let mut known = known.filter_map(|(index, &x)| Some((index, g.known_product(p, x)?)));
+        let (index, vector) = known.next()?;
         if factors.len() == 1 {
             return None;
         }
-        factors[place] = vector;
+        factors[index] = vector;
         Some(product(g, &factors))
     })
     .also(&["p (x (y z)) = x (y (p z))", "p (-(x y)) = -(x (p y))"])
@@ -41,8 +41,8 @@ fn common_rate(g: &mut Store, op: Binary, [a, b]: [NodeId; 2]) -> Option<NodeId>
     let is_common = |x: &&NodeId| g.binding(**x) == Binding::Call && right.contains(x);
     let rate = *left.iter().find(is_common)?;
     for list in [&mut left, &mut right] {
-        let place = list.iter().position(|&x| x == rate);
-        place.map(|place| list.remove(place));
+        let index = list.iter().position(|&x| x == rate);
+        index.map(|index| list.remove(index));
     }
     let [left, right] = [left, right].map(|factors| product(g, &factors));
     let sum = g.of_rates(op, left, right);

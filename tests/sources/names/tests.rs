@@ -41,7 +41,13 @@ fn names_in_code_are_found() {
         faults.types,
         [named(2, "struct Way"), named(4, "type Turns")]
     );
-    assert_eq!(faults.functions, [named(5, "fn of")]);
-    assert_eq!(faults.other_functions, [named(5, "fn at")]);
-    assert_eq!(faults.own, [5, 5, 5]);
+    assert_eq!(faults.functions, [named(5, "fn of"), named(5, "fn at")]);
+    assert_eq!(faults.identifiers, [vec![5, 5, 5], vec![]]);
+}
+
+#[test]
+fn functions_that_generated_code_calls_are_excepted() {
+    let text = "fn of() {} fn told() {}";
+    let sources = from_texts(&[("linkage-runtime/src/screw.rs", text)]);
+    assert_eq!(faults(&sources[0]).functions, [(1, "fn told".to_owned())]);
 }

@@ -76,8 +76,8 @@ impl<'a> Streamed<'a> {
         self.missing = 0;
         for x in positions.iter() {
             row.clear();
-            if let Some((place, _)) = running {
-                arguments[*place] = x;
+            if let Some((index, _)) = running {
+                arguments[*index] = x;
                 row.push(x);
             }
             let results = self.assembly.call(self.function, &arguments);

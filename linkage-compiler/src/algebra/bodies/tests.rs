@@ -55,10 +55,10 @@ fn check(bodies: usize, seed: u32) {
     let graph = &Graph::new();
     let lift = |row: &[f64]| row.iter().map(|&x| graph.number(x)).collect::<Vec<_>>();
     let matrix: Vec<Vec<Ex>> = rows.iter().map(|row| lift(row)).collect();
-    let place = |k: usize| (k / 8, (k % 8).checked_sub(1).filter(|k| *k < 6));
+    let body_and_position = |k: usize| (k / 8, (k % 8).checked_sub(1).filter(|k| *k < 6));
     let unknowns = (0..size).map(|k| {
-        let (body, place) = place(k);
-        place.map(|k| graph.number(axes[body][k / 3][k % 3]))
+        let (body, position) = body_and_position(k);
+        position.map(|k| graph.number(axes[body][k / 3][k % 3]))
     });
     let bodies = Bodies::in_matrix(&matrix, &unknowns.collect::<Vec<_>>());
     assert_eq!(bodies.list.len(), axes.len());

@@ -8,12 +8,13 @@
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-use linkage_symbolic::{Ex, NodeId, SymbolId};
+use linkage_symbolic::{Ex, Graph, NodeId, SymbolId};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::by_rule::GroupRates;
-use crate::algebra::memo::Given;
+use crate::algebra::memo::{Acting, Given};
 use crate::algebra::rules::{DerivativeRule, RotatingFrame};
+use crate::algebra::solutions::Solutions;
 use crate::algebra::systems::System;
 
 /// Returns the parameters that act on the equations of a group.
@@ -22,13 +23,18 @@ pub(crate) fn acting_on_group(algebra: &mut Algebra<'_>, group: usize) -> Given 
 }
 
 /// Returns the parameters that act on expressions.
-pub(crate) fn acting_in<'m>(algebra: &mut Algebra<'m>, all: &[Ex<'m>]) -> BTreeSet<SymbolId> {
+pub(crate) fn acting_in(
+    graph: &Graph,
+    solutions: &Solutions,
+    memo: &mut Acting,
+    all: &[Ex],
+) -> BTreeSet<SymbolId> {
     let nodes: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
     let mut acting = BTreeSet::new();
-    for symbol in algebra.graph.symbols_of(&nodes) {
-        match algebra.solutions.rule(symbol) {
+    for symbol in graph.symbols_of(&nodes) {
+        match solutions.rule(symbol) {
             None => _ = acting.insert(symbol),
-            Some(_) => acting.extend(acting_on_symbol(algebra, symbol).iter()),
+            Some(_) => acting.extend(acting_on_symbol(graph, solutions, memo, symbol).iter()),
         }
     }
     acting
@@ -59,18 +65,23 @@ pub(crate) fn acting_on_system<'m>(algebra: &mut Algebra<'m>, system: &System) -
         all.extend(solution.jacobian.iter().flatten());
         all.extend(algebra.rates(system.group, system.by.clone()).right);
     }
-    let acting = Rc::new(acting_in(algebra, &all));
-    let known = &mut algebra.derivatives.partials.acting.on_systems;
-    known.insert(system.clone(), Rc::clone(&acting));
+    let memo = &mut algebra.derivatives.partials.acting;
+    let acting = Rc::new(acting_in(algebra.graph, &algebra.solutions, memo, &all));
+    memo.on_systems.insert(system.clone(), Rc::clone(&acting));
     acting
 }
 
 /// Returns the parameters that act on a symbol with a rule: on all that the rule differentiates.
-fn acting_on_symbol<'m>(algebra: &mut Algebra<'m>, symbol: SymbolId) -> Given {
-    if let Some(known) = algebra.derivatives.partials.acting.on_symbols.get(&symbol) {
+fn acting_on_symbol(
+    graph: &Graph,
+    solutions: &Solutions,
+    memo: &mut Acting,
+    symbol: SymbolId,
+) -> Given {
+    if let Some(known) = memo.on_symbols.get(&symbol) {
         return Rc::clone(known);
     }
-    let differentiated: Vec<Ex<'m>> = match algebra.solutions.rule(symbol) {
+    let differentiated: Vec<Ex> = match solutions.rule(symbol) {
         None | Some(DerivativeRule::Unknown { .. } | DerivativeRule::Rate { .. }) => Vec::new(),
         Some(DerivativeRule::Follow(equal)) => vec![*equal],
         Some(DerivativeRule::Rotation(rotation)) => vec![rotation.equal],
@@ -89,9 +100,8 @@ fn acting_on_symbol<'m>(algebra: &mut Algebra<'m>, symbol: SymbolId) -> Given {
             DerivativeRule::Cosine(rule) | DerivativeRule::Sine(rule) | DerivativeRule::Value(rule),
         ) => rule.link_frame.iter().copied().flat_map(parts_of).collect(),
     };
-    let acting = Rc::new(acting_in(algebra, &differentiated));
-    let known = &mut algebra.derivatives.partials.acting.on_symbols;
-    known.insert(symbol, Rc::clone(&acting));
+    let acting = Rc::new(acting_in(graph, solutions, memo, &differentiated));
+    memo.on_symbols.insert(symbol, Rc::clone(&acting));
     acting
 }
 

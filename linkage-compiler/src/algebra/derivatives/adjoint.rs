@@ -10,7 +10,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use linkage_symbolic::{Ex, SymbolId, V2, Vector};
+use linkage_symbolic::{Ex, Graph, SymbolId, V2, Vector};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::by_rule::GroupRates;
@@ -19,6 +19,7 @@ use crate::algebra::derivatives::{
 };
 use crate::algebra::memo::{Flow, Multiplier};
 use crate::algebra::rules::DerivativeRule;
+use crate::algebra::solutions::Solutions;
 use crate::algebra::systems::{Solved, System};
 
 pub(crate) fn flow_to<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> Rc<Flow<'m>> {
@@ -34,8 +35,9 @@ pub(crate) fn flow_to<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> Rc<Flow<'m>> 
 
 /// The derivatives by the unknowns and rates in an expression.
 pub(crate) fn weights_of<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> Vec<(Solved, Ex<'m>)> {
-    let mentioned = mentioned::mentioned_in(algebra, &[x]).into_iter();
-    let weights = mentioned.map(|solved| {
+    let memo = &mut algebra.derivatives.partials.mentioned;
+    let mentioned = mentioned::mentioned_in(algebra.graph, &algebra.solutions, memo, &[x]);
+    let weights = mentioned.into_iter().map(|solved| {
         let variable = partial::symbol_for(algebra, &solved);
         (solved, partial::partial(algebra, x, variable))
     });
@@ -50,8 +52,8 @@ pub(crate) fn minus_slopes<'m>(
     parameter: SymbolId,
 ) -> Ex<'m> {
     let acting = flow.acting.positions_for(parameter).iter();
-    acting.fold(start, |sum, &place| {
-        minus_slope(algebra, sum, &flow.multipliers[place], parameter)
+    acting.fold(start, |sum, &index| {
+        minus_slope(algebra, sum, &flow.multipliers[index], parameter)
     })
 }
 
@@ -74,24 +76,29 @@ fn minus_slope<'m>(
 pub(crate) fn sweep<'m>(
     algebra: &mut Algebra<'m>,
     weights: Vec<(Solved, Ex<'m>)>,
-    is_end: impl Fn(&Algebra<'m>, &Solved) -> bool,
+    is_end: impl Fn(&Solutions<'m>, &Solved) -> bool,
 ) -> Flow<'m> {
     let zero = algebra.zero();
     let mut open: BTreeMap<System, Vec<Ex<'m>>> = BTreeMap::new();
     let mut flow = Flow::default();
     let mut add =
-        |algebra: &Algebra<'m>, open: &mut BTreeMap<_, _>, solved: Solved, weight: Ex<'m>| {
-            if is_end(algebra, &solved) {
+        |solutions: &Solutions<'m>, open: &mut BTreeMap<_, _>, solved: Solved, weight: Ex<'m>| {
+            if is_end(solutions, &solved) {
                 *flow.ends.entry(solved).or_insert(zero) += weight;
             } else {
-                add_weight(algebra, open, solved, weight);
+                add_weight(solutions, open, solved, weight);
             }
         };
     for (solved, weight) in weights {
-        add(algebra, &mut open, solved, weight);
+        add(&algebra.solutions, &mut open, solved, weight);
     }
     while let Some((system, weights)) = open.pop_last() {
-        let factors = solve_transposed(algebra, system.group, &weights);
+        let factors = solve_transposed(
+            algebra.graph,
+            &mut algebra.solutions,
+            system.group,
+            &weights,
+        );
         if factors.iter().all(|factor| factor.is_zero()) {
             continue;
         }
@@ -103,13 +110,13 @@ pub(crate) fn sweep<'m>(
         for solved in mentioned::mentioned_by(algebra, &found.system) {
             let variable = partial::symbol_for(algebra, &solved);
             let weight = minus_slope(algebra, zero, &found, variable);
-            add(algebra, &mut open, solved, weight);
+            add(&algebra.solutions, &mut open, solved, weight);
         }
         flow.multipliers.push(found);
     }
-    for (place, multiplier) in flow.multipliers.iter().enumerate() {
+    for (index, multiplier) in flow.multipliers.iter().enumerate() {
         flow.acting.add(
-            place,
+            index,
             &acting::acting_on_system(algebra, &multiplier.system),
         );
     }
@@ -117,13 +124,13 @@ pub(crate) fn sweep<'m>(
 }
 
 fn add_weight<'m>(
-    algebra: &Algebra<'m>,
+    solutions: &Solutions<'m>,
     open: &mut BTreeMap<System, Vec<Ex<'m>>>,
     solved: Solved,
     weight: Ex<'m>,
 ) {
-    let count = algebra.solutions.groups[solved.system.group].jacobian.len();
-    let zero = algebra.zero();
+    let count = solutions.groups[solved.system.group].jacobian.len();
+    let zero = weight.number(0.0);
     let weights = open
         .entry(solved.system)
         .or_insert_with(|| vec![zero; count]);
@@ -139,18 +146,19 @@ fn slope_of_row<'m>(
 ) -> Ex<'m> {
     let solution = algebra.solutions.groups[system.group].clone();
     if system.by.is_empty() {
-        let mut slope = |algebra: &mut Algebra<'m>, x| partial::partial(algebra, x, variable);
+        let links = links::terms_of_links(&algebra.solutions, system.group);
+        let zero = algebra.zero();
+        let mut slope = |x| partial::partial(algebra, x, variable);
         let written = solution
             .rows
             .get(row)
             .and_then(|written| written.links.as_ref());
         if let Some(links) = written {
-            return written_rows::slope_of_squares(algebra, links, &mut slope);
+            return written_rows::slope_of_squares(links, &mut slope);
         }
         // Those of links are found by themselves.
-        let links = links::terms_of_links(algebra, system.group);
         let terms = &solution.terms[links..];
-        return partial::sum_of_slopes(algebra, terms, row, |a, b| a + b, &mut slope);
+        return partial::sum_of_slopes(zero, terms, row, |a, b| a + b, &mut slope);
     }
     // J r - right
     let rates = algebra.rates(system.group, system.by.clone());
@@ -165,13 +173,14 @@ fn slope_of_row<'m>(
 /// the scaled weights, of which there are fewer; differentiated as the quotients, whose derivatives
 /// stay in range for lengths of any unit.
 pub(crate) fn solve_transposed<'m>(
-    algebra: &mut Algebra<'m>,
+    graph: &'m Graph,
+    solutions: &mut Solutions<'m>,
     group: usize,
     weights: &[Ex<'m>],
 ) -> Vec<Ex<'m>> {
-    let solution = algebra.solutions.groups[group].clone();
+    let solution = solutions.groups[group].clone();
     if solution.elimination.is_some() {
-        return elimination::eliminate_transposed(algebra, group, weights);
+        return elimination::eliminate_transposed(graph, &solution, weights);
     }
     let determinant = solution.determinant;
     let &[first, second] = weights else {
@@ -189,7 +198,13 @@ pub(crate) fn solve_transposed<'m>(
                 return quotient;
             }
             let name = format!("multiplier {group}.{row}");
-            by_rule::symbol_for_value(algebra, name, value, DerivativeRule::Follow(quotient))
+            by_rule::symbol_for_value(
+                graph,
+                solutions,
+                name,
+                value,
+                DerivativeRule::Follow(quotient),
+            )
         })
         .to_vec()
 }

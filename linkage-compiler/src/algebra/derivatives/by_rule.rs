@@ -1,6 +1,6 @@
 //! Derivatives of symbols by their rules, for total and for partial derivatives.
 
-use linkage_symbolic::{Calculus, Ex, NodeId, SymbolId, differentiate};
+use linkage_symbolic::{Calculus, Ex, Graph, NodeId, SymbolId, differentiate};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::memo::Rates;
@@ -8,6 +8,7 @@ use crate::algebra::rotating_frame;
 use crate::algebra::rules::{
     AngleRule, DerivativeRule, FromFrame, RotatingFrame, RotationRule, ToFrame, TurnedVector,
 };
+use crate::algebra::solutions::Solutions;
 
 /// The derivatives of the unknowns of groups.
 ///
@@ -92,7 +93,10 @@ pub(crate) trait RuleCalculus<'m>: Calculus<'m> {
             .map(|vector| vector.map(|x| self.slope(x, variable)));
         let turned =
             self.rotation_of_frame(from_frame.link_frame, variable) * from_frame.vector.perp();
-        rotating_frame::from_frame(self.algebra(), from_frame.link_frame, change + turned, base)
+        let algebra = self.algebra();
+        let vector = change + turned;
+        let (graph, solutions) = (algebra.graph, &mut algebra.solutions);
+        rotating_frame::from_frame(graph, solutions, from_frame.link_frame, vector, base)
             [from_frame.component]
     }
 
@@ -105,7 +109,9 @@ pub(crate) trait RuleCalculus<'m>: Calculus<'m> {
     /// Returns the change in fixed coordinates, as seen from the frame, which rotates itself.
     fn rate_of_to_frame(&mut self, to_frame: &ToFrame<'m>, variable: SymbolId) -> Ex<'m> {
         let change = to_frame.vector.map(|x| self.slope(x, variable));
-        let changed = rotating_frame::to_frame(self.algebra(), to_frame.link_frame, change);
+        let algebra = self.algebra();
+        let (graph, solutions) = (algebra.graph, &mut algebra.solutions);
+        let changed = rotating_frame::to_frame(graph, solutions, to_frame.link_frame, change);
         let turned =
             self.rotation_of_frame(to_frame.link_frame, variable) * to_frame.in_frame.perp();
         (changed - turned)[to_frame.component]
@@ -131,7 +137,8 @@ pub(crate) trait RuleCalculus<'m>: Calculus<'m> {
 
 /// A rate as a symbol of its own.
 pub(crate) fn rate_symbol<'m>(
-    algebra: &mut Algebra<'m>,
+    graph: &'m Graph,
+    solutions: &mut Solutions<'m>,
     group: usize,
     position: usize,
     by: &[SymbolId],
@@ -146,7 +153,8 @@ pub(crate) fn rate_symbol<'m>(
         by: by.to_vec(),
     };
     symbol_for_value(
-        algebra,
+        graph,
+        solutions,
         format!("rate {group}.{position} {by:?}"),
         value,
         rule,
@@ -155,13 +163,14 @@ pub(crate) fn rate_symbol<'m>(
 
 /// A new symbol that is computed as `value` and differentiated by a rule.
 pub(crate) fn symbol_for_value<'m>(
-    algebra: &mut Algebra<'m>,
+    graph: &'m Graph,
+    solutions: &mut Solutions<'m>,
     name: String,
     value: Ex<'m>,
     rule: DerivativeRule<'m>,
 ) -> Ex<'m> {
-    let (symbol, node) = algebra.graph.unknown(name);
-    algebra.graph.define(symbol, value.id());
-    algebra.solutions.set_rule(symbol, rule);
-    algebra.graph.ex(node)
+    let (symbol, node) = graph.unknown(name);
+    graph.define(symbol, value.id());
+    solutions.set_rule(symbol, rule);
+    graph.ex(node)
 }

@@ -7,11 +7,12 @@
 //! and no division but the last. They grow with the factorial of the size: larger matrices are
 //! eliminated in an order that is known before (`pivots`).
 
-use linkage_symbolic::{Ex, SymbolId};
+use linkage_symbolic::{Ex, Graph, SymbolId};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::rotation_variation::BodyRotations;
-use crate::algebra::derivatives::{rotation_variation, written_rows};
+use crate::algebra::derivatives::{by_rule, rotation_variation, written_rows};
+use crate::algebra::equations::Solution;
 use crate::algebra::{bodies, cofactors};
 
 /// The unknowns of `J r = right`, the core first: derivatives by some variables.
@@ -20,18 +21,18 @@ pub(crate) fn eliminate<'m>(
     group: usize,
     right: &[Ex<'m>],
     by: &[SymbolId],
-    name: &mut dyn FnMut(&mut Algebra<'m>, usize, Ex<'m>) -> Ex<'m>,
 ) -> Vec<Ex<'m>> {
     let solution = algebra.solutions.groups[group].clone();
     let Some(elimination) = &solution.elimination else {
         unreachable!("closed forms are solved by Cramer's rule");
     };
-    let of_core = |algebra: &Algebra<'m>, right: &[Ex<'m>]| -> Vec<Ex<'m>> {
+    let graph = algebra.graph;
+    let of_core = |right: &[Ex<'m>]| -> Vec<Ex<'m>> {
         let rows = elimination.rows.iter();
-        rows.map(|row| cofactors::product_sum(algebra.graph, &row.factors, &right[row.first..]))
+        rows.map(|row| cofactors::product_sum(graph, &row.factors, &right[row.first..]))
             .collect()
     };
-    let core = of_core(algebra, right);
+    let core = of_core(right);
     let quotients = match &elimination.scheme {
         Some(scheme) if by.len() > 1 && elimination.privates.is_empty() => {
             let turns = rotation_variation::rotations_by_both(algebra, group, by);
@@ -49,8 +50,8 @@ pub(crate) fn eliminate<'m>(
             let pairs = elimination.units.iter().zip(&held);
             let held = pairs.map(|(&unit, &shift)| unit * shift).collect();
             let left = written_rows::right_of_rows(algebra, group, by, held, turns.as_ref());
-            let left = of_core(algebra, &left);
-            let solved = bodies::solve_left_by_scheme(algebra.graph, scheme, &shifts, &left);
+            let left = of_core(&left);
+            let solved = bodies::solve_left_by_scheme(graph, scheme, &shifts, &left);
             if let Some(BodyRotations { by, .. }) = turns {
                 let second = &mut algebra.derivatives.second_rotations;
                 second.insert((group, by), solved.turns);
@@ -58,7 +59,7 @@ pub(crate) fn eliminate<'m>(
             solved.solution
         }
         Some(scheme) => {
-            let solved = bodies::solve_by_scheme(algebra.graph, scheme, &elimination.matrix, &core);
+            let solved = bodies::solve_by_scheme(graph, scheme, &elimination.matrix, &core);
             if let (&[variable], Some(turns)) = (by, solved.turns) {
                 algebra
                     .derivatives
@@ -67,12 +68,24 @@ pub(crate) fn eliminate<'m>(
             }
             solved.solution
         }
-        None => solve_core(algebra, &elimination.matrix, &core, solution.determinant),
+        None => solve_core(
+            algebra.graph,
+            &elimination.matrix,
+            &core,
+            solution.determinant,
+        ),
     };
     let mut rates = Vec::new();
     for (position, quotient) in quotients.into_iter().enumerate() {
         let rate = elimination.units[position] * quotient;
-        rates.push(name(algebra, position, rate));
+        rates.push(by_rule::rate_symbol(
+            graph,
+            &mut algebra.solutions,
+            group,
+            position,
+            by,
+            rate,
+        ));
     }
     let count = rates.len();
     for (k, private) in elimination.privates.iter().enumerate() {
@@ -82,24 +95,30 @@ pub(crate) fn eliminate<'m>(
             columns.fold(right[row], |sum, (column, &rate)| sum - column[row] * rate)
         });
         let column = rows.map(|row| solution.jacobian[count + k][row]);
-        let rate = cofactors::product_sum(algebra.graph, &column, &left) / private.square;
-        rates.push(name(algebra, count + k, rate));
+        let rate = cofactors::product_sum(graph, &column, &left) / private.square;
+        rates.push(by_rule::rate_symbol(
+            graph,
+            &mut algebra.solutions,
+            group,
+            count + k,
+            by,
+            rate,
+        ));
     }
     rates
 }
 
 /// The multipliers of `J^T l = weights`.
 pub(crate) fn eliminate_transposed<'m>(
-    algebra: &Algebra<'m>,
-    group: usize,
+    graph: &'m Graph,
+    solution: &Solution<'m>,
     weights: &[Ex<'m>],
 ) -> Vec<Ex<'m>> {
-    let solution = algebra.solutions.groups[group].clone();
     let Some(elimination) = &solution.elimination else {
         unreachable!("closed forms are solved by Cramer's rule");
     };
     let count = elimination.units.len();
-    let zero = algebra.zero();
+    let zero = graph.number(0.0);
     let mut multipliers = vec![zero; solution.jacobian[0].len()];
     for (k, private) in elimination.privates.iter().enumerate() {
         let factor = weights[count + k] / private.square;
@@ -109,21 +128,19 @@ pub(crate) fn eliminate_transposed<'m>(
     }
     let core: Vec<Ex> = (0..count)
         .map(|position| {
-            let known =
-                cofactors::product_sum(algebra.graph, &multipliers, &solution.jacobian[position]);
+            let known = cofactors::product_sum(graph, &multipliers, &solution.jacobian[position]);
             elimination.units[position] * (weights[position] - known)
         })
         .collect();
     let factors: Vec<Ex> = match &elimination.scheme {
         Some(scheme) => {
-            bodies::solve_transposed_by_scheme(algebra.graph, scheme, &elimination.matrix, &core)
+            bodies::solve_transposed_by_scheme(graph, scheme, &elimination.matrix, &core)
         }
         None => {
             let transposed: Vec<Vec<Ex>> = (0..count)
                 .map(|column| elimination.matrix.iter().map(|row| row[column]).collect())
                 .collect();
-            let numerators =
-                cofactors::cofactor_products(algebra.graph, &transposed, &core).into_iter();
+            let numerators = cofactors::cofactor_products(graph, &transposed, &core).into_iter();
             numerators
                 .map(|numerator| numerator / solution.determinant)
                 .collect()
@@ -139,7 +156,7 @@ pub(crate) fn eliminate_transposed<'m>(
 
 /// Solves a linear system. A right-hand side that is mostly 0 is divided by the determinant itself.
 fn solve_core<'m>(
-    algebra: &Algebra<'m>,
+    graph: &'m Graph,
     matrix: &[Vec<Ex<'m>>],
     right: &[Ex<'m>],
     determinant: Ex<'m>,
@@ -147,9 +164,9 @@ fn solve_core<'m>(
     let entries = right.iter().filter(|x| !x.is_zero()).count();
     if entries < right.len() {
         let right: Vec<Ex> = right.iter().map(|&x| x / determinant).collect();
-        return cofactors::cofactor_products(algebra.graph, matrix, &right);
+        return cofactors::cofactor_products(graph, matrix, &right);
     }
-    let numerators = cofactors::cofactor_products(algebra.graph, matrix, right).into_iter();
+    let numerators = cofactors::cofactor_products(graph, matrix, right).into_iter();
     numerators
         .map(|numerator| numerator / determinant)
         .collect()

@@ -15,8 +15,10 @@ pub(crate) fn gradient_by<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>, parameter: S
     let gradient = known.unwrap_or_else(|| {
         let ends = reverse::gradient(algebra, x);
         let mut acting = ByParameter::default();
-        for (place, (end, _)) in ends.iter().enumerate() {
-            acting.add(place, &acting::acting_in(algebra, &[*end]));
+        for (index, (end, _)) in ends.iter().enumerate() {
+            let memo = &mut algebra.derivatives.partials.acting;
+            let symbols = acting::acting_in(algebra.graph, &algebra.solutions, memo, &[*end]);
+            acting.add(index, &symbols);
         }
         let gradient = Rc::new(Gradient { ends, acting });
         let all = &mut algebra.derivatives.gradients;
@@ -25,8 +27,8 @@ pub(crate) fn gradient_by<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>, parameter: S
     });
     let zero = algebra.zero();
     let acting = gradient.acting.positions_for(parameter).iter();
-    acting.fold(zero, |sum, &place| {
-        let (end, weight) = gradient.ends[place];
+    acting.fold(zero, |sum, &index| {
+        let (end, weight) = gradient.ends[index];
         sum + partial::partial(algebra, end, parameter) * weight
     })
 }

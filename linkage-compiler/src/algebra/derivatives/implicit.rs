@@ -81,7 +81,6 @@ fn right_hand_side<'m>(algebra: &mut Algebra<'m>, group: usize, by: &[SymbolId])
     let solution = algebra.solutions.groups[group].clone();
     let equations = solution.jacobian[0].len();
     if before.is_empty() {
-        let mut slope = |algebra: &mut Algebra<'m>, x| algebra.slope(x, last);
         let mut of_links = written_rows::right_of_links(algebra, group, last);
         of_links.resize(equations, None);
         return of_links
@@ -90,7 +89,9 @@ fn right_hand_side<'m>(algebra: &mut Algebra<'m>, group: usize, by: &[SymbolId])
             .map(|(row, known)| match known {
                 Some(known) => known,
                 None => {
-                    partial::sum_of_slopes(algebra, &solution.terms, row, |a, b| a - b, &mut slope)
+                    let zero = algebra.zero();
+                    let mut slope = |x| algebra.slope(x, last);
+                    partial::sum_of_slopes(zero, &solution.terms, row, |a, b| a - b, &mut slope)
                 }
             })
             .collect();
@@ -125,13 +126,7 @@ fn solve<'m>(
         return vec![algebra.zero(); count];
     }
     if solution.elimination.is_some() {
-        return elimination::eliminate(
-            algebra,
-            group,
-            right,
-            by,
-            &mut |algebra, position, rate| by_rule::rate_symbol(algebra, group, position, by, rate),
-        );
+        return elimination::eliminate(algebra, group, right, by);
     }
     let numerators = match *right {
         [b] => vec![b],
@@ -149,7 +144,14 @@ fn solve<'m>(
     let mut rates: Vec<Ex> = (0..count)
         .map(|position| {
             let quotient = numerators[position] / determinant;
-            by_rule::rate_symbol(algebra, group, position, by, quotient)
+            by_rule::rate_symbol(
+                algebra.graph,
+                &mut algebra.solutions,
+                group,
+                position,
+                by,
+                quotient,
+            )
         })
         .collect();
     // The determinant alone shows whether the loop closes where the other one does not change.
@@ -158,7 +160,14 @@ fn solve<'m>(
     {
         let other = jacobian[1 - alone][row] * rates[1 - alone];
         let quotient = (right[row] - other) / jacobian[alone][row];
-        rates[alone] = by_rule::rate_symbol(algebra, group, alone, by, quotient);
+        rates[alone] = by_rule::rate_symbol(
+            algebra.graph,
+            &mut algebra.solutions,
+            group,
+            alone,
+            by,
+            quotient,
+        );
     }
     rates
 }

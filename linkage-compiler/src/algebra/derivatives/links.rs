@@ -10,23 +10,22 @@ use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::by_rule::{GroupRates, RuleCalculus};
 use crate::algebra::derivatives::{by_rule, partial};
 use crate::algebra::memo::{DerivativeMemos, Multiplier};
-use crate::algebra::solutions::Shortcuts;
+use crate::algebra::solutions::{Shortcuts, Solutions};
 
 /// Sets the shortcuts of derivatives from here on. A new choice forgets all derivatives and returns
 /// true, for callers that remember some themselves.
 #[must_use]
-pub(crate) fn use_shortcuts(algebra: &mut Algebra<'_>, shortcuts: Shortcuts) -> bool {
-    let is_new = algebra.solutions.shortcuts != shortcuts;
+pub(crate) fn use_shortcuts(
+    solutions: &mut Solutions,
+    derivatives: &mut DerivativeMemos,
+    shortcuts: Shortcuts,
+) -> bool {
+    let is_new = solutions.shortcuts != shortcuts;
     if is_new {
-        algebra.solutions.shortcuts = shortcuts;
-        algebra.derivatives = DerivativeMemos::default();
+        solutions.shortcuts = shortcuts;
+        *derivatives = DerivativeMemos::default();
     }
     is_new
-}
-
-/// Returns the shortcuts that would change a derivative that was found.
-pub(crate) fn offered_shortcuts(algebra: &Algebra<'_>) -> Shortcuts {
-    algebra.derivatives.offered
 }
 
 /// Returns second derivatives of a rod's unknown: with `V'` the rod's first derivative, `V . V'' +
@@ -63,7 +62,8 @@ fn rates_of_rod<'m>(
     let second = known_y + rate_y * rod.slope;
     let right = (rate_x * rate_y) * rod.across - rod.vector.dot(known_xy) - first.dot(second);
     Some(vec![by_rule::rate_symbol(
-        algebra,
+        algebra.graph,
+        &mut algebra.solutions,
         group,
         0,
         by,
@@ -106,7 +106,14 @@ pub(crate) fn rates_by_products<'m>(
     let along2 = right.dot(second.vector) + turned1 * second.across + turned2 * second.square;
     let numerators = [along2, -along1].into_iter().enumerate();
     let rates = numerators.map(|(position, numerator)| {
-        by_rule::rate_symbol(algebra, group, position, by, numerator / determinant)
+        by_rule::rate_symbol(
+            algebra.graph,
+            &mut algebra.solutions,
+            group,
+            position,
+            by,
+            numerator / determinant,
+        )
     });
     Some(rates.collect())
 }
@@ -155,9 +162,9 @@ pub(crate) fn slope_of_links<'m>(
 
 /// Returns the number of a group's terms that belong to its links: those that [`slope_of_links`]
 /// covers.
-pub(crate) fn terms_of_links(algebra: &Algebra<'_>, group: usize) -> usize {
-    let links = algebra.solutions.groups[group].links.iter().flatten();
-    if algebra.solutions.shortcuts.products {
+pub(crate) fn terms_of_links(solutions: &Solutions, group: usize) -> usize {
+    let links = solutions.groups[group].links.iter().flatten();
+    if solutions.shortcuts.products {
         2 * links.count()
     } else {
         0

@@ -2,74 +2,80 @@
 
 use std::collections::BTreeSet;
 
-use linkage_symbolic::{Ex, NodeId, SymbolId};
+use linkage_symbolic::{Ex, Graph, NodeId, SymbolId};
 
 use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::by_rule::GroupRates;
+use crate::algebra::memo::Mentioned;
 use crate::algebra::rules::DerivativeRule;
+use crate::algebra::solutions::Solutions;
 use crate::algebra::systems::{Solved, System};
 
 /// The unknowns and rates that expressions mention.
-pub(crate) fn mentioned_in<'m>(algebra: &mut Algebra<'m>, all: &[Ex<'m>]) -> BTreeSet<Solved> {
+pub(crate) fn mentioned_in(
+    graph: &Graph,
+    solutions: &Solutions,
+    memo: &mut Mentioned,
+    all: &[Ex],
+) -> BTreeSet<Solved> {
     let nodes: Vec<NodeId> = all.iter().map(|x| x.id()).collect();
-    let symbols = algebra.graph.symbols_of(&nodes);
-    let behind = symbols.into_iter().map(|symbol| behind(algebra, symbol));
+    let symbols = graph.symbols_of(&nodes).into_iter();
+    let behind = symbols.map(|symbol| behind(graph, solutions, memo, symbol));
     behind.flatten().collect()
 }
 
-fn behind(algebra: &mut Algebra<'_>, symbol: SymbolId) -> BTreeSet<Solved> {
-    if let Some(known) = algebra.derivatives.partials.mentioned.get(&symbol) {
+fn behind(
+    graph: &Graph,
+    solutions: &Solutions,
+    memo: &mut Mentioned,
+    symbol: SymbolId,
+) -> BTreeSet<Solved> {
+    if let Some(known) = memo.get(&symbol) {
         return known.clone();
     }
-    let result = |group, position, by| Solved {
-        system: System::new(group, by),
+    let result = |group: usize, position: usize, by: &[SymbolId]| Solved {
+        system: System::new(group, by.to_vec()),
         position,
     };
-    let behind = match algebra.solutions.rule(symbol).cloned() {
+    let mut mentioned_in = |all: &[Ex]| mentioned_in(graph, solutions, memo, all);
+    let behind = match solutions.rule(symbol) {
         None => BTreeSet::new(),
-        Some(DerivativeRule::Follow(equal)) => mentioned_in(algebra, &[equal]),
-        Some(DerivativeRule::Rotation(rotation)) => mentioned_in(algebra, &[rotation.equal]),
+        Some(DerivativeRule::Follow(equal)) => mentioned_in(&[*equal]),
+        Some(DerivativeRule::Rotation(rotation)) => mentioned_in(&[rotation.equal]),
         Some(DerivativeRule::ToFrame(to_frame)) => {
-            let mut behind = mentioned_in(algebra, &to_frame.vector.0);
-            behind.extend(mentioned_in(algebra, &[to_frame.link_frame.angle]));
+            let mut behind = mentioned_in(&to_frame.vector.0);
+            behind.extend(mentioned_in(&[to_frame.link_frame.angle]));
             behind
         }
         Some(DerivativeRule::FromFrame(from_frame)) => {
             let [x, y] = from_frame.vector.0;
             let [base_x, base_y] = from_frame.base.0;
-            mentioned_in(
-                algebra,
-                &[x, y, base_x, base_y, from_frame.link_frame.angle],
-            )
+            mentioned_in(&[x, y, base_x, base_y, from_frame.link_frame.angle])
         }
-        Some(DerivativeRule::Axis(axis)) => mentioned_in(algebra, &[axis.0.angle]),
+        Some(DerivativeRule::Axis(axis)) => mentioned_in(&[axis.0.angle]),
         Some(DerivativeRule::TurnedVector(turning)) => {
-            let mut behind = mentioned_in(algebra, &turning.z.0);
-            behind.insert(result(turning.group, turning.position, Vec::new()));
+            let mut behind = mentioned_in(&turning.z.0);
+            behind.insert(result(turning.group, turning.position, &[]));
             behind
         }
         Some(
             DerivativeRule::Cosine(rule) | DerivativeRule::Sine(rule) | DerivativeRule::Value(rule),
         ) => {
             let angle = rule.link_frame.map(|link_frame| link_frame.angle);
-            let mut behind = angle.map_or_else(BTreeSet::new, |x| mentioned_in(algebra, &[x]));
-            behind.insert(result(rule.group, rule.position, Vec::new()));
+            let mut behind = angle.map_or_else(BTreeSet::new, |x| mentioned_in(&[x]));
+            behind.insert(result(rule.group, rule.position, &[]));
             behind
         }
         Some(DerivativeRule::Unknown { group, position }) => {
-            BTreeSet::from([result(group, position, Vec::new())])
+            BTreeSet::from([result(*group, *position, &[])])
         }
         Some(DerivativeRule::Rate {
             group,
             position,
             by,
-        }) => BTreeSet::from([result(group, position, by)]),
+        }) => BTreeSet::from([result(*group, *position, by)]),
     };
-    algebra
-        .derivatives
-        .partials
-        .mentioned
-        .insert(symbol, behind.clone());
+    memo.insert(symbol, behind.clone());
     behind
 }
 
@@ -84,7 +90,8 @@ pub(crate) fn mentioned_by<'m>(algebra: &mut Algebra<'m>, system: &System) -> Ve
         all.extend(solution.jacobian.iter().flatten());
         all.extend(algebra.rates(system.group, system.by.clone()).right);
     }
-    let mentioned = mentioned_in(algebra, &all).into_iter();
+    let memo = &mut algebra.derivatives.partials.mentioned;
+    let mentioned = mentioned_in(algebra.graph, &algebra.solutions, memo, &all).into_iter();
     mentioned
         .filter(|solved| solved.system != *system)
         .collect()

@@ -46,19 +46,18 @@ impl<'m> RuleCalculus<'m> for Partial<'_, 'm> {
     }
 }
 
-/// 0 plus or minus all derivatives of coefficients, which `slope` finds, times their factors.
+/// `zero` plus or minus all derivatives of coefficients, which `slope` finds, times their factors.
 pub(crate) fn sum_of_slopes<'m>(
-    algebra: &mut Algebra<'m>,
+    zero: Ex<'m>,
     terms: &[Term<'m>],
     row: usize,
     join: fn(Ex<'m>, Ex<'m>) -> Ex<'m>,
-    slope: &mut dyn FnMut(&mut Algebra<'m>, Ex<'m>) -> Ex<'m>,
+    slope: &mut dyn FnMut(Ex<'m>) -> Ex<'m>,
 ) -> Ex<'m> {
-    let zero = algebra.zero();
     let mut products = Vec::new();
     let mut sum = zero;
     for term in terms {
-        let slope = slope(algebra, term.coefficient[row]);
+        let slope = slope(term.coefficient[row]);
         sum = join(sum, slope * term.factor);
         if !slope.is_zero() {
             products.push((slope, term.factor));

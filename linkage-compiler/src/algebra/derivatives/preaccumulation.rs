@@ -13,6 +13,7 @@ use linkage_symbolic::{Ex, SymbolId};
 use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::{acting, adjoint, mentioned, partial};
 use crate::algebra::memo::{ByParameter, Flow, ThroughIntermediates};
+use crate::algebra::solutions::Solutions;
 use crate::algebra::systems::{Solved, System};
 
 /// A dependent of an unknown or a rate: a result, or an intermediate behind it.
@@ -28,7 +29,9 @@ enum Behind {
 pub(crate) fn find_intermediates<'m>(algebra: &mut Algebra<'m>, results: &[Ex<'m>]) {
     let mut hanging: BTreeMap<Solved, BTreeSet<Behind>> = BTreeMap::new();
     for (index, &result) in results.iter().enumerate() {
-        for solved in mentioned::mentioned_in(algebra, &[result]) {
+        let memo = &mut algebra.derivatives.partials.mentioned;
+        let graph = algebra.graph;
+        for solved in mentioned::mentioned_in(graph, &algebra.solutions, memo, &[result]) {
             let behind = hanging.entry(solved).or_default();
             behind.insert(Behind::Result(index));
         }
@@ -94,8 +97,8 @@ pub(crate) fn derivative_through<'m>(
     let direct = adjoint::minus_slopes(algebra, start, &through.flow, parameter);
     let acting = through.acting.positions_for(parameter).iter();
     acting.fold(direct, |sum, &index| {
-        let (place, weight) = &through.intermediates[index];
-        sum + *weight * rate_between(algebra, place, parameter)
+        let (intermediate, weight) = &through.intermediates[index];
+        sum + *weight * rate_between(algebra, intermediate, parameter)
     })
 }
 
@@ -104,20 +107,18 @@ pub(crate) fn derivative_through<'m>(
 fn through_intermediates<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> ThroughIntermediates<'m> {
     let zero = algebra.zero();
     let weights = adjoint::weights_of(algebra, x);
-    let mut flow = adjoint::sweep(algebra, weights, |algebra, solved| {
-        is_intermediate(algebra, solved)
-    });
+    let mut flow = adjoint::sweep(algebra, weights, is_intermediate);
     let mut open = std::mem::take(&mut flow.ends);
     let mut places = BTreeMap::new();
-    while let Some((place, weight)) = open.pop_last() {
-        for (earlier, share) in &flow_of(algebra, &place).ends {
+    while let Some((intermediate, weight)) = open.pop_last() {
+        for (earlier, share) in &flow_of(algebra, &intermediate).ends {
             *open.entry(earlier.clone()).or_insert(zero) += weight * *share;
         }
-        places.insert(place, weight);
+        places.insert(intermediate, weight);
     }
     let mut acting = ByParameter::default();
-    for (index, place) in places.keys().enumerate() {
-        for multiplier in &flow_of(algebra, place).multipliers {
+    for (index, intermediate) in places.keys().enumerate() {
+        for multiplier in &flow_of(algebra, intermediate).multipliers {
             acting.add(
                 index,
                 &acting::acting_on_system(algebra, &multiplier.system),
@@ -131,33 +132,42 @@ fn through_intermediates<'m>(algebra: &mut Algebra<'m>, x: Ex<'m>) -> ThroughInt
     }
 }
 
-fn is_intermediate(algebra: &Algebra<'_>, solved: &Solved) -> bool {
-    algebra.solutions.intermediates.contains(solved)
+fn is_intermediate(solutions: &Solutions<'_>, solved: &Solved) -> bool {
+    solutions.intermediates.contains(solved)
 }
 
 /// Sweeps from an intermediate to those of earlier groups.
-fn flow_of<'m>(algebra: &mut Algebra<'m>, place: &Solved) -> Rc<Flow<'m>> {
-    if let Some(known) = algebra.derivatives.adjoints.of_intermediates.get(place) {
+fn flow_of<'m>(algebra: &mut Algebra<'m>, intermediate: &Solved) -> Rc<Flow<'m>> {
+    if let Some(known) = algebra
+        .derivatives
+        .adjoints
+        .of_intermediates
+        .get(intermediate)
+    {
         return Rc::clone(known);
     }
-    let group = place.system.group;
-    let weights = vec![(place.clone(), algebra.one())];
-    let flow = Rc::new(adjoint::sweep(algebra, weights, |algebra, solved| {
-        solved.system.group < group && is_intermediate(algebra, solved)
+    let group = intermediate.system.group;
+    let weights = vec![(intermediate.clone(), algebra.one())];
+    let flow = Rc::new(adjoint::sweep(algebra, weights, |solutions, solved| {
+        solved.system.group < group && is_intermediate(solutions, solved)
     }));
     let all = &mut algebra.derivatives.adjoints.of_intermediates;
-    all.insert(place.clone(), Rc::clone(&flow));
+    all.insert(intermediate.clone(), Rc::clone(&flow));
     flow
 }
 
 /// Returns the derivative of an intermediate by a parameter, without the part through those of
 /// earlier groups.
-fn rate_between<'m>(algebra: &mut Algebra<'m>, place: &Solved, parameter: SymbolId) -> Ex<'m> {
-    let key = (place.clone(), parameter);
+fn rate_between<'m>(
+    algebra: &mut Algebra<'m>,
+    intermediate: &Solved,
+    parameter: SymbolId,
+) -> Ex<'m> {
+    let key = (intermediate.clone(), parameter);
     if let Some(&known) = algebra.derivatives.adjoints.between.get(&key) {
         return known;
     }
-    let flow = flow_of(algebra, place);
+    let flow = flow_of(algebra, intermediate);
     let zero = algebra.zero();
     let rate = adjoint::minus_slopes(algebra, zero, &flow, parameter);
     algebra.derivatives.adjoints.between.insert(key, rate);

@@ -12,6 +12,7 @@ use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::adjoint;
 use crate::algebra::derivatives::by_rule::GroupRates;
 use crate::algebra::rules::{AngleRule, DerivativeRule, RotatingFrame};
+use crate::algebra::solutions::Solutions;
 use crate::algebra::systems::System;
 
 /// An item that a sweep visits.
@@ -43,11 +44,13 @@ pub(crate) fn gradient<'m>(algebra: &mut Algebra<'m>, root: Ex<'m>) -> Vec<(Ex<'
                 };
                 let x = algebra.graph.ex(id);
                 match x.node() {
-                    _ if is_end(algebra, x) => gradient.push((x, weight)),
-                    Node::Symbol(symbol) => symbol_back(algebra, &mut weights, symbol, weight),
+                    _ if is_end(&algebra.solutions, x) => gradient.push((x, weight)),
+                    Node::Symbol(symbol) => {
+                        symbol_back(&algebra.solutions, &mut weights, symbol, weight)
+                    }
                     _ => {
                         for (operand, share) in pull_back(x, weight) {
-                            add_to_node(algebra, &mut weights, operand, share);
+                            add_to_node(&mut weights, operand, share);
                         }
                     }
                 }
@@ -59,9 +62,9 @@ pub(crate) fn gradient<'m>(algebra: &mut Algebra<'m>, root: Ex<'m>) -> Vec<(Ex<'
 }
 
 /// True where a sweep ends: all that follows is known before the input, and its derivatives, too.
-fn is_end<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> bool {
+fn is_end(solutions: &Solutions, x: Ex) -> bool {
     match x.node() {
-        Node::Symbol(symbol) => algebra.solutions.rule(symbol).is_none(),
+        Node::Symbol(symbol) => solutions.rule(symbol).is_none(),
         _ => x.is_fixed(),
     }
 }
@@ -89,7 +92,7 @@ fn order_below<'m>(algebra: &mut Algebra<'m>, root: Ex<'m>) -> Vec<Item> {
 /// Returns the items that an item is computed from.
 fn below(algebra: &mut Algebra<'_>, item: &Item) -> Vec<Item> {
     match item {
-        Item::Node(id) => below_node(algebra, algebra.graph.ex(*id)),
+        Item::Node(id) => below_node(&algebra.solutions, algebra.graph.ex(*id)),
         Item::System(system) => {
             let solution = &algebra.solutions.groups[system.group];
             let mut all: Vec<Ex> = Vec::new();
@@ -105,16 +108,16 @@ fn below(algebra: &mut Algebra<'_>, item: &Item) -> Vec<Item> {
     }
 }
 
-fn below_node<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> Vec<Item> {
+fn below_node(solutions: &Solutions, x: Ex) -> Vec<Item> {
     let Node::Symbol(symbol) = x.node() else {
-        return if is_end(algebra, x) {
+        return if is_end(solutions, x) {
             Vec::new()
         } else {
             x.node().operands().map(Item::Node).collect()
         };
     };
     let system = |group: usize, by: &[SymbolId]| Item::System(System::new(group, by.to_vec()));
-    match algebra.solutions.rule(symbol) {
+    match solutions.rule(symbol) {
         None => Vec::new(),
         Some(DerivativeRule::Follow(equal)) => vec![Item::Node(equal.id())],
         Some(DerivativeRule::Rotation(rotation)) => vec![Item::Node(rotation.equal.id())],
@@ -146,65 +149,63 @@ fn below_node<'m>(algebra: &Algebra<'m>, x: Ex<'m>) -> Vec<Item> {
 
 /// Hands the weight of a symbol to the operands of its rule.
 fn symbol_back<'m>(
-    algebra: &Algebra<'m>,
+    solutions: &Solutions<'m>,
     weights: &mut Weights<'m>,
     symbol: SymbolId,
     weight: Ex<'m>,
 ) {
-    let Some(rule) = algebra.solutions.rule(symbol).cloned() else {
+    let Some(rule) = solutions.rule(symbol).cloned() else {
         return;
     };
     match rule {
-        DerivativeRule::Follow(equal) => add_to_node(algebra, weights, equal.id(), weight),
-        DerivativeRule::Rotation(rotation) => {
-            add_to_node(algebra, weights, rotation.equal.id(), weight)
-        }
+        DerivativeRule::Follow(equal) => add_to_node(weights, equal.id(), weight),
+        DerivativeRule::Rotation(rotation) => add_to_node(weights, rotation.equal.id(), weight),
         DerivativeRule::Cosine(rule) => {
-            add_to_angle(algebra, weights, rule, -(rule.unit[1] * weight))
+            add_to_angle(solutions, weights, rule, -(rule.unit[1] * weight))
         }
-        DerivativeRule::Sine(rule) => add_to_angle(algebra, weights, rule, rule.unit[0] * weight),
-        DerivativeRule::Value(rule) => add_to_angle(algebra, weights, rule, weight),
+        DerivativeRule::Sine(rule) => add_to_angle(solutions, weights, rule, rule.unit[0] * weight),
+        DerivativeRule::Value(rule) => add_to_angle(solutions, weights, rule, weight),
         DerivativeRule::TurnedVector(turning) => {
             // The component of `z' u + rate perp(z u)`.
             let component = turning.component;
             let [c, s] = turning.unit.0;
             let factors = Vector([[c, -s], [s, c]][component]);
             for (z, factor) in turning.z.components().zip(factors.components()) {
-                add_to_node(algebra, weights, z.id(), factor * weight);
+                add_to_node(weights, z.id(), factor * weight);
             }
             let share = turning.vector.perp()[component] * weight;
             let system = System::new(turning.group, Vec::new());
-            add_to_system(algebra, weights, system, turning.position, share);
+            add_to_system(solutions, weights, system, turning.position, share);
         }
         DerivativeRule::ToFrame(to_frame) => {
             let [x, y] = to_frame.link_frame.axis.0;
             let factors = [[x, y], [-y, x]][to_frame.component];
             for (x, factor) in to_frame.vector.components().zip(factors) {
-                add_to_node(algebra, weights, x.id(), factor * weight);
+                add_to_node(weights, x.id(), factor * weight);
             }
             let share = -(to_frame.in_frame.perp()[to_frame.component] * weight);
-            add_to_frame(algebra, weights, to_frame.link_frame, share);
+            add_to_frame(weights, to_frame.link_frame, share);
         }
         DerivativeRule::FromFrame(from_frame) => {
             let component = from_frame.component;
-            add_to_node(algebra, weights, from_frame.base[component].id(), weight);
+            add_to_node(weights, from_frame.base[component].id(), weight);
             let [x, y] = from_frame.link_frame.axis.0;
             let factors = [[x, -y], [y, x]][component];
             for (x, factor) in from_frame.vector.components().zip(factors) {
-                add_to_node(algebra, weights, x.id(), factor * weight);
+                add_to_node(weights, x.id(), factor * weight);
             }
             let turned = from_frame.vector.turned(from_frame.link_frame.axis).perp();
             let share = turned[component] * weight;
-            add_to_frame(algebra, weights, from_frame.link_frame, share);
+            add_to_frame(weights, from_frame.link_frame, share);
         }
         DerivativeRule::Axis(axis) => {
             let (link_frame, component) = *axis;
             let share = link_frame.axis.perp()[component] * weight;
-            add_to_frame(algebra, weights, link_frame, share);
+            add_to_frame(weights, link_frame, share);
         }
         DerivativeRule::Unknown { group, position } => {
             add_to_system(
-                algebra,
+                solutions,
                 weights,
                 System::new(group, Vec::new()),
                 position,
@@ -215,7 +216,7 @@ fn symbol_back<'m>(
             group,
             position,
             by,
-        } => add_to_system(algebra, weights, System::new(group, by), position, weight),
+        } => add_to_system(solutions, weights, System::new(group, by), position, weight),
     }
 }
 
@@ -225,7 +226,8 @@ fn system_back<'m>(algebra: &mut Algebra<'m>, weights: &mut Weights<'m>, system:
     let Some(found) = weights.systems.get(system).cloned() else {
         return;
     };
-    let multipliers = adjoint::solve_transposed(algebra, system.group, &found);
+    let multipliers =
+        adjoint::solve_transposed(algebra.graph, &mut algebra.solutions, system.group, &found);
     let solution = algebra.solutions.groups[system.group].clone();
     let rates = if system.by.is_empty() {
         None
@@ -238,64 +240,59 @@ fn system_back<'m>(algebra: &mut Algebra<'m>, weights: &mut Weights<'m>, system:
             None => {
                 for term in &solution.terms {
                     let share = minus * term.factor;
-                    add_to_node(algebra, weights, term.coefficient[row].id(), share);
+                    add_to_node(weights, term.coefficient[row].id(), share);
                 }
             }
             Some(rates) => {
                 for (column, &rate) in solution.jacobian.iter().zip(&rates.rates) {
-                    add_to_node(algebra, weights, column[row].id(), minus * rate);
+                    add_to_node(weights, column[row].id(), minus * rate);
                 }
-                add_to_node(algebra, weights, rates.right[row].id(), multiplier);
+                add_to_node(weights, rates.right[row].id(), multiplier);
             }
         }
     }
 }
 
 fn add_to_angle<'m>(
-    algebra: &Algebra<'m>,
+    solutions: &Solutions<'m>,
     weights: &mut Weights<'m>,
     rule: AngleRule<'m>,
     share: Ex<'m>,
 ) {
     let system = System::new(rule.group, Vec::new());
     let share = rule.sensed(share);
-    add_to_system(algebra, weights, system, rule.position, share);
+    add_to_system(solutions, weights, system, rule.position, share);
     if let Some(link_frame) = rule.link_frame {
-        add_to_frame(algebra, weights, link_frame, share);
+        add_to_frame(weights, link_frame, share);
     }
 }
 
 /// Hands the weight of a frame's rotation to its angle and to its start.
-fn add_to_frame<'m>(
-    algebra: &Algebra<'m>,
-    weights: &mut Weights<'m>,
-    link_frame: RotatingFrame<'m>,
-    share: Ex<'m>,
-) {
-    add_to_node(algebra, weights, link_frame.angle.id(), share);
+fn add_to_frame<'m>(weights: &mut Weights<'m>, link_frame: RotatingFrame<'m>, share: Ex<'m>) {
+    add_to_node(weights, link_frame.angle.id(), share);
     let across = link_frame.start.perp();
     for (start, factor) in link_frame.start.components().zip(across.components()) {
-        add_to_node(algebra, weights, start.id(), factor * share);
+        add_to_node(weights, start.id(), factor * share);
     }
 }
 
-fn add_to_node<'m>(algebra: &Algebra<'m>, weights: &mut Weights<'m>, node: NodeId, share: Ex<'m>) {
-    if share.is_zero() || algebra.graph.constant_value(node).is_some() {
+fn add_to_node<'m>(weights: &mut Weights<'m>, node: NodeId, share: Ex<'m>) {
+    if share.is_zero() || share.graph().constant_value(node).is_some() {
         return;
     }
-    let zero = algebra.zero();
+    let zero = share.number(0.0);
     *weights.nodes.entry(node).or_insert(zero) += share;
 }
 
 fn add_to_system<'m>(
-    algebra: &Algebra<'m>,
+    solutions: &Solutions<'m>,
     weights: &mut Weights<'m>,
     system: System,
     position: usize,
     share: Ex<'m>,
 ) {
-    let count = algebra.solutions.groups[system.group].jacobian.len();
-    let zero = algebra.zero();
+    let count = solutions.groups[system.group].jacobian.len();
+    let zero = share.number(0.0);
     let found = weights
         .systems
         .entry(system)

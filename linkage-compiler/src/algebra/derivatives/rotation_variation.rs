@@ -1,13 +1,15 @@
 //! Rotation variations of the bodies of groups, by variable: the unknowns of their linear systems.
 
-use linkage_symbolic::{Ex, Node, NodeId, SymbolId, V3, Vector};
+use linkage_symbolic::{Ex, Graph, Node, NodeId, SymbolId, V3, Vector};
 
 use crate::algebra::bodies::{Bodies, Shifts};
 use crate::algebra::context::Algebra;
 use crate::algebra::derivatives::by_rule;
 use crate::algebra::derivatives::by_rule::{GroupRates, RuleCalculus};
 use crate::algebra::frame;
+use crate::algebra::memo::DerivativeMemos;
 use crate::algebra::rules::{DerivativeRule, RotationRule};
+use crate::algebra::solutions::Solutions;
 use crate::algebra::value::Value;
 
 /// Returns the derivative of a component of a vector on a body, where the rotation of the body is
@@ -20,7 +22,7 @@ pub(crate) fn slope_of_body_vector(
     if algebra.derivatives.held > 0 {
         return None;
     }
-    let carried = algebra.solutions.body_vectors.get(&node)?.clone();
+    let carried = algebra.names.body_vectors.get(&node)?.clone();
     algebra.derivatives.offered.turns = true;
     if !algebra.solutions.shortcuts.turns {
         return None;
@@ -95,7 +97,7 @@ pub(crate) fn rotation_of_frame<'m>(
     frame: &Value<'m>,
     variable: SymbolId,
 ) -> Option<Value<'m>> {
-    let [_, axes @ ..] = frame::frame_parts(algebra, frame);
+    let [_, axes @ ..] = frame::frame_parts(&algebra.names, frame);
     let turn = rotation_of_body_with(algebra, &axes, variable)?;
     Some(Value::Vector(turn.into()))
 }
@@ -106,7 +108,7 @@ pub(crate) fn rotation_of_body_with<'m>(
     axes: &[V3<'m>],
     variable: SymbolId,
 ) -> Option<V3<'m>> {
-    let (group, body, [u, w]) = body_with(algebra, axes)?;
+    let (group, body, [u, w]) = body_with(&algebra.solutions, axes)?;
     let turn = *rotations_by(algebra, group, variable)?.get(body)?;
     let equal = rotation_of_directions(algebra, [u, w], variable);
     let by = vec![variable];
@@ -118,7 +120,13 @@ pub(crate) fn rotation_of_body_with<'m>(
             by: by.clone(),
             equal: equal[component],
         };
-        rotation_as_symbol(algebra, turn[component], rule)
+        rotation_as_symbol(
+            algebra.graph,
+            &mut algebra.solutions,
+            &mut algebra.derivatives,
+            turn[component],
+            rule,
+        )
     });
     Some(Vector(symbols))
 }
@@ -171,65 +179,74 @@ pub(crate) fn second_rotation<'m>(
         equal,
         ..rule.clone()
     };
-    Some(rotation_as_symbol(algebra, turn, rule))
+    Some(rotation_as_symbol(
+        algebra.graph,
+        &mut algebra.solutions,
+        &mut algebra.derivatives,
+        turn,
+        rule,
+    ))
 }
 
 /// A component of a turn.
 fn rotation_as_symbol<'m>(
-    algebra: &mut Algebra<'m>,
+    graph: &'m Graph,
+    solutions: &mut Solutions<'m>,
+    derivatives: &mut DerivativeMemos<'m>,
     turn: Ex<'m>,
     rule: RotationRule<'m>,
 ) -> Ex<'m> {
     if turn.constant_value().is_some() {
         return turn;
     }
-    if let Some(&known) = algebra.derivatives.rotation_symbols.get(&turn.id()) {
+    if let Some(&known) = derivatives.rotation_symbols.get(&turn.id()) {
         return known;
     }
     let name = format!("turn {:?}", turn.id());
     let symbol = by_rule::symbol_for_value(
-        algebra,
+        graph,
+        solutions,
         name,
         turn,
         DerivativeRule::Rotation(Box::new(rule)),
     );
-    algebra
-        .derivatives
-        .rotation_symbols
-        .insert(turn.id(), symbol);
+    derivatives.rotation_symbols.insert(turn.id(), symbol);
     symbol
 }
 
 /// The body that has two of some directions, by its group and its place there, with them.
-fn body_with<'m>(algebra: &Algebra<'m>, axes: &[V3<'m>]) -> Option<(usize, usize, [V3<'m>; 2])> {
+fn body_with<'m>(
+    solutions: &Solutions<'m>,
+    axes: &[V3<'m>],
+) -> Option<(usize, usize, [V3<'m>; 2])> {
     let places: Vec<_> = axes
         .iter()
-        .map(|&axis| positions_of(algebra, axis))
+        .map(|&axis| positions_of(solutions, axis))
         .collect();
     let group = places.iter().flatten().map(|(group, _)| *group).next()?;
-    let elimination = algebra.solutions.groups[group].elimination.as_ref()?;
+    let elimination = solutions.groups[group].elimination.as_ref()?;
     let bodies = &elimination.scheme.as_ref()?.bodies.list;
-    let place = |columns: &[usize; 3]| {
+    let axis_of = |columns: &[usize; 3]| {
         places
             .iter()
             .position(|axis| *axis == Some((group, *columns)))
     };
     let mut found = bodies.iter().enumerate().filter_map(|(index, body)| {
-        let [u, w] = body.columns.each_ref().map(place);
+        let [u, w] = body.columns.each_ref().map(axis_of);
         Some((group, index, [axes[u?], axes[w?]]))
     });
     found.next()
 }
 
 /// The places of a direction's components among the unknowns of a group.
-fn positions_of<'m>(algebra: &Algebra<'m>, axis: V3<'m>) -> Option<(usize, [usize; 3])> {
-    let place = |k: usize| match axis[k].node() {
-        Node::Symbol(symbol) => match algebra.solutions.rule(symbol)? {
+fn positions_of(solutions: &Solutions, axis: V3) -> Option<(usize, [usize; 3])> {
+    let unknown = |k: usize| match axis[k].node() {
+        Node::Symbol(symbol) => match solutions.rule(symbol)? {
             DerivativeRule::Unknown { group, position } => Some((*group, *position)),
             _ => None,
         },
         _ => None,
     };
-    let [(group, x), (second, y), (third, z)] = [place(0)?, place(1)?, place(2)?];
+    let [(group, x), (second, y), (third, z)] = [unknown(0)?, unknown(1)?, unknown(2)?];
     (group == second && group == third).then_some((group, [x, y, z]))
 }

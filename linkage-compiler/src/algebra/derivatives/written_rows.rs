@@ -53,7 +53,7 @@ pub(crate) fn right_of_links<'m>(
         nothing,
         |algebra, equation| {
             let links = equation.links?;
-            Some(-slope_of_squares(algebra, &links, &mut |algebra, x| {
+            Some(-slope_of_squares(&links, &mut |x| {
                 algebra.slope(x, variable)
             }))
         },
@@ -64,15 +64,12 @@ pub(crate) fn right_of_links<'m>(
 /// l')/l`. The polynomial has a multiple of the equation itself besides, in all of its terms. Both
 /// are equal where loops close, so derivatives along solutions are, too.
 pub(crate) fn slope_of_squares<'m>(
-    algebra: &mut Algebra<'m>,
     links: &Links<'m>,
-    slope: &mut dyn FnMut(&mut Algebra<'m>, Ex<'m>) -> Ex<'m>,
+    slope: &mut dyn FnMut(Ex<'m>) -> Ex<'m>,
 ) -> Ex<'m> {
     let mut of = |distance: &Distance<'m>| {
-        let moved = distance
-            .vector
-            .dot(distance.vector.map(|x| slope(algebra, x)));
-        moved - distance.length * slope(algebra, distance.length)
+        let moved = distance.vector.dot(distance.vector.map(&mut *slope));
+        moved - distance.length * slope(distance.length)
     };
     let first = of(&links.first);
     let less = links.less.as_ref().map(of);

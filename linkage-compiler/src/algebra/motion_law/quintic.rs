@@ -59,8 +59,8 @@ pub(crate) fn value<'m>(
         Ends::Natural | Ends::Clamped => {
             // It goes on with its slope and curvature: both are 0 where it is clamped.
             let beyond = |at: usize| {
-                let ((place, value), [slope, curvature]) = (points[at], shapes[at]);
-                [place, value, slope, 0.5 * curvature, zero, zero, zero]
+                let ((abscissa, value), [slope, curvature]) = (points[at], shapes[at]);
+                [abscissa, value, slope, 0.5 * curvature, zero, zero, zero]
             };
             pieces.insert(0, beyond(0));
             pieces.push(beyond(points.len() - 1));

@@ -19,7 +19,7 @@ impl Check<'_, '_> {
                 let graph = Graph::new();
                 let points = self.knots.iter();
                 let points =
-                    points.map(|knot| (graph.number(knot.place), graph.number(knot.value)));
+                    points.map(|knot| (graph.number(knot.abscissa), graph.number(knot.value)));
                 let curvatures = clamped_curvatures(&points.collect::<Vec<_>>());
                 let [first, last] =
                     curvatures.map(|curvature| curvature.constant_value().unwrap_or(f64::NAN));
@@ -41,7 +41,7 @@ fn rates(pair: &[At], law: Option<Law>) -> [Rates; 2] {
     let Some(law) = law else {
         return [[0.0; 2]; 2];
     };
-    let width = pair[1].place - pair[0].place;
+    let width = pair[1].abscissa - pair[0].abscissa;
     let height = pair[1].value - pair[0].value;
     ends_of_law(law).map(|[speed, acceleration]| {
         [

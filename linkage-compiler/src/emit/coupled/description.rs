@@ -17,11 +17,11 @@ pub(super) fn description(
 ) -> TokenStream {
     let runtime = &outline.runtime;
     let title = outline.title();
-    let own = &unit.groups[group.group];
+    let solved = &unit.groups[group.group];
     let index = literal::index(group.group);
-    let kind = &own.kind;
-    let loops = own.loops.iter().map(|n| literal::index(*n));
-    let names = &own.unknowns;
+    let kind = &solved.kind;
+    let loops = solved.loops.iter().map(|n| literal::index(*n));
+    let names = &solved.unknowns;
     let unknowns = group.unknowns.iter().map(|placed| {
         let ShownNumber { name, unit, scale } = unit.shown(placed);
         let estimate = literal::float(placed.estimate);
@@ -43,18 +43,18 @@ pub(super) fn description(
         let exponents = exponents.iter().map(|&e| Literal::i8_unsuffixed(e));
         quote!(#runtime::Term { equation: #equation, exponents: &[#(#exponents),*] })
     });
-    let missed = group.missed_loops.iter().map(|own| {
-        let [number, rows] = [own.number, own.rows].map(literal::index);
-        let (unit, scale) = (&own.unit, literal::float(own.scale));
+    let missed = group.missed_loops.iter().map(|missed| {
+        let [number, rows] = [missed.number, missed.rows].map(literal::index);
+        let (unit, scale) = (&missed.unit, literal::float(missed.scale));
         quote!(#runtime::CoupledLoop { number: #number, rows: #rows, unit: #unit, scale: #scale })
     });
     let inputs = group.inputs.iter().map(|&input| {
-        let own = &unit.inputs[input];
-        let (name, unit, angle) = (&own.name, &own.unit, own.angle);
+        let described = &unit.inputs[input];
+        let (name, unit, angle) = (&described.name, &described.unit, described.angle);
         let index = literal::index(input);
-        let (low, high) = own.followed;
+        let (low, high) = described.followed;
         let (low, high) = (literal::float(low), literal::float(high));
-        let declared = own.range.is_some();
+        let declared = described.range.is_some();
         quote! {
             #runtime::CoupledInput {
                 name: #name, unit: #unit, index: #index, declared: #declared,

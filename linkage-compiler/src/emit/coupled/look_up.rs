@@ -39,8 +39,8 @@ pub(super) fn look_up(
 pub(super) fn places(outline: &Outline, inputs: &[usize], group: usize) -> Vec<Literal> {
     let of = outline.starts[group].inputs.iter();
     of.map(|input| {
-        let place = inputs.iter().position(|own| own == input);
-        literal::index(place.expect("a function has the inputs of its groups"))
+        let position = inputs.iter().position(|other| other == input);
+        literal::index(position.expect("a function has the inputs of its groups"))
     })
     .collect()
 }

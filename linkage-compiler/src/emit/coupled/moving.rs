@@ -114,9 +114,9 @@ fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
     let (kernel, moving) = (kernel_name(outline, number), moving_name(outline));
     let method = format_ident!("__correct{number}");
     let dimensions = outline.scalar_fields().len();
-    let own = dimensions..dimensions + Places::all(outline).width();
-    let width = literal::index(own.end);
-    let arguments = own.map(|column| {
+    let position_columns = dimensions..dimensions + Places::all(outline).width();
+    let width = literal::index(position_columns.end);
+    let arguments = position_columns.map(|column| {
         let column = literal::index(column);
         quote!(__row.number(#column))
     });
@@ -169,7 +169,7 @@ pub(in crate::emit) fn followed(outline: &Outline, function: &Function) -> Token
     });
     let dimensions = outline.scalar_fields().len();
     let places = function.positions.iter().copied().chain(states);
-    let places = places.map(|place| literal::index(dimensions + place));
+    let places = places.map(|position| literal::index(dimensions + position));
     let groups = function.states.iter().map(|&group| {
         let [number, first, size] = [
             group,

@@ -44,7 +44,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         });
         quote!(match self.__number { #(#arms)* })
     };
-    let place = arms(&|_, group| {
+    let set_inputs = arms(&|_, group| {
         let inputs = group.inputs.iter().enumerate().map(|(k, &input)| {
             let [k, input] = [k, input].map(literal::index);
             quote!(self.__at[#input] = __own[#k];)
@@ -147,7 +147,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         #allow
         impl #coupled {
             fn __place(&mut self, __own: &[#float]) -> [#float; #width] {
-                #place
+                #set_inputs
                 #assembly::<#float>::__extend(&self.__starts, self.__at)
             }
         }

@@ -4,9 +4,10 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::docs::doc;
-use crate::emit::evaluator::{self, Version};
+use crate::emit::evaluator;
 use crate::emit::load::Places;
 use crate::emit::outline::{Function, Outline, plain};
+use crate::emit::stages::Version;
 use crate::emit::{assembly_data, attribute, literal, result_module};
 use crate::model::FOLLOWER;
 
@@ -46,8 +47,8 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
 /// The parameters of such a function: the arguments that it takes and the follower does not know.
 fn others<'a>(outline: &Outline, function: &Function<'a>) -> Vec<&'a Ident> {
     let is_input = |name: &Ident| outline.inputs.iter().any(|input| input.name == name);
-    let own = function.arguments.iter().copied();
-    own.filter(|name| !is_input(name)).collect()
+    let names = function.arguments.iter().copied();
+    names.filter(|name| !is_input(name)).collect()
 }
 
 /// The function that such a function calls, by a program for plain scalars.
@@ -56,8 +57,8 @@ pub(super) fn single_of(outline: &Outline, function: &Function, version: Version
     let follower = follower_name(outline);
     let everywhere = &attribute::split(function.attributes).everywhere;
     let places = Places::all(outline);
-    let own = function.arguments.iter().zip(&function.positions);
-    let arguments = own.map(|(name, &position)| match position < outline.inputs.len() {
+    let positions = function.arguments.iter().zip(&function.positions);
+    let arguments = positions.map(|(name, &position)| match position < outline.inputs.len() {
         true => {
             let position = literal::index(position);
             quote!(__place[#position])

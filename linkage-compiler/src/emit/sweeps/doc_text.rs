@@ -20,11 +20,15 @@ pub(super) fn summary(sweep: Sweep) -> &'static str {
 /// The part of the assembly's docs that all its sweeps lead to; nothing if there are none.
 pub(in super::super) fn about(outline: &Outline) -> String {
     let mut functions = outline.functions.iter();
-    let Some(example) = functions.find(|own| !own.arguments.is_empty()) else {
+    let Some(example) = functions.find(|function| !function.arguments.is_empty()) else {
         return String::new();
     };
     let name = plain(example.name);
-    let arguments: Vec<String> = example.arguments.iter().map(|own| plain(own)).collect();
+    let arguments: Vec<String> = example
+        .arguments
+        .iter()
+        .map(|argument| plain(argument))
+        .collect();
     let arguments = arguments.join(", ");
     let row = |sweep: Sweep, given: &str, does: &str| {
         format!("| `{name}{}({given})` | {does} |\n", sweep.word())
@@ -72,7 +76,11 @@ pub(in super::super) fn about(outline: &Outline) -> String {
         );
         text += "\nMany mechanisms are assembled in the modes of this one, and their angles count turns from those of this one. \
                  Where one cannot be assembled at its position, the results are NaN.";
-        if outline.functions.iter().any(|own| !own.states.is_empty()) {
+        if outline
+            .functions
+            .iter()
+            .any(|function| !function.states.is_empty())
+        {
             text += " Coupled groups are followed straight from the dimensions of this one, at the position.";
         }
         text += "\n";

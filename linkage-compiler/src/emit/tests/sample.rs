@@ -275,11 +275,11 @@ fn unit() -> CompiledMechanism {
         unit: "rad".to_owned(),
         is_number: true,
     };
-    let alone = |own: Scalar| Parameter {
-        name: own.name.clone(),
+    let alone = |scalar: Scalar| Parameter {
+        name: scalar.name.clone(),
         documentation: String::new(),
         shape: Shape::Scalar,
-        scalars: vec![own],
+        scalars: vec![scalar],
     };
     CompiledMechanism {
         parameters: vec![

@@ -30,14 +30,14 @@ impl<'a> Show<'a> {
 
     fn course(&self, f: &mut Formatter, course: &'a MotionLaw) -> fmt::Result {
         let knot = |knot: &'a Knot| {
-            let (place, value) = (self.inner(&knot.place), self.inner(&knot.value));
+            let (abscissa, value) = (self.inner(&knot.abscissa), self.inner(&knot.value));
             let slope = knot.slope.as_ref();
             let slope = slope.map_or(String::new(), |slope| format!(", {}", self.inner(slope)));
             let law = knot
                 .law
                 .map_or(String::new(), |law| format!(", {}", law.word()));
             let jump = if knot.may_jump { ", jump" } else { "" };
-            format!("({place}, {value}{slope}{law}{jump})")
+            format!("({abscissa}, {value}{slope}{law}{jump})")
         };
         let name = match course.kind {
             MotionLawKind::Rise | MotionLawKind::Laws => "piecewise",

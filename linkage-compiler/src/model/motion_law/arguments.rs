@@ -48,12 +48,12 @@ pub(in crate::model) fn resolve_argument_and_knots(
     let knots = resolve_knots(operands, sink, word, list);
     let mut knots = knots.filter(|_| !argument.ty.is_error())?;
     let mut along: Vec<&mut Expr> = vec![&mut argument];
-    along.extend(knots.iter_mut().map(|knot| &mut knot.place));
+    along.extend(knots.iter_mut().map(|knot| &mut knot.abscissa));
     let what = format!(
         "the argument of `{}` and the places of its knots",
         word.word()
     );
-    let place = common_scalar(
+    let abscissa = common_scalar(
         &operands.scope.names,
         &operands.scope.units,
         sink,
@@ -71,11 +71,11 @@ pub(in crate::model) fn resolve_argument_and_knots(
         word,
         &what,
     )?;
-    if let Type::Scalar(Dimension { angle: true, .. }) = place {
+    if let Type::Scalar(Dimension { angle: true, .. }) = abscissa {
         let before = sink.diagnostics.len();
         knots
             .iter()
-            .for_each(|knot| refuse_bare_angle(sink, &knot.place, "the place of a knot"));
+            .for_each(|knot| refuse_bare_angle(sink, &knot.abscissa, "the place of a knot"));
         if sink.diagnostics.len() > before {
             return None;
         }
@@ -113,7 +113,7 @@ pub(in crate::model) fn spans_a_turn(knots: &[Knot]) -> bool {
     let (Some(first), Some(last)) = (knots.first(), knots.last()) else {
         return false;
     };
-    let (first, last) = (&first.place, &last.place);
+    let (first, last) = (&first.abscissa, &last.abscissa);
     if !matches!(first.ty, Type::Scalar(dimension) if dimension.angle) {
         return false;
     }

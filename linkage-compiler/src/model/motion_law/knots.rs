@@ -56,7 +56,7 @@ fn resolve_knot(
         [before @ .., last] if named(last).is_some_and(|name| name == JUMP) => (before, true),
         words => (words, false),
     };
-    let place = operands.resolve(sink, &parts[0]);
+    let abscissa = operands.resolve(sink, &parts[0]);
     let value = operands.resolve(sink, &parts[1]);
     let is_slope = |operand: &syntax::Expr| {
         let law = named(operand).and_then(|name| Law::from_word(&name));
@@ -77,13 +77,13 @@ fn resolve_knot(
             return None;
         }
     };
-    let values = [&place, &value].into_iter().chain(&slope);
+    let values = [&abscissa, &value].into_iter().chain(&slope);
     if values.into_iter().any(|value| value.ty.is_error()) {
         return None;
     }
     let origin = sink.add_origin(entry.span);
     Some(Knot {
-        place,
+        abscissa,
         value,
         slope,
         law,

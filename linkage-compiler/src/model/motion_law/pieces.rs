@@ -39,11 +39,11 @@ pub(in crate::model) fn resolve_rise(
         return None;
     }
     let mut knot = |at: f64, law| {
-        let [place, value] =
+        let [abscissa, value] =
             [0; 2].map(|_| make_expr(sink, ExprKind::Number(at), number.clone(), span));
         let origin = sink.add_origin(span);
         Knot {
-            place,
+            abscissa,
             value,
             slope: None,
             law,

@@ -151,8 +151,8 @@ fn fit_slopes(
     knots: &mut [Knot],
     value: &Type,
 ) -> Option<()> {
-    let place = knots[0].place.ty.dimension()?;
-    let wanted = Type::Scalar(value.dimension()?.over(place)?);
+    let abscissa = knots[0].abscissa.ty.dimension()?;
+    let wanted = Type::Scalar(value.dimension()?.over(abscissa)?);
     for slope in knots.iter_mut().filter_map(|knot| knot.slope.as_mut()) {
         *slope = fit_to_type(
             names,

@@ -24,20 +24,20 @@ fn mutate(tokens: TokenStream, pool: &[TokenTree], random: &mut Random) -> Token
     if tokens.is_empty() {
         return tokens.into_iter().collect();
     }
-    let place = random.below(tokens.len());
-    if let TokenTree::Group(group) = &tokens[place]
+    let index = random.below(tokens.len());
+    if let TokenTree::Group(group) = &tokens[index]
         && random.below(8) > 0
     {
         let inner = mutate(group.stream(), pool, random);
-        tokens[place] = TokenTree::Group(Group::new(group.delimiter(), inner));
+        tokens[index] = TokenTree::Group(Group::new(group.delimiter(), inner));
         return tokens.into_iter().collect();
     }
     let other = random.below(tokens.len());
     match random.below(4) {
-        0 => drop(tokens.remove(place)),
-        1 => tokens.insert(place, tokens[place].clone()),
-        2 => tokens.swap(place, other),
-        _ => tokens[place] = pool[random.below(pool.len())].clone(),
+        0 => drop(tokens.remove(index)),
+        1 => tokens.insert(index, tokens[index].clone()),
+        2 => tokens.swap(index, other),
+        _ => tokens[index] = pool[random.below(pool.len())].clone(),
     }
     tokens.into_iter().collect()
 }

@@ -96,7 +96,7 @@ impl<'m> Angles<'m> {
                 }
                 ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) => self.together(&[a, b]),
                 ExprKind::MotionLaw(course) => {
-                    let places = course.knots.iter().map(|knot| &knot.place);
+                    let places = course.knots.iter().map(|knot| &knot.abscissa);
                     let along: Vec<&Expr> =
                         std::iter::once(&*course.argument).chain(places).collect();
                     self.together(&along);

@@ -74,7 +74,7 @@ pub(crate) struct MotionLaw {
 /// A point of a course.
 #[derive(Clone, Debug)]
 pub(crate) struct Knot {
-    pub(crate) place: Expr,
+    pub(crate) abscissa: Expr,
     pub(crate) value: Expr,
     /// The slope there, of a spline.
     pub(crate) slope: Option<Expr>,
@@ -89,7 +89,13 @@ pub(crate) struct Knot {
 impl PartialEq for Knot {
     fn eq(&self, other: &Self) -> bool {
         let words = |knot: &Self| (knot.law, knot.may_jump);
-        let numbers = |knot: &Self| (knot.place.clone(), knot.value.clone(), knot.slope.clone());
+        let numbers = |knot: &Self| {
+            (
+                knot.abscissa.clone(),
+                knot.value.clone(),
+                knot.slope.clone(),
+            )
+        };
         numbers(self) == numbers(other) && words(self) == words(other)
     }
 }
@@ -197,8 +203,11 @@ impl MotionLaw {
         let angle = self
             .knots
             .iter()
-            .find(|knot| matches!(knot.place.ty, Type::Scalar(knot) if knot.angle));
-        angle.map_or(&*self.argument, |knot| &knot.place).ty.clone()
+            .find(|knot| matches!(knot.abscissa.ty, Type::Scalar(knot) if knot.angle));
+        angle
+            .map_or(&*self.argument, |knot| &knot.abscissa)
+            .ty
+            .clone()
     }
 
     /// Returns the type of its values, without derivatives.
@@ -217,7 +226,7 @@ impl MotionLaw {
         origin: impl Fn(OriginId) -> OriginId,
     ) -> Self {
         let knot = |old: &Knot| Knot {
-            place: expression(&old.place),
+            abscissa: expression(&old.abscissa),
             value: expression(&old.value),
             slope: old.slope.as_ref().map(&expression),
             origin: origin(old.origin),
@@ -235,7 +244,7 @@ impl MotionLaw {
         let mut operands = vec![&*self.argument];
         let knots = self.knots.iter();
         operands.extend(
-            knots.flat_map(|knot| [&knot.place, &knot.value].into_iter().chain(&knot.slope)),
+            knots.flat_map(|knot| [&knot.abscissa, &knot.value].into_iter().chain(&knot.slope)),
         );
         operands
     }

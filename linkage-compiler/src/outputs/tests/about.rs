@@ -3,7 +3,7 @@
 use crate::check;
 
 /// The words for each quantity of a function.
-fn told(items: &str, function: &str) -> Vec<String> {
+fn descriptions(items: &str, function: &str) -> Vec<String> {
     let text = format!("pub struct M {{ {items} }} impl M {{ pub fn f{function} }}");
     let checked = check(text.parse().expect("tokens"));
     let unit = checked.unit.expect("a mechanism without a mistake");
@@ -18,7 +18,7 @@ const CRANK: &str = "unit mm; param l = 40mm; param lift = 25deg; input phi = 40
 
 #[test]
 fn derivatives_say_of_what_by_what_and_in_which_unit() {
-    let told = told(
+    let descriptions = descriptions(
         CRANK,
         "(phi) -> F {
             p, x: p.x, twice: 2 * p.x - l, n: p.x / l,
@@ -48,14 +48,14 @@ fn derivatives_say_of_what_by_what_and_in_which_unit() {
         "left: `-p.x`, in mm",
         "length: `d(p.x, l) * l`, in mm",
     ];
-    assert_eq!(told, expected);
+    assert_eq!(descriptions, expected);
 }
 
 #[test]
 fn arrays_say_what_their_entries_are() {
     let items = "unit mm; param a = 1mm; param b = 2mm; param c = 3mm; param d = 4mm; param e = 5mm; param f = 6mm;
         input phi = 40deg; input s = 10mm; let p = polar(s + a + b + c + d + e + f, phi);";
-    let told = told(
+    let descriptions = descriptions(
         items,
         "(phi, s) -> F { v: velocity(p), a: acceleration(p.x), s: sensitivity(p, [a, b, c]), t: sensitivity(p, [a, b, c, d, e]) }",
     );
@@ -65,5 +65,5 @@ fn arrays_say_what_their_entries_are() {
         "s: derivatives of `p` by `a`, `b` and `c`, in mm/mm",
         "t: derivatives of `p` by 5 of `PARAMETERS`, in mm/mm",
     ];
-    assert_eq!(told, expected);
+    assert_eq!(descriptions, expected);
 }

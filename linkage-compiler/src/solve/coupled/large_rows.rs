@@ -66,7 +66,7 @@ fn pivot_order<'m>(
     group: &GroupContext<'_, 'm>,
     matrix: &[Vec<Ex<'m>>],
 ) -> Order {
-    let values = nominal::at_estimates(algebra, group.nominal, &matrix.concat());
+    let values = nominal::at_estimates(&algebra.names, group.nominal, &matrix.concat());
     let values: Vec<Vec<f64>> = values.chunks(matrix.len()).map(<[_]>::to_vec).collect();
     let zero: Vec<Vec<bool>> = matrix
         .iter()

@@ -2,7 +2,7 @@
 
 use linkage_symbolic::numerically_equal;
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::structure::coupled::group::Private;
 use crate::structure::equations::{Coordinate, CoordinateKind};
 use crate::structure::polynomials::Polynomials;
@@ -12,7 +12,7 @@ use crate::structure::{equations, polynomials};
 /// one). Loops whose known parts are the same, and a loop without any, close a contour that leaves
 /// the frame out; every other loop adds a place where the group is attached.
 pub(crate) fn class_and_order<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     polynomials: &[Polynomials<'m>],
     coordinates: &[Coordinate],
 ) -> (u8, u8, usize) {
@@ -27,7 +27,7 @@ pub(crate) fn class_and_order<'m>(
         let with_others = polynomials[..index].iter().map(Some);
         let contour = alone
             .chain(with_others)
-            .find_map(|b| contour(algebra, a, b, coordinates));
+            .find_map(|b| contour(names, a, b, coordinates));
         if let Some(length) = contour {
             contours += 1;
             longest = longest.max(length);
@@ -41,7 +41,7 @@ pub(crate) fn class_and_order<'m>(
 /// The number of unknowns in a vector loop, or in the sum or difference of two, if the known parts
 /// cancel.
 fn contour<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     a: &Polynomials<'m>,
     b: Option<&Polynomials<'m>>,
     coordinates: &[Coordinate],
@@ -53,7 +53,7 @@ fn contour<'m>(
     [1.0, -1.0].into_iter().find_map(|sign| {
         let cancels = |monomial: &[u8]| {
             (0..2).all(|row| {
-                let zero = algebra.zero();
+                let zero = names.zero();
                 let of = |p: &Polynomials<'m>| p.rows[row].get(monomial).copied().unwrap_or(zero);
                 let (x, y) = (of(a), b.map_or(zero, of));
                 let y = if sign < 0.0 { -y } else { y };
@@ -72,8 +72,8 @@ fn contour<'m>(
             }
         }
         let in_contour = |k: &usize| {
-            let first = polynomials::first_symbol(algebra, coordinates, *k);
-            let width = equations::symbols(algebra, &coordinates[*k]).len();
+            let first = polynomials::first_symbol(names, coordinates, *k);
+            let width = equations::symbols(names, &coordinates[*k]).len();
             left.iter()
                 .any(|m| m[first..first + width].iter().any(|&e| e > 0))
         };
@@ -83,7 +83,7 @@ fn contour<'m>(
 
 /// The legs of a triad by their joints, the outer one first.
 pub(crate) fn kind_of_group<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     private: &[Option<(Private<'m>, usize)>],
     polynomials: &[Polynomials<'m>],
     coordinates: &[Coordinate],
@@ -101,12 +101,12 @@ pub(crate) fn kind_of_group<'m>(
         return general();
     };
     let mut legs: Vec<&str> = [first, second]
-        .map(|(p, _)| leg(algebra, p, coordinates))
+        .map(|(p, _)| leg(names, p, coordinates))
         .into();
     let together = |monomial: &Vec<u8>| {
         [a, b].into_iter().all(|k| {
-            let first = polynomials::first_symbol(algebra, coordinates, *k);
-            let width = equations::symbols(algebra, &coordinates[*k]).len();
+            let first = polynomials::first_symbol(names, coordinates, *k);
+            let width = equations::symbols(names, &coordinates[*k]).len();
             monomial[first..first + width].iter().any(|&e| e > 0)
         })
     };
@@ -130,19 +130,12 @@ pub(crate) fn kind_of_group<'m>(
     legs.join("-")
 }
 
-fn leg<'m>(
-    algebra: &Algebra<'m>,
-    private: &Private<'m>,
-    coordinates: &[Coordinate],
-) -> &'static str {
+fn leg<'m>(names: &Names<'m>, private: &Private<'m>, coordinates: &[Coordinate]) -> &'static str {
     match private {
         Private::Rotor(_) => "RR",
         Private::Slide { guide, .. } => {
-            let turns = |c: &Coordinate| {
-                guide
-                    .components()
-                    .any(|g| equations::contains(algebra, g, c))
-            };
+            let turns =
+                |c: &Coordinate| guide.components().any(|g| equations::contains(names, g, c));
             if coordinates.iter().any(turns) {
                 "RP"
             } else {

@@ -4,9 +4,9 @@
 //! known, and one equation without it: a link keeps its length, or a point stays on its guide. The
 //! rest are the *core* unknowns, two for a triad, whatever its joints.
 
-use linkage_symbolic::{Ex, SymbolId, Vector, substitute};
+use linkage_symbolic::{Ex, Graph, SymbolId, Vector, substitute};
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::structure::coupled::group::{Block, Coupled, Private, Product};
 use crate::structure::coupled::{class, core_unknowns, scalar_product};
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
@@ -28,29 +28,29 @@ struct CoordinateInLoop<'p, 'm> {
 
 /// The form of loops that remain coupled, if they are polynomials in their unknowns.
 pub(crate) fn classify_coupled<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<Form<'m>> {
     let polynomials = equations
         .iter()
-        .map(|equation| polynomials::polynomials(algebra, &equation.rows, coordinates))
+        .map(|equation| polynomials::polynomials(names, &equation.rows, coordinates))
         .collect::<Option<Vec<_>>>()?;
     let values_free = coordinates.iter().enumerate().all(|(k, coordinate)| {
-        let first = polynomials::first_symbol(algebra, coordinates, k);
+        let first = polynomials::first_symbol(names, coordinates, k);
         !matches!(coordinate.kind, CoordinateKind::Angle(_))
             || polynomials.iter().all(|p| !p.mention(first + 2))
     });
     if !values_free {
         return None;
     }
-    let (private, core) = private_and_core(algebra, &polynomials, coordinates);
+    let (private, core) = private_and_core(names, &polynomials, coordinates);
     if core.len() > MOST_CORE {
         return None;
     }
-    let (class, order, contour) = class::class_and_order(algebra, &polynomials, coordinates);
+    let (class, order, contour) = class::class_and_order(names, &polynomials, coordinates);
     let mut kind = class::kind_of_group(
-        algebra,
+        names,
         &private,
         &polynomials,
         coordinates,
@@ -72,12 +72,12 @@ pub(crate) fn classify_coupled<'m>(
     let blocks = equations.iter().zip(&polynomials).zip(private);
     let blocks = blocks.map(|((equation, polynomials), private)| {
         let private = private.map(|(private, _)| private);
-        block(algebra, equation, polynomials, private, coordinates)
+        block(names, equation, polynomials, private, coordinates)
     });
     let blocks = blocks.collect();
     let core = core
         .into_iter()
-        .map(|k| core_unknowns::core_unknown(algebra, &coordinates[k]))
+        .map(|k| core_unknowns::core_unknown(names.mechanism, &coordinates[k]))
         .collect();
     Some(Form::Coupled(Box::new(Coupled {
         kind,
@@ -91,22 +91,22 @@ pub(crate) fn classify_coupled<'m>(
 /// The unknowns that one loop alone contains, by loop with their coordinate, and the coordinates
 /// that remain.
 pub(crate) fn private_and_core<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     polynomials: &[Polynomials<'m>],
     coordinates: &[Coordinate],
 ) -> (Vec<Option<(Private<'m>, usize)>>, Vec<usize>) {
     let mut privates = vec![None; polynomials.len()];
     let mut core = Vec::new();
     for (k, coordinate) in coordinates.iter().enumerate() {
-        let first = polynomials::first_symbol(algebra, coordinates, k);
-        let width = equations::symbols(algebra, coordinate).len();
+        let first = polynomials::first_symbol(names, coordinates, k);
+        let width = equations::symbols(names, coordinate).len();
         let with: Vec<usize> = (0..polynomials.len())
             .filter(|&e| (first..first + width).any(|s| polynomials[e].mention(s)))
             .collect();
         if let [only] = with[..]
             && privates[only].is_none()
             && let Some(found) = private_unknown(
-                algebra,
+                names,
                 CoordinateInLoop {
                     polynomials: &polynomials[only],
                     first,
@@ -123,10 +123,7 @@ pub(crate) fn private_and_core<'m>(
 }
 
 /// A coordinate as the private unknown of a loop, if the loop can be solved for it.
-fn private_unknown<'m>(
-    algebra: &Algebra<'m>,
-    place: CoordinateInLoop<'_, 'm>,
-) -> Option<Private<'m>> {
+fn private_unknown<'m>(names: &Names<'m>, place: CoordinateInLoop<'_, 'm>) -> Option<Private<'m>> {
     let CoordinateInLoop {
         polynomials,
         first,
@@ -138,12 +135,12 @@ fn private_unknown<'m>(
     match coordinate.kind {
         CoordinateKind::Angle(angle) => {
             let mut rest = polynomials.clone();
-            let rotor = polynomials::take_rotor(algebra, &mut rest, angle, &[])?;
+            let rotor = polynomials::take_rotor(names, &mut rest, angle, &[])?;
             let gone = !rest.mention(first) && !rest.mention(first + 1);
             (gone && !rotor.z.is_zero()).then_some(Private::Rotor(rotor))
         }
         CoordinateKind::Length(slide) => {
-            let mut guide = Vector([algebra.zero(); 2]);
+            let mut guide = Vector([names.zero(); 2]);
             for (row, sum) in polynomials.rows.iter().zip(&mut guide.0) {
                 for (monomial, &coefficient) in row {
                     match monomial[first] {
@@ -153,7 +150,7 @@ fn private_unknown<'m>(
                     }
                     let mut others = monomial.clone();
                     others[first] = 0;
-                    let factor = product_of_powers(algebra, polynomials.powers(&others));
+                    let factor = product_of_powers(names.graph, polynomials.powers(&others));
                     *sum += coefficient * factor;
                 }
             }
@@ -162,9 +159,8 @@ fn private_unknown<'m>(
     }
 }
 
-fn product_of_powers<'m>(algebra: &Algebra<'m>, powers: Vec<(SymbolId, u8)>) -> Ex<'m> {
-    let graph = algebra.graph;
-    let mut product = algebra.one();
+fn product_of_powers<'m>(graph: &'m Graph, powers: Vec<(SymbolId, u8)>) -> Ex<'m> {
+    let mut product = graph.number(1.0);
     for (symbol, power) in powers {
         for _ in 0..power {
             let factor = graph.ex(graph.symbol_node(symbol));
@@ -175,13 +171,13 @@ fn product_of_powers<'m>(algebra: &Algebra<'m>, powers: Vec<(SymbolId, u8)>) -> 
 }
 
 fn block<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     equation: &Equation<'m>,
     polynomials: &Polynomials<'m>,
     private: Option<Private<'m>>,
     coordinates: &[Coordinate],
 ) -> Block<'m> {
-    let zero = algebra.zero();
+    let zero = names.zero();
     let mut monomials: Vec<_> = polynomials.rows.iter().flat_map(|row| row.keys()).collect();
     monomials.sort();
     monomials.dedup();
@@ -195,14 +191,14 @@ fn block<'m>(
     });
     let symbols: Vec<SymbolId> = match &private {
         Some(Private::Rotor(rotor)) => {
-            let angle = &algebra.names.angles[rotor.angle];
+            let angle = &names.angles[rotor.angle];
             vec![angle.cos, angle.sin]
         }
         Some(Private::Slide { slide, .. }) => vec![*slide],
         None => Vec::new(),
     };
     let product = match equation.rows[..] {
-        [row] => scalar_product::scalar_product(algebra, row, coordinates),
+        [row] => scalar_product::scalar_product(names, row, coordinates),
         _ => None,
     };
     let removed = symbols.into_iter().map(|symbol| (symbol, zero)).collect();
@@ -213,6 +209,6 @@ fn block<'m>(
         private,
         distance: equation.distance.clone(),
         product,
-        number: core_unknowns::is_number_loop(algebra, equation.written),
+        number: core_unknowns::is_number_loop(names.mechanism, equation.written),
     }
 }

@@ -1,12 +1,11 @@
 //! The unknowns of a core: angles, lengths and numbers, and the lengths that are a point together.
 
-use crate::algebra::context::Algebra;
-use crate::model::{Dimension, Type};
+use crate::model::{Dimension, Mechanism, Type};
 use crate::structure::coupled::group::Core;
 use crate::structure::equations::{Coordinate, CoordinateKind};
 
 pub(crate) fn core_unknown(
-    algebra: &Algebra<'_>,
+    mechanism: &Mechanism,
     coordinate: &Coordinate,
 ) -> (Core, Option<usize>) {
     match coordinate.kind {
@@ -16,7 +15,7 @@ pub(crate) fn core_unknown(
                 symbol,
                 number: coordinate
                     .unknown
-                    .is_some_and(|k| is_number_unknown(algebra, k)),
+                    .is_some_and(|k| is_number_unknown(mechanism, k)),
                 component: None,
             },
             coordinate.unknown,
@@ -25,13 +24,13 @@ pub(crate) fn core_unknown(
 }
 
 /// True for an unknown without a length in it.
-fn is_number_unknown(algebra: &Algebra<'_>, unknown: usize) -> bool {
-    is_number(algebra.mechanism.unknowns[unknown].ty.dimension())
+fn is_number_unknown(mechanism: &Mechanism, unknown: usize) -> bool {
+    is_number(mechanism.unknowns[unknown].ty.dimension())
 }
 
 /// True for a loop without a length in it.
-pub(crate) fn is_number_loop(algebra: &Algebra<'_>, index: usize) -> bool {
-    let equation = &algebra.mechanism.loops[index];
+pub(crate) fn is_number_loop(mechanism: &Mechanism, index: usize) -> bool {
+    let equation = &mechanism.loops[index];
     let dimensions = [&equation.left.ty, &equation.right.ty].map(Type::dimension);
     is_number(dimensions.into_iter().flatten().next())
 }

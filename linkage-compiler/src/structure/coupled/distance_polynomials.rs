@@ -2,7 +2,7 @@
 
 use linkage_symbolic::{Ex, V3};
 
-use crate::algebra::context::Algebra;
+use crate::algebra::names::Names;
 use crate::structure::elements::SpaceLink;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::structure::{distance, polynomials};
@@ -11,7 +11,7 @@ use crate::structure::{distance, polynomials};
 /// point, their difference is taken: it is of the first degree in that point, which leaves fewer
 /// solutions at infinity.
 pub(crate) fn with_squared_distances<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Vec<Equation<'m>> {
@@ -19,7 +19,7 @@ pub(crate) fn with_squared_distances<'m>(
     let mut links: Vec<SpaceLink<'m>> = Vec::new();
     for equation in &mut squared {
         let &[row] = &equation.rows[..] else { continue };
-        let Some((vector, length)) = distance::space_distance(algebra, row, coordinates) else {
+        let Some((vector, length)) = distance::space_distance(names, row, coordinates) else {
             continue;
         };
         let mut link = SpaceLink {
@@ -29,7 +29,7 @@ pub(crate) fn with_squared_distances<'m>(
         };
         let partner = links
             .iter()
-            .find_map(|other| Some((apart(algebra, &link, other, coordinates)?, other)));
+            .find_map(|other| Some((apart(names, &link, other, coordinates)?, other)));
         let row = match partner {
             Some(([apart, sum], other)) => {
                 link.less = Some(Box::new(other.clone()));
@@ -47,18 +47,18 @@ pub(crate) fn with_squared_distances<'m>(
 /// Difference and sum of two links' vectors (one of them reversed if need be), if the difference is
 /// free of a length that the first vector contains.
 fn apart<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     link: &SpaceLink<'m>,
     other: &SpaceLink<'m>,
     coordinates: &[Coordinate],
 ) -> Option<[V3<'m>; 2]> {
-    let contained = lengths_in(algebra, link.vector, coordinates)?;
+    let contained = lengths_in(names, link.vector, coordinates)?;
     let sum = link.vector + other.vector;
     let difference = link.vector - other.vector;
     [[difference, sum], [sum, difference]]
         .into_iter()
         .find(|[apart, _]| {
-            let left = lengths_in(algebra, *apart, coordinates);
+            let left = lengths_in(names, *apart, coordinates);
             left.is_some_and(|left| {
                 left.len() < contained.len() && left.iter().all(|k| contained.contains(k))
             })
@@ -67,15 +67,15 @@ fn apart<'m>(
 
 /// The unknown lengths that a vector contains.
 fn lengths_in<'m>(
-    algebra: &Algebra<'m>,
+    names: &Names<'m>,
     vector: V3<'m>,
     coordinates: &[Coordinate],
 ) -> Option<Vec<usize>> {
-    let polynomials = polynomials::polynomials(algebra, &vector.0, coordinates)?;
+    let polynomials = polynomials::polynomials(names, &vector.0, coordinates)?;
     let is_length = |k: &usize| matches!(coordinates[*k].kind, CoordinateKind::Length(_));
     let contained = (0..coordinates.len())
         .filter(is_length)
-        .filter(|&k| polynomials.mention(polynomials::first_symbol(algebra, coordinates, k)));
+        .filter(|&k| polynomials.mention(polynomials::first_symbol(names, coordinates, k)));
     Some(contained.collect())
 }
 

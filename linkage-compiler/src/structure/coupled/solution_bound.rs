@@ -4,7 +4,7 @@ use std::fmt;
 
 use linkage_symbolic::SymbolId;
 
-use crate::algebra::{Algebra, Names};
+use crate::algebra::Names;
 use crate::model::{Expr, ExprKind, Function, Mechanism, Name, unknown_frames};
 use crate::structure::coupled::group::{Block, Core, Coupled};
 use crate::structure::form::Form;
@@ -41,12 +41,12 @@ impl fmt::Display for SolutionBound {
 
 impl SolutionBound {
     /// Returns a bound on the number of isolated complex solutions of a coupled group.
-    pub(crate) fn of_group(algebra: &Algebra, group: &Group) -> Self {
+    pub(crate) fn of_group(names: &Names, group: &Group) -> Self {
         let by_degrees = match &group.form {
-            Form::Coupled(coupled) => coupled.bezout(&algebra.names),
+            Form::Coupled(coupled) => coupled.bezout(names),
             _ => u64::MAX,
         };
-        if is_body_on_distances(algebra.mechanism, group) && OF_A_BODY < by_degrees {
+        if is_body_on_distances(names.mechanism, group) && OF_A_BODY < by_degrees {
             Self::BodyOnDistances
         } else {
             Self::ByDegrees(by_degrees)

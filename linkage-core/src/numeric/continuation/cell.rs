@@ -52,12 +52,12 @@ impl Frame {
     }
 
     /// The input at a place.
-    pub(super) fn x(&self, place: f64) -> f64 {
-        self.middle + place * self.length
+    pub(super) fn x(&self, position: f64) -> f64 {
+        self.middle + position * self.length
     }
 
     /// The place of an input; 0 in a range without length.
-    pub(super) fn place(&self, x: f64) -> f64 {
+    pub(super) fn position(&self, x: f64) -> f64 {
         if self.length > 0.0 {
             (x - self.middle) / self.length
         } else {
@@ -96,17 +96,17 @@ impl Cell {
     }
 
     /// The state at a place.
-    pub(super) fn state(&self, place: f64, state: &mut [f64]) {
-        evaluate(&self.coefficients, self.t(place), state);
+    pub(super) fn state(&self, position: f64, state: &mut [f64]) {
+        evaluate(&self.coefficients, self.t(position), state);
     }
 
     /// A place as the polynomials see it: from -1 to 1 in this cell.
-    pub(super) fn t(&self, place: f64) -> f64 {
-        (place - self.centre) * self.inverse
+    pub(super) fn t(&self, position: f64) -> f64 {
+        (position - self.centre) * self.inverse
     }
 
     /// The place of `t`.
-    pub(super) fn place(&self, t: f64) -> f64 {
+    pub(super) fn position(&self, t: f64) -> f64 {
         self.centre + t / self.inverse
     }
 }
@@ -164,7 +164,7 @@ fn at_nodes(
 ) -> Option<Vec<f64>> {
     let mut values = vec![0.0; TERMS * width];
     let mut settle = |node: usize, values: &mut [f64]| {
-        let x = frame.x(cell.place(NODES[node]));
+        let x = frame.x(cell.position(NODES[node]));
         let determinant = follower.settle(&[x], &mut values[node * width..][..width])?;
         determinants.include(determinant);
         Some(())
@@ -172,14 +172,14 @@ fn at_nodes(
     match guess {
         Guess::Cell(neighbour) => {
             for node in 0..TERMS {
-                let place = cell.place(NODES[node]);
-                neighbour.state(place, &mut values[node * width..][..width]);
+                let position = cell.position(NODES[node]);
+                neighbour.state(position, &mut values[node * width..][..width]);
                 settle(node, &mut values)?;
             }
         }
-        Guess::State(place, state) => {
+        Guess::State(position, state) => {
             // Outward from the known solution, each node from the one before.
-            let above = NODES.partition_point(|&node| cell.place(node) < place);
+            let above = NODES.partition_point(|&node| cell.position(node) < position);
             for (index, node) in (above..TERMS).enumerate() {
                 let from = index.checked_sub(1).map(|_| (node - 1) * width);
                 start(&mut values, node * width, from, state);
@@ -215,7 +215,7 @@ fn check(
     let (mut second, mut noise, mut size) = (0.0_f64, 0.0_f64, 1.0_f64);
     for t in CHECKS {
         evaluate(&cell.coefficients, t, &mut state);
-        let x = [frame.x(cell.place(t))];
+        let x = [frame.x(cell.position(t))];
         let first = follower.correct(&x, &mut state)?;
         cell.error = cell.error.max(first.size);
         if first.size > ERROR {

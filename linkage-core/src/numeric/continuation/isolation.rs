@@ -75,11 +75,11 @@ impl Ball {
 impl Equations<'_> {
     fn values(&mut self, state: &[Enclosure]) -> Vec<Enclosure> {
         let mut all = self.residuals.residuals(self.x, state);
-        let mut place = 0;
+        let mut index = 0;
         for variable in self.variables {
-            place += match variable {
+            index += match variable {
                 Variable::Unit => {
-                    let [cos, sin] = [state[place], state[place + 1]];
+                    let [cos, sin] = [state[index], state[index + 1]];
                     all.push(cos * cos + sin * sin - Enclosure::between(1.0, 1.0));
                     2
                 }

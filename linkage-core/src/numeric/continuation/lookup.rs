@@ -33,8 +33,8 @@ struct Fixed<const S: usize> {
 impl<const S: usize> Fixed<S> {
     /// A place as the polynomials see it.
     #[inline(always)]
-    fn t(&self, place: f64) -> f64 {
-        (place - self.centre) * self.inverse
+    fn t(&self, position: f64) -> f64 {
+        (position - self.centre) * self.inverse
     }
 }
 
@@ -105,7 +105,7 @@ impl<const S: usize> Lookup<S> {
     /// with it. The state does not wait for that.
     #[must_use]
     #[inline(always)]
-    pub fn at(&self, x: f64) -> ([f64; S], f64) {
+    pub fn state_at(&self, x: f64) -> ([f64; S], f64) {
         self.at_with::<{ FUSED }>(x)
     }
 
@@ -113,9 +113,9 @@ impl<const S: usize> Lookup<S> {
     #[must_use]
     #[inline(always)]
     pub fn at_with<const FUSED: bool>(&self, x: f64) -> ([f64; S], f64) {
-        let (place, slot) = self.scale.find(x);
+        let (position, slot) = self.scale.find(x);
         let cell = self.cell(slot);
-        let t = cell.t(place);
+        let t = cell.t(position);
         let state = polynomials::<FUSED, S>(&cell.coefficients, t);
         (state, cell.floor + guard(t, OUTSIDE))
     }

@@ -46,14 +46,14 @@ impl Scale {
     pub(super) fn find(&self, x: f64) -> (f64, usize) {
         let from_middle = x - self.frame.middle;
         let turns = (from_middle * self.turns + ROUND) - ROUND;
-        let place = from_middle * self.rate - turns;
+        let position = from_middle * self.rate - turns;
         // A maximum and a minimum are instructions; a choice between integers may become a branch.
         // NaN becomes 0.
-        let slot = place * self.slots + 0.5 * self.slots;
+        let slot = position * self.slots + 0.5 * self.slots;
         let slot = select_unpredictable(slot > 0.0, slot, 0.0);
         let slot = select_unpredictable(slot < self.last, slot, self.last);
         let fixed = (slot + POINT).to_bits() - POINT.to_bits();
-        (place, (fixed >> FRACTION) as usize)
+        (position, (fixed >> FRACTION) as usize)
     }
 
     /// Returns the number of slots.
@@ -66,9 +66,9 @@ impl Scale {
     /// inside the range.
     #[inline(always)]
     pub(super) fn cell(&self, x: f64) -> (usize, f64) {
-        let (place, slot) = self.find(x);
+        let (position, slot) = self.find(x);
         let centre = slot as f64 + 0.5 - 0.5 * self.slots;
-        (slot, place * self.slots - centre)
+        (slot, position * self.slots - centre)
     }
 
     /// The input at the centre of a slot.

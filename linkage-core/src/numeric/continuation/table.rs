@@ -123,10 +123,10 @@ impl Table {
             "a state has {} numbers",
             self.width
         );
-        let (place, slot) = self.scale.find(x);
+        let (position, slot) = self.scale.find(x);
         let cell = &self.cells[usize::from(self.index[slot])];
-        let guard = guard(cell.t(place), OUTSIDE);
-        cell.state(place, state);
+        let guard = guard(cell.t(position), OUTSIDE);
+        cell.state(position, state);
         state.iter_mut().for_each(|number| *number += guard);
         cell.floor + guard
     }
@@ -142,9 +142,9 @@ impl Table {
     pub fn look_up<const FUSED: bool>(&self, x: f64, state: &mut [f64]) -> f64 {
         let width = self.width;
         assert!(state.len() == width, "a state has {width} numbers");
-        let (place, slot) = self.scale.find(x);
+        let (position, slot) = self.scale.find(x);
         let cell = &self.cells[usize::from(self.index[slot])];
-        let (t, c) = (cell.t(place), &cell.coefficients);
+        let (t, c) = (cell.t(position), &cell.coefficients);
         for (index, number) in state.iter_mut().enumerate() {
             *number = by_pairs::<FUSED>(|power| c[power * width + index], t);
         }

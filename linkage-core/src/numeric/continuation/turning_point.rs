@@ -26,7 +26,7 @@ const AGREEMENT: (f64, f64) = (1e-13, 1e-10);
 /// A position near the turning point.
 struct Point {
     determinant: f64,
-    place: f64,
+    position: f64,
     state: Vec<f64>,
 }
 
@@ -41,8 +41,8 @@ pub(super) fn locate(
     reach: f64,
 ) -> Option<f64> {
     let mut points = begin(follower, frame, cell, width, side)?;
-    let end = points[POINTS - 1].place;
-    let mut estimate = at_determinant(&points, 0.0, |point| point.place);
+    let end = points[POINTS - 1].position;
+    let mut estimate = at_determinant(&points, 0.0, |point| point.position);
     let mut agreement = f64::INFINITY;
     for _ in 0..APPROACHES {
         let Some(next) = SHARES
@@ -53,7 +53,7 @@ pub(super) fn locate(
         };
         points.rotate_left(1);
         points[POINTS - 1] = next;
-        let better = at_determinant(&points, 0.0, |point| point.place);
+        let better = at_determinant(&points, 0.0, |point| point.position);
         agreement = (better - estimate).abs();
         estimate = better;
         if agreement <= AGREEMENT.0 {
@@ -74,13 +74,13 @@ fn begin(
     side: f64,
 ) -> Option<[Point; POINTS]> {
     let mut point = |t: f64| {
-        let place = cell.place(t * side);
+        let position = cell.position(t * side);
         let mut state = vec![0.0; width];
-        cell.state(place, &mut state);
-        let determinant = settle(follower, &[frame.x(place)], &mut state)?;
+        cell.state(position, &mut state);
+        let determinant = settle(follower, &[frame.x(position)], &mut state)?;
         Some(Point {
             determinant,
-            place,
+            position,
             state,
         })
     };
@@ -96,16 +96,16 @@ fn approach(
 ) -> Option<Point> {
     let last = &points[POINTS - 1];
     let target = share * last.determinant;
-    let place = at_determinant(points, target, |point| point.place);
+    let position = at_determinant(points, target, |point| point.position);
     let mut state = vec![0.0; last.state.len()];
     for (index, number) in state.iter_mut().enumerate() {
         *number = at_determinant(points, target, |point| point.state[index]);
     }
-    let determinant = settle(follower, &[frame.x(place)], &mut state)?;
+    let determinant = settle(follower, &[frame.x(position)], &mut state)?;
     let nearer = determinant.abs() < NEARER * last.determinant.abs();
     nearer.then_some(Point {
         determinant,
-        place,
+        position,
         state,
     })
 }

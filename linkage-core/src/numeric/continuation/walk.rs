@@ -41,8 +41,8 @@ pub(super) struct Walk<'f, 'c> {
 impl Walk<'_, '_> {
     /// The cell around a known solution. The range may be an angle.
     pub(super) fn first(&mut self, x: f64, state: &[f64], turn: bool) -> Result<Piece, Refusal> {
-        let place = self.frame.place(x);
-        let unit = ((place + 0.5) * f64::from(FULL)) as u32;
+        let position = self.frame.position(x);
+        let unit = ((position + 0.5) * f64::from(FULL)) as u32;
         let share = if turn && self.frame.length > core::f64::consts::TAU {
             FIRST * core::f64::consts::TAU / self.frame.length
         } else {
@@ -54,7 +54,7 @@ impl Walk<'_, '_> {
         }
         while size > 0 {
             let first = unit.min(FULL - 1) / size * size;
-            if let Some(piece) = self.piece(first, size, Guess::State(place, state)) {
+            if let Some(piece) = self.piece(first, size, Guess::State(position, state)) {
                 return Ok(piece);
             }
             size /= 2;
@@ -73,7 +73,7 @@ impl Walk<'_, '_> {
             } else {
                 last.first
             };
-            let end = self.frame.x(last.cell.place(side));
+            let end = self.frame.x(last.cell.position(side));
             if edge == if side > 0.0 { FULL } else { 0 } {
                 return (pieces, End::Range(self.frame.end(side)));
             }
@@ -85,7 +85,8 @@ impl Walk<'_, '_> {
                 None => {
                     let turning = self.turning(&last.cell, side);
                     let lost = End::Lost(end);
-                    let end = turning.map_or(lost, |place| End::TurningPoint(self.frame.x(place)));
+                    let end =
+                        turning.map_or(lost, |position| End::TurningPoint(self.frame.x(position)));
                     return (pieces, end);
                 }
             }

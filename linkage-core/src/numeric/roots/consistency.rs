@@ -20,8 +20,8 @@ fn lost<const N: usize>(traces: &[Trace<N>]) -> usize {
 fn meetings<const N: usize>(traces: &[Trace<N>]) -> usize {
     const NEAR: f64 = 1e-5;
     let waypoints = traces.iter().map(|trace| {
-        let (place, pivot) = trace.waypoint;
-        (place, (0.1 * pivot).min(NEAR))
+        let (point, pivot) = trace.waypoint;
+        (point, (0.1 * pivot).min(NEAR))
     });
     count_equal(waypoints.collect(), NEAR)
 }
@@ -29,7 +29,7 @@ fn meetings<const N: usize>(traces: &[Trace<N>]) -> usize {
 /// Number of isolated solutions that have been found before.
 fn duplicates<const N: usize>(roots: &[Root<N>]) -> usize {
     const LONGEST: f64 = 0.1;
-    let places = roots.iter().map(|root| (root.place, root.reach));
+    let places = roots.iter().map(|root| (root.point, root.reach));
     count_equal(places.collect(), LONGEST)
 }
 
@@ -38,15 +38,15 @@ fn duplicates<const N: usize>(roots: &[Root<N>]) -> usize {
 fn count_equal<const N: usize>(mut places: Vec<(ProjectivePoint<N>, f64)>, largest: f64) -> usize {
     places.sort_by(|a, b| a.0.key().total_cmp(&b.0.key()));
     let mut equal = 0;
-    for (index, (place, radius)) in places.iter().enumerate() {
-        let key = place.key();
+    for (index, (point, radius)) in places.iter().enumerate() {
+        let key = point.key();
         let near = places[index + 1..]
             .iter()
             .take_while(|(other, _)| other.key() - key <= largest);
         equal += near
             .filter(|(other, other_radius)| {
                 let radius = radius.min(*other_radius);
-                place.distance(other) < radius * radius
+                point.distance(other) < radius * radius
             })
             .count();
     }
@@ -61,13 +61,13 @@ pub(super) fn lose_single<const N: usize>(traces: &mut [Trace<N>]) {
         .iter()
         .enumerate()
         .filter_map(|(index, trace)| match trace.end {
-            PathEnd::Multiple(place) => Some((index, place)),
+            PathEnd::Multiple(point) => Some((index, point)),
             _ => None,
         });
     let multiple: Vec<(usize, ProjectivePoint<N>)> = multiple.collect();
-    for (index, place) in &multiple {
+    for (index, point) in &multiple {
         let mut others = multiple.iter().filter(|(other, _)| other != index);
-        if others.all(|(_, other)| place.distance(other) >= NEAR * NEAR) {
+        if others.all(|(_, other)| point.distance(other) >= NEAR * NEAR) {
             traces[*index].end = PathEnd::Lost;
         }
     }

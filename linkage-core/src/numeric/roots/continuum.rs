@@ -17,15 +17,15 @@ const SINGULAR: f64 = 1e-6;
 /// is singular, the equations hold to rounding errors not only here but also some way off.
 pub(super) fn is_continuum<const N: usize>(
     homotopy: &mut Homotopy<N>,
-    place: &ProjectivePoint<N>,
+    point: &ProjectivePoint<N>,
 ) -> bool {
-    homotopy.turn(place.flipped);
-    let Some(along) = weakest_component(homotopy, &place.x) else {
+    homotopy.turn(point.flipped);
+    let Some(along) = weakest_component(homotopy, &point.x) else {
         return true;
     };
     [Complex::new(0.02, 0.01), Complex::new(-0.01, 0.02)]
         .into_iter()
-        .all(|offset| slack(homotopy, &place.x, along, offset).is_none_or(|s| s < HOLDS))
+        .all(|offset| slack(homotopy, &point.x, along, offset).is_none_or(|s| s < HOLDS))
 }
 
 /// The coordinate that changes most along the direction in which the matrix is singular; `None`

@@ -28,7 +28,7 @@ pub(super) enum PathEnd<const N: usize> {
 /// An isolated solution.
 #[derive(Clone, Copy)]
 pub(super) struct Root<const N: usize> {
-    pub(super) place: ProjectivePoint<N>,
+    pub(super) point: ProjectivePoint<N>,
     /// Newton's method converges to this solution from everywhere nearer than this.
     pub(super) reach: f64,
 }
@@ -88,7 +88,7 @@ pub(super) fn find<const N: usize>(
             .last()
             .is_none_or(|(last, _)| t < BETWEEN_MARKS * last)
         {
-            marks.push((t, tracker.homotopy.place(tracker.now().x)));
+            marks.push((t, tracker.homotopy.projective_point(tracker.now().x)));
         }
         let precise = tracker.pivot * way_left(tracker) > BLURRED;
         if t < LAST || !precise || tracker.step() < SHORT * t {
@@ -116,7 +116,7 @@ fn arrive<const N: usize>(tracker: &mut PathTracker<'_, N>) -> Option<Root<N>> {
     let way: Vector<N> = core::array::from_fn(|j| x[j] - predicted[j]);
     let near = size(&way) < reach * reach;
     (near && last < SETTLED * reach).then(|| Root {
-        place: tracker.homotopy.place(x),
+        point: tracker.homotopy.projective_point(x),
         reach,
     })
 }
@@ -190,14 +190,14 @@ fn conclude<const N: usize>(
     if let Some(root) = arrive(tracker) {
         return PathEnd::Regular(root);
     }
-    let place = tracker.homotopy.place(tracker.now().x);
+    let point = tracker.homotopy.projective_point(tracker.now().x);
     let t = tracker.now().t;
     if t > LATE {
         return PathEnd::Lost;
     }
     let vanishes = |j: usize| {
-        place.is_outer(j, tracker.variables)
-            && place.x[j].square() < VANISHED * VANISHED
+        point.is_outer(j, tracker.variables)
+            && point.x[j].square() < VANISHED * VANISHED
             && rate(tracker, j) > LEAST_RATE
     };
     if (0..N).any(vanishes) {
@@ -207,9 +207,9 @@ fn conclude<const N: usize>(
     let left = way_left(tracker);
     let x = tracker.now().x;
     let singular = reach(tracker.homotopy, &x).is_none_or(|reach| reach < SINGULAR_REACH * left);
-    let multiple = singular && left < MEETING && place.is_inside(tracker.variables);
+    let multiple = singular && left < MEETING && point.is_inside(tracker.variables);
     if multiple && left < PRECISE {
-        return PathEnd::Multiple(place);
+        return PathEnd::Multiple(point);
     }
     match led_around(tracker, marks) {
         Some(Led::PathSamples) => PathEnd::Blurred,
@@ -234,12 +234,12 @@ fn led_around<const N: usize>(
     marks: &[(f64, ProjectivePoint<N>)],
 ) -> Option<Led<N>> {
     let mut onto = None;
-    for (t, place) in marks.iter().filter(|(t, _)| *t < LATE) {
-        tracker.homotopy.turn(place.flipped);
-        let Some(cycle) = cauchy_endgame::around(tracker.homotopy, &place.x, *t) else {
+    for (t, point) in marks.iter().filter(|(t, _)| *t < LATE) {
+        tracker.homotopy.turn(point.flipped);
+        let Some(cycle) = cauchy_endgame::around(tracker.homotopy, &point.x, *t) else {
             continue;
         };
-        let middle = tracker.homotopy.place(cycle.middle);
+        let middle = tracker.homotopy.projective_point(cycle.middle);
         let gaps = middle.gaps(tracker.variables);
         if (0..N).any(|j| gaps[j] > CONFINED * cycle.extent[j]) {
             return Some(Led::PathSamples);
@@ -283,7 +283,7 @@ impl<const N: usize> Rates<N> {
         if tracker.now().t > AFTER * self.t {
             return false;
         }
-        let place = tracker.homotopy.place(tracker.now().x);
+        let point = tracker.homotopy.projective_point(tracker.now().x);
         for j in 0..N {
             let rate = rate(tracker, j);
             let same = rate > LEAST_RATE && (rate - self.rates[j]).abs() < SAME_RATE * rate;
@@ -292,8 +292,8 @@ impl<const N: usize> Rates<N> {
         }
         self.t = tracker.now().t;
         (0..N).any(|j| {
-            let outer = place.is_outer(j, tracker.variables);
-            outer && place.x[j].square() < SMALL * SMALL && self.same[j] >= 2
+            let outer = point.is_outer(j, tracker.variables);
+            outer && point.x[j].square() < SMALL * SMALL && self.same[j] >= 2
         })
     }
 }

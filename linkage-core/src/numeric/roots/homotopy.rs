@@ -85,7 +85,7 @@ impl<const N: usize> Homotopy<N> {
         start_system::solutions(&self.factors)
     }
 
-    pub(super) fn place(&self, x: Vector<N>) -> ProjectivePoint<N> {
+    pub(super) fn projective_point(&self, x: Vector<N>) -> ProjectivePoint<N> {
         let flipped = self.flipped;
         ProjectivePoint { x, flipped }
     }

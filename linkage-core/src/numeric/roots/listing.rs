@@ -69,7 +69,7 @@ fn listing<const N: usize>(
         .collect();
     let (_, multiple) = sorted(&traces);
     let mut examined = multiple.iter().take(EXAMINED);
-    if examined.any(|place| is_continuum(homotopy, place)) {
+    if examined.any(|point| is_continuum(homotopy, point)) {
         return Outcome::Degenerate;
     }
     consistency::lose_single(&mut traces);
@@ -84,7 +84,7 @@ fn listing<const N: usize>(
         .filter(|trace| matches!(trace.end, PathEnd::Blurred));
     let blurred = blurred.count();
     // Those at infinity were of use for finding duplicates only.
-    let inside = |root: &Root<N>| root.place.is_inside(variables);
+    let inside = |root: &Root<N>| root.point.is_inside(variables);
     let roots: Vec<Root<N>> = roots.into_iter().filter(inside).collect();
     match real::list(homotopy, variables, &roots, blurred) {
         None => Outcome::Doubtful(roots.len()),
@@ -105,7 +105,7 @@ fn sorted<const N: usize>(traces: &[Trace<N>]) -> (Vec<Root<N>>, Vec<ProjectiveP
     for trace in traces {
         match trace.end {
             PathEnd::Regular(root) => roots.push(root),
-            PathEnd::Multiple(place) => multiple.push(place),
+            PathEnd::Multiple(point) => multiple.push(point),
             PathEnd::Outside | PathEnd::Blurred | PathEnd::Lost => {}
         }
     }

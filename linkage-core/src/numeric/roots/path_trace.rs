@@ -33,7 +33,7 @@ pub(super) fn follow<const N: usize>(
     start: &Vector<N>,
 ) -> Trace<N> {
     homotopy.turn([false; N]);
-    let nowhere = homotopy.place(*start);
+    let nowhere = homotopy.projective_point(*start);
     let lost = Trace {
         waypoint: (nowhere, 0.0),
         end: PathEnd::Lost,
@@ -60,7 +60,10 @@ pub(super) fn follow<const N: usize>(
             return lost;
         }
     }
-    let waypoint = (tracker.homotopy.place(tracker.now().x), tracker.pivot);
+    let waypoint = (
+        tracker.homotopy.projective_point(tracker.now().x),
+        tracker.pivot,
+    );
     let mut marks = Vec::new();
     let end = endgame::find(&mut tracker, MOST_STEPS - steps, &mut marks);
     let mark = marks.into_iter().rev().find(|(t, _)| *t > RESUMED);

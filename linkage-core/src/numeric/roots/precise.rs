@@ -35,7 +35,7 @@ const NEARLY_REAL: f64 = 0.1;
 /// The end of a path, and how far it is moved by roundings of coefficients.
 struct ReachedEnd<const N: usize> {
     path: usize,
-    place: ProjectivePoint<N>,
+    point: ProjectivePoint<N>,
     moved: f64,
 }
 
@@ -95,11 +95,11 @@ impl<const N: usize> Pursuit<'_, N> {
         let mut found = Vec::with_capacity(paths.len());
         for &path in paths {
             let here = match self.reached(path) {
-                Some(Reached::End(place, moved)) => {
-                    found.push(ReachedEnd { path, place, moved });
+                Some(Reached::End(point, moved)) => {
+                    found.push(ReachedEnd { path, point, moved });
                     continue;
                 }
-                Some(Reached::Here(place)) => Some(place),
+                Some(Reached::Here(point)) => Some(point),
                 None => None,
             };
             self.reconsider(path, here.as_ref());
@@ -113,33 +113,33 @@ impl<const N: usize> Pursuit<'_, N> {
         for (index, end) in found.iter().enumerate() {
             match &roots {
                 Some(roots) => self.traces[end.path].end = PathEnd::Regular(roots[index]),
-                None => self.reconsider(end.path, Some(&end.place)),
+                None => self.reconsider(end.path, Some(&end.point)),
             }
         }
         roots.is_some()
     }
 
     fn reached(&mut self, path: usize) -> Option<Reached<N>> {
-        let (t, place) = self.traces[path].mark.as_ref()?;
-        path_tracker::follow(self.homotopy, &mut self.equations, *t, place)
+        let (t, point) = self.traces[path].mark.as_ref()?;
+        path_tracker::follow(self.homotopy, &mut self.equations, *t, point)
     }
 
     /// A circle around an end stays away from real points, but a path that turns off within it may
     /// not, nor one that seemed to lead to infinity: it is lost if it has come near.
-    fn reconsider(&mut self, path: usize, place: Option<&ProjectivePoint<N>>) {
+    fn reconsider(&mut self, path: usize, point: Option<&ProjectivePoint<N>>) {
         let end = &mut self.traces[path].end;
-        let may_be_real = |place: &ProjectivePoint<N>| {
-            let gaps = place.gaps(self.variables);
+        let may_be_real = |point: &ProjectivePoint<N>| {
+            let gaps = point.gaps(self.variables);
             // Of two numbers far out both inverses are near 0.
-            let size = |j: usize| match place.is_outer(j, self.variables) {
-                true => rough_root(place.x[j].square()),
+            let size = |j: usize| match point.is_outer(j, self.variables) {
+                true => rough_root(point.x[j].square()),
                 false => 1.0,
             };
             (0..N).all(|j| gaps[j] < NEARLY_REAL * size(j))
         };
         let doubtful = match end {
-            PathEnd::Blurred => place.is_none_or(may_be_real),
-            PathEnd::Outside => place.is_some_and(may_be_real),
+            PathEnd::Blurred => point.is_none_or(may_be_real),
+            PathEnd::Outside => point.is_some_and(may_be_real),
             PathEnd::Regular(_) | PathEnd::Multiple(_) | PathEnd::Lost => false,
         };
         if doubtful {
@@ -152,18 +152,18 @@ impl<const N: usize> ReachedEnd<N> {
     /// The isolated solution, unless it may be one of the others.
     fn root(&self, traces: &[Trace<N>], found: &[Self]) -> Option<Root<N>> {
         let known = traces.iter().filter_map(|trace| match &trace.end {
-            PathEnd::Regular(root) => Some(&root.place),
-            PathEnd::Multiple(place) => Some(place),
+            PathEnd::Regular(root) => Some(&root.point),
+            PathEnd::Multiple(point) => Some(point),
             PathEnd::Outside | PathEnd::Blurred | PathEnd::Lost => None,
         });
         let others = found.iter().filter(|other| other.path != self.path);
-        let all = known.chain(others.map(|other| &other.place));
+        let all = known.chain(others.map(|other| &other.point));
         let apart = rough_root(
-            all.map(|place| place.distance(&self.place))
+            all.map(|point| point.distance(&self.point))
                 .fold(1.0, f64::min),
         );
         (self.moved.max(ROUNDING) < STEADY * apart).then(|| Root {
-            place: self.place,
+            point: self.point,
             reach: (REACH * apart).min(LONGEST_REACH),
         })
     }

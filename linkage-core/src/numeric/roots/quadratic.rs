@@ -84,10 +84,10 @@ impl Quadratics {
     #[inline(always)]
     fn values(&self, x: Complex, y: Complex) -> [Pair; 3] {
         let [low, middle, high] = &self.target;
-        let (low, low_by_y) = at(low, y);
-        let (middle, middle_by_y) = at(middle, y);
-        let (high, high_by_y) = at(high, y);
-        let (value, by_x) = at(&[low, middle, high], x);
+        let (low, low_by_y) = value_and_slope(low, y);
+        let (middle, middle_by_y) = value_and_slope(middle, y);
+        let (high, high_by_y) = value_and_slope(high, y);
+        let (value, by_x) = value_and_slope(&[low, middle, high], x);
         let by_y = (high_by_y * x + middle_by_y) * x + low_by_y;
         [value, by_x, by_y]
     }
@@ -106,8 +106,8 @@ impl Quadratics {
     #[inline(always)]
     pub(super) fn evaluate<const N: usize>(&self, x: &[Complex; N], t: f64) -> Evaluation<N> {
         let [values, by_x, by_y] = self.values(x[0], x[1]);
-        let (first, first_slope) = at(&self.factors[0], x[0]);
-        let (second, second_slope) = at(&self.factors[1], x[1]);
+        let (first, first_slope) = value_and_slope(&self.factors[0], x[0]);
+        let (second, second_slope) = value_and_slope(&self.factors[1], x[1]);
         let first = self.constant.times(first);
         let start = first.times(second);
         let start_by_x = self.constant.times(first_slope).times(second);
@@ -124,7 +124,7 @@ impl Quadratics {
 
 /// Value and derivative.
 #[inline(always)]
-fn at(&[low, middle, high]: &Quadratic, x: Complex) -> (Pair, Pair) {
+fn value_and_slope(&[low, middle, high]: &Quadratic, x: Complex) -> (Pair, Pair) {
     let slope = high * x + middle;
     (slope * x + low, high * x + slope)
 }

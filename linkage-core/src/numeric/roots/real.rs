@@ -50,8 +50,8 @@ fn partner<const N: usize>(
     root: &Root<N>,
     roots: &[Root<N>],
 ) -> Option<usize> {
-    let image = root.place.reflection(variables);
-    let distances = roots.iter().map(|other| image.distance(&other.place));
+    let image = root.point.reflection(variables);
+    let distances = roots.iter().map(|other| image.distance(&other.point));
     let (index, distance) = distances.enumerate().min_by(|a, b| a.1.total_cmp(&b.1))?;
     let reach = root.reach.min(roots[index].reach);
     (distance < reach * reach).then_some(index)
@@ -63,12 +63,12 @@ fn polished<const N: usize>(
     variables: &[Variable],
     root: &Root<N>,
 ) -> Option<Vector<N>> {
-    let mut place = alike(variables, &root.place);
-    homotopy.turn(place.flipped);
-    place.x = made_real(variables, &place.x);
-    let (x, _) = polish(homotopy, &place.x)?;
-    place.x = made_real(variables, &x);
-    (place.distance(&root.place) < root.reach * root.reach).then(|| place.values())
+    let mut point = alike(variables, &root.point);
+    homotopy.turn(point.flipped);
+    point.x = made_real(variables, &point.x);
+    let (x, _) = polish(homotopy, &point.x)?;
+    point.x = made_real(variables, &x);
+    (point.distance(&root.point) < root.reach * root.reach).then(|| point.values())
 }
 
 /// About where real solutions meet: multiple ones that are no farther from their reflections than
@@ -77,28 +77,28 @@ pub(super) fn meeting<const N: usize>(
     variables: &[Variable],
     multiple: &[ProjectivePoint<N>],
 ) -> Vec<Vec<[f64; 2]>> {
-    let may_be_real = |place: &&ProjectivePoint<N>| {
-        let image = place.reflection(variables);
-        image.distance(place) <= (2.0 * MEETING) * (2.0 * MEETING)
+    let may_be_real = |point: &&ProjectivePoint<N>| {
+        let image = point.reflection(variables);
+        image.distance(point) <= (2.0 * MEETING) * (2.0 * MEETING)
     };
-    let real = |place: &ProjectivePoint<N>| {
-        let mut place = alike(variables, place);
-        place.x = made_real(variables, &place.x);
-        place.values().into_iter().map(parts).collect()
+    let real = |point: &ProjectivePoint<N>| {
+        let mut point = alike(variables, point);
+        point.x = made_real(variables, &point.x);
+        point.values().into_iter().map(parts).collect()
     };
     multiple.iter().filter(may_be_real).map(real).collect()
 }
 
 /// The same place, a point and its conjugate both by their values or both by the inverses.
-fn alike<const N: usize>(variables: &[Variable], place: &ProjectivePoint<N>) -> ProjectivePoint<N> {
-    let mut place = *place;
+fn alike<const N: usize>(variables: &[Variable], point: &ProjectivePoint<N>) -> ProjectivePoint<N> {
+    let mut point = *point;
     for (j, variable) in variables.iter().enumerate() {
-        if *variable == Variable::Conjugate && place.flipped[j] != place.flipped[j - 1] {
-            place.flipped[j] = place.flipped[j - 1];
-            place.x[j] = place.x[j].inverse();
+        if *variable == Variable::Conjugate && point.flipped[j] != point.flipped[j - 1] {
+            point.flipped[j] = point.flipped[j - 1];
+            point.x[j] = point.x[j].inverse();
         }
     }
-    place
+    point
 }
 
 /// The nearest real coordinates, which are either variables or their inverses: a point and its

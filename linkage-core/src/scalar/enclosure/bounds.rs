@@ -141,8 +141,8 @@ impl Bounds {
     fn wave(self, summit: f64, component: impl Fn((f64, f64)) -> f64) -> Self {
         let [low, high] = [self.low, self.high].map(|x| component(Scalar::sin_cos(x)));
         // Whether a whole number of turns from there is within the bounds, or beside them.
-        let meets = |place: f64| {
-            let turns = [self.low, self.high].map(|x| (x - place) / TAU);
+        let meets = |angle: f64| {
+            let turns = [self.low, self.high].map(|x| (x - angle) / TAU);
             let (from, to) = (turns[0] - BESIDE, turns[1] + BESIDE);
             let within = |turns: f64| from <= turns.whole() && turns.whole() <= to;
             to - from >= 1.0 || within(from) || within(to)

@@ -21,7 +21,7 @@ struct Optimum {
 }
 
 impl Local for Optimum {
-    fn place(&self) -> &[f64] {
+    fn varied(&self) -> &[f64] {
         &self.x
     }
 
@@ -75,10 +75,10 @@ fn problem(random: &mut Random) -> (Sum, Vec<(usize, Vec<f64>)>, Limits) {
     let sum = Sum {
         rows: rows.collect(),
     };
-    let list = |place: usize, random: &mut Random| {
+    let list = |index: usize, random: &mut Random| {
         let mut values: Vec<f64> = (0..VALUES).map(|_| random.between(0.0, 5.0)).collect();
         values.sort_by(f64::total_cmp);
-        (place, values)
+        (index, values)
     };
     let catalogues: Vec<(usize, Vec<f64>)> = (0..COUNT).map(|j| list(j, random)).collect();
     let limits = Limits {
@@ -117,11 +117,11 @@ fn the_best_of_all_combinations_is_found() {
             found.sum
         );
         let mut far_away = false;
-        for ((place, values), x) in catalogues.iter().zip(&found.x) {
+        for ((index, values), x) in catalogues.iter().zip(&found.x) {
             assert!(values.contains(x), "{x} is none of {values:?}");
-            let above = values.partition_point(|value| *value < relaxed.x[*place]);
-            let own = values.iter().position(|value| value == x).unwrap_or(VALUES);
-            far_away |= own > above || own + 1 < above;
+            let above = values.partition_point(|value| *value < relaxed.x[*index]);
+            let below = values.iter().position(|value| value == x).unwrap_or(VALUES);
+            far_away |= below > above || below + 1 < above;
         }
         far += usize::from(far_away);
     }

@@ -80,7 +80,7 @@ impl<'c, M, A> Candidate<'c, M, A> {
 
 /// A variable that an objective has for itself, such as where a dwell begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Own {
+pub struct AuxiliaryVariable {
     /// The value with which the search begins.
     pub start: f64,
     /// The bounds.
@@ -93,7 +93,7 @@ pub struct Own {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chosen<'c> {
     /// The variables that the objective has for itself.
-    pub own: &'c [f64],
+    pub auxiliary: &'c [f64],
     /// The conditions that [`refine`](CycleObjective::refine) found in this search, each in numbers
     /// of the objective.
     pub added: &'c [Vec<f64>],
@@ -122,13 +122,16 @@ pub trait CycleObjective<M, A, const N: usize>: Send + Sync {
 
     /// Returns the goal as it is reported, from the value that the search makes least: a greatest
     /// value is the least of its opposite.
-    fn told(&self, least: f64) -> f64 {
+    fn reported_goal(&self, least: f64) -> f64 {
         least
     }
 
     /// The variables that it has for itself, with starts that suit a mechanism; `None` if there is
     /// none.
-    fn own(&self, candidate: &Candidate<'_, M, A>) -> Option<Vec<Own>> {
+    fn auxiliary_variables(
+        &self,
+        candidate: &Candidate<'_, M, A>,
+    ) -> Option<Vec<AuxiliaryVariable>> {
         let _ = candidate;
         Some(Vec::new())
     }
@@ -147,7 +150,7 @@ pub trait CycleObjective<M, A, const N: usize>: Send + Sync {
     /// result whose verdict breaks a condition is discarded, and the goal of the verdict is the
     /// goal of the result.
     fn verify(&self, candidate: &Candidate<'_, M, A>, chosen: Chosen<'_>) -> Option<Verdict> {
-        Some(Verdict::of(&self.evaluate(candidate, chosen)?))
+        Some(Verdict::from_conditions(&self.evaluate(candidate, chosen)?))
     }
 
     /// Numbers by which the assembly is known again among the others of the same mechanism; they

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 /// The key of a piece among several, which identifies it in another mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Place {
+pub enum PieceKey {
     /// The one with this number.
     Nth(usize),
     /// The one at this input.
@@ -15,29 +15,29 @@ pub enum Place {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Piece<const N: usize> {
     /// The key of the piece.
-    pub place: Place,
+    pub key: PieceKey,
     /// Its value.
     pub value: f64,
     /// Its derivatives by the parameters.
     pub parameters: [f64; N],
     /// Its derivatives by the variables that the objective has for itself.
-    pub own: Vec<f64>,
+    pub auxiliary: Vec<f64>,
 }
 
 impl<const N: usize> Piece<N> {
     /// Returns true if all its numbers are finite.
     pub(crate) fn is_finite(&self) -> bool {
-        let mut slopes = self.parameters.iter().chain(&self.own);
+        let mut slopes = self.parameters.iter().chain(&self.auxiliary);
         self.value.is_finite() && slopes.all(|slope| slope.is_finite())
     }
 
     /// This piece times a factor, plus a number.
     pub(crate) fn times(&self, factor: f64, more: f64) -> Self {
         Self {
-            place: self.place,
+            key: self.key,
             value: factor * self.value + more,
             parameters: self.parameters.map(|slope| factor * slope),
-            own: self.own.iter().map(|slope| factor * slope).collect(),
+            auxiliary: self.auxiliary.iter().map(|slope| factor * slope).collect(),
         }
     }
 }

@@ -37,7 +37,7 @@ const HOLDS: f64 = 5e-7;
 
 impl<const N: usize> Corner<N> {
     /// Builds a corner from the differences of its dimensions.
-    pub(super) fn of(changes: &[f64]) -> Option<Self> {
+    pub(super) fn from_changes(changes: &[f64]) -> Option<Self> {
         let changes = changes.try_into().ok()?;
         Some(Self { changes })
     }

@@ -2,7 +2,7 @@
 
 use alloc::boxed::Box;
 
-use super::{Motion, Piece, Place};
+use super::{Motion, Piece, PieceKey};
 use crate::summary;
 use linkage_core::numeric::vector::dot;
 
@@ -79,10 +79,10 @@ impl<'a, A, const N: usize> Curve<'a, A, N> {
     /// The piece at a place that the quantity itself chooses: a limit, or an end of the range.
     pub(super) fn piece(&self, motion: &Motion<'_, A>, at: f64, value: f64) -> Piece<N> {
         Piece {
-            place: Place::At(at),
+            key: PieceKey::At(at),
             value,
             parameters: self.slopes(motion.assembly, at),
-            own: alloc::vec::Vec::new(),
+            auxiliary: alloc::vec::Vec::new(),
         }
     }
 }

@@ -3,10 +3,10 @@
 use alloc::vec::Vec;
 
 use super::super::DesignError;
-use super::super::minimax::{Groups, Search, minimise};
+use super::super::minimax::{Groups, SearchSettings, minimise};
 use super::descents::Descents;
 use super::ended::{Ended, TOLERANCE};
-use super::problem::{Sizes, Start};
+use super::problem::{SearchStart, Sizes};
 use super::verify::Scales;
 use crate::dimensions::Dimensions;
 
@@ -27,7 +27,7 @@ const REFINEMENTS: usize = 40;
 impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
     /// Searches from a start, and returns the verified result: where the search ended, or the best
     /// of its steps, if the end does not hold.
-    pub(super) fn descend(&self, mut start: Start) -> Result<Ended, DesignError> {
+    pub(super) fn descend(&self, mut start: SearchStart) -> Result<Ended, DesignError> {
         let problem = &self.problem;
         let mut sizes = problem
             .sizes(&start)
@@ -35,7 +35,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         let scales = problem.scales(&start);
         let exact = problem.exact_tolerance(&start, scales.as_ref());
         let exact = exact.unwrap_or(TOLERANCE).clamp(ROUNDING, TOLERANCE);
-        let search = Search {
+        let search = SearchSettings {
             reach: start.reach.clone(),
             precision: PRECISION,
             slope: SLOPE,
@@ -71,11 +71,11 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
                 break;
             }
         }
-        let claimed = |at: &Start| {
+        let claimed = |at: &SearchStart| {
             let groups = problem.groups(at, &at.x, &sizes);
             groups.map_or(f64::NAN, |groups| sizes.goal * groups.value())
         };
-        let ended = |at: Start, least: f64, converged: bool| Ended {
+        let ended = |at: SearchStart, least: f64, converged: bool| Ended {
             at,
             least,
             steps,
@@ -95,7 +95,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             }
         };
         for x in held.into_iter().flatten().chain([begun]) {
-            let at = Start { x, ..start.clone() };
+            let at = SearchStart { x, ..start.clone() };
             let value = claimed(&at);
             let gains = |least: f64| value < least - PRECISION * least.abs();
             if best.as_ref().is_none_or(|(_, _, least)| gains(*least)) {
@@ -118,18 +118,18 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
     /// or, where their claim does not hold, with those that suit the mechanism there.
     pub(super) fn settled(
         &self,
-        start: &Start,
+        start: &SearchStart,
         claimed: f64,
         scales: Option<&Scales>,
-    ) -> Result<(Start, f64), DesignError> {
+    ) -> Result<(SearchStart, f64), DesignError> {
         let problem = &self.problem;
         let both = [self.reference.as_ref(), scales];
         let missed = match problem.verified(start, claimed, &both) {
             Ok(least) => return Ok((start.clone(), least)),
             Err(missed) => missed,
         };
-        let place = start.x[..problem.varied.len()].to_vec();
-        let Ok(mut suited) = problem.start(&problem.limits, place) else {
+        let values = start.x[..problem.varied.len()].to_vec();
+        let Ok(mut suited) = problem.start(&problem.limits, values) else {
             return Err(missed);
         };
         suited.added.clone_from(&start.added);

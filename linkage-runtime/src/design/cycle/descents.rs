@@ -39,7 +39,7 @@ pub(super) struct Optimum<M, A> {
     /// The value that the search makes least.
     least: f64,
     /// The parameters that vary.
-    place: Vec<f64>,
+    varied: Vec<f64>,
     /// The number of the assembly of the first mechanism that has the same modes.
     assembly: usize,
 }
@@ -57,7 +57,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
     pub(super) fn from(&self, index: usize) -> Result<Optimum<M, A>, DesignError> {
         let problem = &self.problem;
         let limits = &problem.limits;
-        let place: Vec<f64> = if index == 0 {
+        let values: Vec<f64> = if index == 0 {
             problem.first()
         } else {
             let unit = unit(self.seed, index, limits.lower.len());
@@ -67,7 +67,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
                 .map(|((low, high), part)| low + part * (high - low));
             parts.collect()
         };
-        let start = problem.start(limits, place)?;
+        let start = problem.start(limits, values)?;
         if index > 0 {
             let ended = self.descend(start)?;
             return self.certified(self.rounded(ended)?);
@@ -111,8 +111,8 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         let Ok(start) = problem.start(&problem.limits, problem.first()) else {
             return false;
         };
-        let own = problem.tried(&start.x, |candidate| problem.known_by(&start, candidate));
-        own.is_some_and(|own| problem.is_known(&start, &own, assembly))
+        let numbers = problem.tried(&start.x, |candidate| problem.known_by(&start, candidate));
+        numbers.is_some_and(|numbers| problem.is_known(&start, &numbers, assembly))
     }
 
     /// With all parameters of catalogues at values of these.
@@ -123,8 +123,8 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         }
         let (mut steps, mut evaluations) = (ended.steps, ended.evaluations);
         let descend = |limits: &Limits, near: &Ended| {
-            let place = near.at.x[..problem.varied.len()].to_vec();
-            let mut start = problem.start(limits, place).ok()?;
+            let values = near.at.x[..problem.varied.len()].to_vec();
+            let mut start = problem.start(limits, values).ok()?;
             start.added.clone_from(&near.at.added);
             let ended = self.descend(start).ok()?;
             steps += ended.steps;
@@ -153,11 +153,11 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             .find(|objective| objective.is_goal());
         let best = BestCycle {
             mechanism: problem.mechanism(x),
-            goal: goal.map_or(least, |objective| objective.told(least)),
-            own: start
-                .own
+            goal: goal.map_or(least, |objective| objective.reported_goal(least)),
+            auxiliary: start
+                .auxiliary
                 .iter()
-                .map(|own| x[own.clone()].to_vec())
+                .map(|indices| x[indices.clone()].to_vec())
                 .collect(),
             margin: branch.margin,
             margin_at: branch.at,
@@ -168,11 +168,11 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             converged: ended.converged,
             hits: 1,
         };
-        let place = x[..problem.varied.len()].to_vec();
+        let varied = x[..problem.varied.len()].to_vec();
         Ok(Optimum {
             best,
             least,
-            place,
+            varied,
             assembly: self.assembly,
         })
     }
@@ -217,11 +217,11 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         let Limits { lower, upper, .. } = &self.problem.limits;
         // Neighbours in a catalogue are not the same, however near they are.
         let same = |a: &Optimum<M, A>, b: &Optimum<M, A>| {
-            let mut values = self.problem.catalogues.iter().map(|(place, _)| *place);
-            values.all(|place| a.place[place] == b.place[place])
+            let mut values = self.problem.catalogues.iter().map(|(index, _)| *index);
+            values.all(|index| a.varied[index] == b.varied[index])
         };
         let near = |a: &Optimum<M, A>, b: &Optimum<M, A>| {
-            let places = a.place.iter().zip(&b.place).zip(lower.iter().zip(upper));
+            let places = a.varied.iter().zip(&b.varied).zip(lower.iter().zip(upper));
             let mut places = places.into_iter();
             same(a, b)
                 && a.assembly == b.assembly

@@ -9,7 +9,10 @@ use linkage_core::Cycle;
 use super::super::DesignError;
 use super::corners::{Corner, Corners};
 use super::spread::ranges;
-use super::{Candidate, Chosen, Conditions, Curve, CycleObjective, Own, Piece, Place, Verdict};
+use super::{
+    AuxiliaryVariable, Candidate, Chosen, Conditions, Curve, CycleObjective, Piece, PieceKey,
+    Verdict,
+};
 use crate::data::Parameter;
 use crate::dimensions::Dimensions;
 use crate::format::rounded;
@@ -158,7 +161,7 @@ impl<M: Dimensions<N>, A, const N: usize> CycleObjective<M, A, N> for Dwell<'_, 
         !matches!(self.asked, Asked::AtLeast { .. })
     }
 
-    fn told(&self, least: f64) -> f64 {
+    fn reported_goal(&self, least: f64) -> f64 {
         match self.asked {
             Asked::Longest(_) => -least,
             _ => least,
@@ -191,7 +194,10 @@ impl<M: Dimensions<N>, A, const N: usize> CycleObjective<M, A, N> for Dwell<'_, 
         errors
     }
 
-    fn own(&self, candidate: &Candidate<'_, M, A>) -> Option<Vec<Own>> {
+    fn auxiliary_variables(
+        &self,
+        candidate: &Candidate<'_, M, A>,
+    ) -> Option<Vec<AuxiliaryVariable>> {
         let motion = &candidate.motion;
         let (low, high) = motion.range;
         let width = high - low;
@@ -203,7 +209,7 @@ impl<M: Dimensions<N>, A, const N: usize> CycleObjective<M, A, N> for Dwell<'_, 
         };
         // The start may leave any part of a fixed band.
         let band = self.asked.band().unwrap_or(band);
-        let own = |start: f64, bounds: (f64, f64), reach: f64| Own {
+        let variable = |start: f64, bounds: (f64, f64), reach: f64| AuxiliaryVariable {
             start,
             bounds,
             reach,
@@ -220,10 +226,10 @@ impl<M: Dimensions<N>, A, const N: usize> CycleObjective<M, A, N> for Dwell<'_, 
             .band()
             .map_or((0.0, f64::INFINITY), |band| (band, band));
         Some(vec![
-            own(from, beginnings, step),
-            own(length, lengths, step),
-            own(lowest, (f64::NEG_INFINITY, f64::INFINITY), rise),
-            own(band, bands, rise),
+            variable(from, beginnings, step),
+            variable(length, lengths, step),
+            variable(lowest, (f64::NEG_INFINITY, f64::INFINITY), rise),
+            variable(band, bands, rise),
         ])
     }
 
@@ -232,25 +238,25 @@ impl<M: Dimensions<N>, A, const N: usize> CycleObjective<M, A, N> for Dwell<'_, 
         candidate: &Candidate<'_, M, A>,
         chosen: Chosen<'_>,
     ) -> Option<Conditions<N>> {
-        let own: [f64; 4] = chosen.own.try_into().ok()?;
-        let [from, length, _, band] = own;
+        let auxiliary: [f64; 4] = chosen.auxiliary.try_into().ok()?;
+        let [from, length, _, band] = auxiliary;
         let piece = |value: f64, slopes: [f64; 4]| Piece {
-            place: Place::Nth(0),
+            key: PieceKey::Nth(0),
             value,
             parameters: [0.0; N],
-            own: slopes.to_vec(),
+            auxiliary: slopes.to_vec(),
         };
         let goal = match self.asked {
             Asked::Longest(_) => vec![piece(-length, [0.0, -1.0, 0.0, 0.0])],
             Asked::Narrowest(_) => vec![piece(band, [0.0, 0.0, 0.0, 1.0])],
             Asked::AtLeast { .. } => Vec::new(),
         };
-        let mut conditions = self.nominal(&candidate.motion, own)?.to_vec();
+        let mut conditions = self.nominal(&candidate.motion, auxiliary)?.to_vec();
         if let (Asked::Longest(_), Some([_, to])) = (self.asked, self.between) {
             conditions.push(vec![piece(from + length - to, [1.0, 1.0, 0.0, 0.0])]);
         }
         for corner in chosen.added {
-            let assembly = Corner::of(corner)?.assemble(candidate)?;
+            let assembly = Corner::from_changes(corner)?.assemble(candidate)?;
             let limits = self.limits(&candidate.motion, &assembly, [from, length])?;
             conditions.push(ranges(&limits, band));
         }
@@ -265,7 +271,7 @@ impl<M: Dimensions<N>, A, const N: usize> CycleObjective<M, A, N> for Dwell<'_, 
     fn known_by(&self, candidate: &Candidate<'_, M, A>, chosen: Chosen<'_>) -> Option<Vec<f64>> {
         let (low, high) = candidate.motion.range;
         let speed = |nth: usize| {
-            let input = chosen.own[0] + (high - low) * nth as f64 / Self::SAMPLES as f64;
+            let input = chosen.auxiliary[0] + (high - low) * nth as f64 / Self::SAMPLES as f64;
             self.curve.jet(
                 candidate.motion.assembly,
                 candidate.motion.in_range(input).0,
@@ -296,7 +302,7 @@ impl<A, const N: usize> Dwell<'_, A, N> {
         candidate: &Candidate<'_, M, A>,
         chosen: Chosen<'_>,
     ) -> Vec<Vec<f64>> {
-        let (Some(corners), &[from, length, _, band]) = (&self.corners, chosen.own) else {
+        let (Some(corners), &[from, length, _, band]) = (&self.corners, chosen.auxiliary) else {
             return Vec::new();
         };
         let places = self.samples(&candidate.motion, [from, length]);

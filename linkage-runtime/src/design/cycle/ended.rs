@@ -1,7 +1,7 @@
 //! The result of one search, before it is certified.
 
 use super::super::catalogue::Local;
-use super::problem::Start;
+use super::problem::SearchStart;
 
 /// A condition holds if it is violated by less than this part of its change in a first step.
 pub(super) const TOLERANCE: f64 = 1e-9;
@@ -9,7 +9,7 @@ pub(super) const TOLERANCE: f64 = 1e-9;
 /// A result of a search that is verified, not yet certified.
 #[derive(Clone)]
 pub(super) struct Ended {
-    pub(super) at: Start,
+    pub(super) at: SearchStart,
     /// The value that the search makes least.
     pub(super) least: f64,
     pub(super) steps: usize,
@@ -18,7 +18,7 @@ pub(super) struct Ended {
 }
 
 impl Local for Ended {
-    fn place(&self) -> &[f64] {
+    fn varied(&self) -> &[f64] {
         &self.at.x
     }
 

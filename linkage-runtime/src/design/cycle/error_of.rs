@@ -7,7 +7,7 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
 use super::figures::places;
-use super::{Figure, Motion, Piece, Pieces, Place};
+use super::{Figure, Motion, Piece, PieceKey, Pieces};
 use crate::components::Components;
 use crate::summary::{Curve, Kind};
 use crate::tolerance::{Tolerances, Uncertainties};
@@ -145,7 +145,7 @@ impl<'a, A, const N: usize> ErrorOf<'a, A, N> {
         }
     }
 
-    fn piece(&self, assembly: &A, input: f64, place: Place, measured: &Measured<N>) -> Piece<N> {
+    fn piece(&self, assembly: &A, input: f64, key: PieceKey, measured: &Measured<N>) -> Piece<N> {
         let second = (self.second)(assembly, input);
         let pairs = || measured.weights.iter().zip(&second);
         let of = |weights: &[f64; N], second: &[[f64; N]; N], j: usize| -> f64 {
@@ -157,20 +157,20 @@ impl<'a, A, const N: usize> ErrorOf<'a, A, N> {
                 .sum()
         };
         Piece {
-            place,
+            key,
             value: measured.value,
             parameters: core::array::from_fn(along),
-            own: Vec::new(),
+            auxiliary: Vec::new(),
         }
     }
 
     /// The figures at a given input, of which the largest counts.
-    fn at(&self, assembly: &A, nth: usize, input: f64) -> Vec<Piece<N>> {
-        let all = self.measure.all(&(self.slopes)(assembly, input));
+    fn pieces_at_input(&self, assembly: &A, nth: usize, input: f64) -> Vec<Piece<N>> {
+        let all = self.measure.candidates(&(self.slopes)(assembly, input));
         let piece = |measured: &Measured<N>| {
             let number = measured.way.wrapping_mul(self.inputs.len());
-            let place = Place::Nth(number.wrapping_add(nth));
-            self.piece(assembly, input, place, measured)
+            let key = PieceKey::Nth(number.wrapping_add(nth));
+            self.piece(assembly, input, key, measured)
         };
         all.iter().map(piece).collect()
     }
@@ -194,8 +194,10 @@ impl<'a, A, const N: usize> ErrorOf<'a, A, N> {
                 return None;
             }
             for (input, _) in places(course.position(), Kind::High) {
-                let measured = self.measure.of(way, &(self.slopes)(assembly, input));
-                pieces.push(self.piece(assembly, input, Place::At(input), &measured));
+                let measured = self
+                    .measure
+                    .largest_of_way(way, &(self.slopes)(assembly, input));
+                pieces.push(self.piece(assembly, input, PieceKey::At(input), &measured));
             }
         }
         Some(pieces)
@@ -212,7 +214,7 @@ impl<A, const N: usize> Figure<A, N> for ErrorOf<'_, A, N> {
     }
 
     fn pieces(&self, motion: &Motion<'_, A>) -> Option<Pieces<N>> {
-        let at = |(nth, &input): (usize, &f64)| self.at(motion.assembly, nth, input);
+        let at = |(nth, &input): (usize, &f64)| self.pieces_at_input(motion.assembly, nth, input);
         let mut pieces: Vec<Piece<N>> = self.inputs.iter().enumerate().flat_map(at).collect();
         pieces.extend(self.limits(motion)?);
         let finite = !pieces.is_empty() && pieces.iter().all(|piece| piece.value.is_finite());

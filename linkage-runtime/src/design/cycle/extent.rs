@@ -115,7 +115,7 @@ impl<A, const N: usize> Dwell<'_, A, N> {
         chosen: Chosen<'_>,
         goal: Option<Claim>,
     ) -> Option<Verdict> {
-        let [from, length, _, band]: [f64; 4] = chosen.own.try_into().ok()?;
+        let [from, length, _, band]: [f64; 4] = chosen.auxiliary.try_into().ok()?;
         let motion = &candidate.motion;
         let turning = self.turning_points(motion)?;
         let [lowest, highest] = self.extent(motion, &turning, [from, length]);
@@ -133,7 +133,7 @@ impl<A, const N: usize> Dwell<'_, A, N> {
             }));
         }
         for corner in chosen.added.iter().chain(&self.further(candidate, chosen)) {
-            let assembly = Corner::of(corner)?.assemble(candidate);
+            let assembly = Corner::from_changes(corner)?.assemble(candidate);
             let limits = assembly.and_then(|other| self.limits(motion, &other, [from, length]));
             // A corner that does not assemble has no dwell at all.
             let most = limits.map_or(f64::INFINITY, |limits| {

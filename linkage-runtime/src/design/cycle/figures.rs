@@ -52,7 +52,7 @@ fn limits<A, const N: usize>(
     let of = |&(kind, sign): &(Kind, f64)| {
         places(course.position(), kind)
             .into_iter()
-            .map(move |place| piece(place, sign))
+            .map(move |extreme| piece(extreme, sign))
             .collect::<Vec<_>>()
     };
     Some(kinds.iter().flat_map(of).collect())
@@ -108,19 +108,19 @@ impl<A, const N: usize> Figure<A, N> for Stroke<'_, A, N> {
     fn pieces(&self, motion: &Motion<'_, A>) -> Option<Pieces<N>> {
         let course = self.0.course(motion)?;
         let [highs, lows] = [Kind::High, Kind::Low].map(|kind| {
-            let place = |(at, value)| self.0.piece(motion, at, value);
+            let piece = |(at, value)| self.0.piece(motion, at, value);
             places(course.position(), kind)
                 .into_iter()
-                .map(place)
+                .map(piece)
                 .collect::<Vec<_>>()
         });
         let mut pieces = vec![];
         for high in &highs {
             pieces.extend(lows.iter().map(|low| Piece {
-                place: high.place,
+                key: high.key,
                 value: high.value - low.value,
                 parameters: core::array::from_fn(|k| high.parameters[k] - low.parameters[k]),
-                own: Vec::new(),
+                auxiliary: Vec::new(),
             }));
         }
         Some(Pieces::Largest(pieces))

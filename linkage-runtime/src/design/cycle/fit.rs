@@ -13,7 +13,7 @@ use super::super::normal::Normal;
 use super::super::objective::{Candidates, Free, Objective, Rows};
 use super::super::problem::order;
 use super::super::quasi_random::unit;
-use super::{Candidate, Chosen, Conditions, CycleObjective, Own, Piece, Place};
+use super::{AuxiliaryVariable, Candidate, Chosen, Conditions, CycleObjective, Piece, PieceKey};
 use crate::data::Parameter;
 use crate::dimensions::Dimensions;
 use crate::format::rounded;
@@ -125,15 +125,15 @@ impl<W> Fit<W> {
     }
 
     /// That free inputs come one after the other.
-    fn in_order<const N: usize>(free: Option<&Free>, own: &[f64]) -> Vec<Piece<N>> {
+    fn in_order<const N: usize>(free: Option<&Free>, inputs: &[f64]) -> Vec<Piece<N>> {
         let piece = |(nth, relation): (usize, Linear)| {
-            let mut slopes = vec![0.0; own.len()];
+            let mut slopes = vec![0.0; inputs.len()];
             relation.terms.iter().for_each(|&(k, by)| slopes[k] = by);
             Piece {
-                place: Place::Nth(nth),
-                value: -relation.slack(own),
+                key: PieceKey::Nth(nth),
+                value: -relation.slack(inputs),
                 parameters: [0.0; N],
-                own: slopes,
+                auxiliary: slopes,
             }
         };
         let relations = free.map_or(Vec::new(), |free| order(free, 0));
@@ -171,12 +171,15 @@ impl<M: Dimensions<N>, A, W: Objective<M, A>, const N: usize> CycleObjective<M, 
         self.objective.check(cycle, parameters, varied)
     }
 
-    fn own(&self, candidate: &Candidate<'_, M, A>) -> Option<Vec<Own>> {
+    fn auxiliary_variables(
+        &self,
+        candidate: &Candidate<'_, M, A>,
+    ) -> Option<Vec<AuxiliaryVariable>> {
         let Some(free) = self.objective.free(&cycle(candidate)) else {
             return Some(Vec::new());
         };
         let (low, high) = candidate.motion.range;
-        let own = |start: f64| Own {
+        let variable = |start: f64| AuxiliaryVariable {
             start,
             bounds: free.bounds,
             reach: REACH * (high - low),
@@ -184,7 +187,7 @@ impl<M: Dimensions<N>, A, W: Objective<M, A>, const N: usize> CycleObjective<M, 
         Some(
             self.suited::<M, A, N>(candidate, &free)?
                 .into_iter()
-                .map(own)
+                .map(variable)
                 .collect(),
         )
     }
@@ -194,14 +197,14 @@ impl<M: Dimensions<N>, A, W: Objective<M, A>, const N: usize> CycleObjective<M, 
         candidate: &Candidate<'_, M, A>,
         chosen: Chosen<'_>,
     ) -> Option<Conditions<N>> {
-        let rows = self.rows::<M, A, N>(candidate, chosen.own)?;
+        let rows = self.rows::<M, A, N>(candidate, chosen.auxiliary)?;
         let piece = |nth: usize| {
-            let (value, parameters, own) = rows.row(0, nth);
+            let (value, parameters, auxiliary) = rows.row(0, nth);
             Piece {
-                place: Place::Nth(nth),
+                key: PieceKey::Nth(nth),
                 value,
                 parameters: core::array::from_fn(|k| parameters[k]),
-                own: own.to_vec(),
+                auxiliary: auxiliary.to_vec(),
             }
         };
         let pieces: Vec<Piece<N>> = (0..rows.count()).map(piece).collect();
@@ -212,14 +215,16 @@ impl<M: Dimensions<N>, A, W: Objective<M, A>, const N: usize> CycleObjective<M, 
                 asked.conditions.extend(pieces.iter().map(below));
             }
             Sense::Least => {
-                asked.goal.push(sum_of_squares(&pieces, chosen.own.len()));
+                asked
+                    .goal
+                    .push(sum_of_squares(&pieces, chosen.auxiliary.len()));
                 asked.squares = pieces;
             }
             Sense::Closest => asked.goal = sizes(&pieces, 0.0),
             Sense::Within(limit) => asked.conditions.push(sizes(&pieces, limit)),
         }
         let free = self.objective.free(&cycle(candidate));
-        let in_order = Self::in_order(free.as_ref(), chosen.own);
+        let in_order = Self::in_order(free.as_ref(), chosen.auxiliary);
         if !in_order.is_empty() {
             asked.conditions.push(in_order);
         }
@@ -228,7 +233,7 @@ impl<M: Dimensions<N>, A, W: Objective<M, A>, const N: usize> CycleObjective<M, 
 
     /// Slopes of all rows: those of a sum of squares vanish where it does.
     fn known_by(&self, candidate: &Candidate<'_, M, A>, chosen: Chosen<'_>) -> Option<Vec<f64>> {
-        let rows = self.rows::<M, A, N>(candidate, chosen.own)?;
+        let rows = self.rows::<M, A, N>(candidate, chosen.auxiliary)?;
         let slopes = (0..rows.count()).flat_map(|row| rows.row(0, row).1.to_vec());
         Some(slopes.collect())
     }
@@ -236,15 +241,15 @@ impl<M: Dimensions<N>, A, W: Objective<M, A>, const N: usize> CycleObjective<M, 
 
 fn sum_of_squares<const N: usize>(rows: &[Piece<N>], free: usize) -> Piece<N> {
     let mut sum = Piece {
-        place: Place::Nth(0),
+        key: PieceKey::Nth(0),
         value: 0.0,
         parameters: [0.0; N],
-        own: vec![0.0; free],
+        auxiliary: vec![0.0; free],
     };
     for row in rows {
         sum.value += row.value * row.value;
-        let slopes = row.parameters.iter().chain(&row.own);
-        let sums = sum.parameters.iter_mut().chain(&mut sum.own);
+        let slopes = row.parameters.iter().chain(&row.auxiliary);
+        let sums = sum.parameters.iter_mut().chain(&mut sum.auxiliary);
         sums.zip(slopes)
             .for_each(|(sum, slope)| *sum += 2.0 * row.value * slope);
     }
@@ -255,7 +260,7 @@ fn sum_of_squares<const N: usize>(rows: &[Piece<N>], free: usize) -> Piece<N> {
 fn sizes<const N: usize>(rows: &[Piece<N>], limit: f64) -> Vec<Piece<N>> {
     let both = |(nth, row): (usize, &Piece<N>)| {
         [1.0, -1.0].map(|sign| Piece {
-            place: Place::Nth(2 * nth + usize::from(sign < 0.0)),
+            key: PieceKey::Nth(2 * nth + usize::from(sign < 0.0)),
             ..row.times(sign, -limit)
         })
     };

@@ -17,7 +17,7 @@ pub struct BestCycle<M, A> {
     pub goal: f64,
     /// The variables that each objective has for itself, in the order of the objectives: where a
     /// dwell begins and others.
-    pub own: Vec<Vec<f64>>,
+    pub auxiliary: Vec<Vec<f64>>,
     /// Its smallest margin over the range, 0 at a dead point.
     pub margin: f64,
     /// The input where the margin is smallest.

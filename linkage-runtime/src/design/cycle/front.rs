@@ -58,8 +58,8 @@ where
         let mut search = |goal: &dyn CycleObjective<M, A, N>,
                           limit: Option<&dyn CycleObjective<M, A, N>>,
                           first: (&M, usize, bool)| {
-            let own = self.objectives.iter().map(Box::as_ref);
-            let objectives: Vec<_> = own.chain([goal]).chain(limit).collect();
+            let conditions = self.objectives.iter().map(Box::as_ref);
+            let objectives: Vec<_> = conditions.chain([goal]).chain(limit).collect();
             let checked = self.checked(&objectives)?;
             let mut found = self.searched(&checked, &objectives, first, &end, &mut report)?;
             let best = found.swap_remove(0);
@@ -112,7 +112,7 @@ where
 
 /// Returns 1 for a goal that is made least, -1 for a goal that is to be greatest.
 fn sense<M, A, const N: usize>(goal: &dyn CycleObjective<M, A, N>) -> f64 {
-    goal.told(1.0) - goal.told(0.0)
+    goal.reported_goal(1.0) - goal.reported_goal(0.0)
 }
 
 /// Those than which none is smaller in both numbers.

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::dwell::Dwell;
 use super::spread::SPARE;
-use super::{Motion, Piece, Place};
+use super::{Motion, Piece, PieceKey};
 use crate::summary::{Curve, Extreme, Kind};
 
 /// Evenly spaced positions of an interval from which its limits are searched: an interval is a part
@@ -21,8 +21,8 @@ impl<A, const N: usize> Dwell<'_, A, N> {
         input: f64,
         advance: f64,
     ) -> [f64; 3] {
-        let (place, turns) = motion.in_range(input);
-        let [value, v, a] = self.curve.jet(assembly, place);
+        let (position, turns) = motion.in_range(input);
+        let [value, v, a] = self.curve.jet(assembly, position);
         [value + turns * advance, v, a]
     }
 
@@ -47,17 +47,17 @@ impl<A, const N: usize> Dwell<'_, A, N> {
         input: f64,
         part: Option<(usize, f64)>,
     ) -> Piece<N> {
-        let (place, _) = motion.in_range(input);
-        let speed = self.curve.jet(assembly, place)[1];
-        let (place_of, own) = match part {
-            Some((nth, part)) => (Place::Nth(nth), vec![speed, part * speed, 0.0, 0.0]),
-            None => (Place::At(input), vec![0.0; 4]),
+        let (position, _) = motion.in_range(input);
+        let speed = self.curve.jet(assembly, position)[1];
+        let (key, auxiliary) = match part {
+            Some((nth, part)) => (PieceKey::Nth(nth), vec![speed, part * speed, 0.0, 0.0]),
+            None => (PieceKey::At(input), vec![0.0; 4]),
         };
         Piece {
-            place: place_of,
+            key,
             value,
-            parameters: self.curve.slopes(assembly, place),
-            own,
+            parameters: self.curve.slopes(assembly, position),
+            auxiliary,
         }
     }
 
@@ -112,23 +112,23 @@ impl<A, const N: usize> Dwell<'_, A, N> {
     pub(super) fn nominal(
         &self,
         motion: &Motion<'_, A>,
-        own: [f64; 4],
+        auxiliary: [f64; 4],
     ) -> Option<[Vec<Piece<N>>; 2]> {
-        let [from, length, low, band] = own;
+        let [from, length, low, band] = auxiliary;
         let [mut highs, mut lows] = self.limits(motion, motion.assembly, [from, length])?;
-        let inside = |piece: &Piece<N>| matches!(piece.place, Place::At(_));
+        let inside = |piece: &Piece<N>| matches!(piece.key, PieceKey::At(_));
         highs.retain(inside);
         lows.retain(inside);
         let samples = self.samples(motion, [from, length]);
         let above = |piece: &Piece<N>| {
             let mut above = piece.times(1.0, -low - (1.0 - SPARE) * band);
-            above.own[2] = -1.0;
-            above.own[3] = SPARE - 1.0;
+            above.auxiliary[2] = -1.0;
+            above.auxiliary[3] = SPARE - 1.0;
             above
         };
         let below = |piece: &Piece<N>| {
             let mut below = piece.times(-1.0, low);
-            below.own[2] = 1.0;
+            below.auxiliary[2] = 1.0;
             below
         };
         Some([

@@ -20,7 +20,7 @@ use super::super::DesignError;
 use super::super::limits::Limits;
 use super::descents::Descents;
 use super::ended::Ended;
-use super::problem::Start;
+use super::problem::SearchStart;
 use crate::dimensions::Dimensions;
 
 /// The width of the narrowest rung: of the parameter whose bounds are widest, as a part of its
@@ -116,7 +116,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
     /// # Errors
     ///
     /// The error of the search within the full bounds, if no search has a result.
-    pub(super) fn ladder(&self, first: Start) -> Result<Vec<Ended>, DesignError> {
+    pub(super) fn ladder(&self, first: SearchStart) -> Result<Vec<Ended>, DesignError> {
         let mut ladder = Ladder {
             origin: first.x[..self.problem.varied.len()].to_vec(),
             results: self.standing(&first).into_iter().collect(),
@@ -216,7 +216,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         let near = near.map(<[f64]>::to_vec);
         let places = core::iter::once(ladder.origin.clone()).chain(near);
         places
-            .map(|place| self.within(ladder, part, place))
+            .map(|values| self.within(ladder, part, values))
             .collect()
     }
 
@@ -245,22 +245,22 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
     }
 
     /// Searches within a part of the bounds from a place.
-    fn within(&self, ladder: &Ladder, part: f64, place: Vec<f64>) -> Result<Ended, DesignError> {
-        self.descend(self.start_within(ladder, part, place)?)
+    fn within(&self, ladder: &Ladder, part: f64, values: Vec<f64>) -> Result<Ended, DesignError> {
+        self.descend(self.start_within(ladder, part, values)?)
     }
 
     fn start_within(
         &self,
         ladder: &Ladder,
         part: f64,
-        place: Vec<f64>,
-    ) -> Result<Start, DesignError> {
+        values: Vec<f64>,
+    ) -> Result<SearchStart, DesignError> {
         let limits = narrowed(&self.problem.limits, &ladder.origin, part);
-        self.problem.start(&limits, place)
+        self.problem.start(&limits, values)
     }
 
     /// The first mechanism itself, if it holds all conditions.
-    fn standing(&self, first: &Start) -> Option<Ended> {
+    fn standing(&self, first: &SearchStart) -> Option<Ended> {
         let (at, least) = self.settled(first, f64::NAN, None).ok()?;
         Some(Ended {
             at,

@@ -4,7 +4,7 @@ use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::{Curve, Figure, Motion, Piece, Pieces, Place};
+use super::{Curve, Figure, Motion, Piece, PieceKey, Pieces};
 
 /// The root mean square of a quantity over the range, by the trapezoidal rule at the positions of
 /// the search: over a full turn its error falls exponentially with their number.
@@ -37,10 +37,10 @@ impl<A, const N: usize> Figure<A, N> for RootMeanSquare<'_, A, N> {
             let over = if value > 0.0 { 1.0 / value } else { 0.0 };
             let parameters = parameters.map(|sum| sum * over);
             Pieces::Largest(vec![Piece {
-                place: Place::Nth(0),
+                key: PieceKey::Nth(0),
                 value,
                 parameters,
-                own: Vec::new(),
+                auxiliary: Vec::new(),
             }])
         })
     }

@@ -6,8 +6,8 @@ use core::ops::Range;
 
 use super::super::DesignError;
 use super::super::limits::Limits;
-use super::super::minimax::{Groups, Key, Row};
-use super::{Candidate, Chosen, CycleObjective, Motion, Own, Piece, Place};
+use super::super::minimax::{FunctionRow, Groups, Key};
+use super::{AuxiliaryVariable, Candidate, Chosen, CycleObjective, Motion, Piece, PieceKey};
 use crate::circuits::Circuits;
 use crate::dimensions::Dimensions;
 use crate::error::AssemblyError;
@@ -36,22 +36,22 @@ pub(super) struct Problem<'p, M, A, const N: usize> {
 
 /// The position of a search, and its bounds.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Start {
+pub(super) struct SearchStart {
     pub(super) x: Vec<f64>,
     pub(super) limits: Limits,
     /// The largest change of each variable in the first step.
     pub(super) reach: Vec<f64>,
     /// The ranges of the variables of each objective.
-    pub(super) own: Vec<Range<usize>>,
+    pub(super) auxiliary: Vec<Range<usize>>,
     /// The conditions that were added to each objective.
     pub(super) added: Vec<Vec<Vec<f64>>>,
 }
 
-impl Start {
+impl SearchStart {
     /// The choice for the objective with this number, at some variables.
     pub(super) fn chosen<'c>(&'c self, objective: usize, x: &'c [f64]) -> Chosen<'c> {
         Chosen {
-            own: &x[self.own[objective].clone()],
+            auxiliary: &x[self.auxiliary[objective].clone()],
             added: &self.added[objective],
         }
     }
@@ -72,46 +72,51 @@ const REACH: f64 = 0.15;
 impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     /// The start of a search: the mechanism nearest to some dimensions within limits, and the
     /// variables that suit it.
-    pub(super) fn start(&self, limits: &Limits, place: Vec<f64>) -> Result<Start, DesignError> {
-        let x = limits.nearest(&place).unwrap_or(place);
+    pub(super) fn start(
+        &self,
+        limits: &Limits,
+        values: Vec<f64>,
+    ) -> Result<SearchStart, DesignError> {
+        let x = limits.nearest(&values).unwrap_or(values);
         let reach = |j: usize| {
             let width = limits.upper[j] - limits.lower[j];
             // A parameter that its bounds hold has no width; it is measured by something.
             if width > 0.0 { REACH * width } else { 1.0 }
         };
-        let mut start = Start {
+        let mut start = SearchStart {
             reach: (0..x.len()).map(reach).collect(),
             x,
             limits: limits.clone(),
-            own: Vec::new(),
+            auxiliary: Vec::new(),
             added: vec![Vec::new(); self.objectives.len()],
         };
         for objective in self.objectives {
-            let own = |candidate: &Candidate<'_, M, A>| objective.own(candidate);
-            let own: Vec<Own> = self
-                .tried(&start.x, own)
+            let auxiliary =
+                |candidate: &Candidate<'_, M, A>| objective.auxiliary_variables(candidate);
+            let variables: Vec<AuxiliaryVariable> = self
+                .tried(&start.x, auxiliary)
                 .ok_or_else(|| self.refused(&start))?;
             let first = start.reach.len();
-            for Own {
+            for AuxiliaryVariable {
                 start: value,
                 bounds: (low, high),
                 reach,
-            } in own
+            } in variables
             {
                 start.x.push(value);
                 start.limits.lower.push(low);
                 start.limits.upper.push(high);
                 start.reach.push(reach);
             }
-            start.own.push(first..start.reach.len());
+            start.auxiliary.push(first..start.reach.len());
         }
         Ok(start)
     }
 
     /// The parameters that vary, in the first mechanism.
     pub(super) fn first(&self) -> Vec<f64> {
-        let own = self.varied.iter().map(|&index| self.nominal[index]);
-        own.collect()
+        let values = self.varied.iter().map(|&index| self.nominal[index]);
+        values.collect()
     }
 
     /// The mechanism with these variables.
@@ -154,23 +159,28 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     /// in the order of the objectives.
     pub(super) fn asked(
         &self,
-        start: &Start,
+        start: &SearchStart,
         x: &[f64],
         candidate: &Candidate<'_, M, A>,
     ) -> Option<Groups> {
         let mut groups = Groups::default();
         for (k, objective) in self.objectives.iter().enumerate() {
             let asked = objective.evaluate(candidate, start.chosen(k, x))?;
-            let row = |piece: &Piece<N>| self.row(piece, &start.own[k], x.len());
+            let row = |piece: &Piece<N>| self.row(piece, &start.auxiliary[k], x.len());
             let rows = |pieces: Vec<Piece<N>>| pieces.iter().map(row).collect();
-            groups.objective.extend::<Vec<Row>>(rows(asked.goal));
-            groups.squares.extend::<Vec<Row>>(rows(asked.squares));
+            groups
+                .objective
+                .extend::<Vec<FunctionRow>>(rows(asked.goal));
+            groups
+                .squares
+                .extend::<Vec<FunctionRow>>(rows(asked.squares));
             groups
                 .conditions
                 .extend(asked.conditions.into_iter().map(rows));
         }
-        let finite =
-            |row: &Row| row.value.is_finite() && row.slopes.iter().all(|slope| slope.is_finite());
+        let finite = |row: &FunctionRow| {
+            row.value.is_finite() && row.slopes.iter().all(|slope| slope.is_finite())
+        };
         let all = groups
             .conditions
             .iter()
@@ -180,20 +190,25 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         all.then_some(groups)
     }
 
-    pub(super) fn row(&self, piece: &Piece<N>, own: &Range<usize>, variables: usize) -> Row {
+    pub(super) fn row(
+        &self,
+        piece: &Piece<N>,
+        indices: &Range<usize>,
+        variables: usize,
+    ) -> FunctionRow {
         let mut slopes = vec![0.0; variables];
         for (slope, &index) in slopes.iter_mut().zip(&self.varied) {
             *slope = piece.parameters[index];
         }
         // Figures have no variables of their own and leave the list empty.
-        for (slope, own) in slopes[own.clone()].iter_mut().zip(&piece.own) {
-            *slope = *own;
+        for (slope, value) in slopes[indices.clone()].iter_mut().zip(&piece.auxiliary) {
+            *slope = *value;
         }
-        let key = match piece.place {
-            Place::Nth(nth) => Key::Nth(nth),
-            Place::At(input) => Key::At(input),
+        let key = match piece.key {
+            PieceKey::Nth(nth) => Key::Nth(nth),
+            PieceKey::At(input) => Key::At(input),
         };
-        Row {
+        FunctionRow {
             key,
             value: piece.value,
             slopes,
@@ -201,16 +216,16 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     }
 
     /// The units of goal and conditions, from their slopes at a point.
-    pub(super) fn sizes(&self, start: &Start) -> Option<Sizes> {
+    pub(super) fn sizes(&self, start: &SearchStart) -> Option<Sizes> {
         let groups = self.tried(&start.x, |candidate| self.asked(start, &start.x, candidate))?;
-        let change = |row: &Row| {
+        let change = |row: &FunctionRow| {
             row.slopes
                 .iter()
                 .zip(&start.reach)
                 .map(|(s, r)| (s * r).abs())
                 .sum::<f64>()
         };
-        let size = |rows: &Vec<Row>| {
+        let size = |rows: &Vec<FunctionRow>| {
             let most = rows.iter().map(change).fold(0.0, f64::max);
             // A condition that no variable changes is measured by its own value.
             if most > 0.0 {
@@ -228,7 +243,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     }
 
     /// Goal and conditions, measured by their sizes.
-    pub(super) fn groups(&self, start: &Start, x: &[f64], sizes: &Sizes) -> Option<Groups> {
+    pub(super) fn groups(&self, start: &SearchStart, x: &[f64], sizes: &Sizes) -> Option<Groups> {
         let mut groups = self.tried(x, |candidate| self.asked(start, x, candidate))?;
         scale(&mut groups.objective, sizes.goal);
         scale(&mut groups.squares, sizes.goal.sqrt());
@@ -241,7 +256,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     }
 
     /// Lets all objectives look for further conditions, and adds them; whether there are any.
-    pub(super) fn refine(&self, start: &mut Start) -> bool {
+    pub(super) fn refine(&self, start: &mut SearchStart) -> bool {
         let refined = |candidate: &Candidate<'_, M, A>| {
             let objectives = self.objectives.iter().enumerate();
             let more = objectives
@@ -257,7 +272,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     }
 }
 
-fn scale(rows: &mut [Row], size: f64) {
+fn scale(rows: &mut [FunctionRow], size: f64) {
     for row in rows {
         row.value /= size;
         row.slopes.iter_mut().for_each(|slope| *slope /= size);

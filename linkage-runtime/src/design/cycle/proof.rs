@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 use super::super::DesignError;
 use super::super::certificate::{Interruption, alike, certify};
 use super::super::minimax::largest;
-use super::problem::{Problem, Sizes, Start};
+use super::problem::{Problem, SearchStart, Sizes};
 use super::{Candidate, Piece};
 use crate::circuits::{Branch, BranchEnd, Circuits};
 use crate::dimensions::Dimensions;
@@ -21,7 +21,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     /// True if all conditions hold to within a part of their sizes.
     pub(super) fn held(
         &self,
-        start: &Start,
+        start: &SearchStart,
         sizes: &Sizes,
         tolerance: f64,
     ) -> Result<(), DesignError> {
@@ -42,9 +42,9 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
                     )
                 })
                 .ok_or_else(|| self.not_whole(x))?;
-            let own = first..first + count;
+            let conditions = first..first + count;
             first += count;
-            let worst = own
+            let worst = conditions
                 .filter(|&k| missed[k] > tolerance * sizes.conditions[k])
                 .map(|k| missed[k]);
             if let Some(by) = worst.max_by(f64::total_cmp) {
@@ -55,7 +55,12 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     }
 
     /// That a condition is missed by so much where a search is.
-    pub(super) fn out_of_reach(&self, start: &Start, objective: String, by: f64) -> DesignError {
+    pub(super) fn out_of_reach(
+        &self,
+        start: &SearchStart,
+        objective: String,
+        by: f64,
+    ) -> DesignError {
         let at_bound = self.at_bound(&start.x);
         let (equations, variables) = self.freedom(start);
         let values = self.mechanism(&start.x).values();
@@ -73,7 +78,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
 
     /// The number of equations of figures and between parameters, and the number of variables for
     /// them.
-    fn freedom(&self, start: &Start) -> (usize, usize) {
+    fn freedom(&self, start: &SearchStart) -> (usize, usize) {
         let figures: usize = self
             .objectives
             .iter()
@@ -91,10 +96,10 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         let bound = |(j, &index): (usize, &usize)| {
             let bounds = [self.limits.lower[j], self.limits.upper[j]];
             // The end of a catalogue is a value like all others.
-            let of_catalogue = self.catalogues.iter().any(|(place, _)| *place == j);
+            let of_catalogue = self.catalogues.iter().any(|(position, _)| *position == j);
             let mut bounds = bounds.into_iter().filter(|_| !of_catalogue);
-            let own = bounds.find(|bound| *bound == x[j])?;
-            Some((M::PARAMETERS[index].name, own))
+            let reached = bounds.find(|bound| *bound == x[j])?;
+            Some((M::PARAMETERS[index].name, reached))
         };
         self.varied.iter().enumerate().filter_map(bound).collect()
     }
@@ -103,26 +108,26 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     pub(super) fn of_catalogues(&self) -> Vec<String> {
         let names = self.catalogues.iter();
         names
-            .map(|(place, _)| M::PARAMETERS[self.varied[*place]].name.to_string())
+            .map(|(index, _)| M::PARAMETERS[self.varied[*index]].name.to_string())
             .collect()
     }
 
     /// The assembly over the whole range: one that runs through it without a dead point, closes
     /// after a turn, and by which all objectives have their values of the optimum, so that it is
     /// the one that was optimised.
-    pub(super) fn certify(&self, start: &Start) -> Result<Branch<A>, DesignError> {
+    pub(super) fn certify(&self, start: &SearchStart) -> Result<Branch<A>, DesignError> {
         let x = &start.x;
-        let own = self
+        let numbers = self
             .tried(x, |candidate| self.known_by(start, candidate))
             .ok_or_else(|| self.not_whole(x))?;
-        let same = |branch: &Branch<A>| self.is_known(start, &own, &branch.assembly);
+        let same = |branch: &Branch<A>| self.is_known(start, &numbers, &branch.assembly);
         certify((self.circuits)(&self.mechanism(x)), same).map_err(DesignError::NotWhole)
     }
 
     /// The numbers by which all objectives know an assembly of the mechanism where a search is.
     pub(super) fn known_by(
         &self,
-        start: &Start,
+        start: &SearchStart,
         candidate: &Candidate<'_, M, A>,
     ) -> Option<Vec<Vec<f64>>> {
         let objectives = self.objectives.iter().enumerate();
@@ -132,7 +137,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     }
 
     /// Returns true if an assembly of this mechanism is the one with these numbers.
-    pub(super) fn is_known(&self, start: &Start, own: &[Vec<f64>], assembly: &A) -> bool {
+    pub(super) fn is_known(&self, start: &SearchStart, numbers: &[Vec<f64>], assembly: &A) -> bool {
         let other = self.assembled(&start.x, assembly, |candidate| {
             self.known_by(start, candidate)
         });
@@ -140,7 +145,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
             let size = a.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
             alike(a, b, a.iter().map(|_| size))
         };
-        other.is_some_and(|other| own.iter().zip(&other).all(same))
+        other.is_some_and(|other| numbers.iter().zip(&other).all(same))
     }
 
     /// That a mechanism which was found is not there over the whole range.
@@ -151,7 +156,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
 
     /// Why nothing can be said of the mechanism that a search begins with: it does not run through
     /// its whole range, or an objective finds nothing in it.
-    pub(super) fn refused(&self, start: &Start) -> DesignError {
+    pub(super) fn refused(&self, start: &SearchStart) -> DesignError {
         let circuits = (self.circuits)(&self.mechanism(&start.x));
         let branches = circuits.as_ref().map_or(&[][..], |found| &found.branches);
         let mut whole = branches
@@ -197,11 +202,11 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
 
     /// Returns true if an objective has values in an assembly: the variables of its own, and then
     /// all its numbers.
-    fn finds(&self, start: &Start, k: usize, assembly: &A) -> bool {
+    fn finds(&self, start: &SearchStart, k: usize, assembly: &A) -> bool {
         let objective = &self.objectives[k];
         let asked = |candidate: &Candidate<'_, M, A>| {
-            if start.own.get(k).is_none() {
-                return objective.own(candidate).map(|_| ());
+            if start.auxiliary.get(k).is_none() {
+                return objective.auxiliary_variables(candidate).map(|_| ());
             }
             let asked = objective.evaluate(candidate, start.chosen(k, &start.x))?;
             let mut all = asked.conditions.iter().chain([&asked.goal]).flatten();
@@ -215,13 +220,13 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
 fn intervals<A>(parts: &[&Branch<A>]) -> Vec<[f64; 2]> {
     let mut intervals: Vec<[f64; 2]> = Vec::new();
     for part in parts {
-        let own = part.ends.map(BranchEnd::x);
+        let interval = part.ends.map(BranchEnd::x);
         let near = |other: &[f64; 2]| {
-            let [low, high] = [other[0] - own[0], other[1] - own[1]];
-            low.abs().max(high.abs()) <= SAME_END * (own[1] - own[0])
+            let [low, high] = [other[0] - interval[0], other[1] - interval[1]];
+            low.abs().max(high.abs()) <= SAME_END * (interval[1] - interval[0])
         };
         if !intervals.iter().any(near) {
-            intervals.push(own);
+            intervals.push(interval);
         }
     }
     intervals

@@ -5,7 +5,7 @@ use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::{Curve, Figure, Motion, Piece, Pieces, Place};
+use super::{Curve, Figure, Motion, Piece, PieceKey, Pieces};
 use crate::summary::Kind;
 
 type Rates<'a, A, const N: usize> = Box<dyn Fn(&A, f64) -> [f64; N] + Send + Sync + 'a>;
@@ -42,7 +42,7 @@ impl<A, const N: usize> Figure<A, N> for TimeRatio<'_, A, N> {
     fn pieces(&self, motion: &Motion<'_, A>) -> Option<Pieces<N>> {
         let course = self.curve.course(motion)?;
         let strokes = course.time_ratio()?;
-        let place = |kind: Kind| {
+        let slopes = |kind: Kind| {
             let limit = course
                 .position()
                 .limits()
@@ -50,16 +50,16 @@ impl<A, const N: usize> Figure<A, N> for TimeRatio<'_, A, N> {
             let [_, _, acceleration] = self.curve.jet(motion.assembly, limit.at);
             Some((self.rates)(motion.assembly, limit.at).map(|rate| -rate / acceleration))
         };
-        let (high, low) = (place(Kind::High)?, place(Kind::Low)?);
+        let (high, low) = (slopes(Kind::High)?, slopes(Kind::Low)?);
         let value = strokes.rise / strokes.fall;
         // The fall is shorter by as much as the rise is longer.
         let factor = (1.0 + value) / strokes.fall;
         let parameters = core::array::from_fn(|k| factor * (high[k] - low[k]));
         Some(Pieces::Largest(vec![Piece {
-            place: Place::Nth(0),
+            key: PieceKey::Nth(0),
             value,
             parameters,
-            own: Vec::new(),
+            auxiliary: Vec::new(),
         }]))
     }
 }

@@ -141,7 +141,7 @@ impl<M, A, F: Figure<A, N> + Send + Sync, const N: usize> CycleObjective<M, A, N
         usize::from(matches!(self.sense, Sense::Equal(_)))
     }
 
-    fn told(&self, least: f64) -> f64 {
+    fn reported_goal(&self, least: f64) -> f64 {
         if self.sense == Sense::Greatest {
             -least
         } else {

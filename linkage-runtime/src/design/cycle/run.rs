@@ -84,9 +84,9 @@ where
         report: &mut Option<Report<'a>>,
     ) -> Result<Vec<BestCycle<M, A>>, DesignError> {
         let stopped = || end.reached();
-        let (assembled, own) = (&*self.assemble, &self.assembly);
+        let (assembled, first_assembly) = (&*self.assemble, &self.assembly);
         let assemble = |near: &A, mechanism: &M| assembled(mechanism, near);
-        let own = |mechanism: &M| assemble(own, mechanism);
+        let same_modes = |mechanism: &M| assemble(first_assembly, mechanism);
         let descents = |assembly: usize, assemble| {
             let problem = self.problem(checked, objectives, first, assemble);
             let start = problem.start(&problem.limits, problem.first());
@@ -100,7 +100,7 @@ where
                 problem,
             }
         };
-        let mut all = vec![descents(0, &own as &Assemble<'_, M, A>)];
+        let mut all = vec![descents(0, &same_modes as &Assemble<'_, M, A>)];
         // The assembly that is there is among the branches, if it runs through the whole range.
         let branches = checked.circuits.whole().filter(|_| self.all_assemblies);
         let others = branches

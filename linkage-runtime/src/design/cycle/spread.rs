@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::{Piece, Place};
+use super::{Piece, PieceKey};
 
 /// The part of a band that is left to rounding and to the precision of the search: no limit may lie
 /// outside of it in the end. A start leaves twice as much, so that it is a dwell even if nothing is
@@ -18,13 +18,18 @@ pub(super) fn ranges<const N: usize>(
     let mut ranges = Vec::new();
     for (i, high) in highs.iter().enumerate() {
         for (j, low) in lows.iter().enumerate() {
-            let mut own: Vec<f64> = high.own.iter().zip(&low.own).map(|(a, b)| a - b).collect();
-            own[3] = SPARE - 1.0;
+            let mut auxiliary: Vec<f64> = high
+                .auxiliary
+                .iter()
+                .zip(&low.auxiliary)
+                .map(|(a, b)| a - b)
+                .collect();
+            auxiliary[3] = SPARE - 1.0;
             ranges.push(Piece {
-                place: Place::Nth(i * lows.len() + j),
+                key: PieceKey::Nth(i * lows.len() + j),
                 value: high.value - low.value - (1.0 - SPARE) * band,
                 parameters: core::array::from_fn(|k| high.parameters[k] - low.parameters[k]),
-                own,
+                auxiliary,
             });
         }
     }

@@ -26,7 +26,7 @@ pub struct Check {
 
 impl Verdict {
     /// The largest piece of the goal, and of each condition.
-    pub(super) fn of<const N: usize>(asked: &Conditions<N>) -> Self {
+    pub(super) fn from_conditions<const N: usize>(asked: &Conditions<N>) -> Self {
         let largest = |pieces: &Vec<Piece<N>>| {
             let values = pieces.iter().map(|piece| piece.value);
             // Unlike `f64::max` this keeps NaN.

@@ -11,7 +11,7 @@ use alloc::vec::Vec;
 
 use super::super::DesignError;
 use super::ended::TOLERANCE;
-use super::problem::{Problem, Start};
+use super::problem::{Problem, SearchStart};
 use super::{Candidate, Check, Motion, Piece, Verdict};
 use crate::dimensions::Dimensions;
 
@@ -36,10 +36,10 @@ pub(super) type Scales = Vec<Vec<f64>>;
 impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     /// The change of each condition in a first step from a place; `None` where the mechanism does
     /// not assemble.
-    pub(super) fn scales(&self, start: &Start) -> Option<Scales> {
+    pub(super) fn scales(&self, start: &SearchStart) -> Option<Scales> {
         let x = &start.x;
         let change = |k: usize, piece: &Piece<N>| {
-            let row = self.row(piece, &start.own[k], x.len());
+            let row = self.row(piece, &start.auxiliary[k], x.len());
             let parts = row.slopes.iter().zip(&start.reach);
             parts.map(|(slope, reach)| (slope * reach).abs()).sum()
         };
@@ -63,7 +63,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     /// the place where the search began.
     pub(super) fn verified(
         &self,
-        start: &Start,
+        start: &SearchStart,
         claimed: f64,
         scales: &[Option<&Scales>],
     ) -> Result<f64, DesignError> {
@@ -112,14 +112,18 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     /// Returns whether the conditions of an objective must hold in full: a goal with variables of
     /// its own has others that suit the mechanism where those of a search break its conditions by
     /// as much as a search leaves. At corners of tolerances it has none.
-    fn is_exact(&self, start: &Start, k: usize) -> bool {
-        self.objectives[k].is_goal() && !start.own[k].is_empty() && start.added[k].is_empty()
+    fn is_exact(&self, start: &SearchStart, k: usize) -> bool {
+        self.objectives[k].is_goal() && !start.auxiliary[k].is_empty() && start.added[k].is_empty()
     }
 
     /// A violation, measured by the change in a first step, that the verdict on a goal with
     /// variables of its own allows. It matters for a band that is narrow beside the change in a
     /// first step: there a violation that is none for the search is one for the verdict.
-    pub(super) fn exact_tolerance(&self, start: &Start, scales: Option<&Scales>) -> Option<f64> {
+    pub(super) fn exact_tolerance(
+        &self,
+        start: &SearchStart,
+        scales: Option<&Scales>,
+    ) -> Option<f64> {
         let verdicts = self.tried(&start.x, |candidate| self.verdicts(start, candidate))?;
         let least = |k: usize| {
             let sizes = verdicts[k].conditions.iter().filter_map(|check| check.size);
@@ -131,7 +135,11 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         objectives.filter_map(least).reduce(f64::min)
     }
 
-    fn verdicts(&self, start: &Start, candidate: &Candidate<'_, M, A>) -> Option<Vec<Verdict>> {
+    fn verdicts(
+        &self,
+        start: &SearchStart,
+        candidate: &Candidate<'_, M, A>,
+    ) -> Option<Vec<Verdict>> {
         let motion = Motion {
             positions: FINER * (candidate.motion.positions - 1) + 1,
             ..candidate.motion

@@ -239,14 +239,17 @@ impl Task {
     }
 
     fn four_bar(&self, all: &[Complex; ALL]) -> (FourBar, [Pose; 5]) {
-        let place = |shift: Complex| (shift.scaled(self.unit) + self.first.into()).into();
+        let position = |shift: Complex| (shift.scaled(self.unit) + self.first.into()).into();
         let four_bar = FourBar {
-            fixed: self.fixed.map(|joint| place(joint.narrow())),
+            fixed: self.fixed.map(|joint| position(joint.narrow())),
             moving: [all[0], all[2]].map(|joint| joint.scaled(self.unit).into()),
         };
         let poses = core::array::from_fn(|j| match j {
             0 => Pose::new(self.first, 0.0),
-            _ => Pose::new(place(self.shifts[j - 1].narrow()), all[2 + 2 * j].angle()),
+            _ => Pose::new(
+                position(self.shifts[j - 1].narrow()),
+                all[2 + 2 * j].angle(),
+            ),
         });
         (four_bar, poses)
     }

@@ -161,7 +161,7 @@ impl FourBar {
 
 /// Returns whether numbers modulo a turn ascend, or descend, once around.
 fn is_in_order(places: &[f64]) -> bool {
-    let turns = places.iter().map(|place| place.rem_euclid(TAU));
+    let turns = places.iter().map(|position| position.rem_euclid(TAU));
     let turns: Vec<f64> = turns.collect();
     let next = turns.iter().cycle().skip(1);
     let descents = turns

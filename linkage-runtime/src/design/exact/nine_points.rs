@@ -65,10 +65,10 @@ pub fn nine_points_reporting(
             None => found.undecided += 1,
         }
     }
-    let place = |triple: &Triple| triple.four_bars[0].four_bar.fixed;
+    let fixed_joint = |triple: &Triple| triple.four_bars[0].four_bar.fixed;
     found.triples.sort_by(|a, b| {
-        place(a)
-            .partial_cmp(&place(b))
+        fixed_joint(a)
+            .partial_cmp(&fixed_joint(b))
             .unwrap_or(core::cmp::Ordering::Equal)
     });
     Ok(found)

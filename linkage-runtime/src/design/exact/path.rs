@@ -15,7 +15,7 @@ pub(super) trait Moving<const N: usize> {
     fn evaluate(&self, t: f64) -> Self::Data;
 
     /// A Newton step.
-    fn newton(&self, place: &[Complex; N], data: &Self::Data) -> Step<N>;
+    fn newton(&self, point: &[Complex; N], data: &Self::Data) -> Step<N>;
 }
 
 /// A Newton step.
@@ -58,7 +58,7 @@ impl Pace {
 #[derive(Clone, Copy)]
 struct Knot<const N: usize> {
     t: f64,
-    place: [Complex; N],
+    point: [Complex; N],
     tangent: [Complex; N],
 }
 
@@ -80,7 +80,7 @@ const CAREFUL: f64 = 0.7;
 /// The last point of a path that cannot be followed any further.
 pub(super) struct Stuck<const N: usize> {
     pub(super) t: f64,
-    pub(super) place: [Complex; N],
+    pub(super) point: [Complex; N],
 }
 
 /// Returns the end of the path from `start` at `t`; an error if it sticks or takes too many steps.
@@ -92,10 +92,10 @@ pub(super) fn follow<const N: usize, M: Moving<N>>(
 ) -> Result<[Complex; N], Stuck<N>> {
     let mut path = Path::new(moving, pace, t, *start);
     let reached = path.run();
-    let Knot { t, place, .. } = *path.now();
+    let Knot { t, point, .. } = *path.now();
     match reached {
-        true => Ok(place),
-        false => Err(Stuck { t, place }),
+        true => Ok(point),
+        false => Err(Stuck { t, point }),
     }
 }
 
@@ -108,13 +108,13 @@ struct Path<'a, const N: usize, M> {
 impl<'a, const N: usize, M: Moving<N>> Path<'a, N, M> {
     fn new(moving: &'a M, pace: Pace, t: f64, start: [Complex; N]) -> Self {
         let data = moving.evaluate(t);
-        let mut place = start;
+        let mut point = start;
         // Stored solutions have few digits.
         for _ in 0..4 {
-            place = moving.newton(&place, &data).to;
+            point = moving.newton(&point, &data).to;
         }
-        let tangent = moving.newton(&place, &data).tangent;
-        let first = Knot { t, place, tangent };
+        let tangent = moving.newton(&point, &data).tangent;
+        let first = Knot { t, point, tangent };
         let knots = Knots {
             knots: [first; 3],
             count: 1,
@@ -170,7 +170,7 @@ impl<const N: usize> Knots<N> {
     /// The polynomial (Hermite's) that has the points and tangents.
     fn predict(&self, t: f64) -> [Complex; N] {
         let knots = &self.knots[..self.count];
-        let mut place = [ZERO; N];
+        let mut point = [ZERO; N];
         for (i, knot) in knots.iter().enumerate() {
             let others = knots.iter().enumerate().filter(|&(j, _)| j != i);
             let (mut value, mut slope) = (1.0, 0.0);
@@ -180,12 +180,12 @@ impl<const N: usize> Knots<N> {
             }
             let ahead = t - knot.t;
             let square = value * value;
-            let (of_place, of_tangent) = (square * (1.0 - 2.0 * slope * ahead), square * ahead);
-            for ((place, &at), &tangent) in place.iter_mut().zip(&knot.place).zip(&knot.tangent) {
-                *place = *place + at.scaled(of_place) + tangent.scaled(of_tangent);
+            let (of_point, of_tangent) = (square * (1.0 - 2.0 * slope * ahead), square * ahead);
+            for ((number, &at), &tangent) in point.iter_mut().zip(&knot.point).zip(&knot.tangent) {
+                *number = *number + at.scaled(of_point) + tangent.scaled(of_tangent);
             }
         }
-        place
+        point
     }
 
     /// Returns the point at `t`, if the prediction is good enough, and the ratio of its error to
@@ -212,7 +212,7 @@ impl<const N: usize> Knots<N> {
         }
         let knot = Knot {
             t,
-            place: second.to,
+            point: second.to,
             tangent: second.tangent,
         };
         (Some(knot), excess)

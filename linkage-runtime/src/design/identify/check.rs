@@ -14,8 +14,8 @@ pub(super) fn check<M: Dimensions<N> + Copy, A, const N: usize>(
     identification: &Identification<'_, M, A, N>,
 ) -> Result<(Vec<usize>, Limits), DesignError> {
     let (places, mut errors) = identification.freedom.places(M::PARAMETERS, true);
-    let unknown: Vec<usize> = places.iter().map(|place| place.0).collect();
-    let place = |name: &str| {
+    let unknown: Vec<usize> = places.iter().map(|parameter| parameter.0).collect();
+    let index_of = |name: &str| {
         M::PARAMETERS
             .iter()
             .position(|parameter| parameter.name == name)
@@ -41,7 +41,7 @@ pub(super) fn check<M: Dimensions<N> + Copy, A, const N: usize>(
         errors.extend(source.check(M::PARAMETERS, &unknown));
     }
     for direct in &identification.direct {
-        match place(&direct.name) {
+        match index_of(&direct.name) {
             None => errors.push(missing(&direct.name)),
             Some(index) if !unknown.contains(&index) => errors.push(nothing(
                 "a parameter was measured itself that is not unknown; name it with `unknown`",
@@ -70,8 +70,8 @@ pub(super) fn check<M: Dimensions<N> + Copy, A, const N: usize>(
         }
     }
     let limits = Limits {
-        lower: places.iter().map(|place| place.1).collect(),
-        upper: places.iter().map(|place| place.2).collect(),
+        lower: places.iter().map(|parameter| parameter.1).collect(),
+        upper: places.iter().map(|parameter| parameter.2).collect(),
         relations: Vec::new(),
     };
     DesignError::all(errors).map(|()| (unknown, limits))

@@ -46,10 +46,10 @@ fn patterns(named: &Named, found: &Determined) -> Vec<Candidate> {
     let partner = |j: usize, end: &str| {
         let stem = &named.parameters[j].name[..named.parameters[j].name.len() - 2];
         let names = named.parameters.iter();
-        let place = names
+        let index = names
             .clone()
             .position(|p| p.name.strip_suffix(end) == Some(stem));
-        place.map_or(0.0, |place| named.values[place])
+        index.map_or(0.0, |index| named.values[index])
     };
     let turned = |j: usize| match j {
         _ if ends(j, ".x") => -partner(j, ".y"),

@@ -283,7 +283,7 @@ where
                 deviation: deviation.unwrap_or(1.0),
                 slopes: places
                     .iter()
-                    .map(|&place| columns.column(place)[position])
+                    .map(|&column| columns.column(column)[position])
                     .collect(),
             });
         }

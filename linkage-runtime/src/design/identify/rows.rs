@@ -27,19 +27,19 @@ pub(super) fn rows<M: Dimensions<N> + Copy, A, const N: usize>(
     let mut rows = rows_of(identification, &identification.sources, &mechanism, unknown);
     let parameters = M::PARAMETERS;
     for direct in &identification.direct {
-        let place = unknown
+        let index = unknown
             .iter()
             .position(|&index| parameters[index].name == direct.name);
-        let Some(place) = place else { continue };
+        let Some(index) = index else { continue };
         let mut slopes = alloc::vec![0.0; unknown.len()];
-        slopes[place] = 1.0;
+        slopes[index] = 1.0;
         rows.push(ReadingRow {
-            number: parameters[unknown[place]].name,
-            unit: parameters[unknown[place]].unit,
+            number: parameters[unknown[index]].name,
+            unit: parameters[unknown[index]].unit,
             input_name: "",
             input: f64::NAN,
             reading: direct.value,
-            difference: x[place] - direct.value,
+            difference: x[index] - direct.value,
             deviation: direct.deviation,
             slopes,
         });

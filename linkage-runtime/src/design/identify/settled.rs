@@ -99,8 +99,8 @@ impl Determined {
             }
             let along = left.column(k).dot(&self.differences);
             square += along * along;
-            for (place, &j) in free.iter().enumerate() {
-                step[j] += along / singular * directions[(k, place)];
+            for (index, &j) in free.iter().enumerate() {
+                step[j] += along / singular * directions[(k, index)];
             }
         }
         Step {

@@ -3,7 +3,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::rows::{Groups, Key, Row};
+use super::rows::{FunctionRow, Groups, Key};
 use linkage_core::numeric::vector::dot;
 
 /// A positive definite approximation of the second derivatives of the rows, each times its weight,
@@ -44,12 +44,12 @@ impl Curvature {
     }
 
     pub(super) fn entry(&self, i: usize, j: usize) -> f64 {
-        let place = i * self.reach.len() + j;
-        self.matrix[place] + self.known[place]
+        let index = i * self.reach.len() + j;
+        self.matrix[index] + self.known[index]
     }
 
     /// The slopes of a row by the variables in reaches.
-    fn scaled(&self, row: &Row) -> Vec<f64> {
+    fn scaled(&self, row: &FunctionRow) -> Vec<f64> {
         let slopes = row.slopes.iter().zip(&self.reach);
         slopes.map(|(slope, reach)| slope * reach).collect()
     }
@@ -148,8 +148,8 @@ fn times(matrix: &[f64], d: &[f64]) -> Vec<f64> {
     rows.map(|row| dot(row, d)).collect()
 }
 
-fn same<'a>(row: &Row, others: &'a [Row]) -> Option<&'a Row> {
-    let distance = |other: &Row| match (row.key, other.key) {
+fn same<'a>(row: &FunctionRow, others: &'a [FunctionRow]) -> Option<&'a FunctionRow> {
+    let distance = |other: &FunctionRow| match (row.key, other.key) {
         (Key::Nth(a), Key::Nth(b)) if a == b => 0.0,
         (Key::At(a), Key::At(b)) => (a - b).abs(),
         _ => f64::INFINITY,

@@ -13,7 +13,7 @@ pub(crate) enum Key {
 
 /// One of the smooth functions of which the largest counts.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Row {
+pub(crate) struct FunctionRow {
     pub(crate) key: Key,
     pub(crate) value: f64,
     /// Its derivatives by all variables.
@@ -24,12 +24,12 @@ pub(crate) struct Row {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Groups {
     /// Their largest is to be least.
-    pub(crate) objective: Vec<Row>,
+    pub(crate) objective: Vec<FunctionRow>,
     /// None of them may be above zero; 1 is a violation that matters.
-    pub(crate) conditions: Vec<Vec<Row>>,
+    pub(crate) conditions: Vec<Vec<FunctionRow>>,
     /// Rows of whose squares the objective is the sum, if it is one: most of its curvature is known
     /// from them.
-    pub(crate) squares: Vec<Row>,
+    pub(crate) squares: Vec<FunctionRow>,
 }
 
 impl Groups {
@@ -58,7 +58,7 @@ impl Groups {
 }
 
 /// The largest value of some rows.
-pub(crate) fn largest(rows: &[Row]) -> f64 {
+pub(crate) fn largest(rows: &[FunctionRow]) -> f64 {
     rows.iter()
         .map(|row| row.value)
         .fold(f64::NEG_INFINITY, f64::max)
@@ -72,7 +72,7 @@ pub(super) fn cost(excess: f64) -> f64 {
 
 /// The settings of a search.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Search {
+pub(crate) struct SearchSettings {
     /// The length of the first step in each variable. Variables are measured by it.
     pub(crate) reach: Vec<f64>,
     /// The search ends where steps promise less than this, if the first-order conditions hold.

@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use super::super::limits::Limits;
 use super::super::quadratic::{Face, Quadratic};
 use super::curvature::Curvature;
-use super::rows::{Groups, Row, cost};
+use super::rows::{FunctionRow, Groups, cost};
 
 /// The region of a step, and the price of violations.
 #[derive(Clone, Copy, Debug)]
@@ -60,8 +60,8 @@ pub(super) fn step(
         return None;
     }
     let d = &program.d[..n];
-    let linearised = |rows: &[Row]| {
-        let along = |row: &Row| aim.scaled(row).zip(d).map(|(s, d)| s * d).sum::<f64>();
+    let linearised = |rows: &[FunctionRow]| {
+        let along = |row: &FunctionRow| aim.scaled(row).zip(d).map(|(s, d)| s * d).sum::<f64>();
         let values = rows.iter().map(|row| row.value + along(row));
         values.fold(f64::NEG_INFINITY, f64::max)
     };
@@ -96,7 +96,7 @@ pub(super) fn fall(x: &[f64], here: &Groups, aim: &Aim<'_>) -> Option<f64> {
 
 impl Aim<'_> {
     /// The slopes of a row by the variables in reaches.
-    fn scaled<'r>(&'r self, row: &'r Row) -> impl Iterator<Item = f64> + 'r {
+    fn scaled<'r>(&'r self, row: &'r FunctionRow) -> impl Iterator<Item = f64> + 'r {
         row.slopes.iter().zip(self.reach).map(|(s, r)| s * r)
     }
 }
@@ -109,7 +109,7 @@ fn costs(
     aim: &Aim<'_>,
 ) -> (Vec<f64>, Vec<f64>) {
     let all = n + 1 + here.conditions.len();
-    let change = |row: &Row| aim.radius * aim.scaled(row).map(f64::abs).sum::<f64>();
+    let change = |row: &FunctionRow| aim.radius * aim.scaled(row).map(f64::abs).sum::<f64>();
     let changes = here.objective.iter().map(change);
     let change = changes.fold(f64::MIN_POSITIVE.sqrt(), f64::max);
     let mut gram = vec![0.0; all * all];
@@ -188,6 +188,6 @@ fn multipliers(here: &Groups, program: &Quadratic, faces: usize, first: usize) -
     }
     let mut weights = weights.into_iter().skip(first);
     let groups = core::iter::once(&here.objective).chain(&here.conditions);
-    let of = |rows: &Vec<Row>| weights.by_ref().take(rows.len()).collect();
+    let of = |rows: &Vec<FunctionRow>| weights.by_ref().take(rows.len()).collect();
     groups.map(of).collect()
 }

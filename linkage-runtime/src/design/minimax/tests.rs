@@ -4,18 +4,18 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::super::limits::{Limits, Linear};
-use super::{Groups, Key, Minimum, Row, Search, minimise};
+use super::{FunctionRow, Groups, Key, Minimum, SearchSettings, minimise};
 
-fn row(nth: usize, value: f64, slopes: &[f64]) -> Row {
-    Row {
+fn row(nth: usize, value: f64, slopes: &[f64]) -> FunctionRow {
+    FunctionRow {
         key: Key::Nth(nth),
         value,
         slopes: slopes.to_vec(),
     }
 }
 
-fn search(n: usize) -> Search {
-    Search {
+fn search(n: usize) -> SearchSettings {
+    SearchSettings {
         reach: vec![0.5; n],
         precision: 1e-14,
         slope: 1e-6,
@@ -153,7 +153,7 @@ fn line(x: &[f64]) -> Groups {
     let error = |t: f64| level + slope * t - t.exp();
     let rows = places.into_iter().flat_map(|t| {
         let key = Key::At(t);
-        [1.0, -1.0].map(|sign| Row {
+        [1.0, -1.0].map(|sign| FunctionRow {
             key,
             value: sign * error(t),
             slopes: vec![sign, sign * t],

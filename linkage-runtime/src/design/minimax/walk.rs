@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use super::super::limits::Limits;
 use super::curvature::Curvature;
-use super::rows::{Groups, Search};
+use super::rows::{Groups, SearchSettings};
 use super::step::{Aim, Plan, fall, step};
 
 /// A step that gains less than this part of its promise is taken back; the smallest part that keeps
@@ -38,7 +38,7 @@ pub(super) enum End {
 /// A search on its way.
 pub(super) struct Walk<'w, E> {
     limits: &'w Limits,
-    search: &'w Search,
+    search: &'w SearchSettings,
     evaluate: E,
     pub(super) x: Vec<f64>,
     pub(super) here: Groups,
@@ -55,7 +55,7 @@ impl<'w, E: FnMut(&[f64]) -> Option<Groups>> Walk<'w, E> {
     pub(super) fn new(
         (start, here): (&[f64], Groups),
         limits: &'w Limits,
-        search: &'w Search,
+        search: &'w SearchSettings,
         evaluate: E,
     ) -> Self {
         let mut curvature = Curvature::new(&search.reach);
@@ -135,13 +135,13 @@ impl<'w, E: FnMut(&[f64]) -> Option<Groups>> Walk<'w, E> {
         let Some(plan) = back(&self.x, &self.here, &self.aim()) else {
             return false;
         };
-        let place = moved(&self.x, &plan.d, self.limits, &self.search.reach);
+        let x = moved(&self.x, &plan.d, self.limits, &self.search.reach);
         self.evaluations += 1;
-        let there = (self.evaluate)(&place);
+        let there = (self.evaluate)(&x);
         let better = there.filter(|there| there.excess() < 0.5 * self.here.excess());
         let led = better.is_some();
         if let Some(there) = better {
-            self.go(place, there);
+            self.go(x, there);
         }
         led
     }
@@ -175,13 +175,13 @@ impl<'w, E: FnMut(&[f64]) -> Option<Groups>> Walk<'w, E> {
             .as_ref()
             .filter(|out| part < GOOD && out.excess() > self.search.tolerance)
         {
-            let place = back(&trial, out, &aim)
+            let x = back(&trial, out, &aim)
                 .map(|back| moved(&trial, &back.d, self.limits, &self.search.reach));
-            let again = place.as_deref().and_then(&mut self.evaluate);
+            let again = x.as_deref().and_then(&mut self.evaluate);
             self.evaluations += 1;
             if gain(&again) > part {
                 part = gain(&again);
-                trial = place.unwrap_or(trial);
+                trial = x.unwrap_or(trial);
                 there = again;
             }
         }
@@ -201,9 +201,9 @@ impl<'w, E: FnMut(&[f64]) -> Option<Groups>> Walk<'w, E> {
         }
     }
 
-    fn go(&mut self, place: Vec<f64>, there: Groups) {
+    fn go(&mut self, x: Vec<f64>, there: Groups) {
         self.curvature.see(&there);
-        (self.x, self.here) = (place, there);
+        (self.x, self.here) = (x, there);
     }
 }
 

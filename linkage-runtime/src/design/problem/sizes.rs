@@ -34,7 +34,7 @@ impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
     /// The declared mechanism and the first starts, whether relations hold or not.
     pub(crate) fn places(&self, seed: u64) -> Vec<Vec<f64>> {
         let count = self.limits.len();
-        let start = |index| self.place(&quasi_random::unit(seed, index, count));
+        let start = |index| self.within_bounds(&quasi_random::unit(seed, index, count));
         let first = core::iter::once(self.declared());
         first.chain((0..PLACES).map(start)).collect()
     }

@@ -34,8 +34,8 @@ impl<'a> Drawn<'a> {
     /// Returns the limits of all drawn points over these rows, in both directions.
     pub(super) fn extent(&self, rows: &[usize]) -> [[f64; 2]; 2] {
         let mut extent = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-        let mut hold = |place: [f64; 2]| {
-            for (ends, x) in extent.iter_mut().zip(place).filter(|(_, x)| x.is_finite()) {
+        let mut hold = |point: [f64; 2]| {
+            for (ends, x) in extent.iter_mut().zip(point).filter(|(_, x)| x.is_finite()) {
                 *ends = [ends[0].min(x), ends[1].max(x)];
             }
         };
@@ -91,7 +91,7 @@ impl<'a> Drawn<'a> {
         let rails = self
             .rails(rows)
             .into_iter()
-            .map(|ends| ends.map(|place| place.map(rounded)));
+            .map(|ends| ends.map(|point| point.map(rounded)));
         let traces = positioned_picture::traced_points(self.report, self.shown.picture);
         json!({
             "points": all.collect::<Vec<_>>(),

@@ -58,11 +58,11 @@ fn bounds(drawing: &Drawing<'_>, row: usize) -> [[f64; 3]; 2] {
     });
     let gears = circles(drawing, row).into_iter();
     let gears = gears.flat_map(|([x, y, z], radius)| [-radius, radius].map(|r| [x + r, y + r, z]));
-    let places = places.filter(|place| is_known(*place)).chain(gears);
+    let places = places.filter(|point| is_known(*point)).chain(gears);
     let none = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
-    places.fold(none, |[low, high], place| {
+    places.fold(none, |[low, high], point| {
         let with = |end: [f64; 3], least: fn(f64, f64) -> f64| {
-            core::array::from_fn(|k| least(end[k], place[k]))
+            core::array::from_fn(|k| least(end[k], point[k]))
         };
         [with(low, f64::min), with(high, f64::max)]
     })
@@ -165,7 +165,7 @@ fn traced_paths(drawing: &Drawing<'_>, tags: &mut Tags) {
     for &point in &drawing.traces {
         let rows = 0..drawing.shown.rows();
         let places: Vec<_> = rows.map(|row| drawing.shown.point_at(point, row)).collect();
-        let pieces = places.split(|place| !is_known(*place));
+        let pieces = places.split(|point| !is_known(*point));
         for piece in pieces.filter(|piece| piece.len() > 1) {
             tags.polyline(Layer::Paths, false, spatial, piece.iter().copied());
         }
@@ -176,19 +176,19 @@ fn traced_paths(drawing: &Drawing<'_>, tags: &mut Tags) {
 fn marked_points(drawing: &Drawing<'_>, tags: &mut Tags, row: usize, size: f64) {
     let picture = drawing.shown.picture;
     for (index, point) in picture.points.iter().enumerate() {
-        let place = drawing.shown.point_at(index, row);
+        let position = drawing.shown.point_at(index, row);
         let turns = match point.kind {
             PointKind::Construction => continue,
             PointKind::Ground | PointKind::Joint => picture.dimension == 2,
             PointKind::Tip | PointKind::Loose => false,
         };
         let layer = layer(drawing, Layer::Joints, |part| part.points.contains(&index));
-        tags.point(layer, place);
+        tags.point(layer, position);
         if turns {
-            tags.circle(layer, place, size * JOINT);
+            tags.circle(layer, position, size * JOINT);
         }
         if drawing.names {
-            let [x, y, z] = place;
+            let [x, y, z] = position;
             let beside = [x + 1.5 * size * JOINT, y + 1.5 * size * JOINT, z];
             tags.text(Layer::Names, beside, size * LETTER, point.name);
         }
@@ -211,6 +211,6 @@ fn caption_text(drawing: &Drawing<'_>, row: usize) -> String {
     )
 }
 
-fn is_known(place: [f64; 3]) -> bool {
-    place.iter().all(|x| x.is_finite())
+fn is_known(point: [f64; 3]) -> bool {
+    point.iter().all(|x| x.is_finite())
 }

@@ -23,8 +23,8 @@ impl Svg {
             return None;
         }
         let mut text = first.head();
-        for (place, mark) in first.marks.iter().enumerate() {
-            let run = frames.iter().map(|frame| frame.marks[place].element(mark));
+        for (index, mark) in first.marks.iter().enumerate() {
+            let run = frames.iter().map(|frame| frame.marks[index].element(mark));
             let run: Vec<Option<&Element>> = run.collect::<Option<_>>()?;
             let moves = match run.into_iter().collect::<Option<Vec<_>>>() {
                 Some(run) => moves(&run, seconds)?,
@@ -82,8 +82,8 @@ fn moves(run: &[&Element], seconds: f64) -> Option<String> {
         return None;
     }
     let mut moves = String::new();
-    for (place, (name, value)) in first.attributes.iter().enumerate() {
-        let run = run.iter().map(|run| run.attributes[place].1.as_str());
+    for (index, (name, value)) in first.attributes.iter().enumerate() {
+        let run = run.iter().map(|run| run.attributes[index].1.as_str());
         if run.clone().all(|run| run == value) {
             continue;
         }

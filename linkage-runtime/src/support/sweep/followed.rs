@@ -129,10 +129,10 @@ impl<F, const P: usize> Followed<F, P> {
         lane: usize,
         whole: &[f64; R],
     ) {
-        for (&place, value) in self.places.iter().zip(&mut row[P..]) {
+        for (&index, value) in self.places.iter().zip(&mut row[P..]) {
             *value = T::from_lanes(|other| {
                 if other == lane {
-                    whole[place]
+                    whole[index]
                 } else {
                     value.lane(other)
                 }

@@ -132,7 +132,11 @@ where
             let mut lane = 0;
             while lane < B {
                 let prepared = &mut prepared;
-                F::prepare::<FUSED>(&core, &Row(&x, lane), &mut RowMut(prepared, lane));
+                F::prepare::<FUSED>(
+                    &core,
+                    &BlockLane(&x, lane),
+                    &mut BlockLaneMut(prepared, lane),
+                );
                 lane = lane.wrapping_add(1);
             }
             F::run(&mut BlockStages::<_, _, _, FUSED, V, B, R, W, P> {
@@ -150,9 +154,9 @@ where
 }
 
 /// Row `.1` of a block.
-struct Row<'a, M>(&'a M, usize);
+struct BlockLane<'a, M>(&'a M, usize);
 
-impl<T, M: Memory<T>> RowNumbers<T> for Row<'_, M> {
+impl<T, M: Memory<T>> RowNumbers<T> for BlockLane<'_, M> {
     #[inline(always)]
     fn number(&self, k: usize) -> T {
         self.0.number(k, self.1)
@@ -160,9 +164,9 @@ impl<T, M: Memory<T>> RowNumbers<T> for Row<'_, M> {
 }
 
 /// Row `.2` of vector `.1` of a block.
-struct RowIn<'a, M, const V: usize>(&'a M, usize, usize);
+struct VectorLane<'a, M, const V: usize>(&'a M, usize, usize);
 
-impl<T, M: Memory<T>, const V: usize> RowNumbers<T> for RowIn<'_, M, V> {
+impl<T, M: Memory<T>, const V: usize> RowNumbers<T> for VectorLane<'_, M, V> {
     #[inline(always)]
     fn number(&self, k: usize) -> T {
         self.0.number_in::<V>(k, self.1, self.2)
@@ -170,9 +174,9 @@ impl<T, M: Memory<T>, const V: usize> RowNumbers<T> for RowIn<'_, M, V> {
 }
 
 /// Row `.1` of a block, to write to.
-struct RowMut<'a, M>(&'a mut M, usize);
+struct BlockLaneMut<'a, M>(&'a mut M, usize);
 
-impl<T, M: Memory<T>> RowNumbersMut<T> for RowMut<'_, M> {
+impl<T, M: Memory<T>> RowNumbersMut<T> for BlockLaneMut<'_, M> {
     #[inline(always)]
     fn put(&mut self, k: usize, value: T) {
         self.0.put(k, self.1, value);
@@ -182,7 +186,7 @@ impl<T, M: Memory<T>> RowNumbersMut<T> for RowMut<'_, M> {
 /// The data of the assembly of each row.
 trait Cores<T, C> {
     /// For a row of the block.
-    fn at<const V: usize>(&self, vector: usize, lane: usize) -> impl Borrow<C>;
+    fn core_of<const V: usize>(&self, vector: usize, lane: usize) -> impl Borrow<C>;
 }
 
 /// All rows are positions of one assembly.
@@ -190,7 +194,7 @@ struct OneCore<'a, C>(&'a C);
 
 impl<T, C> Cores<T, C> for OneCore<'_, C> {
     #[inline(always)]
-    fn at<const V: usize>(&self, _: usize, _: usize) -> impl Borrow<C> {
+    fn core_of<const V: usize>(&self, _: usize, _: usize) -> impl Borrow<C> {
         self.0
     }
 }
@@ -205,9 +209,9 @@ where
     F: SetStages<T, C>,
 {
     #[inline(always)]
-    fn at<const V: usize>(&self, vector: usize, lane: usize) -> impl Borrow<C> {
-        let x = RowIn::<_, V>(self.1, vector, lane);
-        F::core(self.0, &x, &RowIn::<_, V>(self.2, vector, lane))
+    fn core_of<const V: usize>(&self, vector: usize, lane: usize) -> impl Borrow<C> {
+        let x = VectorLane::<_, V>(self.1, vector, lane);
+        F::core(self.0, &x, &VectorLane::<_, V>(self.2, vector, lane))
     }
 }
 
@@ -275,7 +279,7 @@ where
                     vector,
                     lane,
                 };
-                F::row::<FUSED, true>(self.cores.at::<V>(vector, lane).borrow(), &mut row);
+                F::row::<FUSED, true>(self.cores.core_of::<V>(vector, lane).borrow(), &mut row);
                 lane = lane.wrapping_add(1);
             }
             F::write(&mut FinishedVector {

@@ -122,10 +122,10 @@ impl<'a> Last<'a> {
     }
 }
 
-/// Returns true if a cut before `place` would separate the two results of an instruction.
-fn splits_pair(program: &Program, place: usize) -> bool {
+/// Returns true if a cut before `index` would separate the two results of an instruction.
+fn splits_pair(program: &Program, index: usize) -> bool {
     matches!(
-        program.instructions.get(place),
+        program.instructions.get(index),
         Some(Instruction::Second(_))
     )
 }

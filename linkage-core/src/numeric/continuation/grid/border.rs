@@ -125,7 +125,7 @@ impl<'a> Border<'a> {
         places: &'p [BorderState],
     ) -> impl Iterator<Item = (usize, &'p Vec<f64>)> + use<'p> {
         let places = places.iter().take(self.places.corners).enumerate();
-        places.filter_map(|(corner, place)| match place {
+        places.filter_map(|(corner, border_state)| match border_state {
             BorderState::Served(state) => Some((corner, state)),
             _ => None,
         })

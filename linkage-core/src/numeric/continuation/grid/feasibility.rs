@@ -133,7 +133,7 @@ fn starts(
         let distance = |one: &Known| -> f64 {
             let pairs = one.at.iter().zip(&to).zip(ranges);
             let part = |((a, b), (frame, _)): ((&f64, &f64), &(Frame, bool))| {
-                (frame.place(*a) - frame.place(*b)).abs()
+                (frame.position(*a) - frame.position(*b)).abs()
             };
             pairs.map(part).sum()
         };

@@ -190,7 +190,7 @@ mod tests {
             let all = fitted(function);
             let places = (0..100).map(|k| [k % 10, k / 10].map(|k| f64::from(k) / 9.0 - 0.5));
             places
-                .map(|place| (value(&all, place) - function(place)).abs())
+                .map(|point| (value(&all, point) - function(point)).abs())
                 .fold(0.0, f64::max)
         };
         let shrunk = error(0.4) / error(0.2);

@@ -124,10 +124,10 @@ impl Places {
             offsets.extend(middles.filter(|offsets: &Vec<f64>| offsets.contains(&0.0)));
         }
         let across = |axis: usize| {
-            let other = |place: &Vec<f64>| {
-                let mut other = place.clone();
+            let other = |offset: &Vec<f64>| {
+                let mut other = offset.clone();
                 other[axis] = -other[axis];
-                offsets.iter().position(|place| *place == other)
+                offsets.iter().position(|offset| *offset == other)
             };
             offsets.iter().filter_map(other).collect()
         };

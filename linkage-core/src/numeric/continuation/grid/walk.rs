@@ -154,8 +154,8 @@ impl Walk<'_, '_, '_> {
         let mut least = node.floor;
         let mut places = Vec::with_capacity(self.border.places.offsets.len());
         for offsets in &self.border.places.offsets {
-            let (place, determinant) = self.place(centre, &node, offsets);
-            match place {
+            let (border_state, determinant) = self.border_state(centre, &node, offsets);
+            match border_state {
                 BorderState::Served(_) => cell.served += 1,
                 BorderState::Absent => cell.absent += 1,
                 BorderState::Missed(_) | BorderState::Unknown => {
@@ -166,7 +166,7 @@ impl Walk<'_, '_, '_> {
             if determinant.abs() < least.abs() {
                 least = determinant;
             }
-            places.push(place);
+            places.push(border_state);
         }
         cell.vanishing = least.abs() < NEAR * self.reference.abs();
         cell.found = match self.border.joint(&self.layout, slots, &places) {
@@ -182,7 +182,7 @@ impl Walk<'_, '_, '_> {
     }
 
     /// A place on the border of a cell, and the determinant there, as far as it is known.
-    fn place(&mut self, centre: &[f64], node: &Node, offsets: &[f64]) -> (BorderState, f64) {
+    fn border_state(&mut self, centre: &[f64], node: &Node, offsets: &[f64]) -> (BorderState, f64) {
         let x = self.layout.moved(centre, offsets);
         let mut state = vec![0.0; node.centre().len()];
         node.state::<false>(offsets, &mut state);

@@ -57,11 +57,11 @@ pub(super) fn follow<const N: usize>(
     homotopy: &mut Homotopy<N>,
     equations: &mut Equations<N>,
     t: f64,
-    place: &ProjectivePoint<N>,
+    point: &ProjectivePoint<N>,
 ) -> Option<Reached<N>> {
-    homotopy.turn(place.flipped);
-    equations.flipped = place.flipped;
-    let (begin, _) = corrected(homotopy, equations, &place.x.map(Complex::wide), t)?;
+    homotopy.turn(point.flipped);
+    equations.flipped = point.flipped;
+    let (begin, _) = corrected(homotopy, equations, &point.x.map(Complex::wide), t)?;
     let (x, left) = arrive(homotopy, equations, begin, t);
     if left > NEAR {
         return None;
@@ -217,5 +217,5 @@ fn difference<const N: usize>(a: &Point<N>, b: &Point<N>) -> Vector<N> {
 }
 
 fn placed<const N: usize>(homotopy: &Homotopy<N>, x: &Point<N>) -> ProjectivePoint<N> {
-    homotopy.place(x.map(Complex::narrow))
+    homotopy.projective_point(x.map(Complex::narrow))
 }

@@ -5,7 +5,7 @@ use crate::numeric::complex::{Complex, ZERO};
 
 #[test]
 fn ends_count_if_roundings_move_them_less_than_they_are_apart() {
-    let place = |re: f64| ProjectivePoint {
+    let point = |re: f64| ProjectivePoint {
         x: [Complex::new(re, 0.0), ZERO],
         flipped: [false; 2],
     };
@@ -14,7 +14,7 @@ fn ends_count_if_roundings_move_them_less_than_they_are_apart() {
         let found = [(0, 0.0, moved), (1, apart, 0.0)];
         let found = found.map(|(path, re, moved)| ReachedEnd {
             path,
-            place: place(re),
+            point: point(re),
             moved,
         });
         found[0].root(&traces, &found)

@@ -50,20 +50,20 @@ impl<const N: usize> Measure<N> {
     }
 
     /// All that may be the largest one at a place.
-    pub(super) fn all(&self, slopes: &Slopes<N>) -> Vec<Measured<N>> {
+    pub(super) fn candidates(&self, slopes: &Slopes<N>) -> Vec<Measured<N>> {
         if let (Self::WorstCase(tolerances), 2..) = (self, slopes.len()) {
             return corners(tolerances, slopes);
         }
         let ways = self.ways().iter().enumerate();
         let of = |(way, sign): (usize, &f64)| Measured {
             way,
-            ..self.of(sign, slopes)
+            ..self.largest_of_way(sign, slopes)
         };
         ways.map(of).collect()
     }
 
     /// The largest one of a way.
-    pub(super) fn of(&self, sign: &f64, slopes: &Slopes<N>) -> Measured<N> {
+    pub(super) fn largest_of_way(&self, sign: &f64, slopes: &Slopes<N>) -> Measured<N> {
         match (self, &slopes[..]) {
             (Self::WorstCase(tolerances), [slopes]) => sum_of_sizes(tolerances, *sign, slopes),
             (Self::WorstCase(tolerances), _) => worst_corner(tolerances, slopes),
@@ -142,12 +142,12 @@ fn sum_of_sizes<const N: usize>(
     // All effects smooth each, and have a part in its size.
     let part: f64 = sizes.iter().map(|size| SMOOTH * SMOOTH / size).sum();
     let weight = |k: usize| {
-        let own = if all > 0.0 {
+        let weight_of_size = if all > 0.0 {
             effects[k] * (1.0 / sizes[k] + part)
         } else {
             0.0
         };
-        own * halves[k] + sign * middles[k]
+        weight_of_size * halves[k] + sign * middles[k]
     };
     Measured {
         value: sizes.iter().sum::<f64>() + sign * dot(slopes, middles),
@@ -175,8 +175,10 @@ fn jet_of_sizes<const N: usize>(
     let sum = |sums: [f64; 3], more: [f64; 3]| core::array::from_fn(|i| sums[i] + more[i]);
     let all: [f64; 3] = (0..N).map(square).fold([0.0; 3], sum);
     let size = |k: usize| {
-        let own = square(k);
-        root(core::array::from_fn(|i| own[i] + SMOOTH * SMOOTH * all[i]))
+        let effect = square(k);
+        root(core::array::from_fn(|i| {
+            effect[i] + SMOOTH * SMOOTH * all[i]
+        }))
     };
     let shift = slopes.map(|slopes| sign * dot(slopes, middles));
     (0..N).map(size).fold(shift, sum)

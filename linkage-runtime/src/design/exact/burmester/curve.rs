@@ -67,7 +67,7 @@ impl CentreCurve {
     /// The points on the line through the pole at this angle (rad) beside the pole: two or none;
     /// one, if the curve goes to infinity there.
     #[must_use]
-    pub fn at(&self, angle: f64) -> Vec<CentrePoint> {
+    pub fn points_at(&self, angle: f64) -> Vec<CentrePoint> {
         let direction = Complex::polar(angle);
         // The pole itself is on the curve: the rest are the terms of the first degree and above.
         let [_, rest @ ..] = self.along(self.pole, direction);
@@ -87,7 +87,7 @@ impl CentreCurve {
     #[must_use]
     pub fn points(&self, angles: usize) -> Vec<CentrePoint> {
         let angle = |i: usize| PI * (i as f64 + 0.5) / angles as f64;
-        (0..angles).flat_map(|i| self.at(angle(i))).collect()
+        (0..angles).flat_map(|i| self.points_at(angle(i))).collect()
     }
 
     /// The points on a straight line of the frame, through `point` at `angle` (rad): one or three,
@@ -111,7 +111,7 @@ impl CentreCurve {
         ways.sort_by(f64::total_cmp);
         let places = ways.into_iter().map(|way| start + direction.scaled(way));
         places
-            .filter_map(|place| self.point(place, (place - self.pole).angle().rem_euclid(PI)))
+            .filter_map(|point| self.point(point, (point - self.pole).angle().rem_euclid(PI)))
             .collect()
     }
 

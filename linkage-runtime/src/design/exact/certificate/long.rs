@@ -9,7 +9,7 @@ use crate::design::exact::real::Real;
 use alloc::vec::Vec;
 use linkage_core::numeric::complex::Complex;
 
-type Place<const N: usize> = [Complex<Long>; N];
+type LongPoint<const N: usize> = [Complex<Long>; N];
 
 /// Newton steps: six double 77 digits' worth, the others are for places that are further from the
 /// solution than this is from another one. Near a double solution they only halve the distance.
@@ -26,11 +26,11 @@ pub(in super::super) fn certify_long<const N: usize, S: System<N>>(
     if !start.iter().all(finite) {
         return None;
     }
-    let place = refined(start, system)?;
+    let point = refined(start, system)?;
     let half = Complex::from(0.5).map(Long::exact);
     let far = |disc: Ball<Long>, image| disc.is_far_from(image);
     let (discs, real) =
-        decided::<N, S, _, _>(&place, half, far, |place| one_solution(place, system))?;
+        decided::<N, S, _, _>(&point, half, far, |point| one_solution(point, system))?;
     Some(Certificate {
         discs: discs.map(Ball::narrow),
         real,
@@ -38,14 +38,14 @@ pub(in super::super) fn certify_long<const N: usize, S: System<N>>(
 }
 
 /// Refines by Newton's method.
-fn refined<const N: usize, S: System<N>>(start: &[Complex; N], system: &S) -> Option<Place<N>> {
-    let mut place = start.map(|number| number.map(Long::exact));
+fn refined<const N: usize, S: System<N>>(start: &[Complex; N], system: &S) -> Option<LongPoint<N>> {
+    let mut point = start.map(|number| number.map(Long::exact));
     for _ in 0..STEPS {
-        let (values, matrix) = system.long(&place.map(Ball::exact))?;
+        let (values, matrix) = system.long(&point.map(Ball::exact))?;
         let right = values.iter().map(|value| [-value.middle]).collect();
         let step = dense::solve_long(middles(&matrix), right)?;
         let mut small = true;
-        for (number, [step]) in place.iter_mut().zip(step) {
+        for (number, [step]) in point.iter_mut().zip(step) {
             *number += step;
             small &= step.map(Long::narrow).size() <= SMALL * number.map(Long::narrow).size();
         }
@@ -53,14 +53,14 @@ fn refined<const N: usize, S: System<N>>(start: &[Complex; N], system: &S) -> Op
             break;
         }
     }
-    Some(place)
+    Some(point)
 }
 
 fn one_solution<const N: usize, S: System<N>>(
-    place: &Place<N>,
+    point: &LongPoint<N>,
     system: &S,
 ) -> Option<[Ball<Long>; N]> {
-    let there = place.map(Ball::exact);
+    let there = point.map(Ball::exact);
     let (values, matrix): Evaluated<N> = system.long(&there)?;
     let unit = (0..N).map(|row| {
         core::array::from_fn(|column| {
@@ -74,7 +74,7 @@ fn one_solution<const N: usize, S: System<N>>(
     })
 }
 
-fn middles<const N: usize>(matrix: &[[Ball<Long>; N]; N]) -> Vec<Place<N>> {
+fn middles<const N: usize>(matrix: &[[Ball<Long>; N]; N]) -> Vec<LongPoint<N>> {
     matrix
         .iter()
         .map(|row| row.map(|element| element.middle))

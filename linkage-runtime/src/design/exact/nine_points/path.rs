@@ -32,8 +32,8 @@ impl Moving<ALL> for ParameterPath<'_> {
         (pairs(part, 1.0), pairs(slope, 0.0))
     }
 
-    fn newton(&self, place: &Unknowns<Complex>, (shifts, drift): &Self::Data) -> Step<ALL> {
-        newton(place, shifts, drift)
+    fn newton(&self, point: &Unknowns<Complex>, (shifts, drift): &Self::Data) -> Step<ALL> {
+        newton(point, shifts, drift)
     }
 }
 
@@ -55,14 +55,14 @@ pub(super) fn follow(
             Ok(end) => return Some(end),
             Err(stuck) => stuck,
         };
-        let Stuck { place, .. } = stuck;
+        let Stuck { point, .. } = stuck;
         t = stuck.t;
         let (shifts, _) = way.evaluate(t);
         // Each of the two others in turn.
         let other = if change % 2 == 0 {
-            place
+            point
         } else {
-            exchanged(&place)
+            exchanged(&point)
         };
         start = cognate(&other, &shifts);
     }

@@ -91,8 +91,8 @@ impl SolutionSearch {
         let Some(end) = end else {
             return [start].into();
         };
-        let place = self.place(end);
-        let origin = *self.origins[place].get_or_insert(start);
+        let index = self.index_of(end);
+        let origin = *self.origins[index].get_or_insert(start);
         if origin == start {
             Vec::new()
         } else {
@@ -101,7 +101,7 @@ impl SolutionSearch {
     }
 
     /// Returns the index of a solution among those found, the last one if it is new.
-    pub(super) fn place(&mut self, end: FoundSolution) -> usize {
+    pub(super) fn index_of(&mut self, end: FoundSolution) -> usize {
         let known = self
             .found
             .iter()

@@ -49,16 +49,16 @@ impl Task {
 
     pub(super) fn four_bar(&self, unknowns: &equations::Unknowns<Complex>) -> PathFourBar {
         let length = |number: Complex| number.scaled(self.unit);
-        let place = |shift: Complex| (length(shift) + self.first.into()).into();
+        let position = |shift: Complex| (length(shift) + self.first.into()).into();
         let [x, _, a, _, y, _, b, ..] = *unknowns;
         let four_bar = FourBar {
-            fixed: [a, b].map(place),
+            fixed: [a, b].map(position),
             moving: [x, y].map(|joint| length(joint).into()),
         };
         let poses = core::array::from_fn(|j| match j {
             0 => Pose::new(self.first, 0.0),
             _ => Pose::new(
-                place(self.shifts[j - 1].narrow()),
+                position(self.shifts[j - 1].narrow()),
                 unknowns[6 + 2 * j].angle(),
             ),
         });

@@ -78,7 +78,7 @@ impl Planted {
     /// Its unknowns.
     fn unknowns(&self, task: &Task) -> Unknowns<Complex> {
         let unit = 1.0 / task.unit;
-        let from_first = |place: [f64; 2]| (Complex::from(place) - task.first.into()).scaled(unit);
+        let from_first = |point: [f64; 2]| (Complex::from(point) - task.first.into()).scaled(unit);
         let joints =
             [[0.0, 0.0], [self.coupler, 0.0]].map(|joint| from_first(self.poses[0].place(joint)));
         let fixed = self.fixed.map(from_first);
@@ -171,7 +171,7 @@ fn what_is_stored_are_distinct_solutions() {
         let found = data
             .end(unknowns, &here, Pace::of_attempt(0))
             .expect("a solution is stored");
-        search.place(found);
+        search.index_of(found);
     }
     assert_eq!(search.found.len(), TRIPLES.div_ceil(97));
 }
@@ -189,7 +189,7 @@ fn paths_end_in_distinct_solutions() {
     let mut search = SolutionSearch::default();
     let starts = stored_solutions::solutions();
     for start in starts.iter().step_by(361) {
-        search.place(data.end(start, &way, Pace::of_attempt(0)).expect("an end"));
+        search.index_of(data.end(start, &way, Pace::of_attempt(0)).expect("an end"));
     }
     assert_eq!(search.found.len(), 4);
 }

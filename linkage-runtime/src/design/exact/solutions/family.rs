@@ -48,9 +48,9 @@ impl<'a, E: Equations<N>, const N: usize> Member<'a, E, N> {
         Self { constants, ..*self }
     }
 
-    /// That which has `place` among its solutions.
-    pub(super) fn through(&self, place: &[Complex; N]) -> Self {
-        let values = self.with_constants([ZERO; N]).evaluated(place);
+    /// That which has `point` among its solutions.
+    pub(super) fn through(&self, point: &[Complex; N]) -> Self {
+        let values = self.with_constants([ZERO; N]).evaluated(point);
         self.with_constants(values)
     }
 
@@ -89,16 +89,16 @@ impl<'a, E: Equations<N>, const N: usize> Member<'a, E, N> {
     }
 
     /// A certificate near this place.
-    pub(super) fn shown(&self, place: &[Complex; N]) -> Option<Certificate<N>> {
-        self.shown_soon(place)
-            .or_else(|| certificate::certify_long(place, self))
+    pub(super) fn shown(&self, point: &[Complex; N]) -> Option<Certificate<N>> {
+        self.shown_soon(point)
+            .or_else(|| certificate::certify_long(point, self))
     }
 
     /// One for which residuals of 32 digits are enough.
-    pub(super) fn shown_soon(&self, place: &[Complex; N]) -> Option<Certificate<N>> {
+    pub(super) fn shown_soon(&self, start: &[Complex; N]) -> Option<Certificate<N>> {
         let values = |point: &Point<N>| self.evaluated(point).map(Complex::narrow);
-        let matrix = |place: &_| self.differentiated(place).1;
-        let point = certificate::refined(place, STEPS, values, matrix).ok()?;
+        let matrix = |point: &_| self.differentiated(point).1;
+        let point = certificate::refined(start, STEPS, values, matrix).ok()?;
         certificate::certify(&point, self)
     }
 }
@@ -158,16 +158,16 @@ impl<'e, E: Equations<N>, const N: usize> Moving<N> for ParameterPath<'_, 'e, E,
         )
     }
 
-    fn newton(&self, place: &[Complex; N], (member, form, constants): &Self::Data) -> Step<N> {
-        let (values, mut matrix) = member.differentiated(place);
+    fn newton(&self, point: &[Complex; N], (member, form, constants): &Self::Data) -> Step<N> {
+        let (values, mut matrix) = member.differentiated(point);
         let mut drift = *constants;
-        let terms = form.iter().zip(place);
+        let terms = form.iter().zip(point);
         drift[member.row] = terms.fold(drift[member.row], |sum, (&by, &x)| sum - by * x);
         let mut right = [values.map(|value| -value), drift];
         let singular = complex_matrix::solve_scaled(&mut matrix, &mut right) == 0.0;
         let [step, tangent] = right;
         Step {
-            to: core::array::from_fn(|i| place[i] + step[i]),
+            to: core::array::from_fn(|i| point[i] + step[i]),
             tangent,
             singular,
         }

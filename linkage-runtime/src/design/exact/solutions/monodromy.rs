@@ -38,7 +38,7 @@ impl Random {
     }
 
     /// Numbers from -1 to 1, their imaginary parts, too.
-    pub(super) fn place<const N: usize>(&mut self) -> [Complex; N] {
+    pub(super) fn point<const N: usize>(&mut self) -> [Complex; N] {
         let numbers = self.numbers(2 * N);
         core::array::from_fn(|i| {
             Complex::new(2.0 * numbers[2 * i] - 1.0, 2.0 * numbers[2 * i + 1] - 1.0)
@@ -75,10 +75,10 @@ impl<'a, E: Equations<N>, const N: usize> Fibre<'a, E, N> {
 
     /// All solutions of the member of a random place.
     pub(super) fn find(kind: &Member<'a, E, N>, random: &mut Random) -> Result<Self, Unsolved> {
-        let mut places = (0..PLACES).map(|_| random.place());
-        let first = places.find_map(|place| {
-            let member = kind.through(&place);
-            Some((member, member.shown(&place)?))
+        let mut places = (0..PLACES).map(|_| random.point());
+        let first = places.find_map(|point| {
+            let member = kind.through(&point);
+            Some((member, member.shown(&point)?))
         });
         let (member, first) = first.ok_or(Unsolved::Singular)?;
         let mut fibre = Self::starting(member);
@@ -97,7 +97,7 @@ impl<'a, E: Equations<N>, const N: usize> Fibre<'a, E, N> {
 
     /// One more loop.
     pub(super) fn go_round(&mut self, random: &mut Random) -> Result<(), Unsolved> {
-        let other = self.member.through(&random.place());
+        let other = self.member.through(&random.point());
         let there = ParameterPath {
             from: &self.member,
             to: &other,
@@ -113,7 +113,7 @@ impl<'a, E: Equations<N>, const N: usize> Fibre<'a, E, N> {
             self.member.shown(&end(&back, &turned).ok()?)
         });
         let before = self.found.len();
-        ends.into_iter().flatten().for_each(|end| self.place(end));
+        ends.into_iter().flatten().for_each(|end| self.add(end));
         self.idle = match self.found.len() == before {
             true => self.idle + 1,
             false => 0,
@@ -134,7 +134,7 @@ impl<'a, E: Equations<N>, const N: usize> Fibre<'a, E, N> {
         let to = &self.member;
         let way = ParameterPath { from, to, arc };
         let ends = in_parallel(starts, |start| to.shown(&end(&way, start).ok()?));
-        ends.into_iter().flatten().for_each(|end| self.place(end));
+        ends.into_iter().flatten().for_each(|end| self.add(end));
     }
 
     /// Returns the ends of the solutions of a member in another one; `None` if one leads nowhere.
@@ -151,7 +151,7 @@ impl<'a, E: Equations<N>, const N: usize> Fibre<'a, E, N> {
     }
 
     /// Adds a solution that is shown to differ from the others.
-    pub(super) fn place(&mut self, end: Certificate<N>) {
+    pub(super) fn add(&mut self, end: Certificate<N>) {
         if self.found.iter().all(|other| other.is_apart_from(&end)) {
             self.found.push(end);
         }
@@ -173,7 +173,7 @@ pub(super) fn end<E: Equations<N>, const N: usize>(
 ) -> Result<[Complex; N], Stuck<N>> {
     let mut stuck = Stuck {
         t: 1.0,
-        place: [ZERO; N],
+        point: [ZERO; N],
     };
     for attempt in 0..ATTEMPTS {
         match follow(way, Pace::of_attempt(attempt), 1.0, start) {

@@ -86,7 +86,7 @@ fn without_one_of_its_points_the_sum_is_not_linear() {
     let ternary = Ternary::at_place();
     let mut random = Random::new();
     let tilted = Member {
-        form: random.place(),
+        form: random.point(),
         ..Member::given(&ternary)
     };
     let mut section = Fibre::find(&tilted, &mut random).expect("it has points");
@@ -187,7 +187,7 @@ fn posed(draw: &mut Draw) -> (Platform, [f64; 3], [[f64; 3]; 3]) {
     let mut whole_number = || (draw.below(25) as f64) - 12.0;
     let mut points = || core::array::from_fn(|_| core::array::from_fn(|_| whole_number()));
     let (base, platform): ([[f64; 3]; 6], [[f64; 3]; 6]) = (points(), points());
-    let place: [f64; 3] = core::array::from_fn(|_| whole_number());
+    let solution: [f64; 3] = core::array::from_fn(|_| whole_number());
     let [a, b, c, d]: [f64; 4] = core::array::from_fn(|_| whole_number());
     let whole = a * a + b * b + c * c + d * d;
     // The matrix of a quaternion by columns.
@@ -204,8 +204,9 @@ fn posed(draw: &mut Draw) -> (Platform, [f64; 3], [[f64; 3]; 3]) {
     let z = cross(x, y).map(|entry| entry / whole);
     let squares = core::array::from_fn(|leg| {
         let ([u, v, w], base) = (platform[leg], base[leg]);
-        let link =
-            core::array::from_fn(|k| whole * (place[k] - base[k]) + u * x[k] + v * y[k] + w * z[k]);
+        let link = core::array::from_fn(|k| {
+            whole * (solution[k] - base[k]) + u * x[k] + v * y[k] + w * z[k]
+        });
         dot(link, link)
     });
     let posed = Platform {
@@ -214,7 +215,7 @@ fn posed(draw: &mut Draw) -> (Platform, [f64; 3], [[f64; 3]; 3]) {
         whole,
         squares,
     };
-    (posed, place, [x, y, z])
+    (posed, solution, [x, y, z])
 }
 
 const PLATFORMS: usize = 18;
@@ -226,7 +227,7 @@ fn solutions_two_thousand_times_as_far_as_a_platform_is_wide_are_shown() {
     let platforms = [(); PLATFORMS].map(|()| posed(&mut draw).0);
     // The end of a path of the last one, to ten digits; the other one of its pair is the mirror
     // image.
-    let place = [
+    let solution = [
         [1558.537407, 1189.451554],
         [98.55984839, -2165.197926],
         [2070.899016, -791.0883071],
@@ -239,9 +240,12 @@ fn solutions_two_thousand_times_as_far_as_a_platform_is_wide_are_shown() {
     ]
     .map(Complex::from);
     let given = Member::given(&platforms[PLATFORMS - 1]);
-    assert!(given.shown_soon(&place).is_none(), "77 digits are needed");
-    let [one, mirrored] = [place, place.map(Complex::conjugate)]
-        .map(|place| given.shown(&place).expect("it is a solution"));
+    assert!(
+        given.shown_soon(&solution).is_none(),
+        "77 digits are needed"
+    );
+    let [one, mirrored] = [solution, solution.map(Complex::conjugate)]
+        .map(|solution| given.shown(&solution).expect("it is a solution"));
     for shown in [&one, &mirrored] {
         assert_eq!(shown.real, Some(false));
         for disc in shown.discs {
@@ -252,7 +256,7 @@ fn solutions_two_thousand_times_as_far_as_a_platform_is_wide_are_shown() {
     let way = one
         .discs
         .iter()
-        .zip(place)
+        .zip(solution)
         .map(|(disc, x)| (disc.middle - x).size());
     assert!(way.fold(0.0, f64::max) < 1e-4);
 }
@@ -264,7 +268,7 @@ fn random_platforms_have_forty_assemblies_and_their_pose_is_among_them() {
     }
     let mut draw = Draw::new(SEED);
     for _ in 0..PLATFORMS {
-        let (platform, place, [x, y, _]) = posed(&mut draw);
+        let (platform, solution, [x, y, _]) = posed(&mut draw);
         let found = solutions_traced(&platform, 5).expect("it has some");
         let trace = found.trace.expect("it was asked for");
         let real = found.real.len();
@@ -275,7 +279,7 @@ fn random_platforms_have_forty_assemblies_and_their_pose_is_among_them() {
         );
         assert!(found.is_complete());
         let pose = [
-            place.map(|number| number / 10.0),
+            solution.map(|number| number / 10.0),
             x.map(|number| number / platform.whole),
             y.map(|number| number / platform.whole),
         ];

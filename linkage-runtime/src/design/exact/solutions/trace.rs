@@ -85,7 +85,7 @@ impl Trace {
     ) -> Result<Self, Unsolved> {
         let tilted = Member {
             row,
-            form: random.place(),
+            form: random.point(),
             ..general.member
         };
         let plain = Member {
@@ -117,7 +117,7 @@ impl Trace {
         ends.solutions
             .found
             .into_iter()
-            .for_each(|end| general.place(end));
+            .for_each(|end| general.add(end));
         Ok(Self {
             row,
             degree: section.found.len(),
@@ -152,17 +152,17 @@ impl<'a, E: Equations<N>, const N: usize> Ends<'a, E, N> {
             outside: 0,
         };
         let found = in_parallel(&section.places(), |start| match end(&way, start) {
-            Err(stuck) => Err(stuck.t < LATE && size(&stuck.place) > FAR),
+            Err(stuck) => Err(stuck.t < LATE && size(&stuck.point) > FAR),
             // Newton's method may lead from far away to a solution that is not the end of this
             // path.
-            Ok(place) => plain
-                .shown(&place)
-                .filter(|end| size(&difference(&middle(end), &place)) < HERE * size(&place))
-                .ok_or(size(&place) > FAR),
+            Ok(point) => plain
+                .shown(&point)
+                .filter(|end| size(&difference(&middle(end), &point)) < HERE * size(&point))
+                .ok_or(size(&point) > FAR),
         });
         for end in found {
             match end {
-                Ok(end) => ends.solutions.place(end),
+                Ok(end) => ends.solutions.add(end),
                 Err(outside) => ends.outside += usize::from(outside),
             }
         }
@@ -179,8 +179,8 @@ fn difference<const N: usize>(a: &[Complex; N], b: &[Complex; N]) -> [Complex; N
     core::array::from_fn(|i| a[i] - b[i])
 }
 
-fn size<const N: usize>(place: &[Complex; N]) -> f64 {
-    place.iter().map(|x| x.size()).fold(0.0, f64::max)
+fn size<const N: usize>(point: &[Complex; N]) -> f64 {
+    point.iter().map(|x| x.size()).fold(0.0, f64::max)
 }
 
 /// Returns the bend of the sum of the points between three places in line, as a part of that of a
@@ -191,7 +191,7 @@ pub(super) fn miss<E: Equations<N>, const N: usize>(
 ) -> f64 {
     let here = section.member;
     // The shift is as large as the distance between constants of random points.
-    let shift = here.through(&random.place()).constants[here.row] - here.constants[here.row];
+    let shift = here.through(&random.point()).constants[here.row] - here.constants[here.row];
     let moved = |by: f64| {
         let mut constants = here.constants;
         constants[here.row] += shift.scaled(by);

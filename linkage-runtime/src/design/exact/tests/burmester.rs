@@ -95,8 +95,11 @@ fn a_slider_is_a_dyad_at_infinity() {
     let joint = [0.3, -0.2];
     let on_line = core::array::from_fn(|j| {
         let turned = Pose::new([0.0, 0.0], angles[j]).place(joint);
-        let place = [0.5 + 0.8 * ways[j], 0.1 + 0.6 * ways[j]];
-        Pose::new([place[0] - turned[0], place[1] - turned[1]], angles[j])
+        let position = [0.5 + 0.8 * ways[j], 0.1 + 0.6 * ways[j]];
+        Pose::new(
+            [position[0] - turned[0], position[1] - turned[1]],
+            angles[j],
+        )
     });
     let found = Dyads::of_poses(&on_line).unwrap();
     let slider = found.real.iter().find_map(|dyad| match *dyad {
@@ -154,7 +157,7 @@ fn the_curve_of_four_poses_has_the_dyads_of_five() {
             };
             assert!(
                 curve
-                    .at((y - pole[1]).atan2(x - pole[0]))
+                    .points_at((y - pole[1]).atan2(x - pole[0]))
                     .iter()
                     .any(is_dyad)
             );

@@ -19,8 +19,8 @@ const SEARCHED: Unsolved = Unsolved::Stopped {
 /// moved away from the centre.
 fn on_circle(radius: f64, turn: f64, moved: [f64; 9]) -> [[f64; 2]; 9] {
     core::array::from_fn(|i| {
-        let place = (4 * i % 9) as f64 + 0.3 * (i as f64 * 1.7).sin();
-        let (sin, cos) = (turn * place / 9.0).sin_cos();
+        let angle = (4 * i % 9) as f64 + 0.3 * (i as f64 * 1.7).sin();
+        let (sin, cos) = (turn * angle / 9.0).sin_cos();
         let length = radius + moved[i];
         [300.0 + length * cos, -40.0 + length * sin]
     })

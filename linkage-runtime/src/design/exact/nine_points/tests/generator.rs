@@ -94,7 +94,7 @@ fn monodromy(random: &mut Random) -> (Shifts<Complex>, Vec<Unknowns<Complex>>) {
     let shown = data(&base);
     let mut search = SolutionSearch::default();
     for end in followed(&there, &base, unit(random), &[first]) {
-        shown.shown(&end).map(|end| search.place(end));
+        shown.shown(&end).map(|end| search.index_of(end));
     }
     let mut idle = 0;
     for turn in 0..MOST_LOOPS {
@@ -106,7 +106,7 @@ fn monodromy(random: &mut Random) -> (Shifts<Complex>, Vec<Unknowns<Complex>>) {
         let other = points(random);
         let out = followed(&base, &other, unit(random), &known);
         for end in followed(&other, &base, unit(random), &out) {
-            shown.shown(&end).map(|end| search.place(end));
+            shown.shown(&end).map(|end| search.index_of(end));
         }
         let new = search.found.len() - known.len();
         println!(
@@ -138,7 +138,7 @@ fn solutions(seed: u64) -> Vec<Certificate> {
     let mut search = SolutionSearch::default();
     for _ in 0..4 {
         for end in followed(&base, &stored, unit(&mut random), &known) {
-            shown.shown(&end).map(|end| search.place(end));
+            shown.shown(&end).map(|end| search.index_of(end));
         }
         println!("{} triples at the stored points", search.found.len());
         if search.found.len() == known.len() {

@@ -12,7 +12,7 @@ const KNOWN: usize = 3;
 const FAR: f64 = 4.0;
 
 /// The last places on the way.
-pub(super) struct History<const R: usize> {
+pub(super) struct ReachedPoints<const R: usize> {
     /// The reached points: the states, and as floors half of the determinants.
     rows: [[f64; R]; KNOWN],
     shares: [f64; KNOWN],
@@ -24,7 +24,7 @@ pub(super) struct History<const R: usize> {
 /// The extrapolation of states: the weight of each point.
 pub(super) struct Outlook([f64; KNOWN]);
 
-impl<const R: usize> History<R> {
+impl<const R: usize> ReachedPoints<R> {
     /// Nothing to go by yet.
     pub(super) fn new() -> Self {
         Self {
@@ -147,14 +147,14 @@ mod tests {
     }
 
     /// Goes to shares of a way that ends.
-    fn walked(shares: [f64; 3], end: f64) -> (History<2>, Groups) {
+    fn walked(shares: [f64; 3], end: f64) -> (ReachedPoints<2>, Groups) {
         let groups = Groups::new(vec![StateSpan {
             number: 0,
             first: 0,
             size: 1,
         }]);
         let mut slots = Slots::<0, 2>::new([]);
-        let mut history = History::new();
+        let mut history = ReachedPoints::new();
         history.begin(&reached(shares[0], end));
         for share in &shares[1..] {
             slots.put(0, &reached(*share, end));

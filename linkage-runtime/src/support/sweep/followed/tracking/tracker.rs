@@ -1,7 +1,7 @@
 //! One mechanism on its way.
 
 use super::groups::{Groups, StateSpan};
-use super::history::History;
+use super::history::ReachedPoints;
 use super::slots::Lane;
 use crate::support::CoupledGroup;
 use crate::support::settle::{scaled, scales};
@@ -55,7 +55,7 @@ pub(super) enum Verdict {
 /// A mechanism on its way; the place that it tries is in its slot.
 pub(super) struct Tracker<const R: usize> {
     number: usize,
-    history: History<R>,
+    history: ReachedPoints<R>,
     /// The place that is tried, and the step to it.
     share: f64,
     length: f64,
@@ -80,7 +80,7 @@ impl<const R: usize> Tracker<R> {
     pub(super) fn new() -> Self {
         Self {
             number: 0,
-            history: History::new(),
+            history: ReachedPoints::new(),
             share: 0.0,
             length: 0.0,
             stage: Stage::Blocked,

@@ -7,18 +7,18 @@ use linkage_symbolic::schedule::schedule_whole;
 use linkage_symbolic::{Ex, NodeId};
 
 use crate::algebra::{Algebra, Nominal};
-use crate::ir::{Closing, Outputs};
+use crate::ir::{ClosurePrograms, Outputs};
 use crate::solve::{Formulation, Prepared};
 
 use super::groups::{AssemblySource, find_turning, group_nodes, groups};
 use super::plain::{plain, valued_angles};
 
-/// See [`Closing`].
-pub(crate) fn closing<'m>(
+/// See [`ClosurePrograms`].
+pub(crate) fn closure_programs<'m>(
     algebra: &mut Algebra<'m>,
     formulation: &Formulation<'m>,
     nominal: &Nominal,
-) -> Closing {
+) -> ClosurePrograms {
     let mut inliner = Inliner::default();
     let source = |prepared: &Prepared| {
         if prepared.system.terms.is_empty() {
@@ -51,33 +51,33 @@ pub(crate) fn closing<'m>(
         lists.push(plain(&mut inliner, &numbers));
         all.push(outputs);
     }
-    let mut closing = Closing {
+    let mut closure = ClosurePrograms {
         groups: all,
         coupled: groups(algebra, formulation, nominal, &coupled_nodes, |nodes| {
             reciprocals::share(schedule_whole(&inliner.target, nodes))
         }),
-        ..Closing::default()
+        ..ClosurePrograms::default()
     };
     let mut units: Vec<Ex> = Vec::new();
     let valued = valued_angles(&inliner.target, &lists.concat());
     for angle in formulation.in_order(algebra, valued) {
-        closing.valued.push((angle, next + units.len()));
+        closure.valued.push((angle, next + units.len()));
         units.extend(algebra.names.angles[angle].unit.components());
     }
-    let angles: Vec<usize> = closing.valued.iter().map(|(angle, _)| *angle).collect();
+    let angles: Vec<usize> = closure.valued.iter().map(|(angle, _)| *angle).collect();
     find_turning(
-        &mut closing.coupled,
+        &mut closure.coupled,
         &coupled_nodes,
         &inliner.target,
         &angles,
     );
     lists.push(plain(&mut inliner, &units));
-    closing.program = reciprocals::share(schedule_whole(&inliner.target, &lists.concat()));
+    closure.program = reciprocals::share(schedule_whole(&inliner.target, &lists.concat()));
     let mut next = 0;
     let mut end = 0;
-    for (list, outputs) in lists.iter().zip(&mut closing.groups) {
+    for (list, outputs) in lists.iter().zip(&mut closure.groups) {
         // The nodes that compute a list come before the further nodes of later lists.
-        let last = closing.program.outputs[next..]
+        let last = closure.program.outputs[next..]
             .iter()
             .take(list.len())
             .max();
@@ -85,5 +85,5 @@ pub(crate) fn closing<'m>(
         outputs.end = end;
         next += list.len();
     }
-    closing
+    closure
 }

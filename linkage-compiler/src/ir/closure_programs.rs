@@ -7,8 +7,8 @@ use super::Coupled;
 
 /// The groups as programs from parameters and inputs alone, made before any function is looked at.
 #[derive(Clone, Debug, Default)]
-pub struct Closing {
-    /// Computes the numbers that [`Outputs`] names, group by group, then [`Closing::valued`].
+pub struct ClosurePrograms {
+    /// Computes the numbers that [`Outputs`] names, group by group, then [`Self::valued`].
     pub program: Program,
     /// The indices of each group's numbers, in the order of the groups.
     pub groups: Vec<Outputs>,

@@ -1,130 +1,136 @@
-//! Messages of the structural analysis: mobility.
+//! Messages about the numbers of unknowns and equations.
 
-use crate::algebra::context::Algebra;
+use crate::algebra::{Names, Nominal};
 use crate::message_format::loop_list;
-use crate::structure::analysis::Analysis;
+use crate::model::Mechanism;
 use crate::structure::equations::{Coordinate, Equation};
+use crate::structure::fault::StructureFault;
+use crate::structure::frames::FrameFaults;
 use crate::structure::matching::Matching;
 use crate::structure::redundant::RedundantLoops;
 use crate::structure::{closest_approach, frames, matching, naming, redundant};
 
-/// Reports unknowns without equations and equations without unknowns; true if there are none.
-pub(crate) fn report_mobility<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+/// A check of the numbers of equations and unknowns.
+pub(crate) struct MobilityCheck {
+    /// True if every unknown has an equation, and every equation an unknown.
+    pub(crate) complete: bool,
+    /// The faults that can be described. Unknowns that the compiler introduced have no name.
+    pub(crate) faults: Vec<StructureFault>,
+}
+
+/// Finds unknowns without equations, and equations without unknowns.
+pub(crate) fn check_mobility<'m>(
+    names: &Names<'m>,
+    nominal: &Nominal,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
     incidence: &[Vec<usize>],
     matching: &Matching,
-) -> bool {
-    let mut told = frames::report_frames(analysis, equations, coordinates, incidence, matching);
-    let mut complete = told.is_empty();
+) -> MobilityCheck {
+    let FrameFaults {
+        mut faults,
+        coordinates: mut reported,
+    } = frames::frame_faults(names, nominal, equations, coordinates, incidence, matching);
+    let mut complete = reported.is_empty();
     for (k, coordinate) in coordinates.iter().enumerate() {
-        if matching.equation_of[k].is_some() || told.contains(&k) {
+        if matching.equation_of[k].is_some() || reported.contains(&k) {
             continue;
         }
         complete = false;
         let (undetermined, sharing) = matching::undetermined_with(k, incidence, matching);
-        report_undetermined(
-            analysis,
+        faults.extend(undetermined_unknowns(
+            names,
             coordinate,
             &undetermined,
             &sharing,
             equations,
             coordinates,
-        );
-        told.extend(undetermined);
+        ));
+        reported.extend(undetermined);
     }
     for (k, equation) in equations.iter().enumerate() {
         let surplus = equation.rows.len() - matching.coordinates_of[k].len();
-        if incidence[k].is_empty() && is_reported(analysis.algebra, equation, &told, coordinates) {
+        if incidence[k].is_empty() && is_reported(names.mechanism, equation, &reported, coordinates)
+        {
             continue;
         }
         if surplus > 0 && (complete || incidence[k].is_empty()) {
             complete = false;
-            report_surplus(
-                analysis,
+            faults.push(surplus_equations(
+                names,
+                nominal,
                 equation,
                 surplus,
                 &incidence[k],
                 equations,
                 coordinates,
-            );
+            ));
         }
     }
-    complete
+    MobilityCheck { complete, faults }
 }
 
 /// True for a loop whose unknowns cancel out, if that has been said of one of them.
 fn is_reported<'m>(
-    algebra: &Algebra<'m>,
+    mechanism: &Mechanism,
     equation: &Equation<'m>,
-    told: &[usize],
+    reported: &[usize],
     coordinates: &[Coordinate],
 ) -> bool {
-    let written = algebra.mechanism.usage(&equation.loops).unknowns;
-    let mut told = told.iter().filter_map(|&k| coordinates[k].unknown);
-    told.any(|unknown| written[unknown])
+    let written = mechanism.usage(&equation.loops).unknowns;
+    let mut reported = reported.iter().filter_map(|&k| coordinates[k].unknown);
+    reported.any(|unknown| written[unknown])
 }
 
-fn report_undetermined<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+/// Returns the fault of an unknown without an equation; `None` if the compiler introduced it.
+fn undetermined_unknowns<'m>(
+    names: &Names<'m>,
     coordinate: &Coordinate,
     undetermined: &[usize],
     sharing: &[usize],
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
-) {
-    let Some(unknown) = coordinate.unknown else {
-        return;
-    };
-    let origin = analysis.algebra.mechanism.unknowns[unknown].origin;
-    let name = &analysis.algebra.mechanism.unknowns[unknown].name;
-    if sharing.is_empty() && naming::is_component(analysis.algebra, undetermined, coordinates) {
-        let component = naming::coordinate_name(analysis.algebra, coordinate);
-        let dimension = analysis.algebra.mechanism.unknowns[unknown].ty.dimension();
+) -> Option<StructureFault> {
+    let unknown = coordinate.unknown?;
+    let origin = names.mechanism.unknowns[unknown].origin;
+    let fault = |text| Some(StructureFault { origin, text });
+    let name = &names.mechanism.unknowns[unknown].name;
+    if sharing.is_empty() && naming::is_component(undetermined, coordinates) {
+        let component = naming::coordinate_name(names, coordinate);
+        let dimension = names.mechanism.unknowns[unknown].ty.dimension();
         let norm = if dimension.is_some_and(|d| d.half_lengths == 0) {
             format!("; the loop of a direction is `norm({name}) = 1`")
         } else {
             String::new()
         };
-        return analysis.reporter.error(
-            origin,
-            format!("`{component}` is in no loop\nhelp: add a `loop` that contains it{norm}"),
-        );
+        return fault(format!(
+            "`{component}` is in no loop\nhelp: add a `loop` that contains it{norm}"
+        ));
     }
-    let written: Vec<usize> = (0..analysis.algebra.mechanism.loops.len())
-        .filter(|&k| analysis.algebra.mechanism.usage(&[k]).unknowns[unknown])
+    let written: Vec<usize> = (0..names.mechanism.loops.len())
+        .filter(|&k| names.mechanism.usage(&[k]).unknowns[unknown])
         .collect();
     if sharing.is_empty() && !written.is_empty() {
         let loops = loop_list(&written);
-        return analysis.reporter.error(
-                origin,
-                format!(
-                    "no loop changes with `{name}`: it cancels out of {loops}\n\
-                     help: look for a vector that is turned by `{name}` and lies along its axis, or that is multiplied by 0"
-                ),
-            );
+        return fault(format!(
+            "no loop changes with `{name}`: it cancels out of {loops}\n\
+             help: look for a vector that is turned by `{name}` and lies along its axis, or that is multiplied by 0"
+        ));
     }
     if sharing.is_empty() {
-        return analysis.reporter.error(
-            origin,
-            format!(
-                "unknown `{name}` is in no loop\n\
-                     help: add a `loop` that contains it, or write it as `let` or `input`"
-            ),
-        );
+        return fault(format!(
+            "unknown `{name}` is in no loop\n\
+             help: add a `loop` that contains it, or write it as `let` or `input`"
+        ));
     }
     let rows: usize = sharing.iter().map(|&k| equations[k].rows.len()).sum();
     let surplus = undetermined.len() - rows;
-    let inputs = analysis.algebra.mechanism.inputs.len();
-    let message = format!(
+    let inputs = names.mechanism.inputs.len();
+    fault(format!(
         "more unknowns than equations: {} ({}) but {} from {}; mobility {}, driven inputs {inputs}\n\
              help: add a loop, or make {}",
         naming::counted(undetermined.len(), "unknown"),
-        naming::unknown_names(
-            analysis.algebra,
-            undetermined.iter().map(|&k| &coordinates[k])
-        ),
+        naming::unknown_names(names, undetermined.iter().map(|&k| &coordinates[k])),
         naming::counted(rows, "equation"),
         loop_list(sharing.iter().flat_map(|&k| &equations[k].loops)),
         inputs + surplus,
@@ -133,38 +139,39 @@ fn report_undetermined<'m>(
         } else {
             format!("{surplus} of these unknowns inputs")
         },
-    );
-    analysis.reporter.error(origin, message);
+    ))
 }
 
-fn report_surplus<'m>(
-    analysis: &mut Analysis<'_, 'm>,
+/// Returns the fault of a loop with more equations than unknowns.
+fn surplus_equations<'m>(
+    names: &Names<'m>,
+    nominal: &Nominal,
     equation: &Equation<'m>,
     surplus: usize,
     contained: &[usize],
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
-) {
+) -> StructureFault {
     let number = equation.loops[0];
-    let origin = analysis.algebra.mechanism.loops[number].origin;
+    let origin = names.mechanism.loops[number].origin;
     let loops = loop_list(&equation.loops);
-    let message = if contained.is_empty() {
+    let text = if contained.is_empty() {
         format!(
             "{loops} contains no unknown\nhelp: a loop closes by unknowns; add an `unknown` to it or remove it"
         )
     } else {
         let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
-        let inputs = analysis.algebra.mechanism.inputs.len();
+        let inputs = names.mechanism.inputs.len();
         let mobility = (inputs + coordinates.len()) as isize - rows as isize;
         let unknowns: Vec<Coordinate> = contained.iter().map(|&k| coordinates[k].clone()).collect();
-        let short = closest_approach::short_of(analysis, equation, &unknowns);
+        let short = closest_approach::short_of(names, nominal, equation, &unknowns);
         let short = short.map_or_else(String::new, |short| format!(": {short}"));
         let link = match equation.rows.len() {
             3 => "; a link between two ball joints is one equation, `distance(a, b) = length`",
             _ => "",
         };
         let repeated =
-            redundant::redundant_loops(analysis, equation, surplus, equations, coordinates);
+            redundant::redundant_loops(names, nominal, equation, surplus, equations, coordinates);
         let RedundantLoops { fact, help } = repeated.unwrap_or_else(|| RedundantLoops {
                 fact: short,
                 help: format!(
@@ -180,10 +187,10 @@ fn report_surplus<'m>(
             } else {
                 format!("has {surplus} equations")
             },
-            naming::unknown_names(analysis.algebra, contained.iter().map(|&k| &coordinates[k])),
+            naming::unknown_names(names, contained.iter().map(|&k| &coordinates[k])),
             naming::counted(rows, "equation"),
             naming::counted(coordinates.len(), "unknown"),
         )
     };
-    analysis.reporter.error(origin, message);
+    StructureFault { origin, text }
 }
