@@ -12,11 +12,11 @@ pub use linkage_runtime::Lanes;
 /// in the version that fits.
 pub use linkage_runtime::nalgebra;
 pub use linkage_runtime::{
-    AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, Frame, FunctionInfo,
-    Gear, Group, GroupRef, Guide, GuideOn, GuideShape, Halt, Heading, Input, JointShape, Meaning,
-    NotFollowed, Operations, Parameter, Picture, PictureColumns, PictureJoint, PictureLink,
-    PicturePart, PicturePoint, PlaneFrame, PointKind, Programs, Scalar, Screw, Structure, Table,
-    Vector2, Vector3, true_acceleration, true_jerk, true_velocity,
+    AssemblyError, AssemblyMode, Axis, Dimensions, Drive, DriveOn, Frame, FunctionInfo, Gear,
+    Group, GroupRef, Guide, GuideOn, GuideShape, Halt, Heading, Input, JointShape, NotFollowed,
+    Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint,
+    PlaneFrame, PointKind, Programs, Scalar, Screw, Structure, Table, Vector2, Vector3,
+    true_acceleration, true_jerk, true_velocity,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_runtime::{
@@ -301,8 +301,6 @@ struct Overview;
 #[doc(hidden)]
 pub mod __private {
     pub use linkage_macros::mechanism;
-    #[cfg(feature = "alloc")]
-    pub use linkage_runtime::Columns;
     #[cfg(any(feature = "std", feature = "libm"))]
     pub use linkage_runtime::support::{
         Along, Angle, Revolutions as Turns, revolutions as turns, wind,
@@ -310,12 +308,13 @@ pub mod __private {
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::support::{
         Arguments, Box, Inputs, OverInputs, OverSets, RowNumbersMut, SetStages, Sets, Vec,
-        assemblies, fill, fill_or_call, fill_slices, in_row, one,
+        assemblies, fill, fill_or_call, fill_results, fill_slices, in_row, one,
     };
     pub use linkage_runtime::support::{
         AssemblyData as Sealed, Block, Dispatch as Single, FinishedRows, RowNumbers, RunStages,
-        Stage, StageRow, Staged, as_in_sweeps, close, dispatch as single, explained, finite,
-        inlined, named, once,
+        Stage, StageRow, Staged, as_in_sweeps, close, derivative_of, dispatch as single, drawn,
+        explained, finite, inlined, margin, named, once, operations, parameter, rate, sensitivity,
+        value,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::support::{
@@ -334,12 +333,14 @@ pub mod __private {
     #[cfg(feature = "rayon")]
     pub use linkage_runtime::support::{fill_followed_parallel, fill_parallel};
     pub use linkage_runtime::{
-        AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, FUSED, Frame,
-        FunctionInfo, Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, Meaning,
-        NotFollowed, Operations, Parameter, Picture, PictureColumns, PictureJoint, PictureLink,
-        PicturePart, PicturePoint, PlaneFrame, PointKind, Programs, Scalar, Structure, Table,
-        Vector2, Vector3, if_alloc, if_rayon, if_report,
+        AssemblyError, AssemblyMode, Axis, Dimensions, Drive, DriveOn, FUSED, Frame, FunctionInfo,
+        Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, NotFollowed,
+        Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint,
+        PlaneFrame, PointKind, Programs, ResultRow, Scalar, Structure, Table, Vector2, Vector3,
+        if_alloc, if_rayon, if_report,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::{Circuits, Cycle, RangeReport};
+    #[cfg(feature = "alloc")]
+    pub use linkage_runtime::{Columns, ResultColumns};
 }

@@ -37,13 +37,7 @@ impl<T: Scalar> Columns<T> {
     /// `width` columns of `len` values, all NaN.
     #[must_use]
     pub fn new(width: usize, len: usize) -> Self {
-        let mut columns = Self {
-            data: Vec::new(),
-            start: 0,
-            width,
-            len: 0,
-            distance: 0,
-        };
+        let mut columns = Self::empty(width);
         columns.resize(len);
         columns
     }
@@ -87,7 +81,18 @@ impl<T: Scalar> Columns<T> {
     }
 }
 
-impl<T: Copy> Columns<T> {
+impl<T> Columns<T> {
+    /// `width` columns without rows; nothing is allocated.
+    pub(crate) fn empty(width: usize) -> Self {
+        Self {
+            data: Vec::new(),
+            start: 0,
+            width,
+            len: 0,
+            distance: 0,
+        }
+    }
+
     /// Length of every column: the number of rows.
     #[must_use]
     #[inline]
@@ -145,7 +150,9 @@ impl<T: Copy> Columns<T> {
             .step_by(self.distance);
         cells.zip(values).for_each(|(cell, value)| *cell = value);
     }
+}
 
+impl<T: Copy> Columns<T> {
     /// One value.
     ///
     /// # Panics
@@ -169,7 +176,7 @@ fn line(size: usize) -> usize {
     (LINE / size.max(1)).max(1)
 }
 
-impl<T: Copy + PartialEq> PartialEq for Columns<T> {
+impl<T: PartialEq> PartialEq for Columns<T> {
     fn eq(&self, other: &Self) -> bool {
         self.width == other.width
             && self.len == other.len
@@ -177,7 +184,7 @@ impl<T: Copy + PartialEq> PartialEq for Columns<T> {
     }
 }
 
-impl<T: Copy + fmt::Debug> fmt::Debug for Columns<T> {
+impl<T: fmt::Debug> fmt::Debug for Columns<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let columns = (0..self.width).map(|index| self.column(index));
         f.debug_list().entries(columns).finish()

@@ -51,6 +51,9 @@ mod plane_frame;
 mod range_check;
 #[cfg(feature = "report")]
 pub mod report;
+#[cfg(feature = "alloc")]
+mod result_columns;
+mod result_row;
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 mod scene;
 #[cfg(feature = "nalgebra")]
@@ -99,6 +102,9 @@ pub use nalgebra::{self, Vector2, Vector3};
 pub use plane_frame::PlaneFrame;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use range_check::{RangeFinding, RangeFindingKind, RangeMessage, RangeReport, Unchecked};
+#[cfg(feature = "alloc")]
+pub use result_columns::ResultColumns;
+pub use result_row::ResultRow;
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 pub use scene::{Handle, Handles, Scene};
 #[cfg(feature = "nalgebra")]

@@ -2,6 +2,7 @@
 
 mod assembly_data;
 mod close;
+mod constants;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod continuation;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
@@ -31,6 +32,9 @@ pub use assembly_data::AssemblyData;
 #[cfg(feature = "alloc")]
 pub use close::{assemblies, one};
 pub use close::{close, explained, finite};
+pub use constants::{
+    derivative_of, drawn, margin, operations, parameter, rate, sensitivity, value,
+};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use continuation::{DimensionPath, follow_path};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
@@ -63,7 +67,7 @@ pub use stages::{
 #[cfg(feature = "alloc")]
 pub use sweep::{
     Arguments, Inputs, Kernel, OverInputs, OverSets, RowNumbersMut, SetStages, Sets, fill,
-    fill_or_call, fill_slices, in_row,
+    fill_or_call, fill_results, fill_slices, in_row,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use sweep::{Extended, Followed, Moving, States, fill_followed};

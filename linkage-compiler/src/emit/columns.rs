@@ -4,8 +4,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::docs::{behind_name, doc};
-use super::outline::{Function, Outline, plain};
-use super::spanned::type_at;
+use super::outline::{Field, Function, Outline, plain};
+use super::spanned::tuple_type_at;
 use super::{attribute, literal, result_module};
 use crate::model::Shape;
 
@@ -29,151 +29,62 @@ fn structure(outline: &Outline, function: &Function) -> TokenStream {
         "Many `{}` values, one column for each number.",
         plain(result)
     ));
-    let width = literal::index(function.width());
-    let new = outline.body(quote!(Self { __columns: #runtime::Columns::new(#width, 0) }));
     let allow = attribute::allow();
-    let comparison = comparison(outline, function);
-    let constructor = free(function, "new").then(|| {
-        quote! {
-            #(#everywhere)*
-            #allow
-            impl<T: #runtime::Scalar> #columns<T> {
-                /// Empty columns; nothing is allocated before the first sweep.
-                #[must_use]
-                pub fn new() -> Self { ::core::default::Default::default() }
-            }
-        }
-    });
     let visibility = result_module::visibility(outline, function);
-    let field = quote!(__columns: #runtime::Columns<T>);
-    let item = type_at(function.result, columns, &visibility, field);
+    let private = result_module::private(outline, function);
+    let width = literal::index(function.width());
+    let inner = quote!(#runtime::ResultColumns<T, #result<T>, #width>);
+    let item = tuple_type_at(
+        function.result,
+        columns,
+        &visibility,
+        quote!(#private #inner),
+    );
     quote! {
         #(#everywhere)*
         #doc
         #allow
-        #[derive(::core::clone::Clone)]
+        #[derive(::core::clone::Clone, ::core::cmp::PartialEq, ::core::fmt::Debug)]
         #item
-        #comparison
         #(#everywhere)*
         #allow
         #[automatically_derived]
-        impl<T: #runtime::Scalar> ::core::default::Default for #columns<T> {
-            fn default() -> Self { #new }
+        impl<T> ::core::default::Default for #columns<T> {
+            fn default() -> Self { Self(::core::default::Default::default()) }
         }
-        #constructor
-    }
-}
+        #(#everywhere)*
+        #allow
+        #[automatically_derived]
+        impl<T> ::core::ops::Deref for #columns<T> {
+            type Target = #inner;
 
-/// `PartialEq` and `Debug`: a derive would bind `T`, not the columns.
-fn comparison(outline: &Outline, function: &Function) -> TokenStream {
-    let runtime = &outline.runtime;
-    let Function { columns, .. } = function;
-    let everywhere = &attribute::split(function.attributes).everywhere;
-    let allow = attribute::allow();
-    let title = columns.to_string();
-    quote! {
-        #(#everywhere)*
-        #allow
-        #[automatically_derived]
-        impl<T: #runtime::Scalar> ::core::cmp::PartialEq for #columns<T> {
-            fn eq(&self, __other: &Self) -> ::core::primitive::bool {
-                self.__columns == __other.__columns
-            }
-        }
-        #(#everywhere)*
-        #allow
-        #[automatically_derived]
-        impl<T: #runtime::Scalar> ::core::fmt::Debug for #columns<T> {
-            fn fmt(&self, __f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                __f.debug_tuple(#title).field(&self.__columns).finish()
-            }
+            fn deref(&self) -> &Self::Target { &self.0 }
         }
     }
-}
-
-/// True unless a field of the result has this name: then its accessor takes it.
-fn free(function: &Function, name: &str) -> bool {
-    function
-        .fields
-        .iter()
-        .all(|field| plain(field.name) != name)
 }
 
 fn access(outline: &Outline, function: &Function) -> TokenStream {
     let runtime = &outline.runtime;
     let Function { columns, .. } = function;
     let everywhere = &attribute::split(function.attributes).everywhere;
-    let rows = rows(outline, function);
     let fields = fields(outline, function);
-    let private = result_module::private(outline, function);
     let allow = attribute::allow();
+    // A field of this name has the accessor.
+    let is_taken = |field: &Field| plain(field.name) == "new";
+    let constructor = (!function.fields.iter().any(is_taken)).then(|| {
+        quote! {
+            /// Empty columns; nothing is allocated before the first sweep.
+            #[must_use]
+            pub fn new() -> Self { ::core::default::Default::default() }
+        }
+    });
     quote! {
         #(#everywhere)*
         #allow
         impl<T: #runtime::Scalar> #columns<T> {
-            #private fn __of(__columns: &Self) -> &#runtime::Columns<T> { &__columns.__columns }
-            #private fn __of_mut(__columns: &mut Self) -> &mut #runtime::Columns<T> { &mut __columns.__columns }
-            #rows
+            #constructor
             #fields
         }
-    }
-}
-
-/// `len`, `is_empty`, `get`, `iter`.
-fn rows(outline: &Outline, function: &Function) -> TokenStream {
-    let result = function.result;
-    let row = outline.body(quote! {
-        #result::__from_row(::core::array::from_fn(|__column| self.__columns.get(__row, __column)))
-    });
-    let method = |name: &str, tokens: TokenStream| free(function, name).then_some(tokens);
-    let len = outline.body(quote!(self.__columns.len()));
-    let len = method(
-        "len",
-        quote! {
-            /// How many positions.
-            #[must_use]
-            pub fn len(&self) -> ::core::primitive::usize { #len }
-        },
-    );
-    let is_empty = outline.body(quote!(self.__columns.len() == 0));
-    let is_empty = method(
-        "is_empty",
-        quote! {
-            /// True before the first sweep, and after one over no position.
-            #[must_use]
-            pub fn is_empty(&self) -> ::core::primitive::bool { #is_empty }
-        },
-    );
-    let get = method(
-        "get",
-        quote! {
-            /// All quantities at one position, counted from 0.
-            ///
-            /// # Panics
-            ///
-            /// Panics if there is no such position.
-            #[must_use]
-            pub fn get(&self, index: ::core::primitive::usize) -> #result<T> { self.__row(index) }
-        },
-    );
-    let iter = method(
-        "iter",
-        quote! {
-            /// All positions in order.
-            pub fn iter(
-                &self,
-            ) -> impl ::core::iter::DoubleEndedIterator<Item = #result<T>> + ::core::iter::ExactSizeIterator + '_ {
-                let __range = ::core::ops::Range { start: 0, end: self.__columns.len() };
-                ::core::iter::Iterator::map(__range, move |__row| self.__row(__row))
-            }
-        },
-    );
-    quote! {
-        fn __row(&self, __row: ::core::primitive::usize) -> #result<T> { #row }
-        #len
-        #is_empty
-        #get
-        #iter
     }
 }
 
@@ -232,7 +143,7 @@ fn slices(shape: &Shape, next: &mut usize) -> TokenStream {
         Shape::Scalar => {
             let column = literal::index(*next);
             *next += 1;
-            quote!(self.__columns.column(#column))
+            quote!(self.0.column(#column))
         }
     }
 }

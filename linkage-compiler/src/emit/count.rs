@@ -4,7 +4,7 @@ use linkage_symbolic::count::Count;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// A literal of the runtime's `Operations`.
+/// The runtime's `Operations`.
 pub(super) fn literal(runtime: &TokenStream, count: &Count) -> TokenStream {
     let Count {
         add,
@@ -16,9 +16,7 @@ pub(super) fn literal(runtime: &TokenStream, count: &Count) -> TokenStream {
         other,
     } = *count;
     quote! {
-        #runtime::Operations {
-            add: #add, mul: #mul, div: #div, sqrt: #sqrt, sin_cos: #sin_cos, atan2: #atan2, other: #other,
-        }
+        #runtime::operations([#add, #mul, #div, #sqrt, #sin_cos, #atan2, #other])
     }
 }
 

@@ -8,6 +8,7 @@ use super::docs::{behind_name, doc, documented, sentence, tokens, with_note};
 use super::load::Places;
 use super::mechanism::{marker_field, marker_value};
 use super::outline::{Field, Function, Outline, plain};
+use super::shape::field_scalars;
 use super::spanned::type_at;
 use super::stages::Version;
 use super::{assembly_data, attribute, coupled, debug, literal, result_module, stages};
@@ -131,7 +132,6 @@ pub(super) fn value(
     core: &TokenStream,
     plain: Version,
 ) -> TokenStream {
-    let result = result_module::result(outline, function);
     let refining = match function.beside {
         true => Version::Beside,
         false => Version::Called,
@@ -150,26 +150,34 @@ pub(super) fn value(
     };
     quote! {
         let __x = #arguments;
-        #result::__from_row(#row)
+        #runtime::ResultRow::from_row(#row)
     }
 }
 
-/// The way from a program's outputs to the result type.
-pub(super) fn from_row(outline: &Outline, function: &Function) -> TokenStream {
+/// The runtime's `ResultRow` of the result type.
+pub(super) fn result_row(outline: &Outline, function: &Function) -> TokenStream {
     let runtime = &outline.runtime;
     let result = function.result;
     let everywhere = &attribute::split(function.attributes).everywhere;
     let width = literal::index(function.width());
     let row = entries("__row", function.width());
     let fields = row_fields(outline, function, &row);
-    let private = result_module::private(outline, function);
+    let from_row = outline.body(quote!(Self { #fields }));
+    let scalars = function.fields.iter().flat_map(|field| {
+        let name = field.name;
+        field_scalars(&field.shape, &quote!(self.#name))
+    });
+    let to_row = outline.body(quote!([#(#scalars),*]));
     let allow = attribute::allow();
     quote! {
         #(#everywhere)*
         #allow
-        impl<T: #runtime::Scalar> #result<T> {
+        impl<T: #runtime::Scalar> #runtime::ResultRow<T, #width> for #result<T> {
             #[inline(always)]
-            #private fn __from_row([#(#row),*]: [T; #width]) -> Self { Self { #fields } }
+            fn from_row([#(#row),*]: [T; #width]) -> Self { #from_row }
+
+            #[inline(always)]
+            fn to_row(&self) -> [T; #width] { #to_row }
         }
     }
 }

@@ -190,7 +190,7 @@ pub(super) fn constants(outline: &Outline, structure: &TokenStream) -> TokenStre
         let (name, unit) = (&component.name, &component.unit);
         let nominal = literal::float(component.nominal);
         let tolerance = literal::float(component.tolerance);
-        quote!(#runtime::Parameter { name: #name, unit: #unit, nominal: #nominal, tolerance: #tolerance })
+        quote!(#runtime::parameter(#name, #unit, #nominal, #tolerance))
     });
     let indices = index_names(outline)
         .into_iter()

@@ -109,7 +109,7 @@ fn function(
     prepare: &Program,
 ) -> TokenStream {
     let mut types = evaluator::result(outline, function);
-    types.extend(evaluator::from_row(outline, function));
+    types.extend(evaluator::result_row(outline, function));
     let columns = columns::items(outline, function);
     let mut items = result_module::with_imports(outline, function, &types, &columns);
     items.extend(evaluator::method(outline, function));

@@ -50,7 +50,8 @@ pub(crate) fn skeleton(
     }
     items.extend(dimension_path::skeleton(&outline));
     for function in &outline.functions {
-        let types = evaluator::result(&outline, function);
+        let mut types = evaluator::result(&outline, function);
+        types.extend(evaluator::result_row(&outline, function));
         let columns = columns::items(&outline, function);
         items.extend(result_module::with_imports(
             &outline, function, &types, &columns,

@@ -15,3 +15,16 @@ pub(super) fn type_at(
     name.set_span(span);
     quote_spanned!(span=> #visibility struct #name<T = ::core::primitive::f64> { #fields })
 }
+
+/// The same for a type with one field, without a name.
+pub(super) fn tuple_type_at(
+    word: &Ident,
+    name: &Ident,
+    visibility: &TokenStream,
+    field: TokenStream,
+) -> TokenStream {
+    let span = word.span();
+    let mut name = name.clone();
+    name.set_span(span);
+    quote_spanned!(span=> #visibility struct #name<T = ::core::primitive::f64>(#field);)
+}

@@ -11,7 +11,6 @@ use quote::{format_ident, quote};
 use super::docs::doc;
 use super::load::Places;
 use super::outline::{Function, Outline, plain};
-use super::shape::field_scalars;
 use super::stages::Version;
 use super::{assembly_data, attribute, coupled, literal, result_module, stages};
 use crate::model::Sweep;
@@ -96,7 +95,7 @@ impl Sweeps<'_> {
         let behind = self.behind(Sweep::Into);
         let rows = self.inputs(quote!(__title));
         let fill = self.outline.body(self.with_kernel(|kernel| {
-            let given = quote!(&#kernel, &#rows, #ty::__of_mut(#columns));
+            let given = quote!(&#kernel, &#rows, &mut #columns.0);
             let one = self.one();
             quote!(#runtime::fill_or_call(#given, |__at| #one);)
         }));
@@ -133,7 +132,7 @@ impl Sweeps<'_> {
                 where T: ::core::marker::Send + ::core::marker::Sync
             },
             self.with_kernel(|kernel| {
-                quote!(#runtime::fill_parallel(&#kernel, &#inputs_parallel, #ty::__of_mut(#columns));)
+                quote!(#runtime::fill_parallel(&#kernel, &#inputs_parallel, &mut #columns.0);)
             }),
         );
         quote! {
@@ -146,22 +145,11 @@ impl Sweeps<'_> {
         }
     }
 
-    /// The numbers at the position `__at`, by the function as it is called.
+    /// The result at the position `__at`, by the function as it is called.
     fn one(&self) -> TokenStream {
-        let Self {
-            outline, function, ..
-        } = *self;
-        let runtime = &outline.runtime;
-        let arguments = &function.arguments;
-        let result = result_module::result(outline, function);
-        let fields = function.fields.iter().flat_map(|field| {
-            let name = field.name;
-            field_scalars(&field.shape, &quote!(__one.#name))
-        });
-        quote! {{
-            let __one: #result<T> = #runtime::as_in_sweeps(self, [#(#runtime::in_row(#arguments, __at)),*])?;
-            ::core::option::Option::Some([#(#fields),*])
-        }}
+        let runtime = &self.outline.runtime;
+        let arguments = &self.function.arguments;
+        quote!(#runtime::as_in_sweeps(self, [#(#runtime::in_row(#arguments, __at)),*]))
     }
 
     /// A sweep by the kernel over inputs, or by the one that does not rely on the digits of tables.
@@ -216,9 +204,12 @@ impl Sweeps<'_> {
                 quote!(#runtime::fill_followed),
                 quote!(#runtime::fill_followed_parallel),
             ],
-            false => [quote!(#runtime::fill), quote!(#runtime::fill_parallel)],
+            false => [
+                quote!(#runtime::fill_results),
+                quote!(#runtime::fill_parallel),
+            ],
         };
-        let fill = quote!(#all(&#kernel, &#rows, #followed #ty::__of_mut(#columns)););
+        let fill = quote!(#all(&#kernel, &#rows, #followed &mut #columns.0););
         let fill = self.outline.body(fill);
         let [owned, into] = [Sweep::Sets, Sweep::SetsInto].map(|sweep| self.title(sweep));
         let sweep = self.method(
@@ -244,7 +235,7 @@ impl Sweeps<'_> {
                 where T: ::core::marker::Send + ::core::marker::Sync
             },
             quote! {
-                #all_parallel(&#kernel, &#source, #followed #ty::__of_mut(#columns));
+                #all_parallel(&#kernel, &#source, #followed &mut #columns.0);
             },
         );
         quote! {

@@ -38,8 +38,8 @@ pub(super) fn items(outline: &Outline, function: &Function, columns: &[Column]) 
         };
         __HEADING
     });
-    let rows = outline.body(quote!(Self::__of(self).len()));
-    let values = outline.body(quote!(Self::__of(self).column(index)));
+    let rows = outline.body(quote!(self.0.len()));
+    let values = outline.body(quote!(self.0.column(index)));
     let everywhere = &attribute::split(function.attributes).everywhere;
     let allow = attribute::allow();
     quote! {
@@ -63,22 +63,20 @@ fn column(outline: &Outline, column: &Column) -> TokenStream {
         unit,
         meaning,
     } = column;
-    let optional_index =
-        |of: Option<usize>| optional(of.map(literal::index).map(|index| quote!(#index)));
-    let meaning = match *meaning {
-        Meaning::Value => quote!(Value),
-        Meaning::Margin => quote!(Margin),
-        Meaning::Picture => quote!(Picture),
-        Meaning::Rate { order, of } => {
-            let of = optional_index(of);
-            quote!(Rate { order: #order, of: #of })
-        }
+    let (plain, quantity) = match *meaning {
+        Meaning::Value => (quote!(#runtime::value(#name, #unit)), None),
+        Meaning::Margin => (quote!(#runtime::margin(#name, #unit)), None),
+        Meaning::Picture => (quote!(#runtime::drawn(#name, #unit)), None),
+        Meaning::Rate { order, of } => (quote!(#runtime::rate(#name, #unit, #order)), of),
         Meaning::Sensitivity { parameter, of } => {
-            let (parameter, of) = (literal::index(parameter), optional_index(of));
-            quote!(Sensitivity { parameter: #parameter, of: #of })
+            let parameter = literal::index(parameter);
+            (quote!(#runtime::sensitivity(#name, #unit, #parameter)), of)
         }
     };
-    quote!(#runtime::Column { name: #name, unit: #unit, meaning: #runtime::Meaning::#meaning })
+    match quantity.map(literal::index) {
+        Some(index) => quote!(#runtime::derivative_of(#index, #plain)),
+        None => plain,
+    }
 }
 
 fn optional(value: Option<TokenStream>) -> TokenStream {

@@ -16,7 +16,7 @@ mod staged;
 pub use arguments::{Arguments, Inputs, Sets};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use extended::{Extended, States};
-pub use fill::{fill, fill_or_call, fill_slices, in_row};
+pub use fill::{fill, fill_or_call, fill_results, fill_slices, in_row};
 #[cfg(feature = "rayon")]
 pub use followed::fill_followed_parallel;
 #[cfg(any(feature = "std", feature = "libm"))]

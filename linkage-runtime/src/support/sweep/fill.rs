@@ -4,6 +4,8 @@ use super::arguments::Arguments;
 use super::instruction_set;
 use super::kernel::Kernel;
 use crate::columns::Columns;
+use crate::result_columns::ResultColumns;
+use crate::result_row::ResultRow;
 use linkage_core::Scalar;
 
 /// Evaluates `kernel` at all positions, into columns of that length.
@@ -37,21 +39,36 @@ const CALLS: usize = 3;
 ///
 /// Panics if the arguments differ in length.
 #[inline(always)]
-pub fn fill_or_call<T: Scalar, const I: usize, const W: usize>(
+pub fn fill_or_call<T: Scalar, R: ResultRow<T, W>, const I: usize, const W: usize>(
     kernel: &impl Kernel<T, I, W>,
     arguments: &impl Arguments<T, I>,
-    columns: &mut Columns<T>,
-    one: impl Fn(usize) -> Option<[T; W]>,
+    columns: &mut ResultColumns<T, R, W>,
+    one: impl Fn(usize) -> Option<R>,
 ) {
+    let columns = columns.columns_mut();
     let rows = arguments.check();
     if const { T::VECTORISES } && rows <= CALLS {
         columns.resize(rows);
-        let mut called = (0..rows).map(|row| one(row).map(|numbers| columns.set(row, numbers)));
+        let mut called =
+            (0..rows).map(|row| one(row).map(|result| columns.set(row, result.to_row())));
         if called.all(|called| called.is_some()) {
             return;
         }
     }
     fill(kernel, arguments, columns);
+}
+
+/// Works as [`fill`], into the columns of a function.
+///
+/// # Panics
+///
+/// Panics if the arguments differ in length.
+pub fn fill_results<T: Scalar, R, const I: usize, const W: usize>(
+    kernel: &impl Kernel<T, I, W>,
+    arguments: &impl Arguments<T, I>,
+    columns: &mut ResultColumns<T, R, W>,
+) {
+    fill(kernel, arguments, columns.columns_mut());
 }
 
 /// The value of an input in a row: one that is alone is that of all rows.

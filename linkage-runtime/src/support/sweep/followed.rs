@@ -9,6 +9,7 @@ use super::blocks::rows;
 use super::instruction_set::run;
 use super::kernel::Kernel;
 use crate::columns::Columns;
+use crate::result_columns::ResultColumns;
 use alloc::vec::Vec;
 use linkage_core::{FUSED, Scalar};
 use rows::Rows;
@@ -158,16 +159,17 @@ fn one_row<T: Scalar, const I: usize>(arguments: &impl Arguments<T, I>, number: 
 /// # Panics
 ///
 /// Panics if the arguments differ in length.
-pub fn fill_followed<T, M, F, const P: usize, const R: usize, const I: usize, const W: usize>(
+pub fn fill_followed<T, Q, M, F, const P: usize, const R: usize, const I: usize, const W: usize>(
     kernel: &impl Kernel<T, I, W>,
     arguments: &impl Arguments<T, I>,
     followed: &Followed<F, P>,
-    columns: &mut Columns<T>,
+    columns: &mut ResultColumns<T, Q, W>,
 ) where
     T: Scalar,
     M: Moving<P, R>,
     F: Fn(usize) -> M,
 {
+    let columns = columns.columns_mut();
     columns.resize(arguments.check());
     let mut columns = columns.all_mut();
     run(
@@ -187,6 +189,7 @@ pub fn fill_followed<T, M, F, const P: usize, const R: usize, const I: usize, co
 #[cfg(feature = "rayon")]
 pub fn fill_followed_parallel<
     T,
+    Q,
     M,
     F,
     const P: usize,
@@ -197,12 +200,13 @@ pub fn fill_followed_parallel<
     kernel: &(impl Kernel<T, I, W> + Sync),
     arguments: &(impl Arguments<T, I> + Sync),
     followed: &Followed<F, P>,
-    columns: &mut Columns<T>,
+    columns: &mut ResultColumns<T, Q, W>,
 ) where
     T: Scalar + Send + Sync,
     M: Moving<P, R>,
     F: Fn(usize) -> M + Sync,
 {
+    let columns = columns.columns_mut();
     columns.resize(arguments.check());
     super::parallel::split(0, columns.all_mut(), &|start, mut columns| {
         run(

@@ -3,7 +3,7 @@
 use super::arguments::Arguments;
 use super::instruction_set;
 use super::kernel::Kernel;
-use crate::columns::Columns;
+use crate::result_columns::ResultColumns;
 use linkage_core::Scalar;
 
 /// Works as [`fill`](crate::support::fill), on all threads of rayon's current pool.
@@ -11,11 +11,12 @@ use linkage_core::Scalar;
 /// # Panics
 ///
 /// Panics if the arguments differ in length.
-pub fn fill_parallel<T: Scalar + Send + Sync, const I: usize, const W: usize>(
+pub fn fill_parallel<T: Scalar + Send + Sync, R, const I: usize, const W: usize>(
     kernel: &(impl Kernel<T, I, W> + Sync),
     arguments: &(impl Arguments<T, I> + Sync),
-    columns: &mut Columns<T>,
+    columns: &mut ResultColumns<T, R, W>,
 ) {
+    let columns = columns.columns_mut();
     columns.resize(arguments.check());
     split(0, columns.all_mut(), &|start, columns| {
         instruction_set::run(kernel, arguments, start, columns);
