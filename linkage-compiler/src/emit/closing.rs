@@ -12,7 +12,6 @@ use crate::ir::CompiledMechanism;
 pub(super) fn finite(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline { runtime, name, .. } = outline;
     let title = outline.title();
-    let fields = outline.scalar_fields();
     let mut needed = unit
         .groups
         .iter()
@@ -27,7 +26,7 @@ pub(super) fn finite(outline: &Outline, unit: &CompiledMechanism) -> TokenStream
             #title,
             #name::<::core::primitive::f64>::PARAMETERS,
             &[#(#needed),*],
-            &[#(__m.#fields),*],
+            &__m.__values(),
         )
     }
 }

@@ -35,7 +35,7 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
             quote!(T::from_f64(#reference))
         })
         .collect();
-    let explained = |result: TokenStream| explained(outline, &quote!(T), &result);
+    let explained = |result: TokenStream| explained(outline, &result);
     let assemble = explained(quote!(#assembly::__assemble(self, #modes, [#(#references),*])));
     let assemble = outline.body(assemble);
     let enumerate = |at: TokenStream| {
@@ -106,16 +106,11 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
 }
 
 /// A result of assembling, in which an error about a dimension names the dimension as its cause.
-pub(super) fn explained(
-    outline: &Outline,
-    scalar: &TokenStream,
-    result: &TokenStream,
-) -> TokenStream {
+pub(super) fn explained(outline: &Outline, result: &TokenStream) -> TokenStream {
     let Outline { runtime, name, .. } = outline;
-    let fields = outline.scalar_fields();
     quote! {
-        #runtime::explained::<_, #scalar, _>(
-            #result, #name::<::core::primitive::f64>::PARAMETERS, || [#(self.#fields),*],
+        #runtime::explained(
+            #result, #name::<::core::primitive::f64>::PARAMETERS, || self.__values(),
         )
     }
 }

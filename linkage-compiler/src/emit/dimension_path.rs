@@ -27,7 +27,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
     }
     let way = way(outline, unit);
     let float = quote!(::core::primitive::f64);
-    let explained = |result: TokenStream| explained(outline, &quote!(T), &result);
+    let explained = |result: TokenStream| explained(outline, &result);
     let body = match outline.starts.is_empty() {
         true => {
             let assembled = explained(quote!(#assembly::__assemble(self, #modes, #at)));

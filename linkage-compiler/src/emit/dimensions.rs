@@ -17,6 +17,7 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
     });
     let from_values = outline.body(mechanism::from_scalars(outline, &mut scalars));
     let values = outline.body(quote!([#(self.#fields),*]));
+    let of_trait = outline.body(quote!(self.__values()));
     let allow = attribute::allow();
     quote! {
         #allow
@@ -26,7 +27,13 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
 
             fn from_values(__values: &[::core::primitive::f64; #count]) -> Self { #from_values }
 
-            fn values(&self) -> [::core::primitive::f64; #count] { #values }
+            fn values(&self) -> [::core::primitive::f64; #count] { #of_trait }
+        }
+        #allow
+        impl<T: #runtime::Scalar> #name<T> {
+            /// The scalar dimensions in the order of `PARAMETERS`.
+            #[inline(always)]
+            fn __values(&self) -> [T; #count] { #values }
         }
     }
 }

@@ -62,16 +62,15 @@ pub fn close<T: Scalar>(
 
 /// An error that is about no loop but about a dimension, which is too large. `values` gives the
 /// dimensions in the order of `parameters`; those that a loop needs are finite.
-pub fn explained<A, T: Scalar, V: AsRef<[T]>>(
+pub fn explained<A, T: Scalar, const P: usize>(
     result: Result<A, AssemblyError>,
     parameters: &'static [Parameter],
-    values: impl Fn() -> V,
+    values: impl Fn() -> [T; P],
 ) -> Result<A, AssemblyError> {
     let Err(AssemblyError::Undefined { group }) = result else {
         return result;
     };
     let values = values();
-    let values = values.as_ref();
     let mut lanes = (0..values.len()).flat_map(|k| (0..T::LANES).map(move |lane| (k, lane)));
     let mut dimensions = core::iter::from_fn(|| {
         let (k, lane) = lanes.next()?;

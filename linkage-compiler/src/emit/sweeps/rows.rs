@@ -13,11 +13,7 @@ impl Sweeps<'_> {
         let runtime = &self.outline.runtime;
         let arguments = &self.function.arguments;
         let names = arguments.iter().map(|name| plain(name));
-        let inputs = quote! {
-            #runtime::Inputs {
-                title: #title, names: [#(#names),*], slices: [#(#arguments),*],
-            }
-        };
+        let inputs = quote!(#runtime::Inputs::new(#title, [#(#names),*], [#(#arguments),*]));
         self.extended(inputs, 0)
     }
 
@@ -39,16 +35,13 @@ impl Sweeps<'_> {
         let (mechanism, sets) = (self.outline.name, &self.sets);
         let arguments = &self.function.arguments;
         let names = arguments.iter().map(|name| plain(name));
-        let fields = self.outline.scalar_fields();
-        let count = literal::index(arguments.len());
-        let inputs = (0..arguments.len()).map(literal::index);
         let rows = quote! {
             #runtime::Sets {
                 title: #title,
                 names: [#(#names),*],
                 sets: #sets,
                 slices: [#(#arguments),*],
-                row: |__m: &#mechanism<T>, __x: [T; #count]| [#(__m.#fields,)* #(__x[#inputs]),*],
+                dimensions: #mechanism::__values,
             }
         };
         self.extended(rows, self.outline.scalar_fields().len())

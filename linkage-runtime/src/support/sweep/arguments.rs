@@ -33,6 +33,17 @@ pub struct Inputs<'a, T, const I: usize> {
     pub slices: [&'a [T]; I],
 }
 
+impl<'a, T, const I: usize> Inputs<'a, T, I> {
+    /// The arguments of the function `title`.
+    pub fn new(title: &'static str, names: [&'static str; I], slices: [&'a [T]; I]) -> Self {
+        Self {
+            title,
+            names,
+            slices,
+        }
+    }
+}
+
 impl<T: Scalar, const I: usize> Arguments<T, I> for Inputs<'_, T, I> {
     fn check(&self) -> usize {
         let Self {
@@ -104,16 +115,18 @@ pub struct Sets<'a, M, T, F, const N: usize> {
     pub sets: &'a [M],
     /// The inputs.
     pub slices: [&'a [T]; N],
-    /// A mechanism and its inputs as a row.
-    pub row: F,
+    /// The dimensions of a mechanism.
+    pub dimensions: F,
 }
 
-impl<M, T, F, const N: usize, const I: usize> Arguments<T, I> for Sets<'_, M, T, F, N>
+impl<M, T, F, const P: usize, const N: usize, const I: usize> Arguments<T, I>
+    for Sets<'_, M, T, F, N>
 where
     T: Scalar,
-    F: Fn(&M, [T; N]) -> [T; I],
+    F: Fn(&M) -> [T; P],
 {
     fn check(&self) -> usize {
+        const { assert!(I == P + N, "dimensions and inputs") };
         let len = self.sets.len();
         for (name, slice) in self.names.iter().zip(self.slices) {
             assert!(
@@ -135,13 +148,12 @@ where
     ) {
         for lane in 0..rows.min(B) {
             let index = (start + lane).min(self.sets.len() - 1);
-            let mut inputs = [T::from_f64(0.0); N];
-            for (input, slice) in inputs.iter_mut().zip(&self.slices) {
-                *input = slice[index.min(slice.len() - 1)];
-            }
-            let row = (self.row)(&self.sets[index], inputs);
-            for (column, value) in block.iter_mut().zip(row) {
+            let dimensions = (self.dimensions)(&self.sets[index]);
+            for (column, value) in block.iter_mut().zip(dimensions) {
                 column[lane] = value;
+            }
+            for (column, slice) in block[P..].iter_mut().zip(&self.slices) {
+                column[lane] = slice[index.min(slice.len() - 1)];
             }
         }
     }
