@@ -12,11 +12,11 @@ pub use linkage_runtime::Lanes;
 /// in the version that fits.
 pub use linkage_runtime::nalgebra;
 pub use linkage_runtime::{
-    AssemblyError, AssemblyMode, Axis, Dimensions, Drive, DriveOn, Frame, FunctionInfo, Gear,
-    Group, GroupRef, Guide, GuideOn, GuideShape, Halt, Heading, Input, JointShape, NotFollowed,
-    Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint,
-    PlaneFrame, PointKind, Programs, Scalar, Screw, Structure, Table, Vector2, Vector3,
-    true_acceleration, true_jerk, true_velocity,
+    AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, Frame, FunctionInfo,
+    Gear, Group, GroupRef, Guide, GuideOn, GuideShape, Halt, Heading, Input, JointShape, Meaning,
+    NotFollowed, Operations, Parameter, Picture, PictureColumns, PictureJoint, PictureLink,
+    PicturePart, PicturePoint, PlaneFrame, PointKind, Programs, ResultRow, Scalar, Screw,
+    Structure, Table, Vector2, Vector3, true_acceleration, true_jerk, true_velocity,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_runtime::{
@@ -25,7 +25,8 @@ pub use linkage_runtime::{
 };
 #[cfg(feature = "alloc")]
 pub use linkage_runtime::{
-    ClosestApproach, Columns, CoupledCause, CoupledError, Missed, Placed, Unlisted, Value,
+    ClosestApproach, Columns, CoupledCause, CoupledError, Missed, Placed, ResultColumns, Unlisted,
+    Value,
 };
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use linkage_runtime::{Enclosure, Float};

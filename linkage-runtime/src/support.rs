@@ -31,7 +31,7 @@ pub use alloc::{boxed::Box, vec::Vec};
 pub use assembly_data::AssemblyData;
 #[cfg(feature = "alloc")]
 pub use close::{assemblies, one};
-pub use close::{close, explained, finite};
+pub use close::{close, explained, explained_by, finite};
 pub use constants::{
     derivative_of, drawn, margin, operations, parameter, rate, sensitivity, value,
 };

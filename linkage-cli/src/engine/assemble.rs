@@ -2,7 +2,7 @@
 
 use linkage_compiler::ir::Surveyed;
 use linkage_runtime::support::{
-    InitialState, Which, assemblies, close, explained, finite, initial_states_of,
+    InitialState, Which, assemblies, close, explained_by, finite, initial_states_of,
 };
 use linkage_runtime::{AssemblyError, AssemblyMode, Estimate, Scalar};
 
@@ -157,7 +157,7 @@ impl Mechanism {
     pub fn assemble(&self, dimensions: &[f64]) -> Result<Assembly<'_>, AssemblyError> {
         let at = self.reference();
         let result = self.assembled(dimensions, self.modes(), &at);
-        explained::<_, f64, _>(result, self.parameters, || dimensions)
+        explained_by(result, self.parameters, dimensions)
     }
 
     /// Every assembly at the inputs `at`, the one that the start estimates choose first.
@@ -173,7 +173,7 @@ impl Mechanism {
         let result = assemblies(self.name, self.modes(), |modes| {
             self.all_assembled(dimensions, modes, at)
         });
-        explained::<_, f64, _>(result, self.parameters, || dimensions)
+        explained_by(result, self.parameters, dimensions)
     }
 
     pub(super) fn assembled(

@@ -67,10 +67,21 @@ pub fn explained<A, T: Scalar, const P: usize>(
     parameters: &'static [Parameter],
     values: impl Fn() -> [T; P],
 ) -> Result<A, AssemblyError> {
+    match result {
+        Err(AssemblyError::Undefined { .. }) => explained_by(result, parameters, &values()),
+        _ => result,
+    }
+}
+
+/// As [`explained`], with the dimensions as a slice.
+pub fn explained_by<A, T: Scalar>(
+    result: Result<A, AssemblyError>,
+    parameters: &'static [Parameter],
+    values: &[T],
+) -> Result<A, AssemblyError> {
     let Err(AssemblyError::Undefined { group }) = result else {
         return result;
     };
-    let values = values();
     let mut lanes = (0..values.len()).flat_map(|k| (0..T::LANES).map(move |lane| (k, lane)));
     let mut dimensions = core::iter::from_fn(|| {
         let (k, lane) = lanes.next()?;

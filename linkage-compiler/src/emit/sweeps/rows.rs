@@ -35,8 +35,10 @@ impl Sweeps<'_> {
         let (mechanism, sets) = (self.outline.name, &self.sets);
         let arguments = &self.function.arguments;
         let names = arguments.iter().map(|name| plain(name));
+        let dimensions = self.outline.scalar_fields().len();
+        let [inputs, row] = [arguments.len(), dimensions + arguments.len()].map(literal::index);
         let rows = quote! {
-            #runtime::Sets {
+            #runtime::Sets::<_, _, _, #inputs, #row> {
                 title: #title,
                 names: [#(#names),*],
                 sets: #sets,
@@ -44,6 +46,6 @@ impl Sweeps<'_> {
                 dimensions: #mechanism::__values,
             }
         };
-        self.extended(rows, self.outline.scalar_fields().len())
+        self.extended(rows, dimensions)
     }
 }

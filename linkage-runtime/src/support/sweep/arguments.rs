@@ -104,9 +104,10 @@ fn repeat_last<T: Copy>(column: &mut [T], slice: &[T], start: usize) {
 }
 
 /// Many mechanisms: the dimensions of each, and one slice for each input with an element for each
-/// mechanism, or a single element for all. A row is the scalars of the dimensions, then the inputs.
+/// mechanism, or a single element for all. A row is the scalars of the dimensions, then the inputs:
+/// `I` numbers.
 #[derive(Clone, Copy, Debug)]
-pub struct Sets<'a, M, T, F, const N: usize> {
+pub struct Sets<'a, M, T, F, const N: usize, const I: usize> {
     /// The function, for the panic.
     pub title: &'static str,
     /// Names of the inputs, for the panic.
@@ -120,7 +121,7 @@ pub struct Sets<'a, M, T, F, const N: usize> {
 }
 
 impl<M, T, F, const P: usize, const N: usize, const I: usize> Arguments<T, I>
-    for Sets<'_, M, T, F, N>
+    for Sets<'_, M, T, F, N, I>
 where
     T: Scalar,
     F: Fn(&M) -> [T; P],
