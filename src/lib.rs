@@ -319,9 +319,9 @@ pub mod __private {
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::support::{
-        Bounds, Chosen, DimensionPath as Way, Enclosure, Level, Levels, NoPrograms, Ranged,
-        Searched, Slack, SurveyedUnknown, check_range, circuits, follow_path as follow_way,
-        prepared_over,
+        Bounds, Chosen, Compiled, CoupledParts, Enclosure, Level, MechanismPath, NoPrograms,
+        OneInput, Ranged, Slack, SurveyedUnknown, check_range, circuits_of,
+        follow_path as follow_way, prepared_over,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::support::{

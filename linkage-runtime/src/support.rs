@@ -2,6 +2,8 @@
 
 mod assembly_data;
 mod close;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+mod compiled;
 mod constants;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod continuation;
@@ -32,6 +34,8 @@ pub use assembly_data::AssemblyData;
 #[cfg(feature = "alloc")]
 pub use close::{assemblies, one};
 pub use close::{close, explained, explained_by, finite};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use compiled::{Compiled, CoupledParts, MechanismPath, OneInput, circuits_of};
 pub use constants::{
     derivative_of, drawn, margin, operations, parameter, rate, sensitivity, value,
 };

@@ -14,6 +14,7 @@ mod body;
 mod circuits;
 mod closing;
 mod columns;
+mod compiled;
 mod constructors;
 mod count;
 mod coupled;
@@ -83,6 +84,7 @@ pub(crate) fn emit(
     assembled.extend(coupled::items(&outline, unit));
     assembled.extend(winding::items(&outline, unit));
     assembled.extend(survey::items(&outline, unit));
+    assembled.extend(compiled::items(&outline, unit));
     assembled.extend(circuits::items(&outline, unit));
     assembled.extend(range_check::items(&outline, unit));
     assembled.extend(dimension_path::items(&outline, unit));

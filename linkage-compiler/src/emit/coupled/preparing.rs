@@ -17,6 +17,8 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         runtime,
         name,
         assembly,
+        // A type of the public trait `Compiled`.
+        visibility,
         ..
     } = outline;
     let Types { modes, .. } = Types::new(outline, unit);
@@ -136,7 +138,8 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
     quote! {
         #allow
         #[derive(::core::clone::Clone)]
-        struct #coupled {
+        #[doc(hidden)]
+        #visibility struct #coupled {
             __number: ::core::primitive::usize,
             __m: #name<#float>,
             __modes: #modes,

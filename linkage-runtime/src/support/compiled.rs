@@ -1,0 +1,211 @@
+//! A generated mechanism as the searches of the runtime see it.
+
+use core::marker::PhantomData;
+
+use linkage_core::{Cycle, Level};
+
+use super::continuation::DimensionPath;
+use super::coupled::{CoupledGroup, CoupledPrograms, InitialState};
+use crate::circuits::{Bounds, Chosen, Circuits, Levels, Searched, SurveyedUnknown, circuits};
+use crate::data::{AssemblyMode, Input};
+use crate::dimensions::Dimensions;
+use crate::error::AssemblyError;
+use crate::structure::Group;
+
+/// A coupled group with its programs.
+pub type CoupledParts<C> = Result<(&'static CoupledGroup, C), AssemblyError>;
+
+/// A mechanism with groups: `P` dimensions, `I` inputs. Of assemblies that are searched only the
+/// first groups are chosen; the modes and initial states of later groups mean nothing.
+pub trait Compiled<const P: usize, const I: usize>: Dimensions<P> {
+    /// An assembled mechanism.
+    type Assembly: Clone;
+    /// The least margin of all groups, the slack of every group, the numbers of the unknowns.
+    type Survey: AsRef<[f64]>;
+    /// The programs of a coupled group.
+    type Programs: CoupledPrograms;
+
+    /// Name of the mechanism.
+    const NAME: &'static str;
+    /// The inputs.
+    const INPUTS: &'static [Input];
+    /// The groups of `STRUCTURE`.
+    const GROUPS: &'static [Group];
+    /// The groups in order.
+    const LEVELS: &'static [Level];
+
+    /// An assembly that need not close.
+    fn surveyor(
+        &self,
+        modes: &[AssemblyMode],
+        starts: &[InitialState],
+        at: [f64; I],
+    ) -> Self::Assembly;
+
+    /// Surveys an assembly at some inputs.
+    fn survey(assembly: &Self::Assembly, at: [f64; I]) -> Self::Survey;
+
+    /// A coupled group, given those before it; `None` if there is none.
+    fn coupled(
+        &self,
+        _modes: &[AssemblyMode],
+        _starts: &[InitialState],
+        _number: usize,
+        _at: [f64; I],
+    ) -> Option<CoupledParts<Self::Programs>> {
+        None
+    }
+}
+
+/// A mechanism with one input, whose circuits are searched.
+pub trait OneInput<const P: usize>: Compiled<P, 1> {
+    /// The unknowns in the order of their numbers in a survey.
+    const UNKNOWNS: &'static [SurveyedUnknown];
+    /// The number of groups with modes, and that of coupled groups.
+    const COUNTS: [usize; 2];
+
+    /// Bounds of a number of the survey over inputs. Those of groups after a coupled one are not
+    /// known.
+    fn bounds(assembly: &Self::Assembly, number: usize) -> Bounds<'static>;
+
+    /// The assembly in which all groups are chosen.
+    ///
+    /// # Errors
+    ///
+    /// If it does not close at that input, or its angles cannot be followed.
+    fn assembled(&self, chosen: &Chosen, at: f64) -> Result<Self::Assembly, AssemblyError>;
+
+    /// Checks that some assembly exists at an input.
+    ///
+    /// # Errors
+    ///
+    /// As `assemblies()`.
+    fn check(&self, at: f64) -> Result<(), AssemblyError>;
+}
+
+/// Every assembly over the range of the input.
+///
+/// # Errors
+///
+/// As `assemblies()`, if it fails at every position.
+pub fn circuits_of<M: OneInput<P>, const P: usize>(
+    mechanism: &M,
+    cycle: &Cycle,
+) -> Result<Circuits<M::Assembly>, AssemblyError> {
+    circuits(&CircuitLevels(mechanism), cycle)
+}
+
+/// A mechanism as the search for circuits sees it.
+struct CircuitLevels<'a, M, const P: usize>(&'a M);
+
+impl<M: OneInput<P>, const P: usize> Levels for CircuitLevels<'_, M, P> {
+    type Assembly = M::Assembly;
+    type Survey = M::Survey;
+    type Programs = M::Programs;
+
+    fn searched(&self) -> Searched {
+        let [modes, coupled] = M::COUNTS;
+        Searched {
+            name: M::NAME,
+            input: M::INPUTS[0].name,
+            reference: M::INPUTS[0].reference,
+            levels: M::LEVELS,
+            unknowns: M::UNKNOWNS,
+            modes,
+            coupled,
+        }
+    }
+
+    fn surveyor(&self, chosen: &Chosen, at: f64) -> M::Assembly {
+        self.0.surveyor(&chosen.modes, &chosen.starts, [at])
+    }
+
+    fn survey(&self, assembly: &M::Assembly, at: f64) -> M::Survey {
+        M::survey(assembly, [at])
+    }
+
+    fn bounds(&self, assembly: &M::Assembly, number: usize) -> Option<Bounds<'_>> {
+        Some(M::bounds(assembly, number))
+    }
+
+    fn assembled(&self, chosen: &Chosen, at: f64) -> Result<M::Assembly, AssemblyError> {
+        self.0.assembled(chosen, at)
+    }
+
+    fn check(&self, at: f64) -> Result<(), AssemblyError> {
+        self.0.check(at)
+    }
+
+    fn coupled(
+        &self,
+        chosen: &Chosen,
+        number: usize,
+        at: f64,
+    ) -> Option<CoupledParts<M::Programs>> {
+        self.0.coupled(&chosen.modes, &chosen.starts, number, [at])
+    }
+}
+
+/// The straight path from the dimensions of one mechanism to those of another, at some inputs.
+#[derive(Debug)]
+pub struct MechanismPath<'a, M, const P: usize, const I: usize> {
+    from: [f64; P],
+    to: [f64; P],
+    modes: &'a [AssemblyMode],
+    at: [f64; I],
+    mechanism: PhantomData<fn() -> M>,
+}
+
+impl<'a, M: Compiled<P, I>, const P: usize, const I: usize> MechanismPath<'a, M, P, I> {
+    /// The path in the assembly with these modes.
+    pub fn new(from: &M, to: &M, modes: &'a [AssemblyMode], at: [f64; I]) -> Self {
+        Self {
+            from: from.values(),
+            to: to.values(),
+            modes,
+            at,
+            mechanism: PhantomData,
+        }
+    }
+
+    /// The mechanism at some share of the path.
+    fn mechanism(&self, share: f64) -> M {
+        if share == 1.0 {
+            return M::from_values(&self.to);
+        }
+        M::from_values(&core::array::from_fn(|k| {
+            self.from[k] + share * (self.to[k] - self.from[k])
+        }))
+    }
+}
+
+impl<M: Compiled<P, I>, const P: usize, const I: usize> DimensionPath
+    for MechanismPath<'_, M, P, I>
+{
+    type Survey = M::Survey;
+    type Programs = M::Programs;
+
+    const NAME: &'static str = M::NAME;
+    const LEVELS: &'static [Level] = M::LEVELS;
+    const GROUPS: &'static [Group] = M::GROUPS;
+
+    fn inputs(&self) -> &[f64] {
+        &self.at
+    }
+
+    fn survey(&self, share: f64, initial_states: &[InitialState]) -> M::Survey {
+        let mechanism = self.mechanism(share);
+        let surveyor = mechanism.surveyor(self.modes, initial_states, self.at);
+        M::survey(&surveyor, self.at)
+    }
+
+    fn coupled(
+        &self,
+        share: f64,
+        starts: &[InitialState],
+        number: usize,
+    ) -> Option<CoupledParts<M::Programs>> {
+        self.mechanism(share)
+            .coupled(self.modes, starts, number, self.at)
+    }
+}
