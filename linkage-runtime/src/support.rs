@@ -24,7 +24,7 @@ mod sweep;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use crate::circuits::{
-    Bounds, Chosen, Levels, NoPrograms, Searched, SurveyedUnknown, circuits,
+    Bounds, Chosen, Levels, NoPrograms, OneInput, Searched, SurveyedUnknown, circuits, circuits_of,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use crate::range_check::{Ranged, check_range};
@@ -35,7 +35,7 @@ pub use assembly_data::AssemblyData;
 pub use close::{assemblies, one};
 pub use close::{close, explained, explained_by, finite};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use compiled::{Compiled, CoupledParts, MechanismPath, OneInput, circuits_of};
+pub use compiled::{Compiled, CoupledParts, MechanismPath};
 pub use constants::{
     derivative_of, drawn, margin, operations, parameter, rate, sensitivity, value,
 };

@@ -74,7 +74,7 @@ const KNOWN_REPETITIONS: usize = 25;
 const KNOWN: [(&str, [usize; COUNTS]); 9] = [
     ("linkage-c", [0, 0, 0, 0, 0]),
     ("linkage-cli", [0, 0, 0, 0, 0]),
-    ("linkage-compiler", [0, 0, 0, 0, 73]),
+    ("linkage-compiler", [0, 0, 0, 0, 0]),
     ("linkage-core", [0, 0, 0, 0, 0]),
     ("linkage-js", [0, 0, 0, 0, 0]),
     ("linkage-macros", [0, 0, 0, 0, 0]),

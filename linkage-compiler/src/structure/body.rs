@@ -111,8 +111,8 @@ pub(crate) fn joints<'m>(
     coordinates: &[Coordinate],
 ) -> Vec<Joint<'m>> {
     let mut joints: Vec<Joint<'m>> = Vec::new();
-    for (place, equation) in equations.iter().enumerate() {
-        let Some((local, held)) = rod(names, body, place, equation, coordinates) else {
+    for (index, equation) in equations.iter().enumerate() {
+        let Some((local, held)) = rod(names, body, index, equation, coordinates) else {
             continue;
         };
         let same = |joint: &&mut Joint<'m>| {
@@ -136,7 +136,7 @@ pub(crate) fn joints<'m>(
 fn rod<'m>(
     names: &Names<'m>,
     body: &Body<'m>,
-    place: usize,
+    index: usize,
     equation: &Equation<'m>,
     coordinates: &[Coordinate],
 ) -> Option<(V3<'m>, Held<'m>)> {
@@ -152,7 +152,7 @@ fn rod<'m>(
     let (local, end) = local(names.graph, body, known / factor)?;
     let end = -end;
     let is_fixed = local.is_fixed() && end.is_fixed();
-    is_fixed.then_some((local, Held { place, end, length }))
+    is_fixed.then_some((local, Held { index, end, length }))
 }
 
 /// `a` and the rest of `a.x p + a.y q + a.z (p x q) + rest`.
@@ -164,7 +164,7 @@ fn local<'m>(graph: &'m Graph, body: &Body<'m>, vector: V3<'m>) -> Option<(V3<'m
         let mut terms = collect(row, &body.symbols[3..], &[])?;
         let mut take = |of: &[usize]| {
             let mut monomial = vec![0; 6];
-            of.iter().for_each(|&place| monomial[place] += 1);
+            of.iter().for_each(|&index| monomial[index] += 1);
             terms.remove(&monomial).unwrap_or(zero)
         };
         let [next, last] = [(k + 1) % 3, (k + 2) % 3];

@@ -93,8 +93,8 @@ fn on_three_circles<'m>(
     coordinates: &[Coordinate],
 ) -> System<'m> {
     let running = joints.map(|joint| {
-        let place = body.origin + body.arm(joint);
-        circle::running(names, nominal, place, [&joint.rods[0], &joint.rods[1]])
+        let point = body.origin + body.arm(joint);
+        circle::running(names, nominal, point, [&joint.rods[0], &joint.rods[1]])
     });
     let points = [0, 1, 2].map(|k| running[k].point);
     let locals = joints.map(|joint| joint.local);
@@ -105,7 +105,7 @@ fn on_three_circles<'m>(
     }
     let explained = [body.of_origin(), body.of_axes.clone()].concat();
     let rods = joints.iter().flat_map(|joint| &joint.rods);
-    let solved = rods.map(|rod| rod.place).chain(body.rows_of_body.clone());
+    let solved = rods.map(|rod| rod.index).chain(body.rows_of_body.clone());
     let mut kept = kept(
         names.graph,
         &reductions.substitutions,
@@ -116,9 +116,9 @@ fn on_three_circles<'m>(
     for [a, b] in [[0, 1], [1, 2], [2, 0]] {
         let apart = (points[b] - points[a]).length();
         let wanted = (locals[b] - locals[a]).length();
-        let mut equation = equations[joints[a].rods[0].place].clone();
+        let mut equation = equations[joints[a].rods[0].index].clone();
         for rod in joints[a].rods.iter().chain(&joints[b].rods) {
-            equation.absorb(&equations[rod.place], &explained);
+            equation.absorb(&equations[rod.index], &explained);
         }
         equation.rows = vec![apart - wanted];
         equation.relation = None;
@@ -153,23 +153,23 @@ fn on_one_circle<'m>(
     }));
     let mut known = Map::new();
     let mut rows = Vec::new();
-    for (place, open) in body.open.iter().enumerate() {
-        let (symbol, component) = (body.symbols[place], origin[place]);
+    for (index, open) in body.open.iter().enumerate() {
+        let (symbol, component) = (body.symbols[index], origin[index]);
         match open {
             Some(_) => explicit::make_explicit(reductions, symbol, component),
             None => {
                 known.insert(symbol, component);
-                rows.push(circle::along(names.graph, place).product(origin - given));
+                rows.push(circle::along(names.graph, index).product(origin - given));
             }
         }
     }
     reductions.kept_axes.extend(&body.symbols[3..]);
-    let mut rod = equations[first.place].clone();
-    rod.absorb(&equations[second.place], &of_origin);
+    let mut rod = equations[first.index].clone();
+    rod.absorb(&equations[second.index], &of_origin);
     let mut kept = kept(
         names.graph,
         &reductions.substitutions,
-        vec![first.place, second.place],
+        vec![first.index, second.index],
         &of_origin,
         equations,
     );
@@ -197,12 +197,12 @@ fn kept<'m>(
     equations: &[Equation<'m>],
 ) -> Vec<Equation<'m>> {
     let mut gone = equations[solved[0]].clone();
-    for &place in &solved {
-        gone.absorb(&equations[place], &[]);
+    for &index in &solved {
+        gone.absorb(&equations[index], &[]);
     }
     let mut kept = Vec::new();
-    for (place, equation) in equations.iter().enumerate() {
-        if !solved.contains(&place) {
+    for (index, equation) in equations.iter().enumerate() {
+        if !solved.contains(&index) {
             let mut equation = equation.clone();
             explicit::substitute_in(graph, substitutions, &mut equation, &gone, explained);
             kept.push(equation);

@@ -12,7 +12,7 @@ use crate::structure::{distance, equations, explicit, point};
 /// A distance of an unknown point from a fixed one.
 pub(crate) struct Held<'m> {
     /// The equation that says so.
-    pub(crate) place: usize,
+    pub(crate) index: usize,
     pub(crate) end: V3<'m>,
     pub(crate) length: Ex<'m>,
 }
@@ -68,7 +68,7 @@ fn held_by<'m>(
     coordinates: &[Coordinate],
 ) -> Vec<Held<'m>> {
     let mut held = Vec::new();
-    for (place, equation) in equations.iter().enumerate() {
+    for (index, equation) in equations.iter().enumerate() {
         let [row] = equation.rows[..] else { continue };
         let Some((vector, length)) = distance::space_distance(names, row, coordinates) else {
             continue;
@@ -80,7 +80,7 @@ fn held_by<'m>(
         let end = -(known / factor);
         // Seen from points that move, a direction across both may vanish on the way.
         if is_whole && places == [0, 1, 2] && end.is_fixed() {
-            held.push(Held { place, end, length });
+            held.push(Held { index, end, length });
         }
     }
     held
@@ -102,10 +102,10 @@ fn on_circle<'m>(
     for (symbol, value) in symbols.into_iter().zip(running.point.0) {
         explicit::make_explicit(reductions, symbol, value);
     }
-    let mut gone = equations[first.place].clone();
-    gone.absorb(&equations[second.place], &[]);
+    let mut gone = equations[first.index].clone();
+    gone.absorb(&equations[second.index], &[]);
     let kept = equations.iter().enumerate();
-    let kept = kept.filter(|(place, _)| ![first.place, second.place].contains(place));
+    let kept = kept.filter(|(index, _)| ![first.index, second.index].contains(index));
     let mut kept: Vec<Equation> = kept.map(|(_, equation)| equation.clone()).collect();
     for equation in &mut kept {
         explicit::substitute_in(graph, &reductions.substitutions, equation, &gone, point);
@@ -162,13 +162,13 @@ fn least_along<'m>(graph: &'m Graph, nominal: &Nominal, direction: V3<'m>) -> V3
     let values = nominal.evaluate(&direction.0);
     let sizes = values.iter().map(|x| x.abs()).enumerate();
     let least = sizes.min_by(|(_, a), (_, b)| a.total_cmp(b));
-    along(graph, least.map_or(0, |(place, _)| place))
+    along(graph, least.map_or(0, |(index, _)| index))
 }
 
 /// The direction of an axis of coordinates.
-pub(crate) fn along<'m>(graph: &'m Graph, place: usize) -> V3<'m> {
+pub(crate) fn along<'m>(graph: &'m Graph, index: usize) -> V3<'m> {
     let (zero, one) = (graph.number(0.0), graph.number(1.0));
-    Vector([0, 1, 2].map(|k| if k == place { one } else { zero }))
+    Vector([0, 1, 2].map(|k| if k == index { one } else { zero }))
 }
 
 /// The angle at which the point is estimated; 0 if that is nowhere.

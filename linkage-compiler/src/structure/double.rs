@@ -57,7 +57,7 @@ fn by_double_angle<'m>(
     equation: &Equation<'m>,
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
-    for (place, coordinate) in coordinates.iter().enumerate() {
+    for (index, coordinate) in coordinates.iter().enumerate() {
         let CoordinateKind::Angle(half) = coordinate.kind else {
             continue;
         };
@@ -81,7 +81,7 @@ fn by_double_angle<'m>(
         };
         changed.eliminated.extend(coordinate.unknown);
         let mut coordinates = coordinates.to_vec();
-        coordinates[place] = Coordinate {
+        coordinates[index] = Coordinate {
             kind: CoordinateKind::Angle(double),
             unknown: None,
         };

@@ -16,15 +16,15 @@ fn eliminate_relation<'m>(
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
-    let (place, angle) = find_relation(names, equations, coordinates)?;
-    let value = explicit::solved_relation(names, &equations[place], angle)?;
+    let (equation_index, angle) = find_relation(names, equations, coordinates)?;
+    let value = explicit::solved_relation(names, &equations[equation_index], angle)?;
     explicit::replace_angle(names, reductions, angle, &value);
     let (gone, kept): (Vec<Coordinate>, Vec<Coordinate>) = coordinates
         .iter()
         .cloned()
         .partition(|c| c.kind == CoordinateKind::Angle(angle));
     let mut equations = equations.to_vec();
-    let eliminated = equations.remove(place);
+    let eliminated = equations.remove(equation_index);
     for equation in &mut equations {
         match replaced_in_relation(equation, angle, &value) {
             Some(relation) => {
@@ -51,41 +51,47 @@ fn find_relation<'m>(
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<(usize, usize)> {
-    equations.iter().enumerate().find_map(|(place, equation)| {
-        let relation = equation.relation.as_ref()?;
-        if coordinates
-            .iter()
-            .any(|c| equations::contains(names, relation.rest, c))
-        {
-            return None;
-        }
-        let used_elsewhere = |c: &Coordinate| {
-            let others = equations.iter().enumerate().filter(|(k, _)| *k != place);
-            others
-                .flat_map(|(_, e)| &e.rows)
-                .any(|&row| equations::contains(names, row, c))
-        };
-        let angles: Vec<usize> = coordinates
-            .iter()
-            .filter_map(|c| match c.kind {
-                CoordinateKind::Angle(index) => Some((c, index)),
-                CoordinateKind::Length(_) => None,
-            })
-            .filter(|(_, index)| relation.coefficient(Atom::Angle(*index)) != 0.0)
-            .filter(|(c, _)| used_elsewhere(c))
-            .map(|(_, index)| index)
-            .collect();
-        let whole = |index: &&usize| {
-            let factor = relation.coefficient(Atom::Angle(**index));
-            let mut others = relation
-                .terms
+    equations
+        .iter()
+        .enumerate()
+        .find_map(|(equation_index, equation)| {
+            let relation = equation.relation.as_ref()?;
+            if coordinates
                 .iter()
-                .filter(|(a, _)| matches!(a, Atom::Angle(_)));
-            others.all(|(_, k)| (k / factor).fract() == 0.0)
-        };
-        let angle = *angles.iter().rev().find(whole).or(angles.last())?;
-        Some((place, angle))
-    })
+                .any(|c| equations::contains(names, relation.rest, c))
+            {
+                return None;
+            }
+            let used_elsewhere = |c: &Coordinate| {
+                let others = equations
+                    .iter()
+                    .enumerate()
+                    .filter(|(k, _)| *k != equation_index);
+                others
+                    .flat_map(|(_, e)| &e.rows)
+                    .any(|&row| equations::contains(names, row, c))
+            };
+            let angles: Vec<usize> = coordinates
+                .iter()
+                .filter_map(|c| match c.kind {
+                    CoordinateKind::Angle(index) => Some((c, index)),
+                    CoordinateKind::Length(_) => None,
+                })
+                .filter(|(_, index)| relation.coefficient(Atom::Angle(*index)) != 0.0)
+                .filter(|(c, _)| used_elsewhere(c))
+                .map(|(_, index)| index)
+                .collect();
+            let whole = |index: &&usize| {
+                let factor = relation.coefficient(Atom::Angle(**index));
+                let mut others = relation
+                    .terms
+                    .iter()
+                    .filter(|(a, _)| matches!(a, Atom::Angle(_)));
+                others.all(|(_, k)| (k / factor).fract() == 0.0)
+            };
+            let angle = *angles.iter().rev().find(whole).or(angles.last())?;
+            Some((equation_index, angle))
+        })
 }
 
 /// A relation between angles stays a linear form when one of its angles is replaced.
@@ -139,7 +145,7 @@ fn eliminate_point<'m>(
     if equations.len() < 2 {
         return None;
     }
-    for (place, equation) in equations
+    for (equation_index, equation) in equations
         .iter()
         .enumerate()
         .filter(|(_, e)| e.rows.len() > 1)
@@ -159,7 +165,7 @@ fn eliminate_point<'m>(
                 &reductions.substitutions,
                 equations,
                 coordinates,
-                place,
+                equation_index,
                 point,
             ));
         }
@@ -200,7 +206,7 @@ fn eliminate_slide<'m>(
     if equations.len() < 2 {
         return None;
     }
-    for (place, equation) in equations
+    for (equation_index, equation) in equations
         .iter()
         .enumerate()
         .filter(|(_, e)| e.rows.len() == 1)
@@ -229,7 +235,7 @@ fn eliminate_slide<'m>(
                 &reductions.substitutions,
                 equations,
                 coordinates,
-                place,
+                equation_index,
                 &coordinates[k..=k],
             ));
         }
@@ -243,11 +249,11 @@ fn without<'m>(
     substitutions: &Substitutions<'m>,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
-    place: usize,
+    equation_index: usize,
     gone: &[Coordinate],
 ) -> System<'m> {
     let mut equations = equations.to_vec();
-    let eliminated = equations.remove(place);
+    let eliminated = equations.remove(equation_index);
     for equation in &mut equations {
         explicit::substitute_in(graph, substitutions, equation, &eliminated, gone);
     }

@@ -54,8 +54,8 @@ pub(crate) fn classify_point<'m>(
     let zero = names.zero();
     let planes = linear.into_iter().map(|(factors, offset)| {
         let mut normal = Vector([zero; 3]);
-        for (&place, factor) in places.iter().zip(factors) {
-            normal.0[place] = factor;
+        for (&index, factor) in places.iter().zip(factors) {
+            normal.0[index] = factor;
         }
         Plane { normal, offset }
     });
@@ -88,12 +88,12 @@ pub(crate) fn moved_point<'m>(
     for (component, row) in vector.components().enumerate() {
         let (factors, rest) = space::linear_row(graph, row, symbols)?;
         known.0[component] = rest;
-        for (place, entry) in places.iter_mut().zip(factors) {
+        for (slot, entry) in places.iter_mut().zip(factors) {
             if entry.is_zero() {
                 continue;
             }
             let first = *factor.get_or_insert(entry);
-            if place.replace(component).is_some() || !numerically_equal(first, entry) {
+            if slot.replace(component).is_some() || !numerically_equal(first, entry) {
                 return None;
             }
         }

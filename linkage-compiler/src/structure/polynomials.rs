@@ -24,8 +24,8 @@ impl<'m> Polynomials<'m> {
     pub(crate) fn monomial(&self, symbols: &[SymbolId]) -> Vec<u8> {
         let mut exponents = vec![0; self.symbols.len()];
         for symbol in symbols {
-            if let Some(place) = self.symbols.iter().position(|s| s == symbol) {
-                exponents[place] += 1;
+            if let Some(index) = self.symbols.iter().position(|s| s == symbol) {
+                exponents[index] += 1;
             }
         }
         exponents
@@ -51,10 +51,10 @@ impl<'m> Polynomials<'m> {
         Vector([taken[0], taken[1], taken[2]])
     }
 
-    /// True if a term contains the symbol at `place`.
-    pub(crate) fn mention(&self, place: usize) -> bool {
+    /// True if a term contains the symbol at `index`.
+    pub(crate) fn mention(&self, index: usize) -> bool {
         let mut monomials = self.rows.iter().flat_map(|row| row.keys());
-        monomials.any(|monomial| monomial[place] > 0)
+        monomials.any(|monomial| monomial[index] > 0)
     }
 
     /// A monomial as powers of symbols.

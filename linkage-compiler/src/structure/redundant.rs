@@ -156,7 +156,7 @@ fn positions(names: &Names<'_>, nominal: &Nominal) -> Vec<Vec<f64>> {
             ]
         })
         .collect();
-    let place = |step: usize| {
+    let position = |step: usize| {
         let inputs = ends.iter().enumerate().map(|(k, [at, below, above])| {
             let share = match step {
                 0 => 0.0,
@@ -166,7 +166,7 @@ fn positions(names: &Names<'_>, nominal: &Nominal) -> Vec<Vec<f64>> {
         });
         inputs.collect()
     };
-    (0..POSITIONS.len()).map(place).collect()
+    (0..POSITIONS.len()).map(position).collect()
 }
 
 /// The largest length among parameters and estimates.
@@ -223,7 +223,7 @@ fn closed_at(
     places: &[Vec<f64>],
 ) -> Option<Vec<Vec<f64>>> {
     // An input that does not move proves nothing.
-    let moves = places.iter().any(|place| *place != places[0]);
+    let moves = places.iter().any(|position| *position != places[0]);
     let mut found: Vec<Vec<f64>> = Vec::new();
     for inputs in places {
         let at = Nominal {
@@ -257,7 +257,9 @@ fn constant_ratios(
             let rates = constant_ratio::candidate_rates(names, 0).into_iter();
             let rate = rates.into_iter().find(|rate| {
                 let mut all = places.iter().zip(found);
-                all.all(|(place, angles)| (angles[k] - angle - rate * (place[0] - x)).abs() < ALIKE)
+                all.all(|(position, angles)| {
+                    (angles[k] - angle - rate * (position[0] - x)).abs() < ALIKE
+                })
             })?;
             Some(ConstantRatio {
                 unknown: coordinate.unknown?,

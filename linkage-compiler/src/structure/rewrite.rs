@@ -41,7 +41,7 @@ pub(crate) fn distance_to_link<'m>(
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
-    for (place, equation) in equations
+    for (index, equation) in equations
         .iter()
         .enumerate()
         .filter(|(_, e)| e.rows.len() == 1)
@@ -59,8 +59,8 @@ pub(crate) fn distance_to_link<'m>(
         let angle = names.add_angle("link", None);
         let unit = names.angles[angle].unit;
         let rows = (0..2).map(|k| vector[k] - length * unit[k]);
-        equations[place].rows = rows.collect();
-        equations[place].relation = None;
+        equations[index].rows = rows.collect();
+        equations[index].relation = None;
         coordinates.push(Coordinate {
             kind: CoordinateKind::Angle(angle),
             unknown: None,

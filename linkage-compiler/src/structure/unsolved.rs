@@ -102,11 +102,11 @@ fn worst_obstacle<'m>(
             rows.into_iter()
                 .any(|row| obstacle(row, &symbols) == Some(found))
         });
-        let place = loop_list(&equation.loops);
+        let subject = loop_list(&equation.loops);
         let what = match (&term, &equation.loops[..]) {
-            (Some(_), _) => format!("this term of {place} has"),
-            (None, [_]) => format!("{place} has"),
-            (None, _) => format!("{place} have"),
+            (Some(_), _) => format!("this term of {subject} has"),
+            (None, [_]) => format!("{subject} has"),
+            (None, _) => format!("{subject} have"),
         };
         let why = match found {
             Obstacle::Degree(degree) => format!(

@@ -123,12 +123,15 @@ pub(crate) fn private_and_core<'m>(
 }
 
 /// A coordinate as the private unknown of a loop, if the loop can be solved for it.
-fn private_unknown<'m>(names: &Names<'m>, place: CoordinateInLoop<'_, 'm>) -> Option<Private<'m>> {
+fn private_unknown<'m>(
+    names: &Names<'m>,
+    coordinate: CoordinateInLoop<'_, 'm>,
+) -> Option<Private<'m>> {
     let CoordinateInLoop {
         polynomials,
         first,
         coordinate,
-    } = place;
+    } = coordinate;
     if polynomials.rows.len() != 2 {
         return None;
     }

@@ -47,9 +47,9 @@ pub(crate) fn with_paired_components(core: Vec<(Core, Option<usize>)>) -> Vec<Co
         if core[k].1.is_none() || core[k].1 != core[k - 1].1 || together.count() != 2 {
             continue;
         }
-        for (component, place) in [k - 1, k].into_iter().enumerate() {
-            if let Core::Length { symbol, number, .. } = marked[place] {
-                marked[place] = Core::Length {
+        for (component, index) in [k - 1, k].into_iter().enumerate() {
+            if let Core::Length { symbol, number, .. } = marked[index] {
+                marked[index] = Core::Length {
                     symbol,
                     number,
                     component: Some(component),
