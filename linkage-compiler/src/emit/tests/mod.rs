@@ -46,7 +46,7 @@ fn the_surface_is_complete() {
             "/// Length of the crank.\n    ///\n    /// In mm; default 10.\n    pub crank: T,",
             "/// `pivot`, in mm; default (1, -2), tolerance (0.5, 0).",
             "pub const INDEX_PIVOT_Y: ::core::primitive::usize = 1;",
-            "name: \"pivot.x\",",
+            "::linkage::__private::parameter(\"pivot.x\", ",
             "kind: \"RRP\",",
             "pub struct Turning<T = ::core::primitive::f64> {",
             "pub v: [::linkage::__private::Vector2<T>; 2],",

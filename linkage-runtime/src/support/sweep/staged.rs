@@ -64,6 +64,7 @@ where
         let zero = T::from_f64(0.0);
         let mut x = Block::<T, B, N>::filled(zero);
         let mut memory = F::Memory::<B>::filled(zero);
+        let mut finished = Block::<T, V, W>::filled(zero);
         let count = rows(&columns);
         let mut done = 0;
         while done < count {
@@ -74,7 +75,7 @@ where
                 cores: &OneCore(&core),
                 x: &x,
                 memory: &mut memory,
-                zero,
+                finished: &mut finished,
                 columns: &mut columns,
                 vectors,
                 row,
@@ -121,6 +122,7 @@ where
         let mut x = Block::<T, B, R>::filled(zero);
         let mut prepared = F::Prepared::<B>::filled(zero);
         let mut memory = F::Memory::<B>::filled(zero);
+        let mut finished = Block::<T, V, W>::filled(zero);
         let count = rows(&columns);
         let mut done = 0;
         while done < count {
@@ -143,7 +145,7 @@ where
                 cores: &SetCores::<_, _, _, F>(&core, &x, &prepared, PhantomData),
                 x: &x,
                 memory: &mut memory,
-                zero,
+                finished: &mut finished,
                 columns: &mut columns,
                 vectors,
                 row,
@@ -233,7 +235,7 @@ struct BlockStages<
     cores: &'a S,
     x: &'a Block<T, B, R>,
     memory: &'a mut M,
-    zero: T,
+    finished: &'a mut Block<T, V, W>,
     columns: &'a mut [&'c mut [T]; W],
     /// The number of vectors in the block.
     vectors: usize,
@@ -269,13 +271,12 @@ where
         let vectors = self.vectors;
         let mut vector = 0;
         while vector < vectors {
-            let mut finished = Block::<T, V, W>::filled(self.zero);
             let mut lane = 0;
             while lane < V {
                 let mut row = BlockRow::<_, _, B, V, R, W, FIRST> {
                     x: self.x,
                     memory: self.memory,
-                    finished: &mut finished,
+                    finished: self.finished,
                     vector,
                     lane,
                 };
@@ -283,7 +284,7 @@ where
                 lane = lane.wrapping_add(1);
             }
             F::write(&mut FinishedVector {
-                finished: &finished,
+                finished: self.finished,
                 columns: self.columns,
                 row: self.row + vector * V,
             });
