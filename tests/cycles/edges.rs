@@ -99,9 +99,9 @@ fn a_narrow_band_holds_in_full() {
 #[test]
 fn bounds_of_more_percents_are_never_worse() {
     const BANDS: [f64; 9] = [0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0];
-    /// Parts of a dwell of the press and of the eye needle. Searches of the latter do not converge beside its flat triangle: they end
-    /// elsewhere if their bounds differ by rounding.
-    const NEAR: [f64; 2] = [1e-4, 0.01];
+    /// Parts of a dwell of the press and of the eye needle. Searches of the latter do not converge beside its flat triangle: without
+    /// rounded bounds a dwell was 1.2 % shorter than that of narrower ones.
+    const NEAR: [f64; 2] = [1e-4, 0.002];
     let (bands, percents) = if long() {
         (&BANDS[..], 1..=13)
     } else {

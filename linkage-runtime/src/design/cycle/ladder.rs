@@ -10,9 +10,10 @@
 //!
 //! The results of all rungs are kept. So the best one is never worse than the first mechanism, if
 //! that holds all conditions. Widths of rungs and steps do not depend on the full bounds, and
-//! searches on a step do not depend on the width of its rung. So bounds that are as wide as a step
-//! have no search that wider ones of the same shape leave out, unless the search within the wider
-//! ones converges without steps.
+//! searches on a step do not depend on the width of its rung. Bounds of steps are rounded, and full
+//! bounds whose searches do not converge are rounded as a step of wider ones would be. So bounds
+//! that are as wide as a step have no search that wider ones of the same shape leave out, unless
+//! the search within the wider ones converges without steps.
 
 use alloc::vec::Vec;
 
@@ -39,6 +40,9 @@ const RUNGS: i32 = 20;
 const HOPELESS: usize = 2;
 /// Bounds that differ by less than this part are the same.
 const SAME: f64 = 1e-6;
+/// Bounds of searches that need not converge are multiples of this part of the value, 2^-36: far
+/// more than rounding, and nothing to a mechanism.
+pub(super) const ROUNDED: f64 = 1.0 / (1_u64 << 36) as f64;
 /// Results that differ by less than this part are equal.
 const EQUAL: f64 = 1e-6;
 
@@ -172,7 +176,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
     fn climb(&self, ladder: &mut Ladder, rung: &Rung) -> Result<(), DesignError> {
         let (near, least) = (ladder.near(), ladder.least());
         let climbed = ladder.has_climbed().then_some(near.as_slice());
-        let tried = self.try_both(ladder, rung.part, climbed);
+        let mut tried = self.try_both(ladder, &self.bounds(ladder, rung.part), climbed);
         let converged = |k: usize| {
             let found: Option<&Ended> = tried.get(k)?.as_ref().ok();
             found.filter(|result| result.converged)
@@ -182,12 +186,17 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         let hopeless = tried.iter().all(Result::is_err);
         let mut kept = Ok(());
         if !enough {
+            if rung.part == 1.0 {
+                // As a step of wider bounds: searches that do not converge end elsewhere if their
+                // bounds differ by rounding.
+                tried = self.try_both(ladder, &self.step_bounds(ladder, 1.0), climbed);
+            }
             for (k, &part) in rung.steps.iter().enumerate() {
                 let hopeless = k >= HOPELESS && hopeless && ladder.results.is_empty();
                 if hopeless || (self.stopped)() {
                     break;
                 }
-                for result in self.try_both(ladder, part, climbed) {
+                for result in self.try_both(ladder, &self.step_bounds(ladder, part), climbed) {
                     let _ = ladder.keep(result, part);
                 }
                 self.follow(ladder, part, &near);
@@ -205,18 +214,36 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         kept
     }
 
-    /// Searches within a part of the bounds from the first mechanism, and from the best result of
-    /// the rungs below.
+    /// The bounds of a rung: the full ones to the last digit.
+    fn bounds(&self, ladder: &Ladder, part: f64) -> Limits {
+        if part < 1.0 {
+            self.step_bounds(ladder, part)
+        } else {
+            self.problem.limits.clone()
+        }
+    }
+
+    /// A part of the bounds, rounded inwards. Full bounds may be values of a catalogue: then they
+    /// stay as they are.
+    fn step_bounds(&self, ladder: &Ladder, part: f64) -> Limits {
+        match part == 1.0 && !self.problem.catalogues.is_empty() {
+            true => self.problem.limits.clone(),
+            false => narrowed(&self.problem.limits, &ladder.origin, part),
+        }
+    }
+
+    /// Searches within some bounds from the first mechanism, and from the best result of the rungs
+    /// below.
     fn try_both(
         &self,
         ladder: &Ladder,
-        part: f64,
+        limits: &Limits,
         near: Option<&[f64]>,
     ) -> Vec<Result<Ended, DesignError>> {
         let near = near.map(<[f64]>::to_vec);
         let places = core::iter::once(ladder.origin.clone()).chain(near);
         places
-            .map(|values| self.within(ladder, part, values))
+            .map(|values| self.descend(self.problem.start(limits, values)?))
             .collect()
     }
 
@@ -227,14 +254,16 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
     /// already.
     fn follow(&self, ladder: &mut Ladder, part: f64, near: &[f64]) {
         let best = ladder.near();
+        let limits = self.step_bounds(ladder, part);
         let mut converged = false;
         if best != near {
-            let result = self.within(ladder, part, best.clone());
+            let start = self.problem.start(&limits, best.clone());
+            let result = start.and_then(|start| self.descend(start));
             converged = result.as_ref().is_ok_and(|result| result.converged);
             let _ = ladder.keep(result, part);
         }
         if !converged && ladder.has_climbed() {
-            let start = self.start_within(ladder, part, best);
+            let start = self.problem.start(&limits, best);
             let result = start.and_then(|mut start| {
                 let parameters = start.reach.iter_mut().take(ladder.origin.len());
                 parameters.for_each(|reach| *reach *= SHORT);
@@ -242,21 +271,6 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             });
             let _ = ladder.keep(result, part);
         }
-    }
-
-    /// Searches within a part of the bounds from a place.
-    fn within(&self, ladder: &Ladder, part: f64, values: Vec<f64>) -> Result<Ended, DesignError> {
-        self.descend(self.start_within(ladder, part, values)?)
-    }
-
-    fn start_within(
-        &self,
-        ladder: &Ladder,
-        part: f64,
-        values: Vec<f64>,
-    ) -> Result<SearchStart, DesignError> {
-        let limits = narrowed(&self.problem.limits, &ladder.origin, part);
-        self.problem.start(&limits, values)
     }
 
     /// The first mechanism itself, if it holds all conditions.
@@ -272,13 +286,18 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
     }
 }
 
-/// The limits with a part of the way from a place to each bound.
+/// The limits with a part of the way from a place to each bound, rounded towards the place: equal
+/// for all bounds of the same shape.
 fn narrowed(limits: &Limits, origin: &[f64], part: f64) -> Limits {
     let mut narrowed = limits.clone();
-    if part < 1.0 {
-        for bounds in [&mut narrowed.lower, &mut narrowed.upper] {
-            for (bound, x) in bounds.iter_mut().zip(origin) {
-                *bound = x + part * (*bound - x);
+    for bounds in [&mut narrowed.lower, &mut narrowed.upper] {
+        for (bound, x) in bounds.iter_mut().zip(origin) {
+            let way = part * (*bound - x);
+            let unit = x.abs() * ROUNDED;
+            if unit > 0.0 && way.is_finite() {
+                *bound = x + (way / unit).trunc() * unit;
+            } else if part < 1.0 {
+                *bound = x + way;
             }
         }
     }

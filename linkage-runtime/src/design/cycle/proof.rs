@@ -7,6 +7,7 @@ use alloc::vec::Vec;
 use super::super::DesignError;
 use super::super::certificate::{Interruption, alike, certify};
 use super::super::minimax::largest;
+use super::ladder::ROUNDED;
 use super::problem::{Problem, SearchStart, Sizes};
 use super::{Candidate, Piece};
 use crate::circuits::{Branch, BranchEnd, Circuits};
@@ -91,14 +92,15 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
         (figures + relations.count(), free.count())
     }
 
-    /// The parameters that are at a bound, with it.
+    /// The parameters that are at a bound, or at where a search rounded it to, with the bound.
     pub(super) fn at_bound(&self, x: &[f64]) -> Vec<(&'static str, f64)> {
         let bound = |(j, &index): (usize, &usize)| {
             let bounds = [self.limits.lower[j], self.limits.upper[j]];
             // The end of a catalogue is a value like all others.
             let of_catalogue = self.catalogues.iter().any(|(position, _)| *position == j);
             let mut bounds = bounds.into_iter().filter(|_| !of_catalogue);
-            let reached = bounds.find(|bound| *bound == x[j])?;
+            let near = ROUNDED * x[j].abs();
+            let reached = bounds.find(|bound| (bound - x[j]).abs() <= near)?;
             Some((M::PARAMETERS[index].name, reached))
         };
         self.varied.iter().enumerate().filter_map(bound).collect()
