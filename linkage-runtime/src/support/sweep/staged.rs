@@ -58,30 +58,11 @@ where
         &self,
         arguments: &impl Arguments<T, N>,
         first: usize,
-        mut columns: [&mut [T]; W],
+        columns: [&mut [T]; W],
     ) {
-        let core = *self.0;
-        let zero = T::from_f64(0.0);
-        let mut x = Block::<T, B, N>::filled(zero);
-        let mut memory = F::Memory::<B>::filled(zero);
-        let mut finished = Block::<T, V, W>::filled(zero);
-        let count = rows(&columns);
-        let mut done = 0;
-        while done < count {
-            let vectors = next_vectors::<V, B>(count - done, count);
-            let row = done.min(count - vectors * V);
-            arguments.block::<FUSED, V, B>(first + row, vectors * V, &mut x.0);
-            F::run(&mut BlockStages::<_, _, _, FUSED, V, B, N, W, 0> {
-                cores: &OneCore(&core),
-                x: &x,
-                memory: &mut memory,
-                finished: &mut finished,
-                columns: &mut columns,
-                vectors,
-                row,
-            });
-            done = row + vectors * V;
-        }
+        over_blocks::<F, _, _, _, FUSED, V, B, N, N, W, 0>(
+            self.0, OneCore, arguments, first, columns,
+        );
     }
 }
 
@@ -114,44 +95,69 @@ where
         &self,
         arguments: &impl Arguments<T, R>,
         first: usize,
-        mut columns: [&mut [T]; W],
+        columns: [&mut [T]; W],
     ) {
         const { assert!(R == P + N, "dimensions and arguments") };
-        let core = *self.0;
-        let zero = T::from_f64(0.0);
-        let mut x = Block::<T, B, R>::filled(zero);
-        let mut prepared = F::Prepared::<B>::filled(zero);
-        let mut memory = F::Memory::<B>::filled(zero);
-        let mut finished = Block::<T, V, W>::filled(zero);
-        let count = rows(&columns);
-        let mut done = 0;
-        while done < count {
-            let vectors = next_vectors::<V, B>(count - done, count);
-            let row = done.min(count - vectors * V);
-            arguments.block::<FUSED, V, B>(first + row, vectors * V, &mut x.0);
-            // All rows of the block, also those that are not asked for: only a loop of a fixed
-            // length becomes vectors of full width.
-            let mut lane = 0;
-            while lane < B {
-                let prepared = &mut prepared;
-                F::prepare::<FUSED>(
-                    &core,
-                    &BlockLane(&x, lane),
-                    &mut BlockLaneMut(prepared, lane),
-                );
-                lane = lane.wrapping_add(1);
-            }
-            F::run(&mut BlockStages::<_, _, _, FUSED, V, B, R, W, P> {
-                cores: &SetCores::<_, _, _, F>(&core, &x, &prepared, PhantomData),
-                x: &x,
-                memory: &mut memory,
-                finished: &mut finished,
-                columns: &mut columns,
-                vectors,
-                row,
-            });
-            done = row + vectors * V;
-        }
+        let prepared = F::Prepared::<B>::filled(T::from_f64(0.0));
+        let cores = SetCores(prepared, PhantomData::<fn() -> F>);
+        over_blocks::<F, _, _, _, FUSED, V, B, N, R, W, P>(
+            self.0, cores, arguments, first, columns,
+        );
+    }
+}
+
+/// Runs the stages of the function `F` over blocks of `B` rows, as many as the columns are long
+/// from row `first` on. Its `N` arguments begin at number `FIRST` of the `R` numbers of a row.
+#[inline(always)]
+fn over_blocks<
+    F,
+    T,
+    C,
+    S,
+    const FUSED: bool,
+    const V: usize,
+    const B: usize,
+    const N: usize,
+    const R: usize,
+    const W: usize,
+    const FIRST: usize,
+>(
+    core: &C,
+    mut cores: S,
+    arguments: &impl Arguments<T, R>,
+    first: usize,
+    mut columns: [&mut [T]; W],
+) where
+    T: Scalar,
+    C: Copy,
+    F: Staged<T, C, N, W>,
+    S: Cores<T, C, B, R>,
+{
+    // Apart from the prepared numbers: with both in one value, the optimiser takes a write to these
+    // for a change of the data, and reads them again.
+    let core = *core;
+    let zero = T::from_f64(0.0);
+    let mut x = Block::<T, B, R>::filled(zero);
+    let mut memory = F::Memory::<B>::filled(zero);
+    let mut finished = Block::<T, V, W>::filled(zero);
+    let count = rows(&columns);
+    let mut done = 0;
+    while done < count {
+        let vectors = next_vectors::<V, B>(count - done, count);
+        let row = done.min(count - vectors * V);
+        arguments.block::<FUSED, V, B>(first + row, vectors * V, &mut x.0);
+        cores.prepare::<FUSED>(&core, &x);
+        F::run(&mut BlockStages::<_, _, _, _, FUSED, V, B, R, W, FIRST> {
+            core: &core,
+            cores: &cores,
+            x: &x,
+            memory: &mut memory,
+            finished: &mut finished,
+            columns: &mut columns,
+            vectors,
+            row,
+        });
+        done = row + vectors * V;
     }
 }
 
@@ -185,35 +191,71 @@ impl<T, M: Memory<T>> RowNumbersMut<T> for BlockLaneMut<'_, M> {
     }
 }
 
-/// The data of the assembly of each row.
-trait Cores<T, C> {
-    /// For a row of the block.
-    fn core_of<const V: usize>(&self, vector: usize, lane: usize) -> impl Borrow<C>;
+/// The data of the assembly of each row of a block, from those of the assembly that is swept.
+trait Cores<T, C, const B: usize, const R: usize> {
+    /// Prepares all rows of a block.
+    fn prepare<const FUSED: bool>(&mut self, core: &C, x: &Block<T, B, R>);
+
+    /// The data for row `lane` of a vector of `V` rows.
+    fn core_of<const V: usize>(
+        &self,
+        core: &C,
+        x: &Block<T, B, R>,
+        vector: usize,
+        lane: usize,
+    ) -> impl Borrow<C>;
 }
 
 /// All rows are positions of one assembly.
-struct OneCore<'a, C>(&'a C);
+struct OneCore;
 
-impl<T, C> Cores<T, C> for OneCore<'_, C> {
+impl<T, C, const B: usize, const R: usize> Cores<T, C, B, R> for OneCore {
     #[inline(always)]
-    fn core_of<const V: usize>(&self, _: usize, _: usize) -> impl Borrow<C> {
-        self.0
+    fn prepare<const FUSED: bool>(&mut self, _: &C, _: &Block<T, B, R>) {}
+
+    #[inline(always)]
+    fn core_of<const V: usize>(
+        &self,
+        core: &C,
+        _: &Block<T, B, R>,
+        _: usize,
+        _: usize,
+    ) -> impl Borrow<C> {
+        core
     }
 }
 
-/// Each row is another mechanism.
-struct SetCores<'a, C, X, M, F>(&'a C, &'a X, &'a M, PhantomData<fn() -> F>);
+/// Each row is another mechanism, with its prepared numbers.
+struct SetCores<M, F>(M, PhantomData<fn() -> F>);
 
-impl<T, C, X, M, F> Cores<T, C> for SetCores<'_, C, X, M, F>
+impl<T, C, M, F, const B: usize, const R: usize> Cores<T, C, B, R> for SetCores<M, F>
 where
-    X: Memory<T>,
+    T: Copy,
     M: Memory<T>,
     F: SetStages<T, C>,
 {
+    // All rows of the block, also those that are not asked for: only a loop of a fixed length
+    // becomes vectors of full width.
     #[inline(always)]
-    fn core_of<const V: usize>(&self, vector: usize, lane: usize) -> impl Borrow<C> {
-        let x = VectorLane::<_, V>(self.1, vector, lane);
-        F::core(self.0, &x, &VectorLane::<_, V>(self.2, vector, lane))
+    fn prepare<const FUSED: bool>(&mut self, core: &C, x: &Block<T, B, R>) {
+        let mut lane = 0;
+        while lane < B {
+            let mut prepared = BlockLaneMut(&mut self.0, lane);
+            F::prepare::<FUSED>(core, &BlockLane(x, lane), &mut prepared);
+            lane = lane.wrapping_add(1);
+        }
+    }
+
+    #[inline(always)]
+    fn core_of<const V: usize>(
+        &self,
+        core: &C,
+        x: &Block<T, B, R>,
+        vector: usize,
+        lane: usize,
+    ) -> impl Borrow<C> {
+        let x = VectorLane::<_, V>(x, vector, lane);
+        F::core(core, &x, &VectorLane::<_, V>(&self.0, vector, lane))
     }
 }
 
@@ -223,6 +265,7 @@ struct BlockStages<
     'a,
     'c,
     T,
+    C,
     S,
     M,
     const FUSED: bool,
@@ -232,6 +275,7 @@ struct BlockStages<
     const W: usize,
     const FIRST: usize,
 > {
+    core: &'a C,
     cores: &'a S,
     x: &'a Block<T, B, R>,
     memory: &'a mut M,
@@ -255,10 +299,10 @@ impl<
     const R: usize,
     const W: usize,
     const FIRST: usize,
-> RunStages<T, C, F> for BlockStages<'_, '_, T, S, M, FUSED, V, B, R, W, FIRST>
+> RunStages<T, C, F> for BlockStages<'_, '_, T, C, S, M, FUSED, V, B, R, W, FIRST>
 where
     T: Copy,
-    S: Cores<T, C>,
+    S: Cores<T, C, B, R>,
     M: Memory<T>,
 {
     // The loop counts vectors and not rows, so that the optimiser knows that they fit. Wrapping
@@ -280,7 +324,8 @@ where
                     vector,
                     lane,
                 };
-                F::row::<FUSED, true>(self.cores.core_of::<V>(vector, lane).borrow(), &mut row);
+                let core = self.cores.core_of::<V>(self.core, self.x, vector, lane);
+                F::row::<FUSED, true>(core.borrow(), &mut row);
                 lane = lane.wrapping_add(1);
             }
             F::write(&mut FinishedVector {
