@@ -132,10 +132,7 @@ pub(super) fn value(
     core: &TokenStream,
     plain: Version,
 ) -> TokenStream {
-    let refining = match function.beside {
-        true => Version::Beside,
-        false => Version::Called,
-    };
+    let refining = Version::refining(function);
     let runtime = &outline.runtime;
     let data = &outline.core;
     let count = literal::index(Places::of_function(outline, function).width());

@@ -11,12 +11,12 @@ use super::slots::Slots;
 use super::stages::Version;
 use super::{attribute, literal, stages};
 
-/// The runtime's `SetStages` for the program `stages` of a function; nothing for a function without
+/// The runtime's `SetStages` for the stages of a function that refines; nothing for a function without
 /// inputs. `prepare` computes all prepared slots.
 pub(super) fn items(
     outline: &Outline,
     function: &Function,
-    (stages, version): (&[Stage], Version),
+    stages: &[Stage],
     prepare: &Program,
 ) -> TokenStream {
     if function.arguments.is_empty() || outline.parameters.is_empty() {
@@ -29,7 +29,7 @@ pub(super) fn items(
         ..
     } = outline;
     let everywhere = &attribute::split(function.attributes).everywhere;
-    let marker = stages::name(outline, function, version);
+    let marker = stages::name(outline, function, Version::refining(function));
     let slots = Slots::for_stages(stages, prepare);
     let prepare = (slots.count() > 0).then(|| {
         let prepare = slots.prepare(outline);

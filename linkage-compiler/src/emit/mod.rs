@@ -124,10 +124,7 @@ fn function(
     }
     items.extend(sweeps::items(outline, function));
     items.extend(table::items(outline, function, &compiled.columns));
-    let of_sets = match &compiled.beside {
-        Some(beside) => (&beside.stages[..], Version::Beside),
-        None => (&compiled.called.stages[..], Version::Called),
-    };
-    items.extend(kernels::items(outline, function, of_sets, prepare));
+    let of_sets = compiled.beside.as_ref().unwrap_or(&compiled.called);
+    items.extend(kernels::items(outline, function, &of_sets.stages, prepare));
     items
 }

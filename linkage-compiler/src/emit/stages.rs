@@ -24,6 +24,14 @@ pub(super) enum Version {
 }
 
 impl Version {
+    /// The one for dimensions, derivatives and digits that tables do not know.
+    pub(super) fn refining(function: &Function) -> Self {
+        match function.beside {
+            true => Self::Beside,
+            false => Self::Called,
+        }
+    }
+
     /// The part that the version has in names of items.
     pub(super) fn word(self) -> &'static str {
         match self {

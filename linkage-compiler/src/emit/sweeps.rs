@@ -172,11 +172,7 @@ impl Sweeps<'_> {
             outline, function, ..
         } = *self;
         let runtime = &outline.runtime;
-        let version = match function.beside {
-            true => Version::Beside,
-            false => Version::Called,
-        };
-        let stages = stages::name(outline, function, version);
+        let stages = stages::name(outline, function, Version::refining(function));
         let core = assembly_data::core(outline, &quote!(self));
         let dimensions = outline.scalar_fields().len();
         let arguments = Places::of_function(outline, function).width();
