@@ -186,7 +186,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         let hopeless = tried.iter().all(Result::is_err);
         let mut kept = Ok(());
         if !enough {
-            if rung.part == 1.0 {
+            if rung.part == 1.0 && !self.keeps_full_bounds() {
                 // As a step of wider bounds: searches that do not converge end elsewhere if their
                 // bounds differ by rounding.
                 tried = self.try_both(ladder, &self.step_bounds(ladder, 1.0), climbed);
@@ -223,10 +223,14 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         }
     }
 
-    /// A part of the bounds, rounded inwards. Full bounds may be values of a catalogue: then they
-    /// stay as they are.
+    /// Full bounds may be values of a catalogue: then they are not rounded.
+    fn keeps_full_bounds(&self) -> bool {
+        !self.problem.catalogues.is_empty()
+    }
+
+    /// A part of the bounds, rounded inwards.
     fn step_bounds(&self, ladder: &Ladder, part: f64) -> Limits {
-        match part == 1.0 && !self.problem.catalogues.is_empty() {
+        match part == 1.0 && self.keeps_full_bounds() {
             true => self.problem.limits.clone(),
             false => narrowed(&self.problem.limits, &ladder.origin, part),
         }
