@@ -4,7 +4,7 @@ use linkage_compiler::ir::{
     CompiledMechanism, Coupled, Function, Meaning, Picture, ShownNumber, plain,
 };
 use linkage_runtime::support::{
-    Along, Angle, CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown, Range, Term,
+    self, Along, Angle, CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown, Range, Term,
 };
 use linkage_runtime::{
     Axis, Column, FunctionInfo, Group, Guide, Heading, Input, Operations, Parameter,
@@ -67,15 +67,7 @@ fn operations(count: &Count) -> Operations {
         atan2,
         other,
     } = *count;
-    Operations {
-        add,
-        mul,
-        div,
-        sqrt,
-        sin_cos,
-        atan2,
-        other,
-    }
+    support::operations([add, mul, div, sqrt, sin_cos, atan2, other])
 }
 
 pub(super) fn headings(unit: &CompiledMechanism) -> Vec<&'static Heading> {
