@@ -5,6 +5,7 @@ use std::io;
 use std::path::Path;
 
 use linkage_compiler::{short_words, shortened};
+use linkage_engine::SourceError;
 use linkage_runtime::AssemblyError;
 
 use crate::confusable::{letters, look_alike};
@@ -24,6 +25,15 @@ impl Failure {
     /// A file that cannot be read or written; `doing` says which.
     pub(crate) fn file(doing: &str, path: &Path, error: &io::Error) -> Self {
         Self::Told(format!("cannot {doing} `{}`: {error}", path.display()))
+    }
+}
+
+impl From<SourceError> for Failure {
+    fn from(error: SourceError) -> Self {
+        match error {
+            SourceError::Message(text) => Self::Told(text),
+            SourceError::Rendered(text) => Self::Rendered(text),
+        }
     }
 }
 

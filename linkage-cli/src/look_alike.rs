@@ -2,14 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use annotate_snippets::Level;
 use linkage_compiler::{Message, SourceSpan, shortened};
+use linkage_engine::{MechanismCall, Source, rendered_warning};
 use proc_macro2::{Span, TokenStream, TokenTree};
 use unicode_security::confusable_detection::skeleton;
 
 use crate::confusable::{letters, look_alike};
-use crate::messages::{drawn, renderer};
-use crate::source::{MechanismCall, Source};
 
 /// A warning for each name that looks like an earlier one, a blank line after each.
 pub(crate) fn look_alikes(source: &Source, found: &MechanismCall, coloured: bool) -> String {
@@ -38,8 +36,7 @@ pub(crate) fn look_alikes(source: &Source, found: &MechanismCall, coloured: bool
                     },
                     text: warning(&name, first),
                 };
-                let renderer = renderer(coloured);
-                text += &drawn(&renderer, &Level::WARNING, source, found, &message);
+                text += &rendered_warning(source, found, &message, coloured);
             }
         }
     }

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use linkage_cli::{Source, rendered};
 use linkage_compiler::{check, check_all};
+use linkage_engine::{Source, rendered};
 
 /// Faulty programs beside what rustc prints for them.
 fn folder() -> PathBuf {

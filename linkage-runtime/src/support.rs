@@ -40,13 +40,13 @@ pub use constants::{
     derivative_of, drawn, margin, operations, parameter, rate, sensitivity, value,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use continuation::{DimensionPath, follow_path};
+pub use continuation::{DimensionPath, follow_path, state_here};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use coupled::{
     Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledLoop, CoupledPrograms,
     CoupledSolution, CoupledUnknown, InitialState, Wanted, Which, initial_states,
     initial_states_of, list_solutions, nearest_solution, no_initial_states, pairs, placed,
-    prepared, prepared_over, put_state, stepped,
+    prepared, prepared_over, prepared_over_in, put_state, stepped,
 };
 pub use dispatch::{Dispatch, as_in_sweeps, dispatch, inlined};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]

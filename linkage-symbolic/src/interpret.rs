@@ -12,6 +12,11 @@ pub trait Arithmetic {
     fn constant(x: f64) -> Self::Number;
     /// The result of an operation of one operand.
     fn unary(op: Unary, a: Self::Number) -> Self::Number;
+    /// Sine and cosine of an angle.
+    #[inline(always)]
+    fn sine_pair(a: Self::Number) -> [Self::Number; 2] {
+        [Self::unary(Unary::Sin, a), Self::unary(Unary::Cos, a)]
+    }
     /// The result of an operation of two operands.
     fn binary(op: Binary, a: Self::Number, b: Self::Number) -> Self::Number;
     /// The result of an operation of three operands.
@@ -22,7 +27,7 @@ pub trait Arithmetic {
 
 /// The table of operations: sines and the like from the standard library, multiply-adds rounded as
 /// their rows say.
-struct OfTable;
+pub(crate) struct OfTable;
 
 impl Arithmetic for OfTable {
     type Number = f64;

@@ -10,6 +10,7 @@
 //!
 //! This crate has no tokens, spans or syntax.
 
+pub mod blocks;
 mod differentiate;
 mod expression;
 mod graph;

@@ -13,6 +13,12 @@ use row::{ARC, arc, row, trigonometric};
 pub use row::{Class, OperationRow, RustCall, Symmetry};
 use value::{DEAD_POINT, WHOLE, angle_near, inverse_scale, one_of, root, select, sign};
 
+/// A task on an operation, with code of its own for each.
+pub trait Specialised<O> {
+    /// Does it. Inlined always, with the operation as a constant.
+    fn run(&mut self, operation: O);
+}
+
 /// An enumeration of operations with a row for each.
 macro_rules! table {
     (
@@ -34,6 +40,15 @@ macro_rules! table {
             /// Its result on numbers.
             pub fn apply(self, operands: [f64; $arity]) -> f64 {
                 (self.row().value)(operands)
+            }
+
+            /// Runs a task with the operation as a constant: the code of the task stands once for
+            /// each operation, without a choice within it.
+            #[inline(always)]
+            pub fn specialised(self, task: &mut impl Specialised<Self>) {
+                match self {
+                    $(Self::$Variant => task.run(Self::$Variant),)*
+                }
             }
 
             /// Returns its row in the table.

@@ -16,7 +16,7 @@ use avoided::{FILES, TYPES};
 const EXCEPTIONS: [(&str, &str, &str); 8] = [
     (
         "at",
-        "linkage-cli/src/engine/",
+        "linkage-engine/src/",
         "implements `Dispatch`, whose method generated code has",
     ),
     (

@@ -11,10 +11,10 @@ use linkage_runtime::Input;
 use super::choose::Chosen;
 use super::output::print;
 use super::values::{Dimensions, number, parts};
-use crate::engine::Assembly;
 use crate::failure::{Failure, known_names};
-use crate::mechanism::Mechanism;
 use crate::normal::normal;
+use linkage_engine::Assembly;
+use linkage_engine::Mechanism;
 use numbers::numbers;
 
 /// Options of `linkage circuits`.
@@ -43,16 +43,16 @@ pub(super) fn run(options: &AtInputs) -> Result<(), Failure> {
         let dimensions = options.dimensions.resolve(&mechanism)?;
         let at = inputs(&mechanism, at)?;
         let all = mechanism.assemblies(&dimensions, &at)?;
-        let pairs = mechanism.inputs.iter().zip(&at);
+        let pairs = mechanism.inputs().iter().zip(&at);
         let places: Vec<String> = pairs.map(|(input, &x)| placed(input, x)).collect();
         let places = match places.is_empty() {
             true => String::new(),
             false => format!(" at {}", places.join(", ")),
         };
         let mut text = match all.len() {
-            0 => format!("{}{places}: no assembly\n", mechanism.name),
-            1 => format!("{}{places}: 1 assembly\n", mechanism.name),
-            count => format!("{}{places}: {count} assemblies\n", mechanism.name),
+            0 => format!("{}{places}: no assembly\n", mechanism.name()),
+            1 => format!("{}{places}: 1 assembly\n", mechanism.name()),
+            count => format!("{}{places}: {count} assemblies\n", mechanism.name()),
         };
         for (index, assembly) in all.iter().enumerate() {
             let modes: String = assembly.modes().iter().map(ToString::to_string).collect();
@@ -93,7 +93,7 @@ fn meeting(mechanism: &Mechanism, all: &[Assembly], at: &[f64]) -> Vec<String> {
             .fold(0.0, |size: f64, x| size.max(x.abs()));
         a.iter().zip(b).all(|(x, y)| (x - y).abs() <= SAME * size)
     };
-    let goes_on = |assembly: &Assembly| match mechanism.inputs {
+    let goes_on = |assembly: &Assembly| match mechanism.inputs() {
         [input] => {
             let step = match input.range {
                 Some((low, high)) if input.unit != "rad" => ASIDE * (high - low),
@@ -150,7 +150,7 @@ pub(super) fn circuits(options: &Options) -> Result<(), Failure> {
     let mut some = false;
     for mechanism in options.chosen.all()? {
         let dimensions = options.dimensions.resolve(&mechanism)?;
-        let name = mechanism.name;
+        let name = mechanism.name();
         match mechanism.circuits(&dimensions) {
             Some(found) => {
                 let found = found?;
@@ -177,15 +177,19 @@ fn inputs(mechanism: &Mechanism, given: &[String]) -> Result<Vec<f64>, Failure> 
     let mut at = mechanism.reference();
     for given in given {
         let (name, text) = parts("--at", given)?;
-        let Some(index) = mechanism.inputs.iter().position(|input| input.name == name) else {
+        let Some(index) = mechanism
+            .inputs()
+            .iter()
+            .position(|input| input.name == name)
+        else {
             return Err(Failure::Told(format!(
                 "{} has no input `{}`; it has {}",
-                mechanism.name,
+                mechanism.name(),
                 shortened(name),
-                known_names(name, mechanism.inputs.iter().map(|input| input.name))
+                known_names(name, mechanism.inputs().iter().map(|input| input.name))
             )));
         };
-        at[index] = number(mechanism, name, text, mechanism.inputs[index].unit)?;
+        at[index] = number(mechanism, name, text, mechanism.inputs()[index].unit)?;
     }
     Ok(at)
 }

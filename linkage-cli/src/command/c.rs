@@ -12,7 +12,7 @@ use super::range;
 use super::replaced::refuse_mechanism;
 use super::values::Dimensions;
 use crate::failure::Failure;
-use crate::mechanism::Mechanism;
+use linkage_engine::Mechanism;
 
 /// Options of the command.
 #[derive(Debug, Args)]
@@ -57,7 +57,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     }
     let named: Vec<_> = mechanisms
         .iter()
-        .map(|mechanism| (mechanism.name, &mechanism.unit))
+        .map(|mechanism| (mechanism.name(), mechanism.compiled()))
         .collect();
     let all = all_sources(&named, options.scalar.real())
         .map_err(|refused| Failure::Told(refused.to_string()))?;
@@ -87,18 +87,14 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
 
 /// Makes other dimensions the defaults of a mechanism.
 fn set(mechanism: &mut Mechanism, given: &Dimensions) -> Result<(), Failure> {
-    if !mechanism.unit.coupled.is_empty() {
+    if !mechanism.compiled().coupled.is_empty() {
         return Err(Failure::Told(format!(
             "{}: `--set` cannot change the tables of its coupled groups: write the dimensions into the file, or set them when the program \
              runs",
-            mechanism.name
+            mechanism.name()
         )));
     }
     let dimensions = range::assembled(given, mechanism)?.dimensions().to_vec();
-    let parameters = mechanism.unit.parameters.iter_mut();
-    let scalars = parameters.flat_map(|parameter| &mut parameter.scalars);
-    for (scalar, value) in scalars.zip(dimensions) {
-        scalar.nominal = value;
-    }
+    mechanism.set_dimensions(&dimensions);
     Ok(())
 }

@@ -14,9 +14,9 @@ use super::terminal::is_coloured;
 use super::values::Dimensions;
 use crate::failure::Failure;
 use crate::look_alike::look_alikes;
-use crate::mechanism::Mechanism;
-use crate::messages::rendered;
-use crate::source::Source;
+use linkage_engine::Mechanism;
+use linkage_engine::Source;
+use linkage_engine::rendered;
 
 /// Checks files. Mistakes go to the standard error, facts about mechanisms without one to the
 /// standard output.
@@ -80,8 +80,8 @@ fn works(mechanism: &Mechanism, dimensions: &[f64], given: &Dimensions) -> Resul
 
 /// Structure, assemblies, ranges, operation counts.
 fn known(mechanism: &Mechanism, dimensions: &[f64]) -> String {
-    let mut text = format!("{}: {}", mechanism.name, mechanism.structure);
-    for input in mechanism.inputs {
+    let mut text = format!("{}: {}", mechanism.name(), mechanism.structure());
+    for input in mechanism.inputs() {
         let _ = writeln!(text, "{}", declared(input));
     }
     let assemblies = match mechanism.assemblies(dimensions, &mechanism.reference()) {

@@ -8,10 +8,10 @@ use linkage_compiler::{check_all, shortened};
 use super::terminal::is_coloured;
 use crate::failure::{Failure, known_names, listed};
 use crate::look_alike::look_alikes;
-use crate::mechanism::Mechanism;
-use crate::messages::rendered;
 use crate::normal::normal;
-use crate::source::Source;
+use linkage_engine::Mechanism;
+use linkage_engine::Source;
+use linkage_engine::rendered;
 
 /// A file and, where it holds several, one of its mechanisms.
 #[derive(Debug, Args)]
@@ -35,8 +35,8 @@ impl Chosen {
         let Some(name) = &self.mechanism else {
             return Ok(all);
         };
-        let names: Vec<&'static str> = all.iter().map(|mechanism| mechanism.name).collect();
-        all.retain(|mechanism| mechanism.name == name);
+        let names: Vec<&'static str> = all.iter().map(|mechanism| mechanism.name()).collect();
+        all.retain(|mechanism| mechanism.name() == name);
         match all.is_empty() {
             true => Err(Failure::Told(format!(
                 "there is no mechanism `{}` in `{}`; there is {}",
@@ -52,14 +52,14 @@ impl Chosen {
     pub(super) fn with_function(&self, name: &str) -> Result<(Mechanism, usize), Failure> {
         let number = |mechanism: &Mechanism| {
             mechanism
-                .headings
+                .headings()
                 .iter()
                 .position(|heading| heading.function == name)
         };
         let all = self.all()?;
         let functions: Vec<&str> = all
             .iter()
-            .flat_map(|mechanism| mechanism.headings.iter().map(|heading| heading.function))
+            .flat_map(|mechanism| mechanism.headings().iter().map(|heading| heading.function))
             .collect();
         let (mut with, _): (Vec<_>, Vec<_>) = all
             .into_iter()
@@ -85,7 +85,7 @@ impl Chosen {
     fn ambiguous(&self, what: &str, several: &[Mechanism]) -> Failure {
         Failure::Told(format!(
             "{what} {} in `{}`: choose one by `--mechanism NAME`",
-            listed(several.iter().map(|mechanism| mechanism.name)),
+            listed(several.iter().map(|mechanism| mechanism.name())),
             self.file.display()
         ))
     }

@@ -29,7 +29,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let mechanisms = options.chosen.all()?;
     let named: Vec<_> = mechanisms
         .iter()
-        .map(|mechanism| (mechanism.name, &mechanism.unit))
+        .map(|mechanism| (mechanism.name(), mechanism.compiled()))
         .collect();
     let modules = modules(&named).map_err(|clash| Failure::Told(clash.to_string()))?;
     fs::create_dir_all(folder).map_err(|error| Failure::file("make", folder, &error))?;

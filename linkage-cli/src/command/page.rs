@@ -20,9 +20,8 @@ use super::replaced::refuse_page;
 use super::sweep::{Rows, arguments, positions, still};
 use super::values::{Dimensions, parts};
 use crate::failure::{Failure, known_names};
-use crate::mechanism::Mechanism;
-use crate::mechanism::forever::forever;
 use crate::normal::normal;
+use linkage_engine::Mechanism;
 
 /// Options of the command.
 #[derive(Debug, Args)]
@@ -112,9 +111,9 @@ fn write(options: &Options, folder: &Path) -> Result<(), Failure> {
             let mut index = Index::new(title.to_string_lossy());
             for (report, mechanism) in several.iter().zip(&all) {
                 report
-                    .write(folder.join(mechanism.name))
+                    .write(folder.join(mechanism.name()))
                     .map_err(failure_of_report)?;
-                index = index.report(mechanism.name, report);
+                index = index.report(mechanism.name(), report);
             }
             index.write(folder).map_err(failure_of_report)?;
         }
@@ -130,9 +129,9 @@ fn failure_of_report(error: ReportError) -> Failure {
 fn moving(all: Vec<Mechanism>) -> Result<Vec<Mechanism>, Failure> {
     let (moving, still): (Vec<_>, Vec<_>) = all
         .into_iter()
-        .partition(|mechanism| !mechanism.inputs.is_empty());
+        .partition(|mechanism| !mechanism.inputs().is_empty());
     let text =
-        |mechanism: &Mechanism| format!("{} has no input: nothing of it moves", mechanism.name);
+        |mechanism: &Mechanism| format!("{} has no input: nothing of it moves", mechanism.name());
     match (&moving[..], &still[..]) {
         ([], [first, ..]) => Err(Failure::Told(text(first))),
         _ => {
@@ -146,21 +145,22 @@ fn moving(all: Vec<Mechanism>) -> Result<Vec<Mechanism>, Failure> {
 
 /// All functions over the range of the first input.
 fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
-    let input = &mechanism.inputs[0];
+    let input = &mechanism.inputs()[0];
     let assembly = range::assembled(&options.dimensions, mechanism)?;
     let positions = positions(mechanism, input, [None; 2], options.steps)?;
     let columns = mechanism
-        .headings
+        .headings()
         .iter()
         .map(|heading| heading.columns.len());
     let positions = positions.held(columns.sum(), BYTES)?;
-    let mut report = Report::new(mechanism.name, input, &positions)
-        .about(first_paragraph(&mechanism.unit.documentation))
-        .structure(mechanism.structure)
+    let description = description(mechanism.name(), mechanism.compiled());
+    let mut report = Report::new(mechanism.name(), input, &positions)
+        .about(first_paragraph(&mechanism.compiled().documentation))
+        .structure(mechanism.structure())
         .modes(assembly.modes())
-        .dimensions_listed(mechanism.parameters, assembly.dimensions())
+        .dimensions_listed(mechanism.parameters(), assembly.dimensions())
         .programs(Programs {
-            description: forever(description(mechanism.name, &mechanism.unit)),
+            description: Box::leak(description.into_boxed_str()),
         });
     if options.watch {
         report = report.version(milliseconds());
@@ -168,7 +168,7 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
     known(mechanism, &options.at)?;
     still(input, &options.at)?;
     let mut drawn = false;
-    for (function, heading) in mechanism.headings.iter().enumerate() {
+    for (function, heading) in mechanism.headings().iter().enumerate() {
         let again = drawn && heading.picture.is_some();
         let argument_index = heading
             .arguments
@@ -202,7 +202,7 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
             (.., Err(why)) => why,
         };
         let note = format!("`{}` is not shown: {why}", heading.function);
-        eprintln!("note: {}: {note}", mechanism.name);
+        eprintln!("note: {}: {note}", mechanism.name());
         report = report.note(note);
     }
     Ok(report)
@@ -211,7 +211,7 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
 /// Checks that some function takes each of the given arguments.
 fn known(mechanism: &Mechanism, all: &[String]) -> Result<(), Failure> {
     let takes = mechanism
-        .headings
+        .headings()
         .iter()
         .flat_map(|heading| heading.arguments);
     let takes: BTreeSet<&str> = takes.copied().collect();
@@ -220,7 +220,7 @@ fn known(mechanism: &Mechanism, all: &[String]) -> Result<(), Failure> {
         if !takes.contains(name) {
             return Err(Failure::Told(format!(
                 "no function of {} takes `{}`; they take {}",
-                mechanism.name,
+                mechanism.name(),
                 shortened(name),
                 known_names(name, takes)
             )));
@@ -231,7 +231,7 @@ fn known(mechanism: &Mechanism, all: &[String]) -> Result<(), Failure> {
 
 /// The given arguments that a function takes: others may be for other functions.
 fn given(mechanism: &Mechanism, function: usize, all: &[String]) -> Vec<String> {
-    let takes = mechanism.headings[function].arguments;
+    let takes = mechanism.headings()[function].arguments;
     let known = all.iter().filter(|given| {
         let name = given.split_once('=').map_or("", |pair| pair.0.trim());
         takes.contains(&name)

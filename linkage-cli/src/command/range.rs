@@ -6,9 +6,9 @@ use linkage_runtime::RangeReport;
 
 use super::terminal::is_coloured;
 use super::values::Dimensions;
-use crate::engine::Assembly;
 use crate::failure::Failure;
-use crate::mechanism::Mechanism;
+use linkage_engine::Assembly;
+use linkage_engine::Mechanism;
 
 /// Assembles a mechanism with other dimensions than those of the file, and warns of change points,
 /// dead points and gaps in the range. The compiler has checked the dimensions of the file.

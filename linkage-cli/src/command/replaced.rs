@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 use crate::failure::Failure;
-use crate::source::Source;
+use linkage_engine::Source;
 
 /// No mechanism is as long. A longer file is not read before it is replaced.
 const LONGEST: u64 = 1 << 24;

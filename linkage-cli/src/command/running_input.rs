@@ -6,8 +6,8 @@ use linkage_runtime::Input;
 
 use super::sweep::{Positions, all_arguments, positions, running, still};
 use crate::failure::Failure;
-use crate::mechanism::Mechanism;
 use crate::normal::normal;
+use linkage_engine::Mechanism;
 
 /// Options for the arguments of a function.
 #[derive(Debug, Args)]

@@ -5,9 +5,9 @@ use linkage_runtime::{Heading, Input, Table};
 
 use super::memory::Held;
 use super::values::{number, parts};
-use crate::engine::Assembly;
 use crate::failure::{Failure, known_names};
-use crate::mechanism::Mechanism;
+use linkage_engine::Assembly;
+use linkage_engine::Mechanism;
 
 /// The results of a function over positions, column by column.
 pub(super) struct Rows {
@@ -41,7 +41,7 @@ impl Rows {
         argument_index: usize,
         positions: &[f64],
     ) -> Self {
-        let heading = mechanism.headings[function];
+        let heading = mechanism.headings()[function];
         let mut columns = vec![Vec::with_capacity(positions.len()); heading.columns.len()];
         let mut arguments = arguments.to_vec();
         for &x in positions {
@@ -86,13 +86,13 @@ pub(super) fn arguments(
     function: usize,
     given: &[String],
 ) -> Result<Given, Failure> {
-    let heading = mechanism.headings[function];
-    let places = &mechanism.unit.functions[function].arguments;
+    let heading = mechanism.headings()[function];
+    let places = &mechanism.compiled().functions[function].arguments;
     let mut values: Vec<Option<f64>> = places
         .iter()
         .map(|&argument_index| {
             mechanism
-                .inputs
+                .inputs()
                 .get(argument_index)
                 .map(|input| input.reference)
         })
@@ -127,7 +127,7 @@ pub(super) fn all_arguments(
     given: &[String],
 ) -> Result<Vec<f64>, Failure> {
     let all = arguments(mechanism, function, given)?.complete();
-    let name = mechanism.headings[function].function;
+    let name = mechanism.headings()[function].function;
     all.map_err(|why| Failure::Told(format!("`{name}` cannot be evaluated: {why}")))
 }
 
@@ -138,12 +138,12 @@ pub(super) fn running(
     function: usize,
     name: Option<&str>,
 ) -> Result<Option<(usize, &'static Input)>, Failure> {
-    let places = &mechanism.unit.functions[function].arguments;
+    let places = &mechanism.compiled().functions[function].arguments;
     let mut inputs = places
         .iter()
         .enumerate()
         .filter_map(|(index, &argument_index)| {
-            let input: Option<&'static Input> = mechanism.inputs.get(argument_index);
+            let input: Option<&'static Input> = mechanism.inputs().get(argument_index);
             Some((index, input?))
         });
     let Some(name) = name else {
@@ -154,7 +154,7 @@ pub(super) fn running(
         Some(found) => Ok(Some(found)),
         None => Err(Failure::Told(format!(
             "`{}` has no input `{}`; it has {}",
-            mechanism.headings[function].function,
+            mechanism.headings()[function].function,
             shortened(name),
             known_names(name, inputs.map(|(_, input)| input.name))
         ))),

@@ -1,12 +1,11 @@
 //! `linkage tolerance`: effects of the tolerances of the declaration on the results of a function.
 
 mod aligned;
-mod effects;
 
 use std::fmt::Write;
 
 use clap::{Args, value_parser};
-use linkage_compiler::ir::{Field, Meaning, Shape};
+use linkage_engine::{Assembly, Mechanism, SensitiveQuantity, ToleranceEffects};
 use linkage_runtime::Input;
 use linkage_runtime::report::CsvStyle;
 use linkage_runtime::tolerance::largest;
@@ -16,12 +15,9 @@ use super::output::print;
 use super::range;
 use super::running_input::{Along, RunningInput};
 use super::values::Dimensions;
-use crate::engine::Assembly;
 use crate::failure::Failure;
-use crate::mechanism::Mechanism;
 use crate::normal::normal;
 use aligned::aligned;
-use effects::Figures;
 
 /// Options of the command.
 #[derive(Debug, Args)]
@@ -43,46 +39,11 @@ pub(super) struct Options {
 /// Bytes for each number, about: the number, and its text in the table.
 const BYTES: usize = 120;
 
-/// A quantity with its derivatives by parameters.
-struct Sensitive {
-    /// The field, with the number of a component where it has further indices.
-    name: String,
-    /// The parameters, by index.
-    parameters: Vec<usize>,
-    /// For each of them, the columns of the components.
-    columns: Vec<Vec<usize>>,
-    /// The number of further parameters that change nothing.
-    idle: usize,
-}
-
-impl Sensitive {
-    /// Without the parameters that change nothing at any position, as those of the other parts of a
-    /// machine. All of them if none changes anything.
-    fn acting(mut self, rows: &[Vec<f64>]) -> Self {
-        let acts = |columns: &Vec<usize>| {
-            let mut numbers = rows
-                .iter()
-                .flat_map(|row| columns.iter().map(|&column| row[column]));
-            numbers.any(|x| x != 0.0)
-        };
-        let acting: Vec<bool> = self.columns.iter().map(acts).collect();
-        let count = acting.iter().filter(|acting| **acting).count();
-        if count > 0 {
-            self.idle = acting.len() - count;
-            let mut flags = acting.iter();
-            self.parameters.retain(|_| flags.next() == Some(&true));
-            let mut flags = acting.iter();
-            self.columns.retain(|_| flags.next() == Some(&true));
-        }
-        self
-    }
-}
-
 /// Prints the errors over the range, and the contributions of all parameters at the worst position.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let (mut mechanism, function) = options.chosen.with_function(&options.function)?;
     options.dimensions.tolerate(&mut mechanism)?;
-    let all = sensitive(&mechanism, function);
+    let all = mechanism.sensitive_quantities(function);
     if all.is_empty() {
         let name = &options.function;
         return Err(Failure::Told(format!(
@@ -90,11 +51,11 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         )));
     }
     if mechanism
-        .parameters
+        .parameters()
         .iter()
         .all(|parameter| parameter.tolerance == 0.0)
     {
-        let name = mechanism.name;
+        let name = mechanism.name();
         return Err(Failure::Told(format!(
             "no dimension of {name} has a tolerance: declare it as `param crank = 40mm +- 10um;`"
         )));
@@ -107,7 +68,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     } = options
         .course
         .resolve(&mechanism, function, options.steps)?;
-    let columns = mechanism.headings[function].columns.len();
+    let columns = mechanism.headings()[function].columns.len();
     let positions = positions.held(columns, BYTES)?;
     let row = |x: Option<f64>| {
         let mut arguments = given.clone();
@@ -143,28 +104,22 @@ struct Position<'a> {
     assembly: &'a Assembly<'a>,
     function: usize,
     given: &'a [f64],
-    sensitive: &'a Sensitive,
+    sensitive: &'a SensitiveQuantity,
 }
 
 impl Position<'_> {
     /// The figures with these arguments.
-    fn figures(&self, arguments: &[f64]) -> Result<Figures, Failure> {
+    fn figures(&self, arguments: &[f64]) -> Result<ToleranceEffects, Failure> {
         let row = self.assembly.call(self.function, arguments);
-        let parameters = self.sensitive.parameters.iter();
-        let parameters: Vec<_> = parameters
-            .map(|&index| self.mechanism.parameters[index])
-            .collect();
-        let values = self.sensitive.columns.iter();
-        let values: Vec<Vec<f64>> = values
-            .map(|columns| columns.iter().map(|&column| row[column]).collect())
-            .collect();
-        effects::figures(&parameters, &values)
+        let effects = self.sensitive.effects(self.mechanism, &row);
+        effects.map_err(|error| Failure::Told(error.to_string()))
     }
 
     /// `e [mm]`: the unit of the errors is that of a derivative times its dimension.
     fn title(&self) -> String {
-        let column = &self.mechanism.headings[self.function].columns[self.sensitive.columns[0][0]];
-        let per = self.mechanism.parameters[self.sensitive.parameters[0]].unit;
+        let column =
+            &self.mechanism.headings()[self.function].columns[self.sensitive.columns[0][0]];
+        let per = self.mechanism.parameters()[self.sensitive.parameters[0]].unit;
         let divided = column.unit.strip_suffix(per);
         let name = &self.sensitive.name;
         let title = match divided.and_then(|unit| unit.strip_suffix('/')) {
@@ -200,7 +155,7 @@ impl Position<'_> {
             other => (other, |x| x),
         };
         let parameters = self.sensitive.parameters.iter();
-        let parameters = parameters.map(|&index| self.mechanism.parameters[index]);
+        let parameters = parameters.map(|&index| self.mechanism.parameters()[index]);
         let parameters: Vec<_> = parameters.collect();
         let toleranced = |parts: Vec<f64>| {
             let pairs = parts.into_iter().zip(&parameters);
@@ -237,74 +192,5 @@ impl Position<'_> {
         let argument_index = super::assemblies::placed(input, if is_zero { 0.0 } else { worst.at });
         let _ = writeln!(text, "\nworst at {argument_index}\n{}", at(worst.at)?.text);
         Ok(text)
-    }
-}
-
-/// The fields of a function that are arrays over parameters; where an entry is no number or vector,
-/// each number of it by itself.
-fn sensitive(mechanism: &Mechanism, function: usize) -> Vec<Sensitive> {
-    let compiled = &mechanism.unit.functions[function];
-    let mut first = 0;
-    let mut all = Vec::new();
-    for field in &compiled.fields {
-        let width = width(&field.shape);
-        let columns = &compiled.columns[first..first + width];
-        let parameters: Vec<usize> = columns
-            .iter()
-            .filter_map(|column| match column.meaning {
-                Meaning::Sensitivity { parameter, .. } => Some(parameter),
-                Meaning::Value | Meaning::Rate { .. } | Meaning::Margin | Meaning::Picture => None,
-            })
-            .collect();
-        if parameters.len() == width && width > 0 {
-            all.extend(quantities(field, &parameters, first));
-        }
-        first += width;
-    }
-    all
-}
-
-/// The quantities of a field whose columns are derivatives by these parameters.
-fn quantities(field: &Field, parameters: &[usize], first: usize) -> Vec<Sensitive> {
-    // A derivative by one parameter has no index.
-    let (entries, entry) = match &field.shape {
-        Shape::Array(count, entry) if parameters.windows(2).any(|pair| pair[0] != pair[1]) => {
-            (*count, &**entry)
-        }
-        whole => (1, whole),
-    };
-    let inner = width(entry);
-    let together = match entry {
-        Shape::Scalar | Shape::Vector(_) => inner,
-        Shape::Array(..) | Shape::Frame | Shape::PlaneFrame => 1,
-    };
-    let part = |start: usize| {
-        let components = start..start + together;
-        let columns = |entry: usize| {
-            let components = components.clone();
-            components.map(move |k| first + entry * inner + k).collect()
-        };
-        Sensitive {
-            name: match together == inner {
-                true => field.name.clone(),
-                false => format!("{}, number {}", field.name, start + 1),
-            },
-            parameters: (0..entries)
-                .map(|entry| parameters[entry * inner])
-                .collect(),
-            columns: (0..entries).map(columns).collect(),
-            idle: 0,
-        }
-    };
-    (0..inner).step_by(together).map(part).collect()
-}
-
-fn width(shape: &Shape) -> usize {
-    match shape {
-        Shape::Scalar => 1,
-        Shape::Vector(count) => *count,
-        Shape::Array(count, entry) => count * width(entry),
-        Shape::Frame => 12,
-        Shape::PlaneFrame => 6,
     }
 }

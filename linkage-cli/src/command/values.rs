@@ -6,8 +6,8 @@ use linkage_compiler::{check_value, shortened};
 use proc_macro2::{TokenStream, TokenTree};
 
 use crate::failure::{Failure, known_names};
-use crate::mechanism::Mechanism;
 use crate::normal::normal;
+use linkage_engine::Mechanism;
 
 /// Dimensions other than those of the file.
 #[derive(Debug, Args)]
@@ -82,7 +82,7 @@ impl Dimensions {
             let places = places(mechanism, name)?;
             let units = places
                 .iter()
-                .map(|&parameter_index| mechanism.parameters[parameter_index].unit);
+                .map(|&parameter_index| mechanism.parameters()[parameter_index].unit);
             let units: Vec<&str> = units.collect();
             let numbers = quantity(mechanism, name, text, &units)?;
             all.extend(places.into_iter().zip(numbers));
@@ -98,7 +98,7 @@ fn places(mechanism: &Mechanism, name: &str) -> Result<Vec<usize>, Failure> {
         let last = full.rsplit_once('.');
         full == name || last.is_some_and(|(of, last)| of == name && component(last))
     };
-    let all = mechanism.parameters.iter().enumerate();
+    let all = mechanism.parameters().iter().enumerate();
     let found: Vec<usize> = all
         .filter(|(_, parameter)| whole(parameter.name))
         .map(|(parameter_index, _)| parameter_index)
@@ -108,7 +108,10 @@ fn places(mechanism: &Mechanism, name: &str) -> Result<Vec<usize>, Failure> {
     }
     // The dimensions of a machine are those of the part in question.
     let part = name.rsplit_once('.').map_or(name, |(part, _)| part);
-    let names = mechanism.parameters.iter().map(|parameter| parameter.name);
+    let names = mechanism
+        .parameters()
+        .iter()
+        .map(|parameter| parameter.name);
     let of_part = |full: &&str| {
         full.strip_prefix(part)
             .is_some_and(|rest| rest.starts_with('.'))
@@ -117,7 +120,7 @@ fn places(mechanism: &Mechanism, name: &str) -> Result<Vec<usize>, Failure> {
     Err(Failure::Told(format!(
         "there is no dimension `{}` in {}; there is {}",
         shortened(name),
-        mechanism.name,
+        mechanism.name(),
         match of_part.is_empty() {
             true => known_names(name, names),
             false => known_names(name, of_part),
@@ -164,7 +167,7 @@ fn quantity(
     units: &[&str],
 ) -> Result<Vec<Number>, Failure> {
     let wrong = wrong(name, text);
-    let length = mechanism.unit.length;
+    let length = mechanism.compiled().length;
     let tokens: Result<TokenStream, _> = text.parse();
     let tokens = tokens.map_err(|_| {
         wrong(
@@ -175,7 +178,7 @@ fn quantity(
         return Err(wrong(&format!(
             "`{}` of {} cannot be used here\nhelp: a value may use numbers with units, functions and constants only",
             shortened(&word),
-            mechanism.name
+            mechanism.name()
         )));
     }
     let last = name.rsplit_once('.').map_or(name, |(_, last)| last);
@@ -222,10 +225,13 @@ fn name_within(mechanism: &Mechanism, tokens: TokenStream) -> Option<String> {
     tokens.into_iter().find_map(|token| match token {
         TokenTree::Ident(word) => {
             let word = word.to_string();
-            let parameters = mechanism.parameters.iter().map(|parameter| parameter.name);
-            let inputs = mechanism.inputs.iter().map(|input| input.name);
+            let parameters = mechanism
+                .parameters()
+                .iter()
+                .map(|parameter| parameter.name);
+            let inputs = mechanism.inputs().iter().map(|input| input.name);
             let unknowns = mechanism
-                .unit
+                .compiled()
                 .unknowns
                 .iter()
                 .map(|unknown| unknown.name.as_str());

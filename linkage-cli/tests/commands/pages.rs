@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use linkage_cli::Source;
+use linkage_engine::Source;
 
 use crate::{favorit, folder, linkage, printed, refused};
 

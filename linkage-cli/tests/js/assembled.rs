@@ -4,10 +4,10 @@
 use std::f64::consts::TAU;
 
 use linkage_browser::Page;
-use linkage_cli::{Assembly, Mechanism};
 use linkage_compiler::ir::Function;
 use linkage_corpus::given::{Given, exported, turning};
 use linkage_corpus::reference::Assembled;
+use linkage_engine::{Assembly, Mechanism};
 use linkage_random::Random;
 
 use crate::{load, object};
@@ -57,7 +57,7 @@ impl<'p> Both<'p> {
             "(() => {{ try {{ window.own = mechanism.assemble({given}); return ''; }} catch (error) {{ return error.message; }} }})()"
         ));
         let expected = self.mechanism.assemble(dimensions);
-        let name = self.mechanism.name;
+        let name = self.mechanism.name();
         assert_eq!(
             said.is_empty(),
             expected.is_ok(),
@@ -70,7 +70,7 @@ impl<'p> Both<'p> {
 
 /// Arguments of a function: the reference, then others within the ranges.
 fn arguments(mechanism: &Mechanism, function: usize, random: &mut Random) -> Vec<Vec<f64>> {
-    let unit = &mechanism.unit;
+    let unit = &mechanism.compiled();
     let mut one = |position: usize, place: usize| match unit.inputs.get(place) {
         Some(input) if position == 0 => input.reference,
         Some(input) => {
@@ -119,7 +119,7 @@ fn compare(
     function: usize,
     random: &mut Random,
 ) -> usize {
-    let own = &mechanism.unit.functions[function];
+    let own = &mechanism.compiled().functions[function];
     if own.columns.is_empty() {
         return 0;
     }
@@ -133,7 +133,7 @@ fn compare(
         .map(|row| growth(expected, function, row))
         .collect();
     let js = columns(page, own.name.trim_start_matches("r#"), &rows);
-    let roundoffs = match mechanism.unit.coupled.is_empty() {
+    let roundoffs = match mechanism.compiled().coupled.is_empty() {
         true => CLOSED_FORMS,
         false => COUPLED,
     };
@@ -146,7 +146,7 @@ fn compare(
             assert!(
                 same || (js - rust).abs() <= roundoffs * f64::EPSILON * (size + growth),
                 "{}, {}, {} at {:?}: {js:e} in JavaScript, {rust:e} in Rust, {:.1} roundoffs of {size:e} and {growth:e}",
-                mechanism.name,
+                mechanism.name(),
                 own.name,
                 own.columns[column].name,
                 rows[row],
@@ -167,7 +167,7 @@ fn compare_plain(
     function: usize,
     random: &mut Random,
 ) -> f64 {
-    let own = &mechanism.unit.functions[function];
+    let own = &mechanism.compiled().functions[function];
     let mut worst = 0.0;
     if own.columns.is_empty() {
         return worst;
@@ -187,9 +187,9 @@ fn compare_plain(
                 continue;
             }
             assert!(
-                !mechanism.unit.coupled.is_empty(),
+                !mechanism.compiled().coupled.is_empty(),
                 "{}, {}, {} at {:?}: {js:e} in JavaScript, {rust:e} in Rust",
-                mechanism.name,
+                mechanism.name(),
                 own.name,
                 own.columns[column].name,
                 rows[row]
@@ -236,20 +236,25 @@ fn assembled_mechanisms_are_those_of_the_command() {
         for set in 0..SETS {
             let dimensions = both.dimensions(set, &mut random);
             if both.assembled(&dimensions).is_none() {
-                assert!(set > 0, "{} closes as it is declared", both.mechanism.name);
+                assert!(
+                    set > 0,
+                    "{} closes as it is declared",
+                    both.mechanism.name()
+                );
                 continue;
             }
             let Both { mechanism, page } = &mut both;
             let expected = mechanism.assemble(&dimensions).expect("it closed before");
             closed += 1;
-            for function in 0..mechanism.unit.functions.len() {
+            for function in 0..mechanism.compiled().functions.len() {
                 count += compare(page, &expected, mechanism, function, &mut random);
             }
             // The tables of coupled groups are those of the declaration.
-            if mechanism.unit.coupled.is_empty() || set == 0 {
-                let plain = Assembled::new(&mechanism.unit, &dimensions).expect("it closed before");
+            if mechanism.compiled().coupled.is_empty() || set == 0 {
+                let plain =
+                    Assembled::new(mechanism.compiled(), &dimensions).expect("it closed before");
                 let plain = plain.stepped(STEPS);
-                for function in 0..mechanism.unit.functions.len() {
+                for function in 0..mechanism.compiled().functions.len() {
                     let found =
                         compare_plain(page, &plain, &expected, mechanism, function, &mut random);
                     worst = f64::max(worst, found);

@@ -7,9 +7,9 @@ use std::fs;
 use std::path::Path;
 
 use linkage_browser::Page;
-use linkage_cli::Mechanism;
 use linkage_compiler::Checked;
 use linkage_corpus::given::Given;
+use linkage_engine::Mechanism;
 
 /// Loads the module of a mechanism, which is `mechanism` in the page. Tests of another kind have files of their own.
 fn load(kind: &str, given: Given, page: &mut Page) -> Mechanism {
@@ -21,7 +21,7 @@ fn load(kind: &str, given: Given, page: &mut Page) -> Mechanism {
     );
     fs::write(&file, html).expect("a file");
     page.load(&file);
-    page.wait(&format!("mechanism.name === '{name}'"));
+    page.wait(&format!("mechanism.name() === '{name}'"));
     let checked = Checked {
         name: Some(name),
         unit: Some(unit),
@@ -33,7 +33,7 @@ fn load(kind: &str, given: Given, page: &mut Page) -> Mechanism {
 
 /// Dimensions as an object of JavaScript.
 fn object(mechanism: &Mechanism, dimensions: &[f64]) -> String {
-    let names = mechanism.parameters.iter().map(|own| own.name);
+    let names = mechanism.parameters().iter().map(|own| own.name);
     let pairs = names.zip(dimensions);
     let pairs: Vec<String> = pairs.map(|(name, x)| format!("{name:?}: {x:?}")).collect();
     format!("{{ {} }}", pairs.join(", "))

@@ -1,8 +1,8 @@
 //! The check of ranges in JavaScript is that of the command: of all exported mechanisms at other dimensions, and of four-bars at change points.
 
 use linkage_browser::Page;
-use linkage_cli::{Assembly, Mechanism};
 use linkage_corpus::given::{FOUR_BAR, Given, exported};
+use linkage_engine::{Assembly, Mechanism};
 use linkage_random::{Random, one_in};
 use linkage_runtime::RangeFindingKind;
 
@@ -21,7 +21,7 @@ fn compare(mechanism: &Mechanism, dimensions: &[f64], page: &mut Page) -> Option
     ));
     let assembly: Assembly = mechanism.assemble(dimensions).ok()?;
     let report = assembly.check_range();
-    let name = mechanism.name;
+    let name = mechanism.name();
     let mut parts = text.split(';');
     let checked = parts.next().expect("a word") == "true";
     assert_eq!(checked, report.unchecked.is_none(), "{name}: {text}");
@@ -67,11 +67,11 @@ fn exported_mechanisms_have_the_findings_of_the_command() {
                 .map(|x| x * (1.0 + random.between(-part, part)))
                 .collect();
             // Coupled groups are followed in JavaScript and listed by the command: other dimensions may have another assembly.
-            if part > 0.0 && !mechanism.unit.coupled.is_empty() {
+            if part > 0.0 && !mechanism.compiled().coupled.is_empty() {
                 continue;
             }
             if let Some(found) = compare(&mechanism, &dimensions, &mut page) {
-                assert!(part > 0.0 || found == 0, "{}", mechanism.name);
+                assert!(part > 0.0 || found == 0, "{}", mechanism.name());
                 (closed, count) = (closed + 1, count + found);
             }
         }

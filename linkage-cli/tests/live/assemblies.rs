@@ -1,6 +1,6 @@
 //! Other assemblies of groups without a closed form, chosen in pages.
 
-use linkage_cli::Assembly;
+use linkage_engine::Assembly;
 
 use crate::pages::{self, Live};
 
@@ -40,11 +40,11 @@ fn coupled_groups_are_chosen() {
         let mut dimensions = live.mechanism.dimensions();
         for part in address.split('&').filter(|part| !part.is_empty()) {
             let (name, value) = part.split_once('=').expect("a value");
-            let mut all = live.mechanism.parameters.iter();
+            let mut all = live.mechanism.parameters().iter();
             let place = all.position(|own| own.name == name).expect("a dimension");
             dimensions[place] = value.parse().expect("a number");
         }
-        let unit = &live.mechanism.unit;
+        let unit = &live.mechanism.compiled();
         let at: Vec<f64> = unit.inputs.iter().map(|own| own.reference).collect();
         let number = unit.functions.iter().position(|own| own.name == function);
         let number = number.expect("a function");
@@ -177,7 +177,7 @@ fn follows_but(live: &mut Live, dimension: (&str, f64), wrong: &str) {
 /// All tables are those of Rust with one other dimension.
 fn compares(live: &mut Live, (name, x): (&str, f64)) {
     let mut dimensions = live.mechanism.dimensions();
-    let mut all = live.mechanism.parameters.iter();
+    let mut all = live.mechanism.parameters().iter();
     let place = all.position(|own| own.name == name).expect("a dimension");
     dimensions[place] = x;
     let assembly = live.mechanism.assemble(&dimensions).expect("it closes");

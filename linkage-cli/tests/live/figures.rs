@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use linkage_browser::Page;
-use linkage_cli::{Assembly, Mechanism};
+use linkage_engine::{Assembly, Mechanism};
 use linkage_runtime::summary::Curve;
 
 use crate::pages;
@@ -55,7 +55,7 @@ fn course<'a, const N: usize>(
     function: &str,
     names: [&str; N],
 ) -> Curve<N, impl Fn(f64) -> [f64; N] + use<'a, N>> {
-    let functions = &mechanism.unit.functions;
+    let functions = &mechanism.compiled().functions;
     let number = functions
         .iter()
         .position(|own| own.name == function)
@@ -66,7 +66,7 @@ fn course<'a, const N: usize>(
             .position(|own| own.name == name)
             .unwrap_or_else(|| panic!("no column {name}"))
     });
-    let ends = mechanism.inputs[0].ends();
+    let ends = mechanism.inputs()[0].ends();
     let at = move |x: f64| {
         let all = assembly.call(number, &[x]);
         places.map(|place| all[place])
@@ -88,7 +88,7 @@ fn set(page: &mut Page, mechanism: &Mechanism, changes: &[(&str, f64)]) -> Vec<f
     let mut dimensions = mechanism.dimensions();
     for (name, x) in changes {
         let place = mechanism
-            .parameters
+            .parameters()
             .iter()
             .position(|own| own.name == *name);
         dimensions[place.expect("a dimension")] = *x;
@@ -107,9 +107,9 @@ fn time_ratios_follow() {
     let Some(mut page) = gallery("spatial_crank_rocker") else {
         return;
     };
-    let names: Vec<&str> = mechanism.parameters.iter().map(|own| own.name).collect();
+    let names: Vec<&str> = mechanism.parameters().iter().map(|own| own.name).collect();
     for (index, part) in [(0, 1.03), (2, 0.97), (3, 1.02)] {
-        let own = &mechanism.parameters[index];
+        let own = &mechanism.parameters()[index];
         assert!(own.nominal != 0.0 && own.unit != "rad", "{}", own.name);
         // As many digits as fields show.
         let changed = (own.nominal * part * 1e3).round() / 1e3;

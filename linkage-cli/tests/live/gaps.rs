@@ -95,7 +95,7 @@ fn the_end_of_a_coupled_group_is_told() {
         .collect();
     let names: Vec<&str> = live
         .mechanism
-        .unit
+        .compiled()
         .unknowns
         .iter()
         .map(|own| own.name.as_str())

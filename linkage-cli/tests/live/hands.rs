@@ -131,14 +131,14 @@ fn pivots_in_space_are_pulled_in_each_view() {
     );
     let pivot = pivots.split(',').find(|name| {
         live.mechanism
-            .parameters
+            .parameters()
             .iter()
             .any(|own| own.name == format!("{name}.x"))
     });
     let pivot = pivot.expect("a pivot that is a dimension").to_owned();
     // At the first row the rocker's end lies over its pivot in one of the views.
     live.page.value("(() => { const slider = document.getElementById('position'); slider.value = 150; slider.dispatchEvent(new Event('input')); })()");
-    let part = 0.02 * live.mechanism.unit.longest;
+    let part = 0.02 * live.mechanism.compiled().longest;
     for (view, axes) in [
         ("x-y", ["x", "y"]),
         ("x-z", ["x", "z"]),
@@ -159,7 +159,7 @@ fn pivots_in_space_are_pulled_in_each_view() {
             let name = format!("{pivot}.{axis}");
             let own = live
                 .mechanism
-                .parameters
+                .parameters()
                 .iter()
                 .find(|own| own.name == name)
                 .expect("a component");

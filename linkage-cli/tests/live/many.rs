@@ -60,12 +60,12 @@ impl Design {
         let mut fields = Vec::new();
         for _ in 0..=random.below(3) {
             let index = random.below(dimensions.len());
-            let own = &live.mechanism.parameters[index];
+            let own = &live.mechanism.parameters()[index];
             let part = *random.pick(&[0.002, 0.02, 0.1, 0.3]);
             let size = match (own.nominal == 0.0, own.unit) {
                 (false, _) => own.nominal,
                 (true, "rad") => 1.0,
-                (true, _) => live.mechanism.unit.longest,
+                (true, _) => live.mechanism.compiled().longest,
             };
             let moved = own.nominal + size * random.between(-part, part);
             // Fields of angles have degrees.
@@ -105,8 +105,8 @@ struct Counts {
 
 /// Compares the tables of a design.
 fn compare(live: &Live, design: &Design, tables: &Value, counts: &mut Counts) {
-    let unit = &live.mechanism.unit;
-    let name = live.mechanism.name;
+    let unit = &live.mechanism.compiled();
+    let name = live.mechanism.name();
     let exact = unit.coupled.is_empty();
     let plain = Assembled::new(unit, &design.dimensions);
     let command = live.mechanism.assemble(&design.dimensions);

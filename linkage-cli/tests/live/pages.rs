@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use linkage_browser::Page;
-use linkage_cli::{Assembly, Mechanism, Source};
+use linkage_engine::{Assembly, Mechanism, Source};
 
 /// Files that the page saves are kept in the page instead.
 pub(crate) const CATCH: &str = "window.saved = []; URL.createObjectURL = (blob) => { window.saved.push(blob); return 'data:,'; }; 0";
@@ -62,7 +62,7 @@ impl Live {
 
     /// Changes all dimensions.
     pub(crate) fn set(&mut self, dimensions: &[f64]) {
-        let pairs = self.mechanism.parameters.iter().zip(dimensions);
+        let pairs = self.mechanism.parameters().iter().zip(dimensions);
         let parts: Vec<String> = pairs
             .map(|(own, x)| format!("{}={x:?}", own.name))
             .collect();
@@ -123,7 +123,7 @@ pub(crate) fn compare(live: &mut Live, assembly: &Assembly, given: &[(&str, f64)
     let functions = live.page.words("Array.from(document.querySelectorAll('button[data-file$=\".csv\"]'), (own) => own.dataset.file.slice(0, -4)).join()");
     let mut gaps = 0;
     for name in functions.split(',') {
-        let unit = &live.mechanism.unit;
+        let unit = &live.mechanism.compiled();
         let function = unit
             .functions
             .iter()
@@ -158,11 +158,12 @@ pub(crate) fn compare(live: &mut Live, assembly: &Assembly, given: &[(&str, f64)
                 .iter()
                 .map(|row| row[column].abs())
                 .filter(|x| x.is_finite());
-            let size = sizes.fold(live.mechanism.unit.longest * 1e-3, f64::max);
+            let size = sizes.fold(live.mechanism.compiled().longest * 1e-3, f64::max);
             for (row, rust) in rows.iter().zip(&expected) {
                 let what = format!(
                     "{}, {name}, column {column} at {:?}",
-                    live.mechanism.name, row[0]
+                    live.mechanism.name(),
+                    row[0]
                 );
                 match row[column + 1] {
                     None => {

@@ -118,7 +118,7 @@ fn what_cannot_be_assembled_is_as_near_as_possible() {
     let mut dimensions = live.mechanism.dimensions();
     let place = live
         .mechanism
-        .parameters
+        .parameters()
         .iter()
         .position(|own| own.name == "rocker")
         .expect("it has one");
@@ -138,7 +138,7 @@ fn other_inputs_are_changed_too() {
     let Some(mut live) = Live::golden("shaper.mech") else {
         return;
     };
-    let unit = &live.mechanism.unit;
+    let unit = &live.mechanism.compiled();
     let second = &unit.inputs[1];
     let moved = second.reference + 0.01 * unit.longest;
     let name = second.name.as_str();

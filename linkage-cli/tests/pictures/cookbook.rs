@@ -45,7 +45,7 @@ fn circuits(page: &Page) -> Picture {
     let dimensions = rocking.dimensions();
     let circuits = rocking.circuits(&dimensions).expect("one input");
     let circuits = circuits.expect("it closes");
-    let input = &rocking.inputs[0];
+    let input = &rocking.inputs()[0];
     let [low, high] = circuits.branches[0].ends.map(|end| end.x());
     // Closer to each other at the ends, where the angle changes fastest.
     let steps = between(input, -1.0, 1.0, POSITIONS);
@@ -81,14 +81,14 @@ fn dwell(page: &Page) -> Picture {
     let accuracy = "fn near(phi) -> Near { slide, e: sensitivity(slide) }";
     let press = page.with("# The tolerance of a dwell", "Press", accuracy);
     let assembly = press.assemble(&press.dimensions()).expect("it closes");
-    let input = &press.inputs[0];
+    let input = &press.inputs()[0];
     let end = 12f64.to_radians();
     let positions = between(input, -end, end, POSITIONS);
     let rows = Rows::new(&press, &assembly, "near", &positions, &[]);
     let limit = rows.named("slide").iter().copied().fold(f64::MIN, f64::max);
     let bound = vec![limit - DWELL; positions.len()];
     let report = Report::new("The slide near its limit", input, &positions)
-        .dimensions_listed(press.parameters, assembly.dimensions())
+        .dimensions_listed(press.parameters(), assembly.dimensions())
         .table(&rows);
     let plot = report.plot(["slide"]).expect("a column");
     let plot = plot
@@ -103,7 +103,7 @@ fn dwell(page: &Page) -> Picture {
 /// The shaking force over a turn, without and with the counterweight.
 fn counterweight(page: &Page) -> Picture {
     let engine = page.mechanism("# A counterweight", "Engine");
-    let input = &engine.inputs[0];
+    let input = &engine.inputs()[0];
     let turn = input.positions(POSITIONS);
     let speed = [("omega", 100.0)];
     let mut dimensions = engine.dimensions();
@@ -126,7 +126,7 @@ fn counterweight(page: &Page) -> Picture {
         .iter()
         .zip(balance.expect("masses").values)
     {
-        let mut parameters = engine.parameters.iter();
+        let mut parameters = engine.parameters().iter();
         let index = parameters.position(|own| own.name == *name);
         dimensions[index.expect("a mass")] = mass;
     }

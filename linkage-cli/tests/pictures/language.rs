@@ -37,7 +37,7 @@ const DRAWN: &str = "
 pub(crate) fn forces(page: &Page) -> Vec<Picture> {
     let press = page.with("# Forces", "Press", DRAWN);
     let assembly = press.assemble(&press.dimensions()).expect("it closes");
-    let input = &press.inputs[0];
+    let input = &press.inputs()[0];
     let turn = input.positions(POSITIONS);
     let forces = Rows::new(&press, &assembly, "forces", &turn, &AT);
     let arrows = Rows::new(&press, &assembly, "arrows", &turn, &AT);
@@ -84,7 +84,7 @@ const DYADS: [(&str, &str, &str); 4] = [
 pub(crate) fn loops(page: &Page) -> Vec<Picture> {
     let draw = |(kind, name, path)| {
         let mechanism = page.mechanism("## Dyads of the plane", name);
-        assert_eq!(mechanism.structure.groups[0].kind, kind);
+        assert_eq!(mechanism.structure().groups[0].kind, kind);
         let dimensions = mechanism.dimensions();
         let assembly = mechanism.assemble(&dimensions).expect("it closes");
         let report = report(kind, &mechanism, &assembly, "picture", POSITIONS);

@@ -1,6 +1,6 @@
 //! Results of a function over positions of its input.
 
-use linkage_cli::{Assembly, Mechanism};
+use linkage_engine::{Assembly, Mechanism};
 use linkage_runtime::report::Report;
 use linkage_runtime::{Heading, Input, Table};
 
@@ -20,16 +20,16 @@ impl Rows {
         positions: &[f64],
         given: &[(&str, f64)],
     ) -> Self {
-        let mut headings = mechanism.headings.iter();
+        let mut headings = mechanism.headings().iter();
         let index = headings
             .position(|heading| heading.function == function)
             .unwrap_or_else(|| panic!("no function `{function}`"));
-        let heading = mechanism.headings[index];
+        let heading = mechanism.headings()[index];
         let mut columns = vec![Vec::with_capacity(positions.len()); heading.columns.len()];
         for &x in positions {
             let argument = |name: &&str| match given.iter().find(|(own, _)| own == name) {
                 Some((_, value)) => *value,
-                None if *name == mechanism.inputs[0].name => x,
+                None if *name == mechanism.inputs()[0].name => x,
                 None => panic!("`{function}` takes `{name}`, too"),
             };
             let arguments: Vec<f64> = heading.arguments.iter().map(argument).collect();
@@ -89,10 +89,10 @@ pub(crate) fn report(
     function: &str,
     count: usize,
 ) -> Report {
-    let input = &mechanism.inputs[0];
+    let input = &mechanism.inputs()[0];
     let positions = input.positions(count);
     let rows = Rows::new(mechanism, assembly, function, &positions, &[]);
     Report::new(title, input, &positions)
-        .dimensions_listed(mechanism.parameters, assembly.dimensions())
+        .dimensions_listed(mechanism.parameters(), assembly.dimensions())
         .table(&rows)
 }

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use linkage_cli::{Mechanism, Source};
 use linkage_compiler::check;
+use linkage_engine::{Mechanism, Source};
 
 /// A page of the documents.
 pub(crate) struct Page {

@@ -8,14 +8,18 @@ use linkage_symbolic::program::{Binary, Fused, Ternary, Unary};
 
 /// The arithmetic of generated code on scalars `T`, with or without fused multiply-adds. With
 /// `ALONE` it is that of calls of which no result depends on the last bit of a sine
-/// ([`Program::compares_sines`](linkage_symbolic::program::Program::compares_sines)).
-/// [`run_by`](linkage_symbolic::interpret::run_by) with this arithmetic gives the bits of generated
-/// code. The arithmetic of [`run`](linkage_symbolic::interpret::run) takes sines from the standard
-/// library, which generated code does not.
+/// ([`Program::compares_sines`](linkage_symbolic::program::Program::compares_sines)), with `ROWS`
+/// that of sweeps. [`run_by`](linkage_symbolic::interpret::run_by) with this arithmetic gives the
+/// bits of generated code. The arithmetic of [`run`](linkage_symbolic::interpret::run) takes sines
+/// from the standard library, which generated code does not.
 #[derive(Clone, Copy, Debug)]
-pub struct Generated<T, const FUSED: bool, const ALONE: bool = false>(PhantomData<T>);
+pub struct Generated<T, const FUSED: bool, const ALONE: bool = false, const ROWS: bool = false>(
+    PhantomData<T>,
+);
 
-impl<T: Scalar, const FUSED: bool, const ALONE: bool> Arithmetic for Generated<T, FUSED, ALONE> {
+impl<T: Scalar, const FUSED: bool, const ALONE: bool, const ROWS: bool> Arithmetic
+    for Generated<T, FUSED, ALONE, ROWS>
+{
     type Number = T;
 
     #[inline(always)]
@@ -29,10 +33,8 @@ impl<T: Scalar, const FUSED: bool, const ALONE: bool> Arithmetic for Generated<T
             Unary::Neg => -a,
             Unary::Abs => a.abs(),
             Unary::Sqrt => a.sqrt(),
-            Unary::Sin if ALONE => a.sin_cos_shortest::<FUSED, false>().0,
-            Unary::Cos if ALONE => a.sin_cos_shortest::<FUSED, false>().1,
-            Unary::Sin => a.sin_cos_with::<FUSED>().0,
-            Unary::Cos => a.sin_cos_with::<FUSED>().1,
+            Unary::Sin => Self::sine_pair(a)[0],
+            Unary::Cos => Self::sine_pair(a)[1],
             Unary::Tan => a.tan(),
             Unary::Asin => a.asin(),
             Unary::Acos => a.acos(),
@@ -42,6 +44,15 @@ impl<T: Scalar, const FUSED: bool, const ALONE: bool> Arithmetic for Generated<T
             Unary::Slack => a.slack(),
             Unary::InverseScale => a.inverse_scale(),
         }
+    }
+
+    #[inline(always)]
+    fn sine_pair(a: T) -> [T; 2] {
+        let (sine, cosine) = match ALONE {
+            true => a.sin_cos_shortest::<FUSED, ROWS>(),
+            false => a.sin_cos_in_rows::<FUSED, ROWS>(),
+        };
+        [sine, cosine]
     }
 
     #[inline(always)]

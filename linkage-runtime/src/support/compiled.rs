@@ -95,9 +95,17 @@ impl<M: Compiled<P, I>, const P: usize, const I: usize> DimensionPath
     type Survey = M::Survey;
     type Programs = M::Programs;
 
-    const NAME: &'static str = M::NAME;
-    const LEVELS: &'static [Level] = M::LEVELS;
-    const GROUPS: &'static [Group] = M::GROUPS;
+    fn name(&self) -> &'static str {
+        M::NAME
+    }
+
+    fn levels(&self) -> &'static [Level] {
+        M::LEVELS
+    }
+
+    fn groups(&self) -> &'static [Group] {
+        M::GROUPS
+    }
 
     fn inputs(&self) -> &[f64] {
         &self.at

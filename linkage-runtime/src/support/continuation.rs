@@ -26,12 +26,11 @@ pub trait DimensionPath {
     type Programs: CoupledPrograms;
 
     /// Name of the mechanism.
-    const NAME: &'static str;
+    fn name(&self) -> &'static str;
     /// The groups in order.
-    const LEVELS: &'static [Level];
+    fn levels(&self) -> &'static [Level];
     /// The groups of `STRUCTURE`.
-    const GROUPS: &'static [Group];
-
+    fn groups(&self) -> &'static [Group];
     /// The reference inputs.
     fn inputs(&self) -> &[f64];
     /// Surveys the mechanism there, with the initial states of coupled groups.
@@ -83,7 +82,7 @@ pub fn follow_path<W: DimensionPath>(
     let blocked = |share: f64, obstacle: PathEnd| match obstacle {
         PathEnd::Error(error) => error,
         PathEnd::Group(group) => AssemblyError::Blocked {
-            group: GroupRef::new(W::NAME, group, &W::GROUPS[group]),
+            group: GroupRef::new(path.name(), group, &path.groups()[group]),
             share,
         },
     };
@@ -133,8 +132,8 @@ fn walk<W: DimensionPath>(path: &W, first: PathPoint) -> (Vec<PathPoint>, Option
 
 /// The first place between others where a group after a coupled one comes apart, and the group.
 fn first_dip<W: DimensionPath>(path: &W, points: &[PathPoint]) -> Option<(f64, usize)> {
-    let coupled = |group: &usize| matches!(W::LEVELS[*group], Level::Coupled(_));
-    let behind = (0..W::LEVELS.len()).skip_while(|group| !coupled(group));
+    let coupled = |group: &usize| matches!(path.levels()[*group], Level::Coupled(_));
+    let behind = (0..path.levels().len()).skip_while(|group| !coupled(group));
     let behind: Vec<usize> = behind.filter(|group| !coupled(group)).collect();
     let (first, last) = (points.first()?, points.last()?);
     if behind.is_empty() {
@@ -165,17 +164,18 @@ fn first_dip<W: DimensionPath>(path: &W, points: &[PathPoint]) -> Option<(f64, u
 /// The first place where a group that no coupled one stands before comes apart, and the group.
 fn first_end<W: DimensionPath>(path: &W) -> Option<(f64, usize)> {
     let coupled = |level: &Level| matches!(level, Level::Coupled(_));
-    let count = W::LEVELS
+    let count = path
+        .levels()
         .iter()
         .position(coupled)
-        .unwrap_or(W::LEVELS.len());
+        .unwrap_or(path.levels().len());
     let nothing =
-        vec![InitialState::Nothing; W::LEVELS.iter().filter(|level| coupled(level)).count()];
+        vec![InitialState::Nothing; path.levels().iter().filter(|level| coupled(level)).count()];
     let ends = (0..count).filter_map(|group| {
         let slack = |share: f64| path.survey(share, &nothing).as_ref()[1 + group];
         let first = slack(0.0);
         // A group with one solution goes through infinity where its slack changes the sign.
-        let sign = match W::LEVELS[group] {
+        let sign = match path.levels()[group] {
             Level::Single => first.signum(),
             Level::Modes(_) | Level::Coupled(_) => 1.0,
         };
@@ -189,7 +189,7 @@ fn first_end<W: DimensionPath>(path: &W) -> Option<(f64, usize)> {
 /// The place at another share of the way, if one step leads there and all groups are assembled.
 fn step<W: DimensionPath>(path: &W, from: &PathPoint, share: f64) -> Result<PathPoint, PathEnd> {
     let next = reach(path, from, share)?;
-    for (group, level) in W::LEVELS.iter().enumerate() {
+    for (group, level) in path.levels().iter().enumerate() {
         let slack = next.slacks[group];
         let works = match (level, from.slacks.get(group)) {
             (Level::Single, Some(before)) => before * slack > 0.0,
@@ -213,7 +213,7 @@ fn reach<W: DimensionPath>(path: &W, from: &PathPoint, share: f64) -> Result<Pat
         slacks: Vec::new(),
     };
     let mut initial_states = vec![InitialState::Nothing; from.states.len()];
-    for (group, level) in W::LEVELS.iter().enumerate() {
+    for (group, level) in path.levels().iter().enumerate() {
         let slack = match *level {
             Level::Coupled(number) => {
                 let Some(programs) = path.coupled(share, &initial_states, number) else {
@@ -231,9 +231,9 @@ fn reach<W: DimensionPath>(path: &W, from: &PathPoint, share: f64) -> Result<Pat
                 let (state, determinant) = found.ok_or(PathEnd::Group(group))?;
                 next.determinants[number] = determinant;
                 // Only groups after it would read that.
-                if group + 1 < W::LEVELS.len() {
+                if group + 1 < path.levels().len() {
                     initial_states[number] =
-                        here(&mut programs, &x, &state).ok_or(PathEnd::Group(group))?;
+                        state_here(&mut programs, &x, &state).ok_or(PathEnd::Group(group))?;
                 }
                 next.states[number] = state;
                 1.0
@@ -247,8 +247,8 @@ fn reach<W: DimensionPath>(path: &W, from: &PathPoint, share: f64) -> Result<Pat
     Ok(next)
 }
 
-/// Prepares a solution for later groups: at the reference inputs alone.
-fn here(programs: &mut dyn Correction, x: &[f64], state: &[f64]) -> Option<InitialState> {
+/// Prepares a solution at its group's inputs alone; `None` where it cannot be certified.
+pub fn state_here(programs: &mut dyn Correction, x: &[f64], state: &[f64]) -> Option<InitialState> {
     let range = |&x: &f64| Range {
         low: x,
         high: x,

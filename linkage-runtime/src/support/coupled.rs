@@ -20,6 +20,7 @@ pub use lanes::Coupled;
 pub use outputs::{pairs, placed, put_state, stepped};
 pub use prepare::{
     Wanted, Which, initial_states, initial_states_of, no_initial_states, prepared, prepared_over,
+    prepared_over_in,
 };
 pub use programs::CoupledPrograms;
 pub use solution::CoupledSolution;

@@ -7,9 +7,9 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-use linkage_cli::{MechanismCall, Source};
 use linkage_compiler::check;
-use linkage_compiler::ir::CompiledMechanism;
+use linkage_compiler::ir::{CompiledMechanism, Function};
+use linkage_engine::{MechanismCall, Source};
 
 /// A mechanism, where it stands, and what it became.
 struct Entry {
@@ -100,7 +100,17 @@ fn module(entry: &Entry) -> String {
         unit,
     } = entry;
     let count = unit.scalars().count();
-    let calls: String = unit.functions.iter().enumerate().map(call).collect();
+    let functions = || unit.functions.iter().enumerate();
+    let calls: String = functions().map(call).collect();
+    let sweeps: String = functions()
+        .filter_map(|one| sweep(one, "sweep", ""))
+        .collect();
+    let sets: String = match count {
+        0 => String::new(),
+        _ => functions()
+            .filter_map(|one| sweep(one, "sweep_sets", "&sets, "))
+            .collect(),
+    };
     let circuits = match has_circuits(unit) {
         true => {
             "Some(own.circuits().map_or_else(|error| error.to_string(), |all| all.to_string()))"
@@ -124,22 +134,45 @@ mod {name} {{
 {body}
     }}
 
+    fn mechanism(dimensions: &[f64]) -> {title} {{
+        let values: &[f64; {count}] = dimensions.try_into().expect(\"all dimensions\");
+        <{title} as linkage::Dimensions<{count}>>::from_values(values)
+    }}
+
+    fn called(linkage: &{title}Assembly, function: usize, x: &[f64]) -> Vec<f64> {{
+        let mut out = Vec::new();
+        match function {{
+{calls}            _ => unreachable!(\"no such function\"),
+        }}
+        out
+    }}
+
     pub fn subject() -> Subject {{
         Subject {{
             name: \"{name}\",
             path: {path:?},
             number: {number},
             assembled: |dimensions| {{
-                let values: &[f64; {count}] = dimensions.try_into().expect(\"all dimensions\");
-                let own = <{title} as linkage::Dimensions<{count}>>::from_values(values);
-                let linkage = own.assemble().map_err(|error| error.to_string())?;
-                Ok(Box::new(move |function, x| {{
-                    let mut out = Vec::new();
-                    match function {{
-{calls}                        _ => unreachable!(\"no such function\"),
-                    }}
-                    out
-                }}))
+                let linkage = mechanism(dimensions).assemble().map_err(|error| error.to_string())?;
+                Ok(Box::new(move |function, x| called(&linkage, function, x)))
+            }},
+            assembled_from: |from, to| {{
+                let from = mechanism(from).assemble().map_err(|error| error.to_string())?;
+                let linkage = mechanism(to).assemble_from(&from).map_err(|error| error.to_string())?;
+                Ok(Box::new(move |function, x| called(&linkage, function, x)))
+            }},
+            swept: |dimensions, function, x| {{
+                let linkage = mechanism(dimensions).assemble().expect(\"it closes\");
+                match function {{
+{sweeps}                    _ => None,
+                }}
+            }},
+            swept_sets: |dimensions, function, sets, x| {{
+                let linkage = mechanism(dimensions).assemble().expect(\"it closes\");
+                let sets: Vec<{title}> = sets.iter().map(|set| mechanism(set)).collect();
+                match function {{
+{sets}                    _ => None,
+                }}
             }},
             listed: || {{
                 let own = {title}::default();
@@ -163,15 +196,37 @@ fn has_circuits(unit: &CompiledMechanism) -> bool {
     unit.inputs.len() == 1 && !unit.groups.is_empty()
 }
 
-fn call((number, function): (usize, &linkage_compiler::ir::Function)) -> String {
+/// The arguments of a function in a call.
+fn arguments(function: &Function) -> String {
     let arguments = (0..function.arguments.len()).map(|k| format!("x[{k}]"));
-    let arguments = arguments.collect::<Vec<_>>().join(", ");
+    arguments.collect::<Vec<_>>().join(", ")
+}
+
+/// The numbers of a result behind those of `out`.
+fn flat(function: &Function) -> String {
     let fields = function.fields.iter();
-    let flat: String = fields
+    fields
         .map(|field| format!(" result.{}.flat(&mut out);", field.name))
-        .collect();
+        .collect()
+}
+
+fn call((number, function): (usize, &Function)) -> String {
     format!(
-        "                        {number} => {{ let result = linkage.{}({arguments});{flat} }}\n",
-        function.name
+        "            {number} => {{ let result = linkage.{}({});{} }}\n",
+        function.name,
+        arguments(function),
+        flat(function)
     )
+}
+
+/// The rows of a sweep; `None` for a function without arguments, which has none.
+fn sweep((number, function): (usize, &Function), kind: &str, first: &str) -> Option<String> {
+    (!function.arguments.is_empty()).then(|| {
+        format!(
+            "                    {number} => Some(linkage.{}_{kind}({first}{}).iter().map(|result| {{ let mut out = Vec::new();{} out }}).collect()),\n",
+            function.name,
+            arguments(function),
+            flat(function)
+        )
+    })
 }

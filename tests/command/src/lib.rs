@@ -12,6 +12,12 @@ pub struct Subject {
     pub number: usize,
     /// Assembles it with these dimensions.
     pub assembled: fn(&[f64]) -> Result<Box<Call>, String>,
+    /// Assembles the second dimensions in the assembly of the first.
+    pub assembled_from: fn(&[f64], &[f64]) -> Result<Box<Call>, String>,
+    /// The rows of a sweep of an assembly with these dimensions; `None` for a function without sweeps.
+    pub swept: fn(&[f64], usize, &[&[f64]]) -> Option<Vec<Vec<f64>>>,
+    /// The same for many mechanisms.
+    pub swept_sets: fn(&[f64], usize, &[Vec<f64>], &[&[f64]]) -> Option<Vec<Vec<f64>>>,
     /// The modes of all assemblies at the reference.
     pub listed: fn() -> Vec<Vec<AssemblyMode>>,
     /// Its circuits, printed.

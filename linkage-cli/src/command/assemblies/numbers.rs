@@ -3,8 +3,8 @@
 
 use linkage_runtime::{Circuits, Estimate};
 
-use crate::engine::Assembly;
-use crate::mechanism::Mechanism;
+use linkage_engine::Assembly;
+use linkage_engine::Mechanism;
 
 /// Distance of an assembly computed in two ways from itself, at most; a share of the size of the
 /// mechanism.

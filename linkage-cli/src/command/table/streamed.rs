@@ -8,8 +8,8 @@ use linkage_runtime::report::CsvStyle;
 use serde_json::{Value, json};
 
 use super::super::running_input::Along;
-use crate::engine::Assembly;
-use crate::mechanism::Mechanism;
+use linkage_engine::Assembly;
+use linkage_engine::Mechanism;
 
 /// Numbers of a table in JSON that are held, where column follows column: those of 361 positions
 /// always.
@@ -44,7 +44,7 @@ impl<'a> Streamed<'a> {
         in_degrees: bool,
     ) -> Self {
         let input = along.running.map(|(_, input)| (input.name, input.unit));
-        let results = mechanism.headings[function].columns.iter();
+        let results = mechanism.headings()[function].columns.iter();
         let results = results.map(|result| (result.name, result.unit));
         let columns = input.into_iter().chain(results).map(|(name, unit)| {
             let in_degrees = in_degrees && unit == "rad";
@@ -111,14 +111,14 @@ impl<'a> Streamed<'a> {
     ) -> io::Result<()> {
         out.write_all(b"{\"columns\":[")?;
         self.columns_in_json(out)?;
-        let parameters = self.mechanism.parameters.iter().zip(dimensions);
+        let parameters = self.mechanism.parameters().iter().zip(dimensions);
         let parameters: Vec<Value> = parameters
             .map(|(parameter, value)| json!({ "name": parameter.name, "unit": parameter.unit, "value": value }))
             .collect();
         let [parameters, function, name] = [
             json!(parameters),
             json!(function),
-            json!(self.mechanism.name),
+            json!(self.mechanism.name()),
         ];
         writeln!(
             out,

@@ -214,12 +214,28 @@ pub fn prepared_over<const K: usize, P: CoupledPrograms>(
     states: &[Vec<f64>],
     programs: impl Fn(usize, &[InitialState; K]) -> Result<P, AssemblyError>,
 ) -> Result<[InitialState; K], AssemblyError> {
-    let mut initial_states = [const { InitialState::Nothing }; K];
+    let nothing = [const { InitialState::Nothing }; K];
+    prepared_over_in(groups, nothing, at, states, programs)
+}
+
+/// The same for any number of groups; `initial_states` has a place for each.
+///
+/// # Errors
+///
+/// As [`prepared_over`].
+pub fn prepared_over_in<S: AsMut<[InitialState]>, P: CoupledPrograms>(
+    groups: &[CoupledGroup],
+    mut initial_states: S,
+    at: &[f64],
+    states: &[Vec<f64>],
+    programs: impl Fn(usize, &S) -> Result<P, AssemblyError>,
+) -> Result<S, AssemblyError> {
     for (number, group) in groups.iter().enumerate() {
         let x: Vec<f64> = group.inputs.iter().map(|input| at[input.index]).collect();
         let mut programs = programs(number, &initial_states)?;
         let ranges = group.ranges();
-        initial_states[number] = start(group, &mut programs, &x, &states[number], &ranges, false)?;
+        let found = start(group, &mut programs, &x, &states[number], &ranges, false)?;
+        initial_states.as_mut()[number] = found;
     }
     Ok(initial_states)
 }

@@ -3,24 +3,24 @@
 use linkage_runtime::AssemblyMode;
 use linkage_runtime::support::{InitialState, pairs, wind_one};
 
-use super::numbers::{Numbers, States};
-use super::operations::{by_build, by_machine};
-use super::revolutions::Revolutions;
 use crate::mechanism::Mechanism;
+use crate::numbers::{Numbers, States};
+use crate::operations::{by_build, by_machine};
+use crate::revolutions::Revolutions;
 
 /// A mechanism in some modes, whose angles are to be followed.
 #[derive(Clone, Copy)]
-pub(super) struct Winding<'a> {
-    pub(super) mechanism: &'a Mechanism,
-    pub(super) dimensions: &'a [f64],
-    pub(super) modes: &'a [AssemblyMode],
-    pub(super) starts: &'a [InitialState],
+pub(crate) struct Winding<'a> {
+    pub(crate) mechanism: &'a Mechanism,
+    pub(crate) dimensions: &'a [f64],
+    pub(crate) modes: &'a [AssemblyMode],
+    pub(crate) starts: &'a [InitialState],
 }
 
 impl Winding<'_> {
     /// The revolutions of the first `count` angles, from the reference or, where it does not
     /// assemble there, from `at`; or the name of the first one that cannot be followed.
-    pub(super) fn wind(self, count: usize, at: &[f64]) -> Result<Revolutions, &'static str> {
+    pub(crate) fn wind(self, count: usize, at: &[f64]) -> Result<Revolutions, &'static str> {
         let reference = self.mechanism.reference();
         match self.wind_from(count, &reference) {
             Err(_) if at != reference => self.wind_from(count, at),
@@ -29,7 +29,7 @@ impl Winding<'_> {
     }
 
     fn wind_from(self, count: usize, start: &[f64]) -> Result<Revolutions, &'static str> {
-        let unit = &self.mechanism.unit;
+        let unit = &self.mechanism.compiled;
         let mut revolutions = Revolutions::at_estimates(self.mechanism);
         let bearings = by_build(&unit.bearings, |source| {
             self.numbers(&revolutions, &[], start, &[]).load(source)
@@ -60,9 +60,11 @@ impl Winding<'_> {
     }
 
     /// All prepared slots.
-    pub(super) fn prepare(self, revolutions: &Revolutions) -> Vec<f64> {
+    pub(crate) fn prepare(self, revolutions: &Revolutions) -> Vec<f64> {
         let numbers = self.numbers(revolutions, &[], &[], &[]);
-        by_machine(&self.mechanism.unit.prepare, |source| numbers.load(source))
+        by_machine(&self.mechanism.compiled.prepare, |source| {
+            numbers.load(source)
+        })
     }
 
     fn numbers<'b>(

@@ -3,7 +3,7 @@
 use linkage_runtime::RangeReport;
 use linkage_runtime::support::{Ranged, check_range};
 
-use super::Assembly;
+use crate::assembly::Assembly;
 
 impl Assembly<'_> {
     /// Checks the declared range. A mechanism without groups has no findings.
@@ -12,7 +12,7 @@ impl Assembly<'_> {
     #[must_use]
     pub fn check_range(&self) -> RangeReport {
         let mechanism = self.mechanism();
-        let groups = mechanism.unit.groups.iter();
+        let groups = mechanism.compiled.groups.iter();
         let slacks: Vec<_> = groups.map(|group| group.slack).collect();
         let ranged = Ranged {
             mechanism: mechanism.name,
@@ -20,7 +20,7 @@ impl Assembly<'_> {
             groups: mechanism.structure.groups,
             slacks: &slacks,
             units: &mechanism.gap_units,
-            repeats: mechanism.unit.repeats(),
+            repeats: mechanism.compiled.repeats(),
         };
         check_range(&ranged, &|x| self.survey(x), &|x| self.gaps(x))
     }

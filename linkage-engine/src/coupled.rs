@@ -6,11 +6,11 @@ use linkage_runtime::support::{
 use linkage_runtime::{AssemblyError, AssemblyMode, Enclosure, Scalar};
 use linkage_symbolic::program::Source;
 
-use super::numbers::{Numbers, States};
-use super::operations::{by_build, over_states};
-use super::revolutions::Revolutions;
-use super::winding::Winding;
 use crate::mechanism::Mechanism;
+use crate::numbers::{Numbers, States};
+use crate::operations::{by_build, over_states};
+use crate::revolutions::Revolutions;
+use crate::winding::Winding;
 
 /// A group, and the prepared numbers of the groups before it.
 pub(crate) struct Programs<'m> {
@@ -30,7 +30,7 @@ impl<'m> Programs<'m> {
     /// # Errors
     ///
     /// If an angle that it depends on cannot be followed.
-    pub(super) fn new(
+    pub(crate) fn new(
         mechanism: &'m Mechanism,
         dimensions: &[f64],
         modes: &[AssemblyMode],
@@ -44,7 +44,7 @@ impl<'m> Programs<'m> {
             modes,
             starts,
         };
-        let revolutions = turning.wind(mechanism.unit.coupled[number].turning, at);
+        let revolutions = turning.wind(mechanism.compiled.coupled[number].turning, at);
         let revolutions = revolutions.map_err(|unknown| AssemblyError::NoWinding {
             mechanism: mechanism.name,
             unknown,
@@ -97,7 +97,7 @@ impl Correction for Programs<'_> {
     fn correct(&mut self, inputs: &[f64], state: &mut [f64]) -> Step {
         let states = self.states_with(inputs, state);
         let numbers = self.numbers(&states);
-        let program = &self.mechanism.unit.coupled[self.number].correct;
+        let program = &self.mechanism.compiled.coupled[self.number].correct;
         stepped(state, &by_build(program, |source| numbers.load(source)))
     }
 }
@@ -106,7 +106,7 @@ impl Residuals for Programs<'_> {
     fn residuals(&mut self, inputs: &[f64], state: &[Enclosure]) -> Vec<Enclosure> {
         let states = self.states_at(inputs);
         let numbers = self.numbers(&states);
-        let program = &self.mechanism.unit.coupled[self.number].residuals;
+        let program = &self.mechanism.compiled.coupled[self.number].residuals;
         over_states(program, |source| match source {
             Source::State(group, component) if group == self.number => state[component],
             _ => Enclosure::from_f64(numbers.load(source)),
@@ -118,28 +118,28 @@ impl CoupledPrograms for Programs<'_> {
     fn system(&mut self, inputs: &[f64]) -> Vec<[f64; 2]> {
         let states = self.states_at(inputs);
         let numbers = self.numbers(&states);
-        let program = &self.mechanism.unit.coupled[self.number].system;
+        let program = &self.mechanism.compiled.coupled[self.number].system;
         pairs(&by_build(program, |source| numbers.load(source)))
     }
 
     fn estimate(&mut self, inputs: &[f64]) -> Vec<f64> {
         let states = self.states_at(inputs);
         let numbers = self.numbers(&states);
-        let program = &self.mechanism.unit.coupled[self.number].estimate;
+        let program = &self.mechanism.compiled.coupled[self.number].estimate;
         by_build(program, |source| numbers.load(source))
     }
 
     fn missed(&mut self, inputs: &[f64], state: &[f64]) -> Vec<f64> {
         let states = self.states_with(inputs, state);
         let numbers = self.numbers(&states);
-        let program = &self.mechanism.unit.coupled[self.number].missed;
+        let program = &self.mechanism.compiled.coupled[self.number].missed;
         by_build(program, |source| numbers.load(source))
     }
 
     fn placed(&mut self, inputs: &[f64], state: &[f64]) -> Vec<[f64; 2]> {
         let states = self.states_with(inputs, state);
         let numbers = self.numbers(&states);
-        let group = &self.mechanism.unit.coupled[self.number];
+        let group = &self.mechanism.compiled.coupled[self.number];
         let angles = group.unknowns.iter().map(|unknown| unknown.angle);
         let angles: Vec<bool> = angles.collect();
         let outputs = by_build(&group.placed, |source| numbers.load(source));

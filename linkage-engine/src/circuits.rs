@@ -1,14 +1,11 @@
 //! Assemblies that run through the range of the input.
 
-use linkage_runtime::support::{Chosen, CoupledGroup, Levels, Searched, SurveyedUnknown, circuits};
+use linkage_runtime::support::{Chosen, CoupledGroup, Levels, Searched, circuits};
 use linkage_runtime::{AssemblyError, Circuits};
 
-use super::Assembly;
-use super::coupled::Programs;
-use super::revolutions::Revolutions;
-use super::winding::Winding;
+use crate::assembly::Assembly;
+use crate::coupled::Programs;
 use crate::mechanism::Mechanism;
-use crate::mechanism::forever::forever;
 
 /// A mechanism with one input, as the runtime searches it.
 struct CircuitSearch<'m> {
@@ -28,27 +25,15 @@ impl Mechanism {
         &'m self,
         dimensions: &'m [f64],
     ) -> Option<Result<Circuits<Assembly<'m>>, AssemblyError>> {
-        let ([input], false) = (&self.unit.inputs[..], self.unit.groups.is_empty()) else {
+        let ([input], false) = (&self.compiled.inputs[..], self.compiled.groups.is_empty()) else {
             return None;
         };
-        let unknowns = self.unit.surveyed.iter().map(|surveyed| {
-            let unknown = &self.unit.unknowns[surveyed.unknown];
-            SurveyedUnknown {
-                name: forever(unknown.name.as_str()),
-                unit: match surveyed.angle {
-                    true => "",
-                    false => forever(unknown.unit.as_str()),
-                },
-                angle: surveyed.angle,
-                numbers: surveyed.numbers,
-            }
-        });
         let searched = Searched {
             name: self.name,
             input: self.inputs[0].name,
             reference: input.reference,
-            levels: forever(self.unit.levels()),
-            unknowns: forever(unknowns.collect::<Vec<_>>()),
+            levels: self.levels,
+            unknowns: self.surveyed,
             modes: self.modes().len(),
             coupled: self.groups.len(),
         };
@@ -71,23 +56,9 @@ impl<'m> Levels for CircuitSearch<'m> {
     }
 
     fn surveyor(&self, chosen: &Chosen, at: f64) -> Assembly<'m> {
-        let turning = Winding {
-            mechanism: self.mechanism,
-            dimensions: self.dimensions,
-            modes: &chosen.modes,
-            starts: &chosen.starts,
-        };
-        let count = self.mechanism.unit.surveying;
-        let revolutions = match count {
-            0 => Revolutions::at_estimates(self.mechanism),
-            _ => {
-                let found = turning.wind(count, &[at]);
-                found.unwrap_or_else(|_| Revolutions::at_estimates(self.mechanism))
-            }
-        };
         let Chosen { modes, starts } = chosen.clone();
         self.mechanism
-            .prepared(self.dimensions, modes, revolutions, starts)
+            .surveyor(self.dimensions, modes, starts, &[at])
     }
 
     fn survey(&self, assembly: &Assembly<'m>, at: f64) -> Vec<f64> {

@@ -4,25 +4,25 @@ use linkage_runtime::support::{Dispatch, InitialState, dispatch, inlined};
 use linkage_runtime::{AssemblyMode, Scalar};
 use linkage_symbolic::program::Source;
 
-use super::revolutions::Revolutions;
 use crate::mechanism::Mechanism;
+use crate::revolutions::Revolutions;
 
 /// A mechanism's numbers at some inputs.
 #[derive(Clone, Copy)]
-pub(super) struct Numbers<'a> {
-    pub(super) dimensions: &'a [f64],
-    pub(super) modes: &'a [AssemblyMode],
-    pub(super) revolutions: &'a Revolutions,
-    pub(super) prepared: &'a [f64],
+pub(crate) struct Numbers<'a> {
+    pub(crate) dimensions: &'a [f64],
+    pub(crate) modes: &'a [AssemblyMode],
+    pub(crate) revolutions: &'a Revolutions,
+    pub(crate) prepared: &'a [f64],
     /// Inputs, then the arguments behind them.
-    pub(super) inputs: &'a [f64],
+    pub(crate) inputs: &'a [f64],
     /// The state of each coupled group, with its floor.
-    pub(super) states: &'a [Vec<f64>],
+    pub(crate) states: &'a [Vec<f64>],
 }
 
 impl Numbers<'_> {
     /// Returns the number of a source.
-    pub(super) fn load(&self, source: Source) -> f64 {
+    pub(crate) fn load(&self, source: Source) -> f64 {
         match source {
             Source::Parameter(index) => self.dimensions[index],
             Source::Input(index) => self.inputs[index],
@@ -39,20 +39,20 @@ impl Numbers<'_> {
 
 /// The tables of all coupled groups of a mechanism.
 #[derive(Clone, Copy)]
-pub(super) struct States<'a> {
-    pub(super) mechanism: &'a Mechanism,
-    pub(super) starts: &'a [InitialState],
-    pub(super) inputs: &'a [f64],
+pub(crate) struct States<'a> {
+    pub(crate) mechanism: &'a Mechanism,
+    pub(crate) starts: &'a [InitialState],
+    pub(crate) inputs: &'a [f64],
 }
 
 impl States<'_> {
     /// The states at the inputs, each with its floor, by the instructions of the build.
-    pub(super) fn by_build(self) -> Vec<Vec<f64>> {
+    pub(crate) fn by_build(self) -> Vec<Vec<f64>> {
         inlined(&self, [] as [f64; 0])
     }
 
     /// The same with fused multiply-add if the machine has it.
-    pub(super) fn by_machine(self) -> Vec<Vec<f64>> {
+    pub(crate) fn by_machine(self) -> Vec<Vec<f64>> {
         dispatch(&self, [] as [f64; 0])
     }
 }
@@ -61,7 +61,7 @@ impl Dispatch<f64, Vec<Vec<f64>>, 0> for States<'_> {
     #[inline(always)]
     fn at<const FUSED: bool>(&self, []: [f64; 0]) -> Vec<Vec<f64>> {
         let mut states = Vec::with_capacity(self.starts.len());
-        for (group, start) in self.mechanism.unit.coupled.iter().zip(self.starts) {
+        for (group, start) in self.mechanism.compiled.coupled.iter().zip(self.starts) {
             let inputs: Vec<f64> = group
                 .inputs
                 .iter()

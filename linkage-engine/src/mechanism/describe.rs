@@ -4,7 +4,8 @@ use linkage_compiler::ir::{
     CompiledMechanism, Coupled, Function, Meaning, Picture, ShownNumber, plain,
 };
 use linkage_runtime::support::{
-    self, Along, Angle, CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown, Range, Term,
+    self, Along, Angle, CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown, Range,
+    SurveyedUnknown, Term,
 };
 use linkage_runtime::{
     Axis, Column, FunctionInfo, Group, Guide, Heading, Input, Operations, Parameter,
@@ -226,6 +227,23 @@ fn group(mechanism: &'static str, unit: &CompiledMechanism, coupled: &Coupled) -
         inputs: forever(inputs.collect::<Vec<_>>()),
         in_cells: coupled.in_cells,
     }
+}
+
+/// The unknowns in the order of their numbers in a survey.
+pub(super) fn surveyed(unit: &CompiledMechanism) -> &'static [SurveyedUnknown] {
+    let unknowns = unit.surveyed.iter().map(|surveyed| {
+        let unknown = &unit.unknowns[surveyed.unknown];
+        SurveyedUnknown {
+            name: forever(unknown.name.as_str()),
+            unit: match surveyed.angle {
+                true => "",
+                false => forever(unknown.unit.as_str()),
+            },
+            angle: surveyed.angle,
+            numbers: surveyed.numbers,
+        }
+    });
+    forever(unknowns.collect::<Vec<_>>())
 }
 
 fn names(texts: &[String]) -> &'static [&'static str] {

@@ -5,13 +5,13 @@ use crate::mechanism::Mechanism;
 /// The centre of each angle, and the turns it makes for each turn of each input.
 #[derive(Clone, Debug)]
 pub(crate) struct Revolutions {
-    pub(super) centres: Vec<f64>,
-    pub(super) windings: Vec<Vec<f64>>,
+    pub(crate) centres: Vec<f64>,
+    pub(crate) windings: Vec<Vec<f64>>,
 }
 
 impl Revolutions {
     /// Centres at the start estimates, no winding.
-    pub(super) fn at_estimates(mechanism: &Mechanism) -> Self {
+    pub(crate) fn at_estimates(mechanism: &Mechanism) -> Self {
         let angles = &mechanism.angles;
         Self {
             centres: angles.iter().map(|angle| angle.estimate).collect(),

@@ -1,4 +1,4 @@
-//! Files with mechanisms.
+//! Texts with mechanisms.
 
 use std::fs;
 use std::ops::Range;
@@ -7,10 +7,11 @@ use std::path::Path;
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use proc_macro2::{LexError, TokenStream, TokenTree};
 
-use crate::failure::Failure;
+use crate::error::SourceError;
 use crate::normal::normalised;
 
-/// A file and the mechanisms in it.
+/// A text and the mechanisms in it: what stands between the braces of `mechanism! { ... }`, one or
+/// several mechanisms, or a Rust file with calls of that macro.
 #[derive(Clone, Debug)]
 pub struct Source {
     name: String,
@@ -36,9 +37,11 @@ impl Source {
     ///
     /// If it cannot be read, has a bracket without partner or the like or too many within each
     /// other, or is a Rust file without a mechanism.
-    pub fn read(path: &Path) -> Result<Self, Failure> {
+    pub fn read(path: &Path) -> Result<Self, SourceError> {
         let text = fs::read_to_string(path);
-        let text = text.map_err(|error| Failure::file("read", path, &error))?;
+        let text = text.map_err(|error| {
+            SourceError::Message(format!("cannot read `{}`: {error}", path.display()))
+        })?;
         Self::new(&path.display().to_string(), &text)
     }
 
@@ -47,15 +50,15 @@ impl Source {
     /// # Errors
     ///
     /// As [`read`](Self::read).
-    pub fn new(name: &str, text: &str) -> Result<Self, Failure> {
+    pub fn new(name: &str, text: &str) -> Result<Self, SourceError> {
         // Editors of some systems put a mark in front, which is no token.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let tokens: TokenStream = text
             .parse()
-            .map_err(|error| Failure::Rendered(no_tokens(name, text, &error)))?;
+            .map_err(|error| SourceError::Rendered(no_tokens(name, text, &error)))?;
         let mut calls = Vec::new();
         collect(tokens.clone(), 0, &mut calls).map_err(|()| {
-            Failure::Told(format!(
+            SourceError::Message(format!(
                 "brackets in `{name}` are nested more than {DEEPEST} deep, which is not read; this is a limit of linkage"
             ))
         })?;
@@ -64,7 +67,7 @@ impl Source {
         let calls = match (calls.is_empty(), is_rust) {
             (true, true) => {
                 let text = format!("there is no call of `mechanism!` in `{name}`");
-                return Err(Failure::Told(text));
+                return Err(SourceError::Message(text));
             }
             (true, false) => {
                 let range = 0..0;

@@ -1,18 +1,20 @@
 //! Closing the loops, and evaluating functions.
 
-use linkage_compiler::ir::Surveyed;
+use linkage_compiler::ir::{Body, Function, Surveyed};
 use linkage_runtime::support::{
     InitialState, Which, assemblies, close, explained_by, finite, initial_states_of,
 };
 use linkage_runtime::{AssemblyError, AssemblyMode, Estimate, Scalar};
 
-use super::coupled::Programs;
-use super::numbers::{Numbers, States};
-use super::operations::{by_build, called};
-use super::revolutions::Revolutions;
-use super::winding::Winding;
+use linkage_symbolic::program::Source;
+
+use crate::coupled::Programs;
 use crate::mechanism::Mechanism;
 use crate::mechanism::forever::forever;
+use crate::numbers::{Numbers, States};
+use crate::operations::{by_build, called};
+use crate::revolutions::Revolutions;
+use crate::winding::Winding;
 
 /// An assembled mechanism.
 #[derive(Clone, Debug)]
@@ -45,24 +47,30 @@ impl Assembly<'_> {
     /// If there is no such function or it takes another number of arguments.
     #[must_use]
     pub fn call(&self, function: usize, arguments: &[f64]) -> Vec<f64> {
-        let unit = &self.mechanism.unit;
-        let function = &unit.functions[function];
+        let function = &self.mechanism.compiled.functions[function];
         assert_eq!(arguments.len(), function.arguments.len(), "its arguments");
-        let mut inputs = vec![f64::NAN; unit.inputs.len() + unit.arguments.len()];
-        for (&index, x) in function.arguments.iter().zip(arguments) {
-            inputs[index] = *x;
-        }
+        self.call_body(function, &function.called, arguments)
+    }
+
+    /// The results of one of the programs of a function.
+    pub(crate) fn call_body(
+        &self,
+        function: &Function,
+        body: &Body,
+        arguments: &[f64],
+    ) -> Vec<f64> {
+        let inputs = self.mechanism.all_inputs(function, arguments, f64::NAN);
         let states = self.states(&inputs);
-        match function.called.is_worth_a_call() {
+        match body.is_worth_a_call() {
             true => {
                 let states = states.by_machine();
                 let numbers = self.numbers(&inputs, &states);
-                called(&function.called, |source| numbers.load(source))
+                called(body, |source| numbers.load(source))
             }
             false => {
                 let states = states.by_build();
                 let numbers = self.numbers(&inputs, &states);
-                by_build(&function.called.program, |source| numbers.load(source))
+                by_build(&body.program, |source| numbers.load(source))
             }
         }
     }
@@ -70,7 +78,7 @@ impl Assembly<'_> {
     /// Returns the values of the unknowns at these inputs.
     #[must_use]
     pub fn unknowns(&self, inputs: &[f64]) -> Vec<Estimate> {
-        let unit = &self.mechanism.unit;
+        let unit = &self.mechanism.compiled;
         let numbers = self.survey(inputs);
         let mut next = numbers[1 + unit.groups.len()..].iter().copied();
         let estimate = |surveyed: &Surveyed| {
@@ -94,25 +102,56 @@ impl Assembly<'_> {
     #[must_use]
     pub fn places(&self, inputs: &[f64]) -> Vec<f64> {
         self.survey(inputs)
-            .split_off(1 + self.mechanism.unit.groups.len())
+            .split_off(1 + self.mechanism.compiled.groups.len())
     }
 
     /// The least margin of all groups, the slack of every group, the numbers of the unknowns.
-    pub(super) fn survey(&self, inputs: &[f64]) -> Vec<f64> {
+    pub(crate) fn survey(&self, inputs: &[f64]) -> Vec<f64> {
         let states = self.states(inputs).by_build();
         let numbers = self.numbers(inputs, &states);
-        by_build(&self.mechanism.unit.survey, |source| numbers.load(source))
+        by_build(&self.mechanism.compiled.survey, |source| {
+            numbers.load(source)
+        })
     }
 
     /// Returns the closure error of each group at these inputs.
-    pub(super) fn gaps(&self, inputs: &[f64]) -> Vec<f64> {
+    pub(crate) fn gaps(&self, inputs: &[f64]) -> Vec<f64> {
         let states = self.states(inputs).by_build();
         let numbers = self.numbers(inputs, &states);
-        by_build(&self.mechanism.unit.gaps, |source| numbers.load(source))
+        by_build(&self.mechanism.compiled.gaps, |source| numbers.load(source))
     }
 
-    pub(super) fn mechanism(&self) -> &Mechanism {
+    pub(crate) fn mechanism(&self) -> &Mechanism {
         self.mechanism
+    }
+
+    /// The numbers that depend on the dimensions alone.
+    pub(crate) fn prepared(&self) -> &[f64] {
+        &self.prepared
+    }
+
+    /// The turns of its angles.
+    pub(crate) fn revolutions(&self) -> &Revolutions {
+        &self.revolutions
+    }
+
+    /// The tables of coupled groups.
+    pub(crate) fn starts(&self) -> &[InitialState] {
+        &self.starts
+    }
+
+    /// The state of each coupled group at these inputs, without its floor.
+    pub(crate) fn states_at(&self, inputs: &[f64]) -> Vec<Vec<f64>> {
+        let mut states = self.states(inputs).by_build();
+        for state in &mut states {
+            state.pop();
+        }
+        states
+    }
+
+    /// Returns a number that no position and no dimension changes.
+    pub(crate) fn constant(&self, source: Source) -> f64 {
+        self.numbers(&[], &[]).load(source)
     }
 
     /// Returns true if all groups close at these inputs.
@@ -176,7 +215,23 @@ impl Mechanism {
         explained_by(result, self.parameters, dimensions)
     }
 
-    pub(super) fn assembled(
+    /// All inputs and arguments, given those of a function; `other` for those that it does not
+    /// take.
+    pub(crate) fn all_inputs(
+        &self,
+        function: &Function,
+        arguments: &[f64],
+        other: f64,
+    ) -> Vec<f64> {
+        let count = self.compiled.inputs.len() + self.compiled.arguments.len();
+        let mut inputs = vec![other; count];
+        for (&index, x) in function.arguments.iter().zip(arguments) {
+            inputs[index] = *x;
+        }
+        inputs
+    }
+
+    pub(crate) fn assembled(
         &self,
         dimensions: &[f64],
         modes: Vec<AssemblyMode>,
@@ -241,7 +296,7 @@ impl Mechanism {
         })
     }
 
-    pub(super) fn with_starts(
+    pub(crate) fn with_starts(
         &self,
         dimensions: &[f64],
         modes: Vec<AssemblyMode>,
@@ -271,7 +326,7 @@ impl Mechanism {
     }
 
     /// An assembly that need not close.
-    pub(super) fn prepared(
+    pub(crate) fn prepared(
         &self,
         dimensions: &[f64],
         modes: Vec<AssemblyMode>,
@@ -295,8 +350,30 @@ impl Mechanism {
         }
     }
 
-    fn finite(&self, dimensions: &[f64]) -> Result<(), AssemblyError> {
-        let groups = self.unit.groups.iter();
+    /// An assembly that need not close, for surveys at these inputs.
+    pub(crate) fn surveyor(
+        &self,
+        dimensions: &[f64],
+        modes: Vec<AssemblyMode>,
+        starts: Vec<InitialState>,
+        at: &[f64],
+    ) -> Assembly<'_> {
+        let turning = Winding {
+            mechanism: self,
+            dimensions,
+            modes: &modes,
+            starts: &starts,
+        };
+        let found = match self.compiled.surveying {
+            0 => None,
+            count => turning.wind(count, at).ok(),
+        };
+        let revolutions = found.unwrap_or_else(|| Revolutions::at_estimates(self));
+        self.prepared(dimensions, modes, revolutions, starts)
+    }
+
+    pub(crate) fn finite(&self, dimensions: &[f64]) -> Result<(), AssemblyError> {
+        let groups = self.compiled.groups.iter();
         let needed: Vec<usize> = groups.flat_map(|group| group.parameters.clone()).collect();
         finite(self.name, self.parameters, &needed, dimensions)
     }

@@ -14,17 +14,17 @@ struct Run<'a, L, const ALONE: bool> {
 }
 
 /// The outputs of a program, with the instructions of the build.
-pub(super) fn by_build(program: &Program, load: impl Fn(Source) -> f64) -> Vec<f64> {
+pub(crate) fn by_build(program: &Program, load: impl Fn(Source) -> f64) -> Vec<f64> {
     inlined(&Run::<_, false> { program, load }, [])
 }
 
 /// The outputs of a program, with fused multiply-add if the machine has it.
-pub(super) fn by_machine(program: &Program, load: impl Fn(Source) -> f64) -> Vec<f64> {
+pub(crate) fn by_machine(program: &Program, load: impl Fn(Source) -> f64) -> Vec<f64> {
     dispatch(&Run::<_, false> { program, load }, [])
 }
 
 /// The outputs of a function, as its calls compute them.
-pub(super) fn called(body: &Body, load: impl Fn(Source) -> f64) -> Vec<f64> {
+pub(crate) fn called(body: &Body, load: impl Fn(Source) -> f64) -> Vec<f64> {
     let program = &body.program;
     match body.compares_sines {
         true => by_machine(program, load),
@@ -33,7 +33,7 @@ pub(super) fn called(body: &Body, load: impl Fn(Source) -> f64) -> Vec<f64> {
 }
 
 /// The outputs of a program over a box.
-pub(super) fn over_states(program: &Program, load: impl Fn(Source) -> Enclosure) -> Vec<Enclosure> {
+pub(crate) fn over_states(program: &Program, load: impl Fn(Source) -> Enclosure) -> Vec<Enclosure> {
     run_by::<Generated<Enclosure, FUSED>>(program, load)
 }
 

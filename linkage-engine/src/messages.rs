@@ -18,27 +18,33 @@ pub fn rendered(
         true => (Level::WARNING, &checked.warnings),
         false => (Level::ERROR, &checked.messages),
     };
-    let renderer = renderer(coloured);
-    let one = |message: &Message| drawn(&renderer, &level, source, found, message);
+    let one = |message: &Message| drawn(&level, source, found, message, coloured);
     messages.iter().map(one).collect()
 }
 
-/// With colours for a terminal.
-pub(crate) fn renderer(coloured: bool) -> Renderer {
-    match coloured {
-        true => Renderer::styled(),
-        false => Renderer::plain(),
-    }
+/// A warning about a mechanism with the source under it, and a blank line.
+#[must_use]
+pub fn rendered_warning(
+    source: &Source,
+    found: &MechanismCall,
+    message: &Message,
+    coloured: bool,
+) -> String {
+    drawn(&Level::WARNING, source, found, message, coloured)
 }
 
 /// A message with the source under it, and a blank line.
-pub(crate) fn drawn(
-    renderer: &Renderer,
+fn drawn(
     level: &Level<'_>,
     source: &Source,
     found: &MechanismCall,
     message: &Message,
+    coloured: bool,
 ) -> String {
+    let renderer = match coloured {
+        true => Renderer::styled(),
+        false => Renderer::plain(),
+    };
     let [first, last] = [message.span.first, message.span.last].map(|span| span.byte_range());
     // Only text that was made up by the compiler begins and ends with the text.
     let span = match (first.start, last.end) {

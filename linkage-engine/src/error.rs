@@ -1,0 +1,83 @@
+//! Errors before a mechanism is assembled.
+
+use std::error::Error;
+use std::fmt::{self, Display, Formatter};
+
+/// A text that holds no mechanisms.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum SourceError {
+    /// A file that cannot be read, a text that is no text of mechanisms: the whole message.
+    Message(String),
+    /// A character or bracket that cannot be read: a message with the source under it.
+    Rendered(String),
+}
+
+impl Display for SourceError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Message(text) | Self::Rendered(text) => write!(f, "{text}"),
+        }
+    }
+}
+
+impl Error for SourceError {}
+
+/// A text whose mechanisms have mistakes, or another number of mechanisms than is asked for.
+///
+/// It is shown as all messages of the compiler, each with the source under it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CompileError(pub(crate) String);
+
+impl Display for CompileError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(self.0.trim_end())
+    }
+}
+
+impl Error for CompileError {}
+
+impl From<SourceError> for CompileError {
+    fn from(error: SourceError) -> Self {
+        Self(error.to_string())
+    }
+}
+
+/// A name that no function of a mechanism has.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownFunction {
+    /// The mechanism.
+    pub mechanism: &'static str,
+    /// The name.
+    pub name: String,
+    /// The functions that there are.
+    pub functions: Vec<&'static str>,
+}
+
+impl Display for UnknownFunction {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Self {
+            mechanism,
+            name,
+            functions,
+        } = self;
+        write!(f, "{mechanism} has no function `{name}`; it has ")?;
+        match &functions[..] {
+            [] => f.write_str("none"),
+            all => write!(f, "`{}`", all.join("`, `")),
+        }
+    }
+}
+
+impl Error for UnknownFunction {}
+
+/// Tolerances whose effects cannot be computed: the message.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ToleranceError(pub(crate) String);
+
+impl Display for ToleranceError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl Error for ToleranceError {}

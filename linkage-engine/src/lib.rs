@@ -1,0 +1,61 @@
+//! Mechanisms compiled at run time: text in, numbers out.
+//!
+//! A text in the language of the macro `linkage::mechanism!` becomes a [`Mechanism`], for programs
+//! that do not know their mechanisms at build time: an editor, a web service, a binding to another
+//! language. The compiler of the macro reads it, so that the language and all messages are the
+//! same. Values come from an interpreter of its programs and are equal to those of the macro's code
+//! on the same machine, to the last bit.
+//!
+#![doc = include_str!("../README.md")]
+//!
+//! | to | call |
+//! |---|---|
+//! | compile a text | [`Mechanism::compile`], [`compile`] for several mechanisms |
+//! | close the loops | [`Mechanism::assemble`], [`Mechanism::assemblies`], [`Mechanism::assemble_from`] |
+//! | search the range of the input | [`Mechanism::circuits`], [`Assembly::check_range`] |
+//! | compute one position | [`Assembly::call`] |
+//! | compute many positions | [`Assembly::sweep`], [`Assembly::sweep_parallel_into`] |
+//! | compute many mechanisms | [`Assembly::sweep_sets`] |
+//! | see effects of tolerances | [`Mechanism::sensitive_quantities`] |
+//! | name, unit and meaning of results | [`Mechanism::headings`]; [`Columns`] is a [`Table`] |
+//!
+//! Numbers are `f64`, lengths in the unit of the mechanism, angles in radians.
+//!
+//! A mechanism takes a compiler's work of some milliseconds; an assembly some microseconds; a
+//! position of a sweep some ten nanoseconds. Names and descriptions of a compiled mechanism, a few
+//! kilobytes, stay in memory until the process ends, as those of generated code do.
+
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/engine.md")]
+mod page {}
+
+mod assembly;
+mod circuits;
+mod columns;
+mod continuation;
+mod coupled;
+mod error;
+mod mechanism;
+mod messages;
+mod normal;
+mod numbers;
+mod operations;
+mod range_check;
+mod revolutions;
+mod source;
+mod sweep;
+mod tolerance;
+mod winding;
+
+pub use assembly::Assembly;
+pub use columns::Columns;
+pub use error::{CompileError, SourceError, ToleranceError, UnknownFunction};
+pub use linkage_runtime::{
+    AssemblyError, AssemblyMode, Circuits, Estimate, Heading, Input, Parameter, RangeReport,
+    Structure, Table,
+};
+pub use mechanism::{Mechanism, compile};
+pub use messages::{rendered, rendered_warning};
+pub use normal::normal_form;
+pub use source::{MechanismCall, Source};
+pub use tolerance::{SensitiveQuantity, ToleranceEffects};
