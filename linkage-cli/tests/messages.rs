@@ -1,31 +1,60 @@
-//! Messages are those that rustc prints for the macro, word for word, with file, line and column.
+//! Messages are those of the macro, word for word, with file, line and column.
+
+#[path = "../../linkage-compiler/tests/messages/case_file.rs"]
+mod case_file;
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use case_file::CaseFile;
 use linkage_cli::{Source, rendered};
 use linkage_compiler::{check, check_all};
 
-/// Faulty programs beside what rustc prints for them.
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/messages/tests/ui")
-}
-
-fn programs() -> Vec<PathBuf> {
-    let phases = fs::read_dir(folder()).expect("the folder can be read");
-    let files = phases.flat_map(|phase| {
-        let phase = phase.expect("a folder").path();
-        fs::read_dir(phase).expect("it can be read")
-    });
-    let paths = files.map(|file| file.expect("a file").path());
-    let mut paths: Vec<PathBuf> = paths
-        .filter(|path| path.extension().is_some_and(|ending| ending == "rs"))
-        .collect();
+/// Returns the files with an ending in a folder of the repository and in its folders.
+fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut folders = vec![root.join(folder)];
+    let mut paths = Vec::new();
+    while let Some(folder) = folders.pop() {
+        for file in fs::read_dir(folder).expect("the folder can be read") {
+            let path = file.expect("a file").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|found| found == ending) {
+                paths.push(path);
+            }
+        }
+    }
     paths.sort();
     paths
 }
 
-/// What rustc says beside the messages: about names outside the macro, which nobody else knows, about lints, about what is no token.
+/// All cases of the compiler, which rustc prints with these words, too.
+#[test]
+fn messages_are_those_of_the_compiler() {
+    let mut compared = 0;
+    for path in files("linkage-compiler/tests/messages", "txt") {
+        let text = fs::read_to_string(&path).expect("cases");
+        let cases = CaseFile::parsed(&text).expect("the form of cases").cases;
+        for case in cases {
+            let source = Source::new(&case.name, &case.mechanism).expect("tokens");
+            let [call] = source.calls() else {
+                panic!("{}: they may have each other as parts", case.name);
+            };
+            let checked = check_all(call.tokens.clone());
+            let blocks = checked
+                .iter()
+                .map(|one| rendered(&source, call, one, false));
+            let text: String = blocks.collect();
+            assert_eq!(text.trim_end(), case.messages.trim_end(), "{}", case.name);
+            compared += 1;
+        }
+    }
+    assert!(compared >= 230, "{compared} cases");
+}
+
+/// Texts that rustc prints besides the messages: about names outside the macro, about lints, about
+/// letters that are no token.
 const OF_RUSTC: [&str; 5] = [
     "error[E",
     "the lint level is defined here",
@@ -37,24 +66,27 @@ const OF_RUSTC: [&str; 5] = [
 #[test]
 fn messages_are_those_of_the_macro() {
     let mut compared = 0;
-    for path in programs() {
+    for path in files("tests/messages/tests/ui", "rs") {
         let expected = fs::read_to_string(path.with_extension("stderr")).expect("messages");
-        if OF_RUSTC.iter().any(|own| expected.contains(own)) {
+        if OF_RUSTC.iter().any(|text| expected.contains(text)) {
             continue;
         }
         let text = fs::read_to_string(&path).expect("the program can be read");
-        let name = path.strip_prefix(folder()).expect("a file of the folder");
-        let name = Path::new("tests/ui").join(name);
-        let source = Source::new(&name.to_string_lossy(), &text).expect("tokens");
-        let told: String = source
-            .calls()
-            .iter()
-            .map(|found| rendered(&source, found, &check(found.tokens.clone()), false))
-            .collect();
-        assert_eq!(told.trim_end(), expected.trim_end(), "{}", name.display());
+        let start = path
+            .to_string_lossy()
+            .rfind("tests/ui")
+            .expect("its folder");
+        let name = &path.to_string_lossy()[start..];
+        let source = Source::new(name, &text).expect("tokens");
+        let blocks = source.calls().iter().map(|call| {
+            let checked = check(call.tokens.clone());
+            rendered(&source, call, &checked, false)
+        });
+        let text: String = blocks.collect();
+        assert_eq!(text.trim_end(), expected.trim_end(), "{name}");
         compared += 1;
     }
-    assert!(compared >= 140, "{compared} files");
+    assert!(compared >= 6, "{compared} files");
 }
 
 #[test]
