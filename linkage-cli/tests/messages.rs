@@ -29,7 +29,7 @@ fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
     paths
 }
 
-/// All cases of the compiler, which rustc prints with these words, too.
+/// All cases of the compiler: a test of `linkage-messages` compares them with the output of rustc.
 #[test]
 fn messages_are_those_of_the_compiler() {
     let mut compared = 0;

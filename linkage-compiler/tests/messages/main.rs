@@ -18,7 +18,9 @@
 //! describe a file. `UPDATE=1 cargo test -p linkage-compiler --test messages` writes all messages:
 //! read the difference before you commit it. A name of a phase at the end selects one file.
 //!
-//! Cases that need rustc are in the package `linkage-messages`, `tests/messages` in the root.
+//! A second test, in the package `linkage-messages`, compares the output of rustc with all cases.
+//! That package also has the programs whose messages need rustc. A message has no position in the
+//! first line of a text, because that test writes something before it.
 
 mod case_file;
 mod difference;
