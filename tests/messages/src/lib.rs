@@ -1,1 +1,1 @@
-//! What users see is in `tests/ui`; here is nothing.
+//! Programs of this package are in `src/bin` and `tests/ui`; the library is empty.
