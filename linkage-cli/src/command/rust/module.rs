@@ -1,0 +1,124 @@
+//! Generated items as a module to be read, or to be checked in.
+
+use linkage_engine::Source;
+use linkage_js::description;
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
+use syn::{Attribute, File, ImplItem, Item, ItemImpl, Path, parse_quote};
+
+use crate::failure::Failure;
+
+/// The module with the mechanisms of a text, with the items of these features: `if_alloc` and the
+/// like, by the names of their macros.
+pub(super) fn printed(source: &Source, features: &[&str]) -> Result<String, Failure> {
+    let mut items = TokenStream::new();
+    for call in source.calls() {
+        let tokens = &call.tokens;
+        items.extend(linkage_compiler::compile(
+            quote!([::linkage] #tokens),
+            description,
+        ));
+    }
+    let file: File = syn::parse2(items).map_err(|error| {
+        Failure::Told(format!(
+            "generated code is no module ({error}): this is a mistake of linkage"
+        ))
+    })?;
+    let module = Module {
+        features,
+        silence: None,
+    };
+    Ok(module.text(file))
+}
+
+/// A module with the items of some features.
+struct Module<'a> {
+    features: &'a [&'a str],
+    /// The attribute that silences lints in each generated item.
+    silence: Option<Attribute>,
+}
+
+impl Module<'_> {
+    fn text(mut self, mut file: File) -> String {
+        file.items = self.items(file.items);
+        if let Some(mut silence) = self.silence.take() {
+            silence.style = syn::AttrStyle::Inner(Default::default());
+            file.attrs.push(silence);
+        }
+        prettyplease::unparse(&file)
+    }
+
+    /// Returns the items of the features, without the attributes that silence lints, at every
+    /// depth.
+    fn items(&mut self, items: Vec<Item>) -> Vec<Item> {
+        items.into_iter().flat_map(|item| self.item(item)).collect()
+    }
+
+    fn item(&mut self, item: Item) -> Vec<Item> {
+        match item {
+            Item::Macro(item) if item.ident.is_none() => {
+                match (self.has(&item.mac.path), item.mac.parse_body::<File>()) {
+                    (false, _) => Vec::new(),
+                    (true, Ok(body)) => self.items(body.items),
+                    (true, Err(_)) => vec![Item::Macro(item)],
+                }
+            }
+            Item::Impl(mut item) => {
+                self.quieten(&mut item.attrs);
+                let members = std::mem::take(&mut item.items);
+                let members = members.into_iter().flat_map(|member| self.member(member));
+                item.items = members.collect();
+                vec![Item::Impl(item)]
+            }
+            Item::Mod(mut item) => {
+                self.quieten(&mut item.attrs);
+                if let Some((_, items)) = &mut item.content {
+                    *items = self.items(std::mem::take(items));
+                }
+                vec![Item::Mod(item)]
+            }
+            Item::Struct(mut item) => {
+                self.quieten(&mut item.attrs);
+                vec![Item::Struct(item)]
+            }
+            Item::Use(mut item) => {
+                self.quieten(&mut item.attrs);
+                vec![Item::Use(item)]
+            }
+            other => vec![other],
+        }
+    }
+
+    fn member(&mut self, member: ImplItem) -> Vec<ImplItem> {
+        let ImplItem::Macro(member) = member else {
+            return vec![member];
+        };
+        if !self.has(&member.mac.path) {
+            return Vec::new();
+        }
+        let members = &member.mac.tokens;
+        let block: ItemImpl = parse_quote!(impl Members { #members });
+        block.items
+    }
+
+    /// Returns true if the items in this macro are wanted; those of other macros always.
+    fn has(&self, path: &Path) -> bool {
+        let name = path
+            .segments
+            .last()
+            .map(|segment| segment.ident.to_string());
+        let name = name.unwrap_or_default();
+        !name.starts_with("if_") || self.features.contains(&name.as_str())
+    }
+
+    /// Takes the attribute that silences lints from an item: the module has it once.
+    fn quieten(&mut self, attributes: &mut Vec<Attribute>) {
+        let is_silence = |attribute: &Attribute| {
+            attribute.path().is_ident("allow")
+                && attribute.to_token_stream().to_string().contains("pedantic")
+        };
+        if let Some(index) = attributes.iter().position(is_silence) {
+            self.silence = Some(attributes.remove(index));
+        }
+    }
+}
