@@ -36,7 +36,6 @@ mod data;
 pub mod design;
 mod dimensions;
 mod error;
-mod format;
 #[cfg(feature = "nalgebra")]
 mod frame;
 pub mod jacobian;

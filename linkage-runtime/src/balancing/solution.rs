@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::format::rounded;
+use linkage_core::format::rounded;
 use linkage_core::math::double::sqrt;
 
 /// The size of a quantity over the cycle.

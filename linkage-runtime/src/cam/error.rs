@@ -4,7 +4,7 @@ use core::fmt;
 
 use super::follower::Follower;
 use super::undercut::Undercut;
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// Why a cam cannot be made.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! A reason why phases cannot be compared.
 
-use crate::format::rounded;
 use crate::summary::SummaryError;
 use core::fmt;
+use linkage_core::format::rounded;
 
 /// Why there is no best phase.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! Bands of a quantity in which a member dwells.
 
-use crate::format::rounded;
 use core::fmt;
+use linkage_core::format::rounded;
 
 /// A band of a quantity: within it a member dwells. In the unit of the quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]

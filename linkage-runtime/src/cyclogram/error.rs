@@ -1,10 +1,10 @@
 //! A reason why a member has no cyclogram.
 
 use super::Band;
-use crate::format::rounded;
 use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt;
+use linkage_core::format::rounded;
 
 /// A cause why there is no cyclogram: for one member all its mistakes.
 #[derive(Clone, Debug, PartialEq)]

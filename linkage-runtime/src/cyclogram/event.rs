@@ -23,7 +23,7 @@ impl Motion {
 
     /// The text, with the member's bands.
     pub(crate) fn described<'a>(self, bands: &'a [Band], unit: &'a str) -> impl fmt::Display + 'a {
-        crate::format::printed(move |f| match self {
+        linkage_core::format::printed(move |f| match self {
             Self::Advance => f.write_str("advance"),
             Self::Return => f.write_str("return"),
             Self::Dwell(band) => {

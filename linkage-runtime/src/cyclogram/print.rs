@@ -1,10 +1,10 @@
 //! A cyclogram as a table to be read.
 
 use super::{Cyclogram, Event, Moment, Motion};
-use crate::format::rounded;
 use alloc::format;
 use alloc::string::{String, ToString};
 use core::fmt;
+use linkage_core::format::rounded;
 
 /// The events of all members in order of the angle, in degrees: angle, distance from the event
 /// before, member, ending and beginning motion, and the shift by tolerances, if they were given.

@@ -12,7 +12,7 @@ use core::fmt;
 
 use crate::circuits::{Branch, BranchEnd, Circuits};
 use crate::error::AssemblyError;
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// The least margin that is no dead point: that which the compiler asks of a declaration.
 const LEAST: f64 = 1e-6;

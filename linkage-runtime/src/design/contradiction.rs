@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 
 use super::limits::{Limits, Linear};
 use super::{DesignError, Relation};
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// Halvings of the amount by which a relation is missed: to some ten digits.
 const HALVINGS: usize = 34;

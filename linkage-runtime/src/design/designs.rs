@@ -7,7 +7,7 @@ use core::fmt;
 
 use crate::data::Parameter;
 use crate::dimensions::Dimensions;
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// A local optimum that holds all that must hold.
 #[derive(Clone, Debug, PartialEq)]

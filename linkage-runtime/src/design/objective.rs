@@ -9,7 +9,7 @@ use linkage_core::Cycle;
 
 use super::DesignError;
 use crate::data::Parameter;
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// Something that is wanted of a mechanism: rows of residuals, whose sum of squares is made least,
 /// or of conditions, which must not be negative.

@@ -5,7 +5,7 @@ use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// A linear relation between parameters that must hold: in their units, angles in radians.
 #[derive(Clone, Debug, PartialEq)]

@@ -15,8 +15,8 @@ use super::problem::ROOM;
 use super::targets::{Targets, Timing};
 use crate::data::Parameter;
 use crate::dimensions::Dimensions;
-use crate::format::rounded;
 use crate::table::Table;
+use linkage_core::format::rounded;
 
 /// Positions that are longer than the range by less than this part of it fill it: steps in degrees
 /// are rounded.

@@ -5,7 +5,7 @@ use core::fmt;
 use core::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// The progress of a search. Printed, it is a bar: `[#########---------------------] 320 of 1024,
 /// least 0.0123`.

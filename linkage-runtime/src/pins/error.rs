@@ -3,7 +3,7 @@
 use core::fmt;
 
 use super::criterion::Criterion;
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// Why a pin cannot be computed.
 #[derive(Clone, Copy, Debug, PartialEq)]

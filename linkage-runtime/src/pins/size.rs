@@ -7,7 +7,7 @@ use super::error::PinError;
 use super::formulas::formulas;
 use super::pin::{Limit, Mounting, Pin};
 use super::validate::validate;
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// The diameter that a pin needs, with its criterion.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -15,9 +15,9 @@ use super::tables::Saved;
 use super::units::{per_second, titled};
 use super::{BandKind, Mistake};
 use super::{accuracy, check, palette, rates};
-use crate::format::rounded;
 use crate::table::Column;
 use linkage_core::Meaning;
+use linkage_core::format::rounded;
 
 /// A column as it is asked for.
 struct FoundColumn<'a> {

@@ -1,8 +1,8 @@
 //! Grashof's rule: the links of a four-bar that turn fully.
 
 use super::SummaryError;
-use crate::format::rounded;
 use core::fmt;
+use linkage_core::format::rounded;
 
 /// Rounding of the two sums that are compared, relative to the sum of all lengths.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;

@@ -3,8 +3,8 @@
 use super::curve::Curve;
 use super::extremes::{Extreme, Extremes};
 use super::interval::Interval;
-use crate::format::{printed, rounded, settled};
 use core::fmt;
+use linkage_core::format::{printed, rounded, settled};
 
 /// Roundoff of a position, as a share of the range.
 const ROUNDOFF: f64 = 1e-12;

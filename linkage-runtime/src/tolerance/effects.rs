@@ -7,7 +7,7 @@ use core::fmt;
 use super::given::Tolerances;
 use super::modulus;
 use crate::components::{Components, in_space, norm};
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// The error of a quantity of `K` components that each of `N` tolerances allows, to first order:
 /// sensitivity times tolerance.

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::format::{join, rounded};
+use linkage_core::format::{join, rounded};
 
 /// Why a tolerance analysis cannot be made.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use core::fmt;
 
 use super::error::ToleranceError;
 use crate::data::Parameter;
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// The tolerances of `N` parameters: each dimension is within its nominal value, plus or minus
 /// its tolerance, or between [other limits](Self::limits). In the units of the parameters.

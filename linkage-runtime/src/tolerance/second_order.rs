@@ -7,7 +7,7 @@ use super::budget::Budget;
 use super::correlation::Square;
 use super::uncertainties::Uncertainties;
 use crate::components::Components;
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// Mean and uncertainty of a quantity by its Taylor polynomial of second order, and of third order
 /// where that is required.

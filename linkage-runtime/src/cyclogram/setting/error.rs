@@ -1,9 +1,9 @@
 //! Why an event cannot be set to an angle.
 
 use super::value::VALUES;
-use crate::format::rounded;
 use alloc::string::String;
 use core::fmt;
+use linkage_core::format::rounded;
 
 /// A reason why an event cannot be set to an angle. `E` is the error of building a member.
 #[derive(Clone, Debug, PartialEq)]

@@ -15,8 +15,8 @@ use super::{
 };
 use crate::data::Parameter;
 use crate::dimensions::Dimensions;
-use crate::format::rounded;
 use crate::tolerance::Tolerances;
+use linkage_core::format::rounded;
 
 /// The goal of a dwell.
 #[derive(Clone, Copy, Debug)]

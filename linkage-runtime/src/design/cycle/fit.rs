@@ -16,7 +16,7 @@ use super::super::quasi_random::unit;
 use super::{AuxiliaryVariable, Candidate, Chosen, Conditions, CycleObjective, Piece, PieceKey};
 use crate::data::Parameter;
 use crate::dimensions::Dimensions;
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// The rows of [`Targets`](super::super::Targets), or of another [`Objective`], next to figures of
 /// the whole cycle: a path with a margin that is never below a limit, a pose with a low peak of

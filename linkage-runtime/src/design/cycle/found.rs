@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// A local optimum that holds all that must hold.
 #[derive(Clone, Debug, PartialEq)]

@@ -6,7 +6,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::{Candidate, Check, Chosen, Conditions, CycleObjective, Motion, Piece, Verdict};
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// The pieces that a figure is made of.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,7 +4,7 @@ use alloc::string::String;
 use core::fmt;
 
 use super::Refusals;
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// One sentence, without causes that refused no start.
 impl fmt::Display for Refusals {

@@ -6,7 +6,7 @@ use core::fmt;
 
 use super::Identified;
 use super::identified::pairs;
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// Correlations above this size are printed: the one parameter alone would be known more than twice
 /// as well.

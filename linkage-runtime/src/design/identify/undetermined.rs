@@ -11,7 +11,7 @@ use super::determined::Determined;
 use super::directions::candidates;
 use super::named::Named;
 use super::reading::ReadingRow;
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// A combination of parameters that the readings do not determine: it stays as near as can be to
 /// where the fit began.

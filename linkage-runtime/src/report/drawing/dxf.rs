@@ -8,9 +8,9 @@ use super::geometry::{along, hull};
 use super::options::Drawing;
 use super::pitch_circles::PitchCircles;
 use super::rows;
-use crate::format::rounded;
 use crate::report::error::ReportError;
 use crate::report::tags::{Layer, Tags};
+use linkage_core::format::rounded;
 use linkage_core::{GuideShape, PicturePart, PointKind};
 
 /// Shares of the mechanism's size, the diagonal of the box about all places of its points: the

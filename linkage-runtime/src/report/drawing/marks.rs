@@ -9,10 +9,10 @@ use super::rows;
 use super::scatter::{Scatter, ellipse};
 use super::sheet::Sheet;
 use super::vector::head;
-use crate::format::rounded;
 use crate::report::accuracy;
 use crate::report::colour::Colour;
 use crate::report::svg::{Element, Svg};
+use linkage_core::format::rounded;
 
 /// Distance of a dimension line from its link, and how far its end lines go on.
 const APART: f64 = 6.0;

@@ -4,7 +4,7 @@ use core::fmt;
 use std::string::String;
 
 use super::Mistake;
-use crate::format::printed;
+use linkage_core::format::printed;
 
 impl fmt::Display for Mistake {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -6,7 +6,7 @@ use std::vec::Vec;
 
 use super::super::svg::short;
 use super::builder::Plot;
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// Rows from the first to the last one in which some curve is not finite.
 pub(super) type Rows = (usize, usize);

@@ -5,7 +5,7 @@ use alloc::string::String;
 use core::fmt;
 
 use super::Budget;
-use crate::format::rounded;
+use linkage_core::format::rounded;
 
 /// A table for each component: quantity, value, standard uncertainty, distribution, degrees of
 /// freedom, sensitivity coefficient, contribution and share; then the combined uncertainty and the

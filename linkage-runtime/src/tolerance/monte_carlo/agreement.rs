@@ -5,8 +5,8 @@ use core::fmt;
 use super::Samples;
 use super::samples::Estimate;
 use crate::components::norm;
-use crate::format::rounded;
 use crate::tolerance::Effects;
+use linkage_core::format::rounded;
 
 /// One number of a study next to the result of the linear analysis.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,9 +6,9 @@ use core::{array, fmt};
 use rayon::slice::ParallelSliceMut;
 
 use super::rank::ranks;
-use crate::format::rounded;
 use crate::tolerance::Distribution;
 use crate::tolerance::distribution::normal;
+use linkage_core::format::rounded;
 
 /// The results of a study: `K` numbers for each mechanism.
 #[derive(Clone, Debug, PartialEq)]

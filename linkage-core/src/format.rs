@@ -3,7 +3,7 @@
 use core::fmt;
 
 /// Prints with a function, as `fmt::from_fn`, which the oldest supported Rust does not have.
-pub(crate) fn printed(print: impl Fn(&mut fmt::Formatter<'_>) -> fmt::Result) -> impl fmt::Display {
+pub fn printed(print: impl Fn(&mut fmt::Formatter<'_>) -> fmt::Result) -> impl fmt::Display {
     struct Printed<F>(F);
 
     impl<F: Fn(&mut fmt::Formatter<'_>) -> fmt::Result> fmt::Display for Printed<F> {
@@ -16,12 +16,12 @@ pub(crate) fn printed(print: impl Fn(&mut fmt::Formatter<'_>) -> fmt::Result) ->
 }
 
 /// Items with `separator` between them.
-pub(crate) fn join<'a>(items: &'a [&'a str], separator: &'a str) -> impl fmt::Display + 'a {
+pub fn join<'a>(items: &'a [&'a str], separator: &'a str) -> impl fmt::Display + 'a {
     printed(move |f| separated(f, items, separator))
 }
 
 /// Numbers with `separator` between them.
-pub(crate) fn numbers<'a>(items: &'a [usize], separator: &'a str) -> impl fmt::Display + 'a {
+pub fn numbers<'a>(items: &'a [usize], separator: &'a str) -> impl fmt::Display + 'a {
     printed(move |f| separated(f, items, separator))
 }
 
@@ -40,7 +40,7 @@ fn separated(
 /// A position, 0 if it differs from it by less than its accuracy, a share of the width of its
 /// range.
 #[cfg(feature = "alloc")]
-pub(crate) fn settled(x: f64, accuracy: f64, width: f64) -> f64 {
+pub fn settled(x: f64, accuracy: f64, width: f64) -> f64 {
     if x.abs() < accuracy * width.abs() {
         0.0
     } else {
@@ -49,7 +49,7 @@ pub(crate) fn settled(x: f64, accuracy: f64, width: f64) -> f64 {
 }
 
 /// A number rounded to six significant digits, printed as short as possible.
-pub(crate) fn rounded(x: f64) -> impl fmt::Display {
+pub fn rounded(x: f64) -> impl fmt::Display {
     printed(move |f| {
         let size = x.abs();
         if size == 0.0 {
