@@ -15,6 +15,8 @@
 mod check;
 mod contact;
 mod error;
+#[cfg(feature = "report")]
+mod files;
 mod follower;
 mod outline;
 mod plane;

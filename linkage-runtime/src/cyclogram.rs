@@ -11,6 +11,8 @@ mod accuracy;
 mod band;
 mod error;
 mod event;
+#[cfg(feature = "report")]
+pub(crate) mod files;
 mod lag;
 mod machine;
 mod member;

@@ -7,17 +7,12 @@
 //! scale.
 
 mod accuracy;
-mod atomic_file;
 mod builder;
-mod cam_profile;
 mod check;
-mod colour;
 mod compare;
 mod csv;
-mod cyclogram;
 mod downsample;
 mod drawing;
-mod error;
 mod figures;
 mod frame;
 mod glyphs;
@@ -26,35 +21,26 @@ mod joint_signs;
 mod json;
 mod machine;
 mod missing;
-mod mistake;
-mod output_file;
 mod outputs;
 mod page;
 mod palette;
 mod panels;
 mod plot;
 mod plots;
-#[cfg(feature = "png")]
-mod png;
 mod positioned_picture;
 mod rates;
 mod row;
 mod summary;
-mod svg;
 mod tables;
-mod tags;
-mod units;
 mod write;
 
 pub use accuracy::BandKind;
-#[doc(hidden)]
-pub use atomic_file::AtomicFile;
 pub use builder::Report;
 pub use compare::{Aim, Compared, Comparison};
-pub use csv::CsvStyle;
 pub use drawing::Drawing;
-pub use error::ReportError;
 pub use index::Index;
-pub use mistake::Mistake;
+#[doc(hidden)]
+pub use linkage_formats::AtomicFile;
+pub use linkage_formats::{CsvStyle, Mistake, ReportError};
 pub use plot::Plot;
 pub use row::SummaryRow;

@@ -6,10 +6,10 @@ use std::vec::Vec;
 
 use super::builder::Report;
 use super::tables::Saved;
-use super::units::numerator;
 use crate::data::Parameter;
 use crate::table::Column;
 use linkage_core::Meaning;
+use linkage_formats::units::numerator;
 
 /// The sum of errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

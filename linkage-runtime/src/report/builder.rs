@@ -4,7 +4,6 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::SummaryRow;
-use super::csv::CsvStyle;
 use super::figures::Figures;
 use super::tables::Saved;
 use crate::cyclogram::Cyclogram;
@@ -13,6 +12,7 @@ use crate::dimensions::Dimensions;
 use crate::javascript::Programs;
 use crate::structure::Structure;
 use crate::table::Table;
+use linkage_formats::CsvStyle;
 
 /// A report about a mechanism over its range.
 ///

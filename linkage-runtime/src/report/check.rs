@@ -3,13 +3,12 @@
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use super::Mistake;
 use super::builder::Report;
-use super::error::ReportError;
 use super::positioned_picture::{drawn_names, point_named};
 use super::tables::Saved;
 use super::{glyphs, machine, positioned_picture, rates, tables};
 use linkage_core::Meaning;
+use linkage_formats::{Mistake, ReportError};
 
 /// Returns all mistakes of a report as an error.
 pub(super) fn check(report: &Report) -> Result<(), ReportError> {

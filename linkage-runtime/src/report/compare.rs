@@ -12,10 +12,11 @@ use std::vec::Vec;
 
 use super::SummaryRow;
 use super::builder::Report;
-use super::colour::page_rules;
-use super::error::{ReportError, failed};
 use super::frame::Framed;
-use super::{output_file, summary};
+use super::summary;
+use linkage_formats::colour::page_rules;
+use linkage_formats::error::{ReportError, failed};
+use linkage_formats::output_file;
 
 const BODY: &str = include_str!("page/compare/page.html");
 /// Nothing comes from elsewhere.

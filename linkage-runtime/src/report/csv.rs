@@ -1,18 +1,14 @@
 //! Tables as CSV.
 
-mod style;
-
 use std::borrow::Cow;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use super::Mistake;
 use super::builder::Report;
-use super::error::ReportError;
 use super::tables::Saved;
-use super::units::titled;
 use super::{check, rates, tables};
-pub use style::CsvStyle;
+use linkage_formats::units::titled;
+use linkage_formats::{Mistake, ReportError};
 
 /// Returns the table of a function as CSV.
 pub(super) fn table_csv(report: &Report, function: &str) -> Result<String, ReportError> {

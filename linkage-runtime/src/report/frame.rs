@@ -2,6 +2,8 @@
 
 use std::string::String;
 
+use linkage_formats::characters::escaped;
+
 const FRAME: &str = include_str!("page/frame.html");
 
 /// The contents of a page.
@@ -53,12 +55,4 @@ fn enclosed(tag: &str, attributes: &str, content: &str) -> String {
 /// JSON that cannot end the element that it stands in.
 fn embedded(json: &str) -> String {
     json.replace('<', "\\u003c")
-}
-
-/// Text that is no markup.
-pub(super) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
 }

@@ -1,27 +1,13 @@
 //! Words that pictures and pages can show.
 
 use std::format;
-use std::string::{String, ToString};
+use std::string::String;
 use std::vec::Vec;
 
-use super::Mistake;
 use super::builder::Report;
 use super::summary;
-
-/// Returns the first character that neither XML nor HTML can show, such as a control character.
-/// Line ends and tabs are spaces there.
-pub(super) fn control(what: &str, words: &str) -> Option<Mistake> {
-    let is_shown = |c: char| matches!(c, '\t' | '\n' | '\r') || !c.is_control();
-    let is_character = |c: char| u32::from(c) & 0xFFFE != 0xFFFE;
-    let (at, character) = words
-        .char_indices()
-        .find(|&(_, c)| !is_shown(c) || !is_character(c))?;
-    Some(Mistake::Control {
-        what: what.to_string(),
-        before: words[..at].to_string(),
-        character,
-    })
-}
+use linkage_formats::Mistake;
+use linkage_formats::characters::control;
 
 pub(super) fn check_words(report: &Report, mistakes: &mut Vec<Mistake>) {
     let of = |what: &str, words: &str| control(what, words);

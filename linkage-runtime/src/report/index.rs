@@ -8,10 +8,10 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::builder::Report;
-use super::error::{ReportError, failed};
-use super::frame::escaped;
-use super::glyphs::control;
-use super::{output_file, positioned_picture};
+use super::positioned_picture;
+use linkage_formats::characters::{control, escaped};
+use linkage_formats::error::{ReportError, failed};
+use linkage_formats::output_file;
 
 const FRAME: &str = include_str!("page/index.html");
 

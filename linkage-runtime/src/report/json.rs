@@ -10,7 +10,6 @@ use std::vec::Vec;
 
 use super::accuracy::BandKind;
 use super::builder::Report;
-use super::error::ReportError;
 use super::palette::{Palette, Style};
 use super::positioned_picture::PositionedPicture;
 use super::rates::True;
@@ -22,6 +21,7 @@ use crate::data::Operations;
 use crate::structure::Structure;
 use crate::table::Column;
 use linkage_core::{GuideOn, GuideShape, Meaning, PointKind};
+use linkage_formats::ReportError;
 use series::Series;
 
 /// Returns the whole report as JSON.

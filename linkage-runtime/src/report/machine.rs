@@ -4,14 +4,13 @@ use serde_json::{Value, json};
 use std::string::ToString;
 use std::vec::Vec;
 
-use super::Mistake;
 use super::builder::Report;
-use super::colour::LINKS;
-use super::cyclogram::intervals;
-use super::error::ReportError;
 use super::positioned_picture::PositionedPicture;
 use super::{positioned_picture, tables};
+use crate::cyclogram::files::intervals;
 use crate::cyclogram::{Cyclogram, Member};
+use linkage_formats::colour::LINKS;
+use linkage_formats::{Mistake, ReportError};
 
 /// The unit of a shaft's angle.
 const ANGLE: &str = "rad";

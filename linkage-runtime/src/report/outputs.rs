@@ -6,9 +6,9 @@ use std::vec::Vec;
 
 use super::builder::Report;
 use super::drawing::Drawing;
-use super::error::ReportError;
 use super::plot::Plot;
 use super::{check, csv, json, page, plots, write};
+use linkage_formats::ReportError;
 
 impl Report {
     /// Checks that all parts fit together. Every output calls it first.

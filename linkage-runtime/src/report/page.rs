@@ -3,11 +3,11 @@
 use std::string::String;
 
 use super::builder::Report;
-use super::colour::page_rules;
-use super::error::ReportError;
 use super::frame::Framed;
 use super::{joint_signs, json, machine, positioned_picture};
 use crate::javascript::{OTHERS, engine, with_constants};
+use linkage_formats::ReportError;
+use linkage_formats::colour::page_rules;
 
 const BODY: &str = include_str!("page/page.html");
 const STYLES: [&str; 7] = [

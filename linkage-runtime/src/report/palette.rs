@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use std::vec::Vec;
 
 use super::builder::Report;
-use super::colour::{CURVES, Colour};
 use super::positioned_picture;
 use crate::table::Column;
 use linkage_core::{Meaning, PointKind};
+use linkage_formats::colour::{CURVES, Colour};
 
 /// Colours of quantities by their names; components of a vector have that of the vector.
 #[derive(Clone, Debug, Default)]

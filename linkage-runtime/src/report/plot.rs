@@ -10,6 +10,5 @@ mod output;
 mod panel;
 mod picture;
 mod stroke;
-pub(super) mod ticks;
 
 pub use builder::Plot;

@@ -7,17 +7,17 @@ use std::vec::Vec;
 
 use super::accuracy::Sensitive;
 use super::builder::Report;
-use super::error::ReportError;
 use super::panels::{TOGETHER, panels};
 use super::plot::Plot;
 use super::rates::True;
 use super::tables::Saved;
-use super::units::{per_second, titled};
 use super::{BandKind, Mistake};
 use super::{accuracy, check, palette, rates};
 use crate::table::Column;
 use linkage_core::Meaning;
 use linkage_core::format::rounded;
+use linkage_formats::ReportError;
+use linkage_formats::units::{per_second, titled};
 
 /// A column as it is asked for.
 struct FoundColumn<'a> {

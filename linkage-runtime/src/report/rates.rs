@@ -5,10 +5,10 @@ use std::vec::Vec;
 
 use super::builder::Report;
 use super::tables::Saved;
-use super::units::{numerator, per_second};
 use crate::motion::{true_acceleration, true_velocity};
 use crate::table::Column;
 use linkage_core::Meaning;
+use linkage_formats::units::{numerator, per_second};
 
 /// A derivative by time.
 pub(super) struct True {

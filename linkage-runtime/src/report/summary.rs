@@ -8,8 +8,8 @@ use std::vec::Vec;
 use super::SummaryRow;
 use super::builder::Report;
 use super::figures::Figures;
-use super::units::per_second;
 use crate::summary::{Curve, Dwell, Minimum};
+use linkage_formats::units::per_second;
 
 const NAMES: [[&str; 2]; 3] = [
     ["lowest", "highest"],

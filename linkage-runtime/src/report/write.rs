@@ -7,10 +7,11 @@ use std::vec::Vec;
 
 use super::AtomicFile;
 use super::builder::Report;
-use super::cyclogram::bars;
 use super::drawing::Drawing;
-use super::error::{ReportError, failed};
-use super::{csv, json, machine, output_file, page, plots, positioned_picture, tables};
+use super::{csv, json, machine, page, plots, positioned_picture, tables};
+use crate::cyclogram::files::bars;
+use linkage_formats::error::{ReportError, failed};
+use linkage_formats::output_file;
 
 /// Further positions in the drawing.
 const GHOSTS: usize = 8;

@@ -4,10 +4,9 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::{Compared, Comparison};
-use crate::report::Mistake;
-use crate::report::error::ReportError;
-use crate::report::glyphs::control;
 use crate::report::{check, plots};
+use linkage_formats::characters::control;
+use linkage_formats::{Mistake, ReportError};
 
 impl Comparison<'_> {
     pub(super) fn check(&self) -> Result<(), ReportError> {

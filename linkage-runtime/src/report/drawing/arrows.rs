@@ -8,10 +8,10 @@ use super::options::Drawing;
 use super::sheet::Sheet;
 use super::sizes::BLOCK;
 use super::vector::head;
-use crate::report::colour::Colour;
-use crate::report::svg::{Element, Svg};
 use linkage_core::DriveOn;
 use linkage_core::format::rounded;
+use linkage_formats::colour::Colour;
+use linkage_formats::svg::{Element, Svg};
 
 /// Radius of the arrow about a driven pivot, and where on its circle it begins and ends, seen from
 /// the link.

@@ -7,10 +7,10 @@ use std::vec::Vec;
 use super::options::Drawing;
 use super::sheet::Sheet;
 use super::vector::head;
-use crate::report::colour::Colour;
 use crate::report::positioned_picture::told_of_missing;
-use crate::report::svg::{Element, Svg};
 use linkage_core::format::rounded;
+use linkage_formats::colour::Colour;
+use linkage_formats::svg::{Element, Svg};
 
 /// Length of the signs of axes; one that is seen shorter than this share has no head.
 pub(super) const SIGN: f64 = 7.0;

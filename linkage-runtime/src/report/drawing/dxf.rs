@@ -8,10 +8,10 @@ use super::geometry::{along, hull};
 use super::options::Drawing;
 use super::pitch_circles::PitchCircles;
 use super::rows;
-use crate::report::error::ReportError;
-use crate::report::tags::{Layer, Tags};
 use linkage_core::format::rounded;
 use linkage_core::{GuideShape, PicturePart, PointKind};
+use linkage_formats::ReportError;
+use linkage_formats::tags::{Layer, Tags};
 
 /// Shares of the mechanism's size, the diagonal of the box about all places of its points: the
 /// radius of joints, half the length of axes, the height of letters.

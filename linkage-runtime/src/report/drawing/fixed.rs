@@ -4,9 +4,9 @@ use super::geometry::moved;
 use super::options::Drawing;
 use super::sheet::Sheet;
 use super::sizes::{BEYOND, BLOCK, FOOT};
-use crate::report::colour::Colour;
-use crate::report::svg::{Element, Svg};
 use linkage_core::{Axis, Guide, GuideOn, PointKind};
+use linkage_formats::colour::Colour;
+use linkage_formats::svg::{Element, Svg};
 
 /// Distance and length of hatching.
 const HATCH: [f64; 2] = [1.5, 2.0];

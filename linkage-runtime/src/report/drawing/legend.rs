@@ -5,8 +5,8 @@ use super::legend_layout::{APART, LINE, SWATCH, entries};
 use super::options::Drawing;
 use super::sheet::Sheet;
 use super::sizes::{LETTER_SIZE, OUTLINE};
-use crate::report::colour::Colour;
-use crate::report::svg::{Element, Svg};
+use linkage_formats::colour::Colour;
+use linkage_formats::svg::{Element, Svg};
 
 pub(super) fn legend(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>) {
     for entry in entries(drawing, sheet.size[0]) {

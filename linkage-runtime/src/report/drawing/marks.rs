@@ -10,9 +10,9 @@ use super::scatter::{Scatter, ellipse};
 use super::sheet::Sheet;
 use super::vector::head;
 use crate::report::accuracy;
-use crate::report::colour::Colour;
-use crate::report::svg::{Element, Svg};
 use linkage_core::format::rounded;
+use linkage_formats::colour::Colour;
+use linkage_formats::svg::{Element, Svg};
 
 /// Distance of a dimension line from its link, and how far its end lines go on.
 const APART: f64 = 6.0;

@@ -5,10 +5,9 @@ use std::vec::Vec;
 
 use super::options::Drawing;
 use super::picture;
-use crate::report::Mistake;
-use crate::report::error::ReportError;
 use crate::report::missing;
-use crate::report::svg::Svg;
+use linkage_formats::svg::Svg;
+use linkage_formats::{Mistake, ReportError};
 
 /// A cycle has about so many positions; between them all points move straight. Half way a link that
 /// turns once is shorter by a thousandth of its length (the cosine of 3 degrees), one that turns

@@ -10,9 +10,9 @@ use super::room::{Area, Taken};
 use super::sheet::Sheet;
 use super::sizes::{JOINT, LETTER_SIZE, LETTER_WIDTH};
 use super::{caption, cover, legend_layout};
-use crate::report::colour::Colour;
-use crate::report::svg::{Element, Svg};
 use linkage_core::PointKind;
+use linkage_formats::colour::Colour;
+use linkage_formats::svg::{Element, Svg};
 
 /// Distance between a name and other shapes, and between a joint and its name.
 const CLEAR: f64 = 0.5;

@@ -7,14 +7,13 @@ use std::vec::Vec;
 use super::scatter::COMPONENTS;
 use super::vector::Vector;
 use super::view::View;
-use crate::report::Mistake;
 use crate::report::builder::Report;
-use crate::report::error::ReportError;
 use crate::report::palette::Palette;
 use crate::report::positioned_picture::{PositionedPicture, drawn_names, point_named};
 use crate::report::tables::Saved;
 use crate::report::{check, palette, positioned_picture, tables};
 use linkage_core::Meaning;
+use linkage_formats::{Mistake, ReportError};
 
 /// A drawing of a mechanism at one position, to scale, as a picture: links as bars, links of three
 /// and more points as plates, pivots and guides of the frame hatched, sliders, cylinders, gears as

@@ -5,8 +5,7 @@ use std::string::String;
 
 use super::options::Drawing;
 use super::{dxf, moving, picture, rows};
-use crate::report::error::ReportError;
-use crate::report::output_file;
+use linkage_formats::{ReportError, output_file};
 
 impl Drawing<'_> {
     /// The drawing as SVG; its unit is a millimetre on paper.

@@ -7,9 +7,9 @@ use super::options::Drawing;
 use super::sheet::Sheet;
 use super::signs;
 use super::sizes::{BEYOND, BLOCK, JOINT, OUTLINE};
-use crate::report::colour::Colour;
-use crate::report::svg::{Element, Svg};
 use linkage_core::{GuideOn, GuideShape, PointKind};
+use linkage_formats::colour::Colour;
+use linkage_formats::svg::{Element, Svg};
 
 /// Width of a bar, and of a link's rail.
 const BAR: f64 = 2.4;

@@ -3,7 +3,7 @@
 use super::options::Drawing;
 use super::sheet::Sheet;
 use super::{arrows, caption, fixed, legend, marks, names, parts, rows, signs, wheels};
-use crate::report::svg::{Element, Svg};
+use linkage_formats::svg::{Element, Svg};
 
 /// The drawing at a row; plates have the corners that they have at the row `form`.
 pub(super) fn picture_at(drawing: &Drawing<'_>, row: usize, form: usize) -> Svg {

@@ -5,9 +5,8 @@ use std::vec::Vec;
 
 use super::options::Drawing;
 use super::scatter::Scatter;
-use crate::report::Mistake;
-use crate::report::error::ReportError;
 use crate::report::{accuracy, missing};
+use linkage_formats::{Mistake, ReportError};
 
 /// The row of the position that is shown, if nothing was asked for that is not there.
 pub(super) fn possible_row(drawing: &Drawing<'_>) -> Result<usize, ReportError> {

@@ -7,10 +7,10 @@ use super::options::Drawing;
 use super::room::Taken;
 use super::sheet::Sheet;
 use super::{fixed, wheels};
-use crate::report::colour::Colour;
 use crate::report::joint_signs::{Bar, Directions, sign};
-use crate::report::svg::{Element, Svg};
 use linkage_core::{Guide, GuideShape};
+use linkage_formats::colour::Colour;
+use linkage_formats::svg::{Element, Svg};
 
 /// Half the length and half the height of a hinge's sleeve, and of one that slides, too.
 const SLEEVE: [f64; 2] = [2.6, 1.2];

@@ -4,8 +4,8 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::geometry::moved;
-use crate::report::colour::Colour;
-use crate::report::svg::{Element, Svg};
+use linkage_formats::colour::Colour;
+use linkage_formats::svg::{Element, Svg};
 
 /// Length and half the width of an arrow's head.
 const HEAD: [f64; 2] = [2.4, 0.9];

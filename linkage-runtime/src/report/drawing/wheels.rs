@@ -8,9 +8,9 @@ use super::geometry::moved;
 use super::options::Drawing;
 use super::pitch_circles::PitchCircles;
 use super::sheet::Sheet;
-use crate::report::colour::Colour;
-use crate::report::svg::{Element, Svg};
 use linkage_core::format::rounded;
+use linkage_formats::colour::Colour;
+use linkage_formats::svg::{Element, Svg};
 
 /// Distance from the contact of wheels to the middle of their ratio, which is in the larger one.
 const ASIDE: f64 = 8.5;

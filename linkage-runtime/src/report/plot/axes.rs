@@ -5,7 +5,7 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::curve::Quantity;
-use super::ticks::Scale;
+use linkage_formats::ticks::Scale;
 
 /// Scale and title of an axis.
 pub(super) struct Axis {

@@ -5,8 +5,8 @@ use std::vec::Vec;
 
 use super::curve::{Band, Curve, Quantity, shown};
 use crate::report::accuracy::BandKind;
-use crate::report::mistake::Mistake;
 use crate::report::palette::Style;
+use linkage_formats::Mistake;
 
 /// Curves over a common abscissa, as a picture.
 ///

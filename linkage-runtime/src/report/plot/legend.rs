@@ -2,11 +2,11 @@
 
 use std::string::String;
 
-use super::super::colour::Colour;
 use super::super::palette::Style;
-use super::super::svg::{Element, Svg};
 use super::stroke::{dashed, shade};
 use crate::report::BandKind;
+use linkage_formats::colour::Colour;
+use linkage_formats::svg::{Element, Svg};
 
 const LINE: f64 = 19.0;
 const SAMPLE: f64 = 30.0;

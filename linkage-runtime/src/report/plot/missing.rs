@@ -4,9 +4,9 @@ use std::format;
 use std::string::String;
 use std::vec::Vec;
 
-use super::super::svg::short;
 use super::builder::Plot;
 use linkage_core::format::rounded;
+use linkage_formats::svg::short;
 
 /// Rows from the first to the last one in which some curve is not finite.
 pub(super) type Rows = (usize, usize);

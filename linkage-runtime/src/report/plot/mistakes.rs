@@ -3,8 +3,8 @@
 use std::vec::Vec;
 
 use super::builder::Plot;
-use crate::report::Mistake;
-use crate::report::glyphs::control;
+use linkage_formats::Mistake;
+use linkage_formats::characters::control;
 
 /// Returns the mistakes that were found when items were added, and those of the whole plot.
 pub(super) fn all_mistakes(plot: &Plot) -> Vec<Mistake> {

@@ -5,8 +5,7 @@ use std::string::String;
 
 use super::builder::Plot;
 use super::{mistakes, picture};
-use crate::report::error::ReportError;
-use crate::report::output_file;
+use linkage_formats::{ReportError, output_file};
 
 impl Plot {
     /// The plot as SVG.

@@ -2,13 +2,13 @@
 
 use std::vec::Vec;
 
-use super::super::colour::Colour;
-use super::super::svg::{Element, Svg};
 use super::axes::Axis;
 use super::curve::{Band, Curve};
 use super::legend::Entry;
 use super::missing::{Rows, hatching, pieces};
 use super::stroke::{dashed, shade};
+use linkage_formats::colour::Colour;
+use linkage_formats::svg::{Element, Svg};
 
 /// Left end of panels: the place for numbers and title.
 pub(super) const LEFT: f64 = 86.0;
@@ -219,7 +219,7 @@ impl Places<'_> {
 
         let title = |at: [f64; 2]| Element::text(at, 13.0).anchor("middle").fill(Colour::Ink);
         let middle = 0.5 * (top + bottom);
-        let turned = std::format!("rotate(-90 18 {})", super::super::svg::short(middle));
+        let turned = std::format!("rotate(-90 18 {})", linkage_formats::svg::short(middle));
         let upright = title([18.0, middle]).class("axis").set("transform", turned);
         svg.words(upright, &self.y.title);
         if last {

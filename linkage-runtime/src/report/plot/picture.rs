@@ -8,8 +8,8 @@ use super::builder::Plot;
 use super::legend::Entry;
 use super::panel::{Frame, Panel};
 use super::{legend, missing, panel};
-use crate::report::colour::Colour;
-use crate::report::svg::{Element, Svg};
+use linkage_formats::colour::Colour;
+use linkage_formats::svg::{Element, Svg};
 
 /// The least width of a panel.
 const NARROWEST: f64 = 160.0;

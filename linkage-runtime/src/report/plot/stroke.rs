@@ -2,7 +2,7 @@
 
 use crate::report::accuracy::BandKind;
 use crate::report::palette::Style;
-use crate::report::svg::Element;
+use linkage_formats::svg::Element;
 
 /// The line of a curve.
 pub(super) fn dashed(line: Element, style: Style) -> Element {

@@ -3,8 +3,7 @@
 use std::string::{String, ToString};
 
 use crate::cyclogram::{Member, Motion};
-use crate::report::csv::CsvStyle;
-use crate::report::error::ReportError;
+use linkage_formats::{CsvStyle, ReportError};
 
 pub(super) const fn word(motion: Motion) -> &'static str {
     match motion {

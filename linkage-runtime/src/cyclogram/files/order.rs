@@ -6,9 +6,8 @@ use std::vec::Vec;
 
 use super::text::checked;
 use crate::cyclogram::{Cyclogram, Member, Moment};
-use crate::report::csv::CsvStyle;
-use crate::report::error::ReportError;
-use crate::report::units::titled;
+use linkage_formats::units::titled;
+use linkage_formats::{CsvStyle, ReportError};
 
 /// Returns the events of all members in their order as CSV.
 pub(super) fn order_csv(cyclogram: &Cyclogram, style: &CsvStyle) -> Result<String, ReportError> {

@@ -9,7 +9,7 @@ use std::string::String;
 
 /// The purpose of a colour. Its value follows from the scheme of the reader.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Colour {
+pub enum Colour {
     /// The ground.
     Paper,
     /// Outlines and words.
@@ -31,7 +31,7 @@ pub(super) enum Colour {
 }
 
 /// Colours of curves; they begin again after the last one.
-pub(super) const CURVES: usize = 7;
+pub const CURVES: usize = 7;
 
 /// Light and dark: the palette of Okabe and Ito without its yellow, lighter on dark ground.
 const CURVE_COLOURS: [(&str, &str); CURVES] = [
@@ -45,7 +45,7 @@ const CURVE_COLOURS: [(&str, &str); CURVES] = [
 ];
 
 /// Colours of links that are listed; behind them, one is made for each.
-pub(super) const LINKS: usize = 6;
+pub const LINKS: usize = 6;
 
 const LINK_COLOURS: [(&str, &str); LINKS] = [
     ("#c5dcee", "#2d4f6b"),
@@ -67,7 +67,7 @@ impl Colour {
     ];
 
     /// Lines about a thing with this of the colours of links.
-    pub(super) const fn line_of(link: usize) -> Self {
+    pub const fn line_of(link: usize) -> Self {
         match link {
             0..LINKS => Self::Curve(link),
             _ => Self::Rim(link),
@@ -75,13 +75,13 @@ impl Colour {
     }
 
     /// On light ground.
-    pub(super) fn light(self) -> Cow<'static, str> {
+    pub fn light(self) -> Cow<'static, str> {
         self.pair().0
     }
 
     /// True for a colour outside the lists: only drawings that use it define its value on dark
     /// ground.
-    pub(super) const fn is_made(self) -> bool {
+    pub const fn is_made(self) -> bool {
         match self {
             Self::Link(index) => index >= LINKS,
             Self::Rim(_) => true,
@@ -106,7 +106,7 @@ impl Colour {
     }
 
     /// The word for it in classes.
-    pub(super) fn word(self) -> String {
+    pub fn word(self) -> String {
         match self {
             Self::Paper => String::from("paper"),
             Self::Ink => String::from("ink"),
@@ -123,7 +123,7 @@ impl Colour {
 
 /// The colours of curves as variables of the page, which is light or dark as its reader has chosen,
 /// and those of so many links behind the listed ones.
-pub(super) fn page_rules(links: usize) -> String {
+pub fn page_rules(links: usize) -> String {
     let rules = CURVE_COLOURS
         .iter()
         .enumerate()
@@ -138,7 +138,7 @@ pub(super) fn page_rules(links: usize) -> String {
 /// Rules that change the colours for readers who prefer a dark ground. Attributes have the light
 /// ones, so that programs that know no rules show these. Made colours have rules where they are
 /// used.
-pub(super) fn dark_rules(made: BTreeSet<Colour>) -> String {
+pub fn dark_rules(made: BTreeSet<Colour>) -> String {
     let curves = (0..CURVES).map(Colour::Curve);
     let links = (0..LINKS).map(Colour::Link);
     let colours = Colour::NAMED.into_iter().chain(curves).chain(links);

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::format;
 use std::string::{String, ToString};
 
-use crate::report::Mistake;
+use crate::mistake::Mistake;
 
 /// The format of tables as CSV: separator, decimal mark, number of digits, angles in radians or
 /// degrees.
@@ -13,7 +13,7 @@ use crate::report::Mistake;
 /// radians.
 ///
 /// ```
-/// use linkage_runtime::report::CsvStyle;
+/// use linkage_formats::CsvStyle;
 ///
 /// // For a spreadsheet that writes commas.
 /// let style = CsvStyle::default().separator(";").decimal(',').digits(6).degrees(true);
@@ -125,7 +125,9 @@ impl CsvStyle {
     }
 
     /// Returns the unit in which numbers of a unit are shown, and the conversion.
-    pub(in crate::report) fn shown<'a>(&self, unit: &'a str) -> (&'a str, fn(f64) -> f64) {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn shown<'a>(&self, unit: &'a str) -> (&'a str, fn(f64) -> f64) {
         match unit {
             "rad" if self.degrees => ("deg", f64::to_degrees),
             unit => (unit, |x| x),

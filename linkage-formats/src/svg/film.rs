@@ -5,6 +5,7 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::{Element, Mark, Svg};
+use crate::characters::escaped;
 
 /// Numbers that move are rounded to so many parts of a unit, a hundredth of a millimetre on paper:
 /// every position is written out, and finer steps are not seen.
@@ -14,7 +15,7 @@ impl Svg {
     /// The first of these drawings, in which all that differs runs through the others, back to the
     /// first, and again, in so many seconds. `None` if they do not consist of the same things, or
     /// differ in more than numbers.
-    pub(in crate::report) fn film(frames: Vec<Self>, seconds: f64) -> Option<String> {
+    pub fn film(frames: Vec<Self>, seconds: f64) -> Option<String> {
         let first = frames.first()?;
         if frames
             .iter()
@@ -61,7 +62,7 @@ impl Mark {
             Self::Begin(element) => format!("{}>{moves}\n", element.start()),
             Self::End(tag) => format!("</{tag}>\n"),
             Self::Words(element, words) => {
-                let words = super::escaped(words);
+                let words = escaped(words);
                 format!("{}>{words}{moves}</{}>\n", element.start(), element.tag)
             }
         }

@@ -1,7 +1,7 @@
 //! Cyclograms as files: CSV, JSON, and the diagram of bars.
 
-pub(super) mod bars;
-pub(super) mod intervals;
+pub(crate) mod bars;
+pub(crate) mod intervals;
 mod order;
 mod overlaps;
 mod text;
@@ -10,11 +10,9 @@ use std::path::{Path, PathBuf};
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use super::CsvStyle;
-use super::error::ReportError;
-use super::glyphs::control;
-use super::output_file;
 use crate::cyclogram::{Cyclogram, Member};
+use linkage_formats::characters::control;
+use linkage_formats::{CsvStyle, ReportError, output_file};
 
 impl Cyclogram {
     /// Returns the intervals of all organs as CSV, organ by organ: the motion, the band, the angles

@@ -3,8 +3,8 @@
 use std::format;
 use std::string::String;
 
-use super::tags::{Layer, Tags};
 use crate::cam::Outline;
+use linkage_formats::tags::{Layer, Tags};
 
 /// Around the profile, and the width of its line, in shares of its size.
 const MARGIN: f64 = 0.05;

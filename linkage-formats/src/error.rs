@@ -6,7 +6,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::vec::Vec;
 
-use super::Mistake;
+use crate::mistake::Mistake;
 
 /// Why a report cannot be written.
 #[derive(Debug)]
@@ -85,7 +85,7 @@ impl From<Mistake> for ReportError {
 }
 
 /// Converts an error of the system for a file or folder.
-pub(super) fn failed(path: &Path) -> impl Fn(io::Error) -> ReportError {
+pub fn failed(path: &Path) -> impl Fn(io::Error) -> ReportError {
     let path = path.to_path_buf();
     move |error| ReportError::File {
         path: path.clone(),

@@ -5,9 +5,9 @@ use std::string::String;
 
 use super::text::word;
 use crate::cyclogram::{Cyclogram, Member, Motion};
-use crate::report::colour::Colour;
-use crate::report::plot::ticks::Scale;
-use crate::report::svg::{Element, Svg};
+use linkage_formats::colour::Colour;
+use linkage_formats::svg::{Element, Svg};
+use linkage_formats::ticks::Scale;
 
 const WIDTH: f64 = 960.0;
 const TOP: f64 = 18.0;
@@ -34,7 +34,7 @@ impl Places {
     }
 }
 
-pub(in crate::report) fn drawn(cyclogram: &Cyclogram, hues: &[usize]) -> String {
+pub(crate) fn drawn(cyclogram: &Cyclogram, hues: &[usize]) -> String {
     let organs = cyclogram.members();
     let (low, high) = cyclogram.range();
     let names = organs.iter().map(|organ| organ.name().chars().count());

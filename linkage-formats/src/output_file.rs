@@ -4,15 +4,15 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::vec::Vec;
 
-use super::atomic_file::AtomicFile;
-use super::error::{ReportError, failed};
+use crate::atomic_file::AtomicFile;
+use crate::error::{ReportError, failed};
 
 /// Writes a picture by the ending of its name.
-pub(super) fn picture(path: &Path, svg: &str) -> Result<PathBuf, ReportError> {
+pub fn picture(path: &Path, svg: &str) -> Result<PathBuf, ReportError> {
     let content = match path.extension().and_then(|ending| ending.to_str()) {
         Some("svg") => Vec::from(svg),
         #[cfg(feature = "png")]
-        Some("png") => super::png::rendered(svg)?,
+        Some("png") => crate::png::rendered(svg)?,
         _ => {
             return Err(ReportError::Ending {
                 path: path.to_path_buf(),
@@ -23,14 +23,14 @@ pub(super) fn picture(path: &Path, svg: &str) -> Result<PathBuf, ReportError> {
 }
 
 /// Writes a file.
-pub(super) fn file(path: &Path, content: impl AsRef<[u8]>) -> Result<PathBuf, ReportError> {
+pub fn file(path: &Path, content: impl AsRef<[u8]>) -> Result<PathBuf, ReportError> {
     let whole = complete(path, content)?;
     whole.put().map_err(failed(path))?;
     Ok(path.to_path_buf())
 }
 
 /// A file with its content, not yet in its place.
-pub(super) fn complete(path: &Path, content: impl AsRef<[u8]>) -> Result<AtomicFile, ReportError> {
+pub fn complete(path: &Path, content: impl AsRef<[u8]>) -> Result<AtomicFile, ReportError> {
     let mut whole = AtomicFile::new(path).map_err(failed(path))?;
     let written = whole.write_all(content.as_ref());
     written.map_err(failed(path))?;

@@ -5,7 +5,7 @@ use std::format;
 use std::string::String;
 
 /// The unit of a quantity whose derivative by something in `per` has the unit `unit`.
-pub(super) fn numerator<'a>(unit: &'a str, per: &'a str) -> Cow<'a, str> {
+pub fn numerator<'a>(unit: &'a str, per: &'a str) -> Cow<'a, str> {
     match unit.strip_suffix(per).and_then(|u| u.strip_suffix('/')) {
         Some("1") => Cow::Borrowed(""),
         Some(rest) => Cow::Borrowed(rest),
@@ -16,7 +16,7 @@ pub(super) fn numerator<'a>(unit: &'a str, per: &'a str) -> Cow<'a, str> {
 }
 
 /// The unit of a quantity's derivative by time.
-pub(super) fn per_second(unit: &str, order: u32) -> String {
+pub fn per_second(unit: &str, order: u32) -> String {
     let unit = if unit.is_empty() { "1" } else { unit };
     match order {
         1 => format!("{unit}/s"),
@@ -25,7 +25,7 @@ pub(super) fn per_second(unit: &str, order: u32) -> String {
 }
 
 /// `name [unit]`, or the name alone for a number.
-pub(super) fn titled(name: &str, unit: &str) -> String {
+pub fn titled(name: &str, unit: &str) -> String {
     match unit {
         "" => String::from(name),
         _ => format!("{name} [{unit}]"),

@@ -61,7 +61,7 @@ impl AtomicFile {
 
     /// Closes it. It gives its lock back, which keeps it from sweeps where processes cannot be
     /// looked up.
-    pub(super) fn close(&mut self) {
+    pub fn close(&mut self) {
         self.file = None;
     }
 

@@ -10,7 +10,7 @@ use std::string::String;
 
 /// The layer of an entity.
 #[derive(Clone, Copy)]
-pub(super) enum Layer {
+pub enum Layer {
     Links,
     Joints,
     Paths,
@@ -31,7 +31,7 @@ const NEXT_HUE: usize = 7;
 
 impl Layer {
     /// Those of a mechanism.
-    pub(super) const OF_MECHANISMS: &'static [Self] = &[
+    pub const OF_MECHANISMS: &'static [Self] = &[
         Self::Links,
         Self::Joints,
         Self::Paths,
@@ -64,13 +64,13 @@ impl Layer {
 }
 
 /// A file that is being written.
-pub(super) struct Tags {
+pub struct Tags {
     text: String,
 }
 
 impl Tags {
     /// Everything before the entities. Points are seen as dots in circles of this radius.
-    pub(super) fn new(layers: &[Layer], [low, high]: [[f64; 3]; 2], radius: f64) -> Self {
+    pub fn new(layers: &[Layer], [low, high]: [[f64; 3]; 2], radius: f64) -> Self {
         let mut tags = Self {
             text: String::new(),
         };
@@ -95,27 +95,27 @@ impl Tags {
         tags
     }
 
-    pub(super) fn finish(mut self) -> String {
+    pub fn finish(mut self) -> String {
         self.put(0, "ENDSEC").put(0, "EOF");
         self.text
     }
 
-    pub(super) fn point(&mut self, layer: Layer, at: [f64; 3]) {
+    pub fn point(&mut self, layer: Layer, at: [f64; 3]) {
         self.entity("POINT", layer).coordinates(0, at);
     }
 
-    pub(super) fn line(&mut self, layer: Layer, from: [f64; 3], to: [f64; 3]) {
+    pub fn line(&mut self, layer: Layer, from: [f64; 3], to: [f64; 3]) {
         self.entity("LINE", layer)
             .coordinates(0, from)
             .coordinates(1, to);
     }
 
-    pub(super) fn circle(&mut self, layer: Layer, centre: [f64; 3], radius: f64) {
+    pub fn circle(&mut self, layer: Layer, centre: [f64; 3], radius: f64) {
         self.entity("CIRCLE", layer).coordinates(0, centre);
         self.number(40, radius);
     }
 
-    pub(super) fn polyline(
+    pub fn polyline(
         &mut self,
         layer: Layer,
         closed: bool,
@@ -132,7 +132,7 @@ impl Tags {
         self.entity("SEQEND", layer);
     }
 
-    pub(super) fn text(&mut self, layer: Layer, at: [f64; 3], height: f64, words: &str) {
+    pub fn text(&mut self, layer: Layer, at: [f64; 3], height: f64, words: &str) {
         self.entity("TEXT", layer).coordinates(0, at);
         self.number(40, height).put(1, ascii(words));
     }

@@ -7,9 +7,8 @@ use std::vec::Vec;
 use super::text::{band, checked, index, word};
 use super::{order, overlaps};
 use crate::cyclogram::{Band, Cyclogram, Member};
-use crate::report::csv::CsvStyle;
-use crate::report::error::ReportError;
-use crate::report::units::titled;
+use linkage_formats::units::titled;
+use linkage_formats::{CsvStyle, ReportError};
 
 /// Returns the intervals of all members as CSV.
 pub(super) fn intervals_csv(
@@ -39,7 +38,7 @@ pub(super) fn intervals_csv(
 }
 
 /// Returns the whole cyclogram as JSON.
-pub(in crate::report) fn value(cyclogram: &Cyclogram) -> Value {
+pub(crate) fn value(cyclogram: &Cyclogram) -> Value {
     json!({
         "from": cyclogram.range.0,
         "to": cyclogram.range.1,

@@ -7,7 +7,7 @@ use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::fontdb::Database;
 use resvg::usvg::{Options, Tree};
 
-use super::error::ReportError;
+use crate::error::ReportError;
 
 /// Pixels for one of the 96 in an inch that SVG counts with.
 const DENSITY: f32 = 2.0;
@@ -23,7 +23,7 @@ const FAMILIES: [&str; 6] = [
 ];
 
 /// The picture as a PNG file on light ground, 192 dots to the inch.
-pub(super) fn rendered(svg: &str) -> Result<Vec<u8>, ReportError> {
+pub(crate) fn rendered(svg: &str) -> Result<Vec<u8>, ReportError> {
     let mut options = Options::default();
     choose_fonts(options.fontdb_mut())?;
     let failed = |message: String| ReportError::Pixels { message };

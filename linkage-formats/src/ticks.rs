@@ -6,13 +6,13 @@ use std::vec::Vec;
 
 /// The stretch of numbers that an axis shows, with the ticks in it.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::report) struct Scale {
-    pub(in crate::report) low: f64,
-    pub(in crate::report) high: f64,
-    pub(in crate::report) ticks: Vec<f64>,
+pub struct Scale {
+    pub low: f64,
+    pub high: f64,
+    pub ticks: Vec<f64>,
     decimals: usize,
     /// Labels are in units of ten to this power.
-    pub(in crate::report) exponent: i32,
+    pub exponent: i32,
 }
 
 /// Steps between ticks of angles, in degrees.
@@ -37,12 +37,12 @@ const ENOUGH: f64 = 1e-9;
 
 impl Scale {
     /// About `count` ticks in just these limits.
-    pub(in crate::report) fn within(low: f64, high: f64, count: usize) -> Self {
+    pub fn within(low: f64, high: f64, count: usize) -> Self {
         Self::stepped(low, high, round_step((high - low) / count as f64))
     }
 
     /// Returns a scale as [`within`](Self::within), with steps that divide a turn.
-    pub(in crate::report) fn degrees(low: f64, high: f64, count: usize) -> Self {
+    pub fn degrees(low: f64, high: f64, count: usize) -> Self {
         let least = (high - low) / count as f64;
         let step = DEGREES.into_iter().find(|step| *step >= least);
         match step {
@@ -52,14 +52,14 @@ impl Scale {
     }
 
     /// Limits with some air about these numbers, which may be equal.
-    pub(in crate::report) fn about(low: f64, high: f64, count: usize) -> Self {
+    pub fn about(low: f64, high: f64, count: usize) -> Self {
         let (low, high) = with_air(low, high);
         Self::within(low, high, count)
     }
 
     /// Returns a scale as [`about`](Self::about), with steps that divide a turn if the range is
     /// much of one.
-    pub(in crate::report) fn about_degrees(low: f64, high: f64, count: usize) -> Self {
+    pub fn about_degrees(low: f64, high: f64, count: usize) -> Self {
         let (low, high) = with_air(low, high);
         match high - low > 120.0 {
             true => Self::degrees(low, high, count),
@@ -87,7 +87,7 @@ impl Scale {
     }
 
     /// A tick's number as it stands at the axis.
-    pub(in crate::report) fn label(&self, tick: f64) -> String {
+    pub fn label(&self, tick: f64) -> String {
         let number = tick / 10f64.powi(self.exponent);
         let decimals = self.decimals;
         let digits = format!("{:.decimals$}", number.abs());
@@ -99,7 +99,7 @@ impl Scale {
     }
 
     /// Returns the position of a number between the ends, 0 to 1.
-    pub(in crate::report) fn part(&self, x: f64) -> f64 {
+    pub fn part(&self, x: f64) -> f64 {
         (x - self.low) / (self.high - self.low)
     }
 }

@@ -7,14 +7,14 @@ use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use super::colour::{Colour, dark_rules};
-use super::frame::escaped;
+use crate::characters::escaped;
+use crate::colour::{Colour, dark_rules};
 
 /// The typeface of text: the default of the reader's system.
 const FONTS: &str = "system-ui, 'Segoe UI', Roboto, Helvetica, Arial, 'DejaVu Sans', sans-serif";
 
 /// A drawing that is being written.
-pub(super) struct Svg {
+pub struct Svg {
     /// The colours of the style.
     head: String,
     marks: Vec<Mark>,
@@ -30,7 +30,7 @@ enum Mark {
 }
 
 /// A shape with its attributes.
-pub(super) struct Element {
+pub struct Element {
     tag: &'static str,
     attributes: Vec<(String, String)>,
     classes: Vec<String>,
@@ -41,7 +41,7 @@ pub(super) struct Element {
 impl Svg {
     /// A drawing of this size; a unit is a pixel or, in `mm`, a millimetre on paper. The title is
     /// read to those who do not see it.
-    pub(super) fn new(width: f64, height: f64, unit: &str, title: &str) -> Self {
+    pub fn new(width: f64, height: f64, unit: &str, title: &str) -> Self {
         let (w, h) = (short(width), short(height));
         let head = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}{unit}\" height=\"{h}{unit}\" viewBox=\"0 0 {w} {h}\" role=\"img\" font-family=\"{FONTS}\">\n\
@@ -61,12 +61,12 @@ impl Svg {
         svg
     }
 
-    pub(super) fn add(&mut self, element: Element) {
+    pub fn add(&mut self, element: Element) {
         self.marks.push(Mark::Alone(element));
     }
 
     /// An element with others in it.
-    pub(super) fn group(&mut self, element: Element, content: impl FnOnce(&mut Self)) {
+    pub fn group(&mut self, element: Element, content: impl FnOnce(&mut Self)) {
         let tag = element.tag;
         self.marks.push(Mark::Begin(element));
         content(self);
@@ -74,7 +74,7 @@ impl Svg {
     }
 
     /// A line of words.
-    pub(super) fn words(&mut self, element: Element, words: &str) {
+    pub fn words(&mut self, element: Element, words: &str) {
         self.marks.push(Mark::Words(element, words.to_string()));
     }
 
@@ -92,7 +92,7 @@ impl Svg {
         )
     }
 
-    pub(super) fn finish(self) -> String {
+    pub fn finish(self) -> String {
         let marks = self.marks.iter().map(|mark| match mark {
             Mark::Alone(element) => format!("{}/>\n", element.start()),
             Mark::Begin(element) => format!("{}>\n", element.start()),
@@ -107,7 +107,7 @@ impl Svg {
 }
 
 impl Element {
-    pub(super) fn new(tag: &'static str) -> Self {
+    pub fn new(tag: &'static str) -> Self {
         Self {
             tag,
             attributes: Vec::new(),
@@ -116,7 +116,7 @@ impl Element {
         }
     }
 
-    pub(super) fn line(from: [f64; 2], to: [f64; 2]) -> Self {
+    pub fn line(from: [f64; 2], to: [f64; 2]) -> Self {
         Self::new("line")
             .number("x1", from[0])
             .number("y1", from[1])
@@ -124,28 +124,28 @@ impl Element {
             .number("y2", to[1])
     }
 
-    pub(super) fn circle(centre: [f64; 2], radius: f64) -> Self {
+    pub fn circle(centre: [f64; 2], radius: f64) -> Self {
         Self::new("circle")
             .number("cx", centre[0])
             .number("cy", centre[1])
             .number("r", radius)
     }
 
-    pub(super) fn polyline(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
+    pub fn polyline(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
         Self::new("polyline")
             .set("points", listed(points))
             .set("fill", "none")
             .set("stroke-linejoin", "round")
     }
 
-    pub(super) fn polygon(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
+    pub fn polygon(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
         Self::new("polygon")
             .set("points", listed(points))
             .set("stroke-linejoin", "round")
     }
 
     /// Words that begin at a point, or are about it with `anchor`.
-    pub(super) fn text(at: [f64; 2], size: f64) -> Self {
+    pub fn text(at: [f64; 2], size: f64) -> Self {
         Self::new("text")
             .number("x", at[0])
             .number("y", at[1])
@@ -153,17 +153,17 @@ impl Element {
     }
 
     /// `middle` or `end`: which part of the words is at their point.
-    pub(super) fn anchor(self, anchor: &str) -> Self {
+    pub fn anchor(self, anchor: &str) -> Self {
         self.set("text-anchor", anchor)
     }
 
-    pub(super) fn fill(self, colour: Colour) -> Self {
+    pub fn fill(self, colour: Colour) -> Self {
         self.paint(colour)
             .class(&format!("f-{}", colour.word()))
             .set("fill", colour.light())
     }
 
-    pub(super) fn stroke(self, colour: Colour, width: f64) -> Self {
+    pub fn stroke(self, colour: Colour, width: f64) -> Self {
         self.paint(colour)
             .class(&format!("s-{}", colour.word()))
             .set("stroke", colour.light())
@@ -175,16 +175,16 @@ impl Element {
         self
     }
 
-    pub(super) fn class(mut self, class: &str) -> Self {
+    pub fn class(mut self, class: &str) -> Self {
         self.classes.push(class.to_string());
         self
     }
 
-    pub(super) fn number(self, name: &str, x: f64) -> Self {
+    pub fn number(self, name: &str, x: f64) -> Self {
         self.set(name, short(x))
     }
 
-    pub(super) fn set(mut self, name: &str, value: impl fmt::Display) -> Self {
+    pub fn set(mut self, name: &str, value: impl fmt::Display) -> Self {
         let value = escaped(&value.to_string());
         self.attributes.push((name.to_string(), value));
         self
@@ -210,7 +210,7 @@ fn listed(points: impl IntoIterator<Item = [f64; 2]>) -> String {
 }
 
 /// A coordinate to a ten-thousandth, finer than anything that shows it.
-pub(super) fn short(x: f64) -> f64 {
+pub fn short(x: f64) -> f64 {
     // The sum makes a zero positive.
     (x * 1e4).round() / 1e4 + 0.0
 }

@@ -6,9 +6,8 @@ use std::vec::Vec;
 
 use super::text::{band, checked, index, word};
 use crate::cyclogram::{Cyclogram, Overlap, Overlaps};
-use crate::report::csv::CsvStyle;
-use crate::report::error::ReportError;
-use crate::report::units::titled;
+use linkage_formats::units::titled;
+use linkage_formats::{CsvStyle, ReportError};
 
 /// Returns the overlaps of all members as CSV.
 pub(super) fn overlaps_csv(cyclogram: &Cyclogram, style: &CsvStyle) -> Result<String, ReportError> {
