@@ -39,13 +39,12 @@ mod error;
 #[cfg(feature = "nalgebra")]
 mod frame;
 pub mod jacobian;
-#[doc(hidden)]
-pub mod javascript;
 mod motion;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub mod pins;
 #[cfg(feature = "nalgebra")]
 mod plane_frame;
+mod programs;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod range_check;
 #[cfg(feature = "report")]
@@ -77,7 +76,6 @@ pub use error::{AssemblyError, GroupRef, Halt, NotFollowed};
 pub use error::{ClosestApproach, CoupledCause, CoupledError, Missed, Placed, Value};
 #[cfg(feature = "nalgebra")]
 pub use frame::Frame;
-pub use javascript::Programs;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_core::Cycle;
 #[cfg(feature = "num-dual")]
@@ -99,6 +97,7 @@ pub use motion::{true_acceleration, true_jerk, true_velocity};
 pub use nalgebra::{self, Vector2, Vector3};
 #[cfg(feature = "nalgebra")]
 pub use plane_frame::PlaneFrame;
+pub use programs::Programs;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use range_check::{RangeFinding, RangeFindingKind, RangeMessage, RangeReport, Unchecked};
 #[cfg(feature = "alloc")]

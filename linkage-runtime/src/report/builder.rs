@@ -9,7 +9,7 @@ use super::tables::Saved;
 use crate::cyclogram::Cyclogram;
 use crate::data::{AssemblyMode, Input, Parameter};
 use crate::dimensions::Dimensions;
-use crate::javascript::Programs;
+use crate::programs::Programs;
 use crate::structure::Structure;
 use crate::table::Table;
 use linkage_formats::CsvStyle;

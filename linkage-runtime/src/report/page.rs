@@ -5,9 +5,9 @@ use std::string::String;
 use super::builder::Report;
 use super::frame::Framed;
 use super::{joint_signs, json, machine, positioned_picture};
-use crate::javascript::{OTHERS, engine, with_constants};
 use linkage_formats::ReportError;
 use linkage_formats::colour::page_rules;
+use linkage_js::engine::{OTHERS, engine, with_constants};
 
 const BODY: &str = include_str!("page/page.html");
 const STYLES: [&str; 7] = [
@@ -167,7 +167,7 @@ fn page_styles(report: &Report) -> String {
 mod tests {
     use super::super::frame::bare;
     use super::*;
-    use crate::javascript::{ENGINE, MODULE};
+    use linkage_js::engine::{ENGINE, MODULE};
     use std::collections::BTreeSet;
 
     /// The code with which a page computes, besides the programs, which are 78,000 bytes for the

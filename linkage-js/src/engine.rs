@@ -1,53 +1,44 @@
-//! The engine in JavaScript: it closes loops and evaluates functions in a browser, as this crate
-//! does for generated Rust. It contains centres and windings of angles, groups without a closed
-//! form, and closure errors. `linkage-js` prints the programs of a mechanism for it.
+//! The engine in JavaScript: it closes loops and evaluates functions in a browser, as
+//! `linkage-runtime` does for generated Rust. It contains centres and windings of angles, groups
+//! without a closed form, and closure errors. The descriptions of mechanisms are written for it.
 
-#[cfg(feature = "alloc")]
-use alloc::{borrow::ToOwned, format, string::String};
-#[cfg(feature = "alloc")]
 use linkage_core::{certificate, range_check};
 
 /// The parts of the engine as they are stored: a later one uses those before it, and `CORE.` is
 /// followed by the name of a constant of `linkage-core`.
-#[cfg(feature = "alloc")]
-pub(crate) const ENGINE: [&str; 6] = [
-    include_str!("javascript/elementary.js"),
-    include_str!("javascript/numbers.js"),
-    include_str!("javascript/follow.js"),
-    include_str!("javascript/revolutions.js"),
-    include_str!("javascript/coupled.js"),
-    include_str!("javascript/assemble.js"),
+pub const ENGINE: [&str; 6] = [
+    include_str!("engine/elementary.js"),
+    include_str!("engine/numbers.js"),
+    include_str!("engine/follow.js"),
+    include_str!("engine/revolutions.js"),
+    include_str!("engine/coupled.js"),
+    include_str!("engine/assemble.js"),
 ];
 
 /// Parts that modules have after the engine, and pages do not. The function `mechanismOf` of the
 /// last part makes the public interface of a module from a description.
-#[cfg(feature = "alloc")]
-pub(crate) const MODULE: [&str; 2] = [
-    include_str!("javascript/range.js"),
-    include_str!("javascript/mechanism.js"),
+pub const MODULE: [&str; 2] = [
+    include_str!("engine/range.js"),
+    include_str!("engine/mechanism.js"),
 ];
 
 /// The part of pages of reports alone, after those: other assemblies of groups without a closed
 /// form.
-#[cfg(feature = "report")]
-pub(crate) const OTHERS: &str = include_str!("javascript/others.js");
+pub const OTHERS: &str = include_str!("engine/others.js");
 
 /// Returns the engine as text, with the constants of `linkage-core`.
-#[cfg(feature = "alloc")]
 pub fn engine() -> String {
     with_constants(&ENGINE.join("\n"))
 }
 
 /// Returns the engine of a module as text, with the constants of `linkage-core`.
-#[cfg(feature = "alloc")]
 pub fn module_engine() -> String {
     with_constants(&[&ENGINE[..], &MODULE].concat().join("\n"))
 }
 
 /// Writes the values of constants of `linkage-core` where the sources of the engine have `CORE.`
 /// and a name.
-#[cfg(feature = "alloc")]
-pub(crate) fn with_constants(source: &str) -> String {
+pub fn with_constants(source: &str) -> String {
     let mut parts = source.split("CORE.");
     let mut text = String::from(parts.next().unwrap_or_default());
     for part in parts {
@@ -63,7 +54,6 @@ pub(crate) fn with_constants(source: &str) -> String {
 }
 
 /// Returns a constant of `linkage-core` as JavaScript.
-#[cfg(feature = "alloc")]
 fn constant(name: &str) -> Option<String> {
     let number = match name {
         "FIRST_CORRECTION" => certificate::FIRST_CORRECTION,
@@ -92,19 +82,10 @@ fn constant(name: &str) -> Option<String> {
 }
 
 /// Returns a number with the fewest digits, without a point for whole numbers.
-#[cfg(feature = "alloc")]
 fn literal(number: f64) -> String {
     let text = format!("{number:?}");
     match text.strip_suffix(".0") {
         Some(whole) => whole.to_owned(),
         None => text,
     }
-}
-
-/// The programs of a mechanism as JavaScript, for the page of a report: the constant `PROGRAMS` of
-/// a mechanism with a function that asks for `picture()`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Programs {
-    /// An object with all data of the mechanism for the engine.
-    pub description: &'static str,
 }
