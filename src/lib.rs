@@ -225,7 +225,7 @@ pub mod report {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/report.md")]
 
-    pub use linkage_runtime::report::*;
+    pub use linkage_report::*;
 }
 
 /// Pins of joints: their diameter under the largest reaction, and their stresses.

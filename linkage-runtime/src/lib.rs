@@ -8,7 +8,7 @@
 //! `Scene`, the modules `summary` and `cyclogram`, with elementary functions `balancing`, `cam` and
 //! `clearance`), `nalgebra` (`Vector2`, `Vector3`, `Frame`, `Screw`), `simba` (`Lanes`), `num-dual`
 //! (`Dual`), `rayon` (sweeps on all threads), `tolerance` and `monte-carlo` (the module
-//! `tolerance`), `design` (the module `design`), `report` (the module `report`).
+//! `tolerance`), `design` (the module `design`), `report` (files of cyclograms and cams).
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
@@ -38,6 +38,9 @@ mod dimensions;
 mod error;
 #[cfg(feature = "nalgebra")]
 mod frame;
+#[cfg(feature = "report")]
+#[doc(hidden)]
+pub mod internals;
 pub mod jacobian;
 mod motion;
 #[cfg(any(feature = "std", feature = "libm"))]
@@ -47,8 +50,6 @@ mod plane_frame;
 mod programs;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod range_check;
-#[cfg(feature = "report")]
-pub mod report;
 #[cfg(feature = "alloc")]
 mod result_columns;
 mod result_row;

@@ -9,7 +9,7 @@ use std::thread;
 use crate::lexer::{Lexed, lexed};
 
 /// Crates by their folders; the facade has its sources in `src`.
-pub(crate) const CRATES: [&str; 10] = [
+pub(crate) const CRATES: [&str; 11] = [
     "linkage-c",
     "linkage-cli",
     "linkage-compiler",
@@ -17,6 +17,7 @@ pub(crate) const CRATES: [&str; 10] = [
     "linkage-formats",
     "linkage-js",
     "linkage-macros",
+    "linkage-report",
     "linkage-runtime",
     "linkage-symbolic",
     "src",

@@ -7,8 +7,8 @@ use std::fmt::Write;
 
 use clap::{Args, value_parser};
 use linkage_compiler::ir::{Field, Meaning, Shape};
+use linkage_report::CsvStyle;
 use linkage_runtime::Input;
-use linkage_runtime::report::CsvStyle;
 use linkage_runtime::tolerance::largest;
 
 use super::choose::Chosen;

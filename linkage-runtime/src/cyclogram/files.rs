@@ -1,7 +1,7 @@
 //! Cyclograms as files: CSV, JSON, and the diagram of bars.
 
-pub(crate) mod bars;
-pub(crate) mod intervals;
+pub mod bars;
+pub mod intervals;
 mod order;
 mod overlaps;
 mod text;

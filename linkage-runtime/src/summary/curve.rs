@@ -165,7 +165,9 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Curve<N, F> {
     }
 
     /// Extremes of the `k`th derivative, as far as the one above it was given.
-    pub(crate) fn extremes_of(&self, k: usize) -> Option<&Extremes> {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn extremes_of(&self, k: usize) -> Option<&Extremes> {
         self.extremes.get(k)
     }
 

@@ -1,8 +1,8 @@
 //! Cyclograms as CSV, JSON and pictures.
 
 use crate::cyclogram::member;
+use linkage_formats::CsvStyle;
 use linkage_runtime::cyclogram::{Band, Cyclogram};
-use linkage_runtime::report::CsvStyle;
 
 #[test]
 fn files() {

@@ -34,7 +34,8 @@ impl Places {
     }
 }
 
-pub(crate) fn drawn(cyclogram: &Cyclogram, hues: &[usize]) -> String {
+/// Returns the diagram as SVG, with the number of the colour of each member.
+pub fn drawn(cyclogram: &Cyclogram, hues: &[usize]) -> String {
     let organs = cyclogram.members();
     let (low, high) = cyclogram.range();
     let names = organs.iter().map(|organ| organ.name().chars().count());

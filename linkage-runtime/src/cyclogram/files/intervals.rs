@@ -38,7 +38,7 @@ pub(super) fn intervals_csv(
 }
 
 /// Returns the whole cyclogram as JSON.
-pub(crate) fn value(cyclogram: &Cyclogram) -> Value {
+pub fn value(cyclogram: &Cyclogram) -> Value {
     json!({
         "from": cyclogram.range.0,
         "to": cyclogram.range.1,

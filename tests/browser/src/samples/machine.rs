@@ -1,7 +1,7 @@
 //! A machine of three parts on one shaft, two of which turn on one pivot.
 
+use linkage_report::Report;
 use linkage_runtime::cyclogram::{Band, Cyclogram, Member};
-use linkage_runtime::report::Report;
 use linkage_runtime::summary::Curve;
 use linkage_runtime::{
     Drive, DriveOn, Guide, GuideOn, GuideShape, Heading, Input, Meaning, Picture, PictureColumns,

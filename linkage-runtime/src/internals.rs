@@ -1,0 +1,3 @@
+//! Items that other crates of linkage use, and users do not.
+
+pub use crate::cyclogram::files::{bars, intervals};
