@@ -209,13 +209,13 @@ pub mod design {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/design.md")]
 
-    pub use linkage_runtime::design::*;
+    pub use linkage_design::*;
 
     /// Exact synthesis: all mechanisms that meet as many conditions as they have dimensions.
     pub mod exact {
         #![doc = include_str!("../docs/exact.md")]
 
-        pub use linkage_runtime::design::exact::*;
+        pub use linkage_design::exact::*;
     }
 }
 

@@ -44,7 +44,7 @@ impl Components<3> for nalgebra::Vector3<f64> {
 
 /// The vector in space, with zeros for components that it has not.
 #[cfg(feature = "alloc")]
-pub(crate) fn in_space<const K: usize>(components: &[f64; K]) -> [f64; 3] {
+pub fn in_space<const K: usize>(components: &[f64; K]) -> [f64; 3] {
     let mut space = [0.0; 3];
     for (to, from) in space.iter_mut().zip(components) {
         *to = *from;
@@ -53,7 +53,7 @@ pub(crate) fn in_space<const K: usize>(components: &[f64; K]) -> [f64; 3] {
 }
 
 /// The length of a vector.
-pub(crate) fn norm(components: &[f64]) -> f64 {
+pub fn norm(components: &[f64]) -> f64 {
     let largest = components.iter().fold(0.0, |max: f64, x| max.max(x.abs()));
     if largest == 0.0 || !largest.is_finite() {
         return components.iter().map(|x| x.abs()).sum();

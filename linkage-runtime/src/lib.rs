@@ -8,7 +8,7 @@
 //! `Scene`, the modules `summary` and `cyclogram`, with elementary functions `balancing`, `cam` and
 //! `clearance`), `nalgebra` (`Vector2`, `Vector3`, `Frame`, `Screw`), `simba` (`Lanes`), `num-dual`
 //! (`Dual`), `rayon` (sweeps on all threads), `tolerance` and `monte-carlo` (the module
-//! `tolerance`), `design` (the module `design`), `report` (files of cyclograms and cams).
+//! `tolerance`), `report` (files of cyclograms and cams), `report` or `design` (names of columns).
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
@@ -32,13 +32,11 @@ mod components;
 #[cfg(feature = "alloc")]
 pub mod cyclogram;
 mod data;
-#[cfg(feature = "design")]
-pub mod design;
 mod dimensions;
 mod error;
 #[cfg(feature = "nalgebra")]
 mod frame;
-#[cfg(feature = "report")]
+#[cfg(feature = "tolerance")]
 #[doc(hidden)]
 pub mod internals;
 pub mod jacobian;

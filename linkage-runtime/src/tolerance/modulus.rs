@@ -42,7 +42,7 @@ pub(super) fn farthest(vectors: &[[f64; 3]]) -> Option<Corner> {
 }
 
 /// Visits the corners with their signs, one of each opposite pair at least.
-pub(crate) fn corners(vectors: &[[f64; 3]], visit: &mut dyn FnMut(&[f64], [f64; 3])) {
+pub fn corners(vectors: &[[f64; 3]], visit: &mut dyn FnMut(&[f64], [f64; 3])) {
     let units: Vec<[f64; 3]> = vectors.iter().map(unit).collect();
     let long: Vec<usize> = (0..units.len()).filter(|&i| units[i] != [0.0; 3]).collect();
     let mut signs = vec![0.0; vectors.len()];

@@ -18,7 +18,7 @@ pub(super) fn two_sided(confidence: f64, degrees: f64) -> f64 {
 
 /// The size that such a variable exceeds with this probability, which keeps the digits of a small
 /// one.
-pub(crate) fn outside(outside: f64, degrees: f64) -> f64 {
+pub fn outside(outside: f64, degrees: f64) -> f64 {
     if !(outside > 0.0 && outside < 1.0 && degrees >= 1.0) {
         return f64::NAN;
     }

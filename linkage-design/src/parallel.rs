@@ -1,0 +1,17 @@
+//! Work on several threads, if there are some.
+
+use std::vec::Vec;
+
+#[cfg(feature = "rayon")]
+pub(crate) fn in_parallel<T: Sync, R: Send>(
+    items: &[T],
+    work: impl Fn(&T) -> R + Sync + Send,
+) -> Vec<R> {
+    use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+    items.par_iter().map(work).collect()
+}
+
+#[cfg(not(feature = "rayon"))]
+pub(crate) fn in_parallel<T, R>(items: &[T], work: impl Fn(&T) -> R) -> Vec<R> {
+    items.iter().map(work).collect()
+}
