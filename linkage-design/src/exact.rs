@@ -9,6 +9,7 @@ mod error;
 mod five_points;
 mod four_bar;
 mod function;
+mod guides;
 mod long;
 mod nine_points;
 mod path;
@@ -20,11 +21,12 @@ mod task;
 mod tests;
 mod verify;
 
-pub use burmester::{CentreCurve, CentrePoint, Dyad, Dyads, Pivots};
+pub use burmester::{CentreCurve, CentrePoint, Dyads};
 pub use error::Unsolved;
 pub use five_points::{FivePoints, five_points};
 pub use four_bar::{FourBar, GrashofType, Passage, Visit};
 pub use function::{FunctionFourBar, Functions, GivenStart, Pair};
+pub use guides::{Dyad, Pivots};
 pub use nine_points::{
     NinePoints, PathFourBar, TRIPLES, Triple, nine_points, nine_points_reporting,
 };

@@ -81,7 +81,7 @@ const KNOWN: [(&str, [usize; COUNTS]); 12] = [
     ("linkage-js", [0, 0, 0, 0, 0]),
     ("linkage-macros", [0, 0, 0, 0, 0]),
     ("linkage-report", [0, 0, 0, 0, 0]),
-    ("linkage-runtime", [0, 0, 0, 0, 9]),
+    ("linkage-runtime", [0, 0, 0, 0, 0]),
     ("linkage-symbolic", [0, 0, 0, 0, 0]),
     ("src", [0, 0, 0, 0, 0]),
 ];

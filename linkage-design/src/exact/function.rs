@@ -12,9 +12,10 @@ mod ratios;
 mod verified;
 
 use super::Pose;
-use super::burmester::{Dyads, Pivots};
+use super::burmester::Dyads;
 use super::error::{self, Unsolved};
 use super::four_bar::{FourBar, Passage};
+use super::guides::Pivots;
 use core::f64::consts::{FRAC_PI_2, PI};
 use linkage_core::numeric::complex::Complex;
 use nalgebra::{Matrix3, Matrix4, SVD};

@@ -3,7 +3,8 @@
 
 use std::vec::Vec;
 
-use super::{Dyad, FourBar, Pivots, Pose};
+use super::guides::{Dyad, Pivots};
+use super::{FourBar, Pose};
 
 /// Numbers that differ by less than this part of the size of their coordinates are equal.
 const EQUAL: f64 = 1e-9;

@@ -3,7 +3,8 @@
 use super::super::Pose;
 use super::super::error::{self, Unsolved};
 use super::super::verify;
-use super::{Moves, Pivots};
+use super::Moves;
+use crate::exact::guides::Pivots;
 use linkage_core::numeric::complex::{Complex, ONE};
 
 impl Pivots {
