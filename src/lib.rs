@@ -215,7 +215,7 @@ pub mod design {
     pub mod exact {
         #![doc = include_str!("../docs/exact.md")]
 
-        pub use linkage_design::exact::*;
+        pub use linkage_synthesis::*;
     }
 }
 

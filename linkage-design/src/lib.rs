@@ -26,8 +26,9 @@ mod cycle;
 mod declared;
 mod designs;
 mod error;
-pub mod exact;
 mod identify;
+#[doc(hidden)]
+pub mod internals;
 mod least_squares;
 mod limits;
 mod minimax;

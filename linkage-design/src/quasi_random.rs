@@ -9,7 +9,7 @@ const DIMENSIONS: u32 = sobol_burley::NUM_DIMENSIONS;
 
 /// The numbers of a start, each from 0 to below 1: those of an index and a seed are always the
 /// same.
-pub(crate) fn unit(seed: u64, index: usize, count: usize) -> Vec<f64> {
+pub fn unit(seed: u64, index: usize, count: usize) -> Vec<f64> {
     let sequence = index as u64 / SEQUENCE;
     let term = (index as u64 % SEQUENCE) as u32;
     let number = |dimension: u32| {

@@ -9,7 +9,7 @@ use std::thread;
 use crate::lexer::{Lexed, lexed};
 
 /// Crates by their folders; the facade has its sources in `src`.
-pub(crate) const CRATES: [&str; 12] = [
+pub(crate) const CRATES: [&str; 13] = [
     "linkage-c",
     "linkage-cli",
     "linkage-compiler",
@@ -21,6 +21,7 @@ pub(crate) const CRATES: [&str; 12] = [
     "linkage-report",
     "linkage-runtime",
     "linkage-symbolic",
+    "linkage-synthesis",
     "src",
 ];
 

@@ -10,7 +10,7 @@ use super::super::error::{self, Unsolved};
 use super::super::polynomial::{add_product, roots};
 use super::super::verify;
 use super::Moves;
-use crate::exact::guides::Pivots;
+use crate::guides::Pivots;
 use core::f64::consts::PI;
 use linkage_core::numeric::complex::{Complex, ZERO};
 use std::vec::Vec;

@@ -5,15 +5,14 @@
 //! turn. All pairs of a place and its constants are one piece, the graph of the equations, so that
 //! there are loops from each solution to each other one.
 
-use super::super::super::quasi_random;
 use super::super::certificate::Certificate;
 use super::super::path::{Pace, Stuck, follow};
 use super::family::{Member, ParameterPath};
 use super::polynomial_equations::Equations;
-use crate::exact::Unsolved;
-use crate::parallel::in_parallel;
+use crate::error::Unsolved;
 use core::f64::consts::TAU;
 use linkage_core::numeric::complex::{Complex, ZERO};
+use linkage_design::internals::{in_parallel, quasi_random};
 use std::vec::Vec;
 
 /// Loops are made until solutions of which one is missing would have stayed among themselves with a
@@ -51,7 +50,7 @@ impl Random {
 
     fn numbers(&mut self, count: usize) -> Vec<f64> {
         self.0 += 1;
-        quasi_random::unit(Self::SEED, self.0, count)
+        quasi_random(Self::SEED, self.0, count)
     }
 }
 

@@ -10,9 +10,9 @@
 use super::family::{Member, ParameterPath};
 use super::monodromy::{Fibre, Random, end, middle};
 use super::polynomial_equations::Equations;
-use crate::exact::Unsolved;
-use crate::parallel::in_parallel;
+use crate::error::Unsolved;
 use linkage_core::numeric::complex::{Complex, ZERO};
+use linkage_design::internals::in_parallel;
 use std::vec::Vec;
 
 /// The result of the trace test.

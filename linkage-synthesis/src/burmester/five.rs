@@ -11,7 +11,7 @@ use super::super::task::turn_discs;
 use super::super::verify;
 use super::conics::{Conic, Point, common};
 use super::{Dyads, Link, Moves, Pose};
-use crate::exact::guides::{Dyad, Pivots};
+use crate::guides::{Dyad, Pivots};
 use core::cmp::Ordering;
 use core::f64::consts::FRAC_PI_2;
 use linkage_core::numeric::complex::{Complex, ZERO};

@@ -1,5 +1,5 @@
 //! Makes the file of the stored solutions:
-//! `UPDATE=1 cargo test --release -p linkage-design --lib stored_solutions`.
+//! `UPDATE=1 cargo test --release -p linkage-synthesis --lib stored_solutions`.
 //!
 //! A random complex four-bar passes complex points that belong to random turns of its coupler: one
 //! solution of one problem. Followed around random loops in the space of points it comes back as
@@ -13,8 +13,8 @@ use super::super::equations::{Shifts, Unknowns};
 use super::super::path::ParameterPath;
 use super::super::search::{Certificate, Data, SolutionSearch};
 use super::super::{TRIPLES, stored_solutions};
-use crate::parallel::in_parallel;
 use linkage_core::numeric::complex::{Complex, ZERO};
+use linkage_design::internals::in_parallel;
 use linkage_random::Random;
 use std::println;
 use std::vec::Vec;
@@ -196,10 +196,7 @@ fn encoded(certificates: &[Certificate]) -> Vec<u8> {
 }
 
 /// The path of the file.
-const FILE: &str = concat!(
-    env!("CARGO_MANIFEST_DIR"),
-    "/src/exact/nine_points/starts.bin"
-);
+const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/nine_points/starts.bin");
 /// Another one gives the same solutions in another order.
 const SEED: u64 = 2;
 

@@ -1,4 +1,11 @@
-//! Mechanisms that meet as many conditions as they have dimensions: all of them are listed.
+//! Exact synthesis: all mechanisms that meet as many conditions as they have dimensions.
+//!
+//! Tasks of the plane are poses of a body ([`Dyads`], [`CentreCurve`]), functions of four-bars
+//! ([`Functions`]), and five or nine points of a path ([`five_points`], [`nine_points`]).
+//! [`solutions`] lists all solutions of other equations by monodromy. Solutions are certified.
+//!
+//! Users reach all items through the facade crate `linkage`, in its module `design::exact`.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod ball;
 mod burmester;

@@ -4,7 +4,7 @@ use super::super::Pose;
 use super::super::error::{self, Unsolved};
 use super::super::verify;
 use super::Moves;
-use crate::exact::guides::Pivots;
+use crate::guides::Pivots;
 use linkage_core::numeric::complex::{Complex, ONE};
 
 impl Pivots {

@@ -2,10 +2,10 @@
 //! plain numbers are singular.
 
 use super::{Certificate, Evaluated, System, contracted, decided, times};
-use crate::exact::ball::Ball;
-use crate::exact::dense;
-use crate::exact::long::Long;
-use crate::exact::real::Real;
+use crate::ball::Ball;
+use crate::dense;
+use crate::long::Long;
+use crate::real::Real;
 use linkage_core::numeric::complex::Complex;
 use std::vec::Vec;
 

@@ -13,10 +13,10 @@ use super::path::{ParameterPath, follow};
 use super::result::TRIPLES;
 use super::stored_solutions;
 use super::task::Task;
-use crate::parallel::in_parallel;
-use crate::settings::Progress;
 use linkage_core::numeric::complex::{Complex, ONE, ZERO};
 use linkage_core::numeric::double_double::DoubleDouble;
+use linkage_design::Progress;
+use linkage_design::internals::in_parallel;
 use std::collections::BTreeSet;
 use std::vec::Vec;
 

@@ -18,7 +18,7 @@ mod tests;
 pub use result::{NinePoints, PathFourBar, TRIPLES, Triple};
 
 use super::error::Unsolved;
-use crate::settings::Progress;
+use linkage_design::Progress;
 use search::SolutionSearch;
 use std::vec::Vec;
 use task::Task;
