@@ -197,7 +197,7 @@ pub mod tolerance {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/tolerance.md")]
 
-    pub use linkage_runtime::tolerance::*;
+    pub use linkage_analysis::tolerance::*;
 }
 
 /// Design: from requirements to dimensions, by least squares from many starts.
@@ -233,7 +233,7 @@ pub mod report {
 pub mod pins {
     #![doc = include_str!("../docs/pins.md")]
 
-    pub use linkage_runtime::pins::*;
+    pub use linkage_analysis::pins::*;
 }
 
 /// Jacobians both ways: motions, forces, condition, singular positions.
@@ -249,7 +249,7 @@ pub mod cam {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/cam.md")]
 
-    pub use linkage_runtime::cam::*;
+    pub use linkage_analysis::cam::*;
 }
 
 /// Counterweights: the least shaking force over a cycle.
@@ -257,7 +257,7 @@ pub mod cam {
 pub mod balancing {
     #![doc = include_str!("../docs/balancing.md")]
 
-    pub use linkage_runtime::balancing::*;
+    pub use linkage_analysis::balancing::*;
 }
 
 /// Figures of a cycle: limits, extreme velocities, dwells, time ratio, transmission angle, margin.
@@ -265,7 +265,7 @@ pub mod balancing {
 pub mod summary {
     #![doc = include_str!("../docs/summary.md")]
 
-    pub use linkage_runtime::summary::*;
+    pub use linkage_analysis::summary::*;
 }
 
 /// Clearances: the least distance of two working members over a cycle, and the phase that makes it
@@ -275,7 +275,7 @@ pub mod clearance {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/clearance.md")]
 
-    pub use linkage_runtime::clearance::*;
+    pub use linkage_analysis::clearance::*;
 }
 
 /// Cyclograms: the motions of the working members of a machine over the shaft angle.
@@ -284,7 +284,7 @@ pub mod cyclogram {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/cyclogram.md")]
 
-    pub use linkage_runtime::cyclogram::*;
+    pub use linkage_analysis::cyclogram::*;
 }
 
 /// Tests of the programs in the README.

@@ -6,8 +6,8 @@ use std::vec::Vec;
 use super::SummaryRow;
 use super::figures::Figures;
 use super::tables::Saved;
+use linkage_analysis::cyclogram::Cyclogram;
 use linkage_formats::CsvStyle;
-use linkage_runtime::cyclogram::Cyclogram;
 use linkage_runtime::{AssemblyMode, Dimensions, Input, Parameter, Programs, Structure, Table};
 
 /// A report about a mechanism over its range.

@@ -3,7 +3,7 @@
 use std::string::String;
 use std::vec::Vec;
 
-use linkage_runtime::summary::{Curve, Extremes, TimeRatio};
+use linkage_analysis::summary::{Curve, Extremes, TimeRatio};
 
 /// The figures of the course of a quantity.
 #[derive(Clone, Debug)]

@@ -7,10 +7,10 @@ use std::vec::Vec;
 use super::builder::Report;
 use super::positioned_picture::PositionedPicture;
 use super::{positioned_picture, tables};
+use linkage_analysis::cyclogram::{Cyclogram, Member};
+use linkage_analysis::internals::intervals;
 use linkage_formats::colour::LINKS;
 use linkage_formats::{Mistake, ReportError};
-use linkage_runtime::cyclogram::{Cyclogram, Member};
-use linkage_runtime::internals::intervals;
 
 /// The unit of a shaft's angle.
 const ANGLE: &str = "rad";

@@ -8,8 +8,8 @@ use std::vec::Vec;
 use super::SummaryRow;
 use super::builder::Report;
 use super::figures::Figures;
+use linkage_analysis::summary::{Curve, Dwell, Minimum};
 use linkage_formats::units::per_second;
-use linkage_runtime::summary::{Curve, Dwell, Minimum};
 
 const NAMES: [[&str; 2]; 3] = [
     ["lowest", "highest"],
@@ -50,7 +50,7 @@ impl Report {
     ) -> Self {
         let angle = angle.into();
         let [least, greatest] = course.transmission_angle();
-        let row = |what: &str, angle: &str, found: linkage_runtime::summary::Transmission| {
+        let row = |what: &str, angle: &str, found: linkage_analysis::summary::Transmission| {
             SummaryRow::new(angle, what, found.angle, "rad").at_input(found.at)
         };
         let rows = [

@@ -9,9 +9,9 @@ use super::AtomicFile;
 use super::builder::Report;
 use super::drawing::Drawing;
 use super::{csv, json, machine, page, plots, positioned_picture, tables};
+use linkage_analysis::internals::bars;
 use linkage_formats::error::{ReportError, failed};
 use linkage_formats::output_file;
-use linkage_runtime::internals::bars;
 
 /// Further positions in the drawing.
 const GHOSTS: usize = 8;

@@ -4,11 +4,9 @@
 //! Users reach everything here through the facade crate `linkage`.
 //!
 //! Features: `std` or `libm` (where the elementary functions come from; one of them is needed for
-//! everything that computes angles, and for the module `pins`), `alloc` (part of `std`: `Columns`,
-//! `Scene`, the modules `summary` and `cyclogram`, with elementary functions `balancing`, `cam` and
-//! `clearance`), `nalgebra` (`Vector2`, `Vector3`, `Frame`, `Screw`), `simba` (`Lanes`), `num-dual`
-//! (`Dual`), `rayon` (sweeps on all threads), `tolerance` and `monte-carlo` (the module
-//! `tolerance`), `report` (files of cyclograms and cams), `report` or `design` (names of columns).
+//! everything that computes angles), `alloc` (part of `std`: `Columns`, `Scene`), `nalgebra`
+//! (`Vector2`, `Vector3`, `Frame`, `Screw`), `simba` (`Lanes`), `num-dual` (`Dual`), `rayon`
+//! (sweeps on all threads).
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
@@ -18,31 +16,16 @@ extern crate alloc;
 extern crate std;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub mod balancing;
-#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub mod cam;
-#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod circuits;
-#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub mod clearance;
 #[cfg(feature = "alloc")]
 mod columns;
-#[cfg(any(feature = "std", feature = "libm"))]
-mod components;
-#[cfg(feature = "alloc")]
-pub mod cyclogram;
 mod data;
 mod dimensions;
 mod error;
 #[cfg(feature = "nalgebra")]
 mod frame;
-#[cfg(feature = "tolerance")]
-#[doc(hidden)]
-pub mod internals;
 pub mod jacobian;
 mod motion;
-#[cfg(any(feature = "std", feature = "libm"))]
-pub mod pins;
 #[cfg(feature = "nalgebra")]
 mod plane_frame;
 mod programs;
@@ -56,13 +39,9 @@ mod scene;
 #[cfg(feature = "nalgebra")]
 mod screw;
 mod structure;
-#[cfg(feature = "alloc")]
-pub mod summary;
 #[doc(hidden)]
 pub mod support;
 mod table;
-#[cfg(feature = "tolerance")]
-pub mod tolerance;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use circuits::{Branch, BranchEnd, Circuits, Estimate, Meeting};

@@ -9,7 +9,8 @@ use std::thread;
 use crate::lexer::{Lexed, lexed};
 
 /// Crates by their folders; the facade has its sources in `src`.
-pub(crate) const CRATES: [&str; 13] = [
+pub(crate) const CRATES: [&str; 14] = [
+    "linkage-analysis",
     "linkage-c",
     "linkage-cli",
     "linkage-compiler",

@@ -6,10 +6,10 @@ mod effects;
 use std::fmt::Write;
 
 use clap::{Args, value_parser};
+use linkage_analysis::tolerance::largest;
 use linkage_compiler::ir::{Field, Meaning, Shape};
 use linkage_report::CsvStyle;
 use linkage_runtime::Input;
-use linkage_runtime::tolerance::largest;
 
 use super::choose::Chosen;
 use super::output::print;

@@ -5,8 +5,8 @@ use std::vec::Vec;
 
 use super::spread::ranges;
 use super::{Candidate, Piece};
+use linkage_analysis::tolerance::Tolerances;
 use linkage_runtime::Dimensions;
-use linkage_runtime::tolerance::Tolerances;
 
 /// The mechanisms of some tolerances.
 #[derive(Clone, Copy, Debug, PartialEq)]

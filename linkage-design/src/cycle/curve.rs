@@ -3,8 +3,8 @@
 use std::boxed::Box;
 
 use super::{Motion, Piece, PieceKey};
+use linkage_analysis::summary;
 use linkage_core::numeric::vector::dot;
-use linkage_runtime::summary;
 
 type Jet<'a, A> = Box<dyn Fn(&A, f64) -> [f64; 3] + Send + Sync + 'a>;
 type Slopes<'a, A, const N: usize> = Box<dyn Fn(&A, f64) -> [f64; N] + Send + Sync + 'a>;

@@ -13,8 +13,8 @@ use super::{
     AuxiliaryVariable, Candidate, Chosen, Conditions, Curve, CycleObjective, Piece, PieceKey,
     Verdict,
 };
+use linkage_analysis::tolerance::Tolerances;
 use linkage_core::format::rounded;
-use linkage_runtime::tolerance::Tolerances;
 use linkage_runtime::{Dimensions, Parameter};
 
 /// The goal of a dwell.

@@ -8,8 +8,8 @@ use std::vec::Vec;
 
 use super::figures::places;
 use super::{Figure, Motion, Piece, PieceKey, Pieces};
-use linkage_runtime::summary::{Curve, Kind};
-use linkage_runtime::tolerance::{Components, Tolerances, Uncertainties};
+use linkage_analysis::summary::{Curve, Kind};
+use linkage_analysis::tolerance::{Components, Tolerances, Uncertainties};
 use measure::{Measure, Measured, Slopes};
 
 /// The largest error that tolerances cause in a quantity, to first order: its slopes by the
@@ -21,7 +21,7 @@ use measure::{Measure, Measured, Slopes};
 /// ```
 /// use linkage_runtime::Parameter;
 /// use linkage_design::{ErrorOf, Figure, Motion, Pieces};
-/// use linkage_runtime::tolerance::Tolerances;
+/// use linkage_analysis::tolerance::Tolerances;
 ///
 /// // An arm of 100 mm that turns; its error is that of its end, from its length and its angle.
 /// let parameters = [("arm", "mm", 0.1), ("zero", "rad", 0.002)];
@@ -39,7 +39,7 @@ use measure::{Measure, Measured, Slopes};
 /// let motion = Motion { assembly: &100.0, range: (0.0, 1.0), closed: false, positions: 2 };
 /// let Some(Pieces::Largest(pieces)) = error.pieces(&motion) else { panic!() };
 /// assert!((pieces[0].value - 0.1_f64.hypot(0.2)).abs() < 1e-15);
-/// # Ok::<(), linkage_runtime::tolerance::ToleranceError>(())
+/// # Ok::<(), linkage_analysis::tolerance::ToleranceError>(())
 /// ```
 pub struct ErrorOf<'a, A, const N: usize> {
     slopes: By<'a, A, Slopes<N>>,

@@ -9,8 +9,8 @@ use super::dwell::{Claim, Dwell};
 use super::spread::SPARE;
 use super::spread::ranges;
 use super::{Candidate, Check, Chosen, Motion, Verdict};
+use linkage_analysis::summary::minimise;
 use linkage_runtime::Dimensions;
-use linkage_runtime::summary::minimise;
 
 /// A cell between two turning points is searched from at least this many beginnings.
 const BEGINNINGS: usize = 5;

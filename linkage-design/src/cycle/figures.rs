@@ -9,7 +9,7 @@ use std::vec;
 use std::vec::Vec;
 
 use super::{Curve, Figure, Motion, Piece, Pieces};
-use linkage_runtime::summary::{Extremes, Kind};
+use linkage_analysis::summary::{Extremes, Kind};
 
 /// The highest value of a quantity over the cycle.
 pub struct Highest<'a, A, const N: usize>(pub Curve<'a, A, N>);

@@ -6,7 +6,7 @@ use std::vec::Vec;
 use super::dwell::Dwell;
 use super::spread::SPARE;
 use super::{Motion, Piece, PieceKey};
-use linkage_runtime::summary::{Curve, Extreme, Kind};
+use linkage_analysis::summary::{Curve, Extreme, Kind};
 
 /// Evenly spaced positions of an interval from which its limits are searched: an interval is a part
 /// of a turn.

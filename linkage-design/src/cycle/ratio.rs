@@ -6,7 +6,7 @@ use std::vec;
 use std::vec::Vec;
 
 use super::{Curve, Figure, Motion, Piece, PieceKey, Pieces};
-use linkage_runtime::summary::Kind;
+use linkage_analysis::summary::Kind;
 
 type Rates<'a, A, const N: usize> = Box<dyn Fn(&A, f64) -> [f64; N] + Send + Sync + 'a>;
 

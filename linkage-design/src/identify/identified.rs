@@ -6,7 +6,7 @@ use super::determined::Determined;
 use super::named::Named;
 use super::reading::ReadingRow;
 use super::undetermined::Undetermined;
-use linkage_runtime::internals::student_outside;
+use linkage_analysis::internals::student_outside;
 use linkage_runtime::{Dimensions, Parameter};
 
 /// Readings are marked as outliers if one as far off is among as many good ones with this
@@ -82,7 +82,7 @@ pub struct Residual {
 
 impl<M, const N: usize> Identified<M, N> {
     /// The covariances of all parameters, those that were not to be found with zeros. For
-    /// [`Uncertainties::covariance`](linkage_runtime::tolerance::Uncertainties::covariance), if everything is
+    /// [`Uncertainties::covariance`](linkage_analysis::tolerance::Uncertainties::covariance), if everything is
     /// determined.
     ///
     /// Combinations that are not determined are left out: their covariances are infinite. They are

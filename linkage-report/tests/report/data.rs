@@ -3,8 +3,8 @@
 use crate::fixture::{FourBar, MOTION, PHI, Sweep};
 use crate::four_bar;
 use crate::once::series;
+use linkage_analysis::summary::Curve;
 use linkage_report::{Report, SummaryRow};
-use linkage_runtime::summary::Curve;
 use linkage_runtime::{AssemblyMode, Group, Operations, Structure, Table};
 use serde_json::Value;
 

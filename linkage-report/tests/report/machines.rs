@@ -3,9 +3,9 @@
 use crate::fixture::{FourBar, PHI, Sweep, pictured, polar};
 use crate::picture::{classed, words};
 use dxf::entities::EntityType;
+use linkage_analysis::cyclogram::{Band, Cyclogram, Member};
+use linkage_analysis::summary::Curve;
 use linkage_report::Report;
-use linkage_runtime::cyclogram::{Band, Cyclogram, Member};
-use linkage_runtime::summary::Curve;
 use linkage_runtime::{
     Column, Heading, Input, Picture, PictureColumns, PictureLink, PicturePart, PicturePoint,
     PointKind,

@@ -2,9 +2,9 @@
 
 use crate::fixture::{PHI, Sweep, pictured, polar};
 use crate::picture::classed;
+use linkage_analysis::cyclogram::{Band, Cyclogram, Member};
+use linkage_analysis::summary::Curve;
 use linkage_report::Report;
-use linkage_runtime::cyclogram::{Band, Cyclogram, Member};
-use linkage_runtime::summary::Curve;
 use linkage_runtime::{
     Column, Heading, Picture, PictureColumns, PictureLink, PicturePart, PicturePoint, PointKind,
 };

@@ -1,7 +1,7 @@
 //! The runtime's figures, whose types count the parameters.
 
+use linkage_analysis::tolerance::{Components, Tolerances};
 use linkage_runtime::Parameter;
-use linkage_runtime::tolerance::{Components, Tolerances};
 
 use crate::failure::Failure;
 

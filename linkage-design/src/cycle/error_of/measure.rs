@@ -3,9 +3,9 @@
 use std::vec;
 use std::vec::Vec;
 
+use linkage_analysis::internals::{corners as corners_of, in_space, norm};
+use linkage_analysis::tolerance::Tolerances;
 use linkage_core::numeric::vector::dot;
-use linkage_runtime::internals::{corners as corners_of, in_space, norm};
-use linkage_runtime::tolerance::Tolerances;
 
 /// The derivatives of each component with respect to the parameters.
 pub(super) type Slopes<const N: usize> = Vec<[f64; N]>;
