@@ -5,9 +5,9 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[cfg(feature = "num-dual")]
-pub use linkage_runtime::Dual;
+pub use linkage_core::Dual;
 #[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
-pub use linkage_runtime::Lanes;
+pub use linkage_core::Lanes;
 /// The library whose vectors and poses results are, for everything else that it offers for them,
 /// in the version that fits.
 pub use linkage_runtime::nalgebra;
@@ -68,6 +68,24 @@ macro_rules! mechanism {
     ($($tokens:tt)*) => {
         $crate::__private::mechanism! { [$crate] $($tokens)* }
     };
+}
+
+/// Its content if feature `report` or `design` is on, which read columns by their names, else
+/// nothing: unused items need not be compiled.
+#[cfg(any(feature = "report", feature = "design"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_report {
+    ($($item:tt)*) => { $($item)* };
+}
+
+/// Its content if feature `report` or `design` is on, which read columns by their names, else
+/// nothing: unused items need not be compiled.
+#[cfg(not(any(feature = "report", feature = "design")))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_report {
+    ($($item:tt)*) => {};
 }
 
 // Links between pages lead to files if the repository is read: each page ends with them. Here
@@ -301,6 +319,7 @@ struct Overview;
 /// see.
 #[doc(hidden)]
 pub mod __private {
+    pub use crate::if_report;
     pub use linkage_macros::mechanism;
     #[cfg(any(feature = "std", feature = "libm"))]
     pub use linkage_runtime::support::{
@@ -338,7 +357,7 @@ pub mod __private {
         Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, NotFollowed,
         Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint,
         PlaneFrame, PointKind, Programs, ResultRow, Scalar, Structure, Table, Vector2, Vector3,
-        if_alloc, if_rayon, if_report,
+        if_alloc, if_rayon,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::{Circuits, Cycle, RangeReport};

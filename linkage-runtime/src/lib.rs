@@ -5,8 +5,7 @@
 //!
 //! Features: `std` or `libm` (where the elementary functions come from; one of them is needed for
 //! everything that computes angles), `alloc` (part of `std`: `Columns`, `Scene`), `nalgebra`
-//! (`Vector2`, `Vector3`, `Frame`, `Screw`), `simba` (`Lanes`), `num-dual` (`Dual`), `rayon`
-//! (sweeps on all threads).
+//! (`Vector2`, `Vector3`, `Frame`, `Screw`), `rayon` (sweeps on all threads).
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
@@ -56,10 +55,6 @@ pub use error::{ClosestApproach, CoupledCause, CoupledError, Missed, Placed, Val
 pub use frame::Frame;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_core::Cycle;
-#[cfg(feature = "num-dual")]
-pub use linkage_core::Dual;
-#[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
-pub use linkage_core::Lanes;
 #[cfg(feature = "alloc")]
 pub use linkage_core::numeric::roots::Unlisted;
 pub use linkage_core::{
