@@ -58,8 +58,8 @@ impl CentreCurve {
         Ok(Self { moves, poses, pole })
     }
 
-    /// The pole through which the lines of [`CentreCurve::at`] go: where the body turns about from
-    /// the first pose to another one.
+    /// The pole through which the lines of [`CentreCurve::points_at`] go: where the body turns
+    /// about from the first pose to another one.
     #[must_use]
     pub fn pole(&self) -> [f64; 2] {
         self.moves.pivots(ZERO, self.pole).fixed
