@@ -5,9 +5,9 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[cfg(feature = "num-dual")]
-pub use linkage_runtime::Dual;
+pub use linkage_core::Dual;
 #[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
-pub use linkage_runtime::Lanes;
+pub use linkage_core::Lanes;
 /// The library whose vectors and poses results are, for everything else that it offers for them,
 /// in the version that fits.
 pub use linkage_runtime::nalgebra;
@@ -68,6 +68,24 @@ macro_rules! mechanism {
     ($($tokens:tt)*) => {
         $crate::__private::mechanism! { [$crate] $($tokens)* }
     };
+}
+
+/// Its content if feature `report` or `design` is on, which read columns by their names, else
+/// nothing: unused items need not be compiled.
+#[cfg(any(feature = "report", feature = "design"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_report {
+    ($($item:tt)*) => { $($item)* };
+}
+
+/// Its content if feature `report` or `design` is on, which read columns by their names, else
+/// nothing: unused items need not be compiled.
+#[cfg(not(any(feature = "report", feature = "design")))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_report {
+    ($($item:tt)*) => {};
 }
 
 // Links between pages lead to files if the repository is read: each page ends with them. Here
@@ -197,7 +215,7 @@ pub mod tolerance {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/tolerance.md")]
 
-    pub use linkage_runtime::tolerance::*;
+    pub use linkage_analysis::tolerance::*;
 }
 
 /// Design: from requirements to dimensions, by least squares from many starts.
@@ -209,13 +227,13 @@ pub mod design {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/design.md")]
 
-    pub use linkage_runtime::design::*;
+    pub use linkage_design::*;
 
     /// Exact synthesis: all mechanisms that meet as many conditions as they have dimensions.
     pub mod exact {
         #![doc = include_str!("../docs/exact.md")]
 
-        pub use linkage_runtime::design::exact::*;
+        pub use linkage_synthesis::*;
     }
 }
 
@@ -225,7 +243,7 @@ pub mod report {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/report.md")]
 
-    pub use linkage_runtime::report::*;
+    pub use linkage_report::*;
 }
 
 /// Pins of joints: their diameter under the largest reaction, and their stresses.
@@ -233,7 +251,7 @@ pub mod report {
 pub mod pins {
     #![doc = include_str!("../docs/pins.md")]
 
-    pub use linkage_runtime::pins::*;
+    pub use linkage_analysis::pins::*;
 }
 
 /// Jacobians both ways: motions, forces, condition, singular positions.
@@ -249,7 +267,7 @@ pub mod cam {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/cam.md")]
 
-    pub use linkage_runtime::cam::*;
+    pub use linkage_analysis::cam::*;
 }
 
 /// Counterweights: the least shaking force over a cycle.
@@ -257,7 +275,7 @@ pub mod cam {
 pub mod balancing {
     #![doc = include_str!("../docs/balancing.md")]
 
-    pub use linkage_runtime::balancing::*;
+    pub use linkage_analysis::balancing::*;
 }
 
 /// Figures of a cycle: limits, extreme velocities, dwells, time ratio, transmission angle, margin.
@@ -265,7 +283,7 @@ pub mod balancing {
 pub mod summary {
     #![doc = include_str!("../docs/summary.md")]
 
-    pub use linkage_runtime::summary::*;
+    pub use linkage_analysis::summary::*;
 }
 
 /// Clearances: the least distance of two working members over a cycle, and the phase that makes it
@@ -275,7 +293,7 @@ pub mod clearance {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/clearance.md")]
 
-    pub use linkage_runtime::clearance::*;
+    pub use linkage_analysis::clearance::*;
 }
 
 /// Cyclograms: the motions of the working members of a machine over the shaft angle.
@@ -284,7 +302,7 @@ pub mod cyclogram {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/cyclogram.md")]
 
-    pub use linkage_runtime::cyclogram::*;
+    pub use linkage_analysis::cyclogram::*;
 }
 
 /// Tests of the programs in the README.
@@ -301,6 +319,7 @@ struct Overview;
 /// see.
 #[doc(hidden)]
 pub mod __private {
+    pub use crate::if_report;
     pub use linkage_macros::mechanism;
     #[cfg(any(feature = "std", feature = "libm"))]
     pub use linkage_runtime::support::{
@@ -338,7 +357,7 @@ pub mod __private {
         Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, NotFollowed,
         Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint,
         PlaneFrame, PointKind, Programs, ResultRow, Scalar, Structure, Table, Vector2, Vector3,
-        if_alloc, if_rayon, if_report,
+        if_alloc, if_rayon,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::{Circuits, Cycle, RangeReport};

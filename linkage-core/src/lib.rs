@@ -19,6 +19,8 @@ extern crate std;
 pub mod certificate;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod elementary;
+#[doc(hidden)]
+pub mod format;
 #[cfg(any(feature = "std", feature = "libm"))]
 #[doc(hidden)]
 pub mod math;

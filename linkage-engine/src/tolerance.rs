@@ -1,8 +1,8 @@
 //! Effects of tolerances on the results of a function.
 
+use linkage_analysis::tolerance::{Components, Tolerances};
 use linkage_compiler::ir::{Field, Meaning, Shape};
 use linkage_runtime::Parameter;
-use linkage_runtime::tolerance::{Components, Tolerances};
 
 use crate::error::ToleranceError;
 use crate::mechanism::Mechanism;

@@ -122,7 +122,7 @@ pub(crate) fn literal(x: f64) -> String {
 #[cfg(all(test, feature = "module"))]
 mod tests {
     use super::*;
-    use linkage_runtime::javascript::engine;
+    use crate::engine::engine;
     use linkage_symbolic::program::{Binary, RustCall, Ternary, Unary};
 
     /// JavaScript has the function of each operation, or the engine defines it.

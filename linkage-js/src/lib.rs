@@ -28,23 +28,31 @@
 //! assert!(module.types.contains("motion(phi: number): { s: number; speed: number };"));
 //! ```
 
+#[cfg(feature = "description")]
 mod description;
+#[cfg(feature = "engine")]
+#[doc(hidden)]
+pub mod engine;
+#[cfg(feature = "description")]
 mod instruction;
 #[cfg(feature = "module")]
 mod js_names;
 #[cfg(feature = "module")]
 mod module;
+#[cfg(feature = "description")]
 mod object;
 #[cfg(feature = "module")]
 mod types;
 
+#[cfg(feature = "description")]
 use linkage_compiler::ir::CompiledMechanism;
 
 #[cfg(feature = "module")]
 pub use module::{Clash, Module, module, modules};
 
-/// Returns the description of a mechanism for the engine of `linkage-runtime`: an object of
+/// Returns the description of a mechanism for the engine: an object of
 /// JavaScript with its programs. Pages of reports have it next to the engine.
+#[cfg(feature = "description")]
 pub fn description(name: &str, unit: &CompiledMechanism) -> String {
     description::description(name, unit)
 }

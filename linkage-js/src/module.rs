@@ -4,10 +4,9 @@ use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 
-use linkage_compiler::ir::CompiledMechanism;
-use linkage_runtime::javascript::module_engine;
-
+use crate::engine::module_engine;
 use crate::{description, js_names, types};
+use linkage_compiler::ir::CompiledMechanism;
 
 /// A mechanism as JavaScript.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -4,11 +4,8 @@
 //! Users reach everything here through the facade crate `linkage`.
 //!
 //! Features: `std` or `libm` (where the elementary functions come from; one of them is needed for
-//! everything that computes angles, and for the module `pins`), `alloc` (part of `std`: `Columns`,
-//! `Scene`, the modules `summary` and `cyclogram`, with elementary functions `balancing`, `cam` and
-//! `clearance`), `nalgebra` (`Vector2`, `Vector3`, `Frame`, `Screw`), `simba` (`Lanes`), `num-dual`
-//! (`Dual`), `rayon` (sweeps on all threads), `tolerance` and `monte-carlo` (the module
-//! `tolerance`), `design` (the module `design`), `report` (the module `report`).
+//! everything that computes angles), `alloc` (part of `std`: `Columns`, `Scene`), `nalgebra`
+//! (`Vector2`, `Vector3`, `Frame`, `Screw`), `rayon` (sweeps on all threads).
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
@@ -18,39 +15,21 @@ extern crate alloc;
 extern crate std;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub mod balancing;
-#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub mod cam;
-#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod circuits;
-#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub mod clearance;
 #[cfg(feature = "alloc")]
 mod columns;
-#[cfg(any(feature = "std", feature = "libm"))]
-mod components;
-#[cfg(feature = "alloc")]
-pub mod cyclogram;
 mod data;
-#[cfg(feature = "design")]
-pub mod design;
 mod dimensions;
 mod error;
-mod format;
 #[cfg(feature = "nalgebra")]
 mod frame;
 pub mod jacobian;
-#[doc(hidden)]
-pub mod javascript;
 mod motion;
-#[cfg(any(feature = "std", feature = "libm"))]
-pub mod pins;
 #[cfg(feature = "nalgebra")]
 mod plane_frame;
+mod programs;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod range_check;
-#[cfg(feature = "report")]
-pub mod report;
 #[cfg(feature = "alloc")]
 mod result_columns;
 mod result_row;
@@ -59,13 +38,9 @@ mod scene;
 #[cfg(feature = "nalgebra")]
 mod screw;
 mod structure;
-#[cfg(feature = "alloc")]
-pub mod summary;
 #[doc(hidden)]
 pub mod support;
 mod table;
-#[cfg(feature = "tolerance")]
-pub mod tolerance;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use circuits::{Branch, BranchEnd, Circuits, Estimate, Meeting};
@@ -78,13 +53,8 @@ pub use error::{AssemblyError, GroupRef, Halt, NotFollowed};
 pub use error::{ClosestApproach, CoupledCause, CoupledError, Missed, Placed, Value};
 #[cfg(feature = "nalgebra")]
 pub use frame::Frame;
-pub use javascript::Programs;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_core::Cycle;
-#[cfg(feature = "num-dual")]
-pub use linkage_core::Dual;
-#[cfg(all(feature = "simba", any(feature = "std", feature = "libm")))]
-pub use linkage_core::Lanes;
 #[cfg(feature = "alloc")]
 pub use linkage_core::numeric::roots::Unlisted;
 pub use linkage_core::{
@@ -100,6 +70,7 @@ pub use motion::{true_acceleration, true_jerk, true_velocity};
 pub use nalgebra::{self, Vector2, Vector3};
 #[cfg(feature = "nalgebra")]
 pub use plane_frame::PlaneFrame;
+pub use programs::Programs;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use range_check::{RangeFinding, RangeFindingKind, RangeMessage, RangeReport, Unchecked};
 #[cfg(feature = "alloc")]

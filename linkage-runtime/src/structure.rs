@@ -1,8 +1,8 @@
 //! The structure that the compiler found in a mechanism.
 
 use crate::data::Operations;
-use crate::format::{join, numbers};
 use core::fmt;
+use linkage_core::format::{join, numbers};
 
 /// The structure of a mechanism: its Assur groups in the order in which they are solved, and the
 /// cost of each generated function.

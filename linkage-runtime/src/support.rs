@@ -94,24 +94,6 @@ macro_rules! if_alloc {
     ($($item:tt)*) => {};
 }
 
-/// Its content if feature `report` or `design` is on, which read columns by their names, else
-/// nothing: unused items need not be compiled.
-#[cfg(any(feature = "report", feature = "design"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! if_report {
-    ($($item:tt)*) => { $($item)* };
-}
-
-/// Its content if feature `report` or `design` is on, which read columns by their names, else
-/// nothing: unused items need not be compiled.
-#[cfg(not(any(feature = "report", feature = "design")))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! if_report {
-    ($($item:tt)*) => {};
-}
-
 /// Its content if feature `rayon` is on, else nothing.
 #[cfg(feature = "rayon")]
 #[doc(hidden)]

@@ -313,10 +313,10 @@ fn true_motion_of_vectors() {
     );
 }
 
-#[cfg(feature = "num-dual")]
 #[test]
 fn true_motion_of_vectors_of_dual_numbers() {
-    use linkage_runtime::{Dual, Scalar, Vector2};
+    use linkage_core::Dual;
+    use linkage_runtime::{Scalar, Vector2};
     let number = |x: f64| Dual::<num_dual::Dual64>::from_f64(x);
     let v1 = Vector2::new(number(1.0), number(2.0));
     assert_eq!(

@@ -9,15 +9,20 @@ use std::thread;
 use crate::lexer::{Lexed, lexed};
 
 /// Crates by their folders; the facade has its sources in `src`.
-pub(crate) const CRATES: [&str; 9] = [
+pub(crate) const CRATES: [&str; 14] = [
+    "linkage-analysis",
     "linkage-c",
     "linkage-cli",
     "linkage-compiler",
     "linkage-core",
+    "linkage-design",
+    "linkage-formats",
     "linkage-js",
     "linkage-macros",
+    "linkage-report",
     "linkage-runtime",
     "linkage-symbolic",
+    "linkage-synthesis",
     "src",
 ];
 

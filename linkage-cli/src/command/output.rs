@@ -6,7 +6,7 @@ use std::iter::successors;
 use std::path::{Path, PathBuf};
 use std::process;
 
-use linkage_runtime::report::AtomicFile;
+use linkage_report::AtomicFile;
 
 use super::replaced::refuse_mechanism;
 use crate::failure::Failure;

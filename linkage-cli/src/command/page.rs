@@ -10,8 +10,8 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 use clap::{Args, value_parser};
 use linkage_compiler::shortened;
 use linkage_js::description;
+use linkage_report::{Index, Report, ReportError};
 use linkage_runtime::Programs;
-use linkage_runtime::report::{Index, Report, ReportError};
 
 use super::choose::Chosen;
 use super::output::print;

@@ -5,7 +5,7 @@ mod streamed;
 use std::path::PathBuf;
 
 use clap::{Args, value_parser};
-use linkage_runtime::report::{CsvStyle, Mistake};
+use linkage_report::{CsvStyle, Mistake};
 
 use super::choose::Chosen;
 use super::output::put;

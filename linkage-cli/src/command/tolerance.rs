@@ -5,10 +5,10 @@ mod aligned;
 use std::fmt::Write;
 
 use clap::{Args, value_parser};
+use linkage_analysis::tolerance::largest;
 use linkage_engine::{Assembly, Mechanism, SensitiveQuantity, ToleranceEffects};
+use linkage_report::CsvStyle;
 use linkage_runtime::Input;
-use linkage_runtime::report::CsvStyle;
-use linkage_runtime::tolerance::largest;
 
 use super::choose::Chosen;
 use super::output::print;

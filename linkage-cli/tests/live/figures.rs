@@ -3,9 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use linkage_analysis::summary::Curve;
 use linkage_browser::Page;
 use linkage_engine::{Assembly, Mechanism};
-use linkage_runtime::summary::Curve;
 
 use crate::pages;
 

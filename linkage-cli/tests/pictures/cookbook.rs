@@ -1,7 +1,7 @@
 //! Pictures of the cookbook.
 
-use linkage_runtime::balancing::Balance;
-use linkage_runtime::report::{Plot, Report};
+use linkage_analysis::balancing::Balance;
+use linkage_report::{Plot, Report};
 
 use crate::Picture;
 use crate::rows::{Rows, between, report};

@@ -1,6 +1,6 @@
 //! Pictures of the language reference.
 
-use linkage_runtime::report::{Plot, Report};
+use linkage_report::{Plot, Report};
 
 use crate::Picture;
 use crate::rows::{Rows, report};

@@ -1,7 +1,7 @@
 //! Results of a function over positions of its input.
 
 use linkage_engine::{Assembly, Mechanism};
-use linkage_runtime::report::Report;
+use linkage_report::Report;
 use linkage_runtime::{Heading, Input, Table};
 
 /// The results of a function, column by column.

@@ -1,13 +1,13 @@
 //! Circuits as a table.
 
 use super::branch::{BranchEnd, Circuits, Estimate, Meeting};
-use crate::format::{rounded, settled};
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
 use linkage_core::Cycle;
+use linkage_core::format::{rounded, settled};
 use linkage_core::range_check::listed;
 
 /// One line for each assembly; angles in degrees. Behind its ends and margin: an input, and the

@@ -3,10 +3,10 @@
 use super::group::GroupRef;
 #[cfg(feature = "alloc")]
 use super::unprepared::{CoupledCause, CoupledError};
-use crate::format::rounded;
 #[cfg(feature = "alloc")]
 use alloc::boxed::Box;
 use core::fmt;
+use linkage_core::format::rounded;
 
 /// Squares of larger numbers overflow.
 pub(crate) const LARGEST: f64 = 1e154;

@@ -1,8 +1,8 @@
 //! Closest approach of loops that are not reached from their estimates.
 
-use crate::format::{printed, rounded};
 use alloc::vec::Vec;
 use core::fmt;
+use linkage_core::format::{printed, rounded};
 
 /// Closest approach of a group that is not reached from its estimates.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! A group as errors name it.
 
-use crate::format::{join, numbers};
 use crate::structure::Group;
 use core::fmt;
+use linkage_core::format::{join, numbers};
 
 /// A group of a mechanism, as errors name it.
 ///

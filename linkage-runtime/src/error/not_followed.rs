@@ -1,9 +1,9 @@
 //! Why a follower stays where it is.
 
 use super::group::GroupRef;
-use crate::format::rounded;
 use crate::structure::Group;
 use core::fmt;
+use linkage_core::format::rounded;
 
 /// Why a follower of an assembly did not reach the inputs that it was to go to. It stays where it
 /// was.

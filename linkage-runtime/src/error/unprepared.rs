@@ -2,9 +2,9 @@
 
 use super::closest_approach::ClosestApproach;
 use super::group::GroupRef;
-use crate::format::rounded;
 use alloc::vec::Vec;
 use core::fmt;
+use linkage_core::format::rounded;
 use linkage_core::numeric::roots::Unlisted;
 
 /// Why a group that has no closed form (class III and higher) was not assembled.

@@ -245,10 +245,9 @@ fn what_cannot_be_assembled_says_why() {
     assert!(matches!(error, AssemblyError::Undefined { .. }), "{error}");
 }
 
-#[cfg(feature = "simba")]
 #[test]
 fn every_lane_has_its_table() {
-    use linkage_runtime::Lanes;
+    use linkage_core::Lanes;
     type Four = Lanes<simba::simd::AutoF64x4>;
 
     let cranks = [50.0, 55.0, 60.0, 65.0];

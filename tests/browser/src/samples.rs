@@ -18,7 +18,7 @@ pub use sliders::sliders;
 pub use spatial::{spatial, spatial_machine};
 pub use yokes::{yokes, yokes_cyclogram};
 
-use linkage_runtime::report::Report;
+use linkage_report::Report;
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::io::{self, Write};
 use std::mem::take;
 
-use linkage_runtime::report::CsvStyle;
+use linkage_report::CsvStyle;
 use serde_json::{Value, json};
 
 use super::super::running_input::Along;

@@ -1,6 +1,6 @@
 //! A four-bar with a ternary coupler, which need not turn fully.
 
-use linkage_runtime::report::{Report, SummaryRow};
+use linkage_report::{Report, SummaryRow};
 use linkage_runtime::{
     AssemblyMode, Column, Dimensions, FunctionInfo, Group, Heading, Input, Meaning, Operations,
     Parameter, Picture, PictureColumns, PictureLink, PicturePoint, PointKind, Structure,

@@ -1,8 +1,8 @@
 //! A machine of three parts on one shaft, two of which turn on one pivot.
 
-use linkage_runtime::cyclogram::{Band, Cyclogram, Member};
-use linkage_runtime::report::Report;
-use linkage_runtime::summary::Curve;
+use linkage_analysis::cyclogram::{Band, Cyclogram, Member};
+use linkage_analysis::summary::Curve;
+use linkage_report::Report;
 use linkage_runtime::{
     Drive, DriveOn, Guide, GuideOn, GuideShape, Heading, Input, Meaning, Picture, PictureColumns,
     PictureLink, PicturePart, PicturePoint, PointKind,

@@ -1,6 +1,6 @@
 //! A cam at as many positions as a test wants.
 
-use linkage_runtime::report::Report;
+use linkage_report::Report;
 use linkage_runtime::{Heading, Input, Meaning};
 
 use super::sheet::{Sheet, column};

@@ -1,6 +1,6 @@
 //! Quantities that are constant but for the last bit, and zeros of both signs.
 
-use linkage_runtime::report::Report;
+use linkage_report::Report;
 use linkage_runtime::{Heading, Input, Meaning};
 
 use super::sheet::{Sheet, column};

@@ -1,6 +1,6 @@
 //! Slides on all kinds of guides: a slider-crank, an oscillating cylinder, a block on a link.
 
-use linkage_runtime::report::Report;
+use linkage_report::Report;
 use linkage_runtime::{
     Drive, DriveOn, Guide, GuideOn, GuideShape, Heading, Input, Meaning, Picture, PictureColumns,
     PictureLink, PicturePoint, PointKind,

@@ -1,6 +1,6 @@
 //! An RSSR: a crank about z, a rocker about x, between them a link with two ball joints.
 
-use linkage_runtime::report::Report;
+use linkage_report::Report;
 use linkage_runtime::{
     Axis, Drive, DriveOn, Heading, Input, JointShape, Meaning, Picture, PictureColumns,
     PictureJoint, PictureLink, PicturePart, PicturePoint, PointKind,

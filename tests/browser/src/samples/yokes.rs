@@ -1,10 +1,9 @@
 //! A machine without loops that computes on its page: two slider cranks on one shaft, with programs written by hand.
 
-use linkage_runtime::cyclogram::{Band, Cyclogram, Member};
-use linkage_runtime::javascript::Programs;
-use linkage_runtime::report::Report;
-use linkage_runtime::summary::Curve;
-use linkage_runtime::{Column, Heading, Input, Meaning, Parameter};
+use linkage_analysis::cyclogram::{Band, Cyclogram, Member};
+use linkage_analysis::summary::Curve;
+use linkage_report::Report;
+use linkage_runtime::{Column, Heading, Input, Meaning, Parameter, Programs};
 use std::f64::consts::TAU;
 
 use super::sheet::{Sheet, column};

@@ -2,7 +2,7 @@
 
 use linkage_browser::samples::{FourBar, four_bar, page_written, sliders, spatial};
 use linkage_browser::{DESKTOP, Key, PHONE, Page, SMALL_PHONE};
-use linkage_runtime::report::{Aim, Compared, Comparison, Report};
+use linkage_report::{Aim, Compared, Comparison, Report};
 
 /// A few four-bars, each with two figures: a front of three, and two that are beaten.
 const FIGURES: [(&str, f64, [f64; 3]); 5] = [

@@ -1,8 +1,8 @@
 //! Cyclograms on pages that compute: they follow changed dimensions.
 
+use linkage_analysis::cyclogram::Cyclogram;
 use linkage_browser::samples::{written, yokes, yokes_cyclogram};
 use linkage_browser::{DESKTOP, Page};
-use linkage_runtime::cyclogram::Cyclogram;
 use serde_json::Value;
 
 /// Roundoffs of a quantity over its slope at a bound, in radians.

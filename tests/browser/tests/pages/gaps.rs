@@ -3,7 +3,7 @@
 use crate::checks;
 use linkage_browser::samples::{FourBar, Sheet, four_bar, written};
 use linkage_browser::{Key, Page};
-use linkage_runtime::report::Report;
+use linkage_report::Report;
 use linkage_runtime::{Column, Heading, Input, Meaning};
 
 #[test]

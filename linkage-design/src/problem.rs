@@ -1,0 +1,288 @@
+//! A checked design problem: variables as a list of numbers, and their effects.
+
+mod conditions;
+mod sizes;
+
+use core::f64::consts::TAU;
+use core::marker::PhantomData;
+use core::ops::Range;
+use linkage_core::Cycle;
+use std::boxed::Box;
+use std::vec::Vec;
+
+use super::limits::{Limits, Linear};
+use super::normal::Normal;
+use super::objective::{Candidates, Evaluate, Free, Objective, Rows};
+use super::optimum::Optimum;
+use linkage_runtime::Dimensions;
+
+/// Positive bounds with a larger ratio say nothing of the size: starts then have every order of
+/// size alike.
+const WIDE: f64 = 100.0;
+
+/// Turns that an angle has on both sides: a descent does not turn a part further.
+pub(crate) const ROOM: f64 = 2.0;
+
+/// The parts of a problem besides the objectives.
+pub(crate) struct Given<const N: usize> {
+    /// The parameters that do not vary, and those that do.
+    pub(crate) nominal: [f64; N],
+    /// Indices of the parameters that vary, in ascending order.
+    pub(crate) varied: Vec<usize>,
+    /// Their limits.
+    pub(crate) limits: Limits,
+    /// The variables that take some values only. The values ascend.
+    pub(crate) catalogues: Vec<(usize, Vec<f64>)>,
+    /// The range of the mechanism.
+    pub(crate) cycle: Cycle,
+}
+
+/// The variables are the parameters that vary, then the free inputs of each objective.
+pub(crate) struct Problem<'a, M, A, const N: usize> {
+    nominal: [f64; N],
+    pub(crate) varied: Vec<usize>,
+    pub(crate) limits: Limits,
+    /// Bounds of starts.
+    starts: Vec<(f64, f64)>,
+    pub(crate) catalogues: Vec<(usize, Vec<f64>)>,
+    pub(crate) cycle: Cycle,
+    pub(crate) objectives: &'a [Box<dyn Objective<M, A> + 'a>],
+    free: Vec<Option<Free>>,
+    /// The size of each row of a condition, from its own numbers; see [`measured`](Self::measured).
+    sizes: Vec<f64>,
+    of: PhantomData<fn(&M)>,
+}
+
+impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
+    pub(crate) fn new(
+        given: Given<N>,
+        objectives: &'a [Box<dyn Objective<M, A> + 'a>],
+        free: Vec<Option<Free>>,
+    ) -> Self {
+        let mut limits = given.limits;
+        let starts = limits
+            .lower
+            .iter()
+            .copied()
+            .zip(limits.upper.iter().copied())
+            .collect();
+        for (j, &index) in given.varied.iter().enumerate() {
+            let width = limits.upper[j] - limits.lower[j];
+            if M::PARAMETERS[index].unit == "rad" && width >= TAU - Cycle::TURN {
+                // An angle that may have any direction has no bounds: room to turn past the seam.
+                limits.lower[j] -= ROOM * TAU;
+                limits.upper[j] += ROOM * TAU;
+            }
+        }
+        for free in free.iter().flatten() {
+            let first = limits.len();
+            limits.lower.resize(first + free.count, free.bounds.0);
+            limits.upper.resize(first + free.count, free.bounds.1);
+            limits.relations.extend(order(free, first));
+        }
+        Self {
+            nominal: given.nominal,
+            varied: given.varied,
+            limits,
+            starts,
+            catalogues: given.catalogues,
+            cycle: given.cycle,
+            objectives,
+            free,
+            sizes: Vec::new(),
+            of: PhantomData,
+        }
+    }
+
+    /// The widths between the bounds.
+    pub(crate) fn widths(&self) -> Vec<f64> {
+        let bounds = self.limits.lower.iter().zip(&self.limits.upper);
+        bounds.map(|(low, high)| high - low).collect()
+    }
+
+    /// The mechanism with these variables.
+    pub(crate) fn mechanism(&self, x: &[f64]) -> M {
+        let mut values = self.nominal;
+        for (&index, x) in self.varied.iter().zip(x) {
+            values[index] = *x;
+        }
+        M::from_values(&values)
+    }
+
+    /// Returns the places of the free inputs of an objective among the variables.
+    pub(crate) fn inputs(&self, objective: usize) -> Range<usize> {
+        let count = |free: &Option<Free>| free.as_ref().map_or(0, |free| free.count);
+        let first = self.varied.len() + self.free[..objective].iter().map(count).sum::<usize>();
+        first..first + count(&self.free[objective])
+    }
+
+    /// A place within the bounds from numbers between 0 and 1.
+    fn within_bounds(&self, unit: &[f64]) -> Vec<f64> {
+        let value = |(u, &(low, high)): (&f64, &(f64, f64))| match low > 0.0 && high > WIDE * low {
+            true => low * (high / low).powf(*u),
+            false => low + (high - low) * u,
+        };
+        let mut x: Vec<f64> = unit.iter().zip(&self.starts).map(value).collect();
+        for (objective, free) in self.free.iter().enumerate() {
+            if let Some(free) = free {
+                x.extend(free.start(&unit[self.inputs(objective)]));
+            }
+        }
+        x
+    }
+
+    /// A start from numbers between 0 and 1, on all equalities; or the relations that it
+    /// contradicts.
+    pub(crate) fn start(&self, unit: &[f64]) -> Result<Vec<f64>, Vec<usize>> {
+        let x = self.within_bounds(unit);
+        let Some(x) = self.limits.on_equalities(x.clone()) else {
+            return Err(self.limits.broken(&x));
+        };
+        match self.limits.hold(&x) {
+            true => Ok(x),
+            false => Err(self.limits.broken(&x)),
+        }
+    }
+
+    /// The period of each variable that has one: angles and the inputs of a turn are the same after
+    /// a turn.
+    pub(crate) fn periods(&self) -> Vec<Option<f64>> {
+        let angle = |&index: &usize| (M::PARAMETERS[index].unit == "rad").then_some(TAU);
+        let mut periods: Vec<Option<f64>> = self.varied.iter().map(angle).collect();
+        for free in self.free.iter().flatten() {
+            periods.resize(periods.len() + free.count, free.turn);
+        }
+        periods
+    }
+
+    /// The optimum with directions within the bounds of starts.
+    pub(crate) fn wrapped(&self, optimum: &Optimum) -> Optimum {
+        let mut wrapped = optimum.clone();
+        for (j, (low, _)) in self.starts.iter().enumerate() {
+            if self.limits.lower[j] < *low {
+                wrapped.x[j] -= TAU * ((wrapped.x[j] - low) / TAU).floor();
+            }
+        }
+        wrapped
+    }
+
+    /// Returns the number of residuals.
+    pub(crate) fn residuals(&self) -> usize {
+        self.objectives
+            .iter()
+            .filter(|objective| !objective.is_condition())
+            .map(|objective| objective.rows())
+            .sum()
+    }
+}
+
+/// The inputs of an objective come in order, all within a turn.
+pub(crate) fn order(free: &Free, first: usize) -> Vec<Linear> {
+    let less = |a: usize, b: usize, most: f64| Linear {
+        terms: Vec::from([(first + a, 1.0), (first + b, -1.0)]),
+        most,
+        equality: false,
+    };
+    if !free.ordered || free.count < 2 {
+        return Vec::new();
+    }
+    let mut relations: Vec<Linear> = (1..free.count).map(|k| less(k - 1, k, 0.0)).collect();
+    relations.extend(free.turn.map(|turn| less(free.count - 1, 0, turn)));
+    relations
+}
+
+/// Evaluates a problem for many places side by side, with memory of its own.
+pub(crate) struct Evaluator<'a, M, A, const N: usize> {
+    problem: &'a Problem<'a, M, A, N>,
+    objectives: Vec<(Box<dyn Evaluate<M, A> + 'a>, Rows)>,
+    mechanisms: Vec<M>,
+    free: Vec<f64>,
+    places: Vec<usize>,
+    slopes: Vec<f64>,
+}
+
+impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Evaluator<'a, M, A, N> {
+    pub(crate) fn new(problem: &'a Problem<'a, M, A, N>) -> Self {
+        let rows = |(objective, free): (_, &Option<Free>)| {
+            let objective: &'a (dyn Objective<M, A> + 'a) = Box::as_ref(objective);
+            let free = free.as_ref().map_or(0, |free| free.count);
+            (objective.evaluator(), Rows::new(objective.rows(), N, free))
+        };
+        Self {
+            problem,
+            objectives: problem
+                .objectives
+                .iter()
+                .zip(&problem.free)
+                .map(rows)
+                .collect(),
+            mechanisms: Vec::new(),
+            free: Vec::new(),
+            places: Vec::new(),
+            slopes: Vec::new(),
+        }
+    }
+
+    /// Evaluates all objectives at some places; [`rows`](Self::rows) has the result.
+    pub(crate) fn evaluate<'x>(
+        &mut self,
+        assembly: &A,
+        places: impl Iterator<Item = &'x [f64]> + Clone,
+    ) {
+        self.mechanisms.clear();
+        self.mechanisms
+            .extend(places.clone().map(|x| self.problem.mechanism(x)));
+        for (index, (objective, rows)) in self.objectives.iter_mut().enumerate() {
+            let inputs = self.problem.inputs(index);
+            self.free.clear();
+            places
+                .clone()
+                .for_each(|x| self.free.extend_from_slice(&x[inputs.clone()]));
+            rows.reset(self.mechanisms.len());
+            let candidates = Candidates {
+                assembly,
+                mechanisms: &self.mechanisms,
+                free: &self.free,
+            };
+            objective.evaluate(&candidates, rows);
+        }
+    }
+
+    /// The rows of an objective, after the last evaluation.
+    pub(crate) fn rows(&self, objective: usize) -> &Rows {
+        &self.objectives[objective].1
+    }
+
+    /// Fills the sum of squares of a place, after the last evaluation.
+    pub(crate) fn normal(&mut self, start: usize, normal: &mut Normal) {
+        normal.clear();
+        let varied = &self.problem.varied;
+        for (index, (_, rows)) in self.objectives.iter().enumerate() {
+            let inputs = self.problem.inputs(index);
+            let condition = self.problem.objectives[index].is_condition();
+            for row in 0..rows.count() {
+                let (value, parameters, free) = rows.row(start, row);
+                self.places.clear();
+                self.slopes.clear();
+                for (j, &parameter) in varied.iter().enumerate() {
+                    self.places.push(j);
+                    self.slopes.push(parameters[parameter]);
+                }
+                for (j, &slope) in inputs.clone().zip(free).filter(|(_, slope)| **slope != 0.0) {
+                    self.places.push(j);
+                    self.slopes.push(slope);
+                }
+                if condition {
+                    let mut dense = std::vec![0.0; self.problem.limits.len()];
+                    self.places
+                        .iter()
+                        .zip(&self.slopes)
+                        .for_each(|(&j, &slope)| dense[j] = slope);
+                    normal.conditions.push((value, dense));
+                } else {
+                    normal.add(value, &self.places, &self.slopes);
+                }
+            }
+        }
+    }
+}
