@@ -10,6 +10,7 @@ pub use linkage_core::Dual;
 pub use linkage_core::Lanes;
 /// The library whose vectors and poses results are, for everything else that it offers for them,
 /// in the version that fits.
+#[cfg(feature = "nalgebra")]
 pub use linkage_runtime::nalgebra;
 pub use linkage_runtime::{
     AssemblyError, AssemblyMode, Axis, Column, Dimensions, Drive, DriveOn, Frame, FunctionInfo,

@@ -1,6 +1,7 @@
 //! Scalars and vectors as arrays of components.
 
 use linkage_core::math::double::sqrt;
+use linkage_runtime::{Vector2, Vector3};
 
 /// A sensitivity, a force or a moment: a number, or a vector of two or three components.
 ///
@@ -28,15 +29,13 @@ macro_rules! arrays {
 
 arrays!(1 2 3);
 
-#[cfg(feature = "nalgebra")]
-impl Components<2> for nalgebra::Vector2<f64> {
+impl Components<2> for Vector2<f64> {
     fn components(self) -> [f64; 2] {
         self.into()
     }
 }
 
-#[cfg(feature = "nalgebra")]
-impl Components<3> for nalgebra::Vector3<f64> {
+impl Components<3> for Vector3<f64> {
     fn components(self) -> [f64; 3] {
         self.into()
     }

@@ -1,9 +1,11 @@
 //! A frame in space: where a body is and how it is turned.
 
 use core::fmt::{self, Debug, Formatter};
-use nalgebra::{Isometry3, Matrix3, RealField, Rotation3, Translation3, UnitQuaternion, Vector3};
+#[cfg(feature = "nalgebra")]
+use nalgebra::{Isometry3, Matrix3, RealField, Rotation3, Translation3, UnitQuaternion};
 
 use crate::support::named;
+use crate::vectors::Vector3;
 use linkage_core::Scalar;
 
 /// A frame in space: a point and three perpendicular directions of length 1, right-handed. It is
@@ -26,6 +28,7 @@ use linkage_core::Scalar;
 /// let tip = body.point(Vector3::new(2.0, 0.5, 0.0));
 /// assert_eq!(tip, Vector3::new(1.0, 0.5, 2.0));
 /// assert_eq!(body.coordinates(tip), Vector3::new(2.0, 0.5, 0.0));
+/// # #[cfg(feature = "nalgebra")]
 /// assert!((body.isometry() * nalgebra::Point3::new(2.0, 0.5, 0.0) - tip).coords.norm() < 1e-15);
 /// ```
 #[derive(Clone, Copy, PartialEq)]
@@ -72,6 +75,7 @@ impl<T: Scalar> Frame<T> {
     }
 }
 
+#[cfg(feature = "nalgebra")]
 impl<T: RealField> Frame<T> {
     /// The rotation that turns the fixed axes into those of the frame: the matrix of its axes.
     #[must_use]

@@ -5,7 +5,7 @@
 //!
 //! Features: `std` or `libm` (where the elementary functions come from; one of them is needed for
 //! everything that computes angles), `alloc` (part of `std`: `Columns`, `Scene`), `nalgebra`
-//! (`Vector2`, `Vector3`, `Frame`, `Screw`), `rayon` (sweeps on all threads).
+//! (`Vector2` and `Vector3` are those of nalgebra), `rayon` (sweeps on all threads).
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
@@ -21,11 +21,9 @@ mod columns;
 mod data;
 mod dimensions;
 mod error;
-#[cfg(feature = "nalgebra")]
 mod frame;
 pub mod jacobian;
 mod motion;
-#[cfg(feature = "nalgebra")]
 mod plane_frame;
 mod programs;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
@@ -35,12 +33,12 @@ mod result_columns;
 mod result_row;
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 mod scene;
-#[cfg(feature = "nalgebra")]
 mod screw;
 mod structure;
 #[doc(hidden)]
 pub mod support;
 mod table;
+mod vectors;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use circuits::{Branch, BranchEnd, Circuits, Estimate, Meeting};
@@ -51,7 +49,6 @@ pub use dimensions::Dimensions;
 pub use error::{AssemblyError, GroupRef, Halt, NotFollowed};
 #[cfg(feature = "alloc")]
 pub use error::{ClosestApproach, CoupledCause, CoupledError, Missed, Placed, Value};
-#[cfg(feature = "nalgebra")]
 pub use frame::Frame;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_core::Cycle;
@@ -67,8 +64,7 @@ pub use linkage_core::{Enclosure, Float};
 pub use linkage_core::{FUSED, numeric};
 pub use motion::{true_acceleration, true_jerk, true_velocity};
 #[cfg(feature = "nalgebra")]
-pub use nalgebra::{self, Vector2, Vector3};
-#[cfg(feature = "nalgebra")]
+pub use nalgebra;
 pub use plane_frame::PlaneFrame;
 pub use programs::Programs;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
@@ -78,7 +74,7 @@ pub use result_columns::ResultColumns;
 pub use result_row::ResultRow;
 #[cfg(all(feature = "alloc", target_has_atomic = "ptr"))]
 pub use scene::{Handle, Handles, Scene};
-#[cfg(feature = "nalgebra")]
 pub use screw::Screw;
 pub use structure::{FunctionInfo, Group, Structure};
 pub use table::{Column, Heading, PictureColumns, Table};
+pub use vectors::{Vector2, Vector3};

@@ -9,12 +9,10 @@ use core::ops::{Add, Mul};
 /// result is the unit of the quantity per second.
 ///
 /// ```
-/// # #[cfg(feature = "nalgebra")] {
 /// use linkage_runtime::{Vector2, true_velocity};
 ///
 /// assert_eq!(true_velocity(0.5, 10.0), 5.0);
 /// assert_eq!(true_velocity(Vector2::new(3.0, -1.0), 10.0), Vector2::new(30.0, -10.0));
-/// # }
 /// ```
 #[inline(always)]
 #[must_use]

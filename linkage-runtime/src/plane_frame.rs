@@ -1,9 +1,11 @@
 //! A frame of the plane: where a body is and how it is turned.
 
 use core::fmt::{self, Debug, Formatter};
-use nalgebra::{Isometry2, Matrix2, RealField, Rotation2, Translation2, UnitComplex, Vector2};
+#[cfg(feature = "nalgebra")]
+use nalgebra::{Isometry2, Matrix2, RealField, Rotation2, Translation2, UnitComplex};
 
 use crate::support::named;
+use crate::vectors::Vector2;
 use linkage_core::Scalar;
 
 /// A frame of the plane: a point and two perpendicular directions of length 1, the second one a
@@ -26,6 +28,7 @@ use linkage_core::Scalar;
 /// let tip = body.point(Vector2::new(2.0, 0.5));
 /// assert_eq!(tip, Vector2::new(0.5, 2.0));
 /// assert_eq!(body.coordinates(tip), Vector2::new(2.0, 0.5));
+/// # #[cfg(feature = "nalgebra")]
 /// assert!((body.isometry() * nalgebra::Point2::new(2.0, 0.5) - tip).coords.norm() < 1e-15);
 /// ```
 #[derive(Clone, Copy, PartialEq)]
@@ -69,6 +72,7 @@ impl<T: Scalar> PlaneFrame<T> {
     }
 }
 
+#[cfg(feature = "nalgebra")]
 impl<T: RealField> PlaneFrame<T> {
     /// The rotation that turns the fixed axes into those of the frame: the matrix of its axes.
     #[must_use]

@@ -2,9 +2,9 @@
 
 use core::array::from_fn;
 use core::fmt::{self, Debug, Formatter};
-use nalgebra::Vector3;
 
 use crate::support::named;
+use crate::vectors::Vector3;
 use linkage_core::Scalar;
 
 /// The motion of a body at one moment: it turns about an axis and shifts along it, as a screw does

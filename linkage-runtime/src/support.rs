@@ -12,7 +12,6 @@ mod coupled;
 mod dispatch;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod follower;
-#[cfg(feature = "nalgebra")]
 mod named;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod revolutions;
@@ -61,7 +60,6 @@ pub use linkage_core::numeric::roots::{Term, Variable};
 pub use linkage_core::range_check::Slack;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_core::{Enclosure, Level};
-#[cfg(feature = "nalgebra")]
 pub use named::{Named, named};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use revolutions::{Along, Angle, Revolutions, revolutions, wind, wind_one};

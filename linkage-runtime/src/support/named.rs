@@ -2,7 +2,7 @@
 
 use core::fmt::{Debug, Formatter, Result};
 
-use nalgebra::{Vector2, Vector3};
+use crate::vectors::{Vector2, Vector3};
 
 /// A vector, or an array of such, with its components by name; as numbers of a matrix, which it is,
 /// nobody would know them.
