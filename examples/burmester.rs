@@ -11,28 +11,10 @@ mod check;
 
 use check::Check;
 use linkage::design::exact::{CentreCurve, Dyads, FourBar, Pose};
-use linkage::mechanism;
 use std::error::Error;
 use std::fmt::Write;
 
-mechanism! {
-    /// A four-bar whose coupler is the body, its frame turned to the x axis.
-    pub struct Guide {
-        param frame   = 289mm;
-        param crank   = 88mm;
-        param coupler = 228mm;
-        param rocker  = 210mm;
-
-        input phi = 30deg in -360deg..360deg;
-        unknown theta = 40deg;
-        unknown psi   = 80deg;
-        loop polar(crank, phi) + polar(coupler, theta) = (frame, 0) + polar(rocker, psi);
-    }
-
-    impl Guide {
-        pub fn coupler(phi) -> Coupler { theta }
-    }
-}
+include!("../mechanisms/burmester.rs");
 
 /// In millimetres and degrees.
 const POSES: [([f64; 2], f64); 5] = [

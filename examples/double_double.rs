@@ -16,42 +16,12 @@ mod check;
 mod number;
 
 use check::Check;
-use linkage::{Scalar, Vector2, mechanism};
+use linkage::{Scalar, Vector2};
 use number::DoubleDouble;
 use std::error::Error;
 use std::str::FromStr;
 
-mechanism! {
-    /// Crank-rocker four-bar with a coupler point.
-    pub struct CrankRocker {
-        unit mm;
-
-        param crank   = 40mm;
-        param coupler = 120.1mm;
-        param rocker  = 80mm;
-        param frame   = 100mm;
-        param arm     = 60mm;
-        param lift    = 30deg;
-
-        input phi = 40deg in 0deg..360deg;
-        unknown theta = 20deg;
-        unknown psi   = 60deg;
-
-        let a = polar(crank, phi);
-        loop a + polar(coupler, theta) = (frame, 0) + polar(rocker, psi);
-        let tracer = a + polar(arm, theta + lift);
-    }
-
-    impl CrankRocker {
-        /// Motion of the coupler point, and the rocker's angle.
-        pub fn motion(phi) -> Motion {
-            tracer,
-            v: velocity(tracer),
-            a: acceleration(tracer),
-            psi,
-        }
-    }
-}
+include!("../mechanisms/double_double.rs");
 
 /// A name and the digits of x, y of the point, its velocity and its acceleration, and psi.
 ///

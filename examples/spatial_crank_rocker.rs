@@ -9,61 +9,10 @@ mod check;
 pub(crate) mod published;
 
 use check::Check;
-use linkage::{Vector3, mechanism};
+use linkage::Vector3;
 use std::error::Error;
 
-mechanism! {
-    /// A crank about the x axis and a rocker about an axis that is tilted twice.
-    pub struct SpatialCrankRocker {
-        unit mm;
-
-        param l12 = 30mm;
-        param p4 = (110mm, 30mm, -50mm);
-        param gamma1 = 15deg;                  // the rocker's axis: from z about y,
-        param gamma2 = -20deg;                 // then about the new x
-        param l43 = 70mm;
-        param l23 = 130mm;
-        param angle_coupler = 90deg;           // of the frame's z axis to the coupler
-        param angle_pin = 90deg;               // and to the pin of the crank
-        param tool = (90mm, 15mm, -25mm);      // in the coupler's frame
-
-        input phi = 0deg in 0deg..360deg;
-
-        const x = (1, 0, 0);
-        const y = (0, 1, 0);
-        const z = (0, 0, 1);
-
-        // Crank from the y axis, rocker from the new x axis.
-        let p2 = turn(l12 * y, x, phi);
-        let new_x = turn(x, y, gamma1);
-        let axis = turn(turn(z, y, gamma1), new_x, gamma2);
-        unknown psi = 100deg;
-        let p3 = p4 + turn(l43 * new_x, axis, psi);
-        loop distance(p2, p3) = l23;
-
-        // The pin of the crank is parallel to the crank's axis.
-        unknown upward = (0, 0.7, 0.7);
-        loop norm(upward) = 1;
-        loop dot(upward, p3 - p2) = l23 * cos(angle_coupler);
-        loop dot(upward, x) = cos(angle_pin);
-        let coupler = frame(p2, p3 - p2, upward);
-        let tip = point_in(coupler, tool);
-    }
-
-    impl SpatialCrankRocker {
-        /// The rocker and the tool point with their kinematic coefficients.
-        pub fn motion(phi) -> Motion {
-            psi, dpsi: velocity(psi), ddpsi: acceleration(psi),
-            tip, v: velocity(tip), a: acceleration(tip),
-        }
-        /// All links, for drawings.
-        pub fn picture(phi) -> Picture { shape: picture() }
-        /// What all dimensions do to the tool point.
-        pub fn accuracy(phi) -> Accuracy { tip, e: sensitivity(tip) }
-        /// Joints, and the frame of the coupler.
-        pub fn pose(phi) -> Pose { p2, p3, axis, coupler, margin: margin() }
-    }
-}
+include!("../mechanisms/spatial_crank_rocker.rs");
 
 /// Derivatives by the 13 dimensions.
 const DIMENSIONS: usize = SpatialCrankRocker::PARAMETERS.len();
@@ -194,7 +143,7 @@ struct Reference {
 
 /// The references; a line that cannot be read becomes NaN and fails its comparisons.
 fn references() -> Vec<Reference> {
-    let lines = include_str!("spatial_crank_rocker/reference.csv").lines();
+    let lines = include_str!("../mechanisms/spatial_crank_rocker/reference.csv").lines();
     let read = |line: &str| {
         let cells = line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN));
         let numbers: Vec<f64> = cells.collect();

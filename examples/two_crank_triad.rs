@@ -13,61 +13,11 @@
 mod check;
 
 use check::Check;
-use linkage::{BranchEnd, Vector2, mechanism};
+use linkage::{BranchEnd, Vector2};
 use std::error::Error;
 use std::f64::consts::TAU;
 
-mechanism! {
-    /// The drive as published.
-    pub struct TwoCranks {
-        unit mm;
-
-        param l12 = 13mm;
-        param l67 = 11mm;
-        param p7 = (82mm, 22mm);
-        param l23 = 68mm;
-        param l64 = 85mm;
-        param l34 = 66mm;
-        param l35 = 40mm;
-        param angle_435 = -65deg;
-        param n1 = (28mm, 0mm);
-        param guide = 90deg;
-        param l58 = 40mm;
-        param angle_58 = 30deg;
-
-        input phi = 0deg in 0deg..360deg;
-        unknown phi23 = 105deg;
-        unknown phi34 = 29deg;
-        unknown phi64 = 118deg;
-        unknown s = 42mm;
-
-        // The first crank turns clockwise, the second one counter-clockwise.
-        let p2 = polar(l12, -phi);
-        let p6 = p7 + polar(l67, phi);
-        let p3 = p2 + polar(l23, phi23);
-        let p4 = p3 + polar(l34, phi34);
-        let p5 = n1 + polar(s, guide);
-        loop p4 = p6 + polar(l64, phi64);
-        loop p3 + polar(l35, phi34 + angle_435) = p5;
-
-        let p8 = p5 + polar(l58, guide + angle_58);
-    }
-
-    impl TwoCranks {
-        /// The working point.
-        pub fn working_point(phi) -> WorkingPoint { p8 }
-
-        /// All links, for drawings.
-        pub fn picture(phi) -> Picture { shape: picture() }
-
-        /// The whole position, with both derivatives.
-        pub fn motion(phi) -> Motion {
-            p3, p4, p8,
-            s, ds: velocity(s), dds: acceleration(s),
-            phi34, dphi34: velocity(phi34), ddphi34: acceleration(phi34),
-        }
-    }
-}
+include!("../mechanisms/two_crank_triad.rs");
 
 /// The straight line, in mm: the guide stands upright at x = 28, and point 8 lies 40 from point 5 at 120 degrees.
 const LINE: f64 = 8.0;
@@ -224,7 +174,7 @@ struct Reference {
 
 /// The references; a line that cannot be read becomes NaN and fails its comparisons.
 fn references() -> Vec<Reference> {
-    let lines = include_str!("two_crank_triad/reference.csv").lines();
+    let lines = include_str!("../mechanisms/two_crank_triad/reference.csv").lines();
     let read = |line: &str| {
         let numbers: Vec<f64> = line
             .split(',')

@@ -18,7 +18,7 @@ pub(crate) fn moving() -> Result<String, Box<dyn Error>> {
 }
 
 /// The README shows what this program draws: `cargo run --release --example favorit docs/favorit.svg` writes it anew.
-#[cfg(all(test, not(machine_code)))]
+#[cfg(test)]
 #[test]
 fn the_picture_of_the_readme_is_this_one() -> Result<(), Box<dyn Error>> {
     let drawn = moving()?;

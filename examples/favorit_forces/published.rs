@@ -148,7 +148,7 @@ fn range(rows: &[Row], joint: usize) -> (f64, f64) {
 
 /// The printed columns: lines `name,unit,25 values`, the row labels left out.
 fn published_columns() -> Vec<(&'static str, Vec<f64>)> {
-    let lines = include_str!("../favorit/reactions.csv").lines();
+    let lines = include_str!("../../mechanisms/favorit/reactions.csv").lines();
     let columns = lines.filter(|line| !line.starts_with('#') && !line.starts_with("label"));
     columns
         .map(|line| {

@@ -11,10 +11,12 @@ use std::error::Error;
 
 /// Lists all assemblies and compares them with solutions in 80 digits.
 pub(super) fn show(check: &mut Check) -> Result<(), Box<dyn Error>> {
-    let known: Vec<Value> = serde_json::from_str(include_str!("dietmaier.json"))?;
+    let known: Vec<Value> =
+        serde_json::from_str(include_str!("../../mechanisms/hexapod/dietmaier.json"))?;
     check.holds("40 known assemblies, all of them real", known.len() == 40);
     compare(check, &DIETMAIER, &known, 1.0)?;
-    let ends: Vec<Value> = serde_json::from_str(include_str!("assemblies.json"))?;
+    let ends: Vec<Value> =
+        serde_json::from_str(include_str!("../../mechanisms/hexapod/assemblies.json"))?;
     for (known, real) in ends.iter().zip([8, 6]) {
         let platform = followed(numbers::<6>(&known["legs"])?);
         let known = known["poses"].as_array().ok_or("there are known poses")?;

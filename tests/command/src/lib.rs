@@ -1,4 +1,4 @@
-//! All mechanisms of the examples and of the golden files as the macro compiles them, to be compared with the command `linkage`.
+//! All mechanisms of the folder `mechanisms` and of the golden files as the macro compiles them, to be compared with the command `linkage`.
 
 use linkage::{AssemblyMode, Frame, Input, Vector2, Vector3};
 
