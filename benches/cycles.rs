@@ -1,4 +1,4 @@
-//! Searches over whole cycles: `cargo bench --bench cycles`.
+//! Searches over whole cycles: `cargo bench -p linkage-benches --bench cycles`.
 //!
 //! The dwell of the example `longer_dwell`, as drawn and in the worst case of its tolerances, from the published drive to the certified
 //! optimum on one thread; then from starts within the bounds, on all threads, with all distinct optima.

@@ -1,4 +1,4 @@
-//! Searches of dimensions: `cargo bench --bench design`.
+//! Searches of dimensions: `cargo bench -p linkage-benches --bench design`.
 //!
 //! The five path problems of the example `four_bar_paths`, on one thread: all together, with the least sum of each of 20 seeds
 //! against the least one known; then residuals with their derivatives a second, in lanes over mechanisms.

@@ -1,4 +1,4 @@
-//! Several members on one shaft: `cargo bench --bench machine`.
+//! Several members on one shaft: `cargo bench -p linkage-benches --bench machine`.
 //!
 //! The machine of the example `knitting_machine`: a cyclogram of its four members with all switching angles and their
 //! sensitivities; the least distance of two needles with its sensitivities to all dimensions; the best phase of both and
