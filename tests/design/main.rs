@@ -1,5 +1,4 @@
 //! Searches of dimensions: wishes with their derivatives, what must hold, messages.
-#![cfg(feature = "design")]
 
 mod derivatives;
 mod evenly;

@@ -1,7 +1,5 @@
 //! Accuracy analysis of generated mechanisms.
-#![cfg(feature = "monte-carlo")]
 
-use std::error::Error;
 use std::f64::consts::TAU;
 
 use linkage::tolerance::{
@@ -10,28 +8,7 @@ use linkage::tolerance::{
 };
 use linkage::{Dimensions, Vector2, mechanism};
 
-mechanism! {
-    struct CrankRocker {
-        unit mm;
-        param pivot   = (140mm, 5mm) +- 20um;
-        param crank   = 50mm  +- 12um;
-        param coupler = 120mm +- 20um;
-        param rocker  = 100mm +- 20um;
-        param arm     = 70mm  +- 15um;
-        param lift    = 25deg +- 30arcsec;
-        input phi = 30deg in 0deg..360deg;
-        unknown theta = 40deg;
-        unknown psi   = 80deg;
-        let a = polar(crank, phi);
-        loop a + polar(coupler, theta) = pivot + polar(rocker, psi);
-        let tracer = a + polar(arm, theta + lift);
-    }
-    impl CrankRocker {
-        fn path(phi) -> Path { tracer }
-        fn accuracy(phi) -> Accuracy { e: sensitivity(tracer), by_rods: sensitivity(tracer, [coupler, rocker]) }
-        fn swing(phi) -> Swing { e: sensitivity(psi) }
-    }
-}
+use super::{CrankRocker, Outcome};
 
 mechanism! {
     struct Ratio {
@@ -42,8 +19,6 @@ mechanism! {
         fn angle(phi) -> RatioAngle { psi }
     }
 }
-
-type Outcome = Result<(), Box<dyn Error>>;
 
 #[test]
 fn dimensions_as_numbers() {
