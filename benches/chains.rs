@@ -1,7 +1,7 @@
 //! Closed chains of robots and vehicles against their limits, by the command
 //! `RUSTFLAGS="-C target-cpu=x86-64-v3" cargo bench -p linkage-benches --bench chains`, and without the flags.
 //!
-//! The mechanisms are those of the examples: the ankle both ways, the platform on six legs with its follower, the five-link axle, the double
+//! The mechanisms are those of the folder `mechanisms`: the ankle both ways, the platform on six legs with its follower, the five-link axle, the double
 //! wishbone, the McPherson strut. Times of single calls, of a sweep and of `assemble()`; operations as `STRUCTURE` counts them.
 
 mod ankle {

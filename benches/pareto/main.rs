@@ -13,7 +13,7 @@
     dead_code,
     reason = "an example's module, of which only a part is used here"
 )]
-#[path = "../../examples/double_double/mod.rs"]
+#[path = "../../tests/programs/double_double/number.rs"]
 mod double_double;
 mod errors;
 mod hostile;

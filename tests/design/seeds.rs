@@ -1,11 +1,11 @@
-//! Each seed finds the least sum that is known of each of the five path problems of the example `four_bar_paths`. `LINKAGE_LONG=1` takes 20 seeds and
+//! Each seed finds the least sum that is known of each of the five path problems of the program `four_bar_paths`. `LINKAGE_LONG=1` takes 20 seeds and
 //! all five, others one seed and the four that take a few hundred starts.
 
-#[path = "../../examples/four_bar_paths/mechanism.rs"]
-#[allow(dead_code, unreachable_pub, reason = "a part of an example")]
-mod mechanism;
-#[path = "../../examples/four_bar_paths/problems.rs"]
-#[allow(dead_code, reason = "a part of an example")]
+mod mechanism {
+    include!("../../mechanisms/four_bar_paths.rs");
+}
+#[path = "../programs/four_bar_paths/problems.rs"]
+#[allow(dead_code, reason = "a part of another program")]
 mod problems;
 
 use linkage::design::DesignError;

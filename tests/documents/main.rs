@@ -35,7 +35,6 @@ fn pages() -> Vec<PathBuf> {
         "ARCHITECTURE.md",
         "CHANGELOG.md",
         "CONTRIBUTING.md",
-        "tests/README.md",
     ];
     let mut pages: Vec<PathBuf> = alone.iter().map(PathBuf::from).collect();
     let entries = fs::read_dir(".").expect("the repository");

@@ -8,7 +8,7 @@ mod double_wishbone;
 mod driven_arm;
 mod five_link_axle;
 mod hexapod;
-#[path = "../../examples/hexapod/geometry.rs"]
+#[path = "../programs/hexapod/geometry.rs"]
 mod hexapod_geometry;
 mod independent;
 mod random_axles;

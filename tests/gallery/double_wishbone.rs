@@ -3,22 +3,16 @@
 //! The wheel, its toe and camber with first and second derivatives by both inputs, and the sensitivities to rods and points, against solutions in
 //! 80 digits.
 //!
-//! `cargo run --release --example double_wishbone` writes a page with the usual curves over the travel to `target/double_wishbone`, or to the
-//! folder that is given behind `--`.
+//! A page with the usual curves over the travel is in `target/double_wishbone`.
 
-mod check;
-#[path = "check/digits.rs"]
-mod digits;
-#[path = "suspension/page.rs"]
-mod page;
-
-use check::Check;
-use digits::number;
+use crate::check::Check;
+use crate::digits::number;
+use crate::suspension;
 use linkage::report::Report;
 use serde_json::Value;
 use std::error::Error;
 
-include!("../mechanisms/double_wishbone.rs");
+include!("../../mechanisms/double_wishbone.rs");
 
 /// The reference's names of the dimensions, in the order of the sensitivities.
 const DIMENSIONS: [&str; 14] = [
@@ -38,19 +32,19 @@ const DIMENSIONS: [&str; 14] = [
     "tie_inner.z",
 ];
 
-/// Where the page is written if no folder is given.
-const FOLDER: &str = "target/double_wishbone";
-
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+#[test]
+fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let wishbone = DoubleWishbone::default().assemble()?;
     println!("{}", DoubleWishbone::<f64>::STRUCTURE);
     check.near("share of the ranges served", wishbone.served(), 1.0, 1e-3);
-    let references =
-        serde_json::from_str(include_str!("../mechanisms/double_wishbone/reference.json"))?;
+    let references = serde_json::from_str(include_str!(
+        "../../mechanisms/double_wishbone/reference.json"
+    ))?;
     let references: Vec<Value> = references;
     check.holds("positions with all figures", references.len() == 25);
-    let angles = serde_json::from_str(include_str!("../mechanisms/double_wishbone/angles.json"))?;
+    let angles =
+        serde_json::from_str(include_str!("../../mechanisms/double_wishbone/angles.json"))?;
     let angles: Vec<Value> = angles;
     check.holds("positions with angles", angles.len() == 60);
     for known in &references {
@@ -59,10 +53,10 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     for known in &angles {
         compare(&mut check, &wishbone, known, &["toe", "camber"])?;
     }
-    let travel = page::travels(&DoubleWishbone::<f64>::INPUTS[0]);
+    let travel = suspension::travels(&DoubleWishbone::<f64>::INPUTS[0]);
     let wheel = wishbone.wheel_sweep(&travel, &[0.0]);
     let lengths = [("x", wheel.x()), ("y", wheel.y())];
-    page::write(&report()?, &lengths, FOLDER)?;
+    suspension::write(&report()?, &lengths, "double_wishbone")?;
     check.finish()
 }
 
@@ -70,9 +64,9 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
 pub(crate) fn report() -> Result<Report, Box<dyn Error>> {
     let wishbone = DoubleWishbone::default().assemble()?;
     let input = &DoubleWishbone::<f64>::INPUTS[0];
-    let travel = page::travels(input);
+    let travel = suspension::travels(input);
     let about = "A wheel between two arms over its travel. x and y are where its centre is.";
-    Ok(page::of("Double wishbone", about, input, &travel)
+    Ok(suspension::of("Double wishbone", about, input, &travel)
         .structure(DoubleWishbone::<f64>::STRUCTURE)
         .dimensions(wishbone.mechanism())
         .table(&wishbone.wheel_sweep(&travel, &[0.0]))
@@ -118,7 +112,7 @@ fn compare(
         ];
         check.all_near("  by travel and rack, once and twice", pairs, tolerance);
         let known = DIMENSIONS.map(|dimension| &known["sensitivity"][dimension][name]);
-        let known = digits::all(known)?;
+        let known = crate::digits::all(known)?;
         check.all_near(
             "  by all dimensions",
             by_dimensions.into_iter().zip(known),

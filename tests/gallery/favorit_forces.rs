@@ -1,7 +1,7 @@
 //! Forces in the hook-needle drive of the Favorit warp-knitting machine: the reactions of its joints beside the
 //! published ones, the driving torque, pins, and counterweights.
 //!
-//! The mechanism is that of the example `favorit`; bodies, joints and gravity are nine lines more. The published
+//! The mechanism is that of the program `favorit`; bodies, joints and gravity are nine lines more. The published
 //! reactions contain three errors:
 //!
 //! - Two angles of centres of mass were converted to radians twice.
@@ -10,23 +10,17 @@
 //!
 //! Other values of the parameters reproduce them from the same text: all 200 published numbers are met, but for three
 //! misprints. Beside them stand the forces that the drive has at that speed, and those at its real one.
-//!
-//! The exit status is 1 if anything that is printed here does not hold.
 
-mod check;
-#[path = "favorit_forces/counterweights.rs"]
 mod counterweights;
-#[path = "favorit_forces/design.rs"]
 mod design;
-#[path = "favorit_forces/published.rs"]
 mod published;
 
-use check::Check;
+use crate::check::Check;
 use linkage::Vector2;
 use std::error::Error;
 use std::f64::consts::TAU;
 
-include!("../mechanisms/favorit_forces.rs");
+include!("../../mechanisms/favorit_forces.rs");
 
 /// 1000 revolutions per minute, clockwise.
 const MACHINE_SPEED: f64 = -1000.0 * TAU / 60.0;
@@ -34,7 +28,8 @@ const MACHINE_SPEED: f64 = -1000.0 * TAU / 60.0;
 /// The joints by the numbers of their points, in the order of the tables.
 const JOINTS: [&str; 8] = ["R1", "R2", "R3", "R4", "R7", "R8", "R9", "R11"];
 
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+#[test]
+fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     let drive = Favorit::default().assemble()?;
     println!("{}", Favorit::STRUCTURE);
     let mut check = Check::default();

@@ -4,40 +4,33 @@
 //! the chassis and of the carrier, against solutions in 60 digits. The axis of the screw on which the carrier moves is found against what rods do,
 //! and against poses beside it.
 //!
-//! `cargo run --release --example five_link_axle` writes a page with the usual curves over the travel to `target/five_link_axle`, or to the
-//! folder that is given behind `--`.
+//! A page with the usual curves over the travel is in `target/five_link_axle`.
 
-mod check;
-#[path = "check/digits.rs"]
-mod digits;
-#[path = "suspension/page.rs"]
-mod page;
-
-use check::Check;
-use digits::number;
+use crate::check::Check;
+use crate::digits::number;
+use crate::suspension;
 use linkage::Screw;
 use linkage::report::Report;
 use nalgebra::Vector3;
 use serde_json::Value;
 use std::error::Error;
 
-include!("../mechanisms/five_link_axle.rs");
+include!("../../mechanisms/five_link_axle.rs");
 
-/// Where the page is written if no folder is given.
-const FOLDER: &str = "target/five_link_axle";
-
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+#[test]
+fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let axle = FiveLinkAxle::default().assemble()?;
     println!("{}", FiveLinkAxle::<f64>::STRUCTURE);
     check.near("share of the ranges served", axle.served(), 1.0, 1e-3);
-    let references =
-        serde_json::from_str(include_str!("../mechanisms/five_link_axle/reference.json"))?;
+    let references = serde_json::from_str(include_str!(
+        "../../mechanisms/five_link_axle/reference.json"
+    ))?;
     let references: Vec<Value> = references;
     for known in &references {
         compare(&mut check, &axle, known)?;
     }
-    let travel = page::travels(&FiveLinkAxle::<f64>::INPUTS[0]);
+    let travel = suspension::travels(&FiveLinkAxle::<f64>::INPUTS[0]);
     let (wheel, roll) = (
         axle.wheel_sweep(&travel, &[0.0]),
         axle.roll_sweep(&travel, &[0.0]),
@@ -47,7 +40,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         ("base", wheel.base()),
         ("roll centre", roll.roll_centre()),
     ];
-    page::write(&report()?, &lengths, FOLDER)?;
+    suspension::write(&report()?, &lengths, "five_link_axle")?;
     check.finish()
 }
 
@@ -55,9 +48,9 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
 pub(crate) fn report() -> Result<Report, Box<dyn Error>> {
     let axle = FiveLinkAxle::default().assemble()?;
     let input = &FiveLinkAxle::<f64>::INPUTS[0];
-    let travel = page::travels(input);
+    let travel = suspension::travels(input);
     let about = "A wheel carrier on five rods over the travel of the wheel. Base is where the wheel stands on the road, forwards.";
-    Ok(page::of("Five-link axle", about, input, &travel)
+    Ok(suspension::of("Five-link axle", about, input, &travel)
         .structure(FiveLinkAxle::<f64>::STRUCTURE)
         .dimensions(axle.mechanism())
         .table(&axle.wheel_sweep(&travel, &[0.0]))
@@ -99,7 +92,7 @@ fn compare(
         check.all_near("  by travel and rack, twice by travel", pairs, tolerance);
         let known = known["sensitivity"][name].as_array().ok_or("a list")?;
         check.holds("  every dimension", known.len() == by_dimensions.len());
-        let known = digits::all(known)?;
+        let known = crate::digits::all(known)?;
         check.all_near(
             "  by all dimensions",
             by_dimensions.into_iter().zip(known),

@@ -1,43 +1,33 @@
 //! A warp-knitting machine: hook needle, eye needle, sinkers and press on one shaft, with phases as parameters.
 //!
-//! The drives are those of the examples `favorit`, `eye_needle`, `two_crank_triad` and `spatial_crank_rocker`, parts of
+//! The drives are those of the programs `favorit`, `eye_needle`, `two_crank_triad` and `spatial_crank_rocker`, parts of
 //! one mechanism. It answers what nobody asks of a drive by itself: what the members do when, where one of them is in the
 //! frame of another, how close the needles come, what tolerances leave of that, which phase makes it largest.
 //!
 //! Everything is compared: with the drives alone, with machines built a little differently, with many positions, with
-//! numbers of 60 digits. The exit status is 1 if something differs. The page is written to `target/knitting_machine`, or
-//! to the folder that is given behind `--`.
+//! numbers of 60 digits. The page is in `target/knitting_machine`.
 
-mod check;
-#[path = "knitting_machine/checks.rs"]
 mod checks;
-#[path = "knitting_machine/drives.rs"]
-#[allow(unreachable_pub, reason = "a mechanism of its own, here a module")]
 mod drives;
-#[path = "knitting_machine/members.rs"]
 mod members;
-#[path = "knitting_machine/page.rs"]
 mod page;
-#[path = "knitting_machine/published.rs"]
 mod published;
-#[path = "knitting_machine/scene.rs"]
 mod scene;
 
-use check::Check;
+use crate::check::Check;
+use crate::folders;
 use drives::{KnittingMachine, KnittingMachineAssembly};
 use linkage::clearance::Clearance;
 use linkage::report::Report;
 use linkage::tolerance::Tolerances;
 use members::DIMENSIONS;
 use std::error::Error;
-use std::path::PathBuf;
 
-/// Where the page is written if no folder is given.
-const FOLDER: &str = "target/knitting_machine";
 /// The gear on the shaft of the eye needle.
 const SLOTS: f64 = 48.0;
 
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+#[test]
+fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let machine = KnittingMachine::default().assemble()?;
     let tolerances = Tolerances::<DIMENSIONS>::complete(KnittingMachine::PARAMETERS)?;
@@ -102,14 +92,14 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     scene::parts(&machine, &mut check);
 
     println!("The page:");
-    let folder = std::env::args_os().nth(1).filter(|_| !cfg!(test));
-    let folder = folder.map_or_else(|| PathBuf::from(FOLDER), PathBuf::from);
-    page::write(&page::report(&machine, &told)?, &folder)?;
+    page::write(
+        &page::report(&machine, &told)?,
+        &folders::target("knitting_machine"),
+    )?;
     check.finish()
 }
 
 /// Its page, for the gallery.
-#[allow(dead_code, reason = "the gallery asks for it")]
 pub(crate) fn report() -> Result<Report, Box<dyn Error>> {
     let machine = KnittingMachine::default().assemble()?;
     let tolerances = Tolerances::<DIMENSIONS>::complete(KnittingMachine::PARAMETERS)?;

@@ -1,89 +1,31 @@
-//! Reports of the real mechanisms among the examples: for each an interactive page, a drawing to scale, plots, and all data,
-//! and an index page over them.
+//! Reports of real mechanisms: for each an interactive page, a drawing to scale, plots, and all data, and an index page
+//! over them. The tests of pages look at what this program writes to `target/gallery`.
 //!
-//! `cargo run --release --example gallery` writes them to `target/gallery`, or to the folder that is given behind `--`.
+//! Each mechanism is compared with known answers as well.
 
-#[path = "double_wishbone.rs"]
-#[allow(
-    dead_code,
-    unreachable_pub,
-    clippy::duplicate_mod,
-    reason = "a program of its own, here a module"
-)]
+#[path = "../../examples/check/comparison.rs"]
+mod check;
+#[path = "../programs/digits.rs"]
+mod digits;
 mod double_wishbone;
-#[cfg(test)]
-#[path = "gallery/drawings.rs"]
 mod drawings;
-#[path = "eye_needle.rs"]
-#[allow(
-    dead_code,
-    unreachable_pub,
-    reason = "a program of its own, here a module"
-)]
 mod eye_needle;
-#[path = "favorit.rs"]
-#[allow(
-    dead_code,
-    unreachable_pub,
-    clippy::duplicate_mod,
-    reason = "a program of its own, here a module"
-)]
 mod favorit;
-#[path = "favorit_forces.rs"]
-#[allow(
-    dead_code,
-    unreachable_pub,
-    clippy::duplicate_mod,
-    reason = "a program of its own, here a module"
-)]
 mod favorit_forces;
-#[path = "five_link_axle.rs"]
-#[allow(
-    dead_code,
-    unreachable_pub,
-    clippy::duplicate_mod,
-    reason = "a program of its own, here a module"
-)]
 mod five_link_axle;
-#[path = "knitting_machine.rs"]
-#[allow(
-    dead_code,
-    unreachable_pub,
-    clippy::duplicate_mod,
-    reason = "a program of its own, here a module"
-)]
+#[path = "../programs/folders.rs"]
+mod folders;
 mod knitting_machine;
-#[path = "mcpherson.rs"]
-#[allow(
-    dead_code,
-    unreachable_pub,
-    clippy::duplicate_mod,
-    reason = "a program of its own, here a module"
-)]
 mod mcpherson;
-#[path = "gallery/reports.rs"]
 mod reports;
-#[path = "spatial_crank_rocker.rs"]
-#[allow(
-    dead_code,
-    unreachable_pub,
-    clippy::duplicate_mod,
-    reason = "a program of its own, here a module"
-)]
 mod spatial_crank_rocker;
-#[path = "two_crank_triad.rs"]
-#[allow(
-    dead_code,
-    unreachable_pub,
-    clippy::duplicate_mod,
-    reason = "a program of its own, here a module"
-)]
+mod suspension;
 mod two_crank_triad;
 
 use linkage::report::{Index, Report};
 use std::error::Error;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
 /// The folder of a report and what makes it.
@@ -100,14 +42,6 @@ const JOBS: [Job; 9] = [
     ("knitting_machine", knitting_machine::report),
     ("beyond_reach", reports::beyond_reach),
 ];
-
-/// Where reports are written if no folder is given.
-const FOLDER: &str = "target/gallery";
-
-fn main() -> Result<(), Box<dyn Error>> {
-    let folder = std::env::args_os().nth(1);
-    write(&folder.map_or_else(|| PathBuf::from(FOLDER), PathBuf::from))
-}
 
 /// Writes all reports, and the page that leads to them.
 fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
@@ -139,5 +73,5 @@ fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
 /// The tests of pages look at what it writes.
 #[test]
 fn reports_of_all_mechanisms_are_written() -> Result<(), Box<dyn Error>> {
-    write(Path::new(FOLDER))
+    write(&folders::target("gallery"))
 }

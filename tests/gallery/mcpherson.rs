@@ -4,22 +4,16 @@
 //! The wheel, its toe and camber and the length of the strut with first and second derivatives, and the sensitivities to rods and points, against
 //! solutions in 80 digits.
 //!
-//! `cargo run --release --example mcpherson` writes a page with the usual curves over the travel to `target/mcpherson`, or to the folder that is
-//! given behind `--`.
+//! A page with the usual curves over the travel is in `target/mcpherson`.
 
-mod check;
-#[path = "check/digits.rs"]
-mod digits;
-#[path = "suspension/page.rs"]
-mod page;
-
-use check::Check;
-use digits::number;
+use crate::check::Check;
+use crate::digits::number;
+use crate::suspension;
 use linkage::report::Report;
 use serde_json::Value;
 use std::error::Error;
 
-include!("../mechanisms/mcpherson.rs");
+include!("../../mechanisms/mcpherson.rs");
 
 /// The reference's names of the dimensions, in the order of the sensitivities.
 const DIMENSIONS: [&str; 15] = [
@@ -40,27 +34,25 @@ const DIMENSIONS: [&str; 15] = [
     "tie_inner.z",
 ];
 
-/// Where the page is written if no folder is given.
-const FOLDER: &str = "target/mcpherson";
-
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+#[test]
+fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let strut = McPherson::default().assemble()?;
     println!("{}", McPherson::<f64>::STRUCTURE);
     let references: Vec<Value> =
-        serde_json::from_str(include_str!("../mechanisms/mcpherson/reference.json"))?;
+        serde_json::from_str(include_str!("../../mechanisms/mcpherson/reference.json"))?;
     check.holds("all positions", references.len() == 17);
     for known in &references {
         compare(&mut check, &strut, known)?;
     }
-    let travel = page::travels(&McPherson::<f64>::INPUTS[0]);
+    let travel = suspension::travels(&McPherson::<f64>::INPUTS[0]);
     let wheel = strut.wheel_sweep(&travel);
     let lengths = [
         ("x", wheel.x()),
         ("y", wheel.y()),
         ("strut", wheel.strut_length()),
     ];
-    page::write(&report()?, &lengths, FOLDER)?;
+    suspension::write(&report()?, &lengths, "mcpherson")?;
     check.finish()
 }
 
@@ -68,9 +60,9 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
 pub(crate) fn report() -> Result<Report, Box<dyn Error>> {
     let strut = McPherson::default().assemble()?;
     let input = &McPherson::<f64>::INPUTS[0];
-    let travel = page::travels(input);
+    let travel = suspension::travels(input);
     let about = "A wheel on an arm, a tie rod and a strut over its travel. x and y are where its centre is.";
-    Ok(page::of("McPherson strut", about, input, &travel)
+    Ok(suspension::of("McPherson strut", about, input, &travel)
         .structure(McPherson::<f64>::STRUCTURE)
         .dimensions(strut.mechanism())
         .programs(McPherson::<f64>::PROGRAMS)
@@ -122,7 +114,7 @@ fn compare(
     ];
     for (name, found, tolerance) in by_dimensions {
         let known = DIMENSIONS.map(|dimension| &known["sensitivity"][dimension][name]);
-        let known = digits::all(known)?;
+        let known = crate::digits::all(known)?;
         let what = format!("{name} by all dimensions");
         check.all_near(&what, found.into_iter().zip(known), tolerance);
     }

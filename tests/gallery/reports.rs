@@ -39,7 +39,7 @@ pub(crate) fn favorit() -> Made {
             "Two cranks drive the hook needle of the Favorit warp-knitting machine. The second one turns backwards at half the \
              speed, so that a cycle takes two turns of the main crank.",
         )
-        .note("Dimensions and masses as published; forces with the corrected mechanics, by the program of the example `favorit_forces`.")
+        .note("Dimensions and masses as published; forces with the corrected mechanics, by the program `favorit_forces`.")
         .structure(Favorit::STRUCTURE)
         .modes(linkage.modes())
         .dimensions(&mechanism)

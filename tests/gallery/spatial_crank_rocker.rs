@@ -4,22 +4,21 @@
 //! the coupler and to the pin of the crank. Everything is compared with a solution in 60 digits, a second linkage
 //! with published figures; with parallel axes that one is the four-bar of the plane, to the last digits.
 
-mod check;
-#[path = "spatial_crank_rocker/published.rs"]
 pub(crate) mod published;
 
-use check::Check;
+use crate::check::Check;
 use linkage::Vector3;
 use std::error::Error;
 
-include!("../mechanisms/spatial_crank_rocker.rs");
+include!("../../mechanisms/spatial_crank_rocker.rs");
 
 /// Derivatives by the 13 dimensions.
 const DIMENSIONS: usize = SpatialCrankRocker::PARAMETERS.len();
 
 type Outcome = Result<(), Box<dyn Error>>;
 
-pub(crate) fn main() -> Outcome {
+#[test]
+fn known_answers_are_met() -> Outcome {
     let mut check = Check::default();
     let linkage = SpatialCrankRocker::default().assemble()?;
     println!("{}", SpatialCrankRocker::STRUCTURE);
@@ -143,7 +142,7 @@ struct Reference {
 
 /// The references; a line that cannot be read becomes NaN and fails its comparisons.
 fn references() -> Vec<Reference> {
-    let lines = include_str!("../mechanisms/spatial_crank_rocker/reference.csv").lines();
+    let lines = include_str!("../../mechanisms/spatial_crank_rocker/reference.csv").lines();
     let read = |line: &str| {
         let cells = line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN));
         let numbers: Vec<f64> = cells.collect();

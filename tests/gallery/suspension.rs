@@ -1,9 +1,9 @@
 //! The page of a wheel suspension: the usual curves over the travel of the wheel.
 
+use crate::folders;
 use linkage::Input;
 use linkage::report::Report;
 use std::error::Error;
-use std::path::PathBuf;
 
 /// Every two millimetres.
 const POSITIONS: usize = 81;
@@ -20,15 +20,14 @@ pub(crate) fn of(title: &str, about: &str, input: &Input, travels: &[f64]) -> Re
     )
 }
 
-/// Writes a page, and the curves of its columns `toe` and `camber` with lengths below each other into `curves.svg`: into the folder that is given
-/// behind `--`, else into `folder`.
+/// Writes a page, and the curves of its columns `toe` and `camber` with lengths below each other into `curves.svg`, into
+/// this folder of `target`.
 pub(crate) fn write(
     report: &Report,
     lengths: &[(&str, &[f64])],
     folder: &str,
 ) -> Result<(), Box<dyn Error>> {
-    let given = std::env::args_os().nth(1).filter(|_| !cfg!(test));
-    let folder = given.map_or_else(|| PathBuf::from(folder), PathBuf::from);
+    let folder = folders::target(folder);
     report.write(&folder)?;
     // Lengths of different sizes, each in a panel of its own.
     let angles = report.plot(["toe", "camber"])?;

@@ -1,17 +1,18 @@
-//! The eye-needle drive of the example `eye_needle`, with a dwell twice as long: no length differs by more than 2 % from the published drive, and
+//! The eye-needle drive of the program `eye_needle`, with a dwell twice as long: no length differs by more than 2 % from the published drive, and
 //! the stroke of the needle is kept.
 //!
 //! While the needle dwells the other needles of the machine pass it, so that a longer dwell is a faster machine. It is wanted twice: for the drive
 //! as it is drawn, and for the worst of all drives that are built with tolerances of 20 um on all thirteen dimensions, at the same angles of the
-//! crank. The second one is made sure of by drives at the limits of their tolerances. The exit status is 1 if anything
-//! that is printed here does not hold.
+//! crank. The second one is made sure of by drives at the limits of their tolerances.
 //!
-//! `cargo run --release --example longer_dwell FOLDER` also writes a page that lays both over the published drive.
+//! The page in `target/comparisons/longer_dwell` lays both over the published drive.
 
-#[path = "../check/mod.rs"]
+#[path = "../../examples/check/comparison.rs"]
 mod check;
 mod checks;
 mod drive;
+#[path = "../programs/folders.rs"]
+mod folders;
 mod page;
 
 use check::Check;
@@ -22,10 +23,10 @@ use linkage::design::Dwell;
 use linkage::tolerance::Tolerances;
 use page::{Design, compared};
 use std::error::Error;
-use std::path::Path;
 use std::time::Instant;
 
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+#[test]
+fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     let published = EyeNeedle::default().assemble()?;
     let stroke = stroke()?;
     let tolerances = Tolerances::complete(EyeNeedle::PARAMETERS)?;
@@ -72,13 +73,8 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     );
     check.holds("and is shorter", built.rest[1] < drawn.rest[1]);
     let designs = [published, drawn, built];
-    if cfg!(test) {
-        // Tests of pages look at it.
-        compared(&designs, Path::new("target/comparisons/longer_dwell"))?;
-    } else if let Some(folder) = std::env::args_os().nth(1) {
-        let page = compared(&designs, Path::new(&folder))?;
-        println!("Open {}", page.display());
-    }
+    // Tests of pages look at it.
+    compared(&designs, &folders::target("comparisons/longer_dwell"))?;
     check.finish()
 }
 

@@ -4,18 +4,18 @@
 //! With Jacobians and Hessians of both, in double and in single precision, the way of torques, and where the ankle is singular. The way to the
 //! motors is compared with a solution in 60 digits, the way back with it.
 
-mod check;
-#[path = "ankle/known.rs"]
+#[path = "../../mechanisms/ankle/known.rs"]
 mod known;
 
-use check::Check;
+use crate::check::Check;
 use known::{KNOWN, Known};
 use linkage::jacobian::{Jacobian, SingularityKind, singularities};
 use std::error::Error;
 
-include!("../mechanisms/ankle.rs");
+include!("../../mechanisms/ankle.rs");
 
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+#[test]
+fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let (to_motors, to_foot) = (
         ToMotors::default().assemble()?,

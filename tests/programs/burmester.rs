@@ -4,17 +4,16 @@
 //! without being taken apart, three of those with a crank. The links are compared with numbers of 18 digits from resultants
 //! with 90; each four-bar is compiled as a mechanism, too, whose assemblies at its crank's angles have the poses.
 //!
-//! `cargo run --release --example burmester [picture.svg]` draws poses, links and the centre-point curve of the first four
-//! poses, on which the four fixed joints are. The exit status is 1 if something differs.
+//! The picture `target/burmester.svg` has poses, links and the centre-point curve of the first four poses, on which the four
+//! fixed joints are.
 
-mod check;
-
-use check::Check;
+use crate::check::Check;
+use crate::folders;
 use linkage::design::exact::{CentreCurve, Dyads, FourBar, Pose};
 use std::error::Error;
 use std::fmt::Write;
 
-include!("../mechanisms/burmester.rs");
+include!("../../mechanisms/burmester.rs");
 
 /// In millimetres and degrees.
 const POSES: [([f64; 2], f64); 5] = [
@@ -53,7 +52,8 @@ const LINKS: [[f64; 4]; 4] = [
     ],
 ];
 
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+#[test]
+fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let poses = POSES.map(|(point, angle)| Pose::new(point, angle.to_radians()));
     let dyads = Dyads::of_poses(&poses)?;
@@ -115,13 +115,9 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         (ways.fold(f64::INFINITY, f64::min), 0.0)
     });
     check.all_near("fixed joints on the curve of four poses", ways, 1e-9);
-    if let Some(path) = std::env::args()
-        .nth(1)
-        .filter(|path| path.ends_with(".svg"))
-    {
-        std::fs::write(&path, picture(&poses, &dyads, &curve))?;
-        println!("{path}");
-    }
+    let path = folders::target("burmester.svg");
+    std::fs::write(&path, picture(&poses, &dyads, &curve))?;
+    println!("{}", path.display());
     check.finish()
 }
 

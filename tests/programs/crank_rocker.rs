@@ -2,14 +2,13 @@
 //!
 //! Crank 40, coupler 120, rocker 80, frame 100 mm, at a crank angle of 40 degrees.
 
-mod check;
-
-use check::Check;
+use crate::check::Check;
 use std::error::Error;
 
-include!("../mechanisms/crank_rocker.rs");
+include!("../../mechanisms/crank_rocker.rs");
 
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+#[test]
+fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let mechanism = CrankRocker::default();
     let linkage = mechanism.assemble()?;

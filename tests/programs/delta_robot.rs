@@ -5,14 +5,12 @@
 //! Jacobian and Hessian; the way back, from the platform to the drives, is a second mechanism. Everything is compared with a
 //! solution in 60 digits.
 
-mod check;
-
-use check::Check;
+use crate::check::Check;
 use linkage::Vector3;
 use linkage::tolerance::Tolerances;
 use std::error::Error;
 
-include!("../mechanisms/delta_robot.rs");
+include!("../../mechanisms/delta_robot.rs");
 
 /// A position of the drives, degrees, and what is known there from the solution in 60 digits: the platform, its
 /// derivatives by the drives, its second derivatives by drives 1 and 1, 1 and 2, 1 and 3, 2 and 2, 2 and 3, 3 and 3.
@@ -78,7 +76,8 @@ const KNOWN: [Known; 3] = [
     },
 ];
 
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+#[test]
+fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let robot = Delta::default().assemble()?;
     println!("{}", Delta::STRUCTURE);

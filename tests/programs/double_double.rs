@@ -11,17 +11,16 @@
 //! that needs them must be a parameter: one that is written in a loop or a `let`, such as the 25 in
 //! `theta + 25deg`, and the constant `PI` are doubles.
 
-mod check;
-#[path = "double_double/mod.rs"]
+#[path = "double_double/number.rs"]
 mod number;
 
-use check::Check;
+use crate::check::Check;
 use linkage::{Scalar, Vector2};
 use number::DoubleDouble;
 use std::error::Error;
 use std::str::FromStr;
 
-include!("../mechanisms/double_double.rs");
+include!("../../mechanisms/double_double.rs");
 
 /// A name and the digits of x, y of the point, its velocity and its acceleration, and psi.
 ///
@@ -68,7 +67,8 @@ fn numbers<T: Scalar>(motion: &Motion<T>) -> [T; 7] {
     [tracer.x, tracer.y, v.x, v.y, a.x, a.y, motion.psi]
 }
 
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+#[test]
+fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let mechanism = CrankRocker::default();
 

@@ -4,9 +4,7 @@
 //! analysis, which claims a largest error of about 18 um. This program shows which definition of the
 //! error gives that figure, what the true limits are, and tolerances that would hold 18 um.
 
-mod check;
-
-use check::Check;
+use crate::check::Check;
 use linkage::Dimensions;
 use linkage::tolerance::{
     Addition, Allocation, AllocationRule, Costs, Distribution, Effects, Extreme, MonteCarlo,
@@ -15,7 +13,7 @@ use linkage::tolerance::{
 use std::error::Error;
 use std::f64::consts::TAU;
 
-include!("../mechanisms/eye_needle_accuracy.rs");
+include!("../../mechanisms/eye_needle_accuracy.rs");
 
 /// The published claim, in mm.
 const CLAIM: f64 = 0.018;
@@ -27,7 +25,8 @@ type Linkage = EyeNeedleAssembly;
 type Given = Tolerances<13>;
 type Error2 = Effects<13, 2>;
 
-pub(crate) fn main() -> Outcome {
+#[test]
+fn known_answers_are_met() -> Outcome {
     let mut check = Check::default();
     let mechanism = EyeNeedle::default();
     let linkage = mechanism.assemble()?;

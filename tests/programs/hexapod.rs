@@ -2,35 +2,26 @@
 //! from position to position.
 //!
 //! Poses, Jacobian and condition along a path against solutions in 80 digits, computed apart from this project; a path of 10,000 poses there and back; and a slice of
-//! the workspace as a picture, `target/hexapod/workspace.svg`, or in the folder that is given behind `--`. At last all 40 assemblies of the
+//! the workspace as a picture, `target/hexapod/workspace.svg`. At last all 40 assemblies of the
 //! platform that has the most real ones, and of this one at both ends of the path, each certified; without optimisation that takes long, and is left out
 //! but with `LINKAGE_LONG=1`.
 
-#[path = "hexapod/assemblies.rs"]
 mod assemblies;
-mod check;
-#[path = "check/digits.rs"]
-mod digits;
-#[path = "hexapod/geometry.rs"]
 mod geometry;
-#[path = "hexapod/platform.rs"]
 mod platform;
-#[path = "hexapod/workspace.rs"]
 mod workspace;
 
-use check::Check;
-use digits::{number, numbers};
+use crate::check::Check;
+use crate::digits::{number, numbers};
+use crate::folders;
 use linkage::jacobian::Jacobian;
 use nalgebra::{Rotation3, Vector3};
 use serde_json::Value;
 use std::error::Error;
 use std::f64::consts::TAU;
-use std::path::PathBuf;
 
-include!("../mechanisms/hexapod.rs");
+include!("../../mechanisms/hexapod.rs");
 
-/// Where the picture is written if no folder is given.
-const FOLDER: &str = "target/hexapod";
 /// A path of so many poses, there and back.
 const POSES: u32 = 10_000;
 /// Roll, pitch and yaw in the middle of the path and in the slice of the workspace.
@@ -38,7 +29,8 @@ const TURN: [f64; 3] = [0.08, -0.05, 0.35];
 /// Millimetres that count as much as a radian: about the platform's radius.
 const RADIUS: f64 = 100.0;
 
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+#[test]
+fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let to_pose = ToPose::default().assemble()?;
     let to_legs = ToLegs::default().assemble()?;
@@ -50,9 +42,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     println!("{POSES} poses:");
     there_and_back(&mut check, start, &to_legs)?;
     println!("Workspace:");
-    let folder = std::env::args_os().nth(1).filter(|_| !cfg!(test));
-    let folder = folder.map_or_else(|| PathBuf::from(FOLDER), PathBuf::from);
-    workspace::show(&mut check, start, &to_legs, &folder)?;
+    workspace::show(&mut check, start, &to_legs, &folders::target("hexapod"))?;
     if !cfg!(debug_assertions) || std::env::var_os("LINKAGE_LONG").is_some() {
         println!("All assemblies:");
         assemblies::show(&mut check)?;
@@ -66,7 +56,7 @@ fn along_known(
     to_legs: &ToLegsAssembly,
 ) -> Result<(), Box<dyn Error>> {
     let path: Vec<Value> =
-        serde_json::from_str(include_str!("../mechanisms/hexapod/reference.json"))?;
+        serde_json::from_str(include_str!("../../mechanisms/hexapod/reference.json"))?;
     check.holds("all positions", path.len() == 20);
     for known in &path {
         let legs = numbers::<6>(&known["legs"])?;

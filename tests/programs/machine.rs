@@ -4,13 +4,11 @@
 //! both are driven by the same rocker. An eccentric moves the sinkers, and another one the press,
 //! which works in some courses only.
 
-mod check;
-
-use check::Check;
+use crate::check::Check;
 use linkage::{Scene, Structure};
 use std::error::Error;
 
-include!("../mechanisms/machine.rs");
+include!("../../mechanisms/machine.rs");
 
 /// Operations of one call of a function.
 fn operations(structure: &Structure, name: &str) -> u32 {
@@ -20,7 +18,8 @@ fn operations(structure: &Structure, name: &str) -> u32 {
         .map_or(0, |function| function.operations.total())
 }
 
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+#[test]
+fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let needles = NeedleDrive::default().assemble()?;
     let sinkers = SinkerDrive::default().assemble()?;

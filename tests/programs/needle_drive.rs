@@ -4,13 +4,11 @@
 //! long arm of the same rocker moves the needle bar through a link with two ball joints (RSSP). The rocker's axis is
 //! tilted towards the shaft, which makes the needle fall faster than it rises.
 
-mod check;
-
-use check::Check;
+use crate::check::Check;
 use linkage::Vector3;
 use std::error::Error;
 
-include!("../mechanisms/needle_drive.rs");
+include!("../../mechanisms/needle_drive.rs");
 
 /// Shaft angle in degrees, needle's height in mm, both derivatives: from a solution in 60 digits.
 const KNOWN: [(f64, f64, f64, f64); 5] = [
@@ -50,7 +48,8 @@ const LOWER: (f64, f64) = (80.09191248487983, -168.15973621173066);
 const UPPER: (f64, f64) = (273.3809431956774, -135.56885234141143);
 const DWELL: f64 = 45.95293803021729;
 
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+#[test]
+fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let drive = NeedleDrive::default().assemble()?;
     println!("{}", NeedleDrive::STRUCTURE);

@@ -7,20 +7,15 @@
 //! others do so for ordinary proportions; for others they lose many digits, or find no assembly
 //! where there is one.
 //!
-//! `cargo run --release --example stability [picture.svg]`
+//! The picture is `target/stability.svg`; `UPDATE=1` writes it into the documents as well.
 
-#[path = "stability/dyads.rs"]
 mod dyads;
-#[path = "stability/picture.rs"]
 mod picture;
-#[path = "stability/systems.rs"]
 mod systems;
-#[path = "stability/textbook.rs"]
 mod textbook;
 
-mod check;
-
-use check::Check;
+use crate::check::Check;
+use crate::folders;
 use dyads::{DYADS, Dyad};
 use linkage_reference::{Big, ROUNDOFF, Random, Reference, approach};
 use picture::{Curve, Panel};
@@ -32,7 +27,8 @@ const LIMIT: f64 = 10.0;
 const GEOMETRIES: usize = 12;
 
 /// Prints and checks everything, and draws the picture.
-pub fn main() -> Result<(), Box<dyn Error>> {
+#[test]
+fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     let panels: Vec<Panel> = DYADS.iter().map(panel).collect();
     panels.iter().for_each(print);
     let mut check = Check::default();
@@ -45,13 +41,11 @@ pub fn main() -> Result<(), Box<dyn Error>> {
             check.holds(&what, largest(curve) > 1e3);
         }
     }
-    let path = std::env::args()
-        .nth(1)
-        .filter(|path| path.ends_with(".svg"));
-    let path = path.unwrap_or_else(|| "target/stability.svg".into());
-    std::fs::create_dir_all("target")?;
-    std::fs::write(&path, picture::svg(&panels, LIMIT))?;
-    println!("\npicture: {path}");
+    let drawn = picture::svg(&panels, LIMIT);
+    std::fs::write(folders::target("stability.svg"), &drawn)?;
+    if folders::is_update() {
+        std::fs::write(folders::docs("stability.svg"), &drawn)?;
+    }
     check.finish()
 }
 

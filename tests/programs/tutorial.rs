@@ -1,19 +1,17 @@
 //! The mechanisms of the tutorial `docs/tutorial.md`, and its pictures.
 //!
-//! `cargo run --release --example tutorial -- docs/tutorial` writes the pictures; without a folder they go to `target/tutorial`.
-//! The exit status is 1 if a position or the dwell is not what circles and a dense table say.
+//! Positions and the dwell are those of circles and of a dense table.
 
-mod check;
-
-use check::Check;
+use crate::check::Check;
+use crate::folders;
 use linkage::report::Report;
 use linkage::summary::Curve;
 use std::error::Error;
 use std::f64::consts::TAU;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-include!("../mechanisms/tutorial.rs");
+include!("../../mechanisms/tutorial.rs");
 
 /// Positions over a turn.
 const POSITIONS: usize = 361;
@@ -22,10 +20,8 @@ const BAND: f64 = 0.5 / 360.0 * TAU;
 /// Positions of the table that the dwell is compared with.
 const DENSE: usize = 36_000;
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let folder = std::env::args_os().nth(1);
-    let folder = folder.map_or_else(|| PathBuf::from("target/tutorial"), PathBuf::from);
-    draw(&folder)?;
+#[test]
+fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     compare_positions(&mut check)?;
     compare_dwell(&mut check)?;
@@ -154,14 +150,16 @@ fn compare_dwell(check: &mut Check) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The page's pictures are those that this program draws.
-#[cfg(test)]
+/// The page has the pictures that this program draws; `UPDATE=1` writes them.
 #[test]
-fn the_pictures_of_the_page_are_these() -> Result<(), Box<dyn Error>> {
-    let folder = Path::new("target/tutorial");
-    draw(folder)?;
+fn pictures_of_the_page_are_current() -> Result<(), Box<dyn Error>> {
+    let folder = folders::target("tutorial");
+    draw(&folder)?;
+    if folders::is_update() {
+        draw(&folders::docs("tutorial"))?;
+    }
     let mut count = 0;
-    for entry in fs::read_dir("docs/tutorial")? {
+    for entry in fs::read_dir(folders::docs("tutorial"))? {
         let path = entry?.path();
         let name = path.file_name().ok_or("a file has a name")?;
         let drawn = fs::read_to_string(folder.join(name))?;

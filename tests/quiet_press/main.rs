@@ -6,14 +6,16 @@
 //! of the torque decides about motor and gears.
 //!
 //! What the peak costs at the guide is a front of compromises, from the least peak alone to the least force on the guide alone; so is what shakes the
-//! foundation, which is limited to what it was. `cargo run --release --example quiet_press FOLDER` writes a page of them.
+//! foundation, which is limited to what it was. The page in `target/comparisons/quiet_press` has them.
 //!
 //! The peak is checked in three ways: by samples, by other presses nearby, and by the least peak of counterweights alone, a linear problem that
-//! `linkage::balancing` solves in another way and with a proof. The exit status is 1 if anything that is printed here does not hold.
+//! `linkage::balancing` solves in another way and with a proof.
 
-#[path = "../check/mod.rs"]
+#[path = "../../examples/check/comparison.rs"]
 mod check;
 mod checks;
+#[path = "../programs/folders.rs"]
+mod folders;
 mod page;
 mod press;
 
@@ -24,12 +26,12 @@ use page::compared;
 use press::{Press, PressAssembly, SPEED, design, open, print, sampled, side, torque};
 use std::error::Error;
 use std::f64::consts::TAU;
-use std::path::Path;
 
 /// Compromises of peak and guide.
 const COMPROMISES: usize = 6;
 
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+#[test]
+fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     let first = Press::default().assemble()?;
     let height = |phi: f64| first.motion(phi).ram;
     let stroke = height(0.25 * TAU) - height(0.75 * TAU);
@@ -73,12 +75,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     compare_shaking(&first, &peak, stroke, &mut check)?;
     let front = open(stroke)?.front(Peak(torque()).least(), Peak(side()).least(), COMPROMISES)?;
     compare_front(&front, &peak, &mut check);
-    if cfg!(test) {
-        // Tests of pages look at it.
-        compared(&first, &front, Path::new("target/comparisons/quiet_press"))?;
-    } else if let Some(folder) = std::env::args_os().nth(1) {
-        let page = compared(&first, &front, Path::new(&folder))?;
-        println!("Open {}", page.display());
-    }
+    // Tests of pages look at it.
+    compared(&first, &front, &folders::target("comparisons/quiet_press"))?;
     check.finish()
 }

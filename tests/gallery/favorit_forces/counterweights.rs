@@ -1,7 +1,7 @@
 //! Counterweights on the cranks: how quiet can they make the machine's bed?
 
-use super::check::Check;
 use super::{Favorit, MACHINE_SPEED, Shaking, cycle};
+use crate::check::Check;
 use linkage::balancing::{Balance, Figures, StaticMoment};
 use linkage::pins::largest_load;
 use std::error::Error;

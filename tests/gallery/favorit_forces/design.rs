@@ -1,7 +1,7 @@
 //! What a designer does with the forces: the motor's torque and the pins.
 
-use super::check::Check;
 use super::{FavoritAssembly, Forces, JOINTS, MACHINE_SPEED, cycle, sizes};
+use crate::check::Check;
 use linkage::pins::{Fit, Limit, Member, Mounting, Pin, Width, largest_load, standard_diameter};
 use std::error::Error;
 

@@ -1,7 +1,7 @@
 //! The published reactions: with the conventions that they were computed with, and beside the drive's own.
 
-use super::check::Check;
 use super::{Favorit, FavoritAssembly, Forces, JOINTS, MACHINE_SPEED, sizes};
+use crate::check::Check;
 use linkage::AssemblyError;
 
 /// One row of the table: the sizes of all reactions, in newtons.
@@ -148,7 +148,7 @@ fn range(rows: &[Row], joint: usize) -> (f64, f64) {
 
 /// The printed columns: lines `name,unit,25 values`, the row labels left out.
 fn published_columns() -> Vec<(&'static str, Vec<f64>)> {
-    let lines = include_str!("../../mechanisms/favorit/reactions.csv").lines();
+    let lines = include_str!("../../../mechanisms/favorit/reactions.csv").lines();
     let columns = lines.filter(|line| !line.starts_with('#') && !line.starts_with("label"));
     columns
         .map(|line| {

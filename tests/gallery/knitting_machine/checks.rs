@@ -1,10 +1,10 @@
 //! The machine against its drives alone, against differences, against a dense search.
 
-use super::check::Check;
 use super::drives::{
     EyeNeedle, HookNeedle, KnittingMachine, KnittingMachineAssembly, Press, Sinker,
 };
 use super::members::{self, DIMENSIONS};
+use crate::check::Check;
 use linkage::clearance::Clearance;
 use linkage::cyclogram::{Band, Cyclogram, Member, Motion};
 use linkage::tolerance::Tolerances;

@@ -1,3 +1,3 @@
 //! The drives and the machine that they are parts of.
 
-include!("../../mechanisms/knitting_machine.rs");
+include!("../../../mechanisms/knitting_machine.rs");

@@ -1,14 +1,14 @@
 //! The machine against numbers of 60 digits.
 
-use super::check::Check;
 use super::drives::{KnittingMachine, KnittingMachineAssembly};
 use super::members;
+use crate::check::Check;
 use linkage::clearance::{BestPhase, Clearance};
 use linkage::cyclogram::{Band, Cyclogram, Member, Motion};
 
 /// The lines of `reference.csv` that begin with a word: what else stands in their first cell, and the numbers.
 fn lines(word: &str) -> Vec<(&'static str, Vec<f64>)> {
-    let lines = include_str!("../../mechanisms/knitting_machine/reference.csv").lines();
+    let lines = include_str!("../../../mechanisms/knitting_machine/reference.csv").lines();
     let own = lines.filter_map(|line| {
         let mut cells = line.split(',');
         let first = cells.next()?;

@@ -1,9 +1,9 @@
 //! Parts of the machine in a scene: what is off costs nothing, to the operation.
 
-use super::check::Check;
 use super::drives::{
     EyeNeedle, HookNeedle, KnittingMachine, KnittingMachineAssembly, Press, Sinker,
 };
+use crate::check::Check;
 use linkage::{Scene, Structure};
 use std::cell::Cell;
 

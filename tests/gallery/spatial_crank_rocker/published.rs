@@ -1,10 +1,10 @@
 //! A spatial crank-rocker with published figures, and the four-bar that it is with parallel axes.
 
-use super::check::Check;
+use crate::check::Check;
 use linkage::Vector3;
 use std::error::Error;
 
-include!("../../mechanisms/spatial_crank_rocker_published.rs");
+include!("../../../mechanisms/spatial_crank_rocker_published.rs");
 
 /// Driver, rocker in degrees, its derivatives: both modes.
 const PUBLISHED: [[(f64, f64, f64, f64); 2]; 2] = [

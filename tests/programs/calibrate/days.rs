@@ -1,7 +1,7 @@
 //! The same readings with the errors of many other days.
 
-use super::check::Check;
 use super::{COUNT, FourBar, from_points, names, off, points, truth};
+use crate::check::Check;
 use linkage::Dimensions;
 use linkage::design::Identified;
 use linkage::tolerance::Uncertainties;

@@ -21,7 +21,7 @@ pub(crate) struct Problem {
     pub(crate) known: f64,
     /// Starts with which one search finds it from every seed that was tried.
     pub(crate) starts: usize,
-    /// Fewer starts, with which the search of the example's seed finds it.
+    /// Fewer starts, with which the search of the program's seed finds it.
     pub(crate) few: usize,
 }
 

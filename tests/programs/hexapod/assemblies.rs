@@ -1,10 +1,10 @@
 //! All assemblies of platforms: of the one that P. Dietmaier found in 1998 all 40 are real, of the one that is followed here eight at one end of the
 //! path, and six at the other.
 
-use super::check::Check;
 use super::geometry::{FEET, JOINTS};
 use super::numbers;
 use super::platform::{DIETMAIER, LAST_LEG, Platform};
+use crate::check::Check;
 use linkage::design::exact::{Solution, solutions_traced};
 use serde_json::Value;
 use std::error::Error;
@@ -12,11 +12,11 @@ use std::error::Error;
 /// Lists all assemblies and compares them with solutions in 80 digits.
 pub(super) fn show(check: &mut Check) -> Result<(), Box<dyn Error>> {
     let known: Vec<Value> =
-        serde_json::from_str(include_str!("../../mechanisms/hexapod/dietmaier.json"))?;
+        serde_json::from_str(include_str!("../../../mechanisms/hexapod/dietmaier.json"))?;
     check.holds("40 known assemblies, all of them real", known.len() == 40);
     compare(check, &DIETMAIER, &known, 1.0)?;
     let ends: Vec<Value> =
-        serde_json::from_str(include_str!("../../mechanisms/hexapod/assemblies.json"))?;
+        serde_json::from_str(include_str!("../../../mechanisms/hexapod/assemblies.json"))?;
     for (known, real) in ends.iter().zip([8, 6]) {
         let platform = followed(numbers::<6>(&known["legs"])?);
         let known = known["poses"].as_array().ok_or("there are known poses")?;

@@ -1,8 +1,8 @@
 //! A slice of the workspace: places of the platform's origin at one height and in one orientation.
 
-use super::check::Check;
 use super::geometry::{FEET, JOINTS};
 use super::{TURN, ToLegsAssembly, ToPoseFollower, even, listed, rotation};
+use crate::check::Check;
 use nalgebra::Vector3;
 use std::error::Error;
 use std::fmt::Write;

@@ -5,7 +5,7 @@ use super::textbook;
 use core::f64::consts::FRAC_PI_2;
 use linkage_reference::{Random, System};
 
-include!("../../mechanisms/stability.rs");
+include!("../../../mechanisms/stability.rs");
 
 /// A way to compute the outputs of a dyad from its data; NaN where it sees no assembly.
 pub(crate) type Method = fn(&[f64]) -> Vec<f64>;
