@@ -21,5 +21,21 @@ linkage::mechanism! {
     impl FourBar {
         /// The point, what the crank's angle does to it, and what each of the nine dimensions does.
         pub fn path(phi) -> Path { tracer, v: velocity(tracer), s: sensitivity(tracer) }
+        /// A pose.
+        pub fn pose(phi) -> Pose {
+            tracer, theta,
+            v: velocity(tracer), w: velocity(theta),
+            s: sensitivity(tracer), t: sensitivity(theta),
+        }
+        /// A velocity as a quantity.
+        pub fn speed(phi) -> Speed {
+            v: velocity(psi), a: acceleration(psi), s: sensitivity(velocity(psi)), psi,
+        }
+        /// The velocity of the point as a quantity.
+        pub fn going(phi) -> Going {
+            v: velocity(tracer), a: acceleration(tracer), s: sensitivity(velocity(tracer)), tracer,
+        }
+        /// Without derivatives by the input, and by two parameters only.
+        pub fn poor(phi) -> Poor { tracer, s: sensitivity(tracer, [crank, coupler]) }
     }
 }
