@@ -1,4 +1,4 @@
-//! Quick return of a shaper: two positions and the time ratio; the example `quick_return` has the others.
+//! Quick return of a shaper: two positions with derivatives; the example `quick_return` has the other checks.
 
 use crate::check::Check;
 use std::error::Error;
@@ -19,13 +19,5 @@ fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
         check.near("d ram / d phi, mm", s.v, v, 1e-10);
         check.near("d2 ram / d phi2, mm", s.a, a, 1e-9);
     }
-    // The example finds these ends of the stroke, and the ratio from them by its formula.
-    let [left, right] = [203.578178478202_f64, 336.421821521798];
-    for end in [left, right] {
-        let speed = linkage.stroke(end.to_radians()).v;
-        check.near("speed of the ram, mm", speed, 0.0, 1e-8);
-    }
-    let back = right - left;
-    check.near("time ratio", (360.0 - back) / back, 1.709952781721, 1e-10);
     check.finish()
 }
