@@ -117,7 +117,6 @@ fn module(entry: &Entry) -> String {
 mod {name} {{
     #![allow(dead_code, unused_variables, unreachable_pub, missing_docs, clippy::all)]
     use super::*;
-    use super::Flat as _;
     linkage::mechanism! {{
 {body}
     }}
