@@ -50,7 +50,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     })?;
     let known = [
         (60.21437854841854, 6.910331732960811),
-        (169.77503323366031, 7.700556961650112),
+        (169.7750332336603, 7.700556961650112),
     ];
     check.holds("two of them", clearance.minima().len() == 2);
     for (nearest, (shaft, distance)) in clearance.minima().iter().zip(known) {
