@@ -1,4 +1,4 @@
-//! The documents of the repository: links, the order of the book, sentences and sizes.
+//! The documents of the repository: links, the order of the book, sentences and sizes; the size of examples.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use measures::lines;
 
 mod book;
+mod examples;
 mod links;
 mod measures;
 mod prose;
