@@ -1,5 +1,5 @@
 //! What `assemble()` costs where functions return angles, whose turns are counted, and where they do not, and how many drives of a
-//! coupled group a synthesis changes and moves in a second: `cargo bench --bench assembly`.
+//! coupled group a synthesis changes and moves in a second: `cargo bench -p linkage-benches --bench assembly`.
 
 use linkage::mechanism;
 use linkage_peers::timing::{Candidate, interleave, only_tested};

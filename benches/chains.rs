@@ -1,48 +1,24 @@
-//! Closed chains of robots and vehicles against what they must reach: `RUSTFLAGS="-C target-cpu=x86-64-v3" cargo bench --bench chains`, and without
-//! the flags.
+//! Closed chains of robots and vehicles against their limits, by the command
+//! `RUSTFLAGS="-C target-cpu=x86-64-v3" cargo bench -p linkage-benches --bench chains`, and without the flags.
 //!
-//! The mechanisms are those of the examples: the ankle both ways, the platform on six legs with its follower, the five-link axle, the double
+//! The mechanisms are those of the folder `mechanisms`: the ankle both ways, the platform on six legs with its follower, the five-link axle, the double
 //! wishbone, the McPherson strut. Times of single calls, of a sweep and of `assemble()`; operations as `STRUCTURE` counts them.
 
-#[path = "../examples/ankle.rs"]
-#[allow(
-    dead_code,
-    unreachable_pub,
-    reason = "a program of its own, here a module"
-)]
-mod ankle;
-#[path = "../examples/double_wishbone.rs"]
-#[allow(
-    dead_code,
-    unreachable_pub,
-    clippy::duplicate_mod,
-    reason = "a program of its own, here a module"
-)]
-mod double_wishbone;
-#[path = "../examples/five_link_axle.rs"]
-#[allow(
-    dead_code,
-    unreachable_pub,
-    clippy::duplicate_mod,
-    reason = "a program of its own, here a module"
-)]
-mod five_link_axle;
-#[path = "../examples/hexapod.rs"]
-#[allow(
-    dead_code,
-    unreachable_pub,
-    clippy::duplicate_mod,
-    reason = "a program of its own, here a module"
-)]
-mod hexapod;
-#[path = "../examples/mcpherson.rs"]
-#[allow(
-    dead_code,
-    unreachable_pub,
-    clippy::duplicate_mod,
-    reason = "a program of its own, here a module"
-)]
-mod mcpherson;
+mod ankle {
+    include!("../mechanisms/ankle.rs");
+}
+mod double_wishbone {
+    include!("../mechanisms/double_wishbone.rs");
+}
+mod five_link_axle {
+    include!("../mechanisms/five_link_axle.rs");
+}
+mod hexapod {
+    include!("../mechanisms/hexapod.rs");
+}
+mod mcpherson {
+    include!("../mechanisms/mcpherson.rs");
+}
 
 use ankle::{ToFoot, ToMotors};
 use double_wishbone::DoubleWishbone;

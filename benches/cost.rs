@@ -1,4 +1,4 @@
-//! What a function costs, against what it was asked for: `cargo bench --bench cost`.
+//! What a function costs, against what it was asked for: `cargo bench -p linkage-benches --bench cost`.
 //!
 //! Two mechanisms with a function for each request. Operations are those that the compiler counted
 //! (`STRUCTURE`); times are of single calls and of sweeps, timed in turn.

@@ -1,10 +1,10 @@
-//! Searches over whole cycles: `cargo bench --bench cycles`.
+//! Searches over whole cycles: `cargo bench -p linkage-benches --bench cycles`.
 //!
-//! The dwell of the example `longer_dwell`, as drawn and in the worst case of its tolerances, from the published drive to the certified
+//! The dwell of the program `longer_dwell`, as drawn and in the worst case of its tolerances, from the published drive to the certified
 //! optimum on one thread; then from starts within the bounds, on all threads, with all distinct optima.
 
-#[path = "../examples/longer_dwell/drive.rs"]
-#[allow(dead_code, unreachable_pub, reason = "a part of an example")]
+#[path = "../tests/longer_dwell/drive.rs"]
+#[allow(dead_code, unreachable_pub, reason = "a part of another program")]
 mod drive;
 
 use drive::{BAND, EyeNeedle, design, way};

@@ -1,13 +1,13 @@
-//! Searches of dimensions: `cargo bench --bench design`.
+//! Searches of dimensions: `cargo bench -p linkage-benches --bench design`.
 //!
-//! The five path problems of the example `four_bar_paths`, on one thread: all together, with the least sum of each of 20 seeds
+//! The five path problems of the program `four_bar_paths`, on one thread: all together, with the least sum of each of 20 seeds
 //! against the least one known; then residuals with their derivatives a second, in lanes over mechanisms.
 
-#[path = "../examples/four_bar_paths/mechanism.rs"]
-#[allow(unreachable_pub, reason = "a part of an example")]
-mod mechanism;
-#[path = "../examples/four_bar_paths/problems.rs"]
-#[allow(dead_code, reason = "the example asks for fewer starts")]
+mod mechanism {
+    include!("../mechanisms/four_bar_paths.rs");
+}
+#[path = "../tests/programs/four_bar_paths/problems.rs"]
+#[allow(dead_code, reason = "the program needs fewer starts")]
 mod problems;
 
 use linkage::design::{Candidates, Objective, Rows, Targets};

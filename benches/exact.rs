@@ -1,9 +1,9 @@
-//! Exact synthesis: `cargo bench --bench exact`.
+//! Exact synthesis: `cargo bench -p linkage-benches --bench exact`.
 //!
 //! Five poses, five pairs of turns, five points, a platform on six legs with 40 real assemblies; nine points on one thread and on two. Each listing
 //! is asked whether it is complete.
 
-#[path = "../examples/hexapod/platform.rs"]
+#[path = "../tests/programs/hexapod/platform.rs"]
 mod platform;
 
 use linkage::design::exact::{

@@ -1,5 +1,5 @@
 //! Forces against the accelerations that they come from, timed in turn:
-//! `RUSTFLAGS="-C target-cpu=x86-64-v3" cargo bench --bench forces`, and without the flags.
+//! `RUSTFLAGS="-C target-cpu=x86-64-v3" cargo bench -p linkage-benches --bench forces`, and without the flags.
 //!
 //! The hook-needle drive with six bodies: the reactions of all eight joints and the driving torque, over the
 //! accelerations of all centres of mass and of all links that turn unevenly; at a constant speed, and at a changing

@@ -1,9 +1,9 @@
-//! The kernels K1 and K2: `cargo bench --bench kernels`, some of them with a filter such as
+//! The kernels K1 and K2: `cargo bench -p linkage-benches --bench kernels`, some of them with a filter such as
 //! `-- k1_motion`.
 //!
 //! "Single" is one position at a time: the results pass through `black_box`, so that no two positions
 //! are computed together. The rows of this table are timed one after the other;
-//! `cargo bench --bench ratios` times them in turn, which is better for comparisons.
+//! `cargo bench -p linkage-benches --bench ratios` times them in turn, which is better for comparisons.
 
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};

@@ -1,16 +1,16 @@
-//! Several members on one shaft: `cargo bench --bench machine`.
+//! Several members on one shaft: `cargo bench -p linkage-benches --bench machine`.
 //!
-//! The machine of the example `knitting_machine`: a cyclogram of its four members with all switching angles and their
+//! The machine of `mechanisms/knitting_machine.rs`: a cyclogram of its four members with all switching angles and their
 //! sensitivities; the least distance of two needles with its sensitivities to all dimensions; the best phase of both and
 //! the best slot of a gear. Times are of everything after `assemble()`, sweeps included. Behind it the best phases of three
 //! and of four members, points that move by two harmonics: what a search of several phases takes beside the mechanism's
 //! own functions.
 
-#[path = "../examples/knitting_machine/drives.rs"]
-#[allow(unreachable_pub, reason = "a part of an example")]
-mod drives;
-#[path = "../examples/knitting_machine/members.rs"]
-#[allow(dead_code, reason = "the example asks for more")]
+mod drives {
+    include!("../mechanisms/knitting_machine.rs");
+}
+#[path = "../tests/gallery/knitting_machine/members.rs"]
+#[allow(dead_code, reason = "the gallery asks for more")]
 mod members;
 #[path = "../tests/machine/waves.rs"]
 mod waves;

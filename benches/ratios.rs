@@ -1,6 +1,6 @@
 //! Generated code against hand-derived C, both timed in turn, kernel by kernel:
-//! `cargo bench --bench ratios`, with the instruction set that the goals are stated for:
-//! `RUSTFLAGS="-C target-cpu=x86-64-v3" cargo bench --bench ratios`.
+//! `cargo bench -p linkage-benches --bench ratios`, with the instruction set that the goals are stated for:
+//! `RUSTFLAGS="-C target-cpu=x86-64-v3" cargo bench -p linkage-benches --bench ratios`.
 //!
 //! "Single" is one position at a time, in random order: no function is inlined into the loop, in either language, and
 //! the compiler cannot see who reads the result. "Latency" makes each input wait for the result before

@@ -1,5 +1,5 @@
 //! Coupled groups against a crank-rocker timed in turn with them:
-//! `RUSTFLAGS="-C target-cpu=x86-64-v3" cargo bench --bench triads`, and without the flags.
+//! `RUSTFLAGS="-C target-cpu=x86-64-v3" cargo bench -p linkage-benches --bench triads`, and without the flags.
 //!
 //! The eye-needle drive (RR-RR-RR) and the two-crank drive (RR-RR-PR): position, both derivatives, and
 //! the sensitivities to all dimensions as well; single calls, sweeps, sets of perturbed dimensions,

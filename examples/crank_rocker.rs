@@ -1,75 +1,21 @@
-//! Crank-rocker four-bar: assemblies, a sweep, changed dimensions, sensitivities, tolerances.
+//! A crank-rocker: assemblies, a sweep, changed dimensions, sensitivities, tolerances.
 //!
-//! Crank 40, coupler 120, rocker 80, frame 100 mm, at a crank angle of 40 degrees.
+//! The text of the mechanism is in `mechanisms/crank_rocker.rs`. Its crank is 40 mm long, coupler, rocker and frame are
+//! 120, 80 and 100 mm.
 
 mod check;
 
 use check::Check;
-use linkage::mechanism;
 use std::error::Error;
 
-mechanism! {
-    /// Crank-rocker four-bar with a coupler point.
-    pub struct CrankRocker {
-        unit mm;
+include!("../mechanisms/crank_rocker.rs");
 
-        param crank   = 40mm  +- 12um;
-        param coupler = 120mm +- 20um;
-        param rocker  = 80mm  +- 20um;
-        param frame   = 100mm +- 20um;
-        param arm     = 60mm;
-        param lift    = 30deg +- 30arcsec;
-
-        input phi = 40deg in 0deg..360deg;
-        unknown theta = 20deg;
-        unknown psi   = 60deg;
-
-        let a = polar(crank, phi);
-        loop a + polar(coupler, theta) = (frame, 0) + polar(rocker, psi);
-        let tracer = a + polar(arm, theta + lift);
-    }
-
-    impl CrankRocker {
-        /// Both link angles.
-        pub fn angles(phi) -> Angles { theta, psi }
-        /// Motion of the coupler point, and how far the dyad is from a dead point.
-        pub fn motion(phi) -> Motion { tracer, v: velocity(tracer), margin: margin() }
-        /// What the dimensions do to the rocker's angle and to the coupler point.
-        pub fn accuracy(phi) -> Accuracy {
-            tracer,
-            rocker_angle: sensitivity(psi, [crank, coupler, rocker, frame]),
-            point: sensitivity(tracer),
-        }
-    }
-}
-
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let mechanism = CrankRocker::default();
     let linkage = mechanism.assemble()?;
     let phi = 40f64.to_radians();
-
     println!("{}", CrankRocker::STRUCTURE);
-    let groups = CrankRocker::STRUCTURE.groups;
-    check.holds("one dyad RRR", groups.len() == 1 && groups[0].kind == "RRR");
-
-    println!("Assemblies at 40 degrees:");
-    let mut found: Vec<Angles> = mechanism
-        .assemblies()?
-        .iter()
-        .map(|l| l.angles(phi))
-        .collect();
-    found.sort_by(|a, b| b.psi.total_cmp(&a.psi));
-    check.holds("two of them", found.len() == 2);
-    for (angles, (theta, psi)) in found
-        .iter()
-        .zip([(20.297882788, 57.324880070), (-60.977966796, -98.004964078)])
-    {
-        check.near("theta, deg", angles.theta.to_degrees(), theta, 1e-9);
-        check.near("psi, deg", angles.psi.to_degrees(), psi, 1e-9);
-    }
-    let elsewhere = mechanism.assemblies_at(200f64.to_radians())?;
-    check.holds("two at 200 degrees, too", elsewhere.len() == 2);
 
     println!("Coupler point and margin at 40 degrees:");
     let m = linkage.motion(phi);
@@ -78,46 +24,54 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     check.near("dx/dphi, mm", m.v.x, -18.102226518192, 1e-10);
     check.near("dy/dphi, mm", m.v.y, 24.323958522574, 1e-10);
     check.near(
-        "margin: |sin| of transmission angle",
+        "|sin| of transmission angle",
         m.margin,
         0.602191266564,
         1e-11,
     );
 
+    println!("Assemblies at 40 degrees:");
+    let assemblies = mechanism.assemblies()?;
+    check.holds("two of them", assemblies.len() == 2);
+    let mut angles: Vec<Angles> = assemblies.iter().map(|l| l.angles(phi)).collect();
+    angles.sort_by(|a, b| b.psi.total_cmp(&a.psi));
+    for (angles, known) in angles.iter().zip([57.324880070, -98.004964078]) {
+        check.near("psi, deg", angles.psi.to_degrees(), known, 1e-9);
+    }
+
     println!("The rocker over a turn of the crank:");
-    let cycle: Vec<f64> = (0..=3600)
-        .map(|i| (f64::from(i) / 10.0).to_radians())
-        .collect();
+    let degrees = (0..=3600).map(|i| f64::from(i) / 10.0);
+    let cycle: Vec<f64> = degrees.map(f64::to_radians).collect();
     let columns = linkage.angles_sweep(&cycle);
-    let psi = columns.psi();
-    let swing = psi.iter().map(|psi| psi.to_degrees());
-    let lowest = swing.clone().fold(f64::INFINITY, f64::min);
-    let highest = swing.fold(f64::NEG_INFINITY, f64::max);
+    let lowest = columns.psi().iter().copied().fold(f64::INFINITY, f64::min);
+    let highest = columns.psi().iter().copied().fold(0.0, f64::max);
     // At the limits crank and coupler are in line: a triangle with sides 120 +- 40, 80, 100.
-    check.near("lower limit, deg", lowest, 54.900367805, 1e-4);
-    check.near("upper limit, deg", highest, 128.682187453, 1e-4);
+    check.near("lower limit, deg", lowest.to_degrees(), 54.900367805, 1e-4);
+    check.near(
+        "upper limit, deg",
+        highest.to_degrees(),
+        128.682187453,
+        1e-4,
+    );
 
     println!("Other dimensions at run time:");
     let longer = CrankRocker {
         crank: 41.0,
-        ..CrankRocker::default()
-    }
-    .assemble()?;
+        ..mechanism
+    };
+    let psi = longer.assemble()?.angles(phi).psi;
     check.near(
         "crank 41 mm: psi, deg",
-        longer.angles(phi).psi.to_degrees(),
+        psi.to_degrees(),
         56.203192375,
         1e-9,
     );
     let impossible = CrankRocker {
         coupler: 300.0,
-        ..CrankRocker::default()
-    }
-    .assemble();
-    if let Err(error) = &impossible {
-        println!("       coupler 300 mm: {error}");
-    }
-    check.holds("a coupler of 300 mm is refused", impossible.is_err());
+        ..mechanism
+    };
+    let refused = impossible.assemble();
+    check.holds("a coupler of 300 mm is refused", refused.is_err());
 
     println!("Sensitivities at 40 degrees:");
     let accuracy = linkage.accuracy(phi);
@@ -127,52 +81,19 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         0.016571808154,
         0.019468518686,
     ];
-    for ((parameter, value), known) in CrankRocker::PARAMETERS
-        .iter()
-        .zip(accuracy.rocker_angle)
-        .zip(known)
-    {
-        check.near(
-            &format!("dpsi/d{}, rad/mm", parameter.name),
-            value,
-            known,
-            1e-11,
-        );
+    let parameters = CrankRocker::PARAMETERS.iter();
+    for ((parameter, value), known) in parameters.zip(accuracy.rocker_angle).zip(known) {
+        let name = format!("dpsi/d{}, rad/mm", parameter.name);
+        check.near(&name, value, known, 1e-11);
     }
-    // Euler: angles do not change when all lengths grow alike, points grow with them.
-    let lengths = CrankRocker::PARAMETERS
-        .iter()
-        .map(|p| if p.unit == "mm" { p.nominal } else { 0.0 });
-    let lengths: Vec<f64> = lengths.collect();
-    let angle: f64 = lengths
-        .iter()
-        .zip(accuracy.rocker_angle)
-        .map(|(r, s)| r * s)
-        .sum();
-    let x: f64 = lengths
-        .iter()
-        .zip(&accuracy.point)
-        .map(|(r, s)| r * s.x)
-        .sum();
-    let y: f64 = lengths
-        .iter()
-        .zip(&accuracy.point)
-        .map(|(r, s)| r * s.y)
-        .sum();
-    check.near("sum of r dpsi/dr", angle, 0.0, 1e-12);
-    check.near("sum of r dx/dr - x, mm", x - accuracy.tracer.x, 0.0, 1e-11);
-    check.near("sum of r dy/dr - y, mm", y - accuracy.tracer.y, 0.0, 1e-11);
 
-    println!("What the tolerances do to the coupler point, in micrometres:");
+    println!("Effects of the tolerances on the coupler point, in micrometres:");
     let mut worst = 0.0;
     for (parameter, s) in CrankRocker::PARAMETERS.iter().zip(&accuracy.point) {
         let share = 1e3 * s.norm() * parameter.tolerance;
-        println!(
-            "       {:<8} +- {:<9.3e} {:<4} {share:7.2}",
-            parameter.name, parameter.tolerance, parameter.unit
-        );
+        println!("       {:<8} {share:7.2}", parameter.name);
         worst += share;
     }
-    println!("       all together, at worst   {worst:7.2}");
+    println!("       at worst {worst:7.2}");
     check.finish()
 }

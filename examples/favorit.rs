@@ -5,161 +5,62 @@
 //! crank 7-8 through the rod 8-9 (dyad RRP on a moving guide). The needle 9-10 is part of the
 //! slider. The second crank turns backwards at half the speed, so that one cycle takes two turns.
 //!
-//! The exit status is 1 if one of the 63 published columns does not agree to its last digit. `cargo run --release --example favorit
-//! docs/favorit.svg` draws the picture of the README, too.
+//! The exit status is 1 if a published column of the needle or of a link does not agree to its last digit.
 
 mod check;
-#[path = "favorit/picture.rs"]
-mod picture;
 
 use check::Check;
-use linkage::{mechanism, true_acceleration, true_velocity};
+use linkage::{true_acceleration, true_velocity};
 use std::error::Error;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
-mechanism! {
-    /// The two-crank drive of the hook needle, as published.
-    pub struct Favorit {
-        unit mm;
-
-        param pivot_1 = (0mm, 0mm);
-        param pivot_4 = (5mm, 150mm);
-        param pivot_7 = (112.5mm, 3.5mm);
-        param l12 = 5mm;
-        param l23 = 46.5mm;
-        param l34 = 123mm;
-        param l45 = 13.5mm;
-        param l78 = 10mm;
-        param l89 = 160mm;
-        param l56 = 130mm;
-        param l910 = 122.5mm;
-        param angle_345 = -62.5deg;
-        param angle_456 = 90deg;
-        param start_78 = 60deg;
-
-        input phi12 = -90deg in -90deg..630deg;
-        let phi78 = start_78 - (phi12 + 90deg) / 2;
-
-        // Main crank, coupler and rocker.
-        unknown phi23 = 48deg;
-        unknown phi43 = -78deg;
-        let p2 = pivot_1 + polar(l12, phi12);
-        let p3 = p2 + polar(l23, phi23);
-        loop p3 = pivot_4 + polar(l34, phi43);
-
-        // The guide, fixed on the rocker.
-        let phi45 = phi43 + angle_345;
-        let phi56 = phi45 + angle_456;
-        let p5 = pivot_4 + polar(l45, phi45);
-        let p6 = p5 + polar(l56, phi56);
-
-        // Second crank, rod and slider; the needle points back along the guide.
-        unknown phi89 = 134deg;
-        unknown slide = 18mm;
-        let p8 = pivot_7 + polar(l78, phi78);
-        let p9 = p8 + polar(l89, phi89);
-        loop p9 = p5 + polar(slide, phi56);
-        let phi910 = phi56 + 180deg;
-        let p10 = p9 + polar(l910, phi910);
-    }
-
-    impl Favorit {
-        /// The needle's point: position and both kinematic coefficients.
-        pub fn needle(phi12) -> Needle { p10, v: velocity(p10), a: acceleration(p10) }
-
-        /// The needle's height over the input, with three derivatives.
-        pub fn height(phi12) -> Height {
-            y: p10.y, v: velocity(p10.y), a: acceleration(p10.y), j: jerk(p10.y),
-        }
-
-        /// The angle between coupler and rocker, and how far the drive is from a singular position.
-        pub fn transmission(phi12) -> Transmission {
-            mu: phi43 - phi23, v: velocity(phi43 - phi23), a: acceleration(phi43 - phi23), margin: margin(),
-        }
-
-        /// All links, for drawings.
-        pub fn picture(phi12) -> Picture { shape: picture() }
-
-        /// Everything that the publication tabulates.
-        pub fn motion(phi12) -> Motion {
-            p2, v2: velocity(p2), a2: acceleration(p2),
-            p3, v3: velocity(p3), a3: acceleration(p3),
-            p5, v5: velocity(p5), a5: acceleration(p5),
-            p6, v6: velocity(p6), a6: acceleration(p6),
-            p8, v8: velocity(p8), a8: acceleration(p8),
-            p9, v9: velocity(p9), a9: acceleration(p9),
-            p10, v10: velocity(p10), a10: acceleration(p10),
-            phi23, om23: velocity(phi23), eps23: acceleration(phi23),
-            phi43, om43: velocity(phi43), eps43: acceleration(phi43),
-            phi45, om45: velocity(phi45), eps45: acceleration(phi45),
-            phi56, om56: velocity(phi56), eps56: acceleration(phi56),
-            phi78, om78: velocity(phi78), eps78: acceleration(phi78),
-            phi89, om89: velocity(phi89), eps89: acceleration(phi89),
-            phi910, om910: velocity(phi910), eps910: acceleration(phi910),
-        }
-    }
-}
+include!("../mechanisms/favorit.rs");
 
 /// 1000 revolutions per minute, clockwise.
 const MACHINE_SPEED: f64 = -1000.0 * TAU / 60.0;
 
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> Result<(), Box<dyn Error>> {
     let linkage = Favorit::default().assemble()?;
     println!("{}", Favorit::STRUCTURE);
     print_needle(&linkage);
 
-    println!("\nAgainst the publication:");
+    println!("\nThe publication, 25 positions:");
     let mut check = Check::default();
-    let columns = published_columns();
-    let complete = columns.len() == 63 && columns.iter().all(|(_, rows)| rows.len() == 25);
-    check.holds("63 columns of 25 rows", complete);
-
-    // Row i belongs to -90 + 150 i degrees. Two turns are one cycle, so it is taken back into it.
-    let crank_angle = |row: usize| (150.0 * row as f64 % 720.0 - 90.0).to_radians();
-    // The nominal -104.72 rad/s, taken for degrees per second.
+    // The tables take the nominal speed, -104.72 rad/s, for degrees per second, and give rates in 1e-5 m.
     let speed = MACHINE_SPEED.to_radians();
-    let rows: Vec<Row> = (0..25)
-        .map(|i| published_row(&linkage, crank_angle(i), speed))
-        .collect();
-    for (name, printed) in &columns {
-        check.all_near(name, differences(name, printed, &rows), 0.005 + 1e-9);
+    let (first, second) = (100.0 * speed, 100.0 * speed * speed);
+    // Row i is at -90 + 150 i degrees. Two turns are one cycle.
+    let rows = (0..25).map(|row| (150.0 * f64::from(row) % 720.0 - 90.0).to_radians());
+    let rows: Vec<Motion> = rows.map(|phi12| linkage.motion(phi12)).collect();
+    for (axis, i) in [("X", 0), ("Y", 1)] {
+        let mut compare = |name: &str, value: &dyn Fn(&Motion) -> f64| {
+            let printed = column(&format!("{name}{axis}"));
+            let pairs = rows.iter().map(value).zip(printed);
+            check.all_near(&format!("{name}{axis}"), pairs, 0.005 + 1e-9);
+        };
+        compare("P3", &|m| m.p3[i]);
+        compare("V3", &|m| first * m.v3[i]);
+        compare("A3", &|m| second * m.a3[i]);
+        compare("P10", &|m| m.p10[i]);
+        compare("V10", &|m| first * m.v10[i]);
+        compare("A10", &|m| second * m.a10[i]);
     }
-
-    let labelled = |i: usize| (-90.0 - 30.0 * i as f64).rem_euclid(720.0).to_radians();
-    let by_label: Vec<Row> = (0..25)
-        .map(|i| published_row(&linkage, labelled(i), speed))
-        .collect();
-    let off = |(name, printed): &&(&str, Vec<f64>)| {
-        differences(name, printed, &by_label).any(|(difference, _)| difference.abs() > 0.0051)
+    let mut compare = |name: &str, angle: fn(&Motion) -> f64| {
+        // Printed angles are reduced to one turn.
+        let pairs = rows.iter().zip(column(name)).map(|(m, printed)| {
+            let difference = angle(m).to_degrees() - printed;
+            (difference - 360.0 * (difference / 360.0).round(), 0.0)
+        });
+        check.all_near(name, pairs, 0.005 + 1e-9);
     };
-    let wrong = columns.iter().filter(off).count();
-    println!(
-        "
-Where the publication is wrong:
-- Row labels: they count 0, 30, ... 720 degrees, but row i was computed at the crank angles
-  phi12 = -90 + 150 i and phi78 = 60 - 75 i degrees. Taken at its labels (30 degrees of the
-  main crank from row to row), {wrong} of 63 columns fail.
-- Speed: all rates belong to {speed:.4} rad/s. The machine's 1000 rpm are {MACHINE_SPEED:.2} rad/s;
-  that figure was taken for degrees per second. True velocities are {factor:.2} times, true
-  accelerations {square:.0} times the printed ones.
-- Printed link angles are reduced to one turn: they are compared modulo 360 degrees.",
-        factor = 180.0 / PI,
-        square = (180.0 / PI).powi(2),
-    );
-    let path = std::env::args().nth(1);
-    if let Some(path) = path.filter(|path| path.ends_with(".svg")) {
-        std::fs::write(&path, picture::moving()?)?;
-        println!("\npicture: {path}");
-    }
+    compare("phi23", |m| m.phi23);
+    compare("phi43", |m| m.phi43);
+    compare("phi89", |m| m.phi89);
     check.finish()
 }
 
 /// The needle over one cycle, in the direction in which the machine turns, at its real speed.
 fn print_needle(linkage: &FavoritAssembly) {
-    println!(
-        "Needle point, main crank at {:.0} rpm:",
-        MACHINE_SPEED * 60.0 / TAU
-    );
     println!("  phi12, deg    x, mm    y, mm   vx, m/s   vy, m/s  ax, m/s2  ay, m/s2");
     for step in 0..=24 {
         let degrees = 630.0 - 30.0 * f64::from(step);
@@ -173,81 +74,15 @@ fn print_needle(linkage: &FavoritAssembly) {
     }
 }
 
-/// One row of the tables: names and values, in the printed units.
-type Row = Vec<(String, f64)>;
-
-fn published_row(linkage: &FavoritAssembly, phi12: f64, speed: f64) -> Row {
-    let m = linkage.motion(phi12);
-    let points = [
-        ("2", m.p2, m.v2, m.a2),
-        ("3", m.p3, m.v3, m.a3),
-        ("5", m.p5, m.v5, m.a5),
-        ("6", m.p6, m.v6, m.a6),
-        ("8", m.p8, m.v8, m.a8),
-        ("9", m.p9, m.v9, m.a9),
-        ("10", m.p10, m.v10, m.a10),
-    ];
-    let angles = [
-        ("23", m.phi23, m.om23, m.eps23),
-        ("43", m.phi43, m.om43, m.eps43),
-        ("45", m.phi45, m.om45, m.eps45),
-        ("56", m.phi56, m.om56, m.eps56),
-        ("78", m.phi78, m.om78, m.eps78),
-        ("89", m.phi89, m.om89, m.eps89),
-        ("910", m.phi910, m.om910, m.eps910),
-    ];
-    let mut row = Row::new();
-    for (name, p, v, a) in points {
-        for (axis, i) in [("X", 0), ("Y", 1)] {
-            // mm, and rates in 1e-5 m: one hundredth of a millimetre.
-            row.push((format!("P{name}{axis}"), p[i]));
-            row.push((format!("V{name}{axis}"), 100.0 * speed * v[i]));
-            row.push((format!("A{name}{axis}"), 100.0 * speed * speed * a[i]));
-        }
-    }
-    for (name, angle, first, second) in angles {
-        row.push((format!("phi{name}"), angle.to_degrees()));
-        row.push((format!("om{name}"), 100.0 * speed * first));
-        row.push((format!("eps{name}"), 100.0 * speed * speed * second));
-    }
-    row
-}
-
-/// Computed minus printed for each row of a column (angles modulo a turn), paired with zero.
-fn differences<'a>(
-    name: &'a str,
-    printed: &'a [f64],
-    rows: &'a [Row],
-) -> impl Iterator<Item = (f64, f64)> + 'a {
-    printed.iter().zip(rows).map(move |(printed, row)| {
-        let computed = row
-            .iter()
-            .find(|(label, _)| label == name)
-            .map_or(f64::NAN, |(_, x)| *x);
-        let difference = computed - printed;
-        let turns = if name.starts_with("phi") {
-            (difference / 360.0).round()
-        } else {
-            0.0
-        };
-        (difference - 360.0 * turns, 0.0)
+/// A printed column: the line `name,unit,25 values`. A cell that is no number fails its comparison, as a missing column does.
+fn column(name: &str) -> [f64; 25] {
+    let mut lines = include_str!("../mechanisms/favorit/tables.csv").lines();
+    let line = lines.find(|line| line.split(',').next() == Some(name));
+    let mut cells = line.unwrap_or_default().split(',').skip(2);
+    [(); 25].map(|()| {
+        cells
+            .next()
+            .and_then(|cell| cell.parse().ok())
+            .unwrap_or(f64::NAN)
     })
-}
-
-/// The printed columns: lines `name,unit,25 values`, the row labels left out.
-fn published_columns() -> Vec<(&'static str, Vec<f64>)> {
-    let lines = include_str!("favorit/tables.csv").lines();
-    let columns = lines.filter(|line| !line.starts_with('#') && !line.starts_with("label"));
-    columns
-        .map(|line| {
-            let mut cells = line.split(',');
-            let name = cells.next().unwrap_or_default();
-            // A cell that is no number fails its comparison.
-            let values = cells
-                .skip(1)
-                .map(|cell| cell.parse().unwrap_or(f64::NAN))
-                .collect();
-            (name, values)
-        })
-        .collect()
 }

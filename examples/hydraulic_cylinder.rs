@@ -6,42 +6,9 @@
 mod check;
 
 use check::Check;
-use linkage::mechanism;
 use std::error::Error;
 
-mechanism! {
-    /// Boom on a pivot at the origin; the cylinder stands in front of it, below.
-    pub struct Boom {
-        unit m;
-
-        param foot   = (0.6m +- 1mm, -0.8m +- 1mm);
-        param arm    = 1.1m +- 1mm;           // from the boom's pivot to the piston rod's eye
-        param closed = 1.2m +- 1mm;           // the cylinder without stroke, between its eyes
-        param reach  = 3m;
-        param bend   = -10deg;                // of the boom, between eye and tip
-
-        input stroke = 0.3m in 0m..0.6m;
-
-        unknown cylinder = 80deg;
-        unknown lift     = 38deg;
-        loop foot + polar(closed + stroke, cylinder) = polar(arm, lift);
-        let tip = polar(reach, lift + bend);
-    }
-
-    impl Boom {
-        /// Angles of cylinder and boom, and the tip.
-        pub fn position(stroke) -> BoomPosition { cylinder, lift, tip }
-        /// How fast boom and tip move with the stroke.
-        pub fn motion(stroke) -> BoomMotion {
-            rate: velocity(lift),
-            height: velocity(tip.y),
-            bend: acceleration(tip.y),
-            margin: margin(),
-        }
-        /// What the dimensions do to the boom's angle.
-        pub fn accuracy(stroke) -> BoomAccuracy { e: sensitivity(lift), dstroke: d(lift, stroke) }
-    }
-}
+include!("../mechanisms/hydraulic_cylinder.rs");
 
 /// Stroke, cylinder and boom angle (deg), tip, d lift/d stroke, first and second derivative of the
 /// tip's height.
@@ -78,7 +45,7 @@ const KNOWN: [[f64; 8]; 3] = [
     ],
 ];
 
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let mechanism = Boom::default();
     let linkage = mechanism.assemble()?;
@@ -107,46 +74,6 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
             10.0 * m.height
         );
     }
-
-    println!("Law of cosines, over the stroke:");
-    let side = mechanism.foot.norm();
-    let angles = (0..=60).map(|i| {
-        let stroke = 0.01 * f64::from(i);
-        let length = mechanism.closed + stroke;
-        let opening =
-            (side * side + mechanism.arm.powi(2) - length * length) / (2.0 * side * mechanism.arm);
-        let foot = mechanism.foot.y.atan2(mechanism.foot.x);
-        (linkage.position(stroke).lift, foot + opening.acos())
-    });
-    check.all_near("boom, rad", angles, 1e-13);
-
-    println!("Dimensions at stroke 0.3 m:");
-    let accuracy = linkage.accuracy(0.3);
-    for (parameter, s) in Boom::PARAMETERS.iter().zip(accuracy.e) {
-        println!(
-            "       {:<8} {s:>10.5} rad/{}",
-            parameter.name, parameter.unit
-        );
-    }
-    // The stroke adds to the closed length; it is a length, too, and so takes part in Euler's sum.
-    let dclosed = accuracy.e[Boom::INDEX_CLOSED];
-    check.near(
-        "d lift/d closed - d lift/d stroke",
-        dclosed - accuracy.dstroke,
-        0.0,
-        1e-13,
-    );
-    let shares = Boom::PARAMETERS
-        .iter()
-        .zip(accuracy.e)
-        .filter(|(p, _)| p.unit == "m");
-    let sum: f64 = shares.map(|(p, s)| p.nominal * s).sum();
-    check.near(
-        "sum of r d lift/d r",
-        sum + 0.3 * accuracy.dstroke,
-        0.0,
-        1e-13,
-    );
 
     let beyond = linkage.position(0.95);
     check.holds(

@@ -1,150 +1,94 @@
 //! A warp-knitting machine: hook needle, eye needle, sinkers and press on one shaft, with phases as parameters.
 //!
-//! The drives are those of the examples `favorit`, `eye_needle`, `two_crank_triad` and `spatial_crank_rocker`, parts of
-//! one mechanism. It answers what nobody asks of a drive by itself: what the members do when, where one of them is in the
-//! frame of another, how close the needles come, what tolerances leave of that, which phase makes it largest.
-//!
-//! Everything is compared: with the drives alone, with machines built a little differently, with many positions, with
-//! numbers of 60 digits. The exit status is 1 if something differs. The page is written to `target/knitting_machine`, or
-//! to the folder that is given behind `--`.
+//! The four drives are parts of one mechanism. A cyclogram has the dwells of both needles. The clearance is the least
+//! distance of their points, and a search finds the phase that makes it largest.
 
 mod check;
-#[path = "knitting_machine/checks.rs"]
-mod checks;
-#[path = "knitting_machine/drives.rs"]
-#[allow(unreachable_pub, reason = "a mechanism of its own, here a module")]
-mod drives;
-#[path = "knitting_machine/members.rs"]
-mod members;
-#[path = "knitting_machine/page.rs"]
-mod page;
-#[path = "knitting_machine/published.rs"]
-mod published;
-#[path = "knitting_machine/scene.rs"]
-mod scene;
 
 use check::Check;
-use drives::{KnittingMachine, KnittingMachineAssembly};
-use linkage::clearance::Clearance;
-use linkage::report::Report;
-use linkage::tolerance::Tolerances;
-use members::DIMENSIONS;
+use linkage::Vector2;
+use linkage::clearance::{Clearance, Phases};
+use linkage::cyclogram::{Band, Cyclogram, Member};
+use linkage::summary::Curve;
 use std::error::Error;
-use std::path::PathBuf;
+use std::f64::consts::TAU;
 
-/// Where the page is written if no folder is given.
-const FOLDER: &str = "target/knitting_machine";
-/// The gear on the shaft of the eye needle.
-const SLOTS: f64 = 48.0;
+include!("../mechanisms/knitting_machine.rs");
 
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+/// A turn of the shaft.
+const CYCLE: (f64, f64) = (0.0, TAU);
+/// Roots are searched between positions every five degrees.
+const POSITIONS: usize = 73;
+
+fn main() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let machine = KnittingMachine::default().assemble()?;
-    let tolerances = Tolerances::<DIMENSIONS>::complete(KnittingMachine::PARAMETERS)?;
     println!("{}", KnittingMachine::STRUCTURE);
 
-    let cyclogram = members::cyclogram(&machine)?;
-    let told = members::with_tolerances(cyclogram.clone(), &tolerances)?;
-    println!("What the members do, and how far tolerances shift it:\n{told}");
-    let both = cyclogram.together(|motions| motions[0].is_dwell() && motions[1].is_dwell());
-    for interval in both {
-        println!(
-            "hook needle and eye needle dwell together from {:.3} deg, for {:.3} deg",
-            interval.from.to_degrees(),
-            interval.range.to_degrees()
-        );
+    println!("Motions and dwells of both needles:");
+    let hook = Curve::new(CYCLE, POSITIONS, |x| {
+        let m = machine.hook(x);
+        [m.tip.y, m.v.y, m.a.y]
+    })?;
+    let eye = Curve::new(CYCLE, POSITIONS, |x| {
+        let m = machine.eye_way(x);
+        [m.way, m.v, m.a]
+    })?;
+    let hook = Member::new("hook", &hook, &[Band::Top(0.1), Band::Bottom(0.1)])?.unit("mm");
+    let eye = Member::new("eye", &eye, &[Band::Top(0.1), Band::Bottom(0.5)])?.unit("mm");
+    let cyclogram = Cyclogram::new([hook, eye])?;
+    println!("{cyclogram}");
+    let together = cyclogram.together(|motions| motions.iter().all(|motion| motion.is_dwell()));
+    for interval in together {
+        let [from, range] = [interval.from, interval.range].map(f64::to_degrees);
+        println!("both dwell from {from:.3} deg, for {range:.3} deg");
     }
-    print_path(&machine);
-    let clearance = members::clearance(&machine)?;
-    print_distance(&machine, &clearance);
 
-    println!("What tolerances leave of it in the worst case:");
-    checks::worst(&mut check, &machine, &clearance, &tolerances)?;
+    println!("Positions at which the needles are nearest, by a solution in 60 digits:");
+    let clearance = Clearance::new(CYCLE, POSITIONS, |x| {
+        (hook_point(&machine, x), eye_point(&machine, x))
+    })?;
+    let known = [
+        (60.21437854841854, 6.910331732960811),
+        (169.7750332336603, 7.700556961650112),
+    ];
+    check.holds("two of them", clearance.minima().len() == 2);
+    for (nearest, (shaft, distance)) in clearance.minima().iter().zip(known) {
+        check.near("shaft, deg", nearest.at.to_degrees(), shaft, 1e-10);
+        check.near("distance, mm", nearest.distance, distance, 1e-12);
+    }
 
-    println!("The lead of the eye needle that makes it largest, from -30 to 30 deg:");
+    println!("The lead of the eye needle with the largest distance, from -30 to 30 deg:");
     let even = KnittingMachine {
         eye_lead: 0.0,
         ..KnittingMachine::default()
     };
     let even = even.assemble()?;
-    let slot = members::best_lead(&even, SLOTS)?;
-    let best = &slot.best;
-    println!(
-        "       {:.6} deg: {:.6} mm; with a gear of {SLOTS} slots {} of them, {:.6} mm",
-        best.phase.to_degrees(),
-        best.distance,
-        slot.slot.step,
-        slot.distance
-    );
-    let (lead, distance) = checks::best_of_all(&even);
+    let phases = Phases::new(
+        CYCLE,
+        POSITIONS,
+        |x| hook_point(&even, x),
+        |x| eye_point(&even, x),
+    )?;
+    let best = phases.best((-TAU / 12.0, TAU / 12.0))?;
     check.near(
-        "a search in quarters of a degree",
-        best.phase,
-        lead,
-        0.25f64.to_radians(),
+        "lead, deg",
+        best.phase.to_degrees(),
+        -0.1460417741759689,
+        1e-10,
     );
-    check.near("finds hardly less, mm", best.distance, distance, 1e-3);
-    check.holds(
-        "and not more",
-        best.distance >= distance - 1e-3 * best.distance,
-    );
-
-    println!("Each drive alone:");
-    checks::alone(&mut check, &machine)?;
-    println!("Machines that are built a little differently:");
-    checks::differences(&mut check, &machine, &clearance, &cyclogram)?;
-    println!("Many positions:");
-    checks::dense(&mut check, &machine, &clearance, &cyclogram);
-    println!("Numbers of 60 digits:");
-    published::clearance(&mut check, &machine, &clearance, best);
-    published::cyclogram(&mut check, &cyclogram);
-    println!("Operations of a frame, with parts switched on and off:");
-    scene::parts(&machine, &mut check);
-
-    println!("The page:");
-    let folder = std::env::args_os().nth(1).filter(|_| !cfg!(test));
-    let folder = folder.map_or_else(|| PathBuf::from(FOLDER), PathBuf::from);
-    page::write(&page::report(&machine, &told)?, &folder)?;
+    check.near("distance, mm", best.distance, 7.253288209986386, 1e-12);
     check.finish()
 }
 
-/// Its page, for the gallery.
-#[allow(dead_code, reason = "the gallery asks for it")]
-pub(crate) fn report() -> Result<Report, Box<dyn Error>> {
-    let machine = KnittingMachine::default().assemble()?;
-    let tolerances = Tolerances::<DIMENSIONS>::complete(KnittingMachine::PARAMETERS)?;
-    let cyclogram = members::with_tolerances(members::cyclogram(&machine)?, &tolerances)?;
-    page::report(&machine, &cyclogram)
+/// The point of the hook needle with its first two derivatives.
+fn hook_point(machine: &KnittingMachineAssembly, shaft: f64) -> [[Vector2<f64>; 3]; 1] {
+    let m = machine.hook(shaft);
+    [[m.tip, m.v, m.a]]
 }
 
-fn print_path(machine: &KnittingMachineAssembly) {
-    println!(
-        "\nThe eye needle's point as the hook needle's sees it, mm along the needle and across:"
-    );
-    println!("  shaft, deg      along     across");
-    for degrees in (0..360).step_by(15).map(f64::from) {
-        let seen = machine.seen(degrees.to_radians()).seen;
-        println!("  {degrees:10.0} {:10.4} {:10.4}", seen.x, seen.y);
-    }
-}
-
-/// The least distances, and the dimensions that matter most for the least of all.
-fn print_distance(machine: &KnittingMachineAssembly, clearance: &Clearance<2>) {
-    println!("\nWhere the needles are nearest:");
-    for nearest in clearance.minima() {
-        println!(
-            "  {:10.5} deg {:12.8} mm",
-            nearest.at.to_degrees(),
-            nearest.distance
-        );
-    }
-    println!("What its tolerances do to the least of them, um:");
-    let e = members::sensitivity(machine, clearance.least());
-    let effects = KnittingMachine::PARAMETERS.iter().zip(e);
-    let effects = effects.map(|(own, e)| (own.name, 1e3 * e * own.tolerance));
-    let mut effects: Vec<(&str, f64)> = effects.collect();
-    effects.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
-    for (name, effect) in effects.iter().take(8) {
-        println!("  {name:16} {effect:8.2}");
-    }
+/// The point of the eye needle with its first two derivatives.
+fn eye_point(machine: &KnittingMachineAssembly, shaft: f64) -> [[Vector2<f64>; 3]; 1] {
+    let m = machine.eye(shaft);
+    [[m.tip, m.v, m.a]]
 }

@@ -6,52 +6,20 @@
 mod check;
 
 use check::Check;
-use linkage::mechanism;
 use std::error::Error;
 
-mechanism! {
-    /// Shaper drive; the lever's pivot is the origin, the crank's pivot stands above it.
-    pub struct QuickReturn {
-        unit mm;
+include!("../mechanisms/quick_return.rs");
 
-        param frame  = 300mm;
-        param crank  = 120mm;
-        param lever  = 600mm;
-        param rod    = 200mm;
-        param height = 575mm;      // of the ram's path above the lever's pivot
-
-        input phi = 90deg in 0deg..360deg;
-
-        unknown along = 420mm;     // from the lever's pivot to the crank pin
-        unknown psi   = 90deg;
-        loop (0, frame) + polar(crank, phi) = polar(along, psi);
-
-        unknown tilt = -7deg;
-        unknown ram  = 200mm;
-        loop polar(lever, psi) + polar(rod, tilt) = (ram, height);
-    }
-
-    impl QuickReturn {
-        /// Lever, rod and ram.
-        pub fn position(phi) -> Position { along, psi, tilt, ram }
-        /// The ram and its kinematic coefficients.
-        pub fn stroke(phi) -> Stroke { ram, v: velocity(ram), a: acceleration(ram) }
-    }
-}
-
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let mechanism = QuickReturn::default();
     let linkage = mechanism.assemble()?;
     println!("{}", QuickReturn::STRUCTURE);
-    let kinds: Vec<&str> = QuickReturn::STRUCTURE
-        .groups
-        .iter()
-        .map(|g| g.kind)
-        .collect();
+    let groups = QuickReturn::STRUCTURE.groups.iter();
+    let kinds: Vec<&str> = groups.map(|group| group.kind).collect();
     check.holds("groups RPR, then RRP", kinds == ["RPR", "RRP"]);
 
-    println!("Formulas by hand, over a turn of the crank:");
+    println!("Formulas of the textbook, over a turn of the crank:");
     let QuickReturn {
         frame,
         crank,
@@ -60,91 +28,62 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         height,
         ..
     } = mechanism;
-    let mut known = Vec::new();
-    let mut found = Vec::new();
-    for degrees in 0..=360 {
+    let rows = (0..=360).map(|degrees| {
         let phi = f64::from(degrees).to_radians();
         let (sin, cos) = phi.sin_cos();
         let psi = (frame + crank * sin).atan2(crank * cos);
         let drop = height - lever * psi.sin();
         let ram = lever * psi.cos() + (rod * rod - drop * drop).sqrt();
-        known.push([
-            (crank * cos).hypot(frame + crank * sin),
-            psi,
-            (drop / rod).asin(),
-            ram,
-        ]);
-        let p = linkage.position(phi);
-        found.push([p.along, p.psi, p.tilt, p.ram]);
-    }
-    for (column, name) in ["along, mm", "psi, rad", "tilt, rad", "ram, mm"]
-        .iter()
-        .enumerate()
-    {
-        let pairs = found
-            .iter()
-            .zip(&known)
-            .map(|(f, k)| (f[column], k[column]));
-        check.all_near(name, pairs, 1e-11);
-    }
-
-    println!("The ram at 40 and at 300 degrees:");
-    for (degrees, ram, v, a) in [
-        (40f64, 341.930680727791, -146.636274408555, -67.709559126460),
-        (300.0, 375.561565667032, 228.487084786513, -493.841510119317),
-    ] {
-        let s = linkage.stroke(degrees.to_radians());
-        check.near("ram, mm", s.ram, ram, 1e-10);
-        check.near("d ram / d phi, mm", s.v, v, 1e-10);
-        check.near("d2 ram / d phi2, mm", s.a, a, 1e-9);
-    }
+        let along = (crank * cos).hypot(frame + crank * sin);
+        (
+            linkage.position(phi),
+            [along, psi, (drop / rod).asin(), ram],
+        )
+    });
+    let rows: Vec<(Position, [f64; 4])> = rows.collect();
+    let pairs = |found: fn(&Position) -> f64, column: usize| {
+        let pairs = rows.iter().map(|(p, known)| (found(p), known[column]));
+        pairs.collect::<Vec<_>>()
+    };
+    check.all_near("along, mm", pairs(|p| p.along, 0), 1e-11);
+    check.all_near("psi, rad", pairs(|p| p.psi, 1), 1e-11);
+    check.all_near("tilt, rad", pairs(|p| p.tilt, 2), 1e-11);
+    check.all_near("ram, mm", pairs(|p| p.ram, 3), 1e-11);
 
     println!("Ends of the stroke, where the ram stands still:");
-    let still =
-        |lo: f64, hi: f64| bisect(lo.to_radians(), hi.to_radians(), |x| linkage.stroke(x).v);
-    let left = still(180.0, 230.0);
-    let right = still(310.0, 359.0);
-    check.near(
-        "left end at, deg",
-        left.to_degrees(),
-        203.578178478202,
-        1e-9,
-    );
-    check.near(
-        "right end at, deg",
-        right.to_degrees(),
-        336.421821521798,
-        1e-9,
-    );
+    let still = |from: f64, to: f64| {
+        let [from, to] = [from, to].map(f64::to_radians);
+        bisect(from, to, |phi| linkage.stroke(phi).v)
+    };
+    let (left, right) = (still(180.0, 230.0), still(310.0, 359.0));
+    for (name, end, known) in [
+        ("left end at, deg", left, 203.578178478202),
+        ("right end at, deg", right, 336.421821521798),
+    ] {
+        check.near(name, end.to_degrees(), known, 1e-9);
+    }
     let stroke = linkage.stroke(right).ram - linkage.stroke(left).ram;
-    check.near(
-        "stroke = 2 lever crank / frame, mm",
-        stroke,
-        2.0 * lever * crank / frame,
-        1e-10,
-    );
+    let known = 2.0 * lever * crank / frame;
+    check.near("stroke = 2 lever crank / frame, mm", stroke, known, 1e-10);
     let b = (crank / frame).asin().to_degrees();
-    let ratio = (360.0 - (right - left).to_degrees()) / (right - left).to_degrees();
-    check.near(
-        "time ratio",
-        ratio,
-        (180.0 + 2.0 * b) / (180.0 - 2.0 * b),
-        1e-10,
-    );
-    check.near("time ratio", ratio, 1.709952781721, 1e-10);
+    let back = (right - left).to_degrees();
+    let known = (180.0 + 2.0 * b) / (180.0 - 2.0 * b);
+    for known in [known, 1.709952781721] {
+        check.near("time ratio", (360.0 - back) / back, known, 1e-10);
+    }
     check.finish()
 }
 
-/// Where `f` changes its sign between `lo` and `hi`.
-fn bisect(mut lo: f64, mut hi: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let rising = f(hi) > f(lo);
+/// The zero of `f` between `from` and `to`.
+fn bisect(mut from: f64, mut to: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let rising = f(to) > f(from);
     for _ in 0..60 {
-        let middle = 0.5 * (lo + hi);
+        let middle = 0.5 * (from + to);
         if (f(middle) > 0.0) == rising {
-            hi = middle;
+            to = middle;
         } else {
-            lo = middle;
+            from = middle;
         }
     }
-    0.5 * (lo + hi)
+    0.5 * (from + to)
 }

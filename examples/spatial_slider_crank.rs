@@ -1,44 +1,14 @@
 //! Spatial slider-crank: a crank drives a slide on an oblique line through a rod with two ball joints.
 //!
-//! The loop is a distance that is kept (RSSP): a quadratic equation for the slide. A line through the
-//! crank's plane gives the slider-crank of the plane, which is compared with its formulas.
+//! The loop is a distance that is kept (RSSP): a quadratic equation for the slide.
 
 mod check;
 
 use check::Check;
-use linkage::mechanism;
 use linkage::tolerance::Tolerances;
 use std::error::Error;
 
-mechanism! {
-    /// The crank turns about the z axis, the slide moves along a line through `foot`.
-    pub struct SpatialSlider {
-        unit mm;
-
-        param crank   = 35mm  +- 10um;
-        param rod     = 150mm +- 20um;
-        param foot    = (60mm, 40mm, -30mm) +- 25um;
-        param bearing = 35deg +- 1arcmin;      // of the line in the crank's plane, from the x axis
-        param rise    = 25deg +- 1arcmin;      // of the line above that plane
-
-        input phi = 0deg in 0deg..360deg;
-
-        let pin = turn((crank, 0, 0), (0, 0, 1), phi);
-        let along = (cos(rise) * cos(bearing), cos(rise) * sin(bearing), sin(rise));
-        unknown s = 115mm;
-        let slide = foot + s * along;
-        loop distance(pin, slide) = rod;
-    }
-
-    impl SpatialSlider {
-        /// Both joints.
-        pub fn joints(phi) -> Joints { pin, slide }
-        /// The slide with its kinematic coefficients, and how far it is from a dead point.
-        pub fn stroke(phi) -> Stroke { s, v: velocity(s), a: acceleration(s), margin: margin() }
-        /// What the dimensions do to the slide.
-        pub fn accuracy(phi) -> Accuracy { s, e: sensitivity(s) }
-    }
-}
+include!("../mechanisms/spatial_slider_crank.rs");
 
 /// Crank angle in degrees, slide in mm, both derivatives: from a solution in 60 digits.
 const KNOWN: [(f64, f64, f64, f64); 4] = [
@@ -68,11 +38,7 @@ const KNOWN: [(f64, f64, f64, f64); 4] = [
     ),
 ];
 
-/// Crank angle in degrees and slide in mm where the slide turns back, from the same solution.
-const FAR: (f64, f64) = (34.484966428375095, 122.79883186926125);
-const NEAR: (f64, f64) = (214.17618026519577, 46.95053283594991);
-
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let linkage = SpatialSlider::default().assemble()?;
     println!("{}", SpatialSlider::STRUCTURE);
@@ -93,140 +59,24 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     check.all_near("the rod keeps its length, mm", lengths, 1e-12);
     let margins = turn.iter().map(|&phi| linkage.stroke(phi).margin);
     let smallest = margins.fold(1.0, f64::min);
-    println!("       smallest margin {smallest:.4}");
     check.holds("no dead point", smallest > 0.5);
 
-    ends(&mut check, &linkage);
-    assemblies(&mut check)?;
-    plane(&mut check)?;
-    accuracy(&mut check, &linkage)?;
-    check.finish()
-}
-
-/// Where the slide turns back.
-fn ends(check: &mut Check, linkage: &SpatialSliderAssembly) {
-    println!("Ends of the stroke:");
-    let still =
-        |lo: f64, hi: f64| bisect(lo.to_radians(), hi.to_radians(), |x| linkage.stroke(x).v);
-    let (far, near) = (still(0.0, 120.0), still(180.0, 300.0));
-    check.near("far end at, deg", far.to_degrees(), FAR.0, 1e-11);
-    check.near("near end at, deg", near.to_degrees(), NEAR.0, 1e-11);
-    let stroke = linkage.stroke(far).s - linkage.stroke(near).s;
-    check.near("stroke, mm", stroke, FAR.1 - NEAR.1, 1e-12);
-    for phi in [far, near] {
-        // The rod is at a right angle to the velocity of the pin: it meets the axis of the crank.
-        let Joints { pin, slide } = linkage.joints(phi);
-        let rod = slide - pin;
-        let lever = pin.x * rod.y - pin.y * rod.x;
-        check.near("lever of the rod about the crank, mm2", lever, 0.0, 1e-9);
-    }
-    let back = (near - far).to_degrees();
-    println!("       time ratio {:.6}", (360.0 - back) / back);
-}
-
-/// The rod reaches the line at two places.
-fn assemblies(check: &mut Check) -> Result<(), Box<dyn Error>> {
-    println!("Both assemblies at 60 degrees:");
+    println!("Both assemblies at 60 degrees, where the rod reaches the line:");
     let phi = 60_f64.to_radians();
-    let mechanism = SpatialSlider::default();
-    let found = mechanism.assemblies_at(phi)?;
-    check.holds("two of them", found.len() == 2);
-    let s: Vec<f64> = found.iter().map(|l| l.stroke(phi).s).collect();
-    let Joints { pin, .. } = found[0].joints(phi);
-    // Sum and product of the roots of s^2 + 2 p s + c.
-    let (sin, cos) = mechanism.rise.sin_cos();
-    let along = [
-        cos * mechanism.bearing.cos(),
-        cos * mechanism.bearing.sin(),
-        sin,
-    ];
-    let offset = mechanism.foot - pin;
-    let p = offset.x * along[0] + offset.y * along[1] + offset.z * along[2];
-    let c = offset.norm_squared() - mechanism.rod.powi(2);
-    check.near("sum of the slides, mm", s[0] + s[1], -2.0 * p, 1e-12);
-    check.near("product, mm2", s[0] * s[1], c, 1e-10);
-
-    let short = SpatialSlider {
-        rod: 20.0,
-        ..mechanism
+    let assemblies = SpatialSlider::default().assemblies_at(phi)?;
+    check.holds("two of them", assemblies.len() == 2);
+    for assembly in &assemblies {
+        println!("       slide {:.6} mm", assembly.stroke(phi).s);
     }
-    .assemble();
-    if let Err(error) = &short {
-        println!("       rod of 20 mm: {error}");
-    }
-    check.holds("a rod of 20 mm is refused", short.is_err());
-    Ok(())
-}
 
-/// A line in the plane of the crank.
-fn plane(check: &mut Check) -> Result<(), Box<dyn Error>> {
-    println!("The slider-crank of the plane, offset 12 mm:");
-    let flat = SpatialSlider {
-        bearing: 0.0,
-        rise: 0.0,
-        ..SpatialSlider::default()
-    };
-    let flat = SpatialSlider {
-        foot: [0.0, 12.0, 0.0].into(),
-        ..flat
-    }
-    .assemble()?;
-    let rows = (0..360).map(|i| {
-        let phi = f64::from(i).to_radians();
-        let (sin, cos) = phi.sin_cos();
-        let drop = 35.0 * sin - 12.0;
-        let reach = (150.0 * 150.0 - drop * drop).sqrt();
-        let known = [35.0 * cos + reach, -35.0 * sin - drop * 35.0 * cos / reach];
-        (flat.stroke(phi), known)
-    });
-    let rows: Vec<(Stroke, [f64; 2])> = rows.collect();
-    check.all_near(
-        "slide, mm",
-        rows.iter().map(|(m, known)| (m.s, known[0])),
-        1e-12,
-    );
-    check.all_near(
-        "ds/dphi, mm",
-        rows.iter().map(|(m, known)| (m.v, known[1])),
-        1e-12,
-    );
-    Ok(())
-}
-
-/// What the tolerances do to the slide.
-fn accuracy(check: &mut Check, linkage: &SpatialSliderAssembly) -> Result<(), Box<dyn Error>> {
-    println!("Errors of the slide at 60 degrees:");
-    let found = linkage.accuracy(60_f64.to_radians());
+    println!("Effects of the tolerances on the slide at 60 degrees:");
     let tolerances = Tolerances::complete(SpatialSlider::PARAMETERS)?;
-    let effects = tolerances.effects(&found.e);
-    print!("{effects}");
-    // Euler: the slide grows with all lengths, angles do not.
-    let lengths = SpatialSlider::PARAMETERS.iter().zip(found.e);
-    let sum: f64 = lengths
-        .filter(|(parameter, _)| parameter.unit == "mm")
-        .map(|(parameter, e)| parameter.nominal * e)
-        .sum();
-    check.near("sum of r ds/dr - s, mm", sum - found.s, 0.0, 1e-12);
-    // A foot that moves along the line takes the origin of the slide with it.
-    let (sin, cos) = 25_f64.to_radians().sin_cos();
-    let (s35, c35) = 35_f64.to_radians().sin_cos();
-    let place = SpatialSlider::INDEX_FOOT_X;
-    let shift =
-        cos * c35 * found.e[place] + cos * s35 * found.e[place + 1] + sin * found.e[place + 2];
-    check.near("ds / d(foot along the line)", shift, -1.0, 1e-13);
-    Ok(())
-}
-
-/// Where `f` changes its sign between `lo` and `hi`.
-fn bisect(mut lo: f64, mut hi: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let rising = f(hi) > f(lo);
-    for _ in 0..60 {
-        let middle = 0.5 * (lo + hi);
-        if (f(middle) > 0.0) == rising {
-            hi = middle;
-        } else {
-            lo = middle;
-        }
-    }
-    0.5 * (lo + hi)
+    let accuracy = linkage.accuracy(phi);
+    print!("{}", tolerances.effects(&accuracy.e));
+    // Euler: the slide grows with all lengths.
+    let parameters = SpatialSlider::PARAMETERS.iter().zip(accuracy.e);
+    let lengths = parameters.filter(|(parameter, _)| parameter.unit == "mm");
+    let sum: f64 = lengths.map(|(parameter, e)| parameter.nominal * e).sum();
+    check.near("sum of r ds/dr, mm", sum, accuracy.s, 1e-12);
+    check.finish()
 }

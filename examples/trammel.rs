@@ -6,53 +6,11 @@
 mod check;
 
 use check::Check;
-use linkage::mechanism;
 use std::error::Error;
 
-mechanism! {
-    /// Elliptic trammel; the second guide may be oblique.
-    pub struct Trammel {
-        unit mm;
+include!("../mechanisms/trammel.rs");
 
-        param rod   = 100mm;
-        param arm   = 160mm;           // from the slider on the second guide to the tracer
-        param guide = 90deg;           // between the guides
-
-        input phi = 30deg in 0deg..360deg;
-        unknown across = 87mm;         // slider on the first guide, the x axis
-        unknown up     = -50mm;        // slider on the second guide
-        loop polar(up, guide) + polar(rod, phi) = (across, 0);
-        let tracer = polar(up, guide) + polar(arm, phi);
-    }
-
-    impl Trammel {
-        /// Both sliders and the tracer.
-        pub fn point(phi) -> TrammelPoint { across, up, tracer, margin: margin() }
-    }
-}
-
-mechanism! {
-    /// Scotch yoke: the crank pin slides in a slot of the reciprocating yoke.
-    pub struct ScotchYoke {
-        unit mm;
-
-        param crank = 35mm;
-
-        input phi = 0deg in 0deg..720deg;
-        unknown x    = 35mm;           // the yoke
-        unknown slot = 0mm;            // the pin in its slot
-        loop polar(crank, phi) = (x, 0) + (0, slot);
-    }
-
-    impl ScotchYoke {
-        /// The yoke and its first three kinematic coefficients.
-        pub fn yoke(phi) -> Yoke { x, v: velocity(x), a: acceleration(x), j: jerk(x) }
-        /// What the crank's length does to the yoke and to its velocity.
-        pub fn accuracy(phi) -> YokeAccuracy { dx: d(x, crank), dv: d(x, phi, crank) }
-    }
-}
-
-pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> Result<(), Box<dyn Error>> {
     let mut check = Check::default();
     let turn: Vec<f64> = (0..=360).map(|i| f64::from(i).to_radians()).collect();
 
@@ -78,35 +36,6 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         "guides at right angles: margin 1",
         points.iter().map(|p| (p.margin, 1.0)),
         1e-15,
-    );
-
-    println!("Guides at 60 degrees:");
-    let guide = 60f64.to_radians();
-    let oblique = Trammel { guide, ..mechanism }.assemble()?;
-    let sliders = turn.iter().map(|&phi| {
-        let up = -mechanism.rod * phi.sin() / guide.sin();
-        (
-            oblique.point(phi),
-            up,
-            up * guide.cos() + mechanism.rod * phi.cos(),
-        )
-    });
-    let sliders: Vec<_> = sliders.collect();
-    check.all_near(
-        "second slider, mm",
-        sliders.iter().map(|(p, up, _)| (p.up, *up)),
-        1e-12,
-    );
-    check.all_near(
-        "first slider, mm",
-        sliders.iter().map(|(p, _, x)| (p.across, *x)),
-        1e-12,
-    );
-    check.near(
-        "margin = sin 60 deg",
-        oblique.point(1.0).margin,
-        guide.sin(),
-        1e-14,
     );
 
     println!("{}Scotch yoke:", ScotchYoke::STRUCTURE);

@@ -104,6 +104,11 @@ pub mod tutorial {
 /// Tasks with a short program for each, from inverse motion to a counterweight.
 ///
 /// Its pictures are in the repository's `docs/cookbook.md`.
+// Its samples are tested if there are the features that they need.
+#[cfg_attr(
+    all(doctest, not(all(feature = "monte-carlo", feature = "report"))),
+    cfg(false)
+)]
 pub mod cookbook {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/cookbook.md")]
@@ -212,6 +217,8 @@ pub mod stability {
 
 /// Accuracy: the effect of tolerances, and the tolerances for an allowed error.
 #[cfg(feature = "tolerance")]
+// Its samples draw random mechanisms.
+#[cfg_attr(all(doctest, not(feature = "monte-carlo")), cfg(false))]
 pub mod tolerance {
     #![doc = include_str!("links.md")]
     #![doc = include_str!("../docs/tolerance.md")]
@@ -312,7 +319,7 @@ pub mod cyclogram {
 struct Readme;
 
 /// Tests of the programs in the overview, a page of the book only.
-#[cfg(doctest)]
+#[cfg(all(doctest, feature = "report"))]
 #[doc = include_str!("../docs/overview.md")]
 struct Overview;
 

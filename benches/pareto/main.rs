@@ -1,8 +1,8 @@
 //! Run time against error, for the kernel K1 (a crank-rocker with a coupler point): the generated code in
 //! several number types, and the other ways of computing the same numbers.
 //!
-//! `cargo bench --bench pareto` takes some minutes and writes `docs/pareto.md`,
-//! `docs/pareto.svg` and `docs/pareto-hard.svg`; `cargo bench --bench pareto -- --quick` takes one and only prints, unless
+//! `cargo bench -p linkage-benches --bench pareto` takes some minutes and writes `docs/pareto.md`,
+//! `docs/pareto.svg` and `docs/pareto-hard.svg`; `cargo bench -p linkage-benches --bench pareto -- --quick` takes one and only prints, unless
 //! `--write` is added.
 //!
 //! All methods see the same positions, in order round the cycle, as a simulation would step through
@@ -13,7 +13,7 @@
     dead_code,
     reason = "an example's module, of which only a part is used here"
 )]
-#[path = "../../examples/double_double/mod.rs"]
+#[path = "../../tests/programs/double_double/number.rs"]
 mod double_double;
 mod errors;
 mod hostile;
@@ -64,15 +64,15 @@ fn main() -> std::io::Result<()> {
         hostile,
     ];
     let about = environment::describe(if quick {
-        "cargo bench --bench pareto -- --quick"
+        "cargo bench -p linkage-benches --bench pareto -- --quick"
     } else {
-        "cargo bench --bench pareto"
+        "cargo bench -p linkage-benches --bench pareto"
     });
     print!("{}", table::text(&panels, &about));
     if test || (quick && !has("--write")) {
         return Ok(());
     }
-    let docs = concat!(env!("CARGO_MANIFEST_DIR"), "/docs");
+    let docs = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs");
     std::fs::write(
         format!("{docs}/pareto.md"),
         table::markdown(&panels, &about),

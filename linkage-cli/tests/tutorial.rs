@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::Command;
 
 const PAGE: &str = include_str!("../../docs/tutorial.md");
-const EXAMPLE: &str = include_str!("../../examples/tutorial.rs");
+const EXAMPLE: &str = include_str!("../../mechanisms/tutorial.rs");
 
 /// A text without its breaks and spaces: the page breaks long lines.
 fn unbroken(text: &str) -> String {

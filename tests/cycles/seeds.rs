@@ -1,8 +1,8 @@
-//! Searches of the longest dwell of the example `longer_dwell` from starts anywhere within its bounds: from every seed one at least leads to 94
+//! Searches of the longest dwell of the program `longer_dwell` from starts anywhere within its bounds: from every seed one at least leads to 94
 //! degrees. `LINKAGE_LONG=1` takes 20 seeds.
 
-#[path = "../../examples/longer_dwell/drive.rs"]
-#[allow(dead_code, unreachable_pub, reason = "a part of an example")]
+#[path = "../longer_dwell/drive.rs"]
+#[allow(dead_code, unreachable_pub, reason = "a part of another program")]
 mod drive;
 
 use drive::{BAND, design, stroke, way};

@@ -1,5 +1,4 @@
 //! Searches of dimensions: wishes with their derivatives, what must hold, messages.
-#![cfg(feature = "design")]
 
 mod derivatives;
 mod evenly;
@@ -15,47 +14,8 @@ mod verified;
 mod whole;
 
 use linkage::design::{Design, Relation};
-use linkage::mechanism;
 
-mechanism! {
-    /// A four-bar with a coupler point, and a frame that may stand anywhere.
-    pub struct FourBar {
-        unit mm;
-        param frame = 40mm;
-        param crank = 15mm;
-        param coupler = 35mm;
-        param rocker = 30mm;
-        param arm = (20mm, 10mm);
-        param base = (0mm, 0mm);
-        param tilt = 0deg;
-        input phi = 30deg in 0deg..360deg;
-        unknown theta = 40deg;
-        unknown psi = 80deg;
-        let a = base + polar(crank, phi + tilt);
-        loop a + polar(coupler, theta) = base + polar(frame, tilt) + polar(rocker, psi);
-        let tracer = a + rotate(arm, theta);
-    }
-    impl FourBar {
-        /// A point with its derivatives.
-        pub fn path(phi) -> Path { tracer, v: velocity(tracer), s: sensitivity(tracer) }
-        /// A pose.
-        pub fn pose(phi) -> Pose {
-            tracer, theta,
-            v: velocity(tracer), w: velocity(theta),
-            s: sensitivity(tracer), t: sensitivity(theta),
-        }
-        /// A velocity as a quantity.
-        pub fn speed(phi) -> Speed {
-            v: velocity(psi), a: acceleration(psi), s: sensitivity(velocity(psi)), psi,
-        }
-        /// The velocity of the point as a quantity.
-        pub fn going(phi) -> Going {
-            v: velocity(tracer), a: acceleration(tracer), s: sensitivity(velocity(tracer)), tracer,
-        }
-        /// Without derivatives by the input, and by two parameters only.
-        pub fn poor(phi) -> Poor { tracer, s: sensitivity(tracer, [crank, coupler]) }
-    }
-}
+include!("../../mechanisms/four_bar_paths.rs");
 
 /// The lengths.
 const LENGTHS: [&str; 4] = ["frame", "crank", "coupler", "rocker"];

@@ -1,16 +1,14 @@
-//! Each seed finds the least sum that is known of each of the five path problems of the example `four_bar_paths`. `LINKAGE_LONG=1` takes 20 seeds and
+//! Each seed finds the least sum that is known of each of the five path problems of the program `four_bar_paths`. `LINKAGE_LONG=1` takes 20 seeds and
 //! all five, others one seed and the four that take a few hundred starts.
 
-#[path = "../../examples/four_bar_paths/mechanism.rs"]
-#[allow(dead_code, unreachable_pub, reason = "a part of an example")]
-mod mechanism;
-#[path = "../../examples/four_bar_paths/problems.rs"]
-#[allow(dead_code, reason = "a part of an example")]
+#[path = "../programs/four_bar_paths/problems.rs"]
+#[allow(dead_code, reason = "a part of another program")]
 mod problems;
 
 use linkage::design::DesignError;
-use mechanism::{FourBar, FourBarAssembly};
 use problems::problems;
+
+use super::{FourBar, FourBarAssembly};
 
 /// A sum of squares of lengths of some ten millimetres that is zero but for rounding.
 const ZERO: f64 = 1e-24;

@@ -1,4 +1,4 @@
-//! The documents of the repository: links, the order of the book, sentences, sizes and the table of crates.
+//! The documents of the repository: links, the order of the book, sentences, sizes and the table of crates; the size of examples.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,6 +7,7 @@ use measures::lines;
 
 mod book;
 mod crates;
+mod examples;
 mod links;
 mod measures;
 mod prose;
@@ -36,7 +37,6 @@ fn pages() -> Vec<PathBuf> {
         "ARCHITECTURE.md",
         "CHANGELOG.md",
         "CONTRIBUTING.md",
-        "tests/README.md",
     ];
     let mut pages: Vec<PathBuf> = alone.iter().map(PathBuf::from).collect();
     let entries = fs::read_dir(".").expect("the repository");

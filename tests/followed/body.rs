@@ -3,6 +3,7 @@
 use linkage::jacobian::Jacobian;
 use linkage::mechanism;
 use nalgebra::Vector3;
+use platform::ToPose;
 
 use super::{FEET, JOINTS, close, number, numbers, path_of_platform, read};
 
@@ -49,7 +50,7 @@ fn it_is_known_how_many_solutions_a_body_has() {
     let known = "followed from the estimates; up to 40 complex solutions (a body on six distances) not listed; ";
     let groups = [
         Axle::<f64>::STRUCTURE.groups[1],
-        Platform::<f64>::STRUCTURE.groups[0],
+        ToPose::<f64>::STRUCTURE.groups[0],
     ];
     assert!(groups.iter().all(|group| group.method.starts_with(known)));
 }
@@ -96,33 +97,13 @@ fn it_is_where_and_moves_as_it_was_computed_with_80_digits() {
     }
 }
 
-mechanism! {
-    pub struct Platform {
-        unit mm;
-        input l1 = 454.35742mm;
-        input l2 = 468.552604mm;
-        input l3 = 488.341676mm;
-        input l4 = 461.66999mm;
-        input l5 = 410.067397mm;
-        input l6 = 458.630351mm;
-        unknown body = frame((10mm, -20mm, 400mm), (1, 0.15, 0.05), (0, 0, 1));
-        loop distance(point_in(body, (150mm, -60mm, -14mm)), (310mm, 40mm, -12mm)) = l1;
-        loop distance(point_in(body, (130mm, 85mm, 9mm)), (180mm, 275mm, 18mm)) = l2;
-        loop distance(point_in(body, (10mm, 160mm, -11mm)), (-120mm, 300mm, -25mm)) = l3;
-        loop distance(point_in(body, (-145mm, 75mm, 16mm)), (-325mm, 60mm, 10mm)) = l4;
-        loop distance(point_in(body, (-120mm, -105mm, -7mm)), (-150mm, -290mm, 22mm)) = l5;
-        loop distance(point_in(body, (35mm, -155mm, 12mm)), (205mm, -250mm, -8mm)) = l6;
-    }
-
-    impl Platform {
-        pub fn pose(l1, l2, l3, l4, l5, l6) -> Pose { body }
-        pub fn rates(l1, l2, l3, l4, l5, l6) -> Rates { v: velocity(body.origin), w: omega(body) }
-    }
+mod platform {
+    include!("../../mechanisms/hexapod.rs");
 }
 
 #[test]
 fn the_jacobian_of_a_platform_is_what_its_legs_say() {
-    let platform = Platform::default().assemble().expect("it assembles");
+    let platform = ToPose::default().assemble().expect("it assembles");
     let path = path_of_platform();
     assert_eq!(path.len(), 20);
     let [a, b, c, d, e, f] = numbers::<6>(&path[0]["legs"]);

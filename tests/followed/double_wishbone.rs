@@ -76,7 +76,7 @@ fn the_wheel_is_where_it_was_computed_with_80_digits() {
                 close(found, known, 1.0, 1e-11);
             }
         }
-        // At all positions that the example `double_wishbone` leaves out.
+        // At all positions that the program `double_wishbone` leaves out.
         if known["sensitivity_x"].is_null() {
             continue;
         }

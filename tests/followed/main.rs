@@ -8,7 +8,7 @@ mod double_wishbone;
 mod driven_arm;
 mod five_link_axle;
 mod hexapod;
-#[path = "../../examples/hexapod/geometry.rs"]
+#[path = "../programs/hexapod/geometry.rs"]
 mod hexapod_geometry;
 mod independent;
 mod random_axles;
@@ -27,7 +27,7 @@ fn long() -> bool {
 
 /// Positions of the platform on six legs in 80 digits.
 fn path_of_platform() -> Vec<Value> {
-    read(include_str!("../../examples/hexapod/reference.json"))
+    read(include_str!("../../mechanisms/hexapod/reference.json"))
 }
 
 fn read(text: &str) -> Vec<Value> {

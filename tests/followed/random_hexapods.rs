@@ -138,7 +138,7 @@ impl Ways {
     }
 }
 
-/// The slice of the workspace that the example `hexapod` shows: each cell straight from the reference.
+/// The slice of the workspace that the program `hexapod` shows: each cell straight from the reference.
 #[test]
 fn every_cell_of_a_slice_is_reached_or_behind_a_dead_point() {
     let hexapod = AnyHexapod::default().assemble().expect("it assembles");

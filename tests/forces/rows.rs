@@ -149,7 +149,6 @@ fn single_precision() {
     }
 }
 
-#[cfg(feature = "num-dual")]
 #[test]
 fn dual_numbers() {
     use linkage::Dual;

@@ -1,5 +1,4 @@
 //! Dimensions from measured positions: what is found, what cannot be, what is told of it.
-#![cfg(feature = "design")]
 
 mod estimates;
 mod messages;

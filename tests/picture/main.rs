@@ -1,38 +1,19 @@
 //! Pictures of real mechanisms over their whole range: no link stretches, sliders stay on their guides, the frame stays.
 
-#[path = "../../examples/eye_needle.rs"]
-#[allow(
-    dead_code,
-    unreachable_pub,
-    reason = "a program of its own, here a module"
-)]
-mod eye_needle;
-#[path = "../../examples/favorit.rs"]
-#[allow(
-    dead_code,
-    unreachable_pub,
-    clippy::duplicate_mod,
-    reason = "a program of its own, here a module"
-)]
-mod favorit;
+mod eye_needle {
+    include!("../../mechanisms/eye_needle.rs");
+}
+mod favorit {
+    include!("../../mechanisms/favorit.rs");
+}
 mod headings;
 mod placed;
-#[path = "../../examples/spatial_crank_rocker.rs"]
-#[allow(
-    dead_code,
-    unreachable_pub,
-    clippy::duplicate_mod,
-    reason = "a program of its own, here a module"
-)]
-mod spatial_crank_rocker;
-#[path = "../../examples/two_crank_triad.rs"]
-#[allow(
-    dead_code,
-    unreachable_pub,
-    clippy::duplicate_mod,
-    reason = "a program of its own, here a module"
-)]
-mod two_crank_triad;
+mod spatial_crank_rocker {
+    include!("../../mechanisms/spatial_crank_rocker.rs");
+}
+mod two_crank_triad {
+    include!("../../mechanisms/two_crank_triad.rs");
+}
 
 use linkage::{GuideOn, PointKind, Table};
 

@@ -2,7 +2,6 @@
 
 mod inputs;
 mod panics;
-#[cfg(feature = "rayon")]
 mod parallel;
 mod scalars;
 mod sets;

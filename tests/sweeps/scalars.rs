@@ -1,5 +1,4 @@
 //! Other scalars: their sweeps are single calls, one after the other.
-#![cfg(any(feature = "num-dual", feature = "simba"))]
 
 use super::{Random, Rocker, single, swept};
 use linkage::Scalar;
@@ -25,7 +24,6 @@ fn same<T: Scalar>(lanes: impl Fn(&mut Random) -> T) {
     }
 }
 
-#[cfg(feature = "num-dual")]
 #[test]
 fn dual_numbers() {
     use linkage::Dual;
@@ -43,7 +41,6 @@ fn dual_numbers() {
     }
 }
 
-#[cfg(feature = "simba")]
 #[test]
 fn lanes() {
     use linkage::Lanes;

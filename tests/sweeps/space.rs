@@ -116,7 +116,6 @@ fn nothing_is_given_where_a_link_is_too_short() {
     assert!(numbers(&rows[8]).iter().all(|x| x.is_finite()));
 }
 
-#[cfg(feature = "num-dual")]
 #[test]
 fn dual_numbers() {
     use linkage::Dual;
@@ -132,7 +131,6 @@ fn dual_numbers() {
     }
 }
 
-#[cfg(feature = "simba")]
 #[test]
 fn lanes() {
     use linkage::Lanes;

@@ -1,10 +1,10 @@
-//! Uncertainties of generated mechanisms: budgets, correlations, second order.
-#![cfg(feature = "monte-carlo")]
+//! Accuracy of generated mechanisms: tolerances, budgets, correlations, second order.
 
 mod closed;
 mod guide;
 mod mechanism;
 mod messages;
+mod tolerances;
 
 use linkage::tolerance::{Distribution, ToleranceError, Tolerances, Uncertainties};
 use linkage::{Parameter, mechanism};
@@ -28,6 +28,8 @@ mechanism! {
     }
     impl CrankRocker {
         fn path(phi) -> Path { tracer }
+        fn accuracy(phi) -> Accuracy { e: sensitivity(tracer), by_rods: sensitivity(tracer, [coupler, rocker]) }
+        fn swing(phi) -> Swing { e: sensitivity(psi) }
         fn first(phi) -> First { e: sensitivity(tracer) }
         fn second(phi) -> Second { e: sensitivity(tracer), h: sensitivity(sensitivity(tracer)) }
         fn third(phi) -> Third {

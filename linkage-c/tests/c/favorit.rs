@@ -40,7 +40,7 @@ fn published(name: &str, real: Real, slack: &str) -> Option<(bool, String)> {
         arguments.extend(WARNINGS);
     }
     compiler.run(&folder, &arguments);
-    let tables = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/favorit/tables.csv");
+    let tables = Path::new(env!("CARGO_MANIFEST_DIR")).join("../mechanisms/favorit/tables.csv");
     let output = Command::new(folder.join("table")).arg(tables).output();
     let output = output.expect("the program runs");
     let text = String::from_utf8(output.stdout).expect("a text");

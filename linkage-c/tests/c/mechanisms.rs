@@ -1,4 +1,4 @@
-//! All mechanisms of the golden files and of the examples: C against the same programs on the runtime's numbers.
+//! All mechanisms of the golden files and of the folder `mechanisms`: C against the same programs on the runtime's numbers.
 
 use linkage_compiler::ir::CompiledMechanism;
 use linkage_corpus::sample;

@@ -55,5 +55,5 @@ fn refused(folder: &Path, arguments: &[&str], status: i32) -> String {
 }
 
 fn favorit() -> &'static str {
-    concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/favorit.rs")
+    concat!(env!("CARGO_MANIFEST_DIR"), "/../mechanisms/favorit.rs")
 }

@@ -36,7 +36,7 @@ fn a_page_has_all_functions() {
 #[test]
 fn several_mechanisms_have_a_page_that_leads_to_them() {
     let folder = folder("several");
-    let machine = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/machine.rs");
+    let machine = concat!(env!("CARGO_MANIFEST_DIR"), "/../mechanisms/machine.rs");
     let output = linkage(&folder, &["page", machine, "-o", "all"]);
     assert!(output.status.success(), "{output:?}");
     let html = fs::read_to_string(folder.join("all/index.html")).expect("a page");
@@ -51,7 +51,7 @@ fn several_mechanisms_have_a_page_that_leads_to_them() {
 #[test]
 fn what_does_not_move_is_left_out_of_pages_and_circuits() {
     let folder = folder("still");
-    let gears = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/gears.rs");
+    let gears = concat!(env!("CARGO_MANIFEST_DIR"), "/../mechanisms/gears.rs");
     let output = linkage(&folder, &["page", gears, "-o", "gears"]);
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{said}");

@@ -36,7 +36,7 @@ fn gallery(name: &str) -> Option<Page> {
 
 /// The mechanism of an example.
 fn example(name: &str) -> &'static Mechanism {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../mechanisms");
     pages::mechanism(&file.join(format!("{name}.rs")))
 }
 

@@ -30,7 +30,7 @@ impl Live {
 
     /// In a folder of its own: tests run beside each other.
     pub(crate) fn example_as(name: &str, kind: &str) -> Option<Self> {
-        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../mechanisms");
         Self::new(&file.join(name), kind)
     }
 

@@ -21,7 +21,7 @@ fn operations<const COUNT: usize>(file: &str, functions: [&str; COUNT]) -> [u32;
 #[test]
 fn mcpherson_strut() {
     let asked = ["wheel", "motion", "adjustment"];
-    let [wheel, motion, adjustment] = operations("examples/mcpherson.rs", asked);
+    let [wheel, motion, adjustment] = operations("mechanisms/mcpherson.rs", asked);
     assert!(wheel <= 550);
     assert!(motion <= 825);
     assert!(adjustment <= 1975);
@@ -31,7 +31,7 @@ fn mcpherson_strut() {
 #[test]
 fn double_wishbone() {
     let asked = ["wheel", "motion", "adjustment"];
-    let [wheel, motion, adjustment] = operations("examples/double_wishbone.rs", asked);
+    let [wheel, motion, adjustment] = operations("mechanisms/double_wishbone.rs", asked);
     assert!(wheel <= 550);
     assert!(motion <= 2100);
     assert!(adjustment <= 1625);
@@ -41,7 +41,7 @@ fn double_wishbone() {
 #[test]
 fn five_link_axle() {
     let asked = ["wheel", "motion", "body", "adjustment"];
-    let [wheel, motion, body, adjustment] = operations("examples/five_link_axle.rs", asked);
+    let [wheel, motion, body, adjustment] = operations("mechanisms/five_link_axle.rs", asked);
     assert!(wheel <= 740);
     assert!(motion <= 2800);
     assert!(body <= 1450);
@@ -51,7 +51,7 @@ fn five_link_axle() {
 /// All legs of a platform are known: how it moves is six columns.
 #[test]
 fn platform_from_its_legs() {
-    let [pose, rates] = operations("examples/hexapod.rs", ["pose", "rates"]);
+    let [pose, rates] = operations("mechanisms/hexapod.rs", ["pose", "rates"]);
     assert!(pose <= 2700);
     assert!(rates <= 3500);
 }
@@ -59,7 +59,7 @@ fn platform_from_its_legs() {
 /// A universal joint and two rods, both ways.
 #[test]
 fn ankle() {
-    let [foot, motors] = operations("examples/ankle.rs", ["foot", "motors"]);
+    let [foot, motors] = operations("mechanisms/ankle.rs", ["foot", "motors"]);
     assert!(foot <= 350);
     assert!(motors <= 120);
 }
@@ -67,7 +67,7 @@ fn ankle() {
 /// From the pose to the drives every leg is a closed form of its own.
 #[test]
 fn from_a_pose_to_the_drives() {
-    let [legs] = operations("examples/hexapod.rs", ["legs"]);
+    let [legs] = operations("mechanisms/hexapod.rs", ["legs"]);
     assert!(legs <= 200);
     let [sleds, motors] = operations("tests/space/sleds.rs", ["sleds", "motors"]);
     assert!(sleds <= 175);

@@ -1,4 +1,4 @@
-//! Pages that the example `gallery` has written.
+//! Pages that the program `gallery` has written.
 
 use std::env;
 use std::fs;
@@ -50,7 +50,7 @@ pub fn entries() -> Vec<Entry> {
     entries.sort_by(|a, b| a.name.cmp(&b.name));
     if entries.is_empty() {
         let advice = format!(
-            "no report in {}: `cargo run --release --example gallery` writes them",
+            "no report in {}: `cargo test --release -p linkage-tests --test gallery` writes them",
             folder.display()
         );
         assert!(!chromium::required(), "{advice}");

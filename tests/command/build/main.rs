@@ -1,4 +1,4 @@
-//! Writes a module for each mechanism of the examples and of the golden files: the mechanism as the macro takes it, and how its functions
+//! Writes a module for each mechanism of the folder `mechanisms` and of the golden files: the mechanism as the macro takes it, and how its functions
 //! are called with a list of numbers.
 
 mod chosen;
@@ -25,15 +25,12 @@ fn main() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut entries = Vec::new();
     for (folder, ending) in [
-        ("examples", "rs"),
+        ("mechanisms", "rs"),
         ("linkage-compiler/tests/golden", "mech"),
     ] {
         println!("cargo:rerun-if-changed={}", root.join(folder).display());
         for path in files(&root.join(folder), ending) {
-            // Files without a mechanism draw or compare.
-            let Ok(source) = Source::read(&path) else {
-                continue;
-            };
+            let source = Source::read(&path).expect("a mechanism");
             for (number, found) in source.calls().iter().enumerate() {
                 entries.push(entry(ending, &path, number, &source, found));
             }

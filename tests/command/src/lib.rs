@@ -1,4 +1,4 @@
-//! All mechanisms of the examples and of the golden files as the macro compiles them, to be compared with the command `linkage`.
+//! All mechanisms of the folder `mechanisms` and of the golden files as the macro compiles them, to be compared with the command `linkage`.
 
 use linkage::{AssemblyMode, Frame, Input, Vector2, Vector3};
 
@@ -30,35 +30,35 @@ pub struct Subject {
 pub type Call = dyn Fn(usize, &[f64]) -> Vec<f64>;
 
 /// A result as a list of numbers, components innermost.
-trait Flat {
+trait FlatNumbers {
     fn flat(&self, out: &mut Vec<f64>);
 }
 
-impl Flat for f64 {
+impl FlatNumbers for f64 {
     fn flat(&self, out: &mut Vec<f64>) {
         out.push(*self);
     }
 }
 
-impl Flat for Vector2<f64> {
+impl FlatNumbers for Vector2<f64> {
     fn flat(&self, out: &mut Vec<f64>) {
         out.extend(self.iter());
     }
 }
 
-impl Flat for Vector3<f64> {
+impl FlatNumbers for Vector3<f64> {
     fn flat(&self, out: &mut Vec<f64>) {
         out.extend(self.iter());
     }
 }
 
-impl Flat for Frame<f64> {
+impl FlatNumbers for Frame<f64> {
     fn flat(&self, out: &mut Vec<f64>) {
         [self.origin, self.x, self.y, self.z].flat(out);
     }
 }
 
-impl<F: Flat, const N: usize> Flat for [F; N] {
+impl<F: FlatNumbers, const N: usize> FlatNumbers for [F; N] {
     fn flat(&self, out: &mut Vec<f64>) {
         self.iter().for_each(|one| one.flat(out));
     }

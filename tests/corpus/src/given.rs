@@ -1,4 +1,4 @@
-//! Mechanisms that are exported: those of the golden files and of the examples.
+//! Mechanisms that are exported: those of the golden files and of the folder `mechanisms`.
 
 use std::fs;
 use std::path::Path;
@@ -35,7 +35,7 @@ impl Given {
     }
 }
 
-/// Golden mechanisms and examples.
+/// Golden mechanisms and those of the folder `mechanisms`.
 #[must_use]
 pub fn exported() -> Vec<Given> {
     let mut all = golden();
@@ -66,13 +66,13 @@ pub fn golden() -> Vec<Given> {
     all.clone()
 }
 
-/// The mechanisms of the examples, compiled once for all tests of a process.
+/// The mechanisms of the folder `mechanisms`, compiled once for all tests of a process.
 #[must_use]
 pub fn examples() -> Vec<Given> {
     static EXAMPLES: OnceLock<Vec<Given>> = OnceLock::new();
     let all = EXAMPLES.get_or_init(|| {
         let mut bodies = Vec::new();
-        for text in texts("../../examples", "rs") {
+        for text in texts("../../mechanisms", "rs") {
             find(text.parse().expect("Rust"), &mut bodies);
         }
         bodies.into_iter().map(Given::new).collect()
@@ -80,9 +80,9 @@ pub fn examples() -> Vec<Given> {
     all.clone()
 }
 
-/// What stands in the first `mechanism!` of a file of the examples.
+/// The text in the first `mechanism!` of a file of the folder `mechanisms`.
 pub fn example(file: &str) -> String {
-    let path = format!("examples/{file}");
+    let path = format!("mechanisms/{file}");
     let all = written(&path);
     all.into_iter().next().expect("it has a mechanism")
 }
@@ -100,19 +100,8 @@ pub fn written(file: &str) -> Vec<String> {
 
 fn texts(folder: &str, end: &str) -> Vec<String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
-    let in_it = |folder: &Path| {
-        let files = fs::read_dir(folder).expect("there are files");
-        files
-            .map(|file| file.expect("a file").path())
-            .collect::<Vec<_>>()
-    };
-    let mut paths = in_it(&folder);
-    // An example may be a folder of its own.
-    let folders = paths
-        .clone()
-        .into_iter()
-        .filter(|path| path.join("main.rs").is_file());
-    paths.extend(folders.flat_map(|folder| in_it(&folder)));
+    let files = fs::read_dir(&folder).expect("there are files");
+    let mut paths: Vec<_> = files.map(|file| file.expect("a file").path()).collect();
     paths.retain(|path| path.extension().is_some_and(|own| own == end));
     paths.sort();
     let texts = paths.iter().map(fs::read_to_string);

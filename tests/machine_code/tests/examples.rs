@@ -2,24 +2,20 @@
 //!
 //! The workspace builds this package with optimisation in every profile.
 #![cfg(all(target_arch = "x86_64", target_os = "linux"))]
-// Each example is a program of its own and brings its copy of the checking helper.
-#![allow(clippy::duplicate_mod)]
 
 #[macro_use]
 mod judge;
 
-example! {
-    crank_rocker "../../../examples/crank_rocker.rs",
-    drag_link "../../../examples/drag_link.rs",
-    dyads "../../../examples/stability/dyads.rs",
-    geared_five_bar "../../../examples/geared_five_bar.rs",
-    gears "../../../examples/gears.rs",
-    hydraulic_cylinder "../../../examples/hydraulic_cylinder.rs",
-    quick_return "../../../examples/quick_return.rs",
-    systems "../../../examples/stability/systems.rs",
-    textbook "../../../examples/stability/textbook.rs",
-    trammel "../../../examples/trammel.rs",
-    two_crank_triad "../../../examples/two_crank_triad.rs",
+mechanisms! {
+    crank_rocker,
+    drag_link,
+    geared_five_bar,
+    gears,
+    hydraulic_cylinder,
+    quick_return,
+    stability,
+    trammel,
+    two_crank_triad,
 }
 
 check!(crank_rocker_: crank_rocker::CrankRocker, crank_rocker::CrankRockerAssembly:
@@ -29,11 +25,11 @@ check!(crank_rocker_: crank_rocker::CrankRocker, crank_rocker::CrankRockerAssemb
 check!(drag_link_: drag_link::DragLink, drag_link::DragLinkAssembly:
     angles [angles_sweep angles_sweep_sets] (phi),
     rates [rates_sweep rates_sweep_sets] (phi));
-check!(stability_two_links: dyads::TwoLinks, dyads::TwoLinksAssembly:
+check!(stability_two_links: stability::TwoLinks, stability::TwoLinksAssembly:
     place [place_sweep place_sweep_sets] (y));
-check!(stability_rod_and_guide: dyads::RodAndGuide, dyads::RodAndGuideAssembly:
+check!(stability_rod_and_guide: stability::RodAndGuide, stability::RodAndGuideAssembly:
     place [place_sweep place_sweep_sets] (y));
-check!(stability_turning_guide: dyads::TurningGuide, dyads::TurningGuideAssembly:
+check!(stability_turning_guide: stability::TurningGuide, stability::TurningGuideAssembly:
     place [place_sweep place_sweep_sets] (y));
 check!(geared_five_bar_: geared_five_bar::GearedFiveBar, geared_five_bar::GearedFiveBarAssembly:
     points [points_sweep points_sweep_sets] (phi, phase),

@@ -3,23 +3,22 @@
 //!
 //! The workspace builds this package with optimisation in every profile.
 #![cfg(all(target_arch = "x86_64", target_os = "linux"))]
-// Each example is a program of its own and brings its copy of the checking helper.
-#![allow(clippy::duplicate_mod)]
 
 #[macro_use]
 mod judge;
 
-example! {
-    delta_robot "../../../examples/delta_robot.rs",
-    double_double "../../../examples/double_double.rs",
-    eye_needle "../../../examples/eye_needle.rs",
-    favorit "../../../examples/favorit.rs",
-    favorit_forces "../../../examples/favorit_forces.rs",
-    machine "../../../examples/machine.rs",
-    needle_drive "../../../examples/needle_drive.rs",
-    spatial_crank_rocker "../../../examples/spatial_crank_rocker.rs",
-    spatial_slider_crank "../../../examples/spatial_slider_crank.rs",
-    universal_joint "../../../examples/universal_joint.rs",
+mechanisms! {
+    delta_robot,
+    double_double,
+    eye_needle,
+    favorit,
+    favorit_forces,
+    machine,
+    needle_drive,
+    spatial_crank_rocker,
+    spatial_crank_rocker_published,
+    spatial_slider_crank,
+    universal_joint,
 }
 
 check!(delta_robot_: delta_robot::Delta, delta_robot::DeltaAssembly:
@@ -69,9 +68,9 @@ check!(spatial_crank_rocker_: spatial_crank_rocker::SpatialCrankRocker, spatial_
     picture [picture_sweep picture_sweep_sets] (phi),
     accuracy [accuracy_sweep accuracy_sweep_sets] (phi),
     pose [pose_sweep pose_sweep_sets] (phi));
-check!(spatial_crank_rocker_published: spatial_crank_rocker::published::Published, spatial_crank_rocker::published::PublishedAssembly:
+check!(spatial_crank_rocker_published: spatial_crank_rocker_published::Published, spatial_crank_rocker_published::PublishedAssembly:
     rocker [rocker_sweep rocker_sweep_sets] (theta));
-check!(spatial_crank_rocker_flat: spatial_crank_rocker::published::Flat, spatial_crank_rocker::published::FlatAssembly:
+check!(spatial_crank_rocker_flat: spatial_crank_rocker_published::Flat, spatial_crank_rocker_published::FlatAssembly:
     rocker [rocker_sweep rocker_sweep_sets] (theta));
 check!(spatial_slider_crank_: spatial_slider_crank::SpatialSlider, spatial_slider_crank::SpatialSliderAssembly:
     joints [joints_sweep joints_sweep_sets] (phi),

@@ -106,7 +106,7 @@ pub fn ankle_tilt<T: Scalar>([left, right]: [T; 2]) -> Result<Driven<T>, Assembl
 }
 
 #[cfg(test)]
-#[path = "../../../examples/ankle/known.rs"]
+#[path = "../../../mechanisms/ankle/known.rs"]
 mod known;
 #[cfg(test)]
 mod tests;

@@ -7,14 +7,14 @@
 //!
 //! What `run_pylinkage.py` has measured of the same problem stands below it, as it was then.
 
-#[path = "../../../../examples/four_bar_paths/mechanism.rs"]
-#[allow(unreachable_pub, reason = "a part of an example")]
-mod mechanism;
+mod mechanism {
+    include!("../../../../mechanisms/four_bar_paths.rs");
+}
 mod methods;
 mod objective;
 mod plot;
-#[path = "../../../../examples/four_bar_paths/problems.rs"]
-#[allow(dead_code, reason = "the example asks for fewer starts")]
+#[path = "../../../../tests/programs/four_bar_paths/problems.rs"]
+#[allow(dead_code, reason = "the program needs fewer starts")]
 mod problems;
 mod pylinkage;
 

@@ -1,5 +1,5 @@
 //! A wheel carrier on five rods, by the height of the wheel: dimensions next to those of the
-//! example `five_link_axle`. For optimised code, with `LINKAGE_LONG`.
+//! program `five_link_axle`. For optimised code, with `LINKAGE_LONG`.
 
 use super::super::number::Number;
 use super::super::*;

@@ -231,12 +231,12 @@ fn other_mechanisms_are_compared() {
     page.assert_quiet();
 }
 
-/// The page of an example, as its test has written it; `None` if there is none, or no browser.
+/// The page of a program, as its test has written it; `None` if there is none, or no browser.
 fn example(name: &str) -> Option<Page> {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
         .join(format!("../../target/comparisons/{name}/index.html"));
     if !path.is_file() {
-        let advice = format!("no page: `cargo test --example {name}` writes it");
+        let advice = format!("no page: `cargo test -p linkage-tests --test {name}` writes it");
         assert!(!linkage_browser::required(), "{advice}");
         eprintln!("skipped: {advice}");
         return None;

@@ -1,4 +1,4 @@
-//! The reports about the real mechanisms, as the example `gallery` writes them.
+//! The reports about the real mechanisms, as the program `gallery` writes them.
 
 use crate::checks;
 use linkage_browser::{DESKTOP, Page, SMALL_PHONE, entries, folder, some};

@@ -10,7 +10,7 @@ const ROUNDING: f64 = 1e-14;
 
 #[test]
 fn programs_of_a_machine_agree_with_its_graph() {
-    let machine = Subject::new(&example("knitting_machine/drives.rs"));
+    let machine = Subject::new(&example("knitting_machine.rs"));
     let machine = machine.unwrap_or_else(|messages| panic!("{messages:?}"));
     let mut random = Random::new(22);
     let mut largest = 0.0_f64;

@@ -52,14 +52,15 @@ macro_rules! check {
     (@sweeps $mechanism:path, $assembly:path, [] ()) => { [] };
 }
 
-/// Includes examples as modules, for its mechanisms.
-#[allow(unused_macros, reason = "not every test looks at examples")]
-macro_rules! example {
-    ($($name:ident $path:literal),* $(,)?) => {
+/// Includes files of the folder `mechanisms` as modules.
+#[allow(unused_macros, reason = "not every test looks at them")]
+macro_rules! mechanisms {
+    ($($name:ident),* $(,)?) => {
         $(
-            #[path = $path]
-            #[allow(unreachable_pub, dead_code, reason = "a program of its own, here a module")]
-            mod $name;
+            #[allow(unreachable_pub, reason = "it is public for other programs")]
+            mod $name {
+                include!(concat!("../../../mechanisms/", stringify!($name), ".rs"));
+            }
         )*
     };
 }

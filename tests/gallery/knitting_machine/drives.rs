@@ -1,0 +1,3 @@
+//! The drives and the machine that they are parts of.
+
+include!("../../../mechanisms/knitting_machine.rs");

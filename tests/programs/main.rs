@@ -1,0 +1,25 @@
+//! Real mechanisms against known answers, a module for each.
+
+mod ankle;
+mod burmester;
+mod calibrate;
+#[path = "../../examples/check/comparison.rs"]
+mod check;
+mod crank_rocker;
+mod delta_robot;
+mod digits;
+mod double_double;
+mod eye_needle_accuracy;
+mod folders;
+mod four_bar_paths;
+mod geared_five_bar;
+mod hexapod;
+mod hydraulic_cylinder;
+mod machine;
+mod needle_drive;
+mod quick_return;
+mod spatial_slider_crank;
+mod stability;
+mod trammel;
+mod tutorial;
+mod universal_joint;
