@@ -3,6 +3,8 @@
 
 use std::fmt::Write;
 
+use linkage_export::Declarations;
+
 use crate::comment::comment;
 use crate::operations::Helpers;
 use crate::real::Real;
@@ -13,7 +15,11 @@ use crate::writer::Writer;
 /// Returns the function that tests rounding, digits and the order of sums; the sine, if the
 /// mechanism has one, is tested with them.
 pub(crate) fn arithmetic(surface: &Surface, helpers: &Helpers) -> String {
-    let Surface { private, real, .. } = surface;
+    let Surface {
+        declarations: Declarations { private, .. },
+        real,
+        ..
+    } = surface;
     let word = |word: &str| {
         Some(match word {
             "ROUNDING" => surface.code(Why::Rounding).to_string(),
@@ -38,7 +44,11 @@ pub(crate) fn arithmetic(surface: &Surface, helpers: &Helpers) -> String {
 
 /// The function that tests a number.
 pub(crate) fn ok(writer: &mut Writer) {
-    let Surface { private, ok, .. } = writer.surface;
+    let Surface {
+        declarations: Declarations { private, .. },
+        ok,
+        ..
+    } = writer.surface;
     writer.printer.helpers.need("infinite");
     writer.text += &comment("", "Whether a number exists and is finite.");
     let _ = writeln!(

@@ -51,10 +51,10 @@ mod winding;
 mod writer;
 
 use linkage_compiler::ir::{CompiledMechanism, Coupled};
+pub use linkage_export::Renamed;
 
 pub use error::Refused;
 pub use real::Real;
-pub use surface::Renamed;
 
 /// A mechanism as C.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -126,8 +126,8 @@ fn exported(
     let sources = Sources {
         header: header::header(&surface),
         source: source::source(&surface),
-        name: surface.prefix,
-        renamed: surface.renamed,
+        name: surface.declarations.name.clone(),
+        renamed: surface.declarations.renamed.clone(),
     };
     Ok((sources, names))
 }

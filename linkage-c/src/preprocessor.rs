@@ -1,5 +1,7 @@
 //! Errors of the preprocessor in files that include the header, and in the source.
 
+use linkage_export::Declarations;
+
 use crate::real::Real;
 use crate::surface::{FINITE_MATH, Surface};
 
@@ -10,7 +12,7 @@ const IS_FINITE: &str = "defined __FAST_MATH__ || (defined __FINITE_MATH_ONLY__ 
 /// The checks of the header, which also hold for the files of its users.
 pub(crate) fn of_header(surface: &Surface) -> String {
     let Surface {
-        prefix,
+        declarations: Declarations { name: prefix, .. },
         real,
         ok,
         constants,

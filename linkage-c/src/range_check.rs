@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use linkage_compiler::ir::Group;
 use linkage_core::range_check::{AT_END, DEAD, END, ROUNDING, Slack, samples};
+use linkage_export::Declarations;
 
 use crate::comment::comment;
 use crate::real::Real;
@@ -45,8 +46,8 @@ impl Criteria {
 /// Type, constants and function in the header.
 pub(crate) fn declared(surface: &Surface) -> String {
     let Surface {
+        declarations: Declarations { unit, .. },
         real,
-        unit,
         range: RangeNames {
             check_range,
             finding,
@@ -105,9 +106,13 @@ pub(crate) fn declared(surface: &Surface) -> String {
 pub(crate) fn items(writer: &mut Writer) {
     let surface = writer.surface;
     let Surface {
-        unit,
-        prefix,
-        private,
+        declarations:
+            Declarations {
+                unit,
+                name: prefix,
+                private,
+                ..
+            },
         real,
         range: RangeNames {
             check_range,

@@ -20,7 +20,7 @@ pub(crate) fn source(surface: &Surface) -> String {
         surface,
         printer: Printer {
             real: surface.real,
-            private: &surface.private,
+            private: &surface.declarations.private,
             helpers: Helpers::new(surface.real),
         },
         text: String::new(),
@@ -30,11 +30,12 @@ pub(crate) fn source(surface: &Surface) -> String {
     assemble::error(&mut writer);
     ok(&mut writer);
     range_check::items(&mut writer);
-    for function in &surface.functions {
-        evaluator(&mut writer, function);
+    let functions = surface.declarations.functions.iter();
+    for (function, signatures) in functions.zip(&surface.functions) {
+        evaluator(&mut writer, function, signatures);
     }
     let Writer { printer, text, .. } = writer;
-    let helpers = printer.helpers.text(&surface.private);
+    let helpers = printer.helpers.text(&surface.declarations.private);
     let arithmetic = arithmetic(surface, &printer.helpers);
     head(surface) + &helpers + "\n" + &arithmetic + &text
 }
@@ -55,13 +56,13 @@ fn head(surface: &Surface) -> String {
         "",
         &format!(
             "{}: see {}.h. Written by linkage; not to be changed by hand.",
-            surface.title, surface.prefix
+            surface.title, surface.declarations.name
         ),
     );
     let _ = write!(
         text,
         "#include \"{}.h\"\n\n#include <float.h>\n#include <math.h>\n#include <stdint.h>\n\n{}",
-        surface.prefix,
+        surface.declarations.name,
         preprocessor::of_source(surface.real)
     );
     text

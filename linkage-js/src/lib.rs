@@ -30,7 +30,6 @@
 
 mod description;
 mod instruction;
-#[cfg(feature = "module")]
 mod js_names;
 #[cfg(feature = "module")]
 mod module;
@@ -39,12 +38,14 @@ mod object;
 mod types;
 
 use linkage_compiler::ir::CompiledMechanism;
+use linkage_export::Declarations;
 
+use js_names::JavaScript;
 #[cfg(feature = "module")]
 pub use module::{Clash, Module, module, modules};
 
 /// Returns the description of a mechanism for the engine of `linkage-runtime`: an object of
 /// JavaScript with its programs. Pages of reports have it next to the engine.
 pub fn description(name: &str, unit: &CompiledMechanism) -> String {
-    description::description(name, unit)
+    description::description(&Declarations::new(name, unit, &JavaScript))
 }

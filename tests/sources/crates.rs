@@ -9,11 +9,12 @@ use std::thread;
 use crate::lexer::{Lexed, lexed};
 
 /// Crates by their folders; the facade has its sources in `src`.
-pub(crate) const CRATES: [&str; 9] = [
+pub(crate) const CRATES: [&str; 10] = [
     "linkage-c",
     "linkage-cli",
     "linkage-compiler",
     "linkage-core",
+    "linkage-export",
     "linkage-js",
     "linkage-macros",
     "linkage-runtime",

@@ -6,9 +6,6 @@ use super::declared::Declared;
 /// The kinds of findings, in the order of their numbers from 1 on.
 pub(crate) const KINDS: [&str; 4] = ["CHANGE_POINT", "DEAD_POINT", "GAP", "UNDEFINED"];
 
-/// The end of the macro without which the check is compiled.
-pub(crate) const OFF: &str = "without_range_check";
-
 /// The names that users see.
 #[derive(Debug)]
 pub(crate) struct RangeNames {
@@ -17,9 +14,8 @@ pub(crate) struct RangeNames {
 }
 
 impl RangeNames {
-    /// Names from those that are not taken.
-    pub(super) fn new(prefix: &str, global: &mut dyn FnMut(&str) -> String) -> Self {
-        let [check_range, finding] = ["check_range", "range_finding"].map(global);
+    /// The names of the function and of the type of its findings.
+    pub(super) fn new(prefix: &str, [check_range, finding]: [String; 2]) -> Self {
         let signature =
             format!("int {check_range}(const {prefix} *m, {finding} *findings, int room)");
         Self {

@@ -1,0 +1,36 @@
+//! Shapes of dimensions and results, and expressions of their scalars.
+
+use linkage_compiler::ir::{COMPONENTS, Shape};
+
+/// Components of frames.
+const OF_FRAME: [&str; 4] = ["origin", "x", "y", "z"];
+
+/// Returns the shape of the entries of an array, of arrays of arrays too; other shapes as they are.
+pub fn innermost(shape: &Shape) -> &Shape {
+    match shape {
+        Shape::Array(_, entry) => innermost(entry),
+        Shape::Scalar | Shape::Vector(_) | Shape::Frame | Shape::PlaneFrame => shape,
+    }
+}
+
+/// Returns expressions of all scalars of a variable, in the order in which programs count them:
+/// `e[0].x`, as most languages write members and entries.
+pub fn scalar_paths(name: &str, shape: &Shape) -> Vec<String> {
+    match shape {
+        Shape::Scalar => vec![name.to_owned()],
+        Shape::Vector(count) => members(name, &COMPONENTS[..*count], &Shape::Scalar),
+        Shape::Array(count, entry) => {
+            let entries = (0..*count).flat_map(|k| scalar_paths(&format!("{name}[{k}]"), entry));
+            entries.collect()
+        }
+        Shape::Frame => members(name, &OF_FRAME, &Shape::Vector(3)),
+        Shape::PlaneFrame => members(name, &OF_FRAME[..3], &Shape::Vector(2)),
+    }
+}
+
+/// The scalars of members of the same shape.
+fn members(name: &str, members: &[&str], shape: &Shape) -> Vec<String> {
+    let paths = members.iter();
+    let paths = paths.flat_map(|member| scalar_paths(&format!("{name}.{member}"), shape));
+    paths.collect()
+}
