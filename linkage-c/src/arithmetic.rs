@@ -3,10 +3,9 @@
 
 use std::fmt::Write;
 
-use linkage_export::Declarations;
+use linkage_export::{Declarations, Helpers};
 
 use crate::comment::comment;
-use crate::operations::Helpers;
 use crate::real::Real;
 use crate::surface::{Surface, Why};
 use crate::template::fill;

@@ -7,7 +7,7 @@ use crate::assemble;
 use crate::comment::comment;
 use crate::coupled;
 use crate::evaluator::evaluator;
-use crate::operations::{Helpers, Printer};
+use crate::operations::{Printer, helper_text, helpers};
 use crate::preprocessor;
 use crate::range_check;
 use crate::surface::Surface;
@@ -21,7 +21,7 @@ pub(crate) fn source(surface: &Surface) -> String {
         printer: Printer {
             real: surface.real,
             private: &surface.declarations.private,
-            helpers: Helpers::new(surface.real),
+            helpers: helpers(surface.real),
         },
         text: String::new(),
     };
@@ -35,7 +35,8 @@ pub(crate) fn source(surface: &Surface) -> String {
         evaluator(&mut writer, function, signatures);
     }
     let Writer { printer, text, .. } = writer;
-    let helpers = printer.helpers.text(&surface.declarations.private);
+    let private = &surface.declarations.private;
+    let helpers = helper_text(&printer.helpers, surface.real, private);
     let arithmetic = arithmetic(surface, &printer.helpers);
     head(surface) + &helpers + "\n" + &arithmetic + &text
 }

@@ -14,7 +14,7 @@ use crate::notes::{
 };
 use crate::refusals::refusals;
 use crate::renamed::Renamed;
-use crate::scalars::scalar_paths;
+use crate::scalars::{compound_types, scalar_paths};
 use crate::target::{Scope, Target};
 
 impl<'a> Declarations<'a> {
@@ -52,6 +52,9 @@ impl<'a> Declarations<'a> {
             .collect();
         let scalars = dimensions.iter().map(|dimension| &dimension.member);
         let scalars = scalars.flat_map(|member| scalar_paths(&member.name, member.shape));
+        let fields = functions.iter().flat_map(|function| &function.fields);
+        let members = dimensions.iter().map(|dimension| &dimension.member);
+        let shapes = members.chain(fields).map(|member| member.shape);
         let inputs = unit.inputs.iter().map(|input| InputDeclaration {
             name: plain(&input.name),
             input,
@@ -65,6 +68,7 @@ impl<'a> Declarations<'a> {
             reference: reference_note(unit),
             inputs: inputs.collect(),
             scalars: scalars.collect(),
+            types: compound_types(shapes),
             refusals: refusals(unit),
             angles: AngleTables::new(unit),
             coupled: CoupledDeclaration::all(unit),

@@ -6,6 +6,7 @@ use crate::angles::AngleTables;
 use crate::coupled::CoupledDeclaration;
 use crate::refusals::Refusal;
 use crate::renamed::Renamed;
+use crate::scalars::CompoundType;
 
 /// A mechanism in a target language: its names, types, arguments, tables, units and comments.
 #[derive(Debug)]
@@ -35,6 +36,8 @@ pub struct Declarations<'a> {
     pub scalars: Vec<String>,
     /// The functions of the user.
     pub functions: Vec<FunctionDeclaration<'a>>,
+    /// The types of vectors and frames that dimensions and results have.
+    pub types: Vec<CompoundType>,
     /// The reasons for which assembling fails.
     pub refusals: Vec<Refusal>,
     /// The tables of the continuous angles.

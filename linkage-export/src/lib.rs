@@ -52,8 +52,10 @@ mod assembly;
 mod builder;
 mod coupled;
 mod declarations;
+mod helpers;
 mod names;
 mod notes;
+mod print_all;
 mod refusals;
 mod renamed;
 mod scalars;
@@ -66,8 +68,10 @@ pub use declarations::{
     ArgumentDeclaration, Declarations, FunctionDeclaration, InputDeclaration, MemberDeclaration,
     ParameterDeclaration,
 };
+pub use helpers::{HelperLibrary, Helpers};
 pub use notes::operations;
-pub use refusals::{Refusal, RefusalCause, refusals};
+pub use print_all::{Refused, print_all};
+pub use refusals::{Refusal, RefusalCause, group_text, refusals};
 pub use renamed::Renamed;
-pub use scalars::{innermost, scalar_paths};
+pub use scalars::{CompoundType, scalar_paths};
 pub use target::{FunctionItem, Scope, Target};

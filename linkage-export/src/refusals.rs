@@ -118,8 +118,9 @@ fn group_name(index: usize, group: &Group) -> String {
     }
 }
 
-/// Returns the loops of a group with its unknowns and its kind: `loop 1 (theta, psi; RRR)`.
-fn group_text(index: usize, group: &Group) -> String {
+/// Returns the loops of a group with its unknowns and its kind: `loop 1 (theta, psi; RRR)`. `index`
+/// is that among all groups.
+pub fn group_text(index: usize, group: &Group) -> String {
     let numbers: Vec<String> = group.loops.iter().map(|index| index.to_string()).collect();
     let loops = match &numbers[..] {
         [] => format!("group {}", index + 1),

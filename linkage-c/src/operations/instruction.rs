@@ -1,8 +1,8 @@
 //! Programs as C.
 
+use linkage_export::Helpers;
 use linkage_symbolic::program::{Language, Program, Source, print};
 
-use super::helper::Helpers;
 use crate::real::Real;
 
 /// Operations that are functions of C's library, by the names of their rows.
@@ -14,7 +14,7 @@ pub(crate) struct Printer<'a> {
     pub(crate) real: Real,
     /// The beginning of names that nothing else has.
     pub(crate) private: &'a str,
-    pub(crate) helpers: Helpers,
+    pub(crate) helpers: Helpers<'static>,
 }
 
 /// A program in C: statements, and expressions of its results.
@@ -101,6 +101,7 @@ impl Language for C<'_, '_> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::helpers;
     use super::*;
     use linkage_symbolic::program::{Binary, RustCall, Ternary, Unary};
 
@@ -111,7 +112,7 @@ mod tests {
             let mut printer = Printer {
                 real,
                 private: "own_",
-                helpers: Helpers::new(real),
+                helpers: helpers(real),
             };
             let mut c = C {
                 printer: &mut printer,

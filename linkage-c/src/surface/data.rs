@@ -1,7 +1,7 @@
 //! The surface of a mechanism for users of the C: names, types, comments.
 
 use linkage_compiler::ir::Shape;
-use linkage_export::{Declarations, innermost};
+use linkage_export::Declarations;
 
 use super::constant::{CONSTANTS_OF_ALL, constant};
 use super::declared::Declared;
@@ -36,39 +36,15 @@ pub(crate) struct Surface<'a> {
 impl Surface<'_> {
     /// The types of vectors and frames that occur, each with its definition.
     pub(crate) fn vector_types(&self) -> Vec<String> {
-        let Declarations {
-            dimensions,
-            functions,
-            ..
-        } = &self.declarations;
-        let dimensions = dimensions.iter().map(|dimension| &dimension.member);
-        let fields = functions.iter().flat_map(|function| &function.fields);
-        let members = dimensions.chain(fields);
-        let shapes: Vec<&Shape> = members.map(|member| innermost(member.shape)).collect();
-        let number = self.real.name();
-        let [xy, xyz, frame, plane_frame] = &self.vectors;
-        let has = |wanted: &Shape| shapes.contains(&wanted);
-        let [frames, plane_frames] = [Shape::Frame, Shape::PlaneFrame].map(|entry| has(&entry));
-        let mut types = Vec::new();
-        if has(&Shape::Vector(2)) || plane_frames {
-            types.push(format!("typedef struct {xy} {{ {number} x, y; }} {xy};\n"));
-        }
-        if has(&Shape::Vector(3)) || frames {
-            types.push(format!(
-                "typedef struct {xyz} {{ {number} x, y, z; }} {xyz};\n"
-            ));
-        }
-        if frames {
-            types.push(format!(
-                "typedef struct {frame} {{ {xyz} origin, x, y, z; }} {frame};\n"
-            ));
-        }
-        if plane_frames {
-            types.push(format!(
-                "typedef struct {plane_frame} {{ {xy} origin, x, y; }} {plane_frame};\n"
-            ));
-        }
-        types
+        let types = self.declarations.types.iter().map(|declared| {
+            let (name, members) = (&self.vectors[declared.number], declared.members.join(", "));
+            let entry = match declared.entry {
+                Shape::Vector(count) => &self.vectors[count - 2],
+                _ => self.real.name(),
+            };
+            format!("typedef struct {name} {{ {entry} {members}; }} {name};\n")
+        });
+        types.collect()
     }
 
     /// All names that other files see.
