@@ -19,6 +19,7 @@ mod page;
 mod range;
 mod replaced;
 mod running_input;
+mod st;
 mod sweep;
 mod table;
 mod terminal;
@@ -62,6 +63,8 @@ enum Command {
     C(c::Options),
     /// A module of JavaScript for pages, and its types
     Js(js::Options),
+    /// Structured text for programmable controllers
+    St(st::Options),
 }
 
 /// Runs the command in the arguments of the process: exit status 0, 1 for bad input, 2 for wrong
@@ -86,6 +89,7 @@ pub fn run() -> ExitCode {
         Command::Circuits(options) => assemblies::circuits(options),
         Command::C(options) => c::run(options),
         Command::Js(options) => js::run(options),
+        Command::St(options) => st::run(options),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -9,7 +9,7 @@ use std::thread;
 use crate::lexer::{Lexed, lexed};
 
 /// Crates by their folders; the facade has its sources in `src`.
-pub(crate) const CRATES: [&str; 10] = [
+pub(crate) const CRATES: [&str; 11] = [
     "linkage-c",
     "linkage-cli",
     "linkage-compiler",
@@ -18,6 +18,7 @@ pub(crate) const CRATES: [&str; 10] = [
     "linkage-js",
     "linkage-macros",
     "linkage-runtime",
+    "linkage-st",
     "linkage-symbolic",
     "src",
 ];

@@ -14,6 +14,7 @@ mod numbers;
 mod pages;
 mod quoted;
 mod ranges;
+mod st;
 mod start;
 mod tables;
 mod time;
