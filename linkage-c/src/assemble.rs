@@ -230,6 +230,20 @@ fn finite(writer: &mut Writer) -> String {
     checks
 }
 
+/// Writes the function that returns the size of the struct of the mechanism.
+pub(crate) fn assembly_size(writer: &mut Writer) {
+    let Surface {
+        declarations: Declarations { name, .. },
+        assembly_size,
+        ..
+    } = writer.surface;
+    let signature = &assembly_size.signature;
+    let _ = writeln!(
+        writer.text,
+        "{signature}\n{{\n    return sizeof({name});\n}}\n"
+    );
+}
+
 /// The function that gives texts.
 pub(crate) fn error(writer: &mut Writer) {
     let Surface {

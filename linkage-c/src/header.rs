@@ -7,7 +7,7 @@ use linkage_export::{Declarations, FunctionDeclaration, MemberDeclaration, Renam
 use crate::comment::comment;
 use crate::preprocessor;
 use crate::range_check;
-use crate::surface::{Code, Evaluator, Surface};
+use crate::surface::{API, Code, Evaluator, LOCAL, Surface};
 
 /// The text of the header.
 pub(crate) fn header(surface: &Surface) -> String {
@@ -32,6 +32,7 @@ pub(crate) fn header(surface: &Surface) -> String {
     );
     text += &listed(&surface.declarations.renamed);
     text += &preprocessor::of_header(surface);
+    text += &macros(surface);
     text += "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n";
     for entry in surface.vector_types() {
         text += &entry;
@@ -46,6 +47,14 @@ pub(crate) fn header(surface: &Surface) -> String {
          depends on the dimensions alone. 0, or why not: then `m` is of no use.",
     );
     let _ = writeln!(text, "{};\n", surface.assemble.signature);
+    text += &comment(
+        "",
+        &format!(
+            "The size of `{}` in bytes, for programs in other languages, which need not know its members.",
+            surface.declarations.name
+        ),
+    );
+    let _ = writeln!(text, "{};\n", surface.assembly_size.signature);
     text += &comment("", "What a number from assembling means, in words.");
     let _ = writeln!(text, "{};\n", surface.error.signature);
     text += &comment(
@@ -60,6 +69,25 @@ pub(crate) fn header(surface: &Surface) -> String {
     }
     let _ = write!(text, "#ifdef __cplusplus\n}}\n#endif\n\n#endif\n");
     text
+}
+
+/// Returns the macros that users may define before they include the header.
+fn macros(surface: &Surface) -> String {
+    let all = [
+        (
+            API,
+            "Before each function of this header: nothing, static inline, __device__, a visibility.",
+        ),
+        (
+            LOCAL,
+            "Before each function and table of the source alone, after static: nothing, __device__.",
+        ),
+    ];
+    let all = all.map(|(end, about)| {
+        let name = surface.constant(end);
+        comment("", about) + &format!("#ifndef {name}\n#define {name}\n#endif\n")
+    });
+    all.concat() + "\n"
 }
 
 fn dimensions(surface: &Surface) -> String {

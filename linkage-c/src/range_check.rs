@@ -8,7 +8,7 @@ use linkage_export::Declarations;
 
 use crate::comment::comment;
 use crate::real::Real;
-use crate::surface::{KINDS, OFF, RangeNames, Surface};
+use crate::surface::{API, KINDS, OFF, RangeNames, Surface};
 use crate::template::fill;
 use crate::writer::Writer;
 
@@ -150,6 +150,7 @@ pub(crate) fn items(writer: &mut Writer) {
     let text = fill(include_str!("templates/range.c"), *real, private, |word| {
         Some(match word {
             "MECHANISM" => prefix.clone(),
+            "API" => surface.constant(API),
             "CHECK" => check_range.name.clone(),
             "FINDING" => finding.clone(),
             "GROUPS" => unit.groups.len().to_string(),

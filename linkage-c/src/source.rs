@@ -10,7 +10,7 @@ use crate::evaluator::evaluator;
 use crate::operations::{Printer, helper_text, helpers};
 use crate::preprocessor;
 use crate::range_check;
-use crate::surface::Surface;
+use crate::surface::{LOCAL, Surface};
 use crate::winding;
 use crate::writer::Writer;
 
@@ -27,6 +27,7 @@ pub(crate) fn source(surface: &Surface) -> String {
     };
     plumbing(&mut writer);
     assemble::assemble(&mut writer);
+    assemble::assembly_size(&mut writer);
     assemble::error(&mut writer);
     ok(&mut writer);
     range_check::items(&mut writer);
@@ -38,7 +39,11 @@ pub(crate) fn source(surface: &Surface) -> String {
     let private = &surface.declarations.private;
     let helpers = helper_text(&printer.helpers, surface.real, private);
     let arithmetic = arithmetic(surface, &printer.helpers);
-    head(surface) + &helpers + "\n" + &arithmetic + &text
+    let text = head(surface) + &helpers + "\n" + &arithmetic + &text;
+    text.replace(
+        "\nstatic ",
+        &format!("\nstatic {} ", surface.constant(LOCAL)),
+    )
 }
 
 /// The programs behind assembling.

@@ -3,6 +3,7 @@
 use linkage_compiler::ir::CompiledMechanism;
 use linkage_export::{Declarations, refusals};
 
+use super::constant::{API, constant};
 use super::data::Surface;
 use super::declared::Declared;
 use super::evaluator::Evaluator;
@@ -32,34 +33,27 @@ pub(crate) fn surface<'a>(title: &'a str, unit: &'a CompiledMechanism, real: Rea
     else {
         unreachable!("C has these items")
     };
+    let [check_range, finding, assembly_size] = &declarations.later_items[..] else {
+        unreachable!("C has these items")
+    };
     let functions = declarations.functions.iter();
     let functions = functions.map(|function| Evaluator::new(prefix, function, real));
+    let api = constant(prefix, API);
+    let declared = |result, name, parameters: &str| Declared::new(&api, result, name, parameters);
+    let takes = format!("{prefix} *m, const {dimensions_type} *dimensions");
     Surface {
         codes: codes(prefix, title, &refusals),
         title: plain(title),
         real,
         functions: functions.collect(),
-        assemble: Declared {
-            signature: format!("int {assemble}({prefix} *m, const {dimensions_type} *dimensions)"),
-            name: assemble.clone(),
-        },
-        error: Declared {
-            signature: format!("const char *{error}(int code)"),
-            name: error.clone(),
-        },
-        range: RangeNames::new(prefix, fixed(&declarations.later_items)),
-        ok: Declared {
-            signature: format!("int {ok}({} number)", real.name()),
-            name: ok.clone(),
-        },
+        assemble: declared("int", assemble, &takes),
+        assembly_size: declared("size_t", assembly_size, "void"),
+        error: declared("const char *", error, "int code"),
+        range: RangeNames::new(prefix, check_range, finding),
+        ok: declared("int", ok, &format!("{} number", real.name())),
         constants: constants.clone(),
         dimensions_type: dimensions_type.clone(),
-        vectors: fixed::<VECTORS>(vectors),
+        vectors: std::array::from_fn::<_, VECTORS, _>(|number| vectors[number].clone()),
         declarations,
     }
-}
-
-/// Returns the names of items whose number is known.
-fn fixed<const COUNT: usize>(names: &[String]) -> [String; COUNT] {
-    std::array::from_fn(|index| names[index].clone())
 }

@@ -23,6 +23,8 @@ pub(crate) struct Surface<'a> {
     /// The results of `assemble`, after 0.
     pub(crate) codes: Vec<Code>,
     pub(crate) assemble: Declared,
+    /// The function that returns the size of the struct of the mechanism.
+    pub(crate) assembly_size: Declared,
     pub(crate) error: Declared,
     pub(crate) range: RangeNames,
     /// The function that checks a number.
@@ -60,6 +62,7 @@ impl Surface<'_> {
             prefix,
             &self.dimensions_type,
             &self.assemble.name,
+            &self.assembly_size.name,
             &self.error.name,
             &self.ok.name,
             &self.constants,

@@ -2,6 +2,7 @@
 
 use linkage_export::FunctionDeclaration;
 
+use super::constant::{API, constant};
 use super::declared::Declared;
 use crate::real::Real;
 
@@ -31,17 +32,12 @@ impl Evaluator {
         let arrays: String = arguments
             .map(|argument| format!(", const {number} *{}", argument.name))
             .collect();
-        let sweep = sweep.map(|name| Declared {
-            signature: format!(
-                "void {name}(const {prefix} *m, size_t count{arrays}, {result} *results)"
-            ),
-            name: name.clone(),
-        });
+        let api = constant(prefix, API);
+        let parameters = format!("const {prefix} *m, size_t count{arrays}, {result} *results");
+        let sweep = sweep.map(|name| Declared::new(&api, "void", name, &parameters));
+        let parameters = format!("const {prefix} *m{numbers}");
         Self {
-            declared: Declared {
-                signature: format!("{result} {name}(const {prefix} *m{numbers})"),
-                name: name.clone(),
-            },
+            declared: Declared::new(&api, result, name, &parameters),
             result: result.clone(),
             sweep,
         }

@@ -10,7 +10,7 @@ mod refusal;
 mod target;
 
 pub(crate) use build::surface;
-pub(crate) use constant::{FINITE_MATH, OFF};
+pub(crate) use constant::{API, FINITE_MATH, LOCAL, OFF};
 pub(crate) use data::Surface;
 pub(crate) use evaluator::Evaluator;
 pub(crate) use range_names::{KINDS, RangeNames};

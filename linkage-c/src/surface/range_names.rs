@@ -1,6 +1,6 @@
 //! Names of the check of the declared range.
 
-use super::constant::constant;
+use super::constant::{API, constant};
 use super::declared::Declared;
 
 /// The kinds of findings, in the order of their numbers from 1 on.
@@ -15,15 +15,11 @@ pub(crate) struct RangeNames {
 
 impl RangeNames {
     /// The names of the function and of the type of its findings.
-    pub(super) fn new(prefix: &str, [check_range, finding]: [String; 2]) -> Self {
-        let signature =
-            format!("int {check_range}(const {prefix} *m, {finding} *findings, int room)");
+    pub(super) fn new(prefix: &str, check_range: &str, finding: &str) -> Self {
+        let parameters = format!("const {prefix} *m, {finding} *findings, int room");
         Self {
-            check_range: Declared {
-                name: check_range,
-                signature,
-            },
-            finding,
+            check_range: Declared::new(&constant(prefix, API), "int", check_range, &parameters),
+            finding: finding.to_owned(),
         }
     }
 

@@ -63,8 +63,8 @@ impl Target for C<'_> {
         "plane_frame",
     ];
 
-    // A user's function of one of these names keeps it.
-    const LATER_ITEMS: &'static [&'static str] = &["check_range", "range_finding"];
+    // A function of the user with one of these names keeps it.
+    const LATER_ITEMS: &'static [&'static str] = &["check_range", "range_finding", "assembly_size"];
 
     const FUNCTION_ITEMS: &'static [FunctionItem] = &[RESULT, SWEEP, CALL];
 
