@@ -27,7 +27,7 @@ pub(crate) fn arithmetic(surface: &Surface, helpers: &Helpers) -> String {
             "ROUNDOFF" => real.literal(real.roundoff()),
             "HALF_ROUNDOFF" => real.literal(0.5 * real.roundoff()),
             "THIRD" => match real {
-                Real::Double => format!("0x{:016x}u", (1.0_f64 / 3.0).to_bits()),
+                Real::Double | Real::Fused => format!("0x{:016x}u", (1.0_f64 / 3.0).to_bits()),
                 Real::Single => format!("0x{:08x}u", (1.0_f32 / 3.0).to_bits()),
             },
             _ => return None,

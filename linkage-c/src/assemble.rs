@@ -96,7 +96,7 @@ fn overflows(surface: &Surface) -> String {
     } = surface;
     // Squares of larger numbers overflow.
     let (abs, largest) = match real {
-        Real::Double => ("fabs", 1e154),
+        Real::Double | Real::Fused => ("fabs", 1e154),
         Real::Single => ("fabsf", 1e19),
     };
     let largest = real.literal(largest);

@@ -25,7 +25,7 @@ struct Criteria {
 impl Criteria {
     fn for_real(real: Real) -> Self {
         match real {
-            Real::Double => Self {
+            Real::Double | Real::Fused => Self {
                 dead: DEAD,
                 rounding: ROUNDING,
                 end: END,
@@ -171,7 +171,7 @@ pub(crate) fn items(writer: &mut Writer) {
             "END" => real.literal(criteria.end),
             "AT_END" => real.literal(criteria.at_end),
             "LARGEST" => match real {
-                Real::Double => "DBL_MAX".to_owned(),
+                Real::Double | Real::Fused => "DBL_MAX".to_owned(),
                 Real::Single => "FLT_MAX".to_owned(),
             },
             kind if KINDS.contains(&kind) => surface.kind(kind),

@@ -11,7 +11,7 @@ use crate::surface::Surface;
 /// The largest correction of a state from a table that is trusted.
 pub(crate) fn limit(real: Real) -> String {
     real.literal(match real {
-        Real::Double => f64::CORRECTION_LIMIT,
+        Real::Double | Real::Fused => f64::CORRECTION_LIMIT,
         Real::Single => f32::CORRECTION_LIMIT,
     })
 }

@@ -1,9 +1,9 @@
 //! Functions that printed programs call: operations that the target language does not have, or not
 //! with these results.
 //!
-//! A text contains all of them. A line with a mark, `HELPER name (variant): other, names`, begins
-//! each function. The variant and the other names that it defines may be left out. In the text,
-//! `own_` begins all names of helpers, and functions follow those that they call.
+//! A text contains all of them. A line with a mark, `HELPER name (variant|variant): other, names`,
+//! begins each function. The variants and the other names that it defines may be left out. In the
+//! text, `own_` begins all names of helpers, and functions follow those that they call.
 
 use std::collections::BTreeSet;
 
@@ -18,7 +18,7 @@ pub struct HelperLibrary {
 struct Helper {
     /// All names that it defines, the name that operations call first.
     names: Vec<&'static str>,
-    /// The type of numbers that it is for, if there is another one for the other type.
+    /// The types of numbers that it is for, if there are others for the other types.
     variant: Option<&'static str>,
     text: &'static str,
 }
@@ -62,7 +62,8 @@ impl HelperLibrary {
 
 impl Helper {
     fn is_for(&self, variant: &str) -> bool {
-        self.variant.is_none_or(|other| other == variant)
+        let mut variants = self.variant.iter().flat_map(|all| all.split('|'));
+        self.variant.is_none() || variants.any(|other| other == variant)
     }
 }
 
@@ -120,7 +121,7 @@ impl<'l> Helpers<'l> {
 mod tests {
     use super::*;
 
-    const TEXT: &str = "(* HELPER one (wide) *)\nwide one\n(* HELPER one (short): pair *)\nshort one\n\
+    const TEXT: &str = "(* HELPER one (wide|long) *)\nwide one\n(* HELPER one (short): pair *)\nshort one\n\
         (* HELPER two *)\nown_one(own_one)\n";
 
     #[test]
@@ -131,7 +132,7 @@ mod tests {
         helpers.need("two");
         assert!(helpers.has("pair"));
         assert!(helpers.texts().eq(["short one\n", "own_one(own_one)\n"]));
-        let mut helpers = Helpers::new(&library, "wide");
+        let mut helpers = Helpers::new(&library, "long");
         helpers.need("one");
         assert!(helpers.texts().eq(["wide one\n"]) && !helpers.has("two"));
     }

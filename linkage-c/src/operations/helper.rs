@@ -17,10 +17,11 @@ fn library() -> &'static HelperLibrary {
     LIBRARY.get_or_init(|| HelperLibrary::new(include_str!("../templates/helpers.c"), "/* ", " */"))
 }
 
-/// The names of both types of numbers among the helpers.
+/// Returns the name of a type of numbers among the helpers.
 fn variant(real: Real) -> &'static str {
     match real {
         Real::Double => "double",
+        Real::Fused => "fused",
         Real::Single => "single",
     }
 }
@@ -32,10 +33,18 @@ pub(crate) fn helpers(real: Real) -> Helpers<'static> {
 
 /// Returns all needed helpers as C.
 pub(crate) fn helper_text(helpers: &Helpers, real: Real, private: &str) -> String {
-    let texts = helpers
-        .texts()
-        .map(|text| fill(text, real, private, |_| None));
+    let word = |word: &str| (word == "DIRECTIONS").then(|| directions(real));
+    let texts = helpers.texts().map(|text| fill(text, real, private, word));
     texts.collect::<Vec<_>>().join("\n")
+}
+
+/// The table of directions, as the rows of an array.
+fn directions(real: Real) -> String {
+    let rows = linkage_core::directions().iter().map(|row| {
+        let row = row.map(|x| real.literal(x)).join(", ");
+        format!("    {{ {row} }}")
+    });
+    rows.collect::<Vec<_>>().join(",\n")
 }
 
 #[cfg(test)]
@@ -44,7 +53,7 @@ mod tests {
 
     #[test]
     fn helpers_stand_after_those_that_they_call() {
-        for real in [Real::Double, Real::Single] {
+        for real in [Real::Double, Real::Fused, Real::Single] {
             let mut before = Vec::new();
             for name in library().names(variant(real)) {
                 before.push(name);

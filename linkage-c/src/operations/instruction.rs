@@ -84,7 +84,7 @@ impl Language for C<'_, '_> {
             Some((_, function)) => {
                 // Most processors have an instruction for it.
                 let suffix = match self.printer.real {
-                    Real::Double => "",
+                    Real::Double | Real::Fused => "",
                     Real::Single => "f",
                 };
                 format!("{function}{suffix}({})", operands.join(", "))
@@ -108,7 +108,7 @@ mod tests {
     /// C has a function of its library or a helper for each operation.
     #[test]
     fn operations_have_functions() {
-        for real in [Real::Double, Real::Single] {
+        for real in [Real::Double, Real::Fused, Real::Single] {
             let mut printer = Printer {
                 real,
                 private: "own_",

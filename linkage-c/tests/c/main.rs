@@ -12,6 +12,7 @@ mod emulated;
 mod favorit;
 mod finite;
 mod foreign;
+mod fused;
 mod headers;
 mod machine;
 mod mechanisms;

@@ -32,6 +32,8 @@ pub(super) struct Options {
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Scalar {
     Double,
+    /// Doubles of processors with fused multiply-adds: sines from a table
+    Fused,
     Float,
 }
 
@@ -39,6 +41,7 @@ impl Scalar {
     fn real(self) -> Real {
         match self {
             Self::Double => Real::Double,
+            Self::Fused => Real::Fused,
             Self::Float => Real::Single,
         }
     }
