@@ -8,7 +8,8 @@
 //! project's sine instead of that of the C library. "Sweep" is `*_sweep_into`, beside the same kernels in C as vector code with a sine of their own,
 //! for the best instruction set of the machine; both are repeated, and timed apart from single calls.
 //!
-//! "Exported" is the same mechanism as `linkage-c` prints it, one position at a time; its goal is 1.1 of ours.
+//! "Exported" is the same mechanism as `linkage-c` prints it, one position at a time, on a machine with fused multiply-adds
+//! those of `--scalar fused`, compiled for that machine; its goal is 1.1 of ours.
 //!
 //! The numbers of all are compared before they are timed.
 

@@ -36,7 +36,16 @@ fn main() {
         }
         build.compile(&format!("linkage_peers_folded_{own_sine}"));
     }
+    // Generated code chooses its instructions when it runs, so the exported code gets those of the machine.
     let mut build = single(fused);
+    let real = match fused || machine_is_fused(&setting("HOST"), &setting("TARGET")) {
+        true => {
+            build.flag_if_supported("-march=native");
+            build.flag_if_supported("-ffp-contract=fast");
+            Real::Fused
+        }
+        false => Real::Double,
+    };
     // As the page on C says of GCC and x86-64.
     for flag in [
         "-fschedule-insns",
@@ -45,7 +54,7 @@ fn main() {
     ] {
         build.flag_if_supported(flag);
     }
-    build.files(exported(Path::new(&setting("OUT_DIR"))));
+    build.files(exported(Path::new(&setting("OUT_DIR")), real));
     build.compile("linkage_peers_exported");
 
     let compiler = optimised().get_compiler();
@@ -63,6 +72,15 @@ fn main() {
         build.flag("-ffp-contract=fast").flag("-fno-trapping-math");
         build.compile(&format!("linkage_peers_sweeps_{level}"));
     }
+}
+
+/// Returns true if the code runs on the machine that builds it, which has fused multiply-adds.
+fn machine_is_fused(host: &str, target: &str) -> bool {
+    #[cfg(target_arch = "x86_64")]
+    let has_instruction = std::arch::is_x86_feature_detected!("fma");
+    #[cfg(not(target_arch = "x86_64"))]
+    let has_instruction = cfg!(target_arch = "aarch64");
+    host == target && has_instruction
 }
 
 /// For the instruction set of the Rust code.
@@ -91,7 +109,7 @@ const MECHANISMS: [&str; 2] = ["src/mechanisms.rs", "src/space.rs"];
 const MOST: usize = 256;
 
 /// Writes all mechanisms as C; the sources.
-fn exported(folder: &Path) -> Vec<PathBuf> {
+fn exported(folder: &Path, real: Real) -> Vec<PathBuf> {
     let mut files = Vec::new();
     for path in MECHANISMS {
         println!("cargo:rerun-if-changed={path}");
@@ -102,7 +120,7 @@ fn exported(folder: &Path) -> Vec<PathBuf> {
             let name = words.next().expect("a mechanism has a name");
             let checked = linkage_compiler::check(body);
             let unit = checked.unit.expect("a mechanism without a mistake");
-            let own = sources(&name, &unit, Real::Double).expect("it can be exported");
+            let own = sources(&name, &unit, real).expect("it can be exported");
             assert!(
                 unit.scalars().count() + 1 + unit.slots() <= MOST,
                 "{name} is large"

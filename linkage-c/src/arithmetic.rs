@@ -3,8 +3,9 @@
 
 use std::fmt::Write;
 
+use linkage_export::{Declarations, Helpers};
+
 use crate::comment::comment;
-use crate::operations::Helpers;
 use crate::real::Real;
 use crate::surface::{Surface, Why};
 use crate::template::fill;
@@ -13,7 +14,11 @@ use crate::writer::Writer;
 /// Returns the function that tests rounding, digits and the order of sums; the sine, if the
 /// mechanism has one, is tested with them.
 pub(crate) fn arithmetic(surface: &Surface, helpers: &Helpers) -> String {
-    let Surface { private, real, .. } = surface;
+    let Surface {
+        declarations: Declarations { private, .. },
+        real,
+        ..
+    } = surface;
     let word = |word: &str| {
         Some(match word {
             "ROUNDING" => surface.code(Why::Rounding).to_string(),
@@ -22,7 +27,7 @@ pub(crate) fn arithmetic(surface: &Surface, helpers: &Helpers) -> String {
             "ROUNDOFF" => real.literal(real.roundoff()),
             "HALF_ROUNDOFF" => real.literal(0.5 * real.roundoff()),
             "THIRD" => match real {
-                Real::Double => format!("0x{:016x}u", (1.0_f64 / 3.0).to_bits()),
+                Real::Double | Real::Fused => format!("0x{:016x}u", (1.0_f64 / 3.0).to_bits()),
                 Real::Single => format!("0x{:08x}u", (1.0_f32 / 3.0).to_bits()),
             },
             _ => return None,
@@ -38,7 +43,11 @@ pub(crate) fn arithmetic(surface: &Surface, helpers: &Helpers) -> String {
 
 /// The function that tests a number.
 pub(crate) fn ok(writer: &mut Writer) {
-    let Surface { private, ok, .. } = writer.surface;
+    let Surface {
+        declarations: Declarations { private, .. },
+        ok,
+        ..
+    } = writer.surface;
     writer.printer.helpers.need("infinite");
     writer.text += &comment("", "Whether a number exists and is finite.");
     let _ = writeln!(

@@ -2,19 +2,25 @@
 
 use std::fmt::Write;
 
+use linkage_export::{Declarations, RefusalCause};
+
 use crate::comment::comment;
 use crate::coupled::deciding;
 use crate::real::Real;
-use crate::surface::{Surface, Why, reference};
+use crate::surface::{Surface, Why};
 use crate::template::fill;
 use crate::writer::{Writer, used};
 
 /// Writes the function that computes the values that depend on the dimensions alone.
 pub(crate) fn prepare(writer: &mut Writer) {
     let Surface {
-        unit,
-        prefix,
-        private,
+        declarations:
+            Declarations {
+                unit,
+                name: prefix,
+                private,
+                ..
+            },
         ..
     } = writer.surface;
     let printed = writer.printed(&unit.prepare);
@@ -38,9 +44,13 @@ pub(crate) fn prepare(writer: &mut Writer) {
 pub(crate) fn close(writer: &mut Writer) {
     let surface = writer.surface;
     let Surface {
-        unit,
-        prefix,
-        private,
+        declarations:
+            Declarations {
+                unit,
+                name: prefix,
+                private,
+                ..
+            },
         real,
         ..
     } = surface;
@@ -58,17 +68,17 @@ pub(crate) fn close(writer: &mut Writer) {
     writer.plain("gaps", &unit.gaps, "By how much each group misses closing.");
     let text = overflows(surface);
     writer.text += &text;
-    let numbers = |why: fn(usize) -> Why| {
-        let numbers = (0..unit.groups.len()).map(|group| surface.code(why(group)).to_string());
+    let numbers = |cause: fn(usize) -> RefusalCause| {
+        let numbers = (0..unit.groups.len()).map(|group| surface.code(cause(group)).to_string());
         format!("{{ {} }}", numbers.collect::<Vec<_>>().join(", "))
     };
     let close = fill(include_str!("templates/close.c"), *real, private, |word| {
         Some(match word {
             "MECHANISM" => prefix.clone(),
             "GROUPS" => unit.groups.len().to_string(),
-            "OPEN" => numbers(Why::CannotClose),
-            "UNDEFINED" => numbers(Why::Undefined),
-            "TOO_LARGE" => surface.code(Why::TooLarge).to_string(),
+            "OPEN" => numbers(RefusalCause::CannotClose),
+            "UNDEFINED" => numbers(RefusalCause::Undefined),
+            "TOO_LARGE" => surface.code(RefusalCause::TooLarge).to_string(),
             _ => return None,
         })
     });
@@ -79,19 +89,19 @@ pub(crate) fn close(writer: &mut Writer) {
 /// Returns the function that checks for overflow in numbers computed from a dimension.
 fn overflows(surface: &Surface) -> String {
     let Surface {
-        private,
+        declarations: Declarations { private, .. },
         real,
         dimensions_type,
         ..
     } = surface;
     // Squares of larger numbers overflow.
     let (abs, largest) = match real {
-        Real::Double => ("fabs", 1e154),
+        Real::Double | Real::Fused => ("fabs", 1e154),
         Real::Single => ("fabsf", 1e19),
     };
     let largest = real.literal(largest);
     let one = |scalar: &String| format!("{abs}(dimensions->{scalar}) > {largest}");
-    let all: Vec<String> = surface.scalars.iter().map(one).collect();
+    let all: Vec<String> = surface.declarations.scalars.iter().map(one).collect();
     let body = match all.is_empty() {
         true => "    (void)dimensions;\n    return 0;\n".to_owned(),
         false => format!("    return {};\n", all.join("\n        || ")),
@@ -106,8 +116,7 @@ fn overflows(surface: &Surface) -> String {
 pub(crate) fn assemble(writer: &mut Writer) {
     let surface = writer.surface;
     let Surface {
-        unit,
-        private,
+        declarations: Declarations { unit, private, .. },
         real,
         assemble,
         ..
@@ -127,7 +136,7 @@ pub(crate) fn assemble(writer: &mut Writer) {
             "    static const {} at[] = {{ {} }}; /* {} */",
             real.name(),
             references.join(", "),
-            reference(unit)
+            surface.declarations.reference
         );
     }
     let coupled = !unit.coupled.is_empty();
@@ -176,17 +185,20 @@ pub(crate) fn assemble(writer: &mut Writer) {
 /// Returns a condition: dimensions are not those of the tables.
 fn moved(surface: &Surface) -> String {
     let nominal: Vec<f64> = surface
+        .declarations
         .unit
         .scalars()
         .map(|scalar| scalar.nominal)
         .collect();
-    let different = deciding(surface.unit).into_iter().map(|index| {
-        let (scalar, nominal) = (
-            &surface.scalars[index],
-            surface.real.literal(nominal[index]),
-        );
-        format!("m->dimensions.{scalar} != {nominal}")
-    });
+    let different = deciding(surface.declarations.unit)
+        .into_iter()
+        .map(|index| {
+            let (scalar, nominal) = (
+                &surface.declarations.scalars[index],
+                surface.real.literal(nominal[index]),
+            );
+            format!("m->dimensions.{scalar} != {nominal}")
+        });
     let different: Vec<String> = different.collect();
     match different.is_empty() {
         true => "0".to_owned(),
@@ -197,14 +209,15 @@ fn moved(surface: &Surface) -> String {
 /// Statements that return the number of a dimension that is none.
 fn finite(writer: &mut Writer) -> String {
     let Surface {
-        private,
-        scalars,
+        declarations: Declarations {
+            private, scalars, ..
+        },
         codes,
         ..
     } = writer.surface;
     let mut checks = String::new();
     for (index, code) in codes.iter().enumerate() {
-        if let Why::NotFinite(dimension) = code.why {
+        if let Why::Mechanism(RefusalCause::NotFinite(dimension)) = code.why {
             writer.printer.helpers.need("infinite");
             let scalar = &scalars[dimension];
             let _ = writeln!(
@@ -215,6 +228,20 @@ fn finite(writer: &mut Writer) -> String {
         }
     }
     checks
+}
+
+/// Writes the function that returns the size of the struct of the mechanism.
+pub(crate) fn assembly_size(writer: &mut Writer) {
+    let Surface {
+        declarations: Declarations { name, .. },
+        assembly_size,
+        ..
+    } = writer.surface;
+    let signature = &assembly_size.signature;
+    let _ = writeln!(
+        writer.text,
+        "{signature}\n{{\n    return sizeof({name});\n}}\n"
+    );
 }
 
 /// The function that gives texts.

@@ -2,88 +2,35 @@
 
 mod reserved;
 
-use std::collections::BTreeSet;
+use linkage_export::Scope;
 
 pub(crate) use reserved::is_macro;
 use reserved::{is_declared, is_for_compilers, is_header, is_keyword, is_mathematics};
 
-/// The scope of names.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Namespace {
-    /// In a struct.
-    Struct,
-    /// In a file.
-    File,
-    /// In a function, whose values are called `v17`.
-    Function,
+/// Returns a name in the letters of C; names that are left to compilers begin with an `x`. Names of
+/// mechanisms have small letters.
+pub(crate) fn spelled(name: &str, scope: Scope) -> String {
+    let mut name = plain(name);
+    if scope == Scope::Mechanism {
+        name = snake_letters(&name);
+    }
+    let of_file = matches!(scope, Scope::Mechanism | Scope::File);
+    if is_for_compilers(&name, of_file) {
+        name.insert(0, 'x');
+    }
+    name
 }
 
-/// The names of one place, each once.
-#[derive(Clone, Debug)]
-pub(crate) struct Names {
-    namespace: Namespace,
-    taken: BTreeSet<String>,
-}
-
-impl Names {
-    /// A place in which some names are taken.
-    pub(crate) fn new(namespace: Namespace, taken: &[&str]) -> Self {
-        let taken = taken.iter().map(|&name| name.to_owned()).collect();
-        Self { namespace, taken }
-    }
-
-    /// Returns the name in C of something of the user, which nothing else in this place gets. It is
-    /// the user's own name if C can have it. Otherwise underscores follow it; names that are left
-    /// to compilers begin with an `x`.
-    pub(crate) fn take(&mut self, wanted: &str) -> String {
-        let mut name = plain(wanted);
-        if is_for_compilers(&name, self.namespace == Namespace::File) {
-            name.insert(0, 'x');
+/// Returns true if C, its library or programs have a name in a scope.
+pub(crate) fn is_reserved(name: &str, scope: Scope) -> bool {
+    is_keyword(name)
+        || is_macro(name)
+        || match scope {
+            Scope::Members => false,
+            Scope::Mechanism => is_declared(name) || is_header(name),
+            Scope::File => is_declared(name),
+            Scope::Function => is_mathematics(name) || is_temporary(name),
         }
-        while self.is_taken(&name) {
-            name.push('_');
-        }
-        self.taken.insert(name.clone());
-        name
-    }
-
-    fn is_taken(&self, name: &str) -> bool {
-        is_keyword(name)
-            || is_macro(name)
-            || self.taken.contains(name)
-            || match self.namespace {
-                Namespace::Struct => false,
-                Namespace::File => is_declared(name),
-                Namespace::Function => is_mathematics(name) || is_temporary(name),
-            }
-    }
-
-    /// Returns a beginning that no name of this place has, and none of the others.
-    pub(crate) fn unused_beginning<'a>(
-        &'a self,
-        wanted: &str,
-        others: impl Iterator<Item = &'a String> + Clone,
-    ) -> String {
-        let mut beginning = wanted.to_owned();
-        let names = self.taken.iter().chain(others);
-        while names.clone().any(|name| name.starts_with(&beginning)) {
-            beginning.push('x');
-        }
-        beginning
-    }
-}
-
-/// Returns the beginning of all names of a mechanism, which is also the name of its files.
-/// `constants` returns the names of its constants for a beginning.
-pub(crate) fn prefix(title: &str, constants: impl Fn(&str) -> Vec<String>) -> String {
-    let mut prefix = Names::new(Namespace::File, &[]).take(&snake(title));
-    while is_header(&prefix)
-        || is_declared(&prefix)
-        || constants(&prefix).iter().any(|name| is_macro(name))
-    {
-        prefix.push('_');
-    }
-    prefix
 }
 
 /// Programs call their values `v17`, and states `state_0`.
@@ -104,10 +51,6 @@ pub(crate) fn plain(name: &str) -> String {
         }
     }
     plain
-}
-
-fn snake(name: &str) -> String {
-    snake_letters(&plain(name))
 }
 
 /// `SliderCrank` as `slider_crank`, `RSSR` as `rssr`.

@@ -6,14 +6,15 @@ mod constants;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use linkage_compiler::ir::{CompiledMechanism, Coupled, PreparedTable};
+use linkage_compiler::ir::{CompiledMechanism, Coupled};
 use linkage_core::certificate::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE};
 use linkage_core::numeric::continuation::{Axis, CellLayout, NodeLayout, Terms};
+use linkage_export::{Declarations, PreparedStates, RefusalCause};
 use linkage_symbolic::program::Program;
 
 use crate::real::Real;
 use crate::states::{limit, look_up};
-use crate::surface::{Surface, Why};
+use crate::surface::Surface;
 use crate::template::fill;
 use crate::writer::{Writer, used, written};
 
@@ -28,13 +29,13 @@ struct Templates {
 /// Tables and steps of all coupled groups.
 pub(crate) fn items(writer: &mut Writer) {
     let surface = writer.surface;
-    for (number, coupled) in surface.unit.coupled.iter().enumerate() {
+    for (number, declared) in surface.declarations.coupled.iter().enumerate() {
+        let coupled = declared.group;
         for helper in ["nan", "select", "whole", "within", "min", "max"] {
             writer.printer.helpers.need(helper);
         }
-        let (text, words, templates) = match &coupled.start {
-            Some(PreparedTable::Table(table)) => {
-                let layout = table.layout();
+        let (text, words, templates) = match &declared.states {
+            Some(PreparedStates::Table(layout)) => {
                 let mut words = of_axis(surface.real, &layout.axis);
                 words.push(("OUTSIDE", surface.real.literal(CellLayout::OUTSIDE)));
                 words.push(("CELLS", layout.cells.len().to_string()));
@@ -46,10 +47,9 @@ pub(crate) fn items(writer: &mut Writer) {
                     table: include_str!("templates/table.c"),
                     state: include_str!("templates/table_state.c"),
                 };
-                (constants::table(surface, number, &layout), words, templates)
+                (constants::table(surface, number, layout), words, templates)
             }
-            Some(PreparedTable::Grid(grid)) => {
-                let layout = grid.layout();
+            Some(PreparedStates::Grid(layout)) => {
                 let axes = layout.axes.len();
                 let words = vec![
                     ("OUTSIDE", surface.real.literal(NodeLayout::OUTSIDE)),
@@ -67,7 +67,7 @@ pub(crate) fn items(writer: &mut Writer) {
                     table: include_str!("templates/grid.c"),
                     state: include_str!("templates/grid_state.c"),
                 };
-                (constants::grid(surface, number, &layout), words, templates)
+                (constants::grid(surface, number, layout), words, templates)
             }
             None => unreachable!("what is exported has been closed"),
         };
@@ -79,7 +79,12 @@ pub(crate) fn items(writer: &mut Writer) {
         };
         let filled = |template: &str| {
             let template = template.replace("_NUMBER", &format!("_{number}"));
-            fill(&template, surface.real, &surface.private, words) + "\n"
+            fill(
+                &template,
+                surface.real,
+                &surface.declarations.private,
+                words,
+            ) + "\n"
         };
         writer.text += &text;
         writer.text += filled(templates.value).trim_end_matches('\n');
@@ -93,8 +98,12 @@ pub(crate) fn items(writer: &mut Writer) {
 /// A Newton step of a coupled group from a state.
 fn correct(writer: &mut Writer, number: usize, program: &Program) {
     let Surface {
-        prefix,
-        private,
+        declarations:
+            Declarations {
+                name: prefix,
+                private,
+                ..
+            },
         real,
         ..
     } = writer.surface;
@@ -128,10 +137,10 @@ fn of_axis(real: Real, axis: &Axis) -> Vec<(&'static str, String)> {
 fn of_group(surface: &Surface, coupled: &Coupled, word: &str) -> Option<String> {
     let real = surface.real;
     Some(match word {
-        "MECHANISM" => surface.prefix.clone(),
+        "MECHANISM" => surface.declarations.name.clone(),
         "SIZE" => coupled.size.to_string(),
         "STEPPED" => (coupled.size + 2).to_string(),
-        "INPUTS" => surface.unit.inputs.len().to_string(),
+        "INPUTS" => surface.declarations.unit.inputs.len().to_string(),
         "STEPS" => STEPS_BESIDE.to_string(),
         "LIMIT" => limit(real),
         "FIRST" => real.literal(FIRST_CORRECTION),
@@ -154,9 +163,13 @@ pub(crate) fn deciding(unit: &CompiledMechanism) -> BTreeSet<usize> {
 pub(crate) fn served(writer: &mut Writer) {
     let surface = writer.surface;
     let Surface {
-        unit,
-        prefix,
-        private,
+        declarations:
+            Declarations {
+                unit,
+                name: prefix,
+                private,
+                ..
+            },
         real,
         ..
     } = surface;
@@ -165,7 +178,7 @@ pub(crate) fn served(writer: &mut Writer) {
     }
     let number = real.name();
     let checks = (0..unit.coupled.len()).map(|group| {
-        let code = surface.code(Why::TooFar(group));
+        let code = surface.code(RefusalCause::TooFar(group));
         format!("    if (!{private}serves_{group}(m, at)) return {code};\n")
     });
     let checks: String = checks.collect();

@@ -2,18 +2,19 @@
 
 use std::fmt::Write;
 
-use linkage_symbolic::count::Count;
+use linkage_export::{Declarations, FunctionDeclaration, MemberDeclaration, Renamed};
 
 use crate::comment::comment;
 use crate::preprocessor;
 use crate::range_check;
-use crate::surface::{Code, Evaluator, Surface, listed};
+use crate::surface::{API, Code, Evaluator, LOCAL, Surface};
 
 /// The text of the header.
 pub(crate) fn header(surface: &Surface) -> String {
     let Surface { title, real, .. } = surface;
     let guard = surface.constant("h");
-    let length = length_unit(surface);
+    let length = surface.declarations.length;
+    let length = length.map_or_else(String::new, |unit| format!(", lengths {unit}"));
     let first = format!(
         "{title}: its loops are closed by formulas. Written by linkage; not to be changed by hand."
     );
@@ -22,15 +23,16 @@ pub(crate) fn header(surface: &Surface) -> String {
          Not for -ffast-math, which takes it that there is no NaN. Numbers are rounded to nearest: assembling and functions need that mode.",
         real.name()
     );
-    let about = [&first[..], surface.unit.documentation.trim(), &last];
+    let about = [&first[..], surface.declarations.documentation, &last];
     let about = about.iter().filter(|entry| !entry.is_empty()).copied();
     let mut text = comment("", &about.collect::<Vec<_>>().join("\n"));
     let _ = write!(
         text,
         "#ifndef {guard}\n#define {guard}\n\n#include <float.h>\n#include <stddef.h>\n\n"
     );
-    text += &listed(&surface.renamed);
+    text += &listed(&surface.declarations.renamed);
     text += &preprocessor::of_header(surface);
+    text += &macros(surface);
     text += "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n";
     for entry in surface.vector_types() {
         text += &entry;
@@ -45,6 +47,14 @@ pub(crate) fn header(surface: &Surface) -> String {
          depends on the dimensions alone. 0, or why not: then `m` is of no use.",
     );
     let _ = writeln!(text, "{};\n", surface.assemble.signature);
+    text += &comment(
+        "",
+        &format!(
+            "The size of `{}` in bytes, for programs in other languages, which need not know its members.",
+            surface.declarations.name
+        ),
+    );
+    let _ = writeln!(text, "{};\n", surface.assembly_size.signature);
     text += &comment("", "What a number from assembling means, in words.");
     let _ = writeln!(text, "{};\n", surface.error.signature);
     text += &comment(
@@ -53,20 +63,31 @@ pub(crate) fn header(surface: &Surface) -> String {
     );
     let _ = writeln!(text, "{};\n", surface.ok.signature);
     text += &range_check::declared(surface);
-    for function in &surface.functions {
-        text += &evaluator(surface, function);
+    let functions = surface.declarations.functions.iter();
+    for (function, signatures) in functions.zip(&surface.functions) {
+        text += &evaluator(function, signatures);
     }
     let _ = write!(text, "#ifdef __cplusplus\n}}\n#endif\n\n#endif\n");
     text
 }
 
-/// `, lengths mm`, if there is one unit of length.
-fn length_unit(surface: &Surface) -> String {
-    let unknowns = surface.unit.unknowns.iter();
-    let mut lengths = unknowns.filter(|unknown| !unknown.is_number && !unknown.unit.is_empty());
-    lengths
-        .next()
-        .map_or_else(String::new, |entry| format!(", lengths {}", entry.unit))
+/// Returns the macros that users may define before they include the header.
+fn macros(surface: &Surface) -> String {
+    let all = [
+        (
+            API,
+            "Before each function of this header: nothing, static inline, __device__, a visibility.",
+        ),
+        (
+            LOCAL,
+            "Before each function and table of the source alone, after static: nothing, __device__.",
+        ),
+    ];
+    let all = all.map(|(end, about)| {
+        let name = surface.constant(end);
+        comment("", about) + &format!("#ifndef {name}\n#define {name}\n#endif\n")
+    });
+    all.concat() + "\n"
 }
 
 fn dimensions(surface: &Surface) -> String {
@@ -77,21 +98,18 @@ fn dimensions(surface: &Surface) -> String {
         &format!("The dimensions; `{name} d = {defaults};` are those of the declaration."),
     );
     let _ = writeln!(text, "typedef struct {name} {{");
-    for dimension in &surface.dimensions {
-        let declared = surface.declared(&dimension.name, &dimension.shape);
-        text += &member(dimension.documentation, &declared, &dimension.note);
+    for dimension in &surface.declarations.dimensions {
+        text += &member(&dimension.member);
     }
     // A struct of nothing is not C.
-    if surface.dimensions.is_empty() {
+    if surface.declarations.dimensions.is_empty() {
         text += "    char nothing;\n";
     }
     let _ = writeln!(text, "}} {name};\n");
-    let values = surface.dimensions.iter().map(|dimension| {
-        let numbers: Vec<String> = dimension
-            .values
-            .iter()
-            .map(|x| surface.real.literal(*x))
-            .collect();
+    let values = surface.declarations.dimensions.iter().map(|dimension| {
+        let numbers = dimension.scalars.iter();
+        let numbers = numbers.map(|scalar| surface.real.literal(scalar.nominal));
+        let numbers: Vec<String> = numbers.collect();
         match &numbers[..] {
             [one] => one.clone(),
             several => format!("{{ {} }}", several.join(", ")),
@@ -109,10 +127,11 @@ fn dimensions(surface: &Surface) -> String {
 
 fn assembled(surface: &Surface) -> String {
     let Surface {
-        prefix,
+        declarations: Declarations {
+            name: prefix, unit, ..
+        },
         real,
         dimensions_type,
-        unit,
         ..
     } = surface;
     let number = real.name();
@@ -153,30 +172,30 @@ fn codes(surface: &Surface) -> String {
     text + "\n};\n\n"
 }
 
-fn evaluator(surface: &Surface, evaluator: &Evaluator) -> String {
+fn evaluator(function: &FunctionDeclaration, evaluator: &Evaluator) -> String {
     let Evaluator {
-        declared, result, ..
+        declared,
+        result,
+        sweep,
     } = evaluator;
     let mut text = format!("typedef struct {result} {{\n");
-    for field in &evaluator.fields {
-        let declared = surface.declared(&field.name, &field.shape);
-        text += &member(field.documentation, &declared, &field.note);
+    for field in &function.fields {
+        text += &member(field);
     }
-    if evaluator.fields.is_empty() {
+    if function.fields.is_empty() {
         text += "    char nothing;\n";
     }
     let _ = writeln!(text, "}} {result};\n");
-    let notes = evaluator.arguments.iter().zip(&evaluator.argument_notes);
-    let notes: Vec<String> = notes
-        .map(|(name, note)| format!("{name}: {note}."))
-        .collect();
+    let arguments = function.arguments.iter();
+    let notes = arguments.map(|argument| format!("{}: {}.", argument.name, argument.note));
     let about = [
-        evaluator.function.documentation.clone(),
-        cost(&evaluator.function.called.count),
+        function.function.documentation.clone(),
+        function.cost.clone(),
     ];
-    text += &comment("", &[&about, &notes[..]].concat().join("\n"));
+    let about: Vec<String> = about.into_iter().chain(notes).collect();
+    text += &comment("", &about.join("\n"));
     let _ = writeln!(text, "{};\n", declared.signature);
-    if let Some(sweep) = &evaluator.sweep {
+    if let Some(sweep) = sweep {
         text += &comment("", "The same at `count` positions.");
         let _ = writeln!(text, "{};\n", sweep.signature);
     }
@@ -184,34 +203,26 @@ fn evaluator(surface: &Surface, evaluator: &Evaluator) -> String {
 }
 
 /// Returns a member of a struct, after the user's documentation of it.
-fn member(documentation: &str, declared: &str, note: &str) -> String {
-    let about = match documentation.trim().is_empty() {
+fn member(member: &MemberDeclaration) -> String {
+    let about = match member.documentation.trim().is_empty() {
         true => String::new(),
-        false => comment("    ", documentation),
+        false => comment("    ", member.documentation),
     };
-    about + &format!("    {declared}; {}", comment("", note))
+    about + &format!("    {}; {}", member.declaration, comment("", &member.note))
 }
 
-/// `12 additions, 20 multiplications, 1 root.`
-fn cost(count: &Count) -> String {
-    let kinds = [
-        (count.add, "addition"),
-        (count.mul, "multiplication"),
-        (count.div, "division"),
-        (count.sqrt, "root"),
-        (count.sin_cos, "sine and cosine"),
-        (count.atan2, "arc tangent"),
-        (count.other, "other operation"),
-    ];
-    let words = kinds.iter().filter(|(count, _)| *count > 0);
-    let words = words.map(|(count, word)| match (count, *word) {
-        (1, word) => format!("1 {word}"),
-        (count, "sine and cosine") => format!("{count} sines and cosines"),
-        (count, word) => format!("{count} {word}s"),
-    });
-    let words: Vec<String> = words.collect();
-    match words.is_empty() {
-        true => "No operation at all.".to_owned(),
-        false => words.join(", ") + ".",
+/// Returns a comment with the names that have another form; nothing if there is none.
+fn listed(all: &[Renamed]) -> String {
+    if all.is_empty() {
+        return String::new();
     }
+    let lines = all.iter().map(|item| item.to_string().replace('`', ""));
+    let lines: Vec<String> = lines.collect();
+    comment(
+        "",
+        &format!(
+            "Names of the declaration that C, C++, their libraries or this file have themselves, or whose letters C does not know:\n{}.",
+            lines.join(",\n")
+        ),
+    ) + "\n"
 }

@@ -33,10 +33,8 @@
 mod arithmetic;
 mod assemble;
 mod c_names;
-mod clash;
 mod comment;
 mod coupled;
-mod error;
 mod evaluator;
 mod header;
 mod operations;
@@ -51,10 +49,10 @@ mod winding;
 mod writer;
 
 use linkage_compiler::ir::{CompiledMechanism, Coupled};
+use linkage_export::print_all;
+pub use linkage_export::{Refused, Renamed};
 
-pub use error::Refused;
 pub use real::Real;
-pub use surface::Renamed;
 
 /// A mechanism as C.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -93,14 +91,7 @@ pub fn all_sources(
     mechanisms: &[(&str, &CompiledMechanism)],
     real: Real,
 ) -> Result<Vec<Sources>, Refused> {
-    let exported = mechanisms
-        .iter()
-        .map(|(name, unit)| exported(name, unit, real));
-    let (sources, names): (Vec<Sources>, Vec<Vec<String>>) =
-        exported.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
-    let titles = mechanisms.iter().map(|(name, _)| *name);
-    clash::check(titles.zip(names))?;
-    Ok(sources)
+    print_all("C", mechanisms, |name, unit| exported(name, unit, real))
 }
 
 /// The files of a mechanism, and the names that they give to other files.
@@ -113,21 +104,19 @@ fn exported(
     let without = |group: &&Coupled| group.inputs.is_empty() || group.start.is_none();
     if let Some(found) = coupled.find(without) {
         let group = &unit.groups[found.group];
-        return Err(Refused {
-            message: format!(
-                "{name}: {} are solved together without a closed form and depend on no input; exported C has such groups over inputs only, a \
+        return Err(Refused::new(format!(
+            "{name}: {} are solved together without a closed form and depend on no input; exported C has such groups over inputs only, a \
                  limit of ours. Turn a dimension into an input",
-                group.unknowns.join(", ")
-            ),
-        });
+            group.unknowns.join(", ")
+        )));
     }
     let surface = surface::surface(name, unit, real);
     let names = surface.names();
     let sources = Sources {
         header: header::header(&surface),
         source: source::source(&surface),
-        name: surface.prefix,
-        renamed: surface.renamed,
+        name: surface.declarations.name.clone(),
+        renamed: surface.declarations.renamed.clone(),
     };
     Ok((sources, names))
 }

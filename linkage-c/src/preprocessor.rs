@@ -1,5 +1,7 @@
 //! Errors of the preprocessor in files that include the header, and in the source.
 
+use linkage_export::Declarations;
+
 use crate::real::Real;
 use crate::surface::{FINITE_MATH, Surface};
 
@@ -10,7 +12,7 @@ const IS_FINITE: &str = "defined __FAST_MATH__ || (defined __FINITE_MATH_ONLY__ 
 /// The checks of the header, which also hold for the files of its users.
 pub(crate) fn of_header(surface: &Surface) -> String {
     let Surface {
-        prefix,
+        declarations: Declarations { name: prefix, .. },
         real,
         ok,
         constants,
@@ -24,19 +26,19 @@ pub(crate) fn of_header(surface: &Surface) -> String {
         ok.name
     );
     let (type_digits, digits) = match real {
-        Real::Double => ("DBL_MANT_DIG", 53),
+        Real::Double | Real::Fused => ("DBL_MANT_DIG", 53),
         Real::Single => ("FLT_MANT_DIG", 24),
     };
     let number = real.name();
     let advice = match real {
-        Real::Double => {
+        Real::Double | Real::Fused => {
             "This file needs 53, and a double has fewer on AVR, for one: write it by linkage c --scalar float."
         }
         Real::Single => "This file needs 24.",
     };
     let exact = match real {
         // A number of 25 digits.
-        Real::Double => format!(
+        Real::Double | Real::Fused => format!(
             "#else\n/* A constant that a float does not hold. */\n\
              typedef char {constants}[(long)16777217.0 == 16777217L ? 1 : -1];\n"
         ),
@@ -51,7 +53,7 @@ pub(crate) fn of_header(surface: &Surface) -> String {
 /// The checks of the source.
 pub(crate) fn of_source(real: Real) -> String {
     let format = match real {
-        Real::Double => {
+        Real::Double | Real::Fused => {
             "#if defined FLT_EVAL_METHOD && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2)\n\
              #error \"Doubles must not be computed with more digits than they have: for an x86 of 32 bits, say -msse2 -mfpmath=sse.\"\n#endif\n"
         }
@@ -62,11 +64,18 @@ pub(crate) fn of_source(real: Real) -> String {
              #error \"Floats must not be computed with more digits than they have: for an x86 of 32 bits, say -msse2 -mfpmath=sse.\"\n#endif\n"
         }
     };
+    let fused = match real {
+        Real::Fused => {
+            "#if !(defined __FP_FAST_FMA || defined __FMA__ || defined __ARM_FEATURE_FMA)\n\
+             #error \"The sines of this file need fused multiply-adds: compile for a processor that has them, as by -mfma, or export with --scalar double.\"\n#endif\n"
+        }
+        Real::Double | Real::Single => "",
+    };
     format!(
         "#if {IS_FINITE}\n\
          #error \"NaN says that a position does not exist, and -ffast-math and -ffinite-math-only take it that there is none. Compile this file without them; only files that include its header may have them.\"\n#endif\n\
          #ifdef __ASSOCIATIVE_MATH__\n\
          #error \"Sums must be computed in their order: compile without -funsafe-math-optimizations and -fassociative-math.\"\n#endif\n\
-         {format}\n"
+         {fused}{format}\n"
     )
 }

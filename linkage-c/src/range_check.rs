@@ -4,10 +4,11 @@ use std::fmt::Write;
 
 use linkage_compiler::ir::Group;
 use linkage_core::range_check::{AT_END, DEAD, END, ROUNDING, Slack, samples};
+use linkage_export::Declarations;
 
 use crate::comment::comment;
 use crate::real::Real;
-use crate::surface::{KINDS, OFF, RangeNames, Surface};
+use crate::surface::{API, KINDS, OFF, RangeNames, Surface};
 use crate::template::fill;
 use crate::writer::Writer;
 
@@ -24,7 +25,7 @@ struct Criteria {
 impl Criteria {
     fn for_real(real: Real) -> Self {
         match real {
-            Real::Double => Self {
+            Real::Double | Real::Fused => Self {
                 dead: DEAD,
                 rounding: ROUNDING,
                 end: END,
@@ -45,8 +46,8 @@ impl Criteria {
 /// Type, constants and function in the header.
 pub(crate) fn declared(surface: &Surface) -> String {
     let Surface {
+        declarations: Declarations { unit, .. },
         real,
-        unit,
         range: RangeNames {
             check_range,
             finding,
@@ -105,9 +106,13 @@ pub(crate) fn declared(surface: &Surface) -> String {
 pub(crate) fn items(writer: &mut Writer) {
     let surface = writer.surface;
     let Surface {
-        unit,
-        prefix,
-        private,
+        declarations:
+            Declarations {
+                unit,
+                name: prefix,
+                private,
+                ..
+            },
         real,
         range: RangeNames {
             check_range,
@@ -145,6 +150,7 @@ pub(crate) fn items(writer: &mut Writer) {
     let text = fill(include_str!("templates/range.c"), *real, private, |word| {
         Some(match word {
             "MECHANISM" => prefix.clone(),
+            "API" => surface.constant(API),
             "CHECK" => check_range.name.clone(),
             "FINDING" => finding.clone(),
             "GROUPS" => unit.groups.len().to_string(),
@@ -165,7 +171,7 @@ pub(crate) fn items(writer: &mut Writer) {
             "END" => real.literal(criteria.end),
             "AT_END" => real.literal(criteria.at_end),
             "LARGEST" => match real {
-                Real::Double => "DBL_MAX".to_owned(),
+                Real::Double | Real::Fused => "DBL_MAX".to_owned(),
                 Real::Single => "FLT_MAX".to_owned(),
             },
             kind if KINDS.contains(&kind) => surface.kind(kind),

@@ -8,6 +8,9 @@ pub enum Real {
     /// `double`
     #[default]
     Double,
+    /// `double` with fused multiply-adds, for processors that have them: sines come from a table of
+    /// 4 KB, as those of single calls of generated Rust do, in fewer operations.
+    Fused,
     /// `float`, for processors that have no doubles.
     Single,
 }
@@ -16,7 +19,7 @@ impl Real {
     /// Its name in C.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Double => "double",
+            Self::Double | Self::Fused => "double",
             Self::Single => "float",
         }
     }
@@ -24,7 +27,7 @@ impl Real {
     /// A number with the fewest digits that C reads back as the nearest number of this type.
     pub(crate) fn literal(self, x: f64) -> String {
         let (text, none) = match self {
-            Self::Double => (format!("{x:?}"), !x.is_finite()),
+            Self::Double | Self::Fused => (format!("{x:?}"), !x.is_finite()),
             Self::Single => {
                 let single = x as f32;
                 (format!("{single:?}f"), !single.is_finite())
@@ -44,7 +47,7 @@ impl Real {
 
     /// Returns the text for a name in a template; `None` for a name that stays as it is written.
     pub(crate) fn template_word(self, word: &str) -> Option<String> {
-        let double = self == Self::Double;
+        let double = self != Self::Single;
         let bits = |double_bits: u64, single_bits: u32| match double {
             true => format!("0x{double_bits:016x}u"),
             false => format!("0x{single_bits:08x}u"),
@@ -86,6 +89,8 @@ impl Real {
             "RIGHT_SECOND" => number(0x3e74_442d_0000_0000, 0xb695_7800),
             "RIGHT_THIRD" => number(0x3cf8_4698_98cc_0000, 0x2e85_a400),
             "RIGHT_FOURTH" => number(0x3a94_5c06_e0e6_8948, 0xa6f7_2ced),
+            // The bits of 2^30, from where on an angle has no sine.
+            "SINE_END_BITS" => bits(0x41d0_0000_0000_0000, 0x4e80_0000),
             // Times this, angles without a sine become infinite.
             "SINE_LIMIT" => number(0x7e10_0000_0000_0000, 0x7580_0000),
             // See `linkage_core::numeric::winding`: remainders that serve inputs a little outside
@@ -110,7 +115,7 @@ impl Real {
     /// The distance from 1 to the next number.
     pub(crate) fn roundoff(self) -> f64 {
         match self {
-            Self::Double => f64::EPSILON,
+            Self::Double | Self::Fused => f64::EPSILON,
             Self::Single => f64::from(f32::EPSILON),
         }
     }

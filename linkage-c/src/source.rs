@@ -7,10 +7,10 @@ use crate::assemble;
 use crate::comment::comment;
 use crate::coupled;
 use crate::evaluator::evaluator;
-use crate::operations::{Helpers, Printer};
+use crate::operations::{Printer, helper_text, helpers};
 use crate::preprocessor;
 use crate::range_check;
-use crate::surface::Surface;
+use crate::surface::{LOCAL, Surface};
 use crate::winding;
 use crate::writer::Writer;
 
@@ -20,23 +20,30 @@ pub(crate) fn source(surface: &Surface) -> String {
         surface,
         printer: Printer {
             real: surface.real,
-            private: &surface.private,
-            helpers: Helpers::new(surface.real),
+            private: &surface.declarations.private,
+            helpers: helpers(surface.real),
         },
         text: String::new(),
     };
     plumbing(&mut writer);
     assemble::assemble(&mut writer);
+    assemble::assembly_size(&mut writer);
     assemble::error(&mut writer);
     ok(&mut writer);
     range_check::items(&mut writer);
-    for function in &surface.functions {
-        evaluator(&mut writer, function);
+    let functions = surface.declarations.functions.iter();
+    for (function, signatures) in functions.zip(&surface.functions) {
+        evaluator(&mut writer, function, signatures);
     }
     let Writer { printer, text, .. } = writer;
-    let helpers = printer.helpers.text(&surface.private);
+    let private = &surface.declarations.private;
+    let helpers = helper_text(&printer.helpers, surface.real, private);
     let arithmetic = arithmetic(surface, &printer.helpers);
-    head(surface) + &helpers + "\n" + &arithmetic + &text
+    let text = head(surface) + &helpers + "\n" + &arithmetic + &text;
+    text.replace(
+        "\nstatic ",
+        &format!("\nstatic {} ", surface.constant(LOCAL)),
+    )
 }
 
 /// The programs behind assembling.
@@ -55,13 +62,13 @@ fn head(surface: &Surface) -> String {
         "",
         &format!(
             "{}: see {}.h. Written by linkage; not to be changed by hand.",
-            surface.title, surface.prefix
+            surface.title, surface.declarations.name
         ),
     );
     let _ = write!(
         text,
         "#include \"{}.h\"\n\n#include <float.h>\n#include <math.h>\n#include <stdint.h>\n\n{}",
-        surface.prefix,
+        surface.declarations.name,
         preprocessor::of_source(surface.real)
     );
     text

@@ -11,7 +11,7 @@ use crate::surface::Surface;
 /// The largest correction of a state from a table that is trusted.
 pub(crate) fn limit(real: Real) -> String {
     real.literal(match real {
-        Real::Double => f64::CORRECTION_LIMIT,
+        Real::Double | Real::Fused => f64::CORRECTION_LIMIT,
         Real::Single => f32::CORRECTION_LIMIT,
     })
 }
@@ -34,8 +34,8 @@ pub(crate) fn look_up(
         .collect();
     let number = surface.real.name();
     let all = groups.iter().map(|&group| {
-        let size = surface.unit.coupled[group].size;
-        let private = &surface.private;
+        let size = surface.declarations.unit.coupled[group].size;
+        let private = &surface.declarations.private;
         (
             format!("    {number} state_{group}[{}];\n", size + 1),
             format!("    {private}state_{group}(m, {inputs}, state_{group});\n"),

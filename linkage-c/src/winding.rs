@@ -3,17 +3,16 @@
 
 use std::fmt::Write;
 
-use linkage_compiler::ir::CompiledMechanism;
+use linkage_export::{Declarations, RefusalCause};
 
-use crate::surface::{Surface, Why};
+use crate::surface::Surface;
 use crate::template::fill;
 use crate::writer::{Writer, used, written};
 
 /// The type of the turns of all angles; nothing if no angle counts them.
 pub(crate) fn turns_type(surface: &Surface) -> String {
     let Surface {
-        unit,
-        private,
+        declarations: Declarations { unit, private, .. },
         real,
         ..
     } = surface;
@@ -31,7 +30,7 @@ pub(crate) fn turns_type(surface: &Surface) -> String {
 /// Writes the functions that find the turns; nothing if no angle counts them.
 pub(crate) fn items(writer: &mut Writer) {
     let surface = writer.surface;
-    let unit = surface.unit;
+    let unit = surface.declarations.unit;
     if unit.angles.is_empty() {
         return;
     }
@@ -49,12 +48,12 @@ pub(crate) fn items(writer: &mut Writer) {
     let rates = unit.inputs.iter().map(|input| input.rates.len()).max();
     let number = |word: &str| {
         Some(match word {
-            "MECHANISM" => surface.prefix.clone(),
+            "MECHANISM" => surface.declarations.name.clone(),
             "DIRECTIONS" => (2 * unit.angles.len()).to_string(),
             "BEARINGS" => unit.bearings.outputs.len().max(1).to_string(),
             "ANGLES" => unit.angles.len().to_string(),
             "INPUTS" => unit.inputs.len().max(1).to_string(),
-            "NO_TURNS" => surface.code(Why::NoTurns(0)).to_string(),
+            "NO_TURNS" => surface.code(RefusalCause::NoTurns(0)).to_string(),
             "RATES" => rates.unwrap_or(0).max(1).to_string(),
             _ => return None,
         })
@@ -63,7 +62,12 @@ pub(crate) fn items(writer: &mut Writer) {
         include_str!("templates/follow.c"),
         include_str!("templates/wind.c"),
     ] {
-        writer.text += &fill(template, surface.real, &surface.private, number);
+        writer.text += &fill(
+            template,
+            surface.real,
+            &surface.declarations.private,
+            number,
+        );
         writer.text.push('\n');
     }
 }
@@ -71,9 +75,13 @@ pub(crate) fn items(writer: &mut Writer) {
 /// The vectors of all angles, where all inputs are 0.
 fn bearings(writer: &mut Writer) {
     let surface = writer.surface;
-    let printed = writer.printed(&surface.unit.bearings);
+    let printed = writer.printed(&surface.declarations.unit.bearings);
     let body = used(&["m", "out"], written(&printed));
-    let (private, prefix, real) = (&surface.private, &surface.prefix, surface.real.name());
+    let (private, prefix, real) = (
+        &surface.declarations.private,
+        &surface.declarations.name,
+        surface.real.name(),
+    );
     writer.text += "/* The vectors that angles are found from, where all inputs are 0. */\n";
     let _ = writeln!(
         writer.text,
@@ -84,49 +92,40 @@ fn bearings(writer: &mut Writer) {
 /// Returns the tables of facts about each angle.
 fn tables(surface: &Surface) -> String {
     let Surface {
-        unit,
-        private,
+        declarations:
+            Declarations {
+                unit,
+                private,
+                angles,
+                ..
+            },
         real,
         ..
     } = surface;
     let name = real.name();
-    let numbers = |all: &mut dyn Iterator<Item = f64>| list(all.map(|x| real.literal(x)), "0");
-    let estimates = numbers(&mut unit.angles.iter().map(|angle| angle.estimate));
-    let phases = unit.angles.iter().flat_map(|entry| &entry.phases);
-    let turning = list(
-        phases
-            .clone()
-            .map(|phase| u8::from(phase.turns.is_some()).to_string()),
-        "0",
-    );
+    let numbers = |all: &[f64]| list(all.iter().map(|x| real.literal(*x)), "0");
+    let indices = |all: &[usize]| list(all.iter().map(usize::to_string), "0");
+    let estimates = numbers(&angles.estimates);
+    let phases = angles.phase_turns.iter();
+    let turning = phases
+        .clone()
+        .map(|turns| u8::from(turns.is_some()).to_string());
+    let turning = list(turning, "0");
     let inputs = unit.inputs.len().max(1);
-    let turns = phases.map(|item| {
-        let none = vec![0.0; inputs];
-        let turns = item.turns.as_ref().unwrap_or(&none);
-        list(turns.iter().map(|x| real.literal(*x)), "0")
-    });
+    let none = vec![0.0; inputs];
+    let turns = phases.map(|turns| numbers(turns.as_ref().unwrap_or(&none)));
     let turns = list(turns, "{ 0 }");
-    let first_phase = list(firsts(unit, |k| unit.angles[k].phases.len()), "0");
-    let first_along = list(firsts(unit, |k| unit.angles[k].inputs.len()), "0");
-    let first_rate = |input: usize| -> usize {
-        let before = unit.inputs[..input].iter();
-        before.map(|other| other.rates.len()).sum()
-    };
-    let along = unit
-        .angles
-        .iter()
-        .flat_map(|angle| &angle.inputs)
-        .map(|&input| {
-            let (low, high) = unit.inputs[input].followed;
-            let (low, high) = (real.literal(low), real.literal(high));
-            let rates = unit.inputs[input].rates.len();
-            format!(
-                "{{ {input}, {low}, {high}, {}, {rates} }}",
-                first_rate(input)
-            )
-        });
+    let first_phase = indices(&angles.first_phase);
+    let first_along = indices(&angles.first_along);
+    let along = angles.along.iter().map(|along| {
+        let (low, high) = (real.literal(along.low), real.literal(along.high));
+        format!(
+            "{{ {}, {low}, {high}, {}, {} }}",
+            along.input, along.first_rate, along.rates
+        )
+    });
     let along = list(along, "{ 0, 0, 0, 0, 0 }");
-    let rates = numbers(&mut unit.inputs.iter().flat_map(|input| input.rates.clone()));
+    let rates = numbers(&angles.rates);
     format!(
         "/* For each angle: its value at the reference, about; its vectors, whether they turn with the inputs alone, and how often; the inputs that it is\n   \
          followed along, over which range, and which rates are tried. */\n\
@@ -139,20 +138,6 @@ fn tables(surface: &Surface) -> String {
          static const {private}along {private}all_along[] = {along};\n\
          static const {name} {private}rates[] = {rates};\n\n"
     )
-}
-
-/// Returns the index of the first entry of each angle, and the end of all.
-fn firsts(
-    unit: &CompiledMechanism,
-    count: impl Fn(usize) -> usize,
-) -> impl Iterator<Item = String> {
-    let mut first = 0;
-    let mut firsts = vec![0];
-    for angle in 0..unit.angles.len() {
-        first += count(angle);
-        firsts.push(first);
-    }
-    firsts.into_iter().map(|entry| entry.to_string())
 }
 
 /// An initializer; an array of nothing is not C.

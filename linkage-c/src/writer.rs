@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use linkage_export::Declarations;
 use linkage_symbolic::program::{Program, Source};
 
 use crate::comment::comment;
@@ -20,8 +21,12 @@ impl Writer<'_> {
     /// A program as a function of all inputs, `x`, that writes its results to `out`.
     pub(crate) fn plain(&mut self, name: &str, program: &Program, note: &str) {
         let Surface {
-            prefix,
-            private,
+            declarations:
+                Declarations {
+                    name: prefix,
+                    private,
+                    ..
+                },
             real,
             ..
         } = self.surface;
@@ -74,9 +79,11 @@ pub(crate) fn used(parameters: &[&str], body: String) -> String {
 /// Returns the expression of a number that is no input.
 pub(crate) fn source_expression(surface: &Surface, source: Source) -> String {
     match source {
-        Source::Parameter(index) => format!("m->dimensions.{}", surface.scalars[index]),
+        Source::Parameter(index) => {
+            format!("m->dimensions.{}", surface.declarations.scalars[index])
+        }
         Source::Mode(index) => {
-            let plus = surface.unit.modes()[index];
+            let plus = surface.declarations.unit.modes()[index];
             surface.real.literal(if plus { 1.0 } else { -1.0 })
         }
         Source::Centre(angle) => format!("turns->centre[{angle}]"),

@@ -20,6 +20,7 @@ mod range;
 mod replaced;
 mod running_input;
 mod rust;
+mod st;
 mod sweep;
 mod table;
 mod terminal;
@@ -65,6 +66,8 @@ enum Command {
     Js(js::Options),
     /// The Rust code that the macro makes of the mechanisms, as a module
     Rust(rust::Options),
+    /// Structured text for programmable controllers
+    St(st::Options),
 }
 
 /// Runs the command in the arguments of the process: exit status 0, 1 for bad input, 2 for wrong
@@ -90,6 +93,7 @@ pub fn run() -> ExitCode {
         Command::C(options) => c::run(options),
         Command::Js(options) => js::run(options),
         Command::Rust(options) => rust::run(options),
+        Command::St(options) => st::run(options),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -10,6 +10,8 @@ mod multiply;
 mod sin_cos;
 mod sin_cos_single;
 
+pub use sin_cos::directions;
+
 /// The functions of `f64`.
 pub(crate) mod double {
     pub(crate) use super::atan2::double as atan2;

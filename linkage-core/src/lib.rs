@@ -34,6 +34,9 @@ pub mod range_check;
 mod scalar;
 mod survey;
 
+#[cfg(any(feature = "std", feature = "libm"))]
+#[doc(hidden)]
+pub use elementary::directions;
 pub use meaning::Meaning;
 pub use picture::{
     Axis, Drive, DriveOn, Gear, Guide, GuideOn, GuideShape, JointShape, Picture, PictureJoint,

@@ -3,7 +3,7 @@
 use linkage_runtime::support::{Chosen, CoupledGroup, Levels, Searched, circuits};
 use linkage_runtime::{AssemblyError, Circuits};
 
-use crate::assembly::Assembly;
+use crate::assembled::{Assembly, assembled, surveyor, with_starts};
 use crate::coupled::Programs;
 use crate::mechanism::Mechanism;
 
@@ -14,36 +14,32 @@ struct CircuitSearch<'m> {
     searched: Searched,
 }
 
-impl Mechanism {
-    /// Every assembly over the range of the input; `None` for a mechanism without groups or with
-    /// another number of inputs than one.
-    ///
-    /// # Errors
-    ///
-    /// As the method `circuits` of the macro's struct.
-    pub fn circuits<'m>(
-        &'m self,
-        dimensions: &'m [f64],
-    ) -> Option<Result<Circuits<Assembly<'m>>, AssemblyError>> {
-        let ([input], false) = (&self.compiled.inputs[..], self.compiled.groups.is_empty()) else {
-            return None;
-        };
-        let searched = Searched {
-            name: self.name,
-            input: self.inputs[0].name,
-            reference: input.reference,
-            levels: self.levels,
-            unknowns: self.surveyed,
-            modes: self.modes().len(),
-            coupled: self.groups.len(),
-        };
-        let search = CircuitSearch {
-            mechanism: self,
-            dimensions,
-            searched,
-        };
-        Some(circuits(&search, &input.cycle()))
-    }
+/// Every assembly over the range of the input; `None` where there is nothing to search.
+pub(crate) fn circuits_of<'m>(
+    mechanism: &'m Mechanism,
+    dimensions: &'m [f64],
+) -> Option<Result<Circuits<Assembly<'m>>, AssemblyError>> {
+    let ([input], false) = (
+        &mechanism.compiled.inputs[..],
+        mechanism.compiled.groups.is_empty(),
+    ) else {
+        return None;
+    };
+    let searched = Searched {
+        name: mechanism.name,
+        input: mechanism.inputs[0].name,
+        reference: input.reference,
+        levels: mechanism.levels,
+        unknowns: mechanism.surveyed,
+        modes: mechanism.modes().len(),
+        coupled: mechanism.groups.len(),
+    };
+    let search = CircuitSearch {
+        mechanism,
+        dimensions,
+        searched,
+    };
+    Some(circuits(&search, &input.cycle()))
 }
 
 impl<'m> Levels for CircuitSearch<'m> {
@@ -57,8 +53,7 @@ impl<'m> Levels for CircuitSearch<'m> {
 
     fn surveyor(&self, chosen: &Chosen, at: f64) -> Assembly<'m> {
         let Chosen { modes, starts } = chosen.clone();
-        self.mechanism
-            .surveyor(self.dimensions, modes, starts, &[at])
+        surveyor(self.mechanism, self.dimensions, modes, starts, &[at])
     }
 
     fn survey(&self, assembly: &Assembly<'m>, at: f64) -> Vec<f64> {
@@ -68,10 +63,8 @@ impl<'m> Levels for CircuitSearch<'m> {
     fn assembled(&self, chosen: &Chosen, at: f64) -> Result<Assembly<'m>, AssemblyError> {
         let Chosen { modes, starts } = chosen.clone();
         match self.mechanism.groups.is_empty() {
-            true => self.mechanism.assembled(self.dimensions, modes, &[at]),
-            false => self
-                .mechanism
-                .with_starts(self.dimensions, modes, &[at], starts),
+            true => assembled(self.mechanism, self.dimensions, modes, &[at]),
+            false => with_starts(self.mechanism, self.dimensions, modes, &[at], starts),
         }
     }
 

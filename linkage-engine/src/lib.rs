@@ -11,7 +11,8 @@
 //! | to | call |
 //! |---|---|
 //! | compile a text | [`Mechanism::compile`], [`compile`] for several mechanisms |
-//! | close the loops | [`Mechanism::assemble`], [`Mechanism::assemblies`], [`Mechanism::assemble_from`] |
+//! | close the loops | [`Mechanism::assemble`], [`Mechanism::assemblies`] |
+//! | keep an assembly of other dimensions | [`Mechanism::assemble_from`] |
 //! | search the range of the input | [`Mechanism::circuits`], [`Assembly::check_range`] |
 //! | compute one position | [`Assembly::call`] |
 //! | compute many positions | [`Assembly::sweep`], [`Assembly::sweep_parallel_into`] |
@@ -29,25 +30,26 @@
 #[doc = include_str!("../../docs/engine.md")]
 mod page {}
 
-mod assembly;
+mod assembled;
 mod circuits;
 mod columns;
-mod continuation;
 mod coupled;
 mod error;
+mod kinematics;
 mod mechanism;
 mod messages;
 mod normal;
 mod numbers;
 mod operations;
+mod other_dimensions;
 mod range_check;
 mod revolutions;
 mod source;
 mod sweep;
-mod tolerance;
+mod tolerance_effects;
 mod winding;
 
-pub use assembly::Assembly;
+pub use assembled::Assembly;
 pub use columns::Columns;
 pub use error::{CompileError, SourceError, ToleranceError, UnknownFunction};
 pub use linkage_runtime::{
@@ -58,4 +60,4 @@ pub use mechanism::{Mechanism, compile};
 pub use messages::{rendered, rendered_warning};
 pub use normal::normal_form;
 pub use source::{MechanismCall, Source};
-pub use tolerance::{SensitiveQuantity, ToleranceEffects};
+pub use tolerance_effects::{SensitiveQuantity, ToleranceEffects};

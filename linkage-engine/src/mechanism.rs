@@ -78,7 +78,8 @@ impl Mechanism {
     /// ```
     /// use linkage_engine::Mechanism;
     ///
-    /// let error = Mechanism::compile("pub struct Crank { unit mm; param r = 30parsec; }").unwrap_err();
+    /// let text = "pub struct Crank { unit mm; param r = 30parsec; }";
+    /// let error = Mechanism::compile(text).unwrap_err();
     /// assert!(error.to_string().starts_with("error: "), "{error}");
     /// ```
     pub fn compile(text: &str) -> Result<Self, CompileError> {

@@ -3,7 +3,7 @@
 use linkage_runtime::RangeReport;
 use linkage_runtime::support::{Ranged, check_range};
 
-use crate::assembly::Assembly;
+use crate::assembled::Assembly;
 
 impl Assembly<'_> {
     /// Checks the declared range. A mechanism without groups has no findings.

@@ -10,7 +10,7 @@ use proc_macro2::{LexError, TokenStream, TokenTree};
 use crate::error::SourceError;
 use crate::normal::normalised;
 
-/// A text and the mechanisms in it: what stands between the braces of `mechanism! { ... }`, one or
+/// A text and the mechanisms in it: the text between the braces of `mechanism! { ... }`, one or
 /// several mechanisms, or a Rust file with calls of that macro.
 #[derive(Clone, Debug)]
 pub struct Source {

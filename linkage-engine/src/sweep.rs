@@ -1,6 +1,6 @@
 //! Functions at many positions, and of many mechanisms.
 
-mod loads;
+mod slices;
 
 use std::cell::RefCell;
 use std::num::NonZero;
@@ -13,15 +13,16 @@ use linkage_symbolic::Binding;
 use linkage_symbolic::blocks::{BLOCK, BlockProgram};
 use linkage_symbolic::program::{Instruction, Program, Source};
 
-use crate::assembly::Assembly;
+use crate::assembled::{Assembly, all_inputs};
 use crate::columns::{Columns, rows, split};
 use crate::mechanism::Mechanism;
-use loads::{Blocks, Loads};
+use crate::other_dimensions::followed_at;
+use slices::{Blocks, Loads};
 
 /// Mechanisms that are prepared at once.
 const PREPARED: usize = 16 * BLOCK;
 
-/// Positions from which on a program is prepared anew for arguments that stand still.
+/// Positions from which on a program is prepared again for arguments that stand still.
 const MANY: usize = 4096;
 
 impl Assembly<'_> {
@@ -139,7 +140,7 @@ impl Assembly<'_> {
                 let program = BlockProgram::new(&body.program, |source| loads.varies(source));
                 fill(&program, columns);
             }
-            false => fill(mechanism.block_program(number), columns),
+            false => fill(block_program(mechanism, number), columns),
         }
     }
 
@@ -195,9 +196,9 @@ impl Assembly<'_> {
                 continue;
             }
             let (dimensions, arguments) = loads.row(row);
-            let at = mechanism.all_inputs(function, &arguments, 0.0);
+            let at = all_inputs(mechanism, function, &arguments, 0.0);
             let at = &at[..mechanism.inputs.len()];
-            if let Some(found) = mechanism.followed_at(&dimensions, self, at) {
+            if let Some(found) = followed_at(mechanism, &dimensions, self, at) {
                 let numbers = found.call_body(function, body, &arguments);
                 for (column, number) in columns.iter_mut().zip(numbers) {
                     column[row] = number;
@@ -207,14 +208,12 @@ impl Assembly<'_> {
     }
 }
 
-impl Mechanism {
-    /// The program of a function all of whose arguments differ from position to position.
-    fn block_program(&self, function: usize) -> &BlockProgram {
-        self.block_programs[function].get_or_init(|| {
-            let program = &self.compiled.functions[function].called.program;
-            BlockProgram::new(program, |source| source.binding() == Binding::Call)
-        })
-    }
+/// The program of a function all of whose arguments differ from position to position.
+fn block_program(mechanism: &Mechanism, function: usize) -> &BlockProgram {
+    mechanism.block_programs[function].get_or_init(|| {
+        let program = &mechanism.compiled.functions[function].called.program;
+        BlockProgram::new(program, |source| source.binding() == Binding::Call)
+    })
 }
 
 /// The number of threads that run at once; to ask the system for it takes longer than a sweep.

@@ -1,28 +1,28 @@
 //! The description of a mechanism for the engine: its numbers and its programs, as an object of
 //! JavaScript.
 
-use linkage_compiler::ir::{
-    CompiledMechanism, Coupled, Function, Input, PreparedTable, Shape, plain,
-};
+use linkage_compiler::ir::{CompiledMechanism, Shape, plain};
 use linkage_core::numeric::continuation::Axis;
 use linkage_core::numeric::roots::Variable;
 use linkage_core::range_check::Slack;
+use linkage_export::{CoupledDeclaration, Declarations, FunctionDeclaration, InputDeclaration};
 use linkage_symbolic::program::Program;
 
 use crate::instruction::{function, literal};
 use crate::object::{Object, list, numbers, text};
 
-/// A mechanism that is called `name`.
-pub(crate) fn description(name: &str, unit: &CompiledMechanism) -> String {
+/// The object of a mechanism.
+pub(crate) fn description(declarations: &Declarations) -> String {
+    let Declarations { unit, .. } = declarations;
     let inputs = unit.inputs.len();
     let program = |input: &Program| function(input, inputs);
     let modes = unit.modes().into_iter();
     let modes: Vec<f64> = modes.map(|plus| if plus { 1.0 } else { -1.0 }).collect();
     let references: Vec<f64> = unit.inputs.iter().map(|entry| entry.reference).collect();
     Object::new()
-        .with("name", text(name))
+        .with("name", text(declarations.title))
         .with("dimensions", dimensions(unit))
-        .with("inputs", list(unit.inputs.iter().map(input)))
+        .with("inputs", list(declarations.inputs.iter().map(input)))
         .with(
             "arguments",
             list(unit.arguments.iter().map(|argument| {
@@ -38,11 +38,21 @@ pub(crate) fn description(name: &str, unit: &CompiledMechanism) -> String {
         .with("angles", angles(unit))
         .with(
             "coupled",
-            list((0..unit.coupled.len()).map(|number| coupled(unit, number))),
+            list(
+                declarations
+                    .coupled
+                    .iter()
+                    .map(|group| coupled(unit, group)),
+            ),
         )
         .with(
             "functions",
-            list(unit.functions.iter().map(|item| evaluator(item, inputs))),
+            list(
+                declarations
+                    .functions
+                    .iter()
+                    .map(|item| evaluator(item, inputs)),
+            ),
         )
         .with("slots", unit.prepare.outputs.len().to_string())
         .with("bearingNumbers", unit.bearings.outputs.len().to_string())
@@ -77,10 +87,11 @@ fn dimensions(unit: &CompiledMechanism) -> String {
     }))
 }
 
-fn input(declared: &Input) -> String {
+fn input(declaration: &InputDeclaration) -> String {
+    let declared = declaration.input;
     let range = declared.range.map(|(low, high)| numbers(&[low, high]));
     Object::new()
-        .with("name", text(plain(&declared.name)))
+        .with("name", text(declaration.name))
         .with("unit", text(&declared.unit))
         .with("angle", declared.angle.to_string())
         .with("reference", literal(declared.reference))
@@ -137,8 +148,8 @@ fn angles(unit: &CompiledMechanism) -> String {
 }
 
 /// A group without a closed form, with its state at the reference inputs.
-fn coupled(unit: &CompiledMechanism, number: usize) -> String {
-    let group = &unit.coupled[number];
+fn coupled(unit: &CompiledMechanism, declaration: &CoupledDeclaration) -> String {
+    let group = declaration.group;
     let lengths = group.variables.iter().flat_map(|variable| match variable {
         Variable::Unit => &[false, false][..],
         Variable::Length => &[true],
@@ -146,39 +157,23 @@ fn coupled(unit: &CompiledMechanism, number: usize) -> String {
         Variable::Point => &[true, true],
         Variable::Conjugate => &[],
     });
-    let (axes, state, floor) = start(unit, group);
+    let references = group.inputs.iter();
+    let references = references.map(|&input| unit.inputs[input].reference);
+    let (state, floor) = declaration.state(&references.collect::<Vec<_>>());
+    let Some(states) = &declaration.states else {
+        unreachable!("what is printed has been closed")
+    };
     Object::new()
         .with("group", group.group.to_string())
         .with("inputs", list(group.inputs.iter().map(usize::to_string)))
         .with("size", group.size.to_string())
         .with("turning", group.turning.to_string())
         .with("lengths", list(lengths.map(bool::to_string)))
-        .with("axes", list(axes.iter().map(axis)))
+        .with("axes", list(states.axes().iter().map(axis)))
         .with("state", numbers(&state))
         .with("determinant", literal(2.0 * floor))
         .with("correct", function(&group.correct, unit.inputs.len()))
         .text()
-}
-
-/// The ranges of its inputs, its state at the reference inputs, half of a determinant near it.
-fn start(unit: &CompiledMechanism, group: &Coupled) -> (Vec<Axis>, Vec<f64>, f64) {
-    let at: Vec<f64> = group
-        .inputs
-        .iter()
-        .map(|&input| unit.inputs[input].reference)
-        .collect();
-    let mut state = vec![f64::NAN; group.size];
-    match &group.start {
-        Some(PreparedTable::Table(table)) => {
-            let floor = table.state(at[0], &mut state);
-            (vec![table.layout().axis], state, floor)
-        }
-        Some(PreparedTable::Grid(grid)) => {
-            let floor = grid.state(&at, &mut state);
-            (grid.layout().axes, state, floor)
-        }
-        None => unreachable!("what is printed has been closed"),
-    }
 }
 
 fn axis(along: &Axis) -> String {
@@ -189,7 +184,8 @@ fn axis(along: &Axis) -> String {
         .text()
 }
 
-fn evaluator(called: &Function, inputs: usize) -> String {
+fn evaluator(declaration: &FunctionDeclaration, inputs: usize) -> String {
+    let called = declaration.function;
     let program = &called.called.program;
     let columns = called.columns.iter().map(|column| {
         Object::new()
@@ -197,14 +193,14 @@ fn evaluator(called: &Function, inputs: usize) -> String {
             .with("unit", text(&column.unit))
             .text()
     });
-    let fields = called.fields.iter();
-    let fields =
-        fields.map(|field| list([text(plain(&field.name)), shape(&field.shape)].into_iter()));
+    let fields = declaration.fields.iter();
+    let fields = fields.map(|field| list([text(&field.name), shape(field.shape)].into_iter()));
+    let arguments = declaration.arguments.iter();
     Object::new()
-        .with("name", text(plain(&called.name)))
+        .with("name", text(&declaration.items[0]))
         .with(
             "arguments",
-            list(called.arguments.iter().map(usize::to_string)),
+            list(arguments.map(|argument| argument.index.to_string())),
         )
         .with("coupled", (!called.states.is_empty()).to_string())
         .with("columns", list(columns))

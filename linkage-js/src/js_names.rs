@@ -1,8 +1,7 @@
-//! Names of mechanisms and arguments in JavaScript and in the types.
+//! JavaScript as a target language: names of mechanisms and arguments, and types of TypeScript.
 
-use std::collections::BTreeSet;
-
-use linkage_compiler::ir::plain;
+use linkage_compiler::ir::{Shape, plain};
+use linkage_export::{FunctionItem, Scope, Target};
 
 /// Words that are no names of variables: reserved ones of modules, and those that TypeScript
 /// refuses or reads otherwise.
@@ -63,30 +62,51 @@ const WORDS: &[&str] = &[
 /// types.
 const OF_MODULE: &[&str] = &["AssemblyError", "Error"];
 
-/// The name by which a module exports a mechanism: its own, or that with an underscore behind it.
-pub(crate) fn exported(title: &str) -> String {
-    let name = plain(title);
-    free(name, |name| {
-        WORDS.contains(&name) || OF_MODULE.contains(&name)
-    })
-}
+/// JavaScript, with the types of TypeScript. A mechanism is an object whose methods are the
+/// functions of the user, so that only names of mechanisms and arguments may be taken.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct JavaScript;
 
-/// The names of a function's arguments in the types: each once.
-pub(crate) fn arguments<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
-    let mut taken = BTreeSet::new();
-    let mut one = |name: &str| {
-        let chosen = free(name, |name| WORDS.contains(&name) || taken.contains(name));
-        taken.insert(chosen.clone());
-        chosen
-    };
-    names.map(&mut one).collect()
-}
+impl Target for JavaScript {
+    const LANGUAGE: &'static str = "JavaScript";
 
-/// A name with as many underscores behind it as it needs.
-fn free(name: &str, is_taken: impl Fn(&str) -> bool) -> String {
-    let mut name = name.to_owned();
-    while is_taken(&name) {
-        name.push('_');
+    const FUNCTION_ITEMS: &'static [FunctionItem] = &[FunctionItem {
+        ending: "",
+        kind: "the function",
+    }];
+
+    fn mechanism_name(&self, title: &str) -> String {
+        plain(title).to_owned()
     }
-    name
+
+    fn item_name(&self, _mechanism: &str, item: &str) -> String {
+        item.to_owned()
+    }
+
+    fn spelled(&self, name: &str, _scope: Scope) -> String {
+        plain(name).to_owned()
+    }
+
+    fn is_reserved(&self, name: &str, scope: Scope) -> bool {
+        match scope {
+            Scope::Mechanism => WORDS.contains(&name) || OF_MODULE.contains(&name),
+            Scope::Function => WORDS.contains(&name),
+            Scope::File | Scope::Members => false,
+        }
+    }
+
+    fn declared(&self, name: &str, shape: &Shape, _items: &[String]) -> String {
+        format!("{name}: {}", type_of(shape))
+    }
+}
+
+/// Returns the type of a result.
+fn type_of(shape: &Shape) -> String {
+    match shape {
+        Shape::Scalar => "number".to_owned(),
+        Shape::Vector(count) => format!("[{}]", vec!["number"; *count].join(", ")),
+        Shape::Array(_, entry) => format!("{}[]", type_of(entry)),
+        Shape::Frame => "[Axis, Axis, Axis, Axis]".to_owned(),
+        Shape::PlaneFrame => format!("[{}]", ["[number, number]"; 3].join(", ")),
+    }
 }

@@ -35,7 +35,7 @@ mod description;
 pub mod engine;
 #[cfg(feature = "description")]
 mod instruction;
-#[cfg(feature = "module")]
+#[cfg(feature = "description")]
 mod js_names;
 #[cfg(feature = "module")]
 mod module;
@@ -46,7 +46,11 @@ mod types;
 
 #[cfg(feature = "description")]
 use linkage_compiler::ir::CompiledMechanism;
+#[cfg(feature = "description")]
+use linkage_export::Declarations;
 
+#[cfg(feature = "description")]
+use js_names::JavaScript;
 #[cfg(feature = "module")]
 pub use module::{Clash, Module, module, modules};
 
@@ -54,5 +58,5 @@ pub use module::{Clash, Module, module, modules};
 /// JavaScript with its programs. Pages of reports have it next to the engine.
 #[cfg(feature = "description")]
 pub fn description(name: &str, unit: &CompiledMechanism) -> String {
-    description::description(name, unit)
+    description::description(&Declarations::new(name, unit, &JavaScript))
 }

@@ -4,9 +4,13 @@ use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 
-use crate::engine::module_engine;
-use crate::{description, js_names, types};
 use linkage_compiler::ir::CompiledMechanism;
+use linkage_export::Declarations;
+
+use crate::description::description;
+use crate::engine::module_engine;
+use crate::js_names::JavaScript;
+use crate::types;
 
 /// A mechanism as JavaScript.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -40,8 +44,9 @@ impl Error for Clash {}
 /// throws.
 pub fn module(title: &str, unit: &CompiledMechanism) -> Module {
     let engine = module_engine();
-    let description = description(title, unit);
-    let name = js_names::exported(title);
+    let declarations = Declarations::new(title, unit, &JavaScript);
+    let description = description(&declarations);
+    let name = &declarations.name;
     let renamed = match name == title {
         true => String::new(),
         false => format!(
@@ -56,8 +61,8 @@ pub fn module(title: &str, unit: &CompiledMechanism) -> Module {
     );
     Module {
         script,
-        types: types::types(title, &name, unit),
-        name,
+        types: types::types(&declarations),
+        name: declarations.name,
     }
 }
 

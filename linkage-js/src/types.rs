@@ -2,16 +2,17 @@
 
 use std::fmt::Write;
 
-use linkage_compiler::ir::{CompiledMechanism, Function, Shape, plain};
-
-use crate::js_names::arguments as named;
+use linkage_compiler::ir::{Function, plain};
+use linkage_export::{Declarations, FunctionDeclaration};
 
 /// The part that is the same for all mechanisms.
 const COMMON: &str = include_str!("common.d.ts");
 
-/// The text of the `.d.ts` file beside the module, which exports the mechanism `title` by a name of
-/// JavaScript.
-pub(crate) fn types(title: &str, name: &str, unit: &CompiledMechanism) -> String {
+/// The text of the `.d.ts` file of a module.
+pub(crate) fn types(declarations: &Declarations) -> String {
+    let Declarations {
+        title, name, unit, ..
+    } = declarations;
     let mut text =
         format!("// {title}. Written by linkage; not to be changed by hand.\n\n{COMMON}\n");
     let _ = writeln!(
@@ -30,13 +31,13 @@ pub(crate) fn types(title: &str, name: &str, unit: &CompiledMechanism) -> String
         text,
         "}}\n\n/** Closed loops: results at any inputs. */\nexport interface Assembly {{"
     );
-    for function in &unit.functions {
-        text += &documented("  ", &about(function));
+    for function in &declarations.functions {
+        text += &documented("  ", &about(function.function));
         let _ = writeln!(
             text,
             "  {}({}): {};",
-            method(plain(&function.name)),
-            arguments(unit, function),
+            method(&function.items[0]),
+            arguments(function),
             result(function)
         );
     }
@@ -49,16 +50,9 @@ pub(crate) fn types(title: &str, name: &str, unit: &CompiledMechanism) -> String
     text
 }
 
-fn arguments(unit: &CompiledMechanism, called: &Function) -> String {
-    let names = called.arguments.iter().map(|&index| {
-        let name = match index.checked_sub(unit.inputs.len()) {
-            None => &unit.inputs[index].name,
-            Some(index) => &unit.arguments[index].name,
-        };
-        plain(name)
-    });
-    let arguments = named(names).into_iter();
-    let arguments: Vec<String> = arguments.map(|name| format!("{name}: number")).collect();
+fn arguments(function: &FunctionDeclaration) -> String {
+    let arguments = function.arguments.iter();
+    let arguments: Vec<&str> = arguments.map(|item| &item.declaration[..]).collect();
     arguments.join(", ")
 }
 
@@ -86,22 +80,10 @@ fn about(called: &Function) -> String {
     }
 }
 
-fn result(called: &Function) -> String {
-    let fields = called.fields.iter();
-    let fields: Vec<String> = fields
-        .map(|field| format!("{}: {}", plain(&field.name), shape(&field.shape)))
-        .collect();
+fn result(function: &FunctionDeclaration) -> String {
+    let fields = function.fields.iter();
+    let fields: Vec<&str> = fields.map(|field| &field.declaration[..]).collect();
     format!("{{ {} }}", fields.join("; "))
-}
-
-fn shape(declared: &Shape) -> String {
-    match declared {
-        Shape::Scalar => "number".to_owned(),
-        Shape::Vector(count) => format!("[{}]", vec!["number"; *count].join(", ")),
-        Shape::Array(_, entry) => format!("{}[]", shape(entry)),
-        Shape::Frame => "[Axis, Axis, Axis, Axis]".to_owned(),
-        Shape::PlaneFrame => format!("[{}]", ["[number, number]"; 3].join(", ")),
-    }
 }
 
 fn measure(unit: &str) -> &str {

@@ -9,7 +9,7 @@ use std::thread;
 use crate::lexer::{Lexed, lexed};
 
 /// Crates by their folders; the facade has its sources in `src`.
-pub(crate) const CRATES: [&str; 14] = [
+pub(crate) const CRATES: [&str; 17] = [
     "linkage-analysis",
     "linkage-c",
     "linkage-cli",
@@ -17,10 +17,13 @@ pub(crate) const CRATES: [&str; 14] = [
     "linkage-core",
     "linkage-design",
     "linkage-formats",
+    "linkage-engine",
+    "linkage-export",
     "linkage-js",
     "linkage-macros",
     "linkage-report",
     "linkage-runtime",
+    "linkage-st",
     "linkage-symbolic",
     "linkage-synthesis",
     "src",

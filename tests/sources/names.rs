@@ -71,18 +71,21 @@ const KNOWN_REPETITIONS: usize = 25;
 
 /// The greatest numbers for each crate: files, types, functions of such a name, and the counted
 /// identifiers.
-const KNOWN: [(&str, [usize; COUNTS]); 14] = [
+const KNOWN: [(&str, [usize; COUNTS]); 17] = [
     ("linkage-analysis", [0, 0, 0, 0, 0]),
     ("linkage-c", [0, 0, 0, 0, 0]),
     ("linkage-cli", [0, 0, 0, 0, 0]),
     ("linkage-compiler", [0, 0, 0, 0, 0]),
     ("linkage-core", [0, 0, 0, 0, 0]),
     ("linkage-design", [0, 0, 0, 0, 0]),
+    ("linkage-engine", [0, 0, 0, 0, 0]),
+    ("linkage-export", [0, 0, 0, 0, 0]),
     ("linkage-formats", [0, 0, 0, 0, 0]),
     ("linkage-js", [0, 0, 0, 0, 0]),
     ("linkage-macros", [0, 0, 0, 0, 0]),
     ("linkage-report", [0, 0, 0, 0, 0]),
     ("linkage-runtime", [0, 0, 0, 0, 0]),
+    ("linkage-st", [0, 0, 0, 0, 0]),
     ("linkage-symbolic", [0, 0, 0, 0, 0]),
     ("linkage-synthesis", [0, 0, 0, 0, 9]),
     ("src", [0, 0, 0, 0, 0]),

@@ -1,4 +1,4 @@
-//! The kernels in C, as `linkage-c` prints the mechanisms.
+//! The kernels in C, as `linkage-c` prints the mechanisms, with fused multiply-adds if the machine has them.
 
 #![allow(unsafe_code, reason = "calls of C functions")]
 

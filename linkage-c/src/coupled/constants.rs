@@ -3,15 +3,20 @@
 use std::fmt::Write;
 
 use linkage_core::numeric::continuation::{GridLayout, TableLayout, Terms};
+use linkage_export::{CoupledDeclaration, Declarations};
 
 use crate::comment::comment;
 use crate::surface::Surface;
 
 /// A table over one input.
 pub(super) fn table(surface: &Surface, number: usize, layout: &TableLayout) -> String {
-    let Surface { private, real, .. } = surface;
+    let Surface {
+        declarations: Declarations { private, .. },
+        real,
+        ..
+    } = surface;
     let name = real.name();
-    let size = surface.unit.coupled[number].size;
+    let size = surface.declarations.unit.coupled[number].size;
     let terms = layout.cells[0].coefficients.len() / size;
     let mut text = about(
         surface,
@@ -45,9 +50,13 @@ pub(super) fn table(surface: &Surface, number: usize, layout: &TableLayout) -> S
 
 /// A grid over several inputs, or none.
 pub(super) fn grid(surface: &Surface, number: usize, layout: &GridLayout) -> String {
-    let Surface { private, real, .. } = surface;
+    let Surface {
+        declarations: Declarations { private, .. },
+        real,
+        ..
+    } = surface;
     let name = real.name();
-    let coupled = &surface.unit.coupled[number];
+    let coupled = &surface.declarations.unit.coupled[number];
     let (size, axes) = (coupled.size, layout.axes.len());
     let terms = layout.terms.count(axes);
     let mut text = about(
@@ -96,15 +105,9 @@ pub(super) fn grid(surface: &Surface, number: usize, layout: &GridLayout) -> Str
 
 /// A comment about a group's states.
 fn about(surface: &Surface, number: usize, what: &str) -> String {
-    let unit = surface.unit;
-    let coupled = &unit.coupled[number];
-    let unknowns = unit.groups[coupled.group].unknowns.join(", ");
-    let inputs = coupled
-        .inputs
-        .iter()
-        .map(|&input| &unit.inputs[input].name[..]);
-    let inputs: Vec<&str> = inputs.collect();
-    let inputs = inputs.join(", ");
+    let CoupledDeclaration {
+        unknowns, inputs, ..
+    } = &surface.declarations.coupled[number];
     comment(
         "",
         &format!(
@@ -125,7 +128,7 @@ fn indices(surface: &Surface, number: usize, all: impl Iterator<Item = usize>) -
     let word = if small { "uint16_t" } else { "uint32_t" };
     let mut text = format!(
         "static const {word} {}index_{number}[] = {{",
-        surface.private
+        surface.declarations.private
     );
     for (index, cell) in all.iter().enumerate() {
         text += if index % 24 == 0 { "\n    " } else { " " };

@@ -1,8 +1,8 @@
 //! Programs as C.
 
+use linkage_export::Helpers;
 use linkage_symbolic::program::{Language, Program, Source, print};
 
-use super::helper::Helpers;
 use crate::real::Real;
 
 /// Operations that are functions of C's library, by the names of their rows.
@@ -14,7 +14,7 @@ pub(crate) struct Printer<'a> {
     pub(crate) real: Real,
     /// The beginning of names that nothing else has.
     pub(crate) private: &'a str,
-    pub(crate) helpers: Helpers,
+    pub(crate) helpers: Helpers<'static>,
 }
 
 /// A program in C: statements, and expressions of its results.
@@ -84,7 +84,7 @@ impl Language for C<'_, '_> {
             Some((_, function)) => {
                 // Most processors have an instruction for it.
                 let suffix = match self.printer.real {
-                    Real::Double => "",
+                    Real::Double | Real::Fused => "",
                     Real::Single => "f",
                 };
                 format!("{function}{suffix}({})", operands.join(", "))
@@ -101,17 +101,18 @@ impl Language for C<'_, '_> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::helpers;
     use super::*;
     use linkage_symbolic::program::{Binary, RustCall, Ternary, Unary};
 
     /// C has a function of its library or a helper for each operation.
     #[test]
     fn operations_have_functions() {
-        for real in [Real::Double, Real::Single] {
+        for real in [Real::Double, Real::Fused, Real::Single] {
             let mut printer = Printer {
                 real,
                 private: "own_",
-                helpers: Helpers::new(real),
+                helpers: helpers(real),
             };
             let mut c = C {
                 printer: &mut printer,

@@ -3,5 +3,5 @@
 mod helper;
 mod instruction;
 
-pub(crate) use helper::Helpers;
+pub(crate) use helper::{helper_text, helpers};
 pub(crate) use instruction::{Printed, Printer};

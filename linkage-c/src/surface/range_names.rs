@@ -1,13 +1,10 @@
 //! Names of the check of the declared range.
 
-use super::constant::constant;
+use super::constant::{API, constant};
 use super::declared::Declared;
 
 /// The kinds of findings, in the order of their numbers from 1 on.
 pub(crate) const KINDS: [&str; 4] = ["CHANGE_POINT", "DEAD_POINT", "GAP", "UNDEFINED"];
-
-/// The end of the macro without which the check is compiled.
-pub(crate) const OFF: &str = "without_range_check";
 
 /// The names that users see.
 #[derive(Debug)]
@@ -17,17 +14,12 @@ pub(crate) struct RangeNames {
 }
 
 impl RangeNames {
-    /// Names from those that are not taken.
-    pub(super) fn new(prefix: &str, global: &mut dyn FnMut(&str) -> String) -> Self {
-        let [check_range, finding] = ["check_range", "range_finding"].map(global);
-        let signature =
-            format!("int {check_range}(const {prefix} *m, {finding} *findings, int room)");
+    /// The names of the function and of the type of its findings.
+    pub(super) fn new(prefix: &str, check_range: &str, finding: &str) -> Self {
+        let parameters = format!("const {prefix} *m, {finding} *findings, int room");
         Self {
-            check_range: Declared {
-                name: check_range,
-                signature,
-            },
-            finding,
+            check_range: Declared::new(&constant(prefix, API), "int", check_range, &parameters),
+            finding: finding.to_owned(),
         }
     }
 

@@ -241,7 +241,7 @@ static int own_range_search_group(own_range_search *s, FINDING *findings, int ro
     return count;
 }
 
-int CHECK(const MECHANISM *m, FINDING *findings, int room)
+API int CHECK(const MECHANISM *m, FINDING *findings, int room)
 {
     static const real at[] = AT;
     own_range_search s;

@@ -53,7 +53,7 @@ fn a_file_without_nan_is_refused_or_asks_for_bits() {
             let own: Sources = sources(&given.name, &given.unit, real).expect("it can be exported");
             machine::write(&folder, &own);
             let large = match real {
-                Real::Double => "1e300",
+                Real::Double | Real::Fused => "1e300",
                 Real::Single => "1.0f",
             };
             let user = USER

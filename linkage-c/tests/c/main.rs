@@ -2,6 +2,7 @@
 //! and for what it promises: no warning, no call, no double in single precision.
 
 mod all_programs;
+mod api;
 mod arithmetic;
 mod batch;
 mod constants;
@@ -11,6 +12,7 @@ mod emulated;
 mod favorit;
 mod finite;
 mod foreign;
+mod fused;
 mod headers;
 mod machine;
 mod mechanisms;

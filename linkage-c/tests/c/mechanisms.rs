@@ -205,12 +205,12 @@ fn fused<T: Number>(name: &str) {
 }
 
 #[cfg(target_arch = "x86_64")]
-fn machine_has_fma() -> bool {
+pub(crate) fn machine_has_fma() -> bool {
     std::arch::is_x86_feature_detected!("fma")
 }
 
 #[cfg(not(target_arch = "x86_64"))]
-fn machine_has_fma() -> bool {
+pub(crate) fn machine_has_fma() -> bool {
     cfg!(target_arch = "aarch64")
 }
 

@@ -14,7 +14,7 @@ use linkage_corpus::reference::run;
 /// Zeros, infinities, NaN, subnormal numbers, and numbers whose squares are none.
 fn special(real: Real) -> Vec<f64> {
     let (least, normal, large) = match real {
-        Real::Double => (f64::from_bits(1), f64::MIN_POSITIVE, f64::MAX),
+        Real::Double | Real::Fused => (f64::from_bits(1), f64::MIN_POSITIVE, f64::MAX),
         Real::Single => (
             f64::from(f32::from_bits(1)),
             f64::from(f32::MIN_POSITIVE),

@@ -191,13 +191,12 @@ fn the_recipe_of_the_cookbook_runs_from_python() {
         &folder,
         &sources(&press.name, &press.unit, Real::Double).expect("it can be exported"),
     );
-    fs::write(folder.join("table.c"), blocks(COOKBOOK, "c")[1]).expect("C can be written");
     let program = blocks(COOKBOOK, "python")
         .into_iter()
         .find(|program| program.contains("ctypes"))
         .expect("a program that loads a library");
     fs::write(folder.join("main.py"), program).expect("Python can be written");
-    let command = "-std=c99 -O2 -shared -fPIC press.c table.c -o libpress.so -lm";
+    let command = "-std=c99 -O2 -shared -fPIC press.c -o libpress.so -lm";
     assert!(COOKBOOK.contains(command), "the page has another command");
     let mut arguments: Vec<&str> = command.split(' ').collect();
     arguments.extend(WARNINGS);

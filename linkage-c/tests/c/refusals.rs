@@ -68,7 +68,7 @@ fn told(real: Real) -> Option<String> {
         &sources(&own.name, &own.unit, real).expect("it can be exported"),
     );
     let large = match real {
-        Real::Double => "1e200",
+        Real::Double | Real::Fused => "1e200",
         Real::Single => "1",
     };
     let main = MAIN.replace("REAL", real.name()).replace("LARGE", large);

@@ -32,6 +32,8 @@ pub(super) struct Options {
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Scalar {
     Double,
+    /// Doubles of processors with fused multiply-adds: sines from a table
+    Fused,
     Float,
 }
 
@@ -39,6 +41,7 @@ impl Scalar {
     fn real(self) -> Real {
         match self {
             Self::Double => Real::Double,
+            Self::Fused => Real::Fused,
             Self::Float => Real::Single,
         }
     }
@@ -48,13 +51,7 @@ impl Scalar {
 /// that C has otherwise are reported.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let mut mechanisms = options.chosen.all()?;
-    options.dimensions.known_to_any(&mechanisms)?;
-    for mechanism in &mut mechanisms {
-        let known = options.dimensions.known_to(mechanism);
-        if known.are_given() {
-            set(mechanism, &known)?;
-        }
-    }
+    set_defaults(&mut mechanisms, &options.dimensions)?;
     let named: Vec<_> = mechanisms
         .iter()
         .map(|mechanism| (mechanism.name(), mechanism.compiled()))
@@ -80,6 +77,21 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         }
         for note in renamed {
             eprintln!("note: {name}.h: {note}");
+        }
+    }
+    Ok(())
+}
+
+/// Makes other dimensions the defaults of the mechanisms that have them.
+pub(super) fn set_defaults(
+    mechanisms: &mut [Mechanism],
+    given: &Dimensions,
+) -> Result<(), Failure> {
+    given.known_to_any(mechanisms)?;
+    for mechanism in mechanisms {
+        let known = given.known_to(mechanism);
+        if known.are_given() {
+            set(mechanism, &known)?;
         }
     }
     Ok(())

@@ -15,6 +15,7 @@ mod pages;
 mod quoted;
 mod ranges;
 mod rust;
+mod st;
 mod start;
 mod tables;
 mod time;

@@ -158,11 +158,13 @@ fn quoted(cell: &str) -> impl Iterator<Item = String> {
 }
 
 /// Other crates than the compiler: their sources begin with the name of the crate.
-const OTHER_CRATES: [&str; 4] = [
+const OTHER_CRATES: [&str; 6] = [
     "linkage-symbolic",
     "linkage-core",
     "linkage-c",
+    "linkage-export",
     "linkage-js",
+    "linkage-st",
 ];
 
 /// All sources of the compiler by their paths below `src`, and those of other crates by the name of the crate and the rest, without

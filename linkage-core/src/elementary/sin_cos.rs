@@ -12,6 +12,8 @@ mod directions;
 mod kernel;
 mod rows;
 
+pub use directions::directions;
+
 use super::multiply::{double as mul_add, one_rounding};
 use kernel::{COSINE, ROUND, SINE, exchanged, polynomial, unless_large};
 

@@ -16,6 +16,12 @@ use super::super::multiply::double as mul_add;
 use super::kernel::{LIMIT, ROUND};
 use core::hint::select_unpredictable;
 
+/// Returns the table: cosine and its rounding error, sine and its rounding error of each step of a
+/// turn, then a row of NaN. Printers of other languages write it into their text.
+pub fn directions() -> &'static [[f64; 4]] {
+    &TABLE
+}
+
 /// Steps in a radian.
 const STEPS: f64 = 20.371_832_715_762_604;
 

@@ -80,36 +80,30 @@ impl SensitiveQuantity {
     }
 }
 
-impl Mechanism {
-    /// Returns the quantities of a function, by its number, that have derivatives by parameters.
-    ///
-    /// # Panics
-    ///
-    /// If there is no such function.
-    #[must_use]
-    pub fn sensitive_quantities(&self, function: usize) -> Vec<SensitiveQuantity> {
-        let compiled = &self.compiled.functions[function];
-        let mut first = 0;
-        let mut all = Vec::new();
-        for field in &compiled.fields {
-            let width = width(&field.shape);
-            let columns = &compiled.columns[first..first + width];
-            let parameters: Vec<usize> = columns
-                .iter()
-                .filter_map(|column| match column.meaning {
-                    Meaning::Sensitivity { parameter, .. } => Some(parameter),
-                    Meaning::Value | Meaning::Rate { .. } | Meaning::Margin | Meaning::Picture => {
-                        None
-                    }
-                })
-                .collect();
-            if parameters.len() == width && width > 0 {
-                all.extend(quantities(field, &parameters, first));
-            }
-            first += width;
+/// The quantities of a function that have derivatives by parameters.
+pub(crate) fn sensitive_quantities(
+    mechanism: &Mechanism,
+    function: usize,
+) -> Vec<SensitiveQuantity> {
+    let compiled = &mechanism.compiled.functions[function];
+    let mut first = 0;
+    let mut all = Vec::new();
+    for field in &compiled.fields {
+        let width = width(&field.shape);
+        let columns = &compiled.columns[first..first + width];
+        let parameters: Vec<usize> = columns
+            .iter()
+            .filter_map(|column| match column.meaning {
+                Meaning::Sensitivity { parameter, .. } => Some(parameter),
+                Meaning::Value | Meaning::Rate { .. } | Meaning::Margin | Meaning::Picture => None,
+            })
+            .collect();
+        if parameters.len() == width && width > 0 {
+            all.extend(quantities(field, &parameters, first));
         }
-        all
+        first += width;
     }
+    all
 }
 
 /// The quantities of a field whose columns are derivatives by these parameters.
