@@ -48,10 +48,14 @@ fn check(name: &str) {
         messages,
     } = trace(read(name));
     assert!(messages.is_empty(), "{messages:?}");
-    compare(name, "1-syntax", &syntax);
-    compare(name, "2-model", &model);
-    compare(name, "3-structure", &structure);
-    compare(name, "4-formulate", &formulate);
+    let front = [
+        ("1 syntax", syntax),
+        ("2 model", model),
+        ("3 structure", structure),
+        ("4 formulate", formulate),
+    ];
+    let front = front.map(|(phase, text)| format!("== {phase}\n\n{}\n", text.trim_end()));
+    compare(name, "1-front", &front.join("\n"));
     compare(name, "5-lower", &lower);
     compare(name, "6-emit", &brief(&emit));
 }
