@@ -11,13 +11,13 @@ pub struct Subject {
     /// Its number in that file.
     pub number: usize,
     /// Assembles it with these dimensions.
-    pub assembled: fn(&[f64]) -> Result<Box<Call>, String>,
+    pub assembled: fn(&[f64]) -> Assembled,
     /// Assembles the second dimensions in the assembly of the first.
-    pub assembled_from: fn(&[f64], &[f64]) -> Result<Box<Call>, String>,
+    pub assembled_from: fn(&[f64], &[f64]) -> Assembled,
     /// The rows of a sweep of an assembly with these dimensions; `None` for a function without sweeps.
-    pub swept: fn(&[f64], usize, &[&[f64]]) -> Option<Vec<Vec<f64>>>,
+    pub swept: fn(&[f64], usize, &[&[f64]]) -> Rows,
     /// The same for many mechanisms.
-    pub swept_sets: fn(&[f64], usize, &[Vec<f64>], &[&[f64]]) -> Option<Vec<Vec<f64>>>,
+    pub swept_sets: fn(&[f64], usize, &[Vec<f64>], &[&[f64]]) -> Rows,
     /// The modes of all assemblies at the reference.
     pub listed: fn() -> Vec<Vec<AssemblyMode>>,
     /// Its circuits, printed.
@@ -25,6 +25,12 @@ pub struct Subject {
     /// Its structure, printed.
     pub structure: fn() -> String,
 }
+
+/// The functions of an assembled mechanism, or the message of the error.
+pub type Assembled = Result<Box<Call>, String>;
+
+/// The results of a function at many positions.
+pub type Rows = Option<Vec<Vec<f64>>>;
 
 /// The results of a function, by its number, at some arguments.
 pub type Call = dyn Fn(usize, &[f64]) -> Vec<f64>;
