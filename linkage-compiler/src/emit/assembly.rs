@@ -54,9 +54,11 @@ fn structure(outline: &Outline) -> TokenStream {
     let sealed = assembly_data::field(outline);
     let allow = attribute::allow();
     quote! {
+        // As visible as the mechanism: the runtime's traits of public results name it.
         #allow
         #derives
-        struct #core<T> {
+        #[doc(hidden)]
+        #visibility struct #core<T> {
             __mechanism: #name<T>,
             __modes: [#runtime::AssemblyMode; #modes],
             __turns: #runtime::Turns<T, #angles, #inputs>,

@@ -22,8 +22,6 @@ use super::{assembly_data, attribute, body, literal};
 use crate::ir::CompiledMechanism;
 
 pub(super) use assemble::assemble;
-pub(super) use moving::followed;
-pub(super) use states::{states_name, with_states};
 
 /// `served()`; nothing where no group is prepared over several inputs.
 pub(super) fn served(outline: &Outline) -> TokenStream {

@@ -11,7 +11,7 @@ use super::outline::{Field, Function, Outline, plain};
 use super::shape::field_scalars;
 use super::spanned::type_at;
 use super::stages::Version;
-use super::{assembly_data, attribute, coupled, debug, literal, result_module, stages};
+use super::{array_types, attribute, debug, literal, result_module, stages};
 
 /// The result type.
 pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
@@ -87,16 +87,9 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
     let must_use = (!attribute::has(function.attributes, "must_use")).then(|| quote!(#[must_use]));
     let inline = (!attribute::has(function.attributes, "inline")).then(|| quote!(#[inline]));
     let result = result_module::result(outline, function);
-    let inputs = match function.states.is_empty() {
-        true => quote!([#(#arguments),*]),
-        false => coupled::with_states(outline, function),
-    };
-    let core = assembly_data::core(outline, &quote!(self));
-    let body = outline.body(value(outline, function, &inputs, &core, Version::Called));
-    let count = literal::index(arguments.len());
     let call = outline.body(match function.chooses {
-        true => quote!(#runtime::single(self, [#(#arguments),*])),
-        false => quote!(#runtime::inlined(self, [#(#arguments),*])),
+        true => quote!(#runtime::call(&self.__sealed, [#(#arguments),*])),
+        false => quote!(#runtime::call_inlined(&self.__sealed, [#(#arguments),*])),
     });
     let allow = attribute::allow();
     quote! {
@@ -108,46 +101,43 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
             #inline
             #visibility fn #name(&self, #(#arguments: T),*) -> #result<T> { #call }
         }
-
-        #(#everywhere)*
-        #allow
-        #[doc(hidden)]
-        impl<T: #runtime::Scalar> #runtime::Single<T, #result<T>, #count> for #assembly<T> {
-            #[inline(always)]
-            fn at<const __FUSED: ::core::primitive::bool>(
-                &self,
-                [#(#arguments),*]: [T; #count],
-            ) -> #result<T> { #body }
-        }
     }
 }
 
-/// The value that the method returns: the results of a program of `core` at these arguments, which
-/// are inputs and then states. Scalars that refine the prepared values run another program than
-/// scalars whose digits the prepared values have.
-pub(super) fn value(
-    outline: &Outline,
-    function: &Function,
-    arguments: &TokenStream,
-    core: &TokenStream,
-    plain: Version,
-) -> TokenStream {
-    let refining = Version::refining(function);
-    let runtime = &outline.runtime;
-    let data = &outline.core;
-    let count = literal::index(Places::of_function(outline, function).width());
-    let width = literal::index(function.width());
-    let [refined, row] = [refining, plain].map(|version| {
-        let stages = stages::name(outline, function, version);
-        quote!(#runtime::once::<#stages, T, #data<T>, __FUSED, #count, #width>(#core, __x))
-    });
-    let row = match refining == plain {
-        true => row,
-        false => quote!(if T::REFINES { #refined } else { #row }),
+/// The runtime's `Function`: the programs of calls and sweeps.
+pub(super) fn programs(outline: &Outline, function: &Function) -> TokenStream {
+    let Outline { runtime, core, .. } = outline;
+    let everywhere = &attribute::split(function.attributes).everywhere;
+    let result = result_module::result(outline, function);
+    let starts = array_types::starts_type(outline);
+    let arguments = function.arguments.iter().map(|argument| plain(argument));
+    let title = plain(function.name);
+    let [called, refining] = [Version::Called, Version::refining(function)]
+        .map(|version| stages::name(outline, function, version));
+    let states = match function.states.is_empty() {
+        true => quote!(#runtime::NoStates),
+        false => called.to_token_stream(),
     };
+    let [inputs, count, width] = [
+        function.arguments.len(),
+        Places::of_function(outline, function).width(),
+        function.width(),
+    ]
+    .map(literal::index);
+    let allow = attribute::allow();
     quote! {
-        let __x = #arguments;
-        #runtime::ResultRow::from_row(#row)
+        #(#everywhere)*
+        #allow
+        #[doc(hidden)]
+        impl<T: #runtime::Scalar> #runtime::Function<T, #core<T>, #starts, #inputs, #count, #width> for #result<T> {
+            type Called = #called;
+            type Refining = #refining;
+            type States = #states;
+            const NAMES: &'static #runtime::FunctionNames<#inputs> = &#runtime::FunctionNames {
+                function: #title,
+                arguments: [#(#arguments),*],
+            };
+        }
     }
 }
 

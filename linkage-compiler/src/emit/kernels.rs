@@ -6,6 +6,7 @@ use linkage_symbolic::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::load::Places;
 use super::outline::{Function, Outline};
 use super::slots::Slots;
 use super::stages::Version;
@@ -41,12 +42,16 @@ pub(super) fn items(
     });
     let prepared = slots.all(outline);
     let count = literal::index(slots.count());
+    let dimensions = outline.scalar_fields().len();
+    let arguments = Places::of_function(outline, function).width();
+    let widths =
+        [0, function.arguments.len(), arguments].map(|width| literal::index(dimensions + width));
     let allow = attribute::allow();
     quote! {
         #runtime::if_alloc! {
             #(#everywhere)*
             #allow
-            impl<T: #runtime::Scalar> #runtime::SetStages<T, #core<T>> for #marker {
+            impl<T: #runtime::Scalar> #runtime::SetStages<T, #core<T>, #(#widths),*> for #marker {
                 type Prepared<const __BLOCK: ::core::primitive::usize> = #runtime::Block<T, __BLOCK, #count>;
 
                 #[inline(always)]

@@ -115,6 +115,7 @@ fn function(
     let columns = columns::items(outline, function);
     let mut items = result_module::with_imports(outline, function, &types, &columns);
     items.extend(evaluator::method(outline, function));
+    items.extend(evaluator::programs(outline, function));
     let versions = [
         (Some(&compiled.called), Version::Called),
         (compiled.beside.as_ref(), Version::Beside),

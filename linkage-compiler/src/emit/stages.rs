@@ -55,7 +55,12 @@ pub(super) fn items(
     body: &Body,
     version: Version,
 ) -> TokenStream {
-    let Outline { runtime, core, .. } = outline;
+    let Outline {
+        runtime,
+        visibility,
+        core,
+        ..
+    } = outline;
     let runs = match body.compares_sines {
         true => Runs::InRows,
         false => Runs::InRowsOrAlone,
@@ -81,7 +86,8 @@ pub(super) fn items(
     quote! {
         #(#everywhere)*
         #allow
-        struct #name;
+        #[doc(hidden)]
+        #visibility struct #name;
 
         #(#everywhere)*
         #allow

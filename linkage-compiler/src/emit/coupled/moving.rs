@@ -8,7 +8,8 @@ use crate::emit::array_fields::entries;
 use crate::emit::array_types::Types;
 use crate::emit::load::Places;
 use crate::emit::outline::{Function, Outline};
-use crate::emit::{assembly_data, attribute, literal};
+use crate::emit::stages::Version;
+use crate::emit::{attribute, literal, stages};
 use crate::ir::CompiledMechanism;
 
 /// The type of the mechanism that changes its dimensions.
@@ -20,6 +21,7 @@ fn moving_name(outline: &Outline) -> Ident {
 pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline {
         runtime,
+        visibility,
         name,
         assembly,
         ..
@@ -53,11 +55,16 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         };
         quote!(#pattern => #runtime::fill(&#runtime::OverInputs::<_, #kernel>::new(&self), __rows, __columns),)
     });
-    let core = assembly_data::core(outline, &quote!(self));
+    let core = &outline.core;
+    let functions = outline
+        .functions
+        .iter()
+        .map(|function| of_function(outline, function));
     let allow = attribute::allow();
     quote! {
         #allow
-        struct #moving {
+        #[doc(hidden)]
+        #visibility struct #moving {
             __m: #name<#float>,
             __modes: #modes,
             __turns: #runtime::Turns<#float, #angles, #inputs>,
@@ -84,8 +91,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         #allow
         impl<T: #runtime::Scalar> #assembly<T> {
             /// One lane, where it stands.
-            fn __moving(&self, __lane: ::core::primitive::usize) -> #moving {
-                let __core = #core;
+            fn __moving(__core: &#core<T>, __lane: ::core::primitive::usize) -> #moving {
                 #moving {
                     __m: #name::__lane(&__core.__mechanism, __lane),
                     __modes: __core.__modes,
@@ -93,6 +99,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
                 }
             }
         }
+        #(#functions)*
     }
 }
 
@@ -159,9 +166,20 @@ fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
     }
 }
 
-/// The runtime's `Followed` for a function.
-pub(in crate::emit) fn followed(outline: &Outline, function: &Function) -> TokenStream {
-    let runtime = &outline.runtime;
+/// The runtime's `FollowedStages` for a function; nothing if it uses no states or has no sweep.
+fn of_function(outline: &Outline, function: &Function) -> TokenStream {
+    if function.states.is_empty() || function.arguments.is_empty() {
+        return TokenStream::new();
+    }
+    let Outline {
+        runtime,
+        assembly,
+        core,
+        ..
+    } = outline;
+    let stages = stages::name(outline, function, Version::refining(function));
+    let everywhere = &attribute::split(function.attributes).everywhere;
+    let moving = moving_name(outline);
     let all = Places::all(outline);
     let states = function.states.iter().flat_map(|&group| {
         let first = all.state(group, 0);
@@ -179,11 +197,20 @@ pub(in crate::emit) fn followed(outline: &Outline, function: &Function) -> Token
         .map(literal::index);
         quote!((#number, #first, #size))
     });
+    let [parameters, width] = [dimensions, dimensions + all.width()].map(literal::index);
+    let allow = attribute::allow();
     quote! {
-        #runtime::Followed {
-            mechanism: |__lane: ::core::primitive::usize| self.__moving(__lane),
-            places: &[#(#places),*],
-            groups: &[#(#groups),*],
+        #(#everywhere)*
+        #allow
+        impl<T: #runtime::Scalar> #runtime::FollowedStages<#core<T>, #parameters, #width> for #stages {
+            type Moving = #moving;
+            const PLACES: &'static [::core::primitive::usize] = &[#(#places),*];
+            const GROUPS: &'static [(::core::primitive::usize, ::core::primitive::usize, ::core::primitive::usize)] =
+                &[#(#groups),*];
+
+            fn moving(__core: &#core<T>, __lane: ::core::primitive::usize) -> #moving {
+                #assembly::__moving(__core, __lane)
+            }
         }
     }
 }
